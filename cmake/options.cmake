@@ -1,0 +1,30 @@
+# How everything is compiled. Target `firstlight_options` carries what all code shares;
+# `firstlight_warnings` what our own code is held to (a learner's file is not: a warning there must
+# not stop the program).
+find_package(Threads REQUIRED)
+
+add_library(firstlight_options INTERFACE)
+target_include_directories(firstlight_options INTERFACE ${PROJECT_SOURCE_DIR})
+# No contraction: a multiply-add rounds once where a multiply and an add round twice, and machines
+# with and without it would disagree. Nothing here reads errno.
+target_compile_options(firstlight_options INTERFACE -ffp-contract=off -fno-math-errno)
+target_link_libraries(firstlight_options INTERFACE Threads::Threads)
+
+add_library(firstlight_warnings INTERFACE)
+target_compile_options(firstlight_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+
+if(FIRSTLIGHT_SANITIZE)
+  set(flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(firstlight_options INTERFACE ${flags})
+  target_link_options(firstlight_options INTERFACE ${flags})
+endif()
+
+if(FIRSTLIGHT_LTO)
+  include(CheckIPOSupported)
+  check_ipo_supported()
+  set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    add_link_options(-flto=auto)
+  endif()
+endif()

@@ -1,0 +1,73 @@
+# The tasks of the course, in the order in which they are written, and the seam.
+#
+# A task is one slug: the same in file, header, function, library, test suite and report. An
+# implementation is a tree of files <part>/<slug>.cpp that define the functions of the contract
+# pt/tasks/<slug>.h. Each file becomes an object library <slug>.<implementation>; a program links
+# exactly one library for each task. Exercise numbers (1.3) follow from the order here.
+set(FIRSTLIGHT_TASKS
+  1_rays/estimate_pixel
+  1_rays/camera_ray
+  1_rays/hit_triangle
+  1_rays/hit_sphere
+  2_bvh/build_bvh
+  2_bvh/hit_box
+  2_bvh/hit_bvh
+  3_direct/diffuse_bsdf
+  3_direct/direct_hemisphere
+  3_direct/direct_lights
+  4_global/trace_path
+  5_adaptive/adaptive_pixel)
+
+# Object libraries <slug>.<name> for every task file that the tree at `root` has. The learners'
+# edition comes without reference/: what is missing is left out.
+function(firstlight_add_implementation name root)
+  foreach(task IN LISTS FIRSTLIGHT_TASKS)
+    get_filename_component(slug ${task} NAME)
+    if(EXISTS ${root}/${task}.cpp)
+      add_library(${slug}.${name} OBJECT ${root}/${task}.cpp)
+      target_link_libraries(${slug}.${name} PRIVATE firstlight_options)
+      if(NOT name STREQUAL "student")
+        target_link_libraries(${slug}.${name} PRIVATE firstlight_warnings)
+      endif()
+    endif()
+  endforeach()
+endfunction()
+
+# firstlight_link_tasks(<program> FROM <implementation> [RADIANCE <implementation>]
+#                       [CHOICES <slug>=<implementation> ...])
+# links one definition of every task, all FROM one implementation but for the CHOICES, and one of the
+# slot radiance (default: path).
+function(firstlight_link_tasks program)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "FROM;RADIANCE" "CHOICES")
+  if(NOT ARG_RADIANCE)
+    set(ARG_RADIANCE path)
+  endif()
+  set(slugs)
+  foreach(task IN LISTS FIRSTLIGHT_TASKS)
+    get_filename_component(slug ${task} NAME)
+    list(APPEND slugs ${slug})
+    set(choice_${slug} ${ARG_FROM})
+  endforeach()
+  foreach(choice IN LISTS ARG_CHOICES)
+    if(NOT choice MATCHES "^([a-z_]+)=([a-z_]+)$" OR NOT CMAKE_MATCH_1 IN_LIST slugs)
+      message(FATAL_ERROR "'${choice}' is no choice: write <task>=<implementation>, the task one of ${slugs}")
+    endif()
+    set(choice_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+  endforeach()
+  foreach(slug IN LISTS slugs)
+    set(library ${slug}.${choice_${slug}})
+    if(NOT TARGET ${library})
+      message(FATAL_ERROR "there is no implementation '${choice_${slug}}' of the task ${slug}")
+    endif()
+    target_link_libraries(${program} PRIVATE ${library})
+  endforeach()
+  target_link_libraries(${program} PRIVATE radiance.${ARG_RADIANCE})
+endfunction()
+
+# A mixture in words, "reference" or "reference+hit_bvh=student+...", turned into the arguments of
+# firstlight_link_tasks (in MIXTURE_FROM and MIXTURE_CHOICES) and a suffix for targets and files.
+macro(firstlight_parse_mixture mixture)
+  string(REPLACE "+" ";" MIXTURE_CHOICES "${mixture}")
+  list(POP_FRONT MIXTURE_CHOICES MIXTURE_FROM)
+  string(REPLACE "=" "-" MIXTURE_SUFFIX "${mixture}")
+endmacro()

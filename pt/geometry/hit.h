@@ -1,0 +1,21 @@
+#pragma once
+
+#include "pt/math/vec3.h"
+
+namespace pt {
+
+// Where a ray meets one surface: the ray parameter t, and the surface's unit normal n there, in
+// world space, on the side the surface itself says (never turned towards the ray).
+struct SurfaceHit {
+  double t = 0;
+  Vec3 n;
+};
+
+// The same, and which primitive it was: an index into Primitives.
+struct Hit {
+  double t = 0;
+  Vec3 n;
+  int primitive = 0;
+};
+
+}  // namespace pt

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "pt/math/vec3.h"
+
+namespace pt {
+
+// A closed range of ray parameters. Empty where min > max.
+struct Interval {
+  double min = 0;
+  double max = 0;
+};
+
+// The points origin + t direction with t_min <= t <= t_max, in world space. Where the direction has
+// unit length, t is a distance; every interface says whether it asks for that. A hit whose t lies
+// outside the range is no hit. Rays never change: what shortens a query is a local variable.
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+  double t_min = 0;
+  double t_max = kInfinity;
+
+  Vec3 at(double t) const { return origin + t * direction; }
+};
+
+}  // namespace pt

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "pt/geometry/ray.h"
+#include "pt/geometry/surface_point.h"
+
+namespace pt {
+
+// The error of a computed hit point is some tens of rounding errors of the numbers it came from
+// (2^-53 each), and the offset has to exceed that, yet stay far below any detail of a scene. 2^-33
+// leaves a factor of 10^4 on the first side (compare Waechter and Binder 2019, Ray Tracing Gems,
+// chapter 6, which does the same in single precision).
+inline constexpr double kOffset = 0x1p-33;
+
+// The origin of a ray that leaves the surface along `direction`: p, moved off the true surface to
+// the side the ray leaves on.
+inline Vec3 offset_point(const SurfacePoint& point, Vec3 direction) {
+  const double side = dot(point.geometric_normal, direction) < 0 ? -1 : 1;
+  return point.p + (side * kOffset * point.scale) * point.geometric_normal;
+}
+
+// A ray from the surface along the unit `direction` (world space) that does not meet the surface it
+// starts on.
+inline Ray spawn_ray(const SurfacePoint& point, Vec3 direction) {
+  return {offset_point(point, direction), direction, 0, kInfinity};
+}
+
+// A ray that asks whether anything stands between the point and a light at `distance` along the
+// unit direction `wi`, both as sample_light gives them (the distance may be infinite). It ends a
+// little before the light, which may be a surface of the scene itself.
+inline Ray shadow_ray(const SurfacePoint& point, Vec3 wi, double distance) {
+  constexpr double kShorten = 1 - 0x1p-20;
+  return {offset_point(point, wi), wi, 0, kShorten * distance};
+}
+
+}  // namespace pt

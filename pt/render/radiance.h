@@ -1,0 +1,21 @@
+#pragma once
+
+#include "pt/geometry/ray.h"
+#include "pt/math/rgb.h"
+#include "pt/sampling/sampler.h"
+#include "pt/scene/view.h"
+
+namespace pt {
+
+// One sample of the radiance that comes back along a camera ray: what estimate_pixel and
+// adaptive_pixel average. Not a task, but a slot of the seam like one, with the implementations
+//   path      emission at the first surface + trace_path, or the normals view; as it comes, NaN
+//             included (pt/render/radiance_path.cpp);
+//   recorded  the same, each sample also entered in this thread's PixelRecord, and one that is not
+//             finite replaced by black there (pt/render/radiance_recorded.cpp: the render program);
+//   scripted  whatever a test wants the pixel to see (grader).
+//
+// In:  a world-space ray of unit direction. Black where it meets nothing.
+Rgb radiance(const Scene& scene, const Ray& ray, const PathSettings& settings, Sampler& sampler);
+
+}  // namespace pt

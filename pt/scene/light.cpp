@@ -1,0 +1,117 @@
+#include "pt/scene/light.h"
+
+#include "pt/math/frame.h"
+#include "pt/sampling/directions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+template <class... Visitors>
+struct Overloaded : Visitors... {
+  using Visitors::operator()...;
+};
+
+// A point q on an emitting surface with normal n, chosen with density 1 / area. The density a
+// steradian follows by the solid angle that a piece of surface fills: cos(light) dA / distance^2.
+LightSample area_sample(Vec3 p, Vec3 q, Vec3 n, double area, Rgb radiance) {
+  const Vec3 to_light = q - p;
+  const double squared = length_squared(to_light);
+  if (!(squared > 0)) return {n, 0, {}, 1, false};
+  const double distance = std::sqrt(squared);
+  const Vec3 wi = to_light / distance;
+  const double cos_light = -dot(wi, n);
+  if (!(cos_light > 0)) return {wi, distance, {}, 1, false};
+  return {wi, distance, radiance, squared / (cos_light * area), false};
+}
+
+LightSample sample(const RectangleLight& light, Vec3 p, Sampler& sampler) {
+  const Vec2 xi = sampler.next_2d();
+  const Vec3 q = light.center + (xi.x - 0.5) * light.u + (xi.y - 0.5) * light.v;
+  return area_sample(p, q, light.n, length(cross(light.u, light.v)), light.radiance);
+}
+
+// From outside, a sphere fills a cone of directions, and all of it emits towards p: a uniform
+// direction in the cone has no other noise than that of the shadow.
+LightSample sample(const SphereLight& light, Vec3 p, Sampler& sampler) {
+  const Vec2 xi = sampler.next_2d();
+  const Vec3 to_center = light.center - p;
+  const double center_distance = length(to_center);
+  const double sine = light.radius / center_distance;
+  if (!(sine < 1)) return {{0, 0, 1}, 0, {}, 1, false};  // inside, it is dark
+  // 1 - cos = sin^2 / (1 + cos) keeps its digits however small the sphere looks.
+  const double one_minus_cos = sine * sine / (1 + std::sqrt(1 - sine * sine));
+  const Vec3 local = uniform_cone(xi, one_minus_cos);
+  const Vec3 wi = frame_from_normal(to_center / center_distance).to_world(local);
+  const double side = center_distance * std::sqrt(std::max(0.0, 1 - local.z * local.z));
+  const double half_chord = std::sqrt(std::max(0.0, light.radius * light.radius - side * side));
+  const double distance = center_distance * local.z - half_chord;
+  return {wi, distance, light.radiance, 1 / (2 * kPi * one_minus_cos), false};
+}
+
+LightSample sample(const MeshLight& light, Vec3 p, Sampler& sampler) {
+  const double area = light.area_up_to.empty() ? 0 : light.area_up_to.back();
+  if (!(area > 0)) return {{0, 0, 1}, 0, {}, 1, false};
+  const double position = sampler.next_1d() * area;
+  const Vec2 xi = sampler.next_2d();
+  const auto found =
+      std::upper_bound(light.area_up_to.begin(), light.area_up_to.end() - 1, position);
+  const MeshLight::Face& face = light.faces[found - light.area_up_to.begin()];
+  // The square root turns the uniform square into a uniform triangle.
+  const double r = std::sqrt(xi.x);
+  const Vec3 q = (1 - r) * face.p0 + r * (1 - xi.y) * face.p1 + r * xi.y * face.p2;
+  const Vec3 n = normalize(cross(face.p1 - face.p0, face.p2 - face.p0));
+  return area_sample(p, q, n, area, light.radiance);
+}
+
+LightSample sample(const PointLight& light, Vec3 p, Sampler&) {
+  const Vec3 to_light = light.position - p;
+  const double squared = length_squared(to_light);
+  if (!(squared > 0)) return {{0, 0, 1}, 0, {}, 1, true};
+  const double distance = std::sqrt(squared);
+  return {to_light / distance, distance, light.intensity / squared, 1, true};
+}
+
+LightSample sample(const DirectionalLight& light, Vec3, Sampler&) {
+  return {-light.direction, kInfinity, light.irradiance, 1, true};
+}
+
+LightSample sample(const AmbientLight& light, Vec3, Sampler& sampler) {
+  static constexpr Frame kUp{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};  // z of the frame is world y
+  const Vec3 wi = kUp.to_world(uniform_hemisphere(sampler.next_2d()));
+  return {wi, kInfinity, light.radiance, 1 / (2 * kPi), false};
+}
+
+}  // namespace
+
+MeshLight make_mesh_light(const std::vector<MeshLight::Face>& faces, Rgb radiance) {
+  MeshLight light{{}, {}, radiance};
+  double area = 0;
+  for (const MeshLight::Face& face : faces) {
+    const double face_area = 0.5 * length(cross(face.p1 - face.p0, face.p2 - face.p0));
+    if (!(face_area > 0)) continue;
+    area += face_area;
+    light.faces.push_back(face);
+    light.area_up_to.push_back(area);
+  }
+  return light;
+}
+
+LightSample sample_light(const Light& light, Vec3 p, Sampler& sampler) {
+  return std::visit([&](const auto& kind) { return sample(kind, p, sampler); }, light);
+}
+
+const char* kind_name(const Light& light) {
+  return std::visit(
+      Overloaded{[](const RectangleLight&) { return "rectangle"; },
+                 [](const SphereLight&) { return "sphere"; },
+                 [](const MeshLight&) { return "mesh"; }, [](const PointLight&) { return "point"; },
+                 [](const DirectionalLight&) { return "directional"; },
+                 [](const AmbientLight&) { return "ambient"; }},
+      light);
+}
+
+}  // namespace pt

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "pt/math/rgb.h"
+#include "pt/math/vec3.h"
+#include "pt/sampling/sampler.h"
+
+#include <variant>
+#include <vector>
+
+namespace pt {
+
+// The places light comes from, in world space. An area light that has a surface in the scene is
+// found by both ways of looking for it, by sampling the light and by running into the surface, and
+// the two agree; one without a surface can only be sampled.
+
+// The parallelogram center + (a - 1/2) u + (b - 1/2) v, a and b in [0, 1]; emits on n's side.
+struct RectangleLight {
+  Vec3 center;
+  Vec3 u, v;  // whole sides
+  Vec3 n;     // unit, cross(u, v) or its opposite
+  Rgb radiance;
+};
+
+// The outside of a sphere.
+struct SphereLight {
+  Vec3 center;
+  double radius = 1;
+  Rgb radiance;
+};
+
+// Any emissive mesh of one radiance: each triangle emits on the side of its geometric normal.
+struct MeshLight {
+  struct Face {
+    Vec3 p0, p1, p2;
+  };
+  std::vector<Face> faces;
+  std::vector<double> area_up_to;  // area_up_to[i] is the area of faces 0 .. i
+  Rgb radiance;
+};
+
+struct PointLight {
+  Vec3 position;
+  Rgb intensity;  // a steradian: what arrives falls off with the distance squared
+};
+
+struct DirectionalLight {
+  Vec3 direction;  // unit, the way the light travels
+  Rgb irradiance;  // on a surface that faces it
+};
+
+// The sky: the same radiance from every direction with y > 0 (the upper half of the world).
+struct AmbientLight {
+  Rgb radiance;
+};
+
+using Light = std::variant<RectangleLight, SphereLight, MeshLight, PointLight, DirectionalLight,
+                           AmbientLight>;
+
+// Faces in, with their running sums of area. Degenerate faces are left out.
+MeshLight make_mesh_light(const std::vector<MeshLight::Face>& faces, Rgb radiance);
+
+// One direction from p towards a light. The light reflected at p along wo is estimated by
+//   f(wo, wi) radiance cos(wi, n) / pdf, if nothing stands between.
+struct LightSample {
+  Vec3 wi;              // unit, world space, from p towards the light
+  double distance = 0;  // from p along wi to the light; infinite for the sky and directional lights
+  Rgb radiance;         // arriving at p along wi if nothing is in the way; for a delta light the
+                        // irradiance on a surface that faces it; black where p is on the dark side
+  double pdf = 1;       // of wi, a steradian, always > 0; 1 for a delta light
+  bool delta = false;   // the light has this one direction only, so one sample says everything
+};
+
+LightSample sample_light(const Light& light, Vec3 p, Sampler& sampler);
+
+// Whether all samples of the light towards one point are the same direction.
+inline bool is_delta(const Light& light) {
+  return std::holds_alternative<PointLight>(light) ||
+         std::holds_alternative<DirectionalLight>(light);
+}
+
+// The name of the light's kind, for messages: "rectangle", "point", ...
+const char* kind_name(const Light& light);
+
+}  // namespace pt

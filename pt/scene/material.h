@@ -1,0 +1,21 @@
+#pragma once
+
+#include "pt/math/rgb.h"
+
+#include <string>
+
+namespace pt {
+
+// A Lambertian surface that may emit. It reflects on both sides and emits on the side of the
+// geometric normal.
+struct Material {
+  std::string name;
+  Rgb albedo{0.5, 0.5, 0.5};  // in [0, 1]
+  Rgb emission;               // radiance
+
+  // What the file asks for and no task models ("mirror", "glass", ...); empty for what we model.
+  // Such a surface can be shown by its normals, not lit.
+  std::string unsupported;
+};
+
+}  // namespace pt

@@ -1,0 +1,68 @@
+#include "pt/scene/scene.h"
+
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+thread_local RayCount ray_count;
+
+// How large the numbers are from which the point of a hit was computed: its rounding error is a
+// small multiple of this times 2^-53.
+double error_scale(const Primitives& primitives, const Ray& ray, const Hit& hit, Vec3 p) {
+  double scale = std::max({max_abs(ray.origin), max_abs(p), hit.t * max_abs(ray.direction)});
+  if (!primitives.is_triangle(hit.primitive)) {
+    const Sphere& sphere = primitives.sphere(hit.primitive);
+    scale = std::max(scale, max_abs(sphere.center) + sphere.radius);
+  } else {
+    const Triangle& t = primitives.triangle(hit.primitive);
+    scale = std::max({scale, max_abs(t.p0), max_abs(t.p1), max_abs(t.p2)});
+  }
+  return scale;
+}
+
+Vec3 unit_geometric_normal(const Primitives& primitives, const Hit& hit) {
+  return primitives.is_triangle(hit.primitive)
+             ? normalize(geometric_normal(primitives.triangle(hit.primitive)))
+             : hit.n;
+}
+
+}  // namespace
+
+std::optional<Hit> Scene::closest(const Ray& ray) const {
+  ++ray_count.closest;
+  return tracer.closest(primitives, ray);
+}
+
+bool Scene::occluded(const Ray& ray) const {
+  ++ray_count.occluded;
+  return tracer.occluded(primitives, ray);
+}
+
+SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
+  const Material& material = scene.materials[scene.material_of[hit.primitive]];
+  SurfacePoint point;
+  point.p = ray.at(hit.t);
+  point.wo = normalize(-ray.direction);
+  point.n = dot(hit.n, point.wo) < 0 ? -hit.n : hit.n;
+  point.geometric_normal = unit_geometric_normal(scene.primitives, hit);
+  point.frame = frame_from_normal(point.n);
+  point.albedo = material.albedo;
+  if (dot(point.geometric_normal, point.wo) > 0) point.emission = material.emission;
+  point.scale = error_scale(scene.primitives, ray, hit, point.p);
+  return point;
+}
+
+Rgb background(const Scene& scene, Vec3 direction) {
+  Rgb sky;
+  if (!(direction.y > 0)) return sky;
+  for (const Light& light : scene.lights) {
+    if (const auto* ambient = std::get_if<AmbientLight>(&light)) sky += ambient->radiance;
+  }
+  return sky;
+}
+
+RayCount rays_traced() { return ray_count; }
+
+}  // namespace pt

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "pt/geometry/primitives.h"
+#include "pt/geometry/surface_point.h"
+#include "pt/scene/light.h"
+#include "pt/scene/material.h"
+#include "pt/scene/tracer.h"
+
+#include <optional>
+#include <vector>
+
+namespace pt {
+
+// Everything that light meets, in world space (right-handed, y up). Rays are traced by the two
+// members, whatever engine stands behind them; both count the ray.
+struct Scene {
+  Primitives primitives;
+  std::vector<int> material_of;  // for each primitive, an index into materials
+  std::vector<Material> materials;
+  std::vector<Light> lights;
+  Tracer tracer;  // made for these primitives, after they are complete
+
+  // The nearest surface within the ray's range.
+  std::optional<Hit> closest(const Ray& ray) const;
+
+  // Whether any surface lies within the ray's range.
+  bool occluded(const Ray& ray) const;
+};
+
+// The surface that a ray met, as light transport sees it. `ray` is the ray that the hit answers.
+SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit);
+
+// The radiance that a ray which leaves the scene along the unit `direction` brings back to a
+// surface: the sky. (The camera itself, and indirect rays, see black there.)
+Rgb background(const Scene& scene, Vec3 direction);
+
+// The rays that this thread has traced since it started, of all scenes.
+struct RayCount {
+  long long closest = 0;
+  long long occluded = 0;
+};
+RayCount rays_traced();
+
+}  // namespace pt

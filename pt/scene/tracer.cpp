@@ -1,0 +1,50 @@
+#include "pt/scene/tracer.h"
+
+#include "pt/tasks/build_bvh.h"
+#include "pt/tasks/hit_bvh.h"
+
+namespace pt {
+
+namespace {
+
+std::optional<Hit> closest_linear(const Primitives& primitives, Ray ray) {
+  std::optional<Hit> closest;
+  for (int i = 0; i < primitives.size(); ++i) {
+    const std::optional<SurfaceHit> hit = hit_primitive(primitives, i, ray);
+    if (!hit || (closest && !(hit->t < closest->t))) continue;
+    closest = {hit->t, hit->n, i};
+    ray.t_max = hit->t;
+  }
+  return closest;
+}
+
+bool occluded_linear(const Primitives& primitives, const Ray& ray) {
+  for (int i = 0; i < primitives.size(); ++i) {
+    if (hit_primitive(primitives, i, ray)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string_view name(Engine engine) { return engine == Engine::linear ? "linear" : "task"; }
+
+Tracer::Tracer(Engine engine, const Primitives& primitives, int max_leaf) : engine_(engine) {
+  if (engine == Engine::linear) return;
+  std::vector<Box> boxes;
+  boxes.reserve(primitives.size());
+  for (int i = 0; i < primitives.size(); ++i) boxes.push_back(bounds(primitives, i));
+  bvh_ = build_bvh(boxes, max_leaf);
+}
+
+std::optional<Hit> Tracer::closest(const Primitives& primitives, const Ray& ray) const {
+  if (engine_ == Engine::linear) return closest_linear(primitives, ray);
+  return hit_bvh(bvh_, primitives, ray);
+}
+
+bool Tracer::occluded(const Primitives& primitives, const Ray& ray) const {
+  if (engine_ == Engine::linear) return occluded_linear(primitives, ray);
+  return occluded_bvh(bvh_, primitives, ray);
+}
+
+}  // namespace pt

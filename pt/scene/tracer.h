@@ -1,0 +1,41 @@
+#pragma once
+
+#include "pt/geometry/bvh.h"
+#include "pt/geometry/hit.h"
+#include "pt/geometry/primitives.h"
+#include "pt/geometry/ray.h"
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace pt {
+
+// How a scene answers "what does this ray meet": by asking every primitive in turn, through the
+// tasks of part 2 as they are linked, or through the fast engine of pt/accel.
+enum class Engine { linear, task };
+
+std::string_view name(Engine engine);
+
+// The acceleration structure of a scene's primitives. It does not own them: every query is handed
+// the same Primitives that it was built for. Queries are const and safe from any thread.
+//
+// All engines give the same answers: the closest hit with t in the ray's range, and of several at
+// the same t the primitive with the smallest index (task: whichever the linked hit_bvh picks).
+class Tracer {
+ public:
+  Tracer() = default;  // traces linearly
+  Tracer(Engine engine, const Primitives& primitives, int max_leaf = 4);
+
+  std::optional<Hit> closest(const Primitives& primitives, const Ray& ray) const;
+  bool occluded(const Primitives& primitives, const Ray& ray) const;
+
+  Engine engine() const { return engine_; }
+  const Bvh& bvh() const { return bvh_; }  // empty but for Engine::task
+
+ private:
+  Engine engine_ = Engine::linear;
+  Bvh bvh_;
+};
+
+}  // namespace pt

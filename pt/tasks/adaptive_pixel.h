@@ -1,0 +1,50 @@
+#pragma once
+
+#include "pt/math/rgb.h"
+#include "pt/sampling/sampler.h"
+#include "pt/scene/view.h"
+
+namespace pt {
+
+struct AdaptiveSettings {
+  int max_samples = 64;     // >= batch
+  int batch = 32;           // >= 2: the samples between two checks
+  double tolerance = 0.05;  // > 0: of the mean
+};
+
+// The mean of a pixel, and how many samples it took.
+struct PixelEstimate {
+  Rgb mean;
+  int samples = 0;
+};
+
+// The mean radiance that falls on one pixel, with as many samples as it needs.
+//
+// In:  as estimate_pixel; every sample goes through a random point of the pixel.
+// Out: the plain mean of all samples taken, and their number n. After each batch, with mean mu and
+//      standard deviation sigma of the luminance of the samples so far, the pixel is done if
+//      1.96 sigma / sqrt(n) < tolerance mu: the 95 % interval of the mean is narrow enough. It
+//      never takes more than max_samples, of which the last batch may be cut short.
+//
+// sigma may divide by n or by n - 1. Where all samples are zero, < and <= are both right.
+//
+// Promises:
+//   - stops where the interval is narrow: after the first batch that satisfies the condition,
+//   exactly,
+//     for any sequence of samples.
+//   - checks once a batch: n is a multiple of batch, or max_samples.
+//   - takes one batch of a constant: rounding errors in the variance do not keep it going.
+//   - never exceeds the maximum: radiance() is called n times, and n <= max_samples.
+//   - returns the mean of all samples: divided by n, wherever it stopped.
+//   - judges by luminance: not by one channel.
+//   - goes on while it is dark: a pixel whose samples are not all zero is not done because its mean
+//   is
+//     small.
+//   - uses the batch and the tolerance given: whatever they are.
+//   - covers the whole pixel: all points of the square are equally likely.
+//   - forgets the pixel before: the same arguments give the same answer, whatever was asked
+//   earlier.
+PixelEstimate adaptive_pixel(const View& view, int x, int y, const AdaptiveSettings& settings,
+                             Sampler& sampler);
+
+}  // namespace pt

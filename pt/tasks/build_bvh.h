@@ -1,0 +1,37 @@
+#pragma once
+
+#include "pt/geometry/box.h"
+#include "pt/geometry/bvh.h"
+
+#include <span>
+
+namespace pt {
+
+// A bounding volume hierarchy over boxes, with the invariants of pt/geometry/bvh.h.
+//
+// In:  the boxes of the primitives, in world space, none empty (flat ones and points are possible),
+//      in any number, zero included. max_leaf >= 1.
+// Out: the tree. No leaf holds more than max_leaf primitives, whatever the boxes are.
+//
+// How the boxes are split is free: at the midpoint of the longest axis of the box of all centroids,
+// at the mean, at the median, by the surface area heuristic. What a plane fails to separate must be
+// divided otherwise.
+//
+// Promises:
+//   - keeps every primitive once: order is a permutation, and the leaves cover it without overlap.
+//   - covers its primitives: a node's box contains all boxes below it.
+//   - is one tree: every node but the root has one parent, whose index is smaller.
+//   - keeps leaves small: at most max_leaf primitives each, for max_leaf from 1 up.
+//   - splits until it must: n boxes with n > max_leaf are not left in one leaf, and inner nodes
+//   have
+//     two children that both hold something.
+//   - takes no boxes and one: an empty tree, and a single leaf.
+//   - ends on identical centroids: also when every box is the same.
+//   - separates along the longest axis: long rows of boxes along x, y or z, at any scale, give a
+//   tree
+//     that a ray across it leaves almost untouched.
+//   - stays shallow on clustered centroids (bonus): at 2^-i for i = 0, 1, ... the depth is
+//     logarithmic.
+Bvh build_bvh(std::span<const Box> boxes, int max_leaf);
+
+}  // namespace pt

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "pt/math/rgb.h"
+#include "pt/math/vec3.h"
+#include "pt/sampling/sampler.h"
+
+namespace pt {
+
+// A direction wi that light may come from, the value f of the BSDF for it, and the density pdf with
+// which it was chosen, a steradian.
+struct BsdfSample {
+  Vec3 wi;
+  Rgb f;
+  double pdf = 0;
+};
+
+// How a matt surface reflects: the same radiance in all directions (Lambert).
+//
+// In:  wo and wi are unit vectors in the local shading frame, z along the normal, both pointing
+// away
+//      from the surface. The albedo, in [0, 1], is the part of the light that is not absorbed. For
+//      diffuse_sample, wo.z > 0.
+// Out: diffuse_f is the BSDF itself (a steradian; without any cosine): the same for all directions,
+//      but zero where wo and wi are on different sides of the surface. diffuse_sample chooses wi on
+//      wo's side, by any density that is not zero there, uniform and cosine-weighted alike, and
+//      returns f and that density. diffuse_pdf is the density with which diffuse_sample chooses wi;
+//      zero on the other side.
+//
+// Promises:
+//   - f reflects the albedo: f cos(wi) summed over all wi is the albedo, in each channel.
+//   - f is the same for all directions: wherever wo and wi are on one side.
+//   - f is zero across the surface: where wo and wi are on different sides; also with both below, f
+//     is as above.
+//   - samples the side of wo: wi is a unit vector, wi.z > 0, all around.
+//   - a sample knows its own f and pdf: the same as diffuse_f and diffuse_pdf give for it.
+//   - pdf is the density of the samples: a histogram of many samples agrees with it.
+//   - pdf sums to one: over the side of wo, and is zero on the other.
+//   - samples estimate the albedo: the mean of f cos(wi) / pdf is the albedo.
+Rgb diffuse_f(Rgb albedo, Vec3 wo, Vec3 wi);
+BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler);
+double diffuse_pdf(Vec3 wo, Vec3 wi);
+
+}  // namespace pt

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "pt/geometry/bvh.h"
+#include "pt/geometry/hit.h"
+#include "pt/geometry/primitives.h"
+#include "pt/geometry/ray.h"
+
+#include <optional>
+
+namespace pt {
+
+// What a ray meets among many primitives, with the help of a tree over their boxes.
+//
+// In:  any tree that keeps the invariants of pt/geometry/bvh.h over the boxes of `primitives`, also
+//      an empty one. Leaves ask hit_primitive (which asks hit_triangle or hit_sphere), inner nodes
+//      hit_box.
+// Out: hit_bvh: the hit with the smallest t in the ray's range, the surface's normal as it was
+// given,
+//      and which primitive it was; of several at the same t any. occluded_bvh: whether there is any
+//      hit in the ray's range; it may stop at the first.
+//
+// Promises:
+//   - finds the nearest hit: the same t as asking every primitive in turn.
+//   - says which primitive: index and normal belong to the one that was hit.
+//   - misses what is not there: no hit where asking every primitive finds none.
+//   - keeps t inside the ray: no hit before t_min or beyond t_max.
+//   - takes an empty tree: without nodes there is no hit.
+//   - takes a tree of any shape: deep, lopsided, with many primitives in a leaf, or a single leaf.
+//   - finds any hit: occluded_bvh says yes exactly where there is one in the range.
+//   - tests few primitives: only those whose leaf the ray enters.
+//   - tests no box twice: each box and each primitive at most once a query.
+//   - skips what lies outside the ray: boxes that the ray does not enter hide all below them.
+//   - stops at any hit: occluded_bvh does not go on after it has found one.
+std::optional<Hit> hit_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray);
+bool occluded_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray);
+
+}  // namespace pt

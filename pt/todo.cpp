@@ -1,0 +1,40 @@
+#include "pt/todo.h"
+
+#include <cstdio>
+#include <mutex>
+#include <set>
+#include <string>
+
+namespace pt {
+
+namespace {
+
+struct Reached {
+  std::mutex mutex;
+  std::set<std::string, std::less<>> slugs;
+};
+
+Reached& reached() {
+  static Reached instance;
+  return instance;
+}
+
+}  // namespace
+
+void todo(std::string_view slug) {
+  // Stubs are called once a ray: after the first time, this thread remembers without the lock.
+  thread_local std::set<std::string, std::less<>> known;
+  if (known.contains(slug)) return;
+  known.emplace(slug);
+  const std::lock_guard lock(reached().mutex);
+  if (reached().slugs.emplace(slug).second) {
+    std::fprintf(stderr, "%.*s is not written yet\n", static_cast<int>(slug.size()), slug.data());
+  }
+}
+
+bool todo_reached(std::string_view slug) {
+  const std::lock_guard lock(reached().mutex);
+  return reached().slugs.contains(slug);
+}
+
+}  // namespace pt

@@ -1,0 +1,28 @@
+#include "pt/tasks/diffuse_bsdf.h"
+
+#include "pt/sampling/directions.h"
+
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+bool same_side(Vec3 wo, Vec3 wi) { return wo.z * wi.z > 0; }
+
+}  // namespace
+
+// The cosine, summed over the hemisphere, is pi: divided by it, f reflects just the albedo.
+Rgb diffuse_f(Rgb albedo, Vec3 wo, Vec3 wi) { return same_side(wo, wi) ? albedo / kPi : Rgb{}; }
+
+// Directions near the normal bring more light, by the cosine: choosing them in proportion to it
+// leaves f cos / pdf the same for all of them.
+BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler) {
+  Vec3 wi = cosine_hemisphere(sampler.next_2d());
+  if (wo.z < 0) wi.z = -wi.z;
+  return {wi, diffuse_f(albedo, wo, wi), diffuse_pdf(wo, wi)};
+}
+
+double diffuse_pdf(Vec3 wo, Vec3 wi) { return same_side(wo, wi) ? std::abs(wi.z) / kPi : 0; }
+
+}  // namespace pt

@@ -1,0 +1,51 @@
+#include "pt/tasks/trace_path.h"
+
+#include "pt/geometry/spawn_ray.h"
+#include "pt/tasks/diffuse_bsdf.h"
+#include "pt/tasks/direct_hemisphere.h"
+#include "pt/tasks/direct_lights.h"
+
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
+           Sampler& sampler) {
+  return settings.direct == PathSettings::Direct::hemisphere
+             ? direct_hemisphere(scene, point, settings.light_samples, sampler)
+             : direct_lights(scene, point, settings.light_samples, sampler);
+}
+
+}  // namespace
+
+Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings& settings,
+               Sampler& sampler) {
+  Rgb sum;
+  Rgb weight = gray(1);  // what the turns so far leave of light that is found now
+  SurfacePoint point = start;
+  for (int bounce = 1; bounce <= settings.to; ++bounce) {
+    if (bounce >= settings.from) sum += weight * direct(scene, point, settings, sampler);
+    if (bounce == settings.to) break;
+
+    // Russian roulette, from the second turn on: whoever survives stands for those who did not.
+    if (bounce > 1) {
+      if (!(sampler.next_1d() < settings.survival)) break;
+      weight /= settings.survival;
+    }
+
+    const Vec3 wo = point.frame.to_local(point.wo);
+    const BsdfSample turn = diffuse_sample(point.albedo, wo, sampler);
+    if (!(turn.pdf > 0)) break;  // a direction that grazes the surface brings nothing
+    weight *= turn.f * (std::abs(turn.wi.z) / turn.pdf);
+
+    const Ray ray = spawn_ray(point, point.frame.to_world(turn.wi));
+    const std::optional<Hit> hit = scene.closest(ray);
+    if (!hit) break;
+    point = surface_point(scene, ray, *hit);
+  }
+  return sum;
+}
+
+}  // namespace pt
