@@ -14,6 +14,13 @@ add_library(firstlight_warnings INTERFACE)
 target_compile_options(firstlight_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
 
+# An object library of ours. Objects, not archives: two definitions of one function are then an error of
+# the linker, where in an archive one of them would silently win.
+function(firstlight_library name)
+  add_library(${name} OBJECT ${ARGN})
+  target_link_libraries(${name} PRIVATE firstlight_warnings PUBLIC firstlight_options)
+endfunction()
+
 if(FIRSTLIGHT_SANITIZE)
   set(flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_compile_options(firstlight_options INTERFACE ${flags})
