@@ -58,8 +58,11 @@ void write_file(const fs::path& path, std::string_view bytes) {
   check_target(path);
   std::error_code error;
   // A link stays a link: what it points to is replaced.
-  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
-  if (error) fail("cannot write", path, error.message());
+  fs::path target = path;
+  if (fs::is_symlink(path, error)) {
+    target = fs::weakly_canonical(path, error);
+    if (error) fail("cannot write", path, error.message());
+  }
   fs::path temporary = target;
   temporary += "." + std::to_string(getpid()) + ".tmp";
   errno = 0;
