@@ -16,33 +16,45 @@ namespace pt {
 namespace {
 
 // EXR wants the channels sorted by name.
-constexpr std::array<const char*, 9> kChannels{
+enum Channel {
+  kB,
+  kG,
+  kR,
+  kY,
+  kSamples,
+  kVarianceB,
+  kVarianceG,
+  kVarianceR,
+  kVarianceY,
+  kChannels
+};
+constexpr std::array<const char*, kChannels> kNames{
     "B", "G", "R", "Y", "samples", "variance.B", "variance.G", "variance.R", "variance.Y"};
-constexpr int kSamples = 4;
 
-// What tinyexr fills in is freed whichever way a function is left.
-struct Header : EXRHeader {
-  Header() { InitEXRHeader(this); }
-  ~Header() { FreeEXRHeader(this); }
-  Header(const Header&) = delete;
-  Header& operator=(const Header&) = delete;
+// Where a file has each of our channels, -1 where it has not.
+using ChannelPlaces = std::array<int, kChannels>;
+
+// What tinyexr allocates is freed whichever way a function is left.
+struct ReadHeader : EXRHeader {
+  ReadHeader() { InitEXRHeader(this); }
+  ~ReadHeader() { FreeEXRHeader(this); }
+  ReadHeader(const ReadHeader&) = delete;
+  ReadHeader& operator=(const ReadHeader&) = delete;
 };
-struct Pixels : EXRImage {
-  Pixels() { InitEXRImage(this); }
-  ~Pixels() { FreeEXRImage(this); }
-  Pixels(const Pixels&) = delete;
-  Pixels& operator=(const Pixels&) = delete;
+struct ReadPixels : EXRImage {
+  ReadPixels() { InitEXRImage(this); }
+  ~ReadPixels() { FreeEXRImage(this); }
+  ReadPixels(const ReadPixels&) = delete;
+  ReadPixels& operator=(const ReadPixels&) = delete;
 };
 
-std::array<float, 9> values(const FilmPixel& p) {
-  const auto f = [](double v) { return static_cast<float>(v); };
-  return {f(p.mean.b),     f(p.mean.g),     f(p.mean.r),     f(luminance(p.mean)), 0,
-          f(p.variance.b), f(p.variance.g), f(p.variance.r), f(p.variance_y)};
+const unsigned char* data(const std::string& bytes) {
+  return reinterpret_cast<const unsigned char*>(bytes.data());
 }
 
 // Frees tinyexr's message.
 std::string take_message(const char* message) {
-  std::string text = message ? message : "no reason given";
+  const std::string text = message ? message : "no reason given";
   FreeEXRErrorMessage(message);
   return text;
 }
@@ -51,42 +63,144 @@ std::string take_message(const char* message) {
   throw Error("cannot read '" + name + "': " + why);
 }
 
+std::array<std::vector<float>, kChannels> planes(const Film& film) {
+  std::array<std::vector<float>, kChannels> out;
+  for (const FilmPixel& p : film.pixels) {
+    const std::array<double, kChannels> values{
+        p.mean.b,     p.mean.g,     p.mean.r,     luminance(p.mean), 0,
+        p.variance.b, p.variance.g, p.variance.r, p.variance_y};
+    for (int c = 0; c < kChannels; ++c) out[c].push_back(static_cast<float>(values[c]));
+  }
+  return out;
+}
+
+void parse_header(ReadHeader& header, const std::string& bytes, const std::string& name) {
+  EXRVersion version;
+  if (ParseEXRVersionFromMemory(&version, data(bytes), bytes.size()) != TINYEXR_SUCCESS) {
+    fail(name, "it is not an EXR picture");
+  }
+  if (version.tiled || version.multipart || version.non_image) {
+    fail(name, "EXR files with tiles, several parts or deep data are not read; save scanlines");
+  }
+  const char* message = nullptr;
+  if (ParseEXRHeaderFromMemory(&header, &version, data(bytes), bytes.size(), &message) !=
+      TINYEXR_SUCCESS) {
+    fail(name, "its EXR header is broken (" + take_message(message) + ")");
+  }
+  const EXRBox2i& window = header.data_window;
+  const long width = 1L + window.max_x - window.min_x;
+  const long height = 1L + window.max_y - window.min_y;
+  if (!is_image_size(width, height)) {
+    fail(name, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                   " pixels is not accepted");
+  }
+}
+
+// Also asks tinyexr for float where the file has half.
+ChannelPlaces find_channels(ReadHeader& header, const std::string& name) {
+  ChannelPlaces places;
+  places.fill(-1);
+  for (int i = 0; i < header.num_channels; ++i) {
+    const EXRChannelInfo& channel = header.channels[i];
+    if (channel.x_sampling != 1 || channel.y_sampling != 1) {
+      fail(name, std::string("its channel ") + channel.name + " is subsampled; save it in full");
+    }
+    if (channel.pixel_type == TINYEXR_PIXELTYPE_HALF) {
+      header.requested_pixel_types[i] = TINYEXR_PIXELTYPE_FLOAT;
+    }
+    const bool whole = channel.pixel_type == TINYEXR_PIXELTYPE_UINT;
+    for (int c = 0; c < kChannels; ++c) {
+      if (std::strcmp(kNames[c], channel.name) == 0 && whole == (c == kSamples)) places[c] = i;
+    }
+  }
+  if (places[kR] < 0 || places[kG] < 0 || places[kB] < 0) {
+    fail(name, "it has no channels R, G and B of type half or float");
+  }
+  return places;
+}
+
+template <class T>
+T little_endian(const std::string& bytes, std::size_t at) {
+  T value = 0;
+  for (std::size_t i = 0; i < sizeof(T); ++i) {
+    value |= static_cast<T>(static_cast<T>(data(bytes)[at + i]) << (8 * i));
+  }
+  return value;
+}
+
+// Every block of lines has to be there and to be the one its place in the table says: tinyexr would
+// leave the lines of a missing one as the memory was.
+void check_blocks(const ReadHeader& header, const std::string& bytes, const std::string& name) {
+  const int lines = header.compression_type == TINYEXR_COMPRESSIONTYPE_ZIP   ? 16
+                    : header.compression_type == TINYEXR_COMPRESSIONTYPE_PIZ ? 32
+                                                                             : 1;
+  const EXRBox2i& window = header.data_window;
+  const std::size_t blocks = (window.max_y - window.min_y) / lines + 1;
+  const std::size_t table = 8 + std::size_t{header.header_len};
+  const std::size_t size = bytes.size();
+  if (table > size || blocks > (size - table) / 8) fail(name, "its EXR data is cut short");
+  if (header.chunk_count != 0 && static_cast<std::size_t>(header.chunk_count) != blocks) {
+    fail(name, "its EXR header contradicts itself about the number of blocks");
+  }
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const auto offset = little_endian<std::uint64_t>(bytes, table + 8 * b);
+    if (size < 8 || offset > size - 8) fail(name, "its EXR data is cut short");
+    const auto line = static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes, offset));
+    if (line != window.min_y + static_cast<long>(b) * lines) {
+      fail(name, "its EXR data is broken: a block of lines is missing");
+    }
+  }
+}
+
+Film to_film(const ReadPixels& image, const ChannelPlaces& places, const std::string& name) {
+  const auto value = [&](Channel c, std::size_t i) -> double {
+    return reinterpret_cast<const float*>(image.images[places[c]])[i];
+  };
+  const bool statistics = std::find(places.begin() + kSamples, places.end(), -1) == places.end();
+  Film film(image.width, image.height);
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    FilmPixel& pixel = film.pixels[i];
+    pixel.mean = {value(kR, i), value(kG, i), value(kB, i)};
+    if (!statistics) continue;
+    pixel.variance = {value(kVarianceR, i), value(kVarianceG, i), value(kVarianceB, i)};
+    pixel.variance_y = value(kVarianceY, i);
+    pixel.samples = reinterpret_cast<const std::int32_t*>(image.images[places[kSamples]])[i];
+    if (pixel.samples < 0) fail(name, "its channel samples holds a number that is no count");
+  }
+  return film;
+}
+
 }  // namespace
 
 bool starts_as_exr(std::string_view bytes) { return bytes.substr(0, 4) == "\x76\x2f\x31\x01"; }
 
 std::string encode_exr(const Film& film) {
-  const std::size_t count = film.pixels.size();
-  std::array<std::vector<float>, 9> planes;
-  for (std::vector<float>& plane : planes) plane.resize(count);
-  std::vector<std::uint32_t> samples(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::array<float, 9> all = values(film.pixels[i]);
-    for (int c = 0; c < 9; ++c) planes[c][i] = all[c];
-    samples[i] = static_cast<std::uint32_t>(film.pixels[i].samples);
-  }
+  std::array<std::vector<float>, kChannels> floats = planes(film);
+  std::vector<std::uint32_t> samples;
+  for (const FilmPixel& p : film.pixels) samples.push_back(static_cast<std::uint32_t>(p.samples));
 
-  std::array<EXRChannelInfo, 9> channels{};
-  std::array<int, 9> types{};
-  std::array<unsigned char*, 9> data{};
-  for (int c = 0; c < 9; ++c) {
-    std::strcpy(channels[c].name, kChannels[c]);
-    types[c] = c == kSamples ? TINYEXR_PIXELTYPE_UINT : TINYEXR_PIXELTYPE_FLOAT;
-    data[c] = c == kSamples ? reinterpret_cast<unsigned char*>(samples.data())
-                            : reinterpret_cast<unsigned char*>(planes[c].data());
+  std::array<EXRChannelInfo, kChannels> channels{};
+  std::array<int, kChannels> types;
+  std::array<unsigned char*, kChannels> images;
+  for (int c = 0; c < kChannels; ++c) {
+    std::strcpy(channels[c].name, kNames[c]);
+    types[c] = TINYEXR_PIXELTYPE_FLOAT;
+    images[c] = reinterpret_cast<unsigned char*>(floats[c].data());
   }
-  // Plain structs here: what they point to is ours, not tinyexr's to free.
+  types[kSamples] = TINYEXR_PIXELTYPE_UINT;
+  images[kSamples] = reinterpret_cast<unsigned char*>(samples.data());
+
   EXRHeader header;
   InitEXRHeader(&header);
-  header.num_channels = 9;
+  header.num_channels = kChannels;
   header.channels = channels.data();
   header.pixel_types = types.data();
   header.requested_pixel_types = types.data();
   header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;
   EXRImage image;
   InitEXRImage(&image);
-  image.num_channels = 9;
-  image.images = data.data();
+  image.num_channels = kChannels;
+  image.images = images.data();
   image.width = film.width;
   image.height = film.height;
 
@@ -94,78 +208,24 @@ std::string encode_exr(const Film& film) {
   const char* message = nullptr;
   const std::size_t size = SaveEXRImageToMemory(&image, &header, &bytes, &message);
   const std::unique_ptr<unsigned char, void (*)(void*)> owner(bytes, std::free);
-  if (size == 0) throw Error("the picture cannot be encoded as EXR: " + take_message(message));
+  if (size == 0) throw Error("the picture cannot be written as EXR: " + take_message(message));
   return {reinterpret_cast<const char*>(bytes), size};
 }
 
 Film decode_exr(const std::string& bytes, const std::string& name) {
-  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-  EXRVersion version;
-  if (ParseEXRVersionFromMemory(&version, data, bytes.size()) != TINYEXR_SUCCESS) {
-    fail(name, "it is not an EXR picture");
-  }
-  if (version.tiled || version.multipart || version.non_image) {
-    fail(
-        name,
-        "EXR files with tiles, several parts or deep data are not supported; save it as scanlines");
-  }
+  ReadHeader header;
+  parse_header(header, bytes, name);
+  const ChannelPlaces places = find_channels(header, name);
+  check_blocks(header, bytes, name);
+  ReadPixels image;
+  image.num_channels = header.num_channels;  // else tinyexr loses the planes when it fails
   const char* message = nullptr;
-  Header header;
-  if (ParseEXRHeaderFromMemory(&header, &version, data, bytes.size(), &message) !=
+  if (LoadEXRImageFromMemory(&image, &header, data(bytes), bytes.size(), &message) !=
       TINYEXR_SUCCESS) {
-    fail(name, "its EXR header is broken (" + take_message(message) + ")");
-  }
-  const EXRBox2i& window = header.data_window;
-  const long width = 1L + window.max_x - window.min_x, height = 1L + window.max_y - window.min_y;
-  if (!is_image_size(width, height)) {
-    fail(name, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                   " pixels is not accepted");
-  }
-  std::array<int, 9> where;
-  where.fill(-1);
-  for (int c = 0; c < header.num_channels; ++c) {
-    if (header.channels[c].x_sampling != 1 || header.channels[c].y_sampling != 1) {
-      fail(name, "its channel " + std::string(header.channels[c].name) +
-                     " is subsampled; save it in full size");
-    }
-    if (header.pixel_types[c] == TINYEXR_PIXELTYPE_HALF) {
-      header.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
-    }
-    const auto found = std::find_if(kChannels.begin(), kChannels.end(), [&](const char* wanted) {
-      return std::strcmp(wanted, header.channels[c].name) == 0;
-    });
-    if (found == kChannels.end()) continue;
-    const int slot = static_cast<int>(found - kChannels.begin());
-    if ((header.pixel_types[c] == TINYEXR_PIXELTYPE_UINT) == (slot == kSamples)) where[slot] = c;
-  }
-  if (where[0] < 0 || where[1] < 0 || where[2] < 0) {
-    fail(name, "it has no channels R, G and B of type half or float");
-  }
-  Pixels image;
-  if (LoadEXRImageFromMemory(&image, &header, data, bytes.size(), &message) != TINYEXR_SUCCESS) {
+    InitEXRImage(&image);  // freed, but tinyexr left the pointers
     fail(name, "its EXR data is broken or cut short (" + take_message(message) + ")");
   }
-  if (image.width != width || image.height != height || !image.images)
-    fail(name, "its EXR data is broken");
-
-  const auto value = [&](int slot, std::size_t i) -> double {
-    return reinterpret_cast<const float*>(image.images[where[slot]])[i];
-  };
-  bool statistics = where[kSamples] >= 0;
-  for (int slot = 5; slot < 9; ++slot) statistics = statistics && where[slot] >= 0;
-  Film film(image.width, image.height);
-  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-    FilmPixel& pixel = film.pixels[i];
-    pixel.mean = {value(2, i), value(1, i), value(0, i)};
-    if (!statistics) continue;
-    pixel.variance = {value(7, i), value(6, i), value(5, i)};
-    pixel.variance_y = value(8, i);
-    const std::uint32_t samples =
-        reinterpret_cast<const std::uint32_t*>(image.images[where[kSamples]])[i];
-    if (samples > 0x7fffffff) fail(name, "its channel samples holds a number that is no count");
-    pixel.samples = static_cast<int>(samples);
-  }
-  return film;
+  return to_film(image, places, name);
 }
 
 }  // namespace pt
