@@ -37,23 +37,24 @@ struct Builder {
     return first + (last - first) / 2;
   }
 
-  // Appends the tree over order[first .. last) and returns the index of its root. The new node is
-  // reached by index, because its children's push_back may move it.
-  int build(int first, int last) {
-    const int index = static_cast<int>(bvh.nodes.size());
-    bvh.nodes.emplace_back();
+  // Makes nodes[index] the root of a tree over order[first .. last). Its children are made next to
+  // each other, since whoever looks at one looks at the other too. A node is reached by its index,
+  // never by a reference, because new nodes may move all of them.
+  void build(int index, int first, int last) {
     for (int i = first; i < last; ++i) bvh.nodes[index].box.grow(boxes[bvh.order[i]]);
     if (last - first <= max_leaf) {
       bvh.nodes[index].first = first;
       bvh.nodes[index].count = last - first;
-      return index;
+      return;
     }
     const int middle = partition(first, last);
-    const int left = build(first, middle);
-    const int right = build(middle, last);
+    const int left = static_cast<int>(bvh.nodes.size());
+    const int right = left + 1;
+    bvh.nodes.resize(bvh.nodes.size() + 2);
     bvh.nodes[index].left = left;
     bvh.nodes[index].right = right;
-    return index;
+    build(left, first, middle);
+    build(right, middle, last);
   }
 };
 
@@ -63,7 +64,9 @@ Bvh build_bvh(std::span<const Box> boxes, int max_leaf) {
   Builder builder{boxes, max_leaf, {}};
   builder.bvh.order.resize(boxes.size());
   std::iota(builder.bvh.order.begin(), builder.bvh.order.end(), 0);
-  if (!boxes.empty()) builder.build(0, static_cast<int>(boxes.size()));
+  if (boxes.empty()) return builder.bvh;
+  builder.bvh.nodes.resize(1);
+  builder.build(0, 0, static_cast<int>(boxes.size()));
   return builder.bvh;
 }
 
