@@ -61,7 +61,7 @@ TEST(Materials, default_to_one_half) {
   text.nodes = node(instance("tri"));
   const LoadedScene bare = load(text);
   EXPECT_EQ(bare.scene.materials.at(0).albedo, gray(0.5));
-  EXPECT_TRUE(has_note(bare, "no material"));
+  EXPECT_TRUE(has_note(bare, "without a material (1, the first"));
   EXPECT_FALSE(bare.course_profile);
 }
 

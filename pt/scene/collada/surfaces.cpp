@@ -62,9 +62,9 @@ class SurfaceReader {
                              " triangles without an area are left out.");
     }
     if (without_material_ > 0) {
-      found_.notes.push_back(std::to_string(without_material_) +
-                             " surfaces have no material, the first at node " +
-                             first_without_material_ + ": their albedo is 0.5.");
+      found_.notes.push_back("surfaces without a material (" + std::to_string(without_material_) +
+                             ", the first at node " + first_without_material_ +
+                             ") have albedo 0.5.");
     }
     return std::move(found_);
   }
