@@ -18,6 +18,17 @@ LoadedScene load_one(const std::string& node_content, const std::string& up_axis
   return load(text);
 }
 
+// A triangle with a normal at each corner, scaled.
+Triangle load_with_normals(const std::string& positions, const std::string& normals,
+                           const std::string& scale) {
+  SceneText text;
+  text.geometries = mesh("tri", positions, 9, "triangles", "count=\"1\"",
+                         "<input semantic=\"NORMAL\" source=\"#n\" offset=\"0\"/><p>0 1 2</p>",
+                         float_source("n", normals, 9));
+  text.nodes = node("<scale>" + scale + "</scale>" + instance("tri"));
+  return only_triangle(load(text));
+}
+
 TEST(Transforms, act_in_document_order_the_last_listed_first) {
   // Scaled by 2, then turned so that x goes to y, then moved.
   const Triangle t = only_triangle(
@@ -61,12 +72,7 @@ TEST(UpAxis, maps_as_stated) {
 
 // Mirrored in x, a square that faces +z still does: the corners are walked the other way.
 TEST(Transforms, that_mirror_turn_the_winding_order) {
-  SceneText text;
-  text.geometries = mesh("tri", "0 0 0 1 0 0 0 1 0", 9, "triangles", "count=\"1\"",
-                         "<input semantic=\"NORMAL\" source=\"#n\" offset=\"0\"/><p>0 1 2</p>",
-                         float_source("n", "1 0 1 0 0 3 0 1 1", 9));
-  text.nodes = node("<scale>-1 1 1</scale>" + instance("tri"));
-  const Triangle t = only_triangle(load(text));
+  const Triangle t = load_with_normals("0 0 0 1 0 0 0 1 0", "1 0 1 0 0 3 0 1 1", "-1 1 1");
   EXPECT_EQ(geometric_normal(t), (Vec3{0, 0, 1}));
   const double r = std::sqrt(0.5);
   expect_near(t.p0, {0, 0, 0});
@@ -128,12 +134,8 @@ TEST(Meshes, take_normals_of_vertices_and_the_face_normal_for_zero_ones) {
 
 // Stretched by 4 in x, a slope's normal turns away from x (the inverse transpose).
 TEST(Meshes, keep_normals_perpendicular_when_stretched) {
-  SceneText text;
-  text.geometries = mesh("tri", "0 0 0 1 0 -1 0 1 0", 9, "triangles", "count=\"1\"",
-                         "<input semantic=\"NORMAL\" source=\"#n\" offset=\"0\"/><p>0 1 2</p>",
-                         float_source("n", "1 0 1 1 0 1 1 0 1", 9));
-  text.nodes = node("<scale>4 1 1</scale>" + instance("tri"));
-  expect_near(only_triangle(load(text)).n0, normalize(Vec3{1, 0, 4}));
+  const Triangle t = load_with_normals("0 0 0 1 0 -1 0 1 0", "1 0 1 1 0 1 1 0 1", "4 1 1");
+  expect_near(t.n0, normalize(Vec3{1, 0, 4}));
 }
 
 TEST(Meshes, read_accessors_with_stride_and_offset) {

@@ -3,8 +3,6 @@
 #include "pt/scene/collada/numbers.h"
 #include "pt/scene/collada/sources.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -119,8 +117,9 @@ MeshPart read_part(const ColladaDocument& document, const XMLElement& set, Sourc
 double read_sphere(const ColladaDocument& document, const XMLElement& sphere) {
   const XMLElement& element = document.child(sphere, "radius");
   const double radius = read_number(document, element);
-  if (!(radius > 0))
+  if (!(radius > 0)) {
     document.fail(element, "a sphere's radius must be above 0; write such a number");
+  }
   return radius;
 }
 
