@@ -33,6 +33,6 @@ if(FIRSTLIGHT_LTO)
   set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # A box test is a little longer than what the compiler inlines by itself, and is called four times.
-    add_link_options(-flto=auto --param max-inline-insns-auto=200 --param inline-min-speedup=2)
+    add_link_options(-flto=auto --param=max-inline-insns-auto=200 --param=inline-min-speedup=2)
   endif()
 endif()
