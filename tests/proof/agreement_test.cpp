@@ -71,29 +71,29 @@ TEST(Agreement, of_hemisphere_and_lights_in_direct_light) {
   const Scene scene = room().finish(Engine::task);
   View view = view_of(scene);
   view.settings.from = view.settings.to = 1;
-  const Picture lights = render(view, 400, 101);
+  const Picture lights = render(view, 300, 101);
   view.settings.direct = Direct::hemisphere;
   view.settings.light_samples = 4;
-  expect_same_picture(lights, render(view, 800, 102), "direct light");
+  expect_same_picture(lights, render(view, 500, 102), "direct light");
 }
 
 TEST(Agreement, of_hemisphere_and_lights_over_all_bounces) {
   const Scene scene = room().finish(Engine::task);
   View view = view_of(scene);
   view.settings.to = 4;
-  const Picture lights = render(view, 300, 103);
+  const Picture lights = render(view, 200, 103);
   view.settings.direct = Direct::hemisphere;
   view.settings.light_samples = 4;
-  expect_same_picture(lights, render(view, 400, 104), "all bounces");
+  expect_same_picture(lights, render(view, 250, 104), "all bounces");
 }
 
 TEST(Agreement, of_different_survival) {
   const Scene scene = room().finish(Engine::task);
   View view = view_of(scene);
   view.settings.to = 6;
-  const Picture often = render(view, 300, 105);
+  const Picture often = render(view, 200, 105);
   view.settings.survival = 1;
-  expect_same_picture(often, render(view, 200, 106), "survival");
+  expect_same_picture(often, render(view, 150, 106), "survival");
 }
 
 // The same numbers drawn, the same surfaces met: the same picture, but for ties that no ray
