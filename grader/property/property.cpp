@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <rapidcheck/detail/TestListener.h>
@@ -51,10 +52,19 @@ struct Quiet : rc::detail::TestListener {
   void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
 };
 
+// RapidCheck gives the type where the generator has no name; names end in a colon (draw). A value
+// of several lines, such as a sphere and a ray, is several inputs.
+void add_input(Failure& failure, const std::string& name, const std::string& value) {
+  std::istringstream lines(value);
+  for (std::string line; std::getline(lines, line);) {
+    failure.input.push_back(name.ends_with(':') ? name + " " + line : line);
+  }
+}
+
 Failure describe(const rc::detail::FailureResult& result, std::uint64_t seed) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   Failure failure{test->test_suite_name(), test->name(), {}, "", "", "", "", 0, seed};
-  for (const auto& [type, value] : result.counterExample) failure.input.push_back(value);
+  for (const auto& [name, value] : result.counterExample) add_input(failure, name, value);
   const std::string& text = result.description;
   failure.what = field(text, kFields[0]);
   failure.got = field(text, kFields[1]);

@@ -30,6 +30,13 @@ std::string show(const pt::SurfaceHit& hit);
 std::string show(const pt::SurfacePoint& point);
 std::string show(const pt::Camera& camera);
 
+// Writes each value on a line of its own.
+template <class... Values>
+void show_lines(std::ostream& out, const Values&... values) {
+  const char* separator = "";
+  ((out << separator << show(values), separator = "\n"), ...);
+}
+
 }  // namespace grader
 
 // RapidCheck finds these by the argument's namespace.
