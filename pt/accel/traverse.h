@@ -1,0 +1,271 @@
+// The queries of the wide engine. Included once for each instruction set, by kernel_<name>.cpp:
+// nothing here may have external linkage but the one object at the end.
+#include "pt/accel/exact_hit.h"
+#include "pt/accel/float_ray.h"
+#include "pt/accel/kernel.h"
+#include "pt/accel/simd.h"
+
+namespace pt {
+namespace {
+
+#if defined(__AVX512F__)
+constexpr int kWidth = 16;
+#else
+constexpr int kWidth = 8;
+#endif
+
+using Node = WideNode<kWidth>;
+using NodeFloats = Floats<kWidth>;
+using BlockFloats = Floats<kBlock>;
+
+// A child to be visited: the bits of the distance at which the ray enters it, which order like the
+// distance itself because it is not negative, and then the child.
+using Entry = std::uint64_t;
+constexpr int kStack = kMaxTreeDepth * (kWidth - 1) + 1;
+
+PT_INLINE Entry entry(float t, WideRef ref) {
+  return static_cast<Entry>(__builtin_bit_cast(std::uint32_t, t)) << 32 | ref;
+}
+PT_INLINE WideRef ref_of(Entry e) { return static_cast<WideRef>(e); }
+PT_INLINE float distance_of(Entry e) {
+  return __builtin_bit_cast(float, static_cast<std::uint32_t>(e >> 32));
+}
+
+// Which row of the bounds the ray meets first on each axis, and last.
+struct Rows {
+  int near[3];
+  int far[3];
+};
+PT_INLINE Rows rows(const FloatRay& r) {
+  Rows rows;
+  for (int a = 0; a < 3; ++a) {
+    rows.near[a] = r.inverse[a] < 0 ? a + 3 : a;
+    rows.far[a] = r.inverse[a] < 0 ? a : a + 3;
+  }
+  return rows;
+}
+
+// The children whose boxes the ray enters, as bits, and where.
+PT_INLINE std::uint32_t enter_children(const Node& node, const FloatRay& r, const Rows& rows,
+                                       float t_max, float* t_enter) {
+  NodeFloats enter = splat<kWidth>(r.t_min), leave = splat<kWidth>(t_max);
+  for (int a = 0; a < 3; ++a) {
+    const NodeFloats inverse = splat<kWidth>(r.inverse[a]);
+    const NodeFloats near = load<kWidth>(node.bounds[rows.near[a]]);
+    const NodeFloats far = load<kWidth>(node.bounds[rows.far[a]]);
+    enter = max<kWidth>(multiply_add<kWidth>(near, inverse, splat<kWidth>(r.enter[a])), enter);
+    leave = min<kWidth>(multiply_add<kWidth>(far, inverse, splat<kWidth>(r.leave[a])), leave);
+  }
+  store<kWidth>(t_enter, enter);
+  return less_equal<kWidth>(enter, leave);
+}
+
+// Which triangles of a block the ray may meet, and which it meets for certain.
+struct Verdict {
+  std::uint32_t maybe;
+  std::uint32_t surely;
+};
+
+// Moeller and Trumbore 1997 with the normal stored, undivided, and with the error bounds of
+// float_ray.h. U, V and W are the volumes over the three edges: of one sign where the ray passes
+// between them.
+PT_INLINE Verdict test_block(const WideBlock& b, const FloatRay& r, float t_max, bool want_surely) {
+  const auto at = [](const float* p) __attribute__((always_inline)) { return load<kBlock>(p); };
+  const auto all = [](float a) __attribute__((always_inline)) { return splat<kBlock>(a); };
+  const BlockFloats dx = all(r.direction[0]), dy = all(r.direction[1]), dz = all(r.direction[2]);
+  const BlockFloats cx = at(b.p0[0]) - all(r.origin[0]);
+  const BlockFloats cy = at(b.p0[1]) - all(r.origin[1]);
+  const BlockFloats cz = at(b.p0[2]) - all(r.origin[2]);
+  const BlockFloats rx = multiply_subtract<kBlock>(dy, cz, dz * cy);
+  const BlockFloats ry = multiply_subtract<kBlock>(dz, cx, dx * cz);
+  const BlockFloats rz = multiply_subtract<kBlock>(dx, cy, dy * cx);
+  const auto dot3 = [&](BlockFloats x, BlockFloats y, BlockFloats z, const float(*m)[kBlock])
+      __attribute__((always_inline)) {
+    return multiply_add<kBlock>(z, at(m[2]), multiply_add<kBlock>(y, at(m[1]), x * at(m[0])));
+  };
+  const BlockFloats u = dot3(rx, ry, rz, b.e2);
+  const BlockFloats v = dot3(rx, ry, rz, b.e1);
+  const BlockFloats det = dot3(dx, dy, dz, b.n);
+  const BlockFloats volume = dot3(cx, cy, cz, b.n);
+  const BlockFloats w = det - u - v;
+
+  const BlockFloats size = at(b.size);
+  const BlockFloats edge_error = all(r.volume_error) * size;
+  const BlockFloats error = edge_error * size;
+  const BlockFloats least = min<kBlock>(min<kBlock>(u, v), w);
+  const BlockFloats most = max<kBlock>(max<kBlock>(u, v), w);
+  const Ints<kBlock> sign = sign_of<kBlock>(det);
+  const BlockFloats turned = flip<kBlock>(volume, sign);
+  const BlockFloats abs_det = flip<kBlock>(det, sign);
+  const BlockFloats after = turned - abs_det * all(r.t_min);
+  const BlockFloats before = abs_det * all(t_max) - turned;
+
+  Verdict verdict{};
+  verdict.maybe = (less_equal<kBlock>(-edge_error, least) | less_equal<kBlock>(most, edge_error)) &
+                  less_equal<kBlock>(-error, min<kBlock>(after, before));
+  if (want_surely) {
+    verdict.surely =
+        (less_equal<kBlock>(edge_error, least) | less_equal<kBlock>(most, -edge_error)) &
+        less_equal<kBlock>(error, min<kBlock>(after, before)) & verdict.maybe;
+  }
+  return verdict;
+}
+
+PT_INLINE ExactHit decide(const WideView& view, const ExactRay& ray, std::uint32_t primitive) {
+  if (primitive < view.triangle_count) return exact_hit(view.triangles[primitive], ray);
+  return exact_hit(view.spheres[primitive - view.triangle_count], ray);
+}
+
+// The nearest hit so far; the ray's range ends there.
+struct Nearest {
+  ExactRay ray;
+  WideHit best;
+};
+
+// Of several hits at the same t, the primitive with the smallest index counts.
+PT_INLINE bool offer(const WideView& view, std::uint32_t primitive, Nearest& nearest) {
+  const ExactHit hit = decide(view, nearest.ray, primitive);
+  if (!hit.hit || (hit.t == nearest.ray.t_max && primitive > nearest.best.primitive)) return false;
+  nearest.best = {hit, primitive};
+  nearest.ray.t_max = hit.t;
+  return true;
+}
+
+// Pushes all children but the nearest, the farther the deeper, and returns the nearest.
+PT_INLINE WideRef sort_children(const Node& node, const float* t_enter, std::uint32_t mask,
+                                Entry* stack, int& size) {
+  int i = __builtin_ctz(mask);
+  mask &= mask - 1;
+  if (mask == 0) return node.child[i];
+  Entry nearest = entry(t_enter[i], node.child[i]);
+  const int base = size;
+  for (; mask != 0; mask &= mask - 1) {
+    i = __builtin_ctz(mask);
+    Entry other = entry(t_enter[i], node.child[i]);
+    if (other < nearest) {
+      const Entry swapped = nearest;
+      nearest = other;
+      other = swapped;
+    }
+    int at = size++;
+    for (; at > base && stack[at - 1] < other; --at) stack[at] = stack[at - 1];
+    stack[at] = other;
+  }
+  return ref_of(nearest);
+}
+
+void trace_closest(const WideView& view, const FloatRay& r, Nearest& nearest) {
+  const Rows order = rows(r);
+  const Node* nodes = static_cast<const Node*>(view.nodes);
+  float t_max = r.t_max;
+  Entry stack[kStack];
+  int size = 0;
+  WideRef ref = view.root;
+  for (;;) {
+    if (!(ref & kLeaf)) {
+      alignas(64) float t_enter[kWidth];
+      const std::uint32_t mask = enter_children(nodes[ref], r, order, t_max, t_enter);
+      if (mask != 0) {
+        ref = sort_children(nodes[ref], t_enter, mask, stack, size);
+        continue;
+      }
+    } else {
+      const WideBlock& block = view.blocks[ref & ~kLeaf];
+      std::uint32_t mask = test_block(block, r, t_max, false).maybe;
+      for (; mask != 0; mask &= mask - 1) {
+        if (offer(view, block.primitive[__builtin_ctz(mask)], nearest)) {
+          t_max = r.upper(nearest.ray.t_max);
+        }
+      }
+    }
+    do {
+      if (size == 0) return;
+      --size;
+    } while (distance_of(stack[size]) > t_max);
+    ref = ref_of(stack[size]);
+  }
+}
+
+PT_INLINE bool blocked_by(const WideView& view, const FloatRay& r, const ExactRay& exact,
+                          const WideBlock& block) {
+  const Verdict verdict = test_block(block, r, r.t_max, true);
+  if (verdict.surely != 0) return true;
+  for (std::uint32_t mask = verdict.maybe; mask != 0; mask &= mask - 1) {
+    if (decide(view, exact, block.primitive[__builtin_ctz(mask)]).hit) return true;
+  }
+  return false;
+}
+
+// The block that blocks the ray, or kNothing.
+WideRef trace_any(const WideView& view, const FloatRay& r, const ExactRay& exact) {
+  const Rows order = rows(r);
+  const Node* nodes = static_cast<const Node*>(view.nodes);
+  Entry stack[kStack];
+  int size = 0;
+  WideRef ref = view.root;
+  for (;;) {
+    if (!(ref & kLeaf)) {
+      alignas(64) float t_enter[kWidth];
+      const std::uint32_t mask = enter_children(nodes[ref], r, order, r.t_max, t_enter);
+      if (mask != 0) {
+        ref = sort_children(nodes[ref], t_enter, mask, stack, size);
+        continue;
+      }
+    } else if (blocked_by(view, r, exact, view.blocks[ref & ~kLeaf])) {
+      return ref;
+    }
+    if (size == 0) return kNothing;
+    ref = ref_of(stack[--size]);
+  }
+}
+
+WideHit closest(const WideView& view, const Ray& ray) {
+  Nearest nearest{exact_ray(ray), {{}, kNothing}};
+  for (std::uint32_t i = 0; i < view.beside_count; ++i) offer(view, view.beside[i], nearest);
+  FloatRay r;
+  if (view.root != kNothing && prepare(view, ray, r)) trace_closest(view, r, nearest);
+  return nearest.best;
+}
+
+// `hint` is a block that blocked a ray like this one, or kNothing; it becomes the one found.
+PT_INLINE bool occluded_after(const WideView& view, const Ray& ray, WideRef& hint) {
+  const ExactRay exact = exact_ray(ray);
+  for (std::uint32_t i = 0; i < view.beside_count; ++i) {
+    if (decide(view, exact, view.beside[i]).hit) return true;
+  }
+  FloatRay r;
+  if (view.root == kNothing || !prepare(view, ray, r)) return false;
+  if (hint != kNothing && blocked_by(view, r, exact, view.blocks[hint & ~kLeaf])) return true;
+  const WideRef found = trace_any(view, r, exact);
+  if (found != kNothing) hint = found;
+  return found != kNothing;
+}
+
+bool occluded(const WideView& view, const Ray& ray) {
+  WideRef hint = kNothing;
+  return occluded_after(view, ray, hint);
+}
+
+// Rays from one point towards one light are often blocked by the same few triangles: the block that
+// stopped the last one is asked first.
+std::uint32_t occluded_batch(const WideView& view, const Ray* rays, int count) {
+  WideRef hint = kNothing;
+  std::uint32_t blocked = 0;
+  for (int i = 0; i < count; ++i) {
+    blocked |= static_cast<std::uint32_t>(occluded_after(view, rays[i], hint)) << i;
+  }
+  return blocked;
+}
+
+}  // namespace
+
+// Names the instruction set in the symbol too: kernel_plain, kernel_v2, ...
+#define PT_JOIN(a, b) a##b
+#define PT_SYMBOL(isa) PT_JOIN(kernel_, isa)
+#define PT_TEXT(isa) #isa
+#define PT_NAME(isa) PT_TEXT(isa)
+
+extern const Kernel PT_SYMBOL(PT_KERNEL);
+const Kernel PT_SYMBOL(PT_KERNEL) = {PT_NAME(PT_KERNEL), kWidth, closest, occluded, occluded_batch};
+
+}  // namespace pt
