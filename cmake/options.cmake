@@ -7,12 +7,19 @@ add_library(firstlight_options INTERFACE)
 target_include_directories(firstlight_options INTERFACE ${PROJECT_SOURCE_DIR})
 # No contraction: a multiply-add rounds once where a multiply and an add round twice, and machines
 # with and without it would disagree. Nothing here reads errno.
-target_compile_options(firstlight_options INTERFACE -ffp-contract=off -fno-math-errno)
+target_compile_options(firstlight_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_link_libraries(firstlight_options INTERFACE Threads::Threads)
 
 add_library(firstlight_warnings INTERFACE)
 target_compile_options(firstlight_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+
+# An object library of ours. Objects, not archives: two definitions of one function are then an error of
+# the linker, where in an archive one of them would silently win.
+function(firstlight_library name)
+  add_library(${name} OBJECT ${ARGN})
+  target_link_libraries(${name} PRIVATE firstlight_warnings PUBLIC firstlight_options)
+endfunction()
 
 if(FIRSTLIGHT_SANITIZE)
   set(flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

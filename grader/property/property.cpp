@@ -1,0 +1,190 @@
+#include "grader/property/property.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <rapidcheck/detail/TestListener.h>
+
+namespace grader {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kShrinkTime{500};
+
+std::vector<Failure>& mutable_failures() {
+  static std::vector<Failure> all;
+  return all;
+}
+
+// A case fails by an exception whose text is one of these lines a field; RapidCheck keeps the text
+// of the smallest failing case.
+constexpr std::string_view kFields[] = {"what: ", "got: ", "expected: ", "off by: "};
+
+[[noreturn]] void fail(const std::string& what, const std::string& got, const std::string& expected,
+                       const std::string& off_by = "") {
+  throw rc::detail::CaseResult(
+      rc::detail::CaseResult::Type::Failure,
+      fmt::format("what: {}\ngot: {}\nexpected: {}\noff by: {}\n", what, got, expected, off_by));
+}
+
+std::string field(const std::string& text, std::string_view label) {
+  const std::size_t start = text.find(label);
+  if (start == std::string::npos) return "";
+  const std::size_t begin = start + label.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+std::uint64_t hash(std::string_view text, std::uint64_t start) {
+  std::uint64_t h = 0xcbf29ce484222325 ^ (start * 0x9e3779b97f4a7c15);  // FNV-1a
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return h;
+}
+
+// RapidCheck's own listener reads its configuration from the environment and prints it.
+struct Quiet : rc::detail::TestListener {
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+};
+
+// RapidCheck gives the type where the generator has no name; names end in a colon (draw). A value
+// of several lines, such as a sphere and a ray, is several inputs.
+void add_input(Failure& failure, const std::string& name, const std::string& value) {
+  std::istringstream lines(value);
+  for (std::string line; std::getline(lines, line);) {
+    failure.input.push_back(name.ends_with(':') ? name + " " + line : line);
+  }
+}
+
+Failure describe(const rc::detail::FailureResult& result, std::uint64_t seed) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  Failure failure{test->test_suite_name(), test->name(), {}, "", "", "", "", 0, seed};
+  for (const auto& [name, value] : result.counterExample) add_input(failure, name, value);
+  const std::string& text = result.description;
+  failure.what = field(text, kFields[0]);
+  failure.got = field(text, kFields[1]);
+  failure.expected = field(text, kFields[2]);
+  failure.off_by = field(text, kFields[3]);
+  if (failure.what.empty() && failure.got.empty()) failure.got = text;
+  failure.cases_before = result.numSuccess;
+  return failure;
+}
+
+std::string print(const Failure& failure) {
+  std::string text = fmt::format("input (after {} cases that held, seed {}):\n",
+                                 failure.cases_before, failure.seed);
+  for (const std::string& line : failure.input) text += "  " + line + "\n";
+  if (!failure.what.empty()) text += failure.what + "\n";
+  text += fmt::format("  got      {}\n  expected {}\n", failure.got, failure.expected);
+  if (!failure.off_by.empty()) text += fmt::format("  off by   {}\n", failure.off_by);
+  return text;
+}
+
+}  // namespace
+
+std::uint64_t seed() {
+  const char* text = std::getenv("FIRSTLIGHT_SEED");
+  return text == nullptr ? 1 : std::strtoull(text, nullptr, 10);
+}
+
+const std::vector<Failure>& failures() { return mutable_failures(); }
+
+void for_all(const std::function<void()>& property, int cases) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  rc::detail::TestParams params;
+  params.seed = hash(std::string(test->test_suite_name()) + "." + test->name(), seed());
+  params.maxSuccess = cases;
+
+  // The property library shrinks for as long as it finds smaller failures; after the deadline every
+  // further attempt counts as held, which ends the search.
+  bool failed = false;
+  Clock::time_point deadline;
+  const auto bounded = [&] {
+    if (failed && Clock::now() > deadline) return;
+    try {
+      property();
+    } catch (...) {
+      if (!failed) deadline = Clock::now() + kShrinkTime;
+      failed = true;
+      throw;
+    }
+  };
+  Quiet quiet;
+  const rc::detail::TestResult result = rc::detail::checkProperty(
+      rc::detail::toProperty(bounded), rc::detail::TestMetadata{}, params, quiet, {});
+  if (result.is<rc::detail::SuccessResult>()) return;
+  if (result.is<rc::detail::FailureResult>()) {
+    mutable_failures().push_back(describe(result.get<rc::detail::FailureResult>(), seed()));
+    ADD_FAILURE() << print(mutable_failures().back());
+    return;
+  }
+  std::ostringstream text;
+  rc::detail::printResultMessage(result, text);
+  ADD_FAILURE() << "the property itself is at fault: " << text.str();
+}
+
+void expect(bool condition, const std::string& expected, const std::string& got) {
+  if (!condition) fail("", got, expected);
+}
+
+void expect_near(const std::string& what, double got, double expected, double tolerance) {
+  const double off = std::abs(got - expected);
+  if (!(off <= tolerance)) {
+    fail(what, fmt::format("{}", got), fmt::format("{}, give or take {:.2g}", expected, tolerance),
+         fmt::format("{:.3g}", off));
+  }
+}
+
+void expect_near(const std::string& what, pt::Vec3 got, pt::Vec3 expected, double tolerance) {
+  const double off = length(got - expected);
+  if (!(off <= tolerance)) {
+    fail(what, show(got), fmt::format("{}, give or take {:.2g}", show(expected), tolerance),
+         fmt::format("{:.3g}", off));
+  }
+}
+
+void expect_near(const std::string& what, pt::Rgb got, pt::Rgb expected, double tolerance) {
+  const pt::Rgb d = got - expected;
+  const double off = std::sqrt(d.r * d.r + d.g * d.g + d.b * d.b);
+  if (!(off <= tolerance)) {
+    fail(what, show(got), fmt::format("{}, give or take {:.2g}", show(expected), tolerance),
+         fmt::format("{:.3g}", off));
+  }
+}
+
+void expect_equal(const std::string& what, long long got, long long expected) {
+  if (got != expected) {
+    fail(what, fmt::format("{}", got), fmt::format("{}", expected),
+         fmt::format("{}", got - expected));
+  }
+}
+
+Mean mean_of(const std::vector<pt::Rgb>& draws) {
+  const double n = static_cast<double>(draws.size());
+  pt::Rgb mean, squares;
+  for (const pt::Rgb& draw : draws) mean += draw / n;
+  for (const pt::Rgb& draw : draws) squares += (draw - mean) * (draw - mean);
+  const pt::Rgb variance = squares / (n * (n - 1));
+  return {mean,
+          {std::sqrt(variance.r), std::sqrt(variance.g), std::sqrt(variance.b)},
+          static_cast<int>(draws.size())};
+}
+
+void expect_mean(const std::string& what, const Mean& got, pt::Rgb expected, double slack) {
+  for (int channel = 0; channel < 3; ++channel) {
+    const double off = std::abs(got.value[channel] - expected[channel]);
+    const double allowed = kStandardErrors * got.standard_error[channel] + slack;
+    if (off <= allowed) continue;
+    fail(what, fmt::format("{} as the mean of {}", show(got.value), got.n),
+         fmt::format("{}, give or take {:.2g}", show(expected), allowed),
+         fmt::format("{:.3g} ({:.3g} times what was expected)", off,
+                     got.value[channel] / expected[channel]));
+  }
+}
+
+}  // namespace grader
