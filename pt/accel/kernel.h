@@ -18,9 +18,9 @@ struct WideHit {
 struct Kernel {
   const char* name;
   int width;  // children of a node
-  WideHit (*closest)(const WideView& view, const Ray& ray);
-  bool (*occluded)(const WideView& view, const Ray& ray);
-  std::uint32_t (*occluded_batch)(const WideView& view, const Ray* rays, int count);
+  WideHit (*closest)(const WideQuery& query, const Ray& ray);
+  bool (*occluded)(const WideQuery& query, const Ray& ray);
+  std::uint32_t (*occluded_batch)(const WideQuery& query, const Ray* rays, int count);
 };
 
 // The one for `name`: "plain" (any machine), "v2", "v3" or "v4" (x86-64-v2, ...); null where

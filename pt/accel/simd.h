@@ -89,28 +89,30 @@ PT_INLINE Floats<W> flip(Floats<W> a, Ints<W> sign) {
   return (Floats<W>)((Ints<W>)a ^ sign);
 }
 
+// Bit i is set where lane i of a comparison's result is true.
+template <int W>
+PT_INLINE std::uint32_t bits(Ints<W> yes) {
+#if defined(__AVX__)
+  if constexpr (W == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)yes));
+#elif defined(__SSE2__)
+  if constexpr (W == 8) {
+    const __m128 low = (__m128)__builtin_shufflevector(yes, yes, 0, 1, 2, 3);
+    const __m128 high = (__m128)__builtin_shufflevector(yes, yes, 4, 5, 6, 7);
+    return static_cast<std::uint32_t>(_mm_movemask_ps(low) | _mm_movemask_ps(high) << 4);
+  }
+#endif
+  std::uint32_t result = 0;
+  for (int i = 0; i < W; ++i) result |= static_cast<std::uint32_t>(yes[i] & 1) << i;
+  return result;
+}
+
 // Bit i is set where a <= b in lane i; not where either is NaN.
 template <int W>
 PT_INLINE std::uint32_t less_equal(Floats<W> a, Floats<W> b) {
 #if defined(__AVX512F__)
   if constexpr (W == 16) return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LE_OQ);
 #endif
-#if defined(__AVX__)
-  if constexpr (W == 8) {
-    return static_cast<std::uint32_t>(
-        _mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LE_OQ)));
-  }
-#elif defined(__SSE2__)
-  if constexpr (W == 8) {
-    const Ints<W> yes = a <= b;
-    const __m128 low = (__m128)__builtin_shufflevector(yes, yes, 0, 1, 2, 3);
-    const __m128 high = (__m128)__builtin_shufflevector(yes, yes, 4, 5, 6, 7);
-    return static_cast<std::uint32_t>(_mm_movemask_ps(low) | _mm_movemask_ps(high) << 4);
-  }
-#endif
-  std::uint32_t bits = 0;
-  for (int i = 0; i < W; ++i) bits |= static_cast<std::uint32_t>(a[i] <= b[i]) << i;
-  return bits;
+  return bits<W>(a <= b);
 }
 
 }  // namespace

@@ -38,9 +38,10 @@ struct Rows {
 };
 PT_INLINE Rows rows(const FloatRay& r) {
   Rows rows;
+  const Ints4 down = (Ints4)r.inverse < 0;  // the sign, as all bits
   for (int a = 0; a < 3; ++a) {
-    rows.near[a] = r.inverse[a] < 0 ? a + 3 : a;
-    rows.far[a] = r.inverse[a] < 0 ? a : a + 3;
+    rows.near[a] = a + (down[a] & 3);
+    rows.far[a] = a + (~down[a] & 3);
   }
   return rows;
 }
@@ -100,34 +101,36 @@ PT_INLINE Verdict test_block(const WideBlock& b, const FloatRay& r, float t_max,
   const BlockFloats after = turned - abs_det * all(r.t_min);
   const BlockFloats before = abs_det * all(t_max) - turned;
 
+  const BlockFloats inside = min<kBlock>(after, before);
   Verdict verdict{};
-  verdict.maybe = (less_equal<kBlock>(-edge_error, least) | less_equal<kBlock>(most, edge_error)) &
-                  less_equal<kBlock>(-error, min<kBlock>(after, before));
-  if (want_surely) {
-    verdict.surely =
-        (less_equal<kBlock>(edge_error, least) | less_equal<kBlock>(most, -edge_error)) &
-        less_equal<kBlock>(error, min<kBlock>(after, before)) & verdict.maybe;
-  }
+  verdict.maybe =
+      bits<kBlock>(((-edge_error <= least) | (most <= edge_error)) & (-error <= inside));
+  if (!want_surely || verdict.maybe == 0) return verdict;
+  verdict.surely =
+      bits<kBlock>(((edge_error <= least) | (most <= -edge_error)) & (error <= inside));
   return verdict;
 }
 
-PT_INLINE ExactHit decide(const WideView& view, const ExactRay& ray, std::uint32_t primitive) {
-  if (primitive < view.triangle_count) return exact_hit(view.triangles[primitive], ray);
-  return exact_hit(view.spheres[primitive - view.triangle_count], ray);
+PT_INLINE ExactHit decide(const WideQuery& query, const ExactRay& ray, std::uint32_t primitive) {
+  if (primitive < query.view.triangle_count) return exact_hit(query.triangles[primitive], ray);
+  return exact_hit(query.spheres[primitive - query.view.triangle_count], ray);
 }
 
-// The nearest hit so far; the ray's range ends there.
+// The nearest hit so far. The ray keeps its range, so that a decision does not depend on what was
+// found before.
 struct Nearest {
   ExactRay ray;
   WideHit best;
 };
 
 // Of several hits at the same t, the primitive with the smallest index counts.
-PT_INLINE bool offer(const WideView& view, std::uint32_t primitive, Nearest& nearest) {
-  const ExactHit hit = decide(view, nearest.ray, primitive);
-  if (!hit.hit || (hit.t == nearest.ray.t_max && primitive > nearest.best.primitive)) return false;
+PT_INLINE bool offer(const WideQuery& query, std::uint32_t primitive, Nearest& nearest) {
+  const ExactHit hit = decide(query, nearest.ray, primitive);
+  const WideHit& best = nearest.best;
+  if (!hit.hit || hit.t > best.hit.t || (hit.t == best.hit.t && primitive > best.primitive)) {
+    return false;
+  }
   nearest.best = {hit, primitive};
-  nearest.ray.t_max = hit.t;
   return true;
 }
 
@@ -154,13 +157,13 @@ PT_INLINE WideRef sort_children(const Node& node, const float* t_enter, std::uin
   return ref_of(nearest);
 }
 
-void trace_closest(const WideView& view, const FloatRay& r, Nearest& nearest) {
+PT_INLINE void trace_closest(const WideQuery& query, const FloatRay& r, Nearest& nearest) {
   const Rows order = rows(r);
-  const Node* nodes = static_cast<const Node*>(view.nodes);
-  float t_max = r.t_max;
+  const Node* nodes = static_cast<const Node*>(query.view.nodes);
+  float t_max = nearest.best.hit.hit ? r.upper(nearest.best.hit.t) : r.t_max;
   Entry stack[kStack];
   int size = 0;
-  WideRef ref = view.root;
+  WideRef ref = query.view.root;
   for (;;) {
     if (!(ref & kLeaf)) {
       alignas(64) float t_enter[kWidth];
@@ -170,11 +173,11 @@ void trace_closest(const WideView& view, const FloatRay& r, Nearest& nearest) {
         continue;
       }
     } else {
-      const WideBlock& block = view.blocks[ref & ~kLeaf];
+      const WideBlock& block = query.view.blocks[ref & ~kLeaf];
       std::uint32_t mask = test_block(block, r, t_max, false).maybe;
       for (; mask != 0; mask &= mask - 1) {
-        if (offer(view, block.primitive[__builtin_ctz(mask)], nearest)) {
-          t_max = r.upper(nearest.ray.t_max);
+        if (offer(query, block.primitive[__builtin_ctz(mask)], nearest)) {
+          t_max = r.upper(nearest.best.hit.t);
         }
       }
     }
@@ -186,73 +189,79 @@ void trace_closest(const WideView& view, const FloatRay& r, Nearest& nearest) {
   }
 }
 
-PT_INLINE bool blocked_by(const WideView& view, const FloatRay& r, const ExactRay& exact,
+PT_INLINE bool blocked_by(const WideQuery& query, const FloatRay& r, const ExactRay& exact,
                           const WideBlock& block) {
   const Verdict verdict = test_block(block, r, r.t_max, true);
   if (verdict.surely != 0) return true;
   for (std::uint32_t mask = verdict.maybe; mask != 0; mask &= mask - 1) {
-    if (decide(view, exact, block.primitive[__builtin_ctz(mask)]).hit) return true;
+    if (decide(query, exact, block.primitive[__builtin_ctz(mask)]).hit) return true;
   }
   return false;
 }
 
 // The block that blocks the ray, or kNothing.
-WideRef trace_any(const WideView& view, const FloatRay& r, const ExactRay& exact) {
+PT_INLINE WideRef trace_any(const WideQuery& query, const FloatRay& r, const ExactRay& exact) {
   const Rows order = rows(r);
-  const Node* nodes = static_cast<const Node*>(view.nodes);
-  Entry stack[kStack];
+  const Node* nodes = static_cast<const Node*>(query.view.nodes);
+  WideRef stack[kStack];
   int size = 0;
-  WideRef ref = view.root;
+  WideRef ref = query.view.root;
   for (;;) {
     if (!(ref & kLeaf)) {
       alignas(64) float t_enter[kWidth];
-      const std::uint32_t mask = enter_children(nodes[ref], r, order, r.t_max, t_enter);
+      std::uint32_t mask = enter_children(nodes[ref], r, order, r.t_max, t_enter);
       if (mask != 0) {
-        ref = sort_children(nodes[ref], t_enter, mask, stack, size);
+        const Node& node = nodes[ref];
+        ref = node.child[__builtin_ctz(mask)];
+        for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+          stack[size++] = node.child[__builtin_ctz(mask)];
+        }
         continue;
       }
-    } else if (blocked_by(view, r, exact, view.blocks[ref & ~kLeaf])) {
+    } else if (blocked_by(query, r, exact, query.view.blocks[ref & ~kLeaf])) {
       return ref;
     }
     if (size == 0) return kNothing;
-    ref = ref_of(stack[--size]);
+    ref = stack[--size];
   }
 }
 
-WideHit closest(const WideView& view, const Ray& ray) {
-  Nearest nearest{exact_ray(ray), {{}, kNothing}};
-  for (std::uint32_t i = 0; i < view.beside_count; ++i) offer(view, view.beside[i], nearest);
+WideHit closest(const WideQuery& query, const Ray& ray) {
+  Nearest nearest{exact_ray(ray), {{false, kInfinity, 0, 0, 0}, kNothing}};
+  for (std::uint32_t i = 0; i < query.view.beside_count; ++i)
+    offer(query, query.view.beside[i], nearest);
   FloatRay r;
-  if (view.root != kNothing && prepare(view, ray, r)) trace_closest(view, r, nearest);
+  if (query.view.root != kNothing && prepare(query.view, ray, r)) trace_closest(query, r, nearest);
   return nearest.best;
 }
 
 // `hint` is a block that blocked a ray like this one, or kNothing; it becomes the one found.
-PT_INLINE bool occluded_after(const WideView& view, const Ray& ray, WideRef& hint) {
+PT_INLINE bool occluded_after(const WideQuery& query, const Ray& ray, WideRef& hint) {
   const ExactRay exact = exact_ray(ray);
-  for (std::uint32_t i = 0; i < view.beside_count; ++i) {
-    if (decide(view, exact, view.beside[i]).hit) return true;
+  for (std::uint32_t i = 0; i < query.view.beside_count; ++i) {
+    if (decide(query, exact, query.view.beside[i]).hit) return true;
   }
   FloatRay r;
-  if (view.root == kNothing || !prepare(view, ray, r)) return false;
-  if (hint != kNothing && blocked_by(view, r, exact, view.blocks[hint & ~kLeaf])) return true;
-  const WideRef found = trace_any(view, r, exact);
+  if (query.view.root == kNothing || !prepare(query.view, ray, r)) return false;
+  if (hint != kNothing && blocked_by(query, r, exact, query.view.blocks[hint & ~kLeaf]))
+    return true;
+  const WideRef found = trace_any(query, r, exact);
   if (found != kNothing) hint = found;
   return found != kNothing;
 }
 
-bool occluded(const WideView& view, const Ray& ray) {
+bool occluded(const WideQuery& query, const Ray& ray) {
   WideRef hint = kNothing;
-  return occluded_after(view, ray, hint);
+  return occluded_after(query, ray, hint);
 }
 
 // Rays from one point towards one light are often blocked by the same few triangles: the block that
 // stopped the last one is asked first.
-std::uint32_t occluded_batch(const WideView& view, const Ray* rays, int count) {
+std::uint32_t occluded_batch(const WideQuery& query, const Ray* rays, int count) {
   WideRef hint = kNothing;
   std::uint32_t blocked = 0;
   for (int i = 0; i < count; ++i) {
-    blocked |= static_cast<std::uint32_t>(occluded_after(view, rays[i], hint)) << i;
+    blocked |= static_cast<std::uint32_t>(occluded_after(query, rays[i], hint)) << i;
   }
   return blocked;
 }

@@ -1,9 +1,11 @@
 #include "pt/accel/wide_bvh.h"
 
 #include "pt/accel/binary_tree.h"
+#include "pt/accel/collapse.h"
 
 #include <cassert>
 #include <cmath>
+#include <variant>
 
 namespace pt {
 
@@ -60,16 +62,38 @@ FloatBox to_frame(const Box& box, const WideFrame& frame) {
 
 }  // namespace
 
+struct WideBvh::Tree {
+  const Kernel& kernel;
+  WideFrame frame;
+  std::variant<WideTree<8>, WideTree<16>> wide;  // as the kernel is
+  std::vector<std::uint32_t> beside;             // primitives too large for the frame
+  WideView view{};                               // of the members above
+};
+
+namespace {
+
+template <int W>
+WideView view_of(const WideTree<W>& wide, const WideFrame& frame) {
+  const Vec3 c = frame.center;
+  return {wide.nodes.data(),
+          wide.blocks.data(),
+          wide.root,
+          {c.x, c.y, c.z, 0},
+          frame.scale,
+          {},
+          {},
+          {}};
+}
+
+}  // namespace
+
 WideBvh WideBvh::build(const Primitives& primitives, const Kernel& kernel) {
-  WideBvh bvh;
-  bvh.kernel_ = &kernel;
   const Box triangles = bounds_of_triangles(primitives);
   Box all = triangles;
   for (const Sphere& sphere : primitives.spheres) {
     if (!dwarfs(sphere, triangles) && is_usable(bounds(sphere))) all.grow(bounds(sphere));
   }
-  bvh.frame_ = frame_of(all);
-
+  const auto tree = std::make_shared<Tree>(Tree{kernel, frame_of(all), {}, {}});
   std::vector<BoxedPrimitive> boxed;
   boxed.reserve(primitives.size());
   for (int i = 0; i < primitives.size(); ++i) {
@@ -77,60 +101,55 @@ WideBvh WideBvh::build(const Primitives& primitives, const Kernel& kernel) {
     const Box box = bounds(primitives, i);
     if (!is_usable(box)) continue;
     if (!primitives.is_triangle(i) && dwarfs(primitives.sphere(i), triangles)) {
-      bvh.beside_.push_back(index);
+      tree->beside.push_back(index);
     } else {
-      boxed.push_back({to_frame(box, bvh.frame_), index});
+      boxed.push_back({to_frame(box, tree->frame), index});
     }
   }
   const BinaryTree binary = build_binary_tree(std::move(boxed), kBlock);
   if (kernel.width == 16) {
-    bvh.tree_ = collapse<16>(binary, primitives, bvh.frame_);
+    const auto& wide = tree->wide.emplace<1>(collapse<16>(binary, primitives, tree->frame));
+    tree->view = view_of(wide, tree->frame);
   } else {
-    bvh.tree_ = collapse<8>(binary, primitives, bvh.frame_);
+    const auto& wide = tree->wide.emplace<0>(collapse<8>(binary, primitives, tree->frame));
+    tree->view = view_of(wide, tree->frame);
   }
+  tree->view.beside = tree->beside.data();
+  tree->view.beside_count = static_cast<std::uint32_t>(tree->beside.size());
+  tree->view.triangle_count = static_cast<std::uint32_t>(primitives.triangles.size());
+  WideBvh bvh;
+  bvh.tree_ = tree;
   return bvh;
 }
 
-WideView WideBvh::view(const Primitives& primitives) const {
-  const auto make = [&](const auto& tree) {
-    return WideView{tree.nodes.data(),
-                    tree.blocks.data(),
-                    tree.root,
-                    frame_.center,
-                    frame_.scale,
-                    beside_.data(),
-                    static_cast<std::uint32_t>(beside_.size()),
-                    primitives.triangles.data(),
-                    primitives.spheres.data(),
-                    static_cast<std::uint32_t>(primitives.triangles.size())};
-  };
-  const auto* wide16 = std::get_if<WideTree<16>>(&tree_);
-  return wide16 ? make(*wide16) : make(*std::get_if<WideTree<8>>(&tree_));
-}
-
 std::optional<Hit> WideBvh::closest(const Primitives& primitives, const Ray& ray) const {
-  if (!kernel_) return std::nullopt;
-  const WideHit found = kernel_->closest(view(primitives), ray);
+  if (!tree_) return std::nullopt;
+  const WideHit found = tree_->kernel.closest(
+      {tree_->view, primitives.triangles.data(), primitives.spheres.data()}, ray);
   if (found.primitive == kNothing) return std::nullopt;
   const int primitive = static_cast<int>(found.primitive);
   return Hit{found.hit.t, normal(primitives, primitive, ray, found.hit), primitive};
 }
 
 bool WideBvh::occluded(const Primitives& primitives, const Ray& ray) const {
-  return kernel_ && kernel_->occluded(view(primitives), ray);
+  return tree_ && tree_->kernel.occluded(
+                      {tree_->view, primitives.triangles.data(), primitives.spheres.data()}, ray);
 }
 
 std::uint32_t WideBvh::occluded(const Primitives& primitives, std::span<const Ray> rays) const {
   assert(rays.size() <= 32);
-  if (!kernel_) return 0;
-  return kernel_->occluded_batch(view(primitives), rays.data(), static_cast<int>(rays.size()));
+  if (!tree_) return 0;
+  return tree_->kernel.occluded_batch(
+      {tree_->view, primitives.triangles.data(), primitives.spheres.data()}, rays.data(),
+      static_cast<int>(rays.size()));
 }
 
 std::size_t WideBvh::bytes() const {
+  if (!tree_) return 0;
   const auto count = [](const auto& tree) {
     return tree.nodes.size() * sizeof(tree.nodes[0]) + tree.blocks.size() * sizeof(tree.blocks[0]);
   };
-  return std::visit(count, tree_) + beside_.size() * sizeof(beside_[0]);
+  return std::visit(count, tree_->wide) + tree_->beside.size() * sizeof(tree_->beside[0]);
 }
 
 }  // namespace pt

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "pt/accel/collapse.h"
 #include "pt/accel/kernel.h"
 #include "pt/geometry/hit.h"
 #include "pt/geometry/primitives.h"
@@ -8,10 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
-#include <variant>
-#include <vector>
 
 namespace pt {
 
@@ -50,12 +48,8 @@ class WideBvh {
   std::size_t bytes() const;
 
  private:
-  WideView view(const Primitives& primitives) const;
-
-  const Kernel* kernel_ = nullptr;
-  std::variant<WideTree<8>, WideTree<16>> tree_;  // as wide as the kernel
-  std::vector<std::uint32_t> beside_;             // primitives too large for the tree's frame
-  WideFrame frame_;
+  struct Tree;
+  std::shared_ptr<const Tree> tree_;  // shared by copies, since it never changes
 };
 
 }  // namespace pt

@@ -36,19 +36,24 @@ struct alignas(32) WideBlock {
   std::uint32_t primitive[kBlock];
 };
 
-// Everything a query needs. The tree's coordinates are (p - center) * scale, all of them in
-// [-1, 1], so that single precision is as good at every scale and anywhere in space.
+// The tree as a query sees it. Its coordinates are (p - center) * scale, all of them in [-1, 1], so
+// that single precision is as good at every scale and anywhere in space.
 struct WideView {
   const void* nodes;  // WideNode<width of the kernel>
   const WideBlock* blocks;
-  WideRef root;
-  Vec3 center;
+  WideRef root;                 // kNothing where nothing is in the tree
+  double center[4];             // x, y, z, and 0
   double scale;                 // a power of two
   const std::uint32_t* beside;  // primitives outside the tree, asked by every query
   std::uint32_t beside_count;
+  std::uint32_t triangle_count;
+};
+
+// What is asked: the tree, and the primitives it was built for.
+struct WideQuery {
+  const WideView& view;
   const Triangle* triangles;
   const Sphere* spheres;
-  std::uint32_t triangle_count;
 };
 
 }  // namespace pt
