@@ -20,8 +20,8 @@ volatile long long sink;  // keeps what is timed from being optimised away
 struct EmbreeRays {
   std::vector<RTCRay> rays;
 
-  explicit EmbreeRays(const std::vector<Ray>& from) {
-    for (const Ray& ray : from) rays.push_back(embree_ray(ray));
+  EmbreeRays(const EmbreeScene& scene, const std::vector<Ray>& from) {
+    for (const Ray& ray : from) rays.push_back(scene.convert(ray));
   }
   void closest(RTCScene scene) const {
     long long hits = 0;
@@ -99,7 +99,8 @@ void compare(TestScene& test, Csv& csv) {
 
   test.scene.tracer = Tracer(Engine::wide, primitives);
   const RaySets rays = make_rays(test, kRays);
-  const EmbreeRays primary(rays.primary), bounce(rays.bounce), shadow(rays.shadow);
+  const EmbreeRays primary(embree, rays.primary), bounce(embree, rays.bounce);
+  const EmbreeRays shadow(embree, rays.shadow);
   const Ours ours{primitives, bvh};
   const auto seconds =
       interleave({[&] { ours.closest(rays.primary); }, [&] { primary.closest(embree.handle()); },

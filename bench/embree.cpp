@@ -49,6 +49,7 @@ EmbreeScene::EmbreeScene(const Primitives& primitives)
     : device_(rtcNewDevice("threads=1")),
       scene_(rtcNewScene(device_)),
       triangle_count_(static_cast<std::uint32_t>(primitives.triangles.size())) {
+  margin_ = 0x1p-16 * max_abs(bounds(primitives).extent());
   if (!primitives.triangles.empty()) add_triangles(device_, scene_, primitives.triangles);
   if (!primitives.spheres.empty()) add_spheres(device_, scene_, primitives.spheres);
   rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, this);
@@ -61,7 +62,7 @@ EmbreeScene::~EmbreeScene() {
   rtcReleaseDevice(device_);
 }
 
-RTCRay embree_ray(const Ray& ray) {
+RTCRay EmbreeScene::convert(const Ray& ray) const {
   RTCRay r{};
   r.org_x = static_cast<float>(ray.origin.x);
   r.org_y = static_cast<float>(ray.origin.y);
@@ -69,8 +70,8 @@ RTCRay embree_ray(const Ray& ray) {
   r.dir_x = static_cast<float>(ray.direction.x);
   r.dir_y = static_cast<float>(ray.direction.y);
   r.dir_z = static_cast<float>(ray.direction.z);
-  r.tnear = static_cast<float>(ray.t_min);
-  r.tfar = static_cast<float>(ray.t_max);
+  r.tnear = static_cast<float>(std::max(ray.t_min, margin_));
+  r.tfar = static_cast<float>(ray.t_max - margin_);
   r.mask = ~0u;
   return r;
 }
@@ -79,7 +80,7 @@ std::optional<Hit> EmbreeScene::closest(const Primitives& primitives, const Ray&
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit query;
-  query.ray = embree_ray(ray);
+  query.ray = convert(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
@@ -98,7 +99,7 @@ std::optional<Hit> EmbreeScene::closest(const Primitives& primitives, const Ray&
 bool EmbreeScene::occluded(const Ray& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay r = embree_ray(ray);
+  RTCRay r = convert(ray);
   rtcOccluded1(scene_, &context, &r);
   return r.tfar < 0;
 }
@@ -110,7 +111,7 @@ std::uint32_t EmbreeScene::occluded8(std::span<const Ray> rays) const {
   RTCRay8 packet{};
   const std::size_t count = std::min<std::size_t>(rays.size(), 8);
   for (std::size_t i = 0; i < count; ++i) {
-    const RTCRay r = embree_ray(rays[i]);
+    const RTCRay r = convert(rays[i]);
     valid[i] = -1;
     packet.org_x[i] = r.org_x;
     packet.org_y[i] = r.org_y;

@@ -32,15 +32,18 @@ class EmbreeScene {
 
   RTCScene handle() const { return scene_; }
 
+  // The ray in single precision. It begins and ends a little later and earlier, by 2^-16 of the
+  // scene's size: what it starts on is not far enough away for single precision.
+  RTCRay convert(const Ray& ray) const;
+
  private:
   static bool count_bytes(void* user, ssize_t bytes, bool post);
 
   RTCDevice device_;
   RTCScene scene_;
   std::uint32_t triangle_count_;
+  double margin_ = 0;
   long long bytes_ = 0;  // what Embree itself says that it holds
 };
-
-RTCRay embree_ray(const Ray& ray);
 
 }  // namespace pt
