@@ -18,30 +18,34 @@ volatile long long sink;  // keeps what is timed from being optimised away
 
 // Embree's rays are converted beforehand, and copied because a query writes into them.
 struct EmbreeRays {
+  const EmbreeScene& scene;
+  const std::vector<Ray>& from;
   std::vector<RTCRay> rays;
 
-  EmbreeRays(const EmbreeScene& scene, const std::vector<Ray>& from) {
+  EmbreeRays(const EmbreeScene& embree, const std::vector<Ray>& these)
+      : scene(embree), from(these) {
     for (const Ray& ray : from) rays.push_back(scene.convert(ray));
   }
-  void closest(RTCScene scene) const {
+  // Like ours, with the normal at the hit.
+  void closest(const Primitives& primitives) const {
     long long hits = 0;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    for (const RTCRay& ray : rays) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
       RTCRayHit query;
-      query.ray = ray;
+      query.ray = rays[i];
       query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(scene, &context, &query);
-      hits += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(scene.handle(), &context, &query);
+      hits += scene.hit_of(primitives, from[i], query).has_value();
     }
     sink = hits;
   }
-  void occluded(RTCScene scene) const {
+  void occluded() const {
     long long hits = 0;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     for (RTCRay ray : rays) {
-      rtcOccluded1(scene, &context, &ray);
+      rtcOccluded1(scene.handle(), &context, &ray);
       hits += ray.tfar < 0;
     }
     sink = hits;
@@ -103,9 +107,9 @@ void compare(TestScene& test, Csv& csv) {
   const EmbreeRays shadow(embree, rays.shadow);
   const Ours ours{primitives, bvh};
   const auto seconds =
-      interleave({[&] { ours.closest(rays.primary); }, [&] { primary.closest(embree.handle()); },
-                  [&] { ours.closest(rays.bounce); }, [&] { bounce.closest(embree.handle()); },
-                  [&] { ours.occluded(rays.shadow); }, [&] { shadow.occluded(embree.handle()); },
+      interleave({[&] { ours.closest(rays.primary); }, [&] { primary.closest(primitives); },
+                  [&] { ours.closest(rays.bounce); }, [&] { bounce.closest(primitives); },
+                  [&] { ours.occluded(rays.shadow); }, [&] { shadow.occluded(); },
                   [&] { ours.occluded_by_groups(rays.shadow); }},
                  kRounds);
   const std::size_t counts[] = {rays.primary.size(), rays.bounce.size(), rays.shadow.size(),

@@ -83,6 +83,11 @@ std::optional<Hit> EmbreeScene::closest(const Primitives& primitives, const Ray&
   query.ray = convert(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_, &context, &query);
+  return hit_of(primitives, ray, query);
+}
+
+std::optional<Hit> EmbreeScene::hit_of(const Primitives& primitives, const Ray& ray,
+                                       const RTCRayHit& query) const {
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const double t = query.ray.tfar;
   if (query.hit.geomID == 1) {

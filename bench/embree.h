@@ -25,6 +25,10 @@ class EmbreeScene {
   std::optional<Hit> closest(const Primitives& primitives, const Ray& ray) const;
   bool occluded(const Ray& ray) const;
 
+  // What rtcIntersect1 found for the ray.
+  std::optional<Hit> hit_of(const Primitives& primitives, const Ray& ray,
+                            const RTCRayHit& query) const;
+
   // Up to 8 rays, by rtcOccluded8: bit i says whether ray i is blocked.
   std::uint32_t occluded8(std::span<const Ray> rays) const;
 

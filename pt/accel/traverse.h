@@ -134,9 +134,17 @@ PT_INLINE bool offer(const WideQuery& query, std::uint32_t primitive, Nearest& n
   return true;
 }
 
+// Asks the cache for a child that is visited later.
+PT_INLINE void prefetch(const WideQuery& query, WideRef ref) {
+  const auto* node = static_cast<const char*>(query.view.nodes) + sizeof(Node) * ref;
+  const auto* block = reinterpret_cast<const char*>(query.view.blocks + (ref & ~kLeaf));
+  const char* start = ref & kLeaf ? block : node;
+  for (int line = 0; line < 7; ++line) __builtin_prefetch(start + 64 * line);
+}
+
 // Pushes all children but the nearest, the farther the deeper, and returns the nearest.
-PT_INLINE WideRef sort_children(const Node& node, const float* t_enter, std::uint32_t mask,
-                                Entry* stack, int& size) {
+PT_INLINE WideRef sort_children(const WideQuery& query, const Node& node, const float* t_enter,
+                                std::uint32_t mask, Entry* stack, int& size) {
   int i = __builtin_ctz(mask);
   mask &= mask - 1;
   if (mask == 0) return node.child[i];
@@ -150,6 +158,7 @@ PT_INLINE WideRef sort_children(const Node& node, const float* t_enter, std::uin
       nearest = other;
       other = swapped;
     }
+    prefetch(query, ref_of(other));
     int at = size++;
     for (; at > base && stack[at - 1] < other; --at) stack[at] = stack[at - 1];
     stack[at] = other;
@@ -169,7 +178,7 @@ PT_INLINE void trace_closest(const WideQuery& query, const FloatRay& r, Nearest&
       alignas(64) float t_enter[kWidth];
       const std::uint32_t mask = enter_children(nodes[ref], r, order, t_max, t_enter);
       if (mask != 0) {
-        ref = sort_children(nodes[ref], t_enter, mask, stack, size);
+        ref = sort_children(query, nodes[ref], t_enter, mask, stack, size);
         continue;
       }
     } else {
@@ -215,6 +224,7 @@ PT_INLINE WideRef trace_any(const WideQuery& query, const FloatRay& r, const Exa
         ref = node.child[__builtin_ctz(mask)];
         for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
           stack[size++] = node.child[__builtin_ctz(mask)];
+          prefetch(query, stack[size - 1]);
         }
         continue;
       }
