@@ -1,13 +1,15 @@
-# gnuplot -e "folder='build/bench'" bench/chart.gp: the cost of a ray against the number of triangles,
-# from folder/bench_rays.csv to folder/bench_rays.svg (and .png).
+# gnuplot -e "folder='.'; type='svg'" bench/chart.gp: the cost of a ray against the number of
+# triangles, from folder/bench_rays.csv to folder/bench_rays.svg (type 'png': .png).
 set datafile separator ","
+if (type eq 'svg') { set terminal svg size 800,560 background 'white' } else { set terminal pngcairo size 800,560 }
+set output folder."/bench_rays.".type
 set logscale xy
 set xlabel "triangles"
 set ylabel "nanoseconds a ray"
 set key top left
 set grid
-set yrange [10:2000]
-rows(kind, column) = sprintf("< grep '^blob' %s/bench_rays.csv | grep ',%s,' | cut -d, -f2,%d", folder, kind, column)
-do for [type in "svg png"] {
-  set terminal type eq "svg" ? "svg" : "pngcairo"
-}
+rows(kind) = "< grep '^blob' ".folder."/bench_rays.csv | grep ',".kind.",'"
+plot rows("bounce") using 2:4 with linespoints lt 1 lw 2 title "bounce, wide", \
+     rows("bounce") using 2:5 with linespoints lt 1 lw 2 dt 2 title "bounce, Embree 3", \
+     rows("shadow") using 2:4 with linespoints lt 2 lw 2 title "shadow, wide", \
+     rows("shadow") using 2:5 with linespoints lt 2 lw 2 dt 2 title "shadow, Embree 3"

@@ -26,11 +26,10 @@ struct Brute {
 };
 
 Brute brute_force(const Primitives& primitives, const Ray& ray) {
-  const ExactRay exact = exact_ray(ray);
   Brute best;
   for (int i = 0; i < primitives.size(); ++i) {
-    const ExactHit hit = primitives.is_triangle(i) ? exact_hit(primitives.triangle(i), exact)
-                                                   : exact_hit(primitives.sphere(i), exact);
+    const ExactHit hit = primitives.is_triangle(i) ? exact_hit(primitives.triangle(i), ray)
+                                                   : exact_hit(primitives.sphere(i), ray);
     if (hit.hit && (best.primitive < 0 || hit.t < best.t)) best = {hit.t, i};
   }
   return best;

@@ -17,21 +17,6 @@
 
 namespace pt {
 
-// The ray as the tests below want it. The shear maps its direction to the axis `axis`, that of the
-// direction's largest component, so that all shears are at most 1.
-struct ExactRay {
-  Vec3 origin;
-  Vec3 direction;
-  double t_min;
-  double t_max;
-  int axis;
-  int next;        // the axis after `axis`, in the order x y z x
-  int last;        // the one after that
-  double shear_x;  // along `next`
-  double shear_y;  // along `last`
-  double inverse;  // 1 / the direction's largest component
-};
-
 // What was decided: t, and for a triangle the weights of its corners (they sum to 1).
 struct ExactHit {
   bool hit;
@@ -43,6 +28,28 @@ struct ExactHit {
 
 namespace exact {
 
+// What maps the ray's direction to the axis `axis`, that of the direction's largest component, so
+// that all shears are at most 1.
+struct Shear {
+  int axis;
+  int next;        // the axis after `axis`, in the order x y z x
+  int last;        // the one after that
+  double x;        // along `next`
+  double y;        // along `last`
+  double inverse;  // 1 / the direction's largest component; 0 where that is infinite
+};
+
+static inline Shear shear_of(const Vec3& d) {
+  const double x = __builtin_fabs(d.x), y = __builtin_fabs(d.y), z = __builtin_fabs(d.z);
+  const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const int next = axis == 2 ? 0 : axis + 1, last = 3 - axis - next;
+  const double along = axis == 0 ? d.x : axis == 1 ? d.y : d.z;
+  const double d_next = axis == 0 ? d.y : axis == 1 ? d.z : d.x;
+  const double d_last = axis == 0 ? d.z : axis == 1 ? d.x : d.y;
+  const double inverse = 1 / along;
+  return {axis, next, last, d_next * inverse, d_last * inverse, inverse};
+}
+
 // The weights of the corners p0, p1 and p2, before they are divided by their sum, and the corners'
 // places along the ray's axis.
 struct Weights {
@@ -51,27 +58,56 @@ struct Weights {
   double along[3];
 };
 
+// The triangle's plane from the ray's origin: both are the normal's product, `distance` with the
+// way to p0, `det` with the direction; and what `distance` adds up.
+struct Plane {
+  double distance;
+  double det;
+  double terms;
+};
+
 static inline double magnitude(double a) { return __builtin_fabs(a); }
 
-static inline bool in_range(double t, const ExactRay& ray) {
+static inline bool in_range(double t, const Ray& ray) {
   return t >= ray.t_min && t <= ray.t_max && magnitude(t) < kInfinity;
 }
 
 #if defined(__AVX2__) && defined(__FMA__)
 
-// The same as below, operation for operation, for three corners at once.
+// The same as below, operation for operation, for all axes or for three corners at once.
+static inline __m256d next_lanes(__m256d a) {  // y z x
+  return _mm256_permute4x64_pd(a, _MM_SHUFFLE(3, 0, 2, 1));
+}
+static inline __m256d last_lanes(__m256d a) {  // z x y
+  return _mm256_permute4x64_pd(a, _MM_SHUFFLE(3, 1, 0, 2));
+}
+static inline Plane plane(const Triangle& triangle, const Ray& ray) {
+  const __m256d p = _mm256_loadu_pd(&triangle.p0.x);
+  const __m256d a = _mm256_sub_pd(_mm256_loadu_pd(&triangle.p1.x), p);
+  const __m256d b = _mm256_sub_pd(_mm256_loadu_pd(&triangle.p2.x), p);
+  const __m256d c = _mm256_sub_pd(p, _mm256_loadu_pd(&ray.origin.x));
+  const __m256d n = _mm256_sub_pd(_mm256_mul_pd(a, next_lanes(b)), _mm256_mul_pd(next_lanes(a), b));
+  const __m256d terms = _mm256_mul_pd(n, last_lanes(c));  // in the order z x y
+  const __m256d det_terms = _mm256_mul_pd(n, last_lanes(_mm256_loadu_pd(&ray.direction.x)));
+  const __m256d zy = _mm256_unpacklo_pd(terms, det_terms);
+  const __m128d x = _mm256_castpd256_pd128(_mm256_unpackhi_pd(terms, det_terms));
+  const __m128d y = _mm256_extractf128_pd(zy, 1), z = _mm256_castpd256_pd128(zy);
+  const __m128d sum = _mm_add_pd(_mm_add_pd(x, y), z);
+  return {sum[0], sum[1], magnitude(x[0]) + magnitude(y[0]) + magnitude(z[0])};
+}
+
 static inline __m256d corners(const double* p) {
   const __m128d first = _mm_loadh_pd(_mm_load_sd(p), p + 3);
   return _mm256_insertf128_pd(_mm256_castpd128_pd256(first), _mm_load_sd(p + 6), 1);
 }
-static inline Weights weights(const Triangle& triangle, const ExactRay& ray) {
+static inline Weights weights(const Triangle& triangle, const Ray& ray, const Shear& s) {
   const double* p = &triangle.p0.x;
   const double* o = &ray.origin.x;
-  const __m256d z = _mm256_sub_pd(corners(p + ray.axis), _mm256_set1_pd(o[ray.axis]));
-  __m256d x = _mm256_sub_pd(corners(p + ray.next), _mm256_set1_pd(o[ray.next]));
-  __m256d y = _mm256_sub_pd(corners(p + ray.last), _mm256_set1_pd(o[ray.last]));
-  x = _mm256_sub_pd(x, _mm256_mul_pd(_mm256_set1_pd(ray.shear_x), z));
-  y = _mm256_sub_pd(y, _mm256_mul_pd(_mm256_set1_pd(ray.shear_y), z));
+  const __m256d z = _mm256_sub_pd(corners(p + s.axis), _mm256_set1_pd(o[s.axis]));
+  __m256d x = _mm256_sub_pd(corners(p + s.next), _mm256_set1_pd(o[s.next]));
+  __m256d y = _mm256_sub_pd(corners(p + s.last), _mm256_set1_pd(o[s.last]));
+  x = _mm256_sub_pd(x, _mm256_mul_pd(_mm256_set1_pd(s.x), z));
+  y = _mm256_sub_pd(y, _mm256_mul_pd(_mm256_set1_pd(s.y), z));
   constexpr int kBefore = _MM_SHUFFLE(3, 1, 0, 2), kAfter = _MM_SHUFFLE(3, 0, 2, 1);
   const __m256d a = _mm256_permute4x64_pd(x, kBefore), b = _mm256_permute4x64_pd(y, kAfter);
   const __m256d c = _mm256_permute4x64_pd(y, kBefore), d = _mm256_permute4x64_pd(x, kAfter);
@@ -86,6 +122,17 @@ static inline Weights weights(const Triangle& triangle, const ExactRay& ray) {
 }
 
 #else
+
+static inline Plane plane(const Triangle& triangle, const Ray& ray) {
+  const Vec3 &p = triangle.p0, &q = triangle.p1, &r = triangle.p2, &d = ray.direction;
+  const double ax = q.x - p.x, ay = q.y - p.y, az = q.z - p.z;
+  const double bx = r.x - p.x, by = r.y - p.y, bz = r.z - p.z;
+  const double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
+  const double x = nx * (p.x - ray.origin.x), y = ny * (p.y - ray.origin.y);
+  const double z = nz * (p.z - ray.origin.z);
+  const double det = nx * d.x + ny * d.y + nz * d.z;
+  return {x + y + z, det, magnitude(x) + magnitude(y) + magnitude(z)};
+}
 
 // a b - c d with a relative error below two rounding errors, so of the right sign, and zero only
 // where it is zero (Kahan; Jeannerod, Louvet and Muller 2013, Further Analysis of Kahan's Algorithm
@@ -102,20 +149,20 @@ struct Sheared {
   double z;
 };
 
-static inline Sheared shear(Vec3 p, const ExactRay& ray) {
+static inline Sheared shear(Vec3 p, const Ray& ray, const Shear& s) {
   const double x = p.x - ray.origin.x;
   const double y = p.y - ray.origin.y;
   const double z = p.z - ray.origin.z;
-  const double along = ray.axis == 0 ? x : ray.axis == 1 ? y : z;
-  const double next = ray.axis == 0 ? y : ray.axis == 1 ? z : x;
-  const double last = ray.axis == 0 ? z : ray.axis == 1 ? x : y;
-  return {next - ray.shear_x * along, last - ray.shear_y * along, along};
+  const double along = s.axis == 0 ? x : s.axis == 1 ? y : z;
+  const double next = s.axis == 0 ? y : s.axis == 1 ? z : x;
+  const double last = s.axis == 0 ? z : s.axis == 1 ? x : y;
+  return {next - s.x * along, last - s.y * along, along};
 }
 
-static inline Weights weights(const Triangle& triangle, const ExactRay& ray) {
-  const Sheared a = shear(triangle.p0, ray);
-  const Sheared b = shear(triangle.p1, ray);
-  const Sheared c = shear(triangle.p2, ray);
+static inline Weights weights(const Triangle& triangle, const Ray& ray, const Shear& s) {
+  const Sheared a = shear(triangle.p0, ray, s);
+  const Sheared b = shear(triangle.p1, ray, s);
+  const Sheared c = shear(triangle.p2, ray, s);
   const double u = difference_of_products(c.x, b.y, c.y, b.x);
   const double v = difference_of_products(a.x, c.y, a.y, c.x);
   const double w = difference_of_products(b.x, a.y, b.y, a.x);
@@ -130,17 +177,11 @@ static inline Weights weights(const Triangle& triangle, const ExactRay& ray) {
 // of this kind, and this is half the work. The margin is 2^13 rounding errors of the distance from
 // the plane. (Where det is nothing but rounding, and its sign may be wrong, a t in the range would
 // be 2^12 times as far as the corner.)
-static inline bool is_clearly_outside(const Triangle& triangle, const ExactRay& ray) {
-  const Vec3 &p = triangle.p0, &q = triangle.p1, &r = triangle.p2, &d = ray.direction;
-  const double ax = q.x - p.x, ay = q.y - p.y, az = q.z - p.z;
-  const double bx = r.x - p.x, by = r.y - p.y, bz = r.z - p.z;
-  const double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
-  const double x = nx * (p.x - ray.origin.x), y = ny * (p.y - ray.origin.y);
-  const double z = nz * (p.z - ray.origin.z);
-  const double det = nx * d.x + ny * d.y + nz * d.z;
-  const double size = magnitude(det);
-  const double t = __builtin_copysign(1.0, det) * (x + y + z);
-  const double margin = 0x1p-40 * (magnitude(x) + magnitude(y) + magnitude(z));
+static inline bool is_clearly_outside(const Triangle& triangle, const Ray& ray) {
+  const Plane p = plane(triangle, ray);
+  const double size = magnitude(p.det);
+  const double t = __builtin_copysign(1.0, p.det) * p.distance;
+  const double margin = 0x1p-40 * p.terms;
   return t < ray.t_min * size - margin || t > ray.t_max * size + margin;
 }
 
@@ -154,21 +195,6 @@ static inline bool is_degenerate(const Triangle& triangle) {
 
 }  // namespace exact
 
-static inline ExactRay exact_ray(const Ray& ray) {
-  const Vec3& d = ray.direction;
-  const double x = exact::magnitude(d.x), y = exact::magnitude(d.y), z = exact::magnitude(d.z);
-  const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-  const int next = axis == 2 ? 0 : axis + 1, last = 3 - axis - next;
-  const double along = axis == 0 ? d.x : axis == 1 ? d.y : d.z;
-  const double d_next = axis == 0 ? d.y : axis == 1 ? d.z : d.x;
-  const double d_last = axis == 0 ? d.z : axis == 1 ? d.x : d.y;
-  const double inverse = 1 / along;
-  // An infinite direction has no shear: its range is made one that nothing is in.
-  const double t_max = inverse != 0 ? ray.t_max : __builtin_nan("");
-  return {ray.origin,       d,      ray.t_min, t_max, axis, next, last, d_next * inverse,
-          d_last * inverse, inverse};
-}
-
 // Woop, Benthin and Wald 2013 (Watertight Ray/Triangle Intersection, JCGT 2(1)): in the sheared
 // space the ray is the third axis, and the corner weights are the areas that the corners span with
 // the origin in the plane of the other two. A corner's image depends on the corner and the ray
@@ -179,15 +205,16 @@ static inline ExactRay exact_ray(const Ray& ray) {
 // corners' own. What comes back is therefore right for a triangle whose corners are moved by at
 // most 16 rounding errors (2^-53) of their largest distance from the origin, however thin it is and
 // however flat the ray meets it. The engine's bounds are made for that.
-static inline ExactHit exact_hit(const Triangle& triangle, const ExactRay& ray) {
+static inline ExactHit exact_hit(const Triangle& triangle, const Ray& ray) {
   if (exact::is_clearly_outside(triangle, ray)) return {};
-  const exact::Weights q = exact::weights(triangle, ray);
-  if (!q.inside) return {};
+  const exact::Shear shear = exact::shear_of(ray.direction);
+  const exact::Weights q = exact::weights(triangle, ray, shear);
+  if (!(q.inside && shear.inverse != 0)) return {};
   const double sum = q.w[0] + q.w[1] + q.w[2];
   if (!(sum != 0)) return {};
   const double inverse = 1 / sum;
   const double b0 = q.w[0] * inverse, b1 = q.w[1] * inverse, b2 = q.w[2] * inverse;
-  const double t = (b0 * q.along[0] + b1 * q.along[1] + b2 * q.along[2]) * ray.inverse;
+  const double t = (b0 * q.along[0] + b1 * q.along[1] + b2 * q.along[2]) * shear.inverse;
   if (!exact::in_range(t, ray)) return {};
   if (exact::is_degenerate(triangle)) return {};
   return {true, t, b0, b1, b2};
@@ -195,7 +222,7 @@ static inline ExactHit exact_hit(const Triangle& triangle, const ExactRay& ray) 
 
 // The quadratic with the distance of the centre from the ray as discriminant, and the root that
 // would cancel from the product of both (Haines et al. 2019, Ray Tracing Gems, chapter 7).
-static inline ExactHit exact_hit(const Sphere& sphere, const ExactRay& ray) {
+static inline ExactHit exact_hit(const Sphere& sphere, const Ray& ray) {
   const Vec3& d = ray.direction;
   const double x = sphere.center.x - ray.origin.x;
   const double y = sphere.center.y - ray.origin.y;

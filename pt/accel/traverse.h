@@ -111,26 +111,19 @@ PT_INLINE Verdict test_block(const WideBlock& b, const FloatRay& r, float t_max,
   return verdict;
 }
 
-PT_INLINE ExactHit decide(const WideQuery& query, const ExactRay& ray, std::uint32_t primitive) {
+PT_INLINE ExactHit decide(const WideQuery& query, const Ray& ray, std::uint32_t primitive) {
   if (primitive < query.view.triangle_count) return exact_hit(query.triangles[primitive], ray);
   return exact_hit(query.spheres[primitive - query.view.triangle_count], ray);
 }
 
-// The nearest hit so far. The ray keeps its range, so that a decision does not depend on what was
-// found before.
-struct Nearest {
-  ExactRay ray;
-  WideHit best;
-};
-
 // Of several hits at the same t, the primitive with the smallest index counts.
-PT_INLINE bool offer(const WideQuery& query, std::uint32_t primitive, Nearest& nearest) {
-  const ExactHit hit = decide(query, nearest.ray, primitive);
-  const WideHit& best = nearest.best;
+PT_INLINE bool offer(const WideQuery& query, const Ray& ray, std::uint32_t primitive,
+                     WideHit& best) {
+  const ExactHit hit = decide(query, ray, primitive);
   if (!hit.hit || hit.t > best.hit.t || (hit.t == best.hit.t && primitive > best.primitive)) {
     return false;
   }
-  nearest.best = {hit, primitive};
+  best = {hit, primitive};
   return true;
 }
 
@@ -166,10 +159,11 @@ PT_INLINE WideRef sort_children(const WideQuery& query, const Node& node, const 
   return ref_of(nearest);
 }
 
-PT_INLINE void trace_closest(const WideQuery& query, const FloatRay& r, Nearest& nearest) {
+PT_INLINE void trace_closest(const WideQuery& query, const Ray& ray, const FloatRay& r,
+                             WideHit& best) {
   const Rows order = rows(r);
   const Node* nodes = static_cast<const Node*>(query.view.nodes);
-  float t_max = nearest.best.hit.hit ? r.upper(nearest.best.hit.t) : r.t_max;
+  float t_max = best.hit.hit ? r.upper(best.hit.t) : r.t_max;
   Entry stack[kStack];
   int size = 0;
   WideRef ref = query.view.root;
@@ -185,8 +179,8 @@ PT_INLINE void trace_closest(const WideQuery& query, const FloatRay& r, Nearest&
       const WideBlock& block = query.view.blocks[ref & ~kLeaf];
       std::uint32_t mask = test_block(block, r, t_max, false).maybe;
       for (; mask != 0; mask &= mask - 1) {
-        if (offer(query, block.primitive[__builtin_ctz(mask)], nearest)) {
-          t_max = r.upper(nearest.best.hit.t);
+        if (offer(query, ray, block.primitive[__builtin_ctz(mask)], best)) {
+          t_max = r.upper(best.hit.t);
         }
       }
     }
@@ -198,18 +192,18 @@ PT_INLINE void trace_closest(const WideQuery& query, const FloatRay& r, Nearest&
   }
 }
 
-PT_INLINE bool blocked_by(const WideQuery& query, const FloatRay& r, const ExactRay& exact,
+PT_INLINE bool blocked_by(const WideQuery& query, const Ray& ray, const FloatRay& r,
                           const WideBlock& block) {
   const Verdict verdict = test_block(block, r, r.t_max, true);
   if (verdict.surely != 0) return true;
   for (std::uint32_t mask = verdict.maybe; mask != 0; mask &= mask - 1) {
-    if (decide(query, exact, block.primitive[__builtin_ctz(mask)]).hit) return true;
+    if (decide(query, ray, block.primitive[__builtin_ctz(mask)]).hit) return true;
   }
   return false;
 }
 
 // The block that blocks the ray, or kNothing.
-PT_INLINE WideRef trace_any(const WideQuery& query, const FloatRay& r, const ExactRay& exact) {
+PT_INLINE WideRef trace_any(const WideQuery& query, const Ray& ray, const FloatRay& r) {
   const Rows order = rows(r);
   const Node* nodes = static_cast<const Node*>(query.view.nodes);
   WideRef stack[kStack];
@@ -228,7 +222,7 @@ PT_INLINE WideRef trace_any(const WideQuery& query, const FloatRay& r, const Exa
         }
         continue;
       }
-    } else if (blocked_by(query, r, exact, query.view.blocks[ref & ~kLeaf])) {
+    } else if (blocked_by(query, ray, r, query.view.blocks[ref & ~kLeaf])) {
       return ref;
     }
     if (size == 0) return kNothing;
@@ -237,25 +231,23 @@ PT_INLINE WideRef trace_any(const WideQuery& query, const FloatRay& r, const Exa
 }
 
 WideHit closest(const WideQuery& query, const Ray& ray) {
-  Nearest nearest{exact_ray(ray), {{false, kInfinity, 0, 0, 0}, kNothing}};
-  for (std::uint32_t i = 0; i < query.view.beside_count; ++i)
-    offer(query, query.view.beside[i], nearest);
+  WideHit best{{false, kInfinity, 0, 0, 0}, kNothing};
+  const WideView& view = query.view;
+  for (std::uint32_t i = 0; i < view.beside_count; ++i) offer(query, ray, view.beside[i], best);
   FloatRay r;
-  if (query.view.root != kNothing && prepare(query.view, ray, r)) trace_closest(query, r, nearest);
-  return nearest.best;
+  if (view.root != kNothing && prepare(view, ray, r)) trace_closest(query, ray, r, best);
+  return best;
 }
 
 // `hint` is a block that blocked a ray like this one, or kNothing; it becomes the one found.
 PT_INLINE bool occluded_after(const WideQuery& query, const Ray& ray, WideRef& hint) {
-  const ExactRay exact = exact_ray(ray);
   for (std::uint32_t i = 0; i < query.view.beside_count; ++i) {
-    if (decide(query, exact, query.view.beside[i]).hit) return true;
+    if (decide(query, ray, query.view.beside[i]).hit) return true;
   }
   FloatRay r;
   if (query.view.root == kNothing || !prepare(query.view, ray, r)) return false;
-  if (hint != kNothing && blocked_by(query, r, exact, query.view.blocks[hint & ~kLeaf]))
-    return true;
-  const WideRef found = trace_any(query, r, exact);
+  if (hint != kNothing && blocked_by(query, ray, r, query.view.blocks[hint & ~kLeaf])) return true;
+  const WideRef found = trace_any(query, ray, r);
   if (found != kNothing) hint = found;
   return found != kNothing;
 }
