@@ -56,7 +56,8 @@ endfunction()
 # firstlight_link_tasks(<program> FROM <implementation> [RADIANCE <implementation>]
 #                       [CHOICES <slug>=<implementation> ...] [COUNTED])
 # links one definition of every task, all FROM one implementation but for the CHOICES, and one of the
-# slot radiance (default: path). COUNTED takes the counting form of the tasks that have one.
+# slot radiance (default: path; none: the program defines it itself). COUNTED takes the counting form of
+# the tasks that have one.
 function(firstlight_link_tasks program)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "COUNTED" "FROM;RADIANCE" "CHOICES")
   if(NOT ARG_RADIANCE)
@@ -84,7 +85,9 @@ function(firstlight_link_tasks program)
     endif()
     target_link_libraries(${program} PRIVATE ${library})
   endforeach()
-  target_link_libraries(${program} PRIVATE radiance.${ARG_RADIANCE})
+  if(NOT ARG_RADIANCE STREQUAL none)
+    target_link_libraries(${program} PRIVATE radiance.${ARG_RADIANCE})
+  endif()
 endfunction()
 
 # A mixture in words, "reference" or "reference+hit_bvh=student+...", turned into the arguments of

@@ -59,7 +59,7 @@ void write_file(const fs::path& path, std::string_view bytes) {
   std::error_code error;
   // A link stays a link: what it points to is replaced.
   fs::path target = path;
-  if (fs::is_symlink(path, error)) {
+  if (fs::is_symlink(fs::symlink_status(path, error))) {
     target = fs::weakly_canonical(path, error);
     if (error) fail("cannot write", path, error.message());
   }

@@ -99,7 +99,7 @@ Picture difference_picture(const Image& a, const Image& b) {
     picture.pixels[i] =
         difference_color(relative_difference(luminance(a.pixels[i]), luminance(b.pixels[i])));
   }
-  return with_legend(picture, kStops, {"-20 %", "0", "+20 %", "darker / brighter than the second"});
+  return with_legend(picture, kStops, {"-20 %", "0", "+20 %", "A below / above B"});
 }
 
 }  // namespace pt

@@ -33,8 +33,8 @@ Comparison compare(const Image& a, const Image& b);
 struct MeanTest {
   double difference = 0;      // mean of Y over a, less that over b
   double standard_error = 0;  // from the variances in both films
-  double z =
-      0;  // difference / standard_error; 0 for 0 / 0, infinite for a difference without noise
+  // difference / standard_error; 0 for 0 / 0, infinite for a difference without noise.
+  double z = 0;
 };
 
 // Nothing where a pixel of either has fewer than two samples, so that its variance is not known, or

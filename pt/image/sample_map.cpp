@@ -12,7 +12,7 @@ namespace pt {
 namespace {
 
 // Red and luminance rise from stop to stop.
-constexpr std::array<Color8, 3> kStops{{{12, 32, 128}, {150, 52, 152}, {255, 92, 60}}};
+constexpr std::array<Color8, 3> kStops{{{12, 32, 128}, {150, 52, 152}, {248, 72, 56}}};
 
 constexpr std::size_t kMaxCountsBytes = std::size_t{1} << 29;
 

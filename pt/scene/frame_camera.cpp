@@ -1,5 +1,7 @@
 #include "pt/scene/frame_camera.h"
 
+#include "pt/scene/field_of_view.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -12,9 +14,6 @@ namespace {
 struct Window {
   double x, y;
 };
-
-double half_tangent(double fov_deg) { return std::tan(0.5 * fov_deg * (kPi / 180)); }
-double fov_from(double half_tangent) { return 2 * std::atan(half_tangent) * (180 / kPi); }
 
 Window file_window(const FileCamera& camera) {
   return {half_tangent(camera.hfov_deg), half_tangent(camera.vfov_deg)};

@@ -6,25 +6,30 @@
 #include "pt/scene/collada/nodes.h"
 #include "pt/scene/collada/surfaces.h"
 
+#include <unordered_set>
 #include <utility>
 
 namespace pt {
 
 namespace {
 
-void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
-  notes.insert(notes.end(), more.begin(), more.end());
+// A node that is instanced often has the same to say every time.
+void append_new(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  std::unordered_set<std::string> known(notes.begin(), notes.end());
+  for (const std::string& note : more) {
+    if (known.insert(note).second) notes.push_back(note);
+  }
 }
 
 }  // namespace
 
 LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& options) {
   const ColladaDocument document(file);
-  const Instances instances = read_nodes(document);
+  Instances instances = read_nodes(document);
   LoadedScene loaded;
   loaded.course_profile = document.has_course_profile();
-  append(loaded.notes, instances.notes);
-  loaded.camera = read_camera(document, instances.cameras, loaded.notes);
+  loaded.camera = read_camera(document, instances.cameras, instances.notes);
+  append_new(loaded.notes, instances.notes);
 
   Surfaces surfaces = read_surfaces(document, instances.geometries, options);
   if (surfaces.primitives.size() == 0) {
@@ -32,9 +37,9 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   }
   LightNodes nodes = read_lights(document, instances.lights);
   SceneLights lights = merge_lights(surfaces.emitters, nodes.nodes);
-  append(loaded.notes, surfaces.notes);
-  append(loaded.notes, nodes.notes);
-  append(loaded.notes, lights.notes);
+  append_new(loaded.notes, surfaces.notes);
+  append_new(loaded.notes, nodes.notes);
+  append_new(loaded.notes, lights.notes);
 
   loaded.scene.primitives = std::move(surfaces.primitives);
   loaded.scene.material_of = std::move(surfaces.material_of);

@@ -47,11 +47,15 @@ struct Nearest {
   }
 };
 
+// Whether there is any hit at or below a node whose box the ray enters.
 bool any(const Bvh& bvh, const Primitives& primitives, const BvhNode& node, const Ray& ray) {
-  if (!hit_box(node.box, ray)) return false;
   if (!node.is_leaf()) {
-    return any(bvh, primitives, bvh.nodes[node.left], ray) ||
-           any(bvh, primitives, bvh.nodes[node.right], ray);
+    const BvhNode& left = bvh.nodes[node.left];
+    const BvhNode& right = bvh.nodes[node.right];
+    const bool in_left = hit_box(left.box, ray).has_value();
+    const bool in_right = hit_box(right.box, ray).has_value();
+    return (in_left && any(bvh, primitives, left, ray)) ||
+           (in_right && any(bvh, primitives, right, ray));
   }
   for (int i = node.first; i < node.first + node.count; ++i) {
     if (hit_primitive(primitives, bvh.order[i], ray)) return true;
@@ -69,7 +73,8 @@ std::optional<Hit> hit_bvh(const Bvh& bvh, const Primitives& primitives, const R
 }
 
 bool occluded_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray) {
-  return !bvh.nodes.empty() && any(bvh, primitives, bvh.nodes[0], ray);
+  if (bvh.nodes.empty() || !hit_box(bvh.nodes[0].box, ray)) return false;
+  return any(bvh, primitives, bvh.nodes[0], ray);
 }
 
 }  // namespace pt

@@ -1,6 +1,7 @@
 #include "pt/scene/collada/cameras.h"
 
 #include "pt/scene/collada/numbers.h"
+#include "pt/scene/field_of_view.h"
 
 #include <cmath>
 
@@ -9,9 +10,6 @@
 namespace pt {
 
 namespace {
-
-double half_tangent(double fov_deg) { return std::tan(0.5 * fov_deg * (kPi / 180)); }
-double fov_from(double half_tangent) { return 2 * std::atan(half_tangent) * (180 / kPi); }
 
 std::optional<double> optional_number(const ColladaDocument& document, const XMLElement& parent,
                                       const char* name) {

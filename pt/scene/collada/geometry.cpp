@@ -3,9 +3,8 @@
 #include "pt/scene/collada/numbers.h"
 #include "pt/scene/collada/sources.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
+#include <utility>
 
 #include <tinyxml2.h>
 
@@ -69,6 +68,7 @@ Faces read_polygons(const ColladaDocument& document, const XMLElement& set, int 
 
 void check_sizes(const ColladaDocument& document, const XMLElement& set, const Faces& faces,
                  int stride) {
+  const auto held = static_cast<long long>(faces.indices.size());
   long long wanted = 0;
   for (const int corners : faces.corners) {
     if (corners < 3) {
@@ -76,11 +76,13 @@ void check_sizes(const ColladaDocument& document, const XMLElement& set, const F
                              " corners has no surface; give it three or remove it");
     }
     wanted += static_cast<long long>(corners) * stride;
+    if (wanted > held) break;
   }
-  if (wanted != static_cast<long long>(faces.indices.size())) {
-    document.fail(set, "the faces need " + std::to_string(wanted) + " indices and <p> holds " +
-                           std::to_string(faces.indices.size()) +
-                           "; export the mesh again, or copy the file again if it was cut off");
+  if (wanted != held) {
+    document.fail(set, std::string("the faces need ") + (wanted > held ? "more" : "fewer") +
+                           " indices than the " + std::to_string(held) +
+                           " there are; export the mesh again, or copy the file again if it was "
+                           "cut off");
   }
 }
 
@@ -115,8 +117,9 @@ MeshPart read_part(const ColladaDocument& document, const XMLElement& set, Sourc
 double read_sphere(const ColladaDocument& document, const XMLElement& sphere) {
   const XMLElement& element = document.child(sphere, "radius");
   const double radius = read_number(document, element);
-  if (!(radius > 0))
+  if (!(radius > 0)) {
     document.fail(element, "a sphere's radius must be above 0; write such a number");
+  }
   return radius;
 }
 
@@ -138,7 +141,8 @@ ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement&
        set = set->NextSiblingElement()) {
     const std::string_view kind = set->Name();
     if (kind == "polylist" || kind == "triangles" || kind == "polygons") {
-      result.parts.push_back(read_part(document, *set, sources));
+      MeshPart part = read_part(document, *set, sources);
+      if (!part.triangles.empty()) result.parts.push_back(std::move(part));
     } else if (kind == "lines" || kind == "linestrips") {
       result.notes.push_back("geometry " + label(geometry) + " has " + std::string(kind) +
                              ", which have no surface and are ignored.");

@@ -45,11 +45,13 @@ bool same_sides(const RectangleLight& a, const RectangleLight& b) {
   return (parallel(a.u, b.u) && parallel(a.v, b.v)) || (parallel(a.u, b.v) && parallel(a.v, b.u));
 }
 
+// What the light node says that its surface does not; empty where the two agree.
 std::string correction(const LightNode& node, const Emitter& emitter) {
-  std::string note = "light node " + node.name + " lies on the emitting surface " + emitter.name +
-                     ", which is the light";
+  const std::string which = "light node " + node.name + " lies on the emitting surface " +
+                            emitter.name + ", which is the light";
   const auto* area = std::get_if<RectangleLight>(&node.light);
-  if (area == nullptr) return note + ": the point light is left out.";
+  if (area == nullptr) return which + ": the point light is left out.";
+  std::string note;
   const auto* quad = std::get_if<RectangleLight>(&emitter.light);
   if (quad != nullptr && !same_sides(*area, *quad)) {
     note += "; the node's " + reach(*area) + " along x, y, z gives way to " + reach(*quad);
@@ -59,7 +61,7 @@ std::string correction(const LightNode& node, const Emitter& emitter) {
             shown(radiance(emitter.light));
   }
   if (dot(area->n, emitter.n) < 0) note += "; it shone to the other side";
-  return note + ".";
+  return note.empty() ? "" : which + note + ".";
 }
 
 const Emitter* find_coinciding(const LightNode& node, const std::vector<Emitter>& emitters) {
@@ -77,7 +79,8 @@ SceneLights merge_lights(const std::vector<Emitter>& emitters,
   for (const Emitter& emitter : emitters) merged.lights.push_back(emitter.light);
   for (const LightNode& node : nodes) {
     if (const Emitter* emitter = find_coinciding(node, emitters)) {
-      merged.notes.push_back(correction(node, *emitter));
+      const std::string note = correction(node, *emitter);
+      if (!note.empty()) merged.notes.push_back(note);
     } else {
       merged.lights.push_back(node.light);
     }

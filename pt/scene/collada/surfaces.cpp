@@ -32,6 +32,12 @@ const XMLElement* find_binding(const XMLElement& instance, const std::string& sy
   return is_only ? first : nullptr;
 }
 
+Material default_material() {
+  Material material;
+  material.name = "default";
+  return material;
+}
+
 class SurfaceReader {
  public:
   SurfaceReader(const ColladaDocument& document, const LoadOptions& options)
@@ -55,6 +61,11 @@ class SurfaceReader {
       found_.notes.push_back(std::to_string(without_area_) +
                              " triangles without an area are left out.");
     }
+    if (without_material_ > 0) {
+      found_.notes.push_back("surfaces without a material (" + std::to_string(without_material_) +
+                             ", the first at node " + first_without_material_ +
+                             ") have albedo 0.5.");
+    }
     return std::move(found_);
   }
 
@@ -67,9 +78,10 @@ class SurfaceReader {
     return geometries_.emplace(&element, std::move(geometry)).first->second;
   }
 
-  void check_size(const Instance& instance, std::size_t more) const {
-    const Primitives& all = found_.primitives;
-    if (more > kMaxPrimitives - all.triangles.size() - all.spheres.size()) {
+  // Counts what is left out as well: it costs time.
+  void count(const Instance& instance, std::size_t more) {
+    placed_ += more;
+    if (placed_ > kMaxPrimitives) {
       document_.fail(*instance.element,
                      "the scene has more than 10 million surfaces; instance fewer");
     }
@@ -82,7 +94,7 @@ class SurfaceReader {
   }
 
   void add_sphere(const Instance& instance, double radius) {
-    check_size(instance, 1);
+    count(instance, 1);
     const std::optional<Sphere> sphere = place_sphere(radius, instance.to_world);
     if (!sphere) {
       document_.fail(*instance.node, "sphere " + label(*instance.node) +
@@ -100,7 +112,7 @@ class SurfaceReader {
   }
 
   void add_part(const Instance& instance, const MeshPart& part) {
-    check_size(instance, part.triangles.size());
+    count(instance, part.triangles.size());
     std::vector<Triangle> placed;
     placed.reserve(part.triangles.size());
     Box box;
@@ -109,7 +121,6 @@ class SurfaceReader {
       if (const std::optional<Triangle> t = place(triangle, instance.to_world))
         placed.push_back(*t);
     }
-    if (part.triangles.empty()) return;
     check_bounds(instance, box);
     without_area_ += part.triangles.size() - placed.size();
     if (placed.empty()) return;
@@ -134,16 +145,14 @@ class SurfaceReader {
 
   int material_index(const Instance& instance, const std::string& symbol) {
     const XMLElement* binding = find_binding(*instance.element, symbol);
-    if (binding == nullptr) {
-      found_.notes.push_back("geometry of node " + label(*instance.node) +
-                             " has no material: its albedo is 0.5.");
+    if (binding == nullptr && without_material_++ == 0) {
+      first_without_material_ = label(*instance.node);
     }
     const XMLElement* element =
         binding ? &document_.resolve(*binding, "target", "material") : nullptr;
     const auto known = materials_.find(element);
     if (known != materials_.end()) return known->second;
-    found_.materials.push_back(element ? read_supported(*element)
-                                       : Material{"default", {}, {}, {}});
+    found_.materials.push_back(element ? read_supported(*element) : default_material());
     const int index = static_cast<int>(found_.materials.size()) - 1;
     materials_.emplace(element, index);
     return index;
@@ -166,7 +175,10 @@ class SurfaceReader {
   const LoadOptions& options_;
   Surfaces found_;
   std::vector<int> material_of_spheres_;
+  std::size_t placed_ = 0;
   std::size_t without_area_ = 0;
+  std::size_t without_material_ = 0;
+  std::string first_without_material_;
   std::unordered_map<const XMLElement*, ColladaGeometry> geometries_;
   std::unordered_map<const XMLElement*, int> materials_;
 };
