@@ -32,7 +32,10 @@ if(FIRSTLIGHT_LTO)
   check_ipo_supported()
   set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # A box test is a little longer than what the compiler inlines by itself, and is called four times.
-    add_link_options(-flto=auto --param=max-inline-insns-auto=200 --param=inline-min-speedup=2)
+    # A box test is a little longer than what the compiler inlines by itself, and is called in two
+    # places of one loop.
+    set(inline_more --param=max-inline-insns-auto=200 --param=inline-min-speedup=2)
+    add_compile_options(${inline_more})
+    add_link_options(-flto=auto ${inline_more})
   endif()
 endif()

@@ -64,7 +64,9 @@ void write_file(const fs::path& path, std::string_view bytes) {
     if (error) fail("cannot write", path, error.message());
   }
   fs::path temporary = target;
-  temporary += "." + std::to_string(getpid()) + ".tmp";
+  temporary += '.';
+  temporary += std::to_string(getpid());
+  temporary += ".tmp";
   errno = 0;
   std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
   if (!out) fail("cannot write", path, last_error());

@@ -47,17 +47,20 @@ struct Nearest {
   }
 };
 
-// Whether there is any hit at or below a node whose box the ray enters.
-bool any(const Bvh& bvh, const Primitives& primitives, const BvhNode& node, const Ray& ray) {
-  if (!node.is_leaf()) {
-    const BvhNode& left = bvh.nodes[node.left];
-    const BvhNode& right = bvh.nodes[node.right];
-    const bool in_left = hit_box(left.box, ray).has_value();
-    const bool in_right = hit_box(right.box, ray).has_value();
-    return (in_left && any(bvh, primitives, left, ray)) ||
-           (in_right && any(bvh, primitives, right, ray));
+// Whether there is any hit at or below a node whose box the ray enters. Goes down one child in a
+// loop, and into the other by a call where both are entered.
+bool any(const Bvh& bvh, const Primitives& primitives, const Ray& ray, int start) {
+  const BvhNode* node = &bvh.nodes[start];
+  while (!node->is_leaf()) {
+    const BvhNode* left = &bvh.nodes[node->left];
+    const BvhNode* right = &bvh.nodes[node->right];
+    const bool in_left = hit_box(left->box, ray).has_value();
+    const bool in_right = hit_box(right->box, ray).has_value();
+    if (!in_left && !in_right) return false;
+    if (in_left && in_right && any(bvh, primitives, ray, node->right)) return true;
+    node = in_left ? left : right;
   }
-  for (int i = node.first; i < node.first + node.count; ++i) {
+  for (int i = node->first; i < node->first + node->count; ++i) {
     if (hit_primitive(primitives, bvh.order[i], ray)) return true;
   }
   return false;
@@ -74,7 +77,7 @@ std::optional<Hit> hit_bvh(const Bvh& bvh, const Primitives& primitives, const R
 
 bool occluded_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray) {
   if (bvh.nodes.empty() || !hit_box(bvh.nodes[0].box, ray)) return false;
-  return any(bvh, primitives, bvh.nodes[0], ray);
+  return any(bvh, primitives, ray, 0);
 }
 
 }  // namespace pt
