@@ -8,6 +8,7 @@
 #include "pt/tasks/hit_bvh.h"
 #include "pt/todo.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -66,7 +67,9 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
       result.seconds, result.cpu_seconds, rays * 1e-6,
       100 * static_cast<double>(result.rays.occluded) / std::max(rays, 1.0),
       rays * 1e-6 / result.seconds, rays * 1e-6 / result.cpu_seconds);
-  const auto a_ray = [&](long long count) { return static_cast<double>(count) / rays; };
+  const auto a_ray = [&](long long count) {
+    return static_cast<double>(count) / std::max(rays, 1.0);
+  };
   fmt::print("tests a ray: {:.2f} boxes, {:.2f} triangles, {:.2f} spheres\n",
              a_ray(result.tests.boxes), a_ray(result.tests.triangles), a_ray(result.tests.spheres));
   if (result.not_finite > 0) {
