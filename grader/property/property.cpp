@@ -1,8 +1,10 @@
 #include "grader/property/property.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -31,6 +33,64 @@ constexpr std::string_view kFields[] = {"what: ", "got: ", "expected: ", "off by
       rc::detail::CaseResult::Type::Failure,
       fmt::format("what: {}\ngot: {}\nexpected: {}\noff by: {}\n", what, got, expected, off_by));
 }
+
+constexpr std::array kCauses{Cause::wrong, Cause::crash, Cause::timeout, Cause::bad_reply,
+                             Cause::not_attempted};
+constexpr std::string_view kCauseField = "cause: ";
+
+struct CallFailure : rc::detail::CaseResult {
+  Cause cause;
+};
+
+// How many smaller inputs to try after a failure: a call that died costs a new process, one that
+// hangs the whole limit.
+int shrink_attempts(Cause cause) {
+  switch (cause) {
+    case Cause::wrong:
+      return std::numeric_limits<int>::max();
+    case Cause::crash:
+    case Cause::bad_reply:
+      return 20;
+    case Cause::timeout:
+      return 1;
+    case Cause::not_attempted:
+      return 0;
+  }
+  return 0;
+}
+
+// The property, made to fail no more than a while: the property library shrinks for as long as it
+// finds smaller failures, and a case that counts as held ends that.
+class Bounded {
+ public:
+  explicit Bounded(const std::function<void()>& property) : property_(property) {}
+
+  void operator()() {
+    if (failed_ && (attempts_left_-- <= 0 || Clock::now() > deadline_)) return;
+    try {
+      property_();
+    } catch (const CallFailure& failure) {
+      note_failure(failure.cause);
+      throw;
+    } catch (...) {
+      note_failure(Cause::wrong);
+      throw;
+    }
+  }
+
+ private:
+  void note_failure(Cause cause) {
+    if (!failed_) deadline_ = Clock::now() + kShrinkTime;
+    attempts_left_ =
+        failed_ ? std::min(attempts_left_, shrink_attempts(cause)) : shrink_attempts(cause);
+    failed_ = true;
+  }
+
+  const std::function<void()>& property_;
+  bool failed_ = false;
+  int attempts_left_ = 0;
+  Clock::time_point deadline_;
+};
 
 std::string field(const std::string& text, std::string_view label) {
   const std::size_t start = text.find(label);
@@ -63,13 +123,17 @@ void add_input(Failure& failure, const std::string& name, const std::string& val
 
 Failure describe(const rc::detail::FailureResult& result, std::uint64_t seed) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  Failure failure{test->test_suite_name(), test->name(), {}, "", "", "", "", 0, seed};
+  Failure failure{test->test_suite_name(), test->name(), {}, "", "", "", "", 0, seed, Cause::wrong};
   for (const auto& [name, value] : result.counterExample) add_input(failure, name, value);
   const std::string& text = result.description;
   failure.what = field(text, kFields[0]);
   failure.got = field(text, kFields[1]);
   failure.expected = field(text, kFields[2]);
   failure.off_by = field(text, kFields[3]);
+  const std::string cause = field(text, kCauseField);
+  for (const Cause known : kCauses) {
+    if (cause == name(known)) failure.cause = known;
+  }
   if (failure.what.empty() && failure.got.empty()) failure.got = text;
   failure.cases_before = result.numSuccess;
   return failure;
@@ -100,23 +164,10 @@ void for_all(const std::function<void()>& property, int cases) {
   params.seed = hash(std::string(test->test_suite_name()) + "." + test->name(), seed());
   params.maxSuccess = cases;
 
-  // The property library shrinks for as long as it finds smaller failures; after the deadline every
-  // further attempt counts as held, which ends the search.
-  bool failed = false;
-  Clock::time_point deadline;
-  const auto bounded = [&] {
-    if (failed && Clock::now() > deadline) return;
-    try {
-      property();
-    } catch (...) {
-      if (!failed) deadline = Clock::now() + kShrinkTime;
-      failed = true;
-      throw;
-    }
-  };
+  Bounded bounded(property);
   Quiet quiet;
   const rc::detail::TestResult result = rc::detail::checkProperty(
-      rc::detail::toProperty(bounded), rc::detail::TestMetadata{}, params, quiet, {});
+      rc::detail::toProperty([&] { bounded(); }), rc::detail::TestMetadata{}, params, quiet, {});
   if (result.is<rc::detail::SuccessResult>()) return;
   if (result.is<rc::detail::FailureResult>()) {
     mutable_failures().push_back(describe(result.get<rc::detail::FailureResult>(), seed()));
@@ -126,6 +177,29 @@ void for_all(const std::function<void()>& property, int cases) {
   std::ostringstream text;
   rc::detail::printResultMessage(result, text);
   ADD_FAILURE() << "the property itself is at fault: " << text.str();
+}
+
+const char* name(Cause cause) {
+  switch (cause) {
+    case Cause::wrong:
+      return "wrong";
+    case Cause::crash:
+      return "crash";
+    case Cause::timeout:
+      return "timeout";
+    case Cause::bad_reply:
+      return "bad reply";
+    case Cause::not_attempted:
+      return "not attempted";
+  }
+  return "";
+}
+
+void fail_call(Cause cause, const std::string& got) {
+  throw CallFailure{
+      {rc::detail::CaseResult::Type::Failure,
+       fmt::format("what: \ngot: {}\nexpected: an answer\n{}{}\n", got, kCauseField, name(cause))},
+      cause};
 }
 
 void expect(bool condition, const std::string& expected, const std::string& got) {

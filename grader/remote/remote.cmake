@@ -1,0 +1,60 @@
+# The border between judge and submission: <slug>.remote for the property programs, workers to answer
+# them, and callbacks from a worker to the judge.
+firstlight_library(grader_process
+  process/spawn.cpp process/run_command.cpp)
+target_link_libraries(grader_process PUBLIC fmt::fmt)
+
+firstlight_library(grader_remote
+  remote/worker_process.cpp remote/session.cpp remote/answers.cpp)
+target_link_libraries(grader_remote PUBLIC grader_property)
+
+firstlight_library(grader_worker
+  worker/main.cpp worker/connection.cpp worker/store.cpp worker/serve.cpp)
+firstlight_library(grader_recording worker/recording.cpp)
+
+foreach(task IN LISTS FIRSTLIGHT_TASKS)
+  get_filename_component(slug ${task} NAME)
+  firstlight_library(${slug}.remote remote/implementation.cpp)
+  target_compile_definitions(${slug}.remote PRIVATE FIRSTLIGHT_TASK=${slug})
+  target_link_libraries(${slug}.remote PRIVATE grader_property)
+endforeach()
+foreach(slug hit_box hit_triangle hit_sphere radiance)
+  firstlight_library(${slug}.callback worker/callback.cpp)
+  target_compile_definitions(${slug}.callback PRIVATE FIRSTLIGHT_TASK=${slug})
+endforeach()
+
+firstlight_library(grader_graded graded/report.cpp)
+target_link_libraries(grader_graded PUBLIC grader_property nlohmann_json::nlohmann_json)
+
+# What every program that runs tasks consists of, beside the tasks.
+set(FIRSTLIGHT_RENDERER pt_base pt_scene)
+
+# The inner calls of a task that come back to the judge when it is judged by itself.
+function(firstlight_worker_choices slug)
+  set(choices)
+  set(radiance path)
+  if(slug STREQUAL hit_bvh)
+    set(choices hit_box=callback hit_triangle=callback hit_sphere=callback)
+  elseif(slug MATCHES "^(estimate|adaptive)_pixel$")
+    set(radiance callback)
+  endif()
+  set(WORKER_CHOICES ${choices} PARENT_SCOPE)
+  set(WORKER_RADIANCE ${radiance} PARENT_SCOPE)
+endfunction()
+
+# graded.<slug>: the properties of one task, asked of a worker; and worker.<slug>, a worker that runs
+# the reference, for tests and for measuring.
+function(firstlight_graded slug)
+  add_executable(graded.${slug} graded/main.cpp)
+  target_compile_definitions(graded.${slug} PRIVATE FIRSTLIGHT_TASK="${slug}")
+  target_link_libraries(graded.${slug} PRIVATE
+    grader_graded grader_remote grader_process CLI11::CLI11 firstlight_warnings)
+  firstlight_link_properties(graded.${slug} ${slug} remote)
+
+  firstlight_worker_choices(${slug})
+  add_executable(worker.${slug})
+  target_link_libraries(worker.${slug} PRIVATE grader_worker ${FIRSTLIGHT_RENDERER})
+  firstlight_link_tasks(worker.${slug} FROM reference RADIANCE ${WORKER_RADIANCE}
+    CHOICES ${WORKER_CHOICES})
+  add_test(NAME graded.${slug} COMMAND graded.${slug} --worker $<TARGET_FILE:worker.${slug}>)
+endfunction()
