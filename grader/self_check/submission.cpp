@@ -1,0 +1,69 @@
+#include "grader/self_check/submission.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a wrong solution may use: an endless loop ends here. The right ones take well under a
+// second.
+constexpr int kCpuSeconds = 5;
+constexpr int kWallSeconds = 30;
+constexpr long kMemoryBytes = 1L << 30;
+
+std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// Through the shell; both streams go to `log`.
+int run(const std::string& command, const fs::path& log) {
+  return std::system(fmt::format("{} > {} 2>&1", command, quoted(log)).c_str());
+}
+
+}  // namespace
+
+Verdict judge(const std::string& slug, const fs::path& file, const std::string& filter,
+              const std::string& scratch) {
+  const fs::path folder = fs::path(FIRSTLIGHT_OBJECTS) / "scratch" / scratch;
+  fs::create_directories(folder);
+  const fs::path object = folder / "task.o", program = folder / "check", log = folder / "log";
+
+  Verdict verdict;
+  const std::string compile =
+      fmt::format("{} -std=c++20 -O1 -ffp-contract=off -fno-math-errno -I{} -c {} -o {}",
+                  FIRSTLIGHT_CXX, quoted(FIRSTLIGHT_ROOT), quoted(file), quoted(object));
+  const std::string link =
+      fmt::format("{} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, quoted(object),
+                  quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
+  verdict.compiled = run(compile, log) == 0 && run(link, log) == 0;
+  if (verdict.compiled) {
+    // A shell of its own, which prints "Segmentation fault" into the log and not on our terminal.
+    const std::string properties = fmt::format(
+        "timeout --signal=KILL {} prlimit --cpu={} --as={} --core=0 -- {} --gtest_filter={}",
+        kWallSeconds, kCpuSeconds, kMemoryBytes, quoted(program), "'" + filter + "'");
+    const int status = run(properties, log);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    verdict.output = text_of(log);
+    verdict.passed = code == 0 && verdict.output.find("[  PASSED  ] 0 tests") == std::string::npos;
+    verdict.crashed = code != 0 && code != 1;
+  } else {
+    verdict.output = text_of(log);
+  }
+  fs::remove_all(folder);
+  return verdict;
+}
+
+}  // namespace grader

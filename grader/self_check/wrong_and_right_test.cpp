@@ -1,0 +1,201 @@
+#include "grader/self_check/submission.h"
+#include "grader/self_check/task_folder.h"
+
+#include <algorithm>
+#include <atomic>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+// The grader graded, for every task that has properties; or, named on the command line, for some.
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Kind { wrong, right, stub };
+
+// One file handed in, and what came of it.
+struct Submission {
+  std::string slug;
+  Kind kind{};
+  fs::path file;
+  std::string label;  // the promise it breaks, or what is right about it
+  Verdict verdict;
+};
+
+struct Task {
+  std::string slug;
+  std::vector<std::string> promises;  // of the contract
+  std::set<std::string> properties;   // of the program
+};
+
+const fs::path kRoot = FIRSTLIGHT_ROOT;
+
+std::vector<std::string> chosen;
+
+bool is_bonus(const std::string& promise) { return promise.ends_with("_bonus"); }
+
+std::set<std::string> properties_of(const std::string& slug) {
+  const std::string command =
+      fmt::format("'{}/check.{}.reference' --gtest_list_tests", FIRSTLIGHT_CHECKS, slug);
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::set<std::string> names;
+  for (char line[256]; pipe != nullptr && std::fgets(line, sizeof line, pipe) != nullptr;) {
+    const std::string text = line;
+    if (text.starts_with("  ")) names.insert(text.substr(2, text.find_last_not_of(" \n") - 1));
+  }
+  if (pipe != nullptr) pclose(pipe);
+  return names;
+}
+
+std::vector<Task> find_tasks() {
+  std::vector<Task> tasks;
+  for (const auto& entry : fs::directory_iterator(kRoot / "grader/tasks")) {
+    const std::string slug = entry.path().filename();
+    if (!fs::exists(entry.path() / "properties.cpp")) continue;
+    if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), slug) == chosen.end()) continue;
+    tasks.push_back({slug, promises_in(kRoot / "pt/tasks" / (slug + ".h")), properties_of(slug)});
+  }
+  return tasks;
+}
+
+std::vector<Submission> find_submissions(const std::vector<Task>& tasks) {
+  std::vector<Submission> all;
+  for (const Task& task : tasks) {
+    const fs::path folder = kRoot / "grader/tasks" / task.slug;
+    for (const fs::path& file : sources_in(folder / "wrong")) {
+      all.push_back({task.slug, Kind::wrong, file, first_line(file, "// breaks: "), {}});
+    }
+    for (const fs::path& file : sources_in(folder / "right")) {
+      all.push_back({task.slug, Kind::right, file, first_line(file, "// right: "), {}});
+    }
+    for (const auto& part : fs::directory_iterator(kRoot / "student")) {
+      const fs::path file = part.path() / (task.slug + ".cpp");
+      if (fs::exists(file)) all.push_back({task.slug, Kind::stub, file, "", {}});
+    }
+  }
+  return all;
+}
+
+void judge_all(std::vector<Submission>& submissions) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < submissions.size(); i = next++) {
+      Submission& s = submissions[i];
+      const std::string filter = s.kind == Kind::wrong   ? s.slug + "." + s.label
+                                 : s.kind == Kind::right ? "-*_bonus"
+                                                         : "*";
+      s.verdict = judge(s.slug, s.file, filter, std::to_string(i));
+    }
+  };
+  std::vector<std::jthread> threads(std::max(1u, std::thread::hardware_concurrency()));
+  for (std::jthread& thread : threads) thread = std::jthread(work);
+}
+
+const std::vector<Task>& tasks() {
+  static const std::vector<Task> all = find_tasks();
+  return all;
+}
+
+const std::vector<Submission>& submissions() {
+  static const std::vector<Submission> all = [] {
+    std::vector<Submission> found = find_submissions(tasks());
+    judge_all(found);
+    return found;
+  }();
+  return all;
+}
+
+TEST(SelfCheck, has_tasks) { EXPECT_FALSE(tasks().empty()); }
+
+TEST(SelfCheck, has_a_property_for_every_promise_and_a_promise_for_every_property) {
+  for (const Task& task : tasks()) {
+    const std::set<std::string> promises(task.promises.begin(), task.promises.end());
+    EXPECT_FALSE(promises.empty()) << task.slug;
+    EXPECT_EQ(promises, task.properties) << task.slug;
+  }
+}
+
+TEST(SelfCheck, has_a_wrong_solution_for_every_promise) {
+  for (const Task& task : tasks()) {
+    for (const std::string& promise : task.promises) {
+      EXPECT_TRUE(std::ranges::any_of(submissions(),
+                                      [&](const Submission& s) {
+                                        return s.kind == Kind::wrong && s.slug == task.slug &&
+                                               s.label == promise;
+                                      }))
+          << task.slug << " has no wrong solution that breaks " << promise;
+    }
+  }
+}
+
+TEST(SelfCheck, has_a_right_variant_of_every_task) {
+  for (const Task& task : tasks()) {
+    EXPECT_TRUE(std::ranges::any_of(submissions(), [&](const Submission& s) {
+      return s.kind == Kind::right && s.slug == task.slug && !s.label.empty();
+    })) << task.slug;
+  }
+}
+
+TEST(SelfCheck, compiles_every_solution) {
+  for (const Submission& s : submissions()) {
+    EXPECT_TRUE(s.verdict.compiled) << s.file << "\n" << s.verdict.output;
+  }
+}
+
+TEST(SelfCheck, rejects_every_wrong_solution_for_the_promise_it_names) {
+  for (const Submission& s : submissions()) {
+    if (s.kind != Kind::wrong) continue;
+    const Task& task = *std::ranges::find(tasks(), s.slug, &Task::slug);
+    EXPECT_TRUE(task.properties.contains(s.label)) << s.file << " breaks no promise there is";
+    EXPECT_FALSE(s.verdict.passed) << s.file << " keeps " << s.label;
+  }
+}
+
+TEST(SelfCheck, accepts_every_right_solution) {
+  for (const Submission& s : submissions()) {
+    if (s.kind != Kind::right) continue;
+    EXPECT_FALSE(s.label.empty()) << s.file << " does not say what is different";
+    EXPECT_TRUE(s.verdict.passed) << s.file << "\n" << s.verdict.output;
+  }
+}
+
+TEST(SelfCheck, sees_that_a_stub_is_not_attempted) {
+  for (const Submission& s : submissions()) {
+    if (s.kind != Kind::stub) continue;
+    EXPECT_FALSE(s.verdict.crashed) << s.file << "\n" << s.verdict.output;
+    EXPECT_NE(s.verdict.output.find(s.slug + " is not written yet"), std::string::npos) << s.file;
+  }
+}
+
+// A promise that nothing keeps asks for too much: each bonus is kept by the reference or a variant.
+TEST(SelfCheck, has_a_solution_that_keeps_every_bonus_promise) {
+  for (const Task& task : tasks()) {
+    for (const std::string& promise : task.promises) {
+      if (!is_bonus(promise)) continue;
+      bool kept = false;
+      std::vector<fs::path> files = sources_in(kRoot / "grader/tasks" / task.slug / "right");
+      for (const auto& part : fs::directory_iterator(kRoot / "reference")) {
+        const fs::path file = part.path() / (task.slug + ".cpp");
+        if (fs::exists(file)) files.push_back(file);
+      }
+      for (const fs::path& file : files) {
+        kept = kept || judge(task.slug, file, task.slug + "." + promise, "bonus").passed;
+      }
+      EXPECT_TRUE(kept) << task.slug << " " << promise;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace grader
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  grader::chosen.assign(argv + 1, argv + argc);
+  return RUN_ALL_TESTS();
+}

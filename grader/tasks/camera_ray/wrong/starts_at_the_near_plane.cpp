@@ -1,0 +1,18 @@
+// breaks: starts_at_the_camera
+// Starts at the near plane instead of the camera.
+#include "pt/tasks/camera_ray.h"
+
+#include <cmath>
+
+namespace pt {
+
+Ray camera_ray(const Camera& camera, double x, double y) {
+  const double half_width = std::tan(camera.hfov_deg * kPi / 360);
+  const double half_height = std::tan(camera.vfov_deg * kPi / 360);
+  const Vec3 local{(2 * x - 1) * half_width, (2 * y - 1) * half_height, -1};
+  const Vec3 direction = normalize(camera.camera_to_world.to_world(local));
+  return {camera.position + camera.near_clip * direction, direction, camera.near_clip,
+          camera.far_clip};
+}
+
+}  // namespace pt

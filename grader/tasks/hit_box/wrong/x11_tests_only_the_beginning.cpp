@@ -1,0 +1,25 @@
+// breaks: keeps_to_the_rays_range
+// Tests only that the box does not end before the range begins.
+#include "pt/tasks/hit_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pt {
+
+std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
+  double enter = -kInfinity, leave = kInfinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    double t0 = (box.min[axis] - ray.origin[axis]) / ray.direction[axis];
+    double t1 = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
+    if (t0 > t1) std::swap(t0, t1);
+    enter = std::max(enter, t0);
+    leave = std::min(leave, t1);
+  }
+  if (!(enter <= leave) || leave < ray.t_min) return std::nullopt;
+  return Interval{std::max(enter, ray.t_min), leave};
+}
+
+}  // namespace pt
