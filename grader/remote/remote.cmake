@@ -59,3 +59,10 @@ function(firstlight_graded slug)
   add_test(NAME graded.${slug} COMMAND graded.${slug} --promises=-*_bonus
     --worker $<TARGET_FILE:worker.${slug}>)
 endfunction()
+
+# What the linker has to do so that the integrated worker can say which tests hit_bvh makes
+# (worker/recording.cpp).
+set(FIRSTLIGHT_RECORDING_FLAGS
+  -Wl,--wrap=_ZN2pt7hit_boxERKNS_3BoxERKNS_3RayE
+  -Wl,--wrap=_ZN2pt12hit_triangleERKNS_8TriangleERKNS_3RayE
+  -Wl,--wrap=_ZN2pt10hit_sphereERKNS_6SphereERKNS_3RayE)
