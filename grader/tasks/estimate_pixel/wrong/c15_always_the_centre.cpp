@@ -1,0 +1,21 @@
+// breaks: covers_the_whole_pixel
+// Sends every sample through the centre.
+#include "pt/render/radiance.h"
+#include "pt/tasks/camera_ray.h"
+#include "pt/tasks/estimate_pixel.h"
+
+#include <cmath>
+
+namespace pt {
+
+Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler) {
+  Rgb sum;
+  for (int i = 0; i < samples; ++i) {
+    const Vec2 xi = {0.5, 0.5};
+    const Ray ray = camera_ray(view.camera, (x + xi.x) / view.width, (y + xi.y) / view.height);
+    sum += radiance(view.scene, ray, view.settings, sampler);
+  }
+  return sum / samples;
+}
+
+}  // namespace pt

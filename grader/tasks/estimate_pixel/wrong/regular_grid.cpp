@@ -1,0 +1,21 @@
+// breaks: covers_the_whole_pixel
+// Takes the points of a grid, always the same.
+#include "pt/render/radiance.h"
+#include "pt/tasks/camera_ray.h"
+#include "pt/tasks/estimate_pixel.h"
+
+#include <cmath>
+
+namespace pt {
+
+Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler) {
+  Rgb sum;
+  for (int i = 0; i < samples; ++i) {
+    const Vec2 xi = samples == 1 ? Vec2{0.5, 0.5} : Vec2{(i % 4 + 0.5) / 4, (i / 4 % 4 + 0.5) / 4};
+    const Ray ray = camera_ray(view.camera, (x + xi.x) / view.width, (y + xi.y) / view.height);
+    sum += radiance(view.scene, ray, view.settings, sampler);
+  }
+  return sum / samples;
+}
+
+}  // namespace pt

@@ -1,0 +1,22 @@
+// breaks: stays_inside_the_pixel
+// Jitters around the pixel's corner.
+#include "pt/render/radiance.h"
+#include "pt/tasks/camera_ray.h"
+#include "pt/tasks/estimate_pixel.h"
+
+#include <cmath>
+
+namespace pt {
+
+Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler) {
+  Rgb sum;
+  for (int i = 0; i < samples; ++i) {
+    const Vec2 xi = samples == 1 ? Vec2{1, 1} : sampler.next_2d();
+    const Ray ray =
+        camera_ray(view.camera, (x + xi.x - 0.5) / view.width, (y + xi.y - 0.5) / view.height);
+    sum += radiance(view.scene, ray, view.settings, sampler);
+  }
+  return sum / samples;
+}
+
+}  // namespace pt

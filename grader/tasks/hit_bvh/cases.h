@@ -1,0 +1,161 @@
+#pragma once
+
+#include "grader/property/generators.h"
+#include "grader/property/show.h"
+#include "pt/geometry/bvh.h"
+#include "pt/geometry/primitives.h"
+#include "pt/sampling/sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+// Primitives, trees of all shapes over them, which the test builds itself, and rays.
+
+namespace grader::hit_bvh_cases {
+
+// How a range of primitives is divided.
+enum class Shape { balanced, random, chain, leaf };
+
+struct Case {
+  pt::Primitives primitives;
+  pt::Bvh bvh;
+  pt::Ray ray;
+};
+
+inline void showValue(const Case& c, std::ostream& out) {
+  constexpr int kShown = 4;
+  const auto leaves = std::ranges::count_if(c.bvh.nodes, &pt::BvhNode::is_leaf);
+  out << "a tree of " << c.bvh.nodes.size() << " nodes, " << leaves << " of them leaves, over "
+      << c.primitives.triangles.size() << " triangles and " << c.primitives.spheres.size()
+      << " spheres";
+  for (int i = 0; i < std::min(kShown, c.primitives.size()); ++i) {
+    const bool triangle = c.primitives.is_triangle(i);
+    out << "\n" << (triangle ? show(c.primitives.triangle(i)) : show(c.primitives.sphere(i)));
+  }
+  if (c.primitives.size() > kShown) out << "\nand so on";
+  out << "\n" << show(c.ray);
+}
+
+// Random numbers by the hundred come from a sampler, which is faster than RapidCheck and does not
+// shrink; the number of primitives does.
+struct Maker {
+  pt::Sampler sampler;
+
+  double between(double low, double high) { return low + (high - low) * sampler.next_1d(); }
+  int between(int low, int high) {
+    return low + static_cast<int>(sampler.next_1d() * (high - low + 1));
+  }
+  pt::Vec3 vector(double size) {
+    return {between(-size, size), between(-size, size), between(-size, size)};
+  }
+  pt::Triangle triangle() {
+    const pt::Vec3 p = vector(5.0);
+    pt::Triangle made = flat_triangle(p, p + vector(2.0), p + vector(2.0));
+    made.n0 = normalize(made.n0 + vector(0.3));
+    made.n1 = normalize(made.n1 + vector(0.3));
+    return made;
+  }
+};
+
+struct TreeMaker {
+  const pt::Primitives& primitives;
+  Shape shape;
+  int max_leaf;
+  double padding;  // boxes may be larger than they need to be
+  Maker& make;
+  pt::Bvh bvh{};
+
+  int divide(int first, int last) {
+    const int n = last - first;
+    if (shape == Shape::chain) return make.between(0, 1) == 0 ? first + 1 : last - 1;
+    if (shape == Shape::random) return first + make.between(1, n - 1);
+    const int axis = make.between(0, 2);
+    std::sort(bvh.order.begin() + first, bvh.order.begin() + last, [&](int a, int b) {
+      return bounds(primitives, a).center()[axis] < bounds(primitives, b).center()[axis];
+    });
+    return first + n / 2;
+  }
+
+  int build(int first, int last) {
+    const int me = static_cast<int>(bvh.nodes.size());
+    pt::BvhNode node;
+    for (int i = first; i < last; ++i) node.box.grow(bounds(primitives, bvh.order[i]));
+    const double more = make.between(0.0, padding);
+    node.box.min -= {more, more, more};
+    node.box.max += {more, more, more};
+    bvh.nodes.push_back(node);
+    if (last - first <= max_leaf || shape == Shape::leaf) {
+      bvh.nodes[me].first = first;
+      bvh.nodes[me].count = last - first;
+      return me;
+    }
+    const int middle = divide(first, last);
+    const bool exchanged = make.between(0, 1) == 0;
+    const int a = exchanged ? build(middle, last) : build(first, middle);
+    const int b = exchanged ? build(first, middle) : build(middle, last);
+    bvh.nodes[me].left = a;
+    bvh.nodes[me].right = b;
+    return me;
+  }
+};
+
+inline pt::Bvh tree_of(const pt::Primitives& primitives, Shape shape, int max_leaf, double padding,
+                       Maker& make) {
+  TreeMaker maker{primitives, shape, max_leaf, padding, make};
+  maker.bvh.order.resize(primitives.size());
+  std::iota(maker.bvh.order.begin(), maker.bvh.order.end(), 0);
+  for (int i = primitives.size() - 1; i > 0; --i) {
+    std::swap(maker.bvh.order[i], maker.bvh.order[make.between(0, i)]);
+  }
+  maker.build(0, primitives.size());
+  return maker.bvh;
+}
+
+// A ray past the middle of one of the primitives, or anywhere, with and without an end.
+inline pt::Ray some_ray(const pt::Primitives& primitives, Maker& make) {
+  const pt::Vec3 origin = make.vector(12.0);
+  const pt::Box aim = bounds(primitives, make.between(0, primitives.size() - 1));
+  const bool at_one = make.between(0, 3) > 0;
+  const pt::Vec3 target = at_one ? aim.center() + 0.3 * make.vector(1.0) : make.vector(8.0);
+  pt::Ray ray{origin, std::pow(10, make.between(-2.0, 2.0)) * (target - origin)};
+  const double way = length(target - origin) / length(ray.direction);
+  if (make.between(0, 2) == 0) ray.t_min = way * make.between(0.0, 1.2);
+  if (make.between(0, 2) == 0) ray.t_max = ray.t_min + way * make.between(0.0, 1.2);
+  return ray;
+}
+
+struct Wanted {
+  int most = 40;
+  bool spheres = true;
+  double padding = 0.5;
+  int max_leaf = 6;
+};
+
+inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted = {}) {
+  return rc::gen::exec([=] {
+    const int n = *whole(1, wanted.most);
+    const Shape shape = *rc::gen::elementOf(shapes);
+    const int max_leaf = *whole(1, wanted.max_leaf);
+    Maker make{pt::Sampler(*sampler_seed())};
+    Case c;
+    for (int i = 0; i < n; ++i) {
+      const bool sphere = wanted.spheres && make.between(0, 2) == 0;
+      if (sphere) {
+        c.primitives.spheres.push_back({make.vector(5.0), make.between(0.1, 1.5)});
+      } else {
+        c.primitives.triangles.push_back(make.triangle());
+      }
+    }
+    c.bvh = tree_of(c.primitives, shape, max_leaf, wanted.padding, make);
+    c.ray = some_ray(c.primitives, make);
+    return c;
+  });
+}
+
+inline rc::Gen<Case> some_tree(Wanted wanted = {}) {
+  return with_tree({Shape::balanced, Shape::random}, wanted);
+}
+
+}  // namespace grader::hit_bvh_cases
