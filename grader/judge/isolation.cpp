@@ -53,6 +53,15 @@ void refuse(TaskResult& result, State state, const std::string& reason,
   result.compiler_output = output;
 }
 
+// Compilers name the file as they were given it; people look for it in the submission.
+std::string in_folder(std::string text, const TaskConfig& task, const std::string& folder) {
+  for (std::size_t at = text.find(task.file()); at != std::string::npos;
+       at = text.find(task.file(), at + folder.size() + 1 + task.file().size())) {
+    text.insert(at, folder + "/");
+  }
+  return text;
+}
+
 void judge_one(const Config& config, const Builder& builder, const GradeRequest& request,
                Judged& judged) {
   const TaskConfig& task = *judged.config;
@@ -67,7 +76,8 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
   if (!file.rejected.empty()) return refuse(result, State::rejected, file.rejected);
   judged.object = builder.compile(task, file.text);
   if (!judged.object.ok()) {
-    return refuse(result, State::fail, "it does not compile", judged.object.error);
+    return refuse(result, State::fail, "it does not compile",
+                  in_folder(judged.object.error, task, request.submission));
   }
   const Built worker = link_alone(config, builder, judged);
   if (!worker.ok()) return refuse(result, State::fail, "it does not link", worker.error);

@@ -36,6 +36,7 @@ std::string property_name(const std::string& title) {
   std::string name;
   for (const char c : title) {
     const auto byte = static_cast<unsigned char>(c);
+    if (c == '\'') continue;
     if (std::isalnum(byte)) {
       name += static_cast<char>(std::tolower(byte));
     } else if (!name.empty() && name.back() != '_') {

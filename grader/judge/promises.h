@@ -16,7 +16,8 @@ struct Promise {
 // The promises listed in the text of a header in pt/tasks/.
 std::vector<Promise> promises_of(const std::string& header);
 
-// The name of the property for a title: "stays accurate (bonus)" is stays_accurate_bonus.
+// The name of the property for a title: "keeps the ray's range (bonus)" is
+// keeps_the_rays_range_bonus.
 std::string property_name(const std::string& title);
 
 }  // namespace grader

@@ -85,29 +85,30 @@ std::string labelled(const std::string& label, const std::vector<std::string>& l
   return text;
 }
 
-std::string failure_text(const FailureReport& failure, const TaskResult& task) {
+std::string failure_text(const FailureReport& failure) {
   std::string text;
   if (failure.integrated) text += "  With your own tasks in all places:\n";
   text += labelled("input", failure.input);
   if (!failure.what.empty()) text += labelled("compared", {failure.what});
   text += labelled("got", {failure.got}) + labelled("expected", {failure.expected});
   if (!failure.off_by.empty()) text += labelled("off by", {failure.off_by});
-  text +=
-      "\n" + labelled("replay", {failure.replay}) + labelled("hint", {"./run hint " + task.slug});
-  return text;
+  return text + "\n";
 }
 
 std::string promise_text(const TaskResult& task, const PromiseResult& promise,
                          const TerminalStyle& style) {
   std::string text = "\n";
-  for (const std::string& line :
-       wrap(task.slug + " " + promise.words + (promise.bonus ? " (bonus)" : ""), kWidth)) {
+  for (const std::string& line : wrap(task.slug + " " + promise.words, kWidth)) {
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
-  for (const FailureReport& failure : promise.failures) text += failure_text(failure, task);
-  if (promise.failures.empty()) text += "  It failed without a counterexample.\n";
-  return text;
+  if (promise.failures.empty()) return text + "  It failed without a counterexample.\n";
+  for (const FailureReport& failure : promise.failures) {
+    text += failure_text(failure);
+    if (!style.all) break;
+  }
+  return text + labelled("replay", {promise.failures[0].replay}) +
+         labelled("hint", {"./run hint " + task.slug});
 }
 
 std::string reason_text(const TaskResult& task, const TerminalStyle& style) {
