@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
     options.session.program = std::filesystem::absolute(options.session.program);
     options.session.call_limit = std::chrono::milliseconds(call_limit);
     options.session.lost_limit = 3 * options.session.call_limit;
+    options.session.total_limit = 15 * options.session.call_limit;
     return run(options, argv[0]);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -55,9 +55,15 @@ Findings parse(const std::string& text, bool integrated) {
 }
 
 std::vector<std::string> command(const Trial& trial, const std::string& report) {
-  std::vector<std::string> words{
-      trial.task.graded,         "--worker", trial.worker.path, "--report", report, "--seed",
-      std::to_string(trial.seed)};
+  std::vector<std::string> words{trial.task.graded,
+                                 "--worker",
+                                 trial.worker.path,
+                                 "--report",
+                                 report,
+                                 "--seed",
+                                 std::to_string(trial.request.seed),
+                                 "--call-limit",
+                                 std::to_string(trial.request.call_limit)};
   if (trial.integrated) words.push_back("--integrated");
   if (!trial.promises.empty()) {
     std::string filter;

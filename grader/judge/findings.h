@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/judge/builder.h"
+#include "grader/judge/grade.h"
 #include "grader/report/results.h"
 
 #include <optional>
@@ -21,7 +22,7 @@ struct Trial {
   const TaskConfig& task;
   const Built& worker;
   bool integrated = false;
-  std::uint64_t seed = 1;
+  const GradeRequest& request;
   std::vector<std::string> promises;  // only these; all if empty
 };
 

@@ -14,6 +14,7 @@ struct GradeRequest {
   std::string submission;          // a folder with the tree of student/
   std::vector<std::string> asked;  // slugs
   std::uint64_t seed = 1;
+  int call_limit = 2000;  // milliseconds
   int threads = 2;
 };
 

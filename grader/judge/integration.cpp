@@ -106,7 +106,7 @@ class Integration {
       judged.result.compiler_output = worker.error;
       return;
     }
-    enter(try_worker(builder_, {*judged.config, worker, true, request_.seed, {}}), request_,
+    enter(try_worker(builder_, {*judged.config, worker, true, request_, {}}), request_,
           judged.result);
   }
 
@@ -120,7 +120,7 @@ class Integration {
       const Built worker = link_without(slug);
       if (!worker.ok()) continue;
       const Findings findings =
-          try_worker(builder_, {*judged.config, worker, true, request_.seed, failed});
+          try_worker(builder_, {*judged.config, worker, true, request_, failed});
       const bool mended = findings.broken.empty() &&
                           std::all_of(findings.promises.begin(), findings.promises.end(),
                                       [](const PromiseResult& promise) { return promise.held; });

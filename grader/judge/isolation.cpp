@@ -81,7 +81,7 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
   }
   const Built worker = link_alone(config, builder, judged);
   if (!worker.ok()) return refuse(result, State::fail, "it does not link", worker.error);
-  const Findings findings = try_worker(builder, {task, worker, false, request.seed, {}});
+  const Findings findings = try_worker(builder, {task, worker, false, request, {}});
   // The properties say what can be judged; that each promise has one is checked elsewhere.
   if (findings.broken.empty()) {
     std::erase_if(result.promises, [&](const PromiseResult& promise) {

@@ -26,6 +26,7 @@ struct Options {
   std::string config;
   int tier = 0;
   std::uint64_t seed = 1;
+  int call_limit = 2000;
   bool all = false;
 };
 
@@ -35,7 +36,7 @@ std::string config_path() {
 }
 
 int grade_submission(const Config& config, const Options& options) {
-  GradeRequest request{options.submission, {}, options.seed};
+  GradeRequest request{options.submission, {}, options.seed, options.call_limit};
   std::set<std::string> asked;
   for (const std::string& word : options.what) {
     for (const std::string& slug : tasks_meant(config, word)) asked.insert(slug);
@@ -72,6 +73,8 @@ int main(int argc, char** argv) {
   app.add_flag("--all", options.all, "show every failure, not only the first");
   app.add_option("--json", options.json, "also write the results to this file");
   app.add_option("--seed", options.seed, "of all random inputs");
+  app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
+      ->check(CLI::PositiveNumber);
   app.add_option("--hint", options.hint, "show the next hint for this task instead");
   app.add_option("--tier", options.tier, "this hint, not the next")->check(CLI::Range(1, 3));
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");

@@ -107,12 +107,12 @@ void Session::expect_attempted() const {
 
 void Session::expect_time_left() const {
   if (lost_ > settings_.lost_limit) {
-    fail_call(Cause::timeout, fmt::format("not asked any more: {:.0f} s went on calls that failed",
-                                          seconds(lost_)));
+    fail_call(last_cause_, fmt::format("not asked any more: {:.1f} s went on calls that failed",
+                                       seconds(lost_)));
   }
   if (waited_ > settings_.total_limit) {
     fail_call(Cause::timeout,
-              fmt::format("not asked any more: all calls so far took {:.0f} s", seconds(waited_)));
+              fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(waited_)));
   }
 }
 
@@ -171,6 +171,7 @@ void Session::reject(const std::string& why) {
 }
 
 void Session::fail(const WorkerFailed& failure) {
+  last_cause_ = failure.cause;
   if (!failure.alive) {
     if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
     worker_.reset();

@@ -79,6 +79,7 @@ class Session {
   std::map<Handle, const pt::Scene*> scenes_;  // of this call
   std::string reply_;
   std::chrono::nanoseconds lost_{0}, waited_{0};
+  Cause last_cause_ = Cause::timeout;
 };
 
 // How many repetitions go into one message: enough that its cost does not count, few enough that
