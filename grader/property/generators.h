@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/property/show.h"  // wherever values are drawn, or they are shown as "<???>"
 #include "pt/math/frame.h"
 #include "pt/math/rgb.h"
 #include "pt/math/vec3.h"

@@ -22,12 +22,12 @@ namespace pt {
 //   - covers its primitives: a node's box contains all boxes below it.
 //   - is one tree: every node but the root has one parent, whose index is smaller.
 //   - keeps leaves small: at most max_leaf primitives each, for max_leaf from 1 up.
-//   - splits until it must: n boxes with n > max_leaf are not left in one leaf, and inner nodes have
-//     two children that both hold something.
+//   - splits until it must: n boxes with n > max_leaf are not left in one leaf, and inner nodes
+//     have two children that both hold something.
 //   - takes no boxes and one: an empty tree, and a single leaf.
 //   - ends on identical centroids: also when every box is the same.
-//   - separates along the longest axis: long rows of boxes along x, y or z, at any scale, and rows of
-//     such rows, give a tree that a ray across it leaves almost untouched.
+//   - separates along the longest axis: long rows of boxes along x, y or z, at any scale, and rows
+//     of such rows, give a tree that a ray across it leaves almost untouched.
 //   - stays shallow on clustered centroids (bonus): at 2^-i for i = 0, 1, ... the depth is
 //     logarithmic.
 Bvh build_bvh(std::span<const Box> boxes, int max_leaf);

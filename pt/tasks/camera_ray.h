@@ -7,9 +7,8 @@ namespace pt {
 
 // The ray from the camera through a point of its picture.
 //
-// In:  x and y in [0, 1], from the left edge to the right and from the bottom edge to the top: (0,
-// 0)
-//      is the bottom left corner, (1/2, 1/2) the centre.
+// In:  x and y in [0, 1], from the left edge to the right and from the bottom edge to the top:
+//      (0, 0) is the bottom left corner, (1/2, 1/2) the centre.
 // Out: world space. The origin is the camera's position, the direction has unit length, and t runs
 //      from near_clip to far_clip.
 //
@@ -22,8 +21,7 @@ namespace pt {
 //   - has a unit direction: so that t is a distance.
 //   - looks along minus z: the centre of the picture is straight ahead.
 //   - fills the field of view: half hfov_deg to the middle of the left and right edges, half
-//   vfov_deg
-//     to the middle of the bottom and top edges, each from its own angle, in degrees.
+//     vfov_deg to the middle of the bottom and top edges, each from its own angle, in degrees.
 //   - puts x to the right and y up: a larger x goes along the frame's x, a larger y along its y.
 //   - keeps the picture flat: equal steps in x or y are equal steps on the window.
 //   - turns with the camera: the same ray, seen from the camera, for every position and frame.

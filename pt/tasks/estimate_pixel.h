@@ -8,14 +8,12 @@ namespace pt {
 
 // The mean radiance that falls on one pixel.
 //
-// In:  the pixel (x, y) counts from the bottom left corner of the picture: x in 0 .. width - 1, y
-// in
-//      0 .. height - 1; it covers the square from (x / width, y / height) to ((x + 1) / width,
+// In:  the pixel (x, y) counts from the bottom left corner of the picture: x in 0 .. width - 1,
+//      y in 0 .. height - 1; it covers the square from (x / width, y / height) to ((x + 1) / width,
 //      (y + 1) / height) of camera_ray's picture. samples >= 1.
 // Out: the plain mean of radiance(scene, ray, settings, sampler) over `samples` camera rays:
-// through
-//      the pixel's centre if there is one sample, else each through a random point of the pixel,
-//      all points equally likely.
+//      through the pixel's centre if there is one sample, else each through a random point of the
+//      pixel, all points equally likely.
 //
 // Promises:
 //   - averages the radiance: the mean of what radiance() returned, channel by channel.
@@ -25,7 +23,7 @@ namespace pt {
 //   - covers the whole pixel: with more samples, all points of the square are equally likely.
 //   - passes the settings on: radiance() sees the view's scene and settings, and the same sampler.
 //   - forgets the pixel before: the same arguments give the same answer, whatever was asked
-//   earlier.
+//     earlier.
 Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler);
 
 }  // namespace pt

@@ -21,8 +21,8 @@ namespace pt {
 //   - misses beside the box: a ray that passes it has none.
 //   - gives the right interval: where the ray enters and leaves, on every axis.
 //   - starts inside: from an origin in the box the interval starts at t_min.
-//   - keeps to the ray's range: a box before t_min, behind the origin or beyond t_max is a miss, and
-//     the interval lies in the range.
+//   - keeps to the ray's range: a box before t_min, behind the origin or beyond t_max is a miss,
+//     and the interval lies in the range.
 //   - takes rays along the axes: components of 0 and of -0, beside and inside the slabs.
 //   - takes flat boxes: with no thickness in one axis or more.
 //   - never misses by a rounding error (bonus): also for rays at the edges and corners of the boxes

@@ -12,8 +12,7 @@ namespace pt {
 //
 // In:  world space. The direction may have any length but zero; t counts in that length.
 // Out: nothing, or the smallest t with t_min <= t <= t_max on the sphere, and the unit normal
-// there,
-//      pointing outwards. A ray that only touches the sphere may hit or miss.
+//      there, pointing outwards. A ray that only touches the sphere may hit or miss.
 //
 // Promises:
 //   - hits where it is aimed: a ray at a visible point of the sphere has t at that point.

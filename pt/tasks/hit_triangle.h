@@ -13,9 +13,8 @@ namespace pt {
 // In:  world space. The direction may have any length but zero; t counts in that length. The corner
 //      normals are unit vectors.
 // Out: nothing, or t with t_min <= t <= t_max and the unit normal there: the corner normals
-// weighted
-//      by the barycentric coordinates of the point, normalised, on the side they are on. Both faces
-//      are hit.
+//      weighted by the barycentric coordinates of the point, normalised, on the side they are on.
+//      Both faces are hit.
 //
 // A ray that runs in the triangle's plane, and any ray at a triangle without area, misses. On the
 // very edge, hit or miss are both right.
@@ -32,10 +31,9 @@ namespace pt {
 //   - works at every scale: triangles from a millionth to a million across.
 //   - keeps double precision: t is right to 1e-9 of its size in well-shaped triangles.
 //   - rejects what has no area: degenerate triangles and rays in the plane never hit, nor give NaN.
-//   - leaves no gap at shared edges (bonus): a ray at an edge or a corner that triangles share hits
-//   at
-//     least one of them (Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection, JCGT
-//     2(1)).
+//   - leaves no gap at shared edges (bonus): a ray at an edge or a corner that triangles share
+//     hits at least one of them (Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection,
+//     JCGT 2(1)).
 std::optional<SurfaceHit> hit_triangle(const Triangle& triangle, const Ray& ray);
 
 }  // namespace pt

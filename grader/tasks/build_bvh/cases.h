@@ -1,9 +1,9 @@
 #pragma once
 
 #include "grader/property/generators.h"
+#include "grader/property/many.h"
 #include "grader/property/show.h"
 #include "pt/geometry/box.h"
-#include "pt/sampling/sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,45 +28,24 @@ inline void showValue(const Input& input, std::ostream& out) {
   if (input.boxes.size() > kShown) out << "\nand so on";
 }
 
-// Random boxes by the hundred come from a sampler, which is faster than RapidCheck and does not
-// shrink; their number does.
-class Maker {
- public:
-  explicit Maker(std::uint64_t seed) : sampler_(seed) {}
-
-  double between(double low, double high) { return low + (high - low) * sampler_.next_1d(); }
-  int below(int n) { return static_cast<int>(sampler_.next_1d() * n); }
-  pt::Vec3 vector(double low, double high) {
-    return {between(low, high), between(low, high), between(low, high)};
-  }
-  void shuffle(std::vector<pt::Box>& boxes) {
-    for (int i = static_cast<int>(boxes.size()) - 1; i > 0; --i) {
-      std::swap(boxes[i], boxes[below(i + 1)]);
-    }
-  }
-
- private:
-  pt::Sampler sampler_;
-};
-
 inline pt::Box around(pt::Vec3 center, pt::Vec3 half) { return {center - half, center + half}; }
 
 enum class Kind { scattered, clustered, points, flat, nested, identical, same_center };
 
-inline pt::Box box_of(Kind kind, Maker& make) {
+inline pt::Box box_of(Kind kind, Many& make) {
   const pt::Vec3 p = make.vector(-10, 10);
   switch (kind) {
     case Kind::scattered:
       return around(p, make.vector(0.01, 3));
     case Kind::clustered: {
-      const double cluster = 5 * make.below(3);
+      const double cluster = 5 * make.whole(0, 2);
       return around(pt::Vec3{cluster, -cluster, 1} + 1e-6 * p, make.vector(1e-9, 1e-7));
     }
     case Kind::points:
       return {p, p};
     case Kind::flat: {
       pt::Vec3 half = make.vector(0.01, 1);
-      half[make.below(3)] = 0;
+      half[make.whole(0, 2)] = 0;
       return around({p.x, 0, p.z}, half);
     }
     case Kind::nested:
@@ -83,7 +62,7 @@ inline rc::Gen<Input> boxes_of(const std::vector<Kind>& kinds, int least, int mo
   return rc::gen::exec([=] {
     const int n = *whole(least, most);
     Input input{{}, *whole(1, 9)};
-    Maker make(*sampler_seed());
+    Many make(*sampler_seed());
     const Kind kind = *rc::gen::elementOf(kinds);
     for (int i = 0; i < n; ++i) input.boxes.push_back(box_of(kind, make));
     return input;
@@ -127,7 +106,7 @@ inline rc::Gen<Rows> in_rows(int along, int count, int each) {
     jitter[(along + 1) % 3] = *rc::gen::element(1e-6, 1e-2) * scale;
     jitter[(along + 2) % 3] = 1e-8 * scale * scale / jitter[(along + 1) % 3];
     half[along] = 0.4 * scale / each;
-    Maker make(*sampler_seed());
+    Many make(*sampler_seed());
     for (int row = 0; row < count; ++row) {
       for (int i = 0; i < each; ++i) {
         pt::Vec3 p = rows.corner;

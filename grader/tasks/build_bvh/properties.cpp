@@ -173,10 +173,11 @@ PROMISE(build_bvh, ends_on_identical_centroids) {
 // ray across it has to look into. The mean over many points, all the same for every tree.
 double boxes_entered(const Rows& rows, const pt::Bvh& bvh) {
   constexpr int kPoints = 200;
-  Maker make(1);
+  Many make(1);
   long long entered = 0;
   for (int i = 0; i < kPoints; ++i) {
-    const pt::Box& box = rows.input.boxes[make.below(static_cast<int>(rows.input.boxes.size()))];
+    const pt::Box& box =
+        rows.input.boxes[make.whole(0, static_cast<int>(rows.input.boxes.size()) - 1)];
     for (const pt::BvhNode& node : bvh.nodes) {
       bool inside = true;
       for (const int axis : {rows.along, rows.across}) {

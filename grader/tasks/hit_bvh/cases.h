@@ -1,10 +1,10 @@
 #pragma once
 
 #include "grader/property/generators.h"
+#include "grader/property/many.h"
 #include "grader/property/show.h"
 #include "pt/geometry/bvh.h"
 #include "pt/geometry/primitives.h"
-#include "pt/sampling/sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,40 +38,28 @@ inline void showValue(const Case& c, std::ostream& out) {
   out << "\n" << show(c.ray);
 }
 
-// Random numbers by the hundred come from a sampler, which is faster than RapidCheck and does not
-// shrink; the number of primitives does.
-struct Maker {
-  pt::Sampler sampler;
-
-  double between(double low, double high) { return low + (high - low) * sampler.next_1d(); }
-  int between(int low, int high) {
-    return low + static_cast<int>(sampler.next_1d() * (high - low + 1));
-  }
-  pt::Vec3 vector(double size) {
-    return {between(-size, size), between(-size, size), between(-size, size)};
-  }
-  pt::Triangle triangle() {
-    const pt::Vec3 p = vector(5.0);
-    pt::Triangle made = flat_triangle(p, p + vector(2.0), p + vector(2.0));
-    made.n0 = normalize(made.n0 + vector(0.3));
-    made.n1 = normalize(made.n1 + vector(0.3));
-    return made;
-  }
-};
+inline pt::Triangle some_triangle(Many& make) {
+  const pt::Vec3 p = make.vector(-5, 5);
+  const pt::Vec3 q = p + make.vector(-2, 2), r = p + make.vector(-2, 2);
+  pt::Triangle made = flat_triangle(p, q, r);
+  made.n0 = normalize(made.n0 + make.vector(-0.3, 0.3));
+  made.n1 = normalize(made.n1 + make.vector(-0.3, 0.3));
+  return made;
+}
 
 struct TreeMaker {
   const pt::Primitives& primitives;
   Shape shape;
   int max_leaf;
   double padding;  // boxes may be larger than they need to be
-  Maker& make;
+  Many& make;
   pt::Bvh bvh{};
 
   int divide(int first, int last) {
     const int n = last - first;
-    if (shape == Shape::chain) return make.between(0, 1) == 0 ? first + 1 : last - 1;
-    if (shape == Shape::random) return first + make.between(1, n - 1);
-    const int axis = make.between(0, 2);
+    if (shape == Shape::chain) return make.whole(0, 1) == 0 ? first + 1 : last - 1;
+    if (shape == Shape::random) return first + make.whole(1, n - 1);
+    const int axis = make.whole(0, 2);
     std::sort(bvh.order.begin() + first, bvh.order.begin() + last, [&](int a, int b) {
       return bounds(primitives, a).center()[axis] < bounds(primitives, b).center()[axis];
     });
@@ -82,7 +70,7 @@ struct TreeMaker {
     const int me = static_cast<int>(bvh.nodes.size());
     pt::BvhNode node;
     for (int i = first; i < last; ++i) node.box.grow(bounds(primitives, bvh.order[i]));
-    const double more = make.between(0.0, padding);
+    const double more = make.between(0, padding);
     node.box.min -= {more, more, more};
     node.box.max += {more, more, more};
     bvh.nodes.push_back(node);
@@ -92,7 +80,7 @@ struct TreeMaker {
       return me;
     }
     const int middle = divide(first, last);
-    const bool exchanged = make.between(0, 1) == 0;
+    const bool exchanged = make.whole(0, 1) == 0;
     const int a = exchanged ? build(middle, last) : build(first, middle);
     const int b = exchanged ? build(first, middle) : build(middle, last);
     bvh.nodes[me].left = a;
@@ -102,32 +90,30 @@ struct TreeMaker {
 };
 
 inline pt::Bvh tree_of(const pt::Primitives& primitives, Shape shape, int max_leaf, double padding,
-                       Maker& make) {
+                       Many& make) {
   TreeMaker maker{primitives, shape, max_leaf, padding, make};
   maker.bvh.order.resize(primitives.size());
   std::iota(maker.bvh.order.begin(), maker.bvh.order.end(), 0);
-  for (int i = primitives.size() - 1; i > 0; --i) {
-    std::swap(maker.bvh.order[i], maker.bvh.order[make.between(0, i)]);
-  }
+  make.shuffle(maker.bvh.order);
   maker.build(0, primitives.size());
   return maker.bvh;
 }
 
 // A ray past the middle of one of the primitives, or anywhere, with and without an end.
-inline pt::Ray some_ray(const pt::Primitives& primitives, Maker& make) {
-  const pt::Vec3 origin = make.vector(12.0);
-  const pt::Box aim = bounds(primitives, make.between(0, primitives.size() - 1));
-  const bool at_one = make.between(0, 3) > 0;
-  const pt::Vec3 target = at_one ? aim.center() + 0.3 * make.vector(1.0) : make.vector(8.0);
+inline pt::Ray some_ray(const pt::Primitives& primitives, Many& make) {
+  const pt::Vec3 origin = make.vector(-12, 12);
+  const pt::Box aim = bounds(primitives, make.whole(0, primitives.size() - 1));
+  const bool at_one = make.whole(0, 3) > 0;
+  const pt::Vec3 target = at_one ? aim.center() + 0.3 * make.vector(-1, 1) : make.vector(-8, 8);
   pt::Ray ray{origin, std::pow(10, make.between(-2.0, 2.0)) * (target - origin)};
   const double way = length(target - origin) / length(ray.direction);
-  if (make.between(0, 2) == 0) ray.t_min = way * make.between(0.0, 1.2);
-  if (make.between(0, 2) == 0) ray.t_max = ray.t_min + way * make.between(0.0, 1.2);
+  if (make.whole(0, 2) == 0) ray.t_min = way * make.between(0.0, 1.2);
+  if (make.whole(0, 2) == 0) ray.t_max = ray.t_min + way * make.between(0.0, 1.2);
   return ray;
 }
 
 struct Wanted {
-  int most = 40;
+  int least = 1, most = 40;
   bool spheres = true;
   double padding = 0.5;
   int max_leaf = 6;
@@ -135,17 +121,17 @@ struct Wanted {
 
 inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted = {}) {
   return rc::gen::exec([=] {
-    const int n = *whole(1, wanted.most);
+    const int n = *whole(wanted.least, wanted.most);
     const Shape shape = *rc::gen::elementOf(shapes);
     const int max_leaf = *whole(1, wanted.max_leaf);
-    Maker make{pt::Sampler(*sampler_seed())};
+    Many make(*sampler_seed());
     Case c;
     for (int i = 0; i < n; ++i) {
-      const bool sphere = wanted.spheres && make.between(0, 2) == 0;
+      const bool sphere = wanted.spheres && make.whole(0, 2) == 0;
       if (sphere) {
-        c.primitives.spheres.push_back({make.vector(5.0), make.between(0.1, 1.5)});
+        c.primitives.spheres.push_back({make.vector(-5, 5), make.between(0.1, 1.5)});
       } else {
-        c.primitives.triangles.push_back(make.triangle());
+        c.primitives.triangles.push_back(some_triangle(make));
       }
     }
     c.bvh = tree_of(c.primitives, shape, max_leaf, wanted.padding, make);

@@ -124,12 +124,13 @@ PROMISE(hit_bvh, takes_a_tree_of_any_shape) {
   // Hundreds of levels, all of which the ray enters.
   for_all(
       [=] {
-        Case c = *with_tree({Shape::chain}, {.most = 500, .padding = 20, .max_leaf = 1});
+        Case c =
+            *with_tree({Shape::chain}, {.least = 300, .most = 400, .padding = 20, .max_leaf = 1});
         c.ray.t_min = 0;
         c.ray.t_max = pt::kInfinity;
         check(c);
       },
-      6);
+      20);
 }
 
 PROMISE(hit_bvh, finds_any_hit) {
@@ -233,7 +234,7 @@ PROMISE(hit_bvh, skips_what_lies_behind_a_hit) {
   constexpr int kWalls = 64, kTrees = 20;
   for_all(
       [] {
-        Maker make{pt::Sampler(draw("seed", sampler_seed()))};
+        Many make(draw("seed", sampler_seed()));
         Case c;
         for (int i = 0; i < kWalls; ++i) {
           const double z = i;

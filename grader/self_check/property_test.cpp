@@ -1,0 +1,111 @@
+#include "grader/property/property.h"
+
+#include "grader/property/cameras.h"
+#include "grader/property/generators.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// Runs a property that fails, and returns what it leaves for the reports.
+Failure failure_of(const std::function<void()>& property) {
+  EXPECT_NONFATAL_FAILURE(for_all(property), "input");
+  return failures().back();
+}
+
+TEST(Property, shows_the_simplest_input_that_fails_by_its_name) {
+  const Failure failure = failure_of([] {
+    const double x = draw("x", real(-10, 10));
+    const int n = draw("n", whole(2, 50));
+    const pt::Vec3 d = *direction();
+    expect(x < 4.25 || n < 0 || length(d) < 0, "less", "more");
+  });
+  ASSERT_EQ(failure.input.size(), 3u);
+  EXPECT_TRUE(failure.input[0] == "x: 5" || failure.input[0] == "x: 10") << failure.input[0];
+  EXPECT_EQ(failure.input[1], "n: 2");
+  EXPECT_EQ(failure.input[2], "(0, 0, 1)");
+  EXPECT_EQ(failure.expected, "less");
+  EXPECT_EQ(failure.got, "more");
+}
+
+TEST(Property, shrinks_a_magnitude_to_a_power_of_ten) {
+  const Failure failure = failure_of([] {
+    const double x = draw("x", magnitude(1e-6, 1e6));
+    expect(x < 30, "less", "more");
+  });
+  EXPECT_EQ(failure.input, std::vector<std::string>{"x: 100"});
+}
+
+struct Two {
+  pt::Vec3 first, second;
+};
+
+void showValue(const Two& two, std::ostream& out) { show_lines(out, two.first, two.second); }
+
+TEST(Property, shows_a_value_of_several_lines_as_several_inputs) {
+  const Failure failure = failure_of([] {
+    const Two two = *rc::gen::exec([] { return Two{*point(), *direction()}; });
+    expect(length(two.first) < 0, "less", "more");
+  });
+  EXPECT_EQ(failure.input, (std::vector<std::string>{"(0, 0, 0)", "(0, 0, 1)"}));
+}
+
+TEST(Property, fails_on_nan) {
+  failure_of([] { expect_near("a number", kNan, 0, 1e9); });
+  failure_of([] { expect_near("a number", 0, kNan, 1e9); });
+  failure_of([] { expect_near("a vector", pt::Vec3{0, kNan, 0}, {}, 1e9); });
+  failure_of([] { expect_near("a colour", pt::Rgb{0, 0, kNan}, {}, 1e9); });
+}
+
+TEST(Property, stays_in_the_range_of_its_generators) {
+  for_all([] {
+    const double x = *real(-0.3, 0.7), y = *magnitude(2, 300);
+    expect(x >= -0.3 && x <= 0.7, "in [-0.3, 0.7]", show(x));
+    expect(y >= 2 && y <= 300, "in [2, 300]", show(y));
+    expect_near("the length of a direction", length(*direction()), 1, 1e-15);
+    const pt::Frame frame = *rotation();
+    expect_near("z", cross(frame.x, frame.y), frame.z, 1e-14);
+  });
+}
+
+// All shrinks of these lie in the range as well, and there is an end to them.
+TEST(Property, shrinks_within_the_range_and_ends) {
+  for (const auto& [low, high] :
+       {std::pair{0.0, 1.0}, std::pair{0.1, 0.15}, std::pair{-7.0, 1e3}}) {
+    auto shrinkable = real(low, high)(rc::Random(7));
+    int steps = 0;
+    for (bool last = false; !last && steps < 10000; ++steps) {
+      // The last candidate each time: the longest way down.
+      auto candidates = shrinkable.shrinks();
+      last = true;
+      while (auto next = candidates.next()) {
+        shrinkable = *next;
+        last = false;
+      }
+      EXPECT_GE(shrinkable.value(), low);
+      EXPECT_LE(shrinkable.value(), high);
+    }
+    EXPECT_LT(steps, 2000) << low << " " << high;
+  }
+}
+
+TEST(Cameras, know_the_way_back_to_the_picture) {
+  pt::Camera camera;
+  camera.hfov_deg = 90;
+  camera.vfov_deg = 2 * std::atan(0.5) * 180 / pt::kPi;
+  const pt::Vec2 corner = on_picture(camera, {3, 1.5, -3});
+  EXPECT_NEAR(corner.x, 1, 1e-15);
+  EXPECT_NEAR(corner.y, 1, 1e-15);
+  EXPECT_NEAR(on_picture(camera, {-1, 0, -2}).x, 0.25, 1e-15);
+  EXPECT_TRUE(std::isnan(on_picture(camera, {0, 0, 1}).x));
+}
+
+}  // namespace
+}  // namespace grader
