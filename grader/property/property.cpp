@@ -56,11 +56,13 @@ int shrink_attempts(Cause cause) {
   return 0;
 }
 
+// Labels stand at the start of a line: what a submission wrote never does.
 std::string field(const std::string& text, std::string_view label) {
-  const std::size_t start = text.find(label);
-  if (start == std::string::npos) return "";
-  const std::size_t begin = start + label.size();
-  return text.substr(begin, text.find('\n', begin) - begin);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(label)) return line.substr(label.size());
+  }
+  return "";
 }
 
 std::uint64_t hash(std::string_view text, std::uint64_t start) {

@@ -42,8 +42,18 @@ function(firstlight_worker_choices slug)
   set(WORKER_RADIANCE ${radiance} PARENT_SCOPE)
 endfunction()
 
-# graded.<slug>: the properties of one task, asked of a worker; and worker.<slug>, a worker that runs
-# the reference, for tests and for measuring.
+# worker.<slug>: a worker that runs the reference, for tests and for measuring.
+function(firstlight_worker slug)
+  if(NOT TARGET worker.${slug})
+    firstlight_worker_choices(${slug})
+    add_executable(worker.${slug})
+    target_link_libraries(worker.${slug} PRIVATE grader_worker ${FIRSTLIGHT_RENDERER})
+    firstlight_link_tasks(worker.${slug} FROM reference RADIANCE ${WORKER_RADIANCE}
+      CHOICES ${WORKER_CHOICES})
+  endif()
+endfunction()
+
+# graded.<slug>: the properties of one task, asked of a worker.
 function(firstlight_graded slug)
   add_executable(graded.${slug} graded/main.cpp)
   target_compile_definitions(graded.${slug} PRIVATE FIRSTLIGHT_TASK="${slug}")
@@ -51,11 +61,7 @@ function(firstlight_graded slug)
     grader_graded grader_remote grader_process CLI11::CLI11 firstlight_warnings)
   firstlight_link_properties(graded.${slug} ${slug} remote)
 
-  firstlight_worker_choices(${slug})
-  add_executable(worker.${slug})
-  target_link_libraries(worker.${slug} PRIVATE grader_worker ${FIRSTLIGHT_RENDERER})
-  firstlight_link_tasks(worker.${slug} FROM reference RADIANCE ${WORKER_RADIANCE}
-    CHOICES ${WORKER_CHOICES})
+  firstlight_worker(${slug})
   add_test(NAME graded.${slug} COMMAND graded.${slug} --promises=-*_bonus
     --worker $<TARGET_FILE:worker.${slug}>)
 endfunction()
@@ -66,3 +72,14 @@ set(FIRSTLIGHT_RECORDING_FLAGS
   -Wl,--wrap=_ZN2pt7hit_boxERKNS_3BoxERKNS_3RayE
   -Wl,--wrap=_ZN2pt12hit_triangleERKNS_8TriangleERKNS_3RayE
   -Wl,--wrap=_ZN2pt10hit_sphereERKNS_6SphereERKNS_3RayE)
+
+# What a call costs: call_bench <worker.diffuse_bsdf>.
+if(FIRSTLIGHT_BENCH)
+  firstlight_worker(diffuse_bsdf)
+  add_executable(call_bench remote/call_bench.cpp)
+  target_link_libraries(call_bench PRIVATE
+    firstlight_warnings grader_remote grader_property grader_process grader_counting
+    pt_base pt_scene)
+  firstlight_link_tasks(call_bench FROM reference CHOICES diffuse_bsdf=remote)
+  add_dependencies(call_bench worker.diffuse_bsdf)
+endif()

@@ -4,7 +4,7 @@
 namespace pt {
 
 std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray&) {
-  int* volatile nowhere = nullptr;
+  volatile int* volatile nowhere = nullptr;
   *nowhere = static_cast<int>(sphere.radius);
   return std::nullopt;
 }
