@@ -7,7 +7,7 @@ add_library(firstlight_options INTERFACE)
 target_include_directories(firstlight_options INTERFACE ${PROJECT_SOURCE_DIR})
 # No contraction: a multiply-add rounds once where a multiply and an add round twice, and machines
 # with and without it would disagree. Nothing here reads errno.
-target_compile_options(firstlight_options INTERFACE -ffp-contract=off -fno-math-errno)
+target_compile_options(firstlight_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_link_libraries(firstlight_options INTERFACE Threads::Threads)
 
 add_library(firstlight_warnings INTERFACE)
@@ -32,6 +32,7 @@ if(FIRSTLIGHT_LTO)
   check_ipo_supported()
   set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    add_link_options(-flto=auto)
+    # A box test is a little longer than what the compiler inlines by itself, and is called four times.
+    add_link_options(-flto=auto --param=max-inline-insns-auto=200 --param=inline-min-speedup=2)
   endif()
 endif()

@@ -18,6 +18,25 @@ set(FIRSTLIGHT_TASKS
   4_global/trace_path
   5_adaptive/adaptive_pixel)
 
+# The tasks whose calls can be counted, what they return and are asked about, and the counter's name.
+set(FIRSTLIGHT_COUNTED_hit_box Interval Box boxes)
+set(FIRSTLIGHT_COUNTED_hit_triangle SurfaceHit Triangle triangles)
+set(FIRSTLIGHT_COUNTED_hit_sphere SurfaceHit Sphere spheres)
+
+# The library <slug>.<name>.counted: the same implementation, and a counter (pt/render/test_count.h).
+function(firstlight_add_counted slug name source)
+  if(DEFINED FIRSTLIGHT_COUNTED_${slug})
+    list(GET FIRSTLIGHT_COUNTED_${slug} 0 result)
+    list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
+    list(GET FIRSTLIGHT_COUNTED_${slug} 2 counter)
+    set(counted ${CMAKE_CURRENT_BINARY_DIR}/counted/${slug}.${name}.cpp)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/counted.cpp.in ${counted} @ONLY)
+    add_library(${slug}.${name}.counted OBJECT EXCLUDE_FROM_ALL ${counted})
+    target_link_libraries(${slug}.${name}.counted PRIVATE firstlight_options)
+    set_property(SOURCE ${counted} APPEND PROPERTY OBJECT_DEPENDS ${source})
+  endif()
+endfunction()
+
 # Object libraries <slug>.<name> for every task file that the tree at `root` has. The learners'
 # edition comes without reference/: what is missing is left out.
 function(firstlight_add_implementation name root)
@@ -29,16 +48,18 @@ function(firstlight_add_implementation name root)
       if(NOT name STREQUAL "student")
         target_link_libraries(${slug}.${name} PRIVATE firstlight_warnings)
       endif()
+      firstlight_add_counted(${slug} ${name} ${root}/${task}.cpp)
     endif()
   endforeach()
 endfunction()
 
 # firstlight_link_tasks(<program> FROM <implementation> [RADIANCE <implementation>]
-#                       [CHOICES <slug>=<implementation> ...])
+#                       [CHOICES <slug>=<implementation> ...] [COUNTED])
 # links one definition of every task, all FROM one implementation but for the CHOICES, and one of the
-# slot radiance (default: path).
+# slot radiance (default: path; none: the program defines it itself). COUNTED takes the counting form of
+# the tasks that have one.
 function(firstlight_link_tasks program)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "FROM;RADIANCE" "CHOICES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "COUNTED" "FROM;RADIANCE" "CHOICES")
   if(NOT ARG_RADIANCE)
     set(ARG_RADIANCE path)
   endif()
@@ -59,9 +80,14 @@ function(firstlight_link_tasks program)
     if(NOT TARGET ${library})
       message(FATAL_ERROR "there is no implementation '${choice_${slug}}' of the task ${slug}")
     endif()
+    if(ARG_COUNTED AND TARGET ${library}.counted)
+      set(library ${library}.counted)
+    endif()
     target_link_libraries(${program} PRIVATE ${library})
   endforeach()
-  target_link_libraries(${program} PRIVATE radiance.${ARG_RADIANCE})
+  if(NOT ARG_RADIANCE STREQUAL none)
+    target_link_libraries(${program} PRIVATE radiance.${ARG_RADIANCE})
+  endif()
 endfunction()
 
 # A mixture in words, "reference" or "reference+hit_bvh=student+...", turned into the arguments of

@@ -10,9 +10,10 @@ struct Interval {
   double max = 0;
 };
 
-// The points origin + t direction with t_min <= t <= t_max, in world space. Where the direction has
-// unit length, t is a distance; every interface says whether it asks for that. A hit whose t lies
-// outside the range is no hit. Rays never change: what shortens a query is a local variable.
+// The points origin + t direction with t_min <= t <= t_max, in world space; t_min >= 0. Where the
+// direction has unit length, t is a distance; every interface says whether it asks for that. A hit
+// whose t lies outside the range is no hit. Rays never change: what shortens a query is a local
+// variable.
 struct Ray {
   Vec3 origin;
   Vec3 direction;

@@ -26,10 +26,15 @@ inline Ray spawn_ray(const SurfacePoint& point, Vec3 direction) {
 
 // A ray that asks whether anything stands between the point and a light at `distance` along the
 // unit direction `wi`, both as sample_light gives them (the distance may be infinite). It ends a
-// little before the light, which may be a surface of the scene itself.
+// little before the light, which may be a surface of the scene itself. To a light at a finite
+// distance its direction is the whole way there, so that t runs from 0 to almost 1.
 inline Ray shadow_ray(const SurfacePoint& point, Vec3 wi, double distance) {
   constexpr double kShorten = 1 - 0x1p-20;
-  return {offset_point(point, wi), wi, 0, kShorten * distance};
+  const Vec3 origin = offset_point(point, wi);
+  if (!(distance < kInfinity)) return {origin, wi, 0, kInfinity};
+  // Aimed at the light from where it starts: far from the world's origin the offset is larger than
+  // what is cut off, and a ray along wi would end behind the light.
+  return {origin, distance * wi - (origin - point.p), 0, kShorten};
 }
 
 }  // namespace pt

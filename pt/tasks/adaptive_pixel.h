@@ -30,20 +30,18 @@ struct PixelEstimate {
 //
 // Promises:
 //   - stops where the interval is narrow: after the first batch that satisfies the condition,
-//   exactly,
-//     for any sequence of samples.
+//     exactly, for any sequence of samples.
 //   - checks once a batch: n is a multiple of batch, or max_samples.
 //   - takes one batch of a constant: rounding errors in the variance do not keep it going.
 //   - never exceeds the maximum: radiance() is called n times, and n <= max_samples.
 //   - returns the mean of all samples: divided by n, wherever it stopped.
 //   - judges by luminance: not by one channel.
-//   - goes on while it is dark: a pixel whose samples are not all zero is not done because its mean
-//   is
-//     small.
+//   - goes on while it is dark: a small mean alone does not make a pixel done whose samples are not
+//     all zero.
 //   - uses the batch and the tolerance given: whatever they are.
 //   - covers the whole pixel: all points of the square are equally likely.
 //   - forgets the pixel before: the same arguments give the same answer, whatever was asked
-//   earlier.
+//     earlier.
 PixelEstimate adaptive_pixel(const View& view, int x, int y, const AdaptiveSettings& settings,
                              Sampler& sampler);
 

@@ -17,9 +17,8 @@ struct BsdfSample {
 // How a matt surface reflects: the same radiance in all directions (Lambert).
 //
 // In:  wo and wi are unit vectors in the local shading frame, z along the normal, both pointing
-// away
-//      from the surface. The albedo, in [0, 1], is the part of the light that is not absorbed. For
-//      diffuse_sample, wo.z > 0.
+//      away from the surface. The albedo, in [0, 1], is the part of the light that is not absorbed.
+//      For diffuse_sample, wo.z > 0.
 // Out: diffuse_f is the BSDF itself (a steradian; without any cosine): the same for all directions,
 //      but zero where wo and wi are on different sides of the surface. diffuse_sample chooses wi on
 //      wo's side, by any density that is not zero there, uniform and cosine-weighted alike, and
@@ -29,8 +28,8 @@ struct BsdfSample {
 // Promises:
 //   - f reflects the albedo: f cos(wi) summed over all wi is the albedo, in each channel.
 //   - f is the same for all directions: wherever wo and wi are on one side.
-//   - f is zero across the surface: where wo and wi are on different sides; also with both below, f
-//     is as above.
+//   - f is zero across the surface: where wo and wi are on different sides; with both below, it is
+//     as with both above.
 //   - samples the side of wo: wi is a unit vector, wi.z > 0, all around.
 //   - a sample knows its own f and pdf: the same as diffuse_f and diffuse_pdf give for it.
 //   - pdf is the density of the samples: a histogram of many samples agrees with it.

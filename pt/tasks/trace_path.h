@@ -26,17 +26,19 @@ namespace pt {
 //
 // Promises:
 //   - starts with direct light: with to = 1 it is the direct light alone, by the way chosen.
+//   - takes the light samples asked for: more of them lower the noise of direct light.
 //   - matches the furnace: in a closed room of emission E and albedo a it adds
 //     E (a + a^2 + ... + a^to), for every `to`.
 //   - adds up the bounces asked for: from .. to and no other.
 //   - does not depend on survival: neither .3 nor 1 changes the mean.
 //   - takes the first turn always: roulette starts with the second.
-//   - ends at the cap: never more than `to` bounces, also with survival 1.
-//   - counts emission once: what the path runs into is not added to what the lights gave.
-//   - tints at each bounce: channel by channel.
-//   - weighs by the cosine: two walls of different tilt get what the closed form says.
-//   - follows the new ray: the light of a far room counts where it belongs.
-//   - stays finite: also with albedo 0, lights out of sight, and grazing directions.
+//   - ends at the cap: never more than `to` bounces, also where almost every path survives.
+//   - counts emission once: what the path runs into is not added to what direct light gave.
+//   - tints at each bounce: by the albedo of the point it leaves, channel by channel.
+//   - weighs by the cosine: a wall in the sun brings what Lambert's formula says.
+//   - follows the new ray: the next point is where the chosen direction leads.
+//   - brings nothing from outside: a path that leaves the scene sees no sky.
+//   - stays finite: also with albedo 0, and seen exactly along the surface.
 Rgb trace_path(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
                Sampler& sampler);
 

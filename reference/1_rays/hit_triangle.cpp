@@ -2,6 +2,21 @@
 
 namespace pt {
 
+namespace {
+
+// Whether the triple product of three vectors is more than what rounding makes of zero. Without
+// this, a ray in the triangle's plane, or at a triangle that is only a line, would divide one
+// rounding error by another and find itself anywhere. The error is at most some ten roundings of
+// the product of the three lengths (Higham 2002, Accuracy and Stability of Numerical
+// Algorithms, 3.1).
+bool exceeds_rounding(double product, Vec3 a, Vec3 b, Vec3 c) {
+  constexpr double kRounding = 16 * 0x1p-53;
+  return product * product >
+         kRounding * kRounding * length_squared(a) * length_squared(b) * length_squared(c);
+}
+
+}  // namespace
+
 // Moeller and Trumbore 1997, Fast, Minimum Storage Ray/Triangle Intersection. The unknowns t, b1
 // and b2 of
 //     origin + t direction = p0 + b1 (p1 - p0) + b2 (p2 - p0)
@@ -13,10 +28,11 @@ std::optional<SurfaceHit> hit_triangle(const Triangle& triangle, const Ray& ray)
   const Vec3 direction_x_e2 = cross(ray.direction, e2);
   const Vec3 s_x_e1 = cross(s, e1);
 
-  // Zero in the triangle's plane and for triangles without area: then what follows is infinite or
-  // NaN, and no comparison with "accept if" below is true. A small triangle at a small scale has a
-  // tiny determinant too, and must be hit: there is no epsilon here.
-  const double inverse_determinant = 1 / dot(e1, direction_x_e2);
+  // A small triangle at a small scale has a tiny determinant, and must be hit: there is no epsilon
+  // here. Where the determinant is zero, what follows is infinite or NaN, and no comparison with
+  // "accept if" below is true.
+  const double determinant = dot(e1, direction_x_e2);
+  const double inverse_determinant = 1 / determinant;
   const double b1 = dot(s, direction_x_e2) * inverse_determinant;
   const double b2 = dot(ray.direction, s_x_e1) * inverse_determinant;
   const double b0 = 1 - b1 - b2;
@@ -25,6 +41,7 @@ std::optional<SurfaceHit> hit_triangle(const Triangle& triangle, const Ray& ray)
   const double t = dot(e2, s_x_e1) * inverse_determinant;
   if (!(t >= ray.t_min && t <= ray.t_max && t < kInfinity)) return std::nullopt;
 
+  if (!exceeds_rounding(determinant, e1, e2, ray.direction)) return std::nullopt;
   return SurfaceHit{t, normalize(b0 * triangle.n0 + b1 * triangle.n1 + b2 * triangle.n2)};
 }
 

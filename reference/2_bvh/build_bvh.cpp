@@ -1,6 +1,7 @@
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace pt {
@@ -21,39 +22,47 @@ struct Builder {
 
   // Moves the primitives order[first .. last) that belong to the left child to the front, and
   // returns where the right ones begin; never at either end.
-  int partition(int first, int last) {
+  int partition(int first, int last, bool by_plane) {
     Box centroids;
     for (int i = first; i < last; ++i) centroids.grow(boxes[bvh.order[i]].center());
     const int axis = longest_axis(centroids.extent());
-    const double middle = centroids.center()[axis];
+    const auto position = [&](int i) { return boxes[i].center()[axis]; };
 
     const auto begin = bvh.order.begin() + first;
     const auto end = bvh.order.begin() + last;
-    const auto split =
-        std::partition(begin, end, [&](int i) { return boxes[i].center()[axis] < middle; });
-    if (split != begin && split != end) return first + static_cast<int>(split - begin);
-
-    // All centroids are on one side, so they are identical (or as good as): any half will do.
+    if (by_plane) {
+      const double middle = centroids.center()[axis];
+      const auto split = std::partition(begin, end, [&](int i) { return position(i) < middle; });
+      if (split != begin && split != end) return first + static_cast<int>(split - begin);
+    }
+    // No plane, or all centroids are on one side of it, so that they are identical (or as good as):
+    // the median divides whatever it is.
+    const auto median = begin + (last - first) / 2;
+    std::nth_element(begin, median, end, [&](int i, int j) { return position(i) < position(j); });
     return first + (last - first) / 2;
   }
 
-  // Appends the tree over order[first .. last) and returns the index of its root. The new node is
-  // reached by index, because its children's push_back may move it.
-  int build(int first, int last) {
-    const int index = static_cast<int>(bvh.nodes.size());
-    bvh.nodes.emplace_back();
+  // Makes nodes[index] the root of a tree over order[first .. last). Its children are made next to
+  // each other, since whoever looks at one looks at the other too. A node is reached by its index,
+  // never by a reference, because new nodes may move all of them.
+  //
+  // Planes follow the shape of a scene, but of centroids at 2^-i each cuts off only one: after
+  // `planes` levels of them, halves keep the tree shallow.
+  void build(int index, int first, int last, int planes) {
     for (int i = first; i < last; ++i) bvh.nodes[index].box.grow(boxes[bvh.order[i]]);
     if (last - first <= max_leaf) {
       bvh.nodes[index].first = first;
       bvh.nodes[index].count = last - first;
-      return index;
+      return;
     }
-    const int middle = partition(first, last);
-    const int left = build(first, middle);
-    const int right = build(middle, last);
+    const int middle = partition(first, last, planes > 0);
+    const int left = static_cast<int>(bvh.nodes.size());
+    const int right = left + 1;
+    bvh.nodes.resize(bvh.nodes.size() + 2);
     bvh.nodes[index].left = left;
     bvh.nodes[index].right = right;
-    return index;
+    build(left, first, middle, planes - 1);
+    build(right, middle, last, planes - 1);
   }
 };
 
@@ -63,7 +72,11 @@ Bvh build_bvh(std::span<const Box> boxes, int max_leaf) {
   Builder builder{boxes, max_leaf, {}};
   builder.bvh.order.resize(boxes.size());
   std::iota(builder.bvh.order.begin(), builder.bvh.order.end(), 0);
-  if (!boxes.empty()) builder.build(0, static_cast<int>(boxes.size()));
+  if (boxes.empty()) return builder.bvh;
+  builder.bvh.nodes.resize(1);
+  // Twice the depth of an even tree.
+  const int planes = 2 * static_cast<int>(std::bit_width(boxes.size()));
+  builder.build(0, 0, static_cast<int>(boxes.size()), planes);
   return builder.bvh;
 }
 

@@ -1,35 +1,42 @@
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace pt {
 
+namespace {
+
+// Where the ray crosses the two planes of a slab: min first, in the order in which it meets them.
+// The sign of 1 / d decides, not that of d, so that -0 counts as downwards too.
+Interval crossings(double plane_min, double plane_max, double origin, double direction) {
+  const double inverse = 1 / direction;
+  const double to_min = (plane_min - origin) * inverse;
+  const double to_max = (plane_max - origin) * inverse;
+  return inverse < 0 ? Interval{to_max, to_min} : Interval{to_min, to_max};
+}
+
+}  // namespace
+
 // A box is what three slabs have in common, and a ray is inside a slab from one plane to the other.
 //
-// Along an axis in which the ray does not move, 1 / d is infinite, and the two distances are
-// infinities of opposite sign inside the slab and of the same sign beside it: right without a
-// special case. Only on the plane itself they are 0 * infinity = NaN, and there std::max(enter,
-// NaN) and std::min(leave, NaN) keep their first argument: the plane belongs to the box.
+// Along an axis in which the ray does not move, 1 / d is infinite, and the two crossings are
+// infinities: of opposite sign inside the slab, of the same sign beside it. No special case is
+// needed. Only on a plane itself one is 0 * infinity = NaN, and there std::max(enter, NaN) and
+// std::min(leave, NaN) keep their first argument: the planes belong to the box.
 std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
-  // Ize 2013, Robust BVH Ray Traversal: each distance has a relative error of at most gamma(3), so
-  // with this factor on the far side no box is missed by rounding.
+  // Ize 2013, Robust BVH Ray Traversal: each crossing has a relative error of at most gamma(3), so
+  // with this factor on the far planes no box is missed by rounding.
   constexpr double kEpsilon = 0x1p-53;
   constexpr double kGamma3 = 3 * kEpsilon / (1 - 3 * kEpsilon);
   constexpr double kWiden = 1 + 2 * kGamma3;
 
-  double enter = ray.t_min;
-  double leave = ray.t_max;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double inverse = 1 / ray.direction[axis];
-    double t_near = (box.min[axis] - ray.origin[axis]) * inverse;
-    double t_far = (box.max[axis] - ray.origin[axis]) * inverse;
-    // The sign of 1 / d, not of d: for d = -0 the slab is crossed downwards too.
-    if (inverse < 0) std::swap(t_near, t_far);
-    enter = std::max(enter, t_near);
-    leave = std::min(leave, t_far * kWiden);
-  }
+  const Vec3 o = ray.origin, d = ray.direction;
+  const Interval x = crossings(box.min.x, box.max.x, o.x, d.x);
+  const Interval y = crossings(box.min.y, box.max.y, o.y, d.y);
+  const Interval z = crossings(box.min.z, box.max.z, o.z, d.z);
+  const double enter = std::max(std::max(std::max(ray.t_min, x.min), y.min), z.min);
+  const double leave =
+      std::min(std::min(std::min(ray.t_max, kWiden * x.max), kWiden * y.max), kWiden * z.max);
   if (!(enter <= leave)) return std::nullopt;
   return Interval{enter, leave};
 }

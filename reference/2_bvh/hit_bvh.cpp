@@ -8,44 +8,54 @@ namespace pt {
 
 namespace {
 
-// The nearest hit at or below one node. `ray` is a copy that ends at the nearest hit so far, so
-// what comes back is nearer than anything found before.
-std::optional<Hit> nearest(const Bvh& bvh, const Primitives& primitives, const BvhNode& node,
-                           Ray ray) {
-  std::optional<Hit> best;
-  if (node.is_leaf()) {
-    for (int i = node.first; i < node.first + node.count; ++i) {
+// The search for the nearest hit. `ray` is a copy of the one asked about, and always ends at the
+// nearest hit so far: what lies behind that is no hit any more. (A hit ends the ray. That the ray
+// enters or leaves a box does not.)
+struct Nearest {
+  const Bvh& bvh;
+  const Primitives& primitives;
+  Ray ray;
+  std::optional<Hit> hit{};
+
+  // A node whose box the ray enters.
+  void visit(const BvhNode& node) {
+    if (node.is_leaf()) {
+      visit_leaf(node);
+      return;
+    }
+    const BvhNode* near = &bvh.nodes[node.left];
+    const BvhNode* far = &bvh.nodes[node.right];
+    std::optional<Interval> in_near = hit_box(near->box, ray);
+    std::optional<Interval> in_far = hit_box(far->box, ray);
+    // The child that is entered first may end the ray before it gets to the other.
+    if (in_near && in_far && in_far->min < in_near->min) {
+      std::swap(near, far);
+      std::swap(in_near, in_far);
+    }
+    if (in_near) visit(*near);
+    if (in_far && in_far->min <= ray.t_max) visit(*far);
+  }
+
+  void visit_leaf(const BvhNode& leaf) {
+    for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
       const int primitive = bvh.order[i];
-      if (const auto hit = hit_primitive(primitives, primitive, ray)) {
-        best = {hit->t, hit->n, primitive};
-        ray.t_max = hit->t;
+      if (const auto found = hit_primitive(primitives, primitive, ray)) {
+        hit = {found->t, found->n, primitive};
+        ray.t_max = found->t;
       }
     }
-    return best;
   }
+};
 
-  // The child that the ray enters first is likely to end it before it gets to the other.
-  const BvhNode* first = &bvh.nodes[node.left];
-  const BvhNode* second = &bvh.nodes[node.right];
-  std::optional<Interval> enter_first = hit_box(first->box, ray);
-  std::optional<Interval> enter_second = hit_box(second->box, ray);
-  if (enter_second && (!enter_first || enter_second->min < enter_first->min)) {
-    std::swap(first, second);
-    std::swap(enter_first, enter_second);
-  }
-  if (enter_first) best = nearest(bvh, primitives, *first, ray);
-  if (best) ray.t_max = best->t;
-  if (enter_second && enter_second->min <= ray.t_max) {
-    if (const auto nearer = nearest(bvh, primitives, *second, ray)) best = nearer;
-  }
-  return best;
-}
-
+// Whether there is any hit at or below a node whose box the ray enters.
 bool any(const Bvh& bvh, const Primitives& primitives, const BvhNode& node, const Ray& ray) {
-  if (!hit_box(node.box, ray)) return false;
   if (!node.is_leaf()) {
-    return any(bvh, primitives, bvh.nodes[node.left], ray) ||
-           any(bvh, primitives, bvh.nodes[node.right], ray);
+    const BvhNode& left = bvh.nodes[node.left];
+    const BvhNode& right = bvh.nodes[node.right];
+    const bool in_left = hit_box(left.box, ray).has_value();
+    const bool in_right = hit_box(right.box, ray).has_value();
+    return (in_left && any(bvh, primitives, left, ray)) ||
+           (in_right && any(bvh, primitives, right, ray));
   }
   for (int i = node.first; i < node.first + node.count; ++i) {
     if (hit_primitive(primitives, bvh.order[i], ray)) return true;
@@ -57,11 +67,14 @@ bool any(const Bvh& bvh, const Primitives& primitives, const BvhNode& node, cons
 
 std::optional<Hit> hit_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray) {
   if (bvh.nodes.empty() || !hit_box(bvh.nodes[0].box, ray)) return std::nullopt;
-  return nearest(bvh, primitives, bvh.nodes[0], ray);
+  Nearest nearest{bvh, primitives, ray};
+  nearest.visit(bvh.nodes[0]);
+  return nearest.hit;
 }
 
 bool occluded_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray) {
-  return !bvh.nodes.empty() && any(bvh, primitives, bvh.nodes[0], ray);
+  if (bvh.nodes.empty() || !hit_box(bvh.nodes[0].box, ray)) return false;
+  return any(bvh, primitives, bvh.nodes[0], ray);
 }
 
 }  // namespace pt

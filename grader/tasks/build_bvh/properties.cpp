@@ -196,7 +196,7 @@ PROMISE(build_bvh, separates_along_the_longest_axis) {
   for (const auto& [count, each] : {std::pair{1, 1024}, std::pair{8, 128}}) {
     for (const int along : {0, 1, 2}) {
       for_all(
-          [=] {
+          [along, count = count, each = each] {
             const Rows rows = *in_rows(along, count, each);
             const double limit = 5 * std::log2(2 * count * each);
             const double entered = boxes_entered(rows, build(rows.input));

@@ -99,7 +99,7 @@ PROMISE(estimate_pixel, covers_the_whole_pixel) {
   for (const auto& [pixels, samples] :
        {std::pair{1, 2048}, std::pair{128, 16}, std::pair{1000, 2}}) {
     for_all(
-        [=] {
+        [pixels = pixels, samples = samples] {
           const Pixel p = *pixel();
           const auto seed = draw("seed", sampler_seed());
           std::vector<pt::Vec2> points;

@@ -1,0 +1,218 @@
+#include "grader/property/scenes.h"
+
+#include "grader/property/closed_forms.h"
+#include "grader/property/generators.h"
+#include "grader/property/show.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace grader {
+
+using pt::Rgb;
+using pt::Vec3;
+
+namespace {
+
+constexpr Vec3 kOrigin{0, 0, 0};
+constexpr Vec3 kUp{0, 0, 1};
+
+Rgb any_albedo_of_a_shade() { return {0.2, 0.5, 0.7}; }
+
+}  // namespace
+
+pt::Scene ready(pt::Scene scene) {
+  scene.tracer = pt::Tracer(pt::Engine::linear, scene.primitives);
+  return scene;
+}
+
+rc::Gen<Pose> pose(double range) {
+  return rc::gen::exec([range] {
+    const pt::Frame turn = *rotation();
+    const double size = *magnitude(1 / range, range);
+    return Pose{turn, size * *point(100), size};
+  });
+}
+
+rc::Gen<Pose> unturned_pose() {
+  return rc::gen::map(pose(), [](Pose pose) {
+    pose.turn = {};
+    return pose;
+  });
+}
+
+rc::Gen<Vec3> direction_above(double tilt) {
+  return rc::gen::map(rc::gen::pair(real(0, tilt), real(-pt::kPi, pt::kPi)), [](const std::pair<
+                                                                                 double, double>&
+                                                                                    angles) {
+    const double r = std::sin(angles.first);
+    return Vec3{r * std::cos(angles.second), r * std::sin(angles.second), std::cos(angles.first)};
+  });
+}
+
+rc::Gen<Rectangle> rectangle_above(double tilt, double narrow, double wide) {
+  return rc::gen::exec([=] {
+    const Vec3 towards = *direction_above(tilt);
+    const double distance = *real(0.9, 1.1);
+    const Vec3 turned = pt::frame_from_normal(-towards).to_world(*direction_above(0.8));
+    const pt::Frame frame = pt::frame_from_normal(turned);
+    return Rectangle{distance * towards, *real(narrow, wide) * frame.x,
+                     *real(narrow, wide) * frame.y};
+  });
+}
+
+std::vector<Rectangle> cube() {
+  return {{{0, 0, 1}, {0, 2, 0}, {2, 0, 0}},    {{1, 0, 0.5}, {0, 0, 1}, {0, 2, 0}},
+          {{-1, 0, 0.5}, {0, 2, 0}, {0, 0, 1}}, {{0, 1, 0.5}, {2, 0, 0}, {0, 0, 1}},
+          {{0, -1, 0.5}, {0, 0, 1}, {2, 0, 0}}, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}};
+}
+
+Rectangle Rectangle::part(double a0, double a1, double b0, double b1) const {
+  return {at((a0 + a1) / 2, (b0 + b1) / 2), (a1 - a0) * u, (b1 - b0) * v};
+}
+
+void showValue(const Situation& situation, std::ostream& out) {
+  out << situation.text << show(situation.point);
+}
+
+double coordinate_size(const pt::Primitives& primitives) {
+  double size = 0;
+  for (const pt::Triangle& t : primitives.triangles) {
+    size = std::max({size, max_abs(t.p0), max_abs(t.p1), max_abs(t.p2)});
+  }
+  for (const pt::Sphere& s : primitives.spheres) {
+    size = std::max(size, max_abs(s.center) + s.radius);
+  }
+  return size;
+}
+
+Stage::Stage(const Pose& pose) : pose_(pose) {}
+
+Stage& Stage::patch(Rgb albedo, Vec3 wo, bool from_behind, Rgb emission) {
+  const Rectangle front{kOrigin, {0.125, 0, 0}, {0, 0.125, 0}};
+  surface(from_behind ? front.flipped() : front, albedo, emission);
+  point_.p = pose_.point(kOrigin);
+  point_.n = pose_.direction(kUp);
+  point_.geometric_normal = from_behind ? -point_.n : point_.n;
+  point_.frame = pt::frame_from_normal(point_.n);
+  point_.wo = pose_.direction(wo);
+  point_.albedo = albedo;
+  if (!from_behind) point_.emission = emission;
+  return *this;
+}
+
+Stage& Stage::rectangle(const Rectangle& shape, Rgb radiance, Body body, double hidden) {
+  const pt::RectangleLight light{pose_.point(shape.center), pose_.size * pose_.direction(shape.u),
+                                 pose_.size * pose_.direction(shape.v), pose_.direction(shape.n()),
+                                 radiance};
+  scene_.lights.emplace_back(light);
+  tell(fmt::format("rectangle light at {}, sides {} {}, emits to {}, radiance {}",
+                   show(light.center), show(light.u), show(light.v), show(light.n),
+                   show(radiance)));
+  if (body == Body::surface) surface(shape, pt::gray(0.5), radiance);
+  if (hidden > 0) {
+    const Rectangle shade =
+        shape.part(hidden < 1 ? -0.25 : -0.5, hidden < 1 ? hidden : 1.5, -0.5, 1.5);
+    surface(shade.scaled(0.5), any_albedo_of_a_shade());
+  }
+  if (dot(shape.n(), shape.center) < 0 && hidden < 1) {
+    irradiance_ +=
+        radiance * cosine_of_polygon(shape.part(hidden, 1, 0, 1).corners(), kOrigin, kUp);
+  }
+  return *this;
+}
+
+Stage& Stage::mesh(const Rectangle& shape, Rgb radiance, Body body) {
+  const std::vector<Vec3> c = shape.corners();
+  std::vector<Vec3> q;
+  for (const Vec3 corner : c) q.push_back(pose_.point(corner));
+  scene_.lights.emplace_back(
+      pt::make_mesh_light({{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}, radiance));
+  tell(fmt::format("mesh light of two triangles, corners {} {} {} {}, radiance {}", show(q[0]),
+                   show(q[1]), show(q[2]), show(q[3]), show(radiance)));
+  if (body == Body::surface) surface(shape, pt::gray(0.5), radiance);
+  if (dot(shape.n(), shape.center) < 0)
+    irradiance_ += radiance * cosine_of_polygon(c, kOrigin, kUp);
+  return *this;
+}
+
+Stage& Stage::ball(Vec3 center, double radius, Rgb radiance, Body body) {
+  const pt::Sphere sphere{pose_.point(center), pose_.size * radius};
+  scene_.lights.emplace_back(pt::SphereLight{sphere.center, sphere.radius, radiance});
+  tell(fmt::format("sphere light around {}, radius {}, radiance {}", show(sphere.center),
+                   sphere.radius, show(radiance)));
+  if (body == Body::surface) {
+    scene_.primitives.spheres.push_back(sphere);
+    ball_materials_.push_back(material(pt::gray(0.5), radiance));
+  }
+  irradiance_ += radiance * cosine_of_ball(center, radius, kOrigin, kUp);
+  return *this;
+}
+
+Stage& Stage::point_light(Vec3 position, Rgb intensity, bool hidden) {
+  const pt::PointLight light{pose_.point(position), pose_.size * pose_.size * intensity};
+  scene_.lights.emplace_back(light);
+  tell(fmt::format("point light at {}, intensity {}", show(light.position), show(light.intensity)));
+  if (hidden) shade(0.5 * position);
+  const double squared = length_squared(position);
+  if (!hidden && position.z > 0)
+    irradiance_ += intensity * (position.z / squared / std::sqrt(squared));
+  return *this;
+}
+
+Stage& Stage::directional_light(Vec3 towards, Rgb irradiance, bool hidden) {
+  const pt::DirectionalLight light{-pose_.direction(towards), irradiance};
+  scene_.lights.emplace_back(light);
+  tell(fmt::format("directional light along {}, irradiance {}", show(light.direction),
+                   show(irradiance)));
+  if (hidden) shade(1.5 * towards);
+  if (!hidden && towards.z > 0) irradiance_ += irradiance * towards.z;
+  return *this;
+}
+
+Stage& Stage::sky(Rgb radiance) {
+  scene_.lights.emplace_back(pt::AmbientLight{radiance});
+  tell(fmt::format("sky of radiance {} where y > 0", show(radiance)));
+  irradiance_ += radiance * cosine_of_half_space({0, 1, 0}, pose_.direction(kUp));
+  return *this;
+}
+
+// A dark square around a position, facing the origin.
+void Stage::shade(Vec3 position) {
+  const pt::Frame frame = pt::frame_from_normal(normalize(position));
+  const double width = 0.4 * length(position);
+  surface({position, width * frame.x, width * frame.y}, any_albedo_of_a_shade());
+}
+
+Stage& Stage::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
+  const int index = material(albedo, emission);
+  const Vec3 p00 = pose_.point(shape.at(0, 0)), p10 = pose_.point(shape.at(1, 0));
+  const Vec3 p11 = pose_.point(shape.at(1, 1)), p01 = pose_.point(shape.at(0, 1));
+  for (const Vec3 middle : {p10, p11}) {
+    const Vec3 last = middle == p10 ? p11 : p01;
+    scene_.primitives.triangles.push_back(pt::flat_triangle(p00, middle, last));
+    scene_.material_of.push_back(index);
+  }
+  tell(fmt::format("surface with corners {} {} {} {}, albedo {}, emission {}", show(p00), show(p10),
+                   show(p11), show(p01), show(albedo), show(emission)));
+  return *this;
+}
+
+int Stage::material(Rgb albedo, Rgb emission) {
+  scene_.materials.push_back({"", albedo, emission, ""});
+  return static_cast<int>(scene_.materials.size()) - 1;
+}
+
+void Stage::tell(const std::string& line) { text_ += line + "\n"; }
+
+Situation Stage::done() const {
+  Situation all{scene_, point_, point_.albedo * irradiance_ / pt::kPi, text_};
+  all.scene.material_of.insert(all.scene.material_of.end(), ball_materials_.begin(),
+                               ball_materials_.end());
+  all.scene = ready(std::move(all.scene));
+  all.point.scale = std::max(coordinate_size(all.scene.primitives), max_abs(all.point.p));
+  return all;
+}
+
+}  // namespace grader

@@ -1,0 +1,191 @@
+#pragma once
+
+#include "grader/property/cameras.h"
+#include "grader/property/generators.h"
+#include "grader/property/property.h"
+#include "grader/stand_ins/scripted_radiance.h"
+#include "pt/tasks/adaptive_pixel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+// Pixels that see what a script says, and after how many samples a right solution may stop.
+
+namespace grader::adaptive {
+
+using pt::AdaptiveSettings;
+using pt::PixelEstimate;
+using pt::Rgb;
+
+// What one pixel sees, sample by sample, and how it is asked for. The scene is empty: radiance() is
+// a stand-in that returns `seen`, and the last of them if it is asked more often.
+struct Case {
+  std::vector<Rgb> seen;  // max_samples of them
+  std::string kind;
+  AdaptiveSettings settings;
+  pt::Camera camera;
+  int x = 0, y = 0, width = 1, height = 1;
+  std::uint64_t seed = 0;
+};
+
+inline void showValue(const Case& c, std::ostream& out) {
+  out << fmt::format("pixel ({}, {}) of {} x {}, batch {}, at most {} samples, tolerance {}\n{}",
+                     c.x, c.y, c.width, c.height, c.settings.batch, c.settings.max_samples,
+                     c.settings.tolerance, c.kind);
+}
+
+struct Answer {
+  PixelEstimate estimate;
+  std::vector<RadianceCall> calls;
+};
+
+inline Answer ask(const Case& c) {
+  script_radiance([&](int call, const pt::Ray&) {
+    return c.seen[std::min<std::size_t>(call, c.seen.size() - 1)];
+  });
+  const pt::Scene empty;
+  const pt::View view{empty, c.camera, {}, c.width, c.height};
+  pt::Sampler sampler(c.seed);
+  const PixelEstimate estimate = pt::adaptive_pixel(view, c.x, c.y, c.settings, sampler);
+  return {estimate, radiance_calls()};
+}
+
+// Mean and variance of the brightness of the first n samples, the variance divided by n; in two
+// passes, so that it is as good as zero where it is zero.
+struct Statistics {
+  double mean = 0, variance = 0;
+};
+
+inline Statistics statistics(const Case& c, int n) {
+  Statistics s;
+  for (int i = 0; i < n; ++i) s.mean += luminance(c.seen[i]) / n;
+  for (int i = 0; i < n; ++i) s.variance += std::pow(luminance(c.seen[i]) - s.mean, 2) / n;
+  return s;
+}
+
+enum class Verdict { done, not_done, either };
+
+// Whether a pixel is done after n samples; sigma divides by n or by n - 1. `either` where rounding
+// errors decide: those of a variance that is computed as a small difference are about n 2^-52 of
+// the squared mean.
+inline Verdict done_after(const Case& c, int n, bool divides_by_n) {
+  const Statistics s = statistics(c, n);
+  const double share = divides_by_n ? 1 : static_cast<double>(n) / (n - 1);
+  const double half_interval_squared = 1.96 * 1.96 * s.variance * share / n;
+  const double limit_squared = std::pow(c.settings.tolerance * s.mean, 2);
+  const double doubt = 1e-9 * limit_squared + 1e-14 * s.mean * s.mean;
+  if (half_interval_squared < limit_squared - doubt) return Verdict::done;
+  return half_interval_squared > limit_squared + doubt ? Verdict::not_done : Verdict::either;
+}
+
+// Whether a right solution may stop after n samples.
+inline bool may_stop(const Case& c, int n, bool divides_by_n) {
+  const int batch = c.settings.batch, most = c.settings.max_samples;
+  if (n < 1 || n > most || (n != most && n % batch != 0)) return false;
+  for (int k = batch; k < n; k += batch) {
+    if (done_after(c, k, divides_by_n) == Verdict::done) return false;
+  }
+  return n == most || done_after(c, n, divides_by_n) != Verdict::not_done;
+}
+
+inline int right_count(const Case& c) {
+  int n = c.settings.batch;
+  while (n < c.settings.max_samples && !may_stop(c, n, true)) n += c.settings.batch;
+  return std::min(n, c.settings.max_samples);
+}
+
+inline void expect_right_count(const Case& c, const Answer& answer) {
+  const int n = answer.estimate.samples;
+  expect(may_stop(c, n, true) || may_stop(c, n, false),
+         fmt::format("{} samples (or what dividing by n - 1 gives)", right_count(c)),
+         fmt::format("{} samples", n));
+}
+
+inline AdaptiveSettings any_settings() {
+  const int batch = *whole(2, 16);
+  return {*whole(batch, 10 * batch), batch, *magnitude(0.01, 0.5)};
+}
+
+// A pixel of any camera that sees `script`: each sample from its index and a random number.
+template <class Script>
+Case pixel(const std::string& kind, const AdaptiveSettings& settings, Script script) {
+  Case c;
+  c.settings = settings;
+  c.kind = kind;
+  c.camera = *camera();
+  c.width = *whole(1, 40);
+  c.height = *whole(1, 30);
+  c.x = *whole(0, c.width - 1);
+  c.y = *whole(0, c.height - 1);
+  c.seed = *sampler_seed();
+  pt::Sampler chance(c.seed + 1);
+  for (int i = 0; i < settings.max_samples; ++i) c.seen.push_back(script(i, chance.next_1d()));
+  return c;
+}
+
+inline Rgb any_radiance() { return *magnitude(1e-3, 1e3) * *color(0.1, 1); }
+
+inline rc::Gen<Case> constant() {
+  return rc::gen::exec([] {
+    const Rgb value = any_radiance();
+    return pixel("always " + show(value), any_settings(), [=](int, double) { return value; });
+  });
+}
+
+// Noise that the tolerance is made for: the interval is narrow enough after a few batches. In all
+// three channels alike.
+inline rc::Gen<Case> noise() {
+  return rc::gen::exec([] {
+    AdaptiveSettings settings = any_settings();
+    const Rgb value = any_radiance();
+    const double spread = *real(0.1, 1);
+    settings.max_samples = 10 * settings.batch;
+    const double batches = *real(0.7, 9);
+    settings.tolerance = 1.96 * spread / std::sqrt(3 * batches * settings.batch);
+    return pixel(fmt::format("{} (1 + {} times uniform noise in [-1, 1])", show(value), spread),
+                 settings, [=](int, double xi) { return value * (1 + spread * (2 * xi - 1)); });
+  });
+}
+
+inline rc::Gen<Case> two_values() {
+  return rc::gen::exec([] {
+    const Rgb low = any_radiance(), high = 3 * low;
+    const double share = *real(0.2, 0.8);
+    return pixel(fmt::format("{}, or with the chance {} {}", show(low), share, show(high)),
+                 any_settings(), [=](int, double xi) { return xi < share ? high : low; });
+  });
+}
+
+// The same for some batches, then another value.
+inline rc::Gen<Case> jump() {
+  return rc::gen::exec([] {
+    const AdaptiveSettings settings = any_settings();
+    const Rgb value = any_radiance();
+    const int constant_for = *whole(0, 5) * settings.batch / 2 + 1;
+    const double factor = *real(0.1, 10);
+    return pixel(
+        fmt::format("{}, from sample {} on {} times as much", show(value), constant_for, factor),
+        settings, [=](int i, double) { return i < constant_for ? value : factor * value; });
+  });
+}
+
+// Dark but for the first sample of each batch or so: far from narrow, however dark.
+inline rc::Gen<Case> rarely_lit() {
+  return rc::gen::exec([] {
+    const AdaptiveSettings settings = any_settings();
+    const Rgb value = *magnitude(1e-12, 1) * *color(0.1, 1);
+    const int every = settings.batch * *whole(1, 2);
+    return pixel(fmt::format("{} every {} samples, else black", show(value), every), settings,
+                 [=](int i, double) { return i % every == 0 ? value : Rgb{}; });
+  });
+}
+
+inline rc::Gen<Case> anything() {
+  return rc::gen::oneOf(constant(), noise(), noise(), two_values(), jump(), rarely_lit());
+}
+
+}  // namespace grader::adaptive

@@ -1,0 +1,39 @@
+// breaks: forgets_the_pixel_before
+// A pixel next to a done one is taken to be as easy: a looser check.
+#include "pt/render/radiance.h"
+#include "pt/tasks/adaptive_pixel.h"
+#include "pt/tasks/camera_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+PixelEstimate adaptive_pixel(const View& view, int x, int y, const AdaptiveSettings& settings,
+                             Sampler& sampler) {
+  static int easy = 0;
+  Rgb sum;
+  double s1 = 0, s2 = 0;
+  int n = 0;
+  while (n < settings.max_samples) {
+    const Vec2 inside = sampler.next_2d();
+    const Ray ray =
+        camera_ray(view.camera, (x + inside.x) / view.width, (y + inside.y) / view.height);
+    const Rgb sample = radiance(view.scene, ray, view.settings, sampler);
+    const double brightness = luminance(sample);
+    sum += sample;
+    s1 += brightness;
+    s2 += brightness * brightness;
+    ++n;
+    if (n % settings.batch != 0) continue;
+
+    const double mean = s1 / n;
+    const double variance = std::max(0.0, (s2 - s1 * s1 / n) / (n - 1));
+    const double tolerance = (easy > 0 ? 2 : 1) * settings.tolerance;
+    if (1.96 * std::sqrt(variance / n) < tolerance * mean) break;
+  }
+  easy = n < settings.max_samples ? 1 : 0;
+  return {sum / n, n};
+}
+
+}  // namespace pt

@@ -1,0 +1,196 @@
+#include "grader/property/closed_forms.h"
+#include "grader/property/generators.h"
+#include "grader/property/property.h"
+#include "grader/property/repeat.h"
+#include "pt/tasks/diffuse_bsdf.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace grader {
+namespace {
+
+using pt::Rgb;
+using pt::Vec3;
+
+Vec3 at(double z, double phi) {
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+// A unit direction above the surface, down to nearly grazing.
+rc::Gen<Vec3> above() {
+  return rc::gen::map(rc::gen::pair(real(1e-3, 1), real(-pt::kPi, pt::kPi)),
+                      [](const std::pair<double, double>& p) { return at(p.first, p.second); });
+}
+
+Vec3 mirrored(Vec3 w) { return {w.x, w.y, -w.z}; }
+
+// The middles of cells that cut the hemisphere into equal solid angles.
+std::vector<Vec3> grid(int heights, int sectors) {
+  std::vector<Vec3> directions;
+  for (int i = 0; i < heights; ++i) {
+    for (int j = 0; j < sectors; ++j) {
+      directions.push_back(at((i + 0.5) / heights, 2 * pt::kPi * (j + 0.5) / sectors));
+    }
+  }
+  return directions;
+}
+
+PROMISE(diffuse_bsdf, f_reflects_the_albedo) {
+  for_all(
+      [] {
+        const Rgb albedo = *color();
+        const Vec3 wo = *above();
+        Rgb reflected;
+        const std::vector<Vec3> directions = grid(10, 12);
+        for (const Vec3 wi : directions) reflected += pt::diffuse_f(albedo, wo, wi) * wi.z;
+        expect_near("f cos(wi), summed over the hemisphere",
+                    reflected * (2 * pt::kPi / static_cast<double>(directions.size())), albedo,
+                    1e-9);
+      },
+      20);
+}
+
+PROMISE(diffuse_bsdf, f_is_the_same_for_all_directions) {
+  for_all([] {
+    const Rgb albedo = *color();
+    const Vec3 wo = *above(), wi = *above();
+    expect_near("f, and f along the normal", pt::diffuse_f(albedo, wo, wi),
+                pt::diffuse_f(albedo, {0, 0, 1}, {0, 0, 1}), 1e-12);
+  });
+}
+
+PROMISE(diffuse_bsdf, f_is_zero_across_the_surface) {
+  for_all([] {
+    const Rgb albedo = *color(0.25, 1);
+    const Vec3 wo = *above(), wi = *above();
+    expect_near("f to below", pt::diffuse_f(albedo, wo, mirrored(wi)), {}, 0);
+    expect_near("f from below", pt::diffuse_f(albedo, mirrored(wo), wi), {}, 0);
+    expect_near("f with both below, and f with both above",
+                pt::diffuse_f(albedo, mirrored(wo), mirrored(wi)), pt::diffuse_f(albedo, wo, wi),
+                1e-12);
+  });
+}
+
+PROMISE(diffuse_bsdf, samples_the_side_of_wo) {
+  for_all(
+      [] {
+        const Rgb albedo = *color();
+        const Vec3 wo = *above();
+        const auto samples = repeat<pt::diffuse_sample>(2000, *sampler_seed(), albedo, wo);
+        std::vector<int> found(16);
+        for (const pt::BsdfSample& sample : samples) {
+          expect_near("the length of wi", length(sample.wi), 1, 1e-9);
+          expect(sample.wi.z > 0, "wi above the surface, as wo is", show(sample.wi));
+          const int sector = static_cast<int>(
+              4 * (1 + std::nextafter(std::atan2(sample.wi.y, sample.wi.x) / pt::kPi, 0.0)));
+          ++found[2 * sector + (sample.wi.z < 0.5)];
+        }
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          expect(found[i] > 0, "2000 samples all around, steep and flat",
+                 fmt::format("none {} than 60 degrees from the normal, {} to {} degrees around it",
+                             i % 2 == 0 ? "less" : "more", 45 * (i / 2) - 180, 45 * (i / 2) - 135));
+        }
+      },
+      10);
+}
+
+PROMISE(diffuse_bsdf, a_sample_knows_its_own_f_and_pdf) {
+  for_all([] {
+    const Rgb albedo = *color();
+    const Vec3 wo = *above();
+    pt::Sampler sampler(*sampler_seed());
+    const pt::BsdfSample sample = pt::diffuse_sample(albedo, wo, sampler);
+    expect_near("the sample's f, and diffuse_f for its wi", sample.f,
+                pt::diffuse_f(albedo, wo, sample.wi), 1e-12);
+    expect_near("the sample's pdf, and diffuse_pdf for its wi", sample.pdf,
+                pt::diffuse_pdf(wo, sample.wi), 1e-12);
+    expect(sample.pdf > 0, "a pdf above 0 for a direction that was chosen", show(sample.pdf));
+  });
+}
+
+// A histogram over cells of equal solid angle: heights times sectors of the hemisphere.
+constexpr int kHeights = 8, kSectors = 8, kSamples = 20000;
+using Histogram = std::array<double, kHeights * kSectors>;
+
+// What the pdf says: each cell is cut into thin rings, since it may vary with the height.
+Histogram expected_by_pdf(Vec3 wo) {
+  constexpr int kRings = 4 * kHeights;
+  Histogram expected{};
+  for (int i = 0; i < kRings; ++i) {
+    for (int j = 0; j < kSectors; ++j) {
+      const Vec3 wi = at((i + 0.5) / kRings, 2 * pt::kPi * (j + 0.5) / kSectors);
+      expected[i * kHeights / kRings * kSectors + j] +=
+          kSamples * pt::diffuse_pdf(wo, wi) * 2 * pt::kPi / (kRings * kSectors);
+    }
+  }
+  return expected;
+}
+
+// Where the samples are; those below the surface are in no cell.
+Histogram found_by_sampling(Vec3 wo, std::uint64_t seed) {
+  Histogram found{};
+  for (const auto& sample : repeat<pt::diffuse_sample>(kSamples, seed, pt::gray(0.5), wo)) {
+    const double turn = std::atan2(sample.wi.y, sample.wi.x) / (2 * pt::kPi);
+    const double i = kHeights * sample.wi.z;
+    const double j = kSectors * (turn < 0 ? turn + 1 : turn);
+    if (!(i >= 0 && i < kHeights && j >= 0 && j < kSectors)) continue;
+    ++found[static_cast<int>(i) * kSectors + static_cast<int>(j)];
+  }
+  return found;
+}
+
+PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
+  for_all(
+      [] {
+        const Vec3 wo = *above();
+        const Histogram expected = expected_by_pdf(wo);
+        const Histogram found = found_by_sampling(wo, *sampler_seed());
+        double chi_square = 0;
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          const double off = found[k] - expected[k];
+          chi_square += off * off / std::max(expected[k], 1.0);
+        }
+        const double limit = chi_square_limit(kHeights * kSectors);
+        expect(chi_square < limit,
+               fmt::format("samples where the pdf says: chi-square of {} in {} cells below {:.4g}",
+                           kSamples, found.size(), limit),
+               fmt::format("{:.4g}", chi_square));
+      },
+      4);
+}
+
+PROMISE(diffuse_bsdf, pdf_sums_to_one) {
+  for_all(
+      [] {
+        const Vec3 wo = *above();
+        double sum = 0;
+        const std::vector<Vec3> directions = grid(16, 8);
+        for (const Vec3 wi : directions) {
+          sum += pt::diffuse_pdf(wo, wi) * 2 * pt::kPi / static_cast<double>(directions.size());
+        }
+        expect_near("the pdf, summed over the hemisphere", sum, 1, 5e-3);
+        expect_near("the pdf of a direction below", pt::diffuse_pdf(wo, mirrored(*above())), 0, 0);
+      },
+      20);
+}
+
+PROMISE(diffuse_bsdf, samples_estimate_the_albedo) {
+  for_all(
+      [] {
+        const Rgb albedo = *color();
+        const Vec3 wo = *above();
+        std::vector<Rgb> reflected;
+        for (const auto& s : repeat<pt::diffuse_sample>(4000, *sampler_seed(), albedo, wo)) {
+          reflected.push_back(s.f * (s.wi.z / s.pdf));
+        }
+        expect_mean("f cos(wi) / pdf", mean_of(reflected), albedo, 1e-9);
+      },
+      20);
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,27 @@
+// breaks: samples_the_side_of_wo
+// A direction from the disk whose z was not lifted to unit length.
+#include "pt/sampling/directions.h"
+#include "pt/tasks/diffuse_bsdf.h"
+
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+bool same_side(Vec3 wo, Vec3 wi) { return wo.z * wi.z > 0; }
+
+}  // namespace
+
+Rgb diffuse_f(Rgb albedo, Vec3 wo, Vec3 wi) { return same_side(wo, wi) ? albedo / kPi : Rgb{}; }
+
+BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler) {
+  const Vec2 xi = sampler.next_2d();
+  const double r = std::sqrt(xi.x);
+  const Vec3 wi{r * std::cos(2 * kPi * xi.y), r * std::sin(2 * kPi * xi.y), 1 - xi.x};
+  return {wi, diffuse_f(albedo, wo, wi), diffuse_pdf(wo, wi)};
+}
+
+double diffuse_pdf(Vec3 wo, Vec3 wi) { return same_side(wo, wi) ? std::abs(wi.z) / kPi : 0; }
+
+}  // namespace pt

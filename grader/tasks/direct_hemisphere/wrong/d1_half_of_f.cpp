@@ -1,0 +1,25 @@
+// breaks: sees_the_sky
+// f is written out as albedo / (2 pi).
+#include "pt/geometry/spawn_ray.h"
+#include "pt/sampling/directions.h"
+#include "pt/tasks/direct_hemisphere.h"
+
+namespace pt {
+
+Rgb direct_hemisphere(const Scene& scene, const SurfacePoint& point, int samples,
+                      Sampler& sampler) {
+  const double pdf = 1 / (2 * kPi);
+  Rgb sum;
+  for (int i = 0; i < samples; ++i) {
+    const Vec3 wi = uniform_hemisphere(sampler.next_2d());
+    const Vec3 direction = point.frame.to_world(wi);
+    const Ray ray = spawn_ray(point, direction);
+    const std::optional<Hit> hit = scene.closest(ray);
+    Rgb light = background(scene, direction);
+    if (hit) light = surface_point(scene, ray, *hit).emission;
+    sum += point.albedo / (2 * kPi) * light * wi.z / pdf;
+  }
+  return sum / samples;
+}
+
+}  // namespace pt

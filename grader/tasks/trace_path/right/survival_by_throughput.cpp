@@ -1,0 +1,38 @@
+// right: a loop; survives with the chance of what is left of the light.
+#include "pt/geometry/spawn_ray.h"
+#include "pt/tasks/diffuse_bsdf.h"
+#include "pt/tasks/direct_hemisphere.h"
+#include "pt/tasks/direct_lights.h"
+#include "pt/tasks/trace_path.h"
+
+namespace pt {
+
+Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings& settings,
+               Sampler& sampler) {
+  Rgb sum;
+  Rgb throughput = gray(1);
+  SurfacePoint point = start;
+  for (int bounce = 1; bounce <= settings.to; ++bounce) {
+    if (bounce >= settings.from) {
+      const bool looks_around = settings.direct == PathSettings::Direct::hemisphere;
+      sum += throughput * (looks_around
+                               ? direct_hemisphere(scene, point, settings.light_samples, sampler)
+                               : direct_lights(scene, point, settings.light_samples, sampler));
+    }
+    const BsdfSample turn = diffuse_sample(point.albedo, point.frame.to_local(point.wo), sampler);
+    if (!(turn.pdf > 0)) break;
+    throughput *= turn.f * (turn.wi.z / turn.pdf);
+    if (bounce > 1) {
+      const double survival = std::min(1.0, max_channel(throughput));
+      if (!(sampler.next_1d() < survival)) break;
+      throughput /= survival;
+    }
+    const Ray ray = spawn_ray(point, point.frame.to_world(turn.wi));
+    const std::optional<Hit> hit = scene.closest(ray);
+    if (!hit) break;
+    point = surface_point(scene, ray, *hit);
+  }
+  return sum;
+}
+
+}  // namespace pt

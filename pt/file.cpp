@@ -1,0 +1,83 @@
+#include "pt/file.h"
+
+#include "pt/error.h"
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace pt {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& what, const fs::path& path, const std::string& why) {
+  throw Error(what + " '" + path.string() + "': " + why);
+}
+
+std::string last_error() { return std::generic_category().message(errno); }
+
+}  // namespace
+
+std::string read_file(const fs::path& path, std::size_t max_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) fail("cannot read", path, "there is no such file");
+  if (!fs::is_regular_file(status)) fail("cannot read", path, "it is not a file");
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) fail("cannot read", path, error.message());
+  if (size > max_bytes) {
+    fail("cannot read", path,
+         "it has " + std::to_string(size) + " bytes, more than the " + std::to_string(max_bytes) +
+             " that are accepted");
+  }
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes(size, '\0');
+  if (!in || !in.read(bytes.data(), static_cast<std::streamsize>(size))) {
+    fail("cannot read", path, last_error());
+  }
+  return bytes;
+}
+
+void check_target(const fs::path& path) {
+  std::error_code error;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, error)) {
+    fail("cannot write", path, "there is no folder '" + folder.string() + "'");
+  }
+  if (!path.has_filename()) fail("cannot write", path, "the file's name is missing");
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    fail("cannot write", path, "something that is not a file has that name");
+  }
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+  check_target(path);
+  std::error_code error;
+  // A link stays a link: what it points to is replaced.
+  fs::path target = path;
+  if (fs::is_symlink(fs::symlink_status(path, error))) {
+    target = fs::weakly_canonical(path, error);
+    if (error) fail("cannot write", path, error.message());
+  }
+  fs::path temporary = target;
+  temporary += "." + std::to_string(getpid()) + ".tmp";
+  errno = 0;
+  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+  if (!out) fail("cannot write", path, last_error());
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  std::string why = out ? "" : last_error();
+  if (why.empty()) {
+    fs::rename(temporary, target, error);
+    if (!error) return;
+    why = error.message();
+  }
+  fs::remove(temporary, error);
+  fail("cannot write", path, why);
+}
+
+}  // namespace pt

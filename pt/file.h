@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+// Whole files, read and written at once.
+
+namespace pt {
+
+// The file's bytes. Throws pt::Error if it is missing, no regular file, unreadable, or longer than
+// `max_bytes`.
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
+
+// Throws pt::Error if write_file(path) could not work: no such folder, or `path` is itself a folder
+// or a device. To be asked before the work whose result will be written.
+void check_target(const std::filesystem::path& path);
+
+// Makes `bytes` the content of the file at `path`, whole or not at all: they go to
+// <path>.<process>.tmp, which is then renamed. Where this fails (pt::Error), a file that stood
+// there before is left as it was, and no temporary file remains.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace pt

@@ -1,0 +1,105 @@
+#include "pt/image/compare.h"
+
+#include "pt/error.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace pt {
+namespace {
+
+constexpr double kDark = 0.01;      // keeps relative errors of dark pixels in bounds
+constexpr double kFullColor = 0.2;  // the relative difference at the ends of the legend
+
+// Blue and orange: red and green look alike to some. Both ends are equally bright.
+constexpr std::array<Color8, 5> kStops{
+    {{8, 64, 150}, {90, 160, 225}, {255, 255, 255}, {245, 155, 60}, {165, 70, 0}}};
+
+template <class Picture>
+void check_sizes(const Picture& a, const Picture& b) {
+  if (a.width == b.width && a.height == b.height) return;
+  const auto size = [](const Picture& p) {
+    return std::to_string(p.width) + " x " + std::to_string(p.height);
+  };
+  throw Error("the pictures cannot be compared: the first is " + size(a) + " pixels, the second " +
+              size(b));
+}
+
+double relative_difference(double a, double b) { return (a - b) / (std::abs(b) + kDark); }
+
+}  // namespace
+
+Comparison compare(const Image& a, const Image& b) {
+  check_sizes(a, b);
+  Comparison result;
+  std::size_t count = 0;
+  double largest = 0;
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      const Rgb pa = a.at(x, y), pb = b.at(x, y);
+      if (!is_finite(pa) || !is_finite(pb)) {
+        ++result.not_finite;
+        continue;
+      }
+      ++count;
+      result.mean_a += pa;
+      result.mean_b += pb;
+      for (int c = 0; c < 3; ++c) {
+        const double difference = pa[c] - pb[c];
+        const double relative = relative_difference(pa[c], pb[c]);
+        result.mse += difference * difference;
+        result.rel_mse += relative * relative;
+        if (std::abs(difference) > largest) {
+          largest = std::abs(difference);
+          result.largest = {x, y, c, pa[c], pb[c]};
+        }
+      }
+    }
+  }
+  if (count == 0) return result;
+  result.mse /= 3.0 * static_cast<double>(count);
+  result.rel_mse /= 3.0 * static_cast<double>(count);
+  result.mean_a /= static_cast<double>(count);
+  result.mean_b /= static_cast<double>(count);
+  return result;
+}
+
+std::optional<MeanTest> compare_means(const Film& a, const Film& b) {
+  check_sizes(a, b);
+  double sum = 0, variance = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const FilmPixel &pa = a.pixels[i], &pb = b.pixels[i];
+    if (pa.samples < 2 || pb.samples < 2) return std::nullopt;
+    sum += luminance(pa.mean) - luminance(pb.mean);
+    variance += pa.variance_y / pa.samples + pb.variance_y / pb.samples;
+  }
+  if (a.pixels.empty() || !std::isfinite(sum) || !(variance >= 0) || std::isinf(variance)) {
+    return std::nullopt;
+  }
+  const double count = static_cast<double>(a.pixels.size());
+  MeanTest test{sum / count, std::sqrt(variance) / count, 0};
+  if (test.standard_error > 0) {
+    test.z = test.difference / test.standard_error;
+  } else if (test.difference != 0) {
+    test.z = std::copysign(std::numeric_limits<double>::infinity(), test.difference);
+  }
+  return test;
+}
+
+Color8 difference_color(double relative) {
+  if (std::isnan(relative)) return {0, 0, 0};
+  return ramp(kStops, 0.5 + 0.5 * relative / kFullColor);
+}
+
+Picture difference_picture(const Image& a, const Image& b) {
+  check_sizes(a, b);
+  Picture picture(a.width, a.height);
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    picture.pixels[i] =
+        difference_color(relative_difference(luminance(a.pixels[i]), luminance(b.pixels[i])));
+  }
+  return with_legend(picture, kStops, {"-20 %", "0", "+20 %", "A below / above B"});
+}
+
+}  // namespace pt

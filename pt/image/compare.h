@@ -1,0 +1,52 @@
+#pragma once
+
+#include "pt/image/film.h"
+#include "pt/image/image.h"
+#include "pt/image/picture.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+// How far a picture a is from another, b, that is taken for right.
+
+namespace pt {
+
+// Over all channels of the pixels that are finite in both; 0 where there is none.
+struct Comparison {
+  double mse = 0;      // mean of (a - b)^2
+  double rel_mse = 0;  // mean of (a - b)^2 / (|b| + 0.01)^2
+  Rgb mean_a, mean_b;
+  // The largest |a - b|: x from the left, y from the top, channel 0 r, 1 g, 2 b.
+  struct {
+    int x = 0, y = 0, channel = 0;
+    double a = 0, b = 0;
+  } largest;
+  std::size_t not_finite = 0;  // pixels, left out of all the above
+};
+
+// Throws pt::Error if the sizes differ.
+Comparison compare(const Image& a, const Image& b);
+
+// Whether the mean luminances of two renders differ by more than their noise: z is about normal
+// where only noise separates them.
+struct MeanTest {
+  double difference = 0;      // mean of Y over a, less that over b
+  double standard_error = 0;  // from the variances in both films
+  // difference / standard_error; 0 for 0 / 0, infinite for a difference without noise.
+  double z = 0;
+};
+
+// Nothing where a pixel of either has fewer than two samples, so that its variance is not known, or
+// is not finite. Throws pt::Error if the sizes differ.
+std::optional<MeanTest> compare_means(const Film& a, const Film& b);
+
+// What difference_picture draws where a is `relative` = (a - b) / (|b| + 0.01) off: blue where a is
+// darker, orange where it is brighter, white where they agree, full at 20 %; black for NaN.
+Color8 difference_color(double relative);
+
+// The relative difference of the luminances, in these colours, with a legend. Throws pt::Error if
+// the sizes differ.
+Picture difference_picture(const Image& a, const Image& b);
+
+}  // namespace pt

@@ -1,0 +1,113 @@
+#include "pt/image/image_io.h"
+
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/image/exr.h"
+#include "pt/image/tone_map.h"
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+namespace pt {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension(const fs::path& path) {
+  std::string text = path.extension().string();
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+template <class Value>
+Image unpack(const Value* values, int width, int height, double (*linear)(Value)) {
+  Image image(width, height);
+  for (Rgb& pixel : image.pixels) {
+    pixel = {linear(values[0]), linear(values[1]), linear(values[2])};
+    values += 3;
+  }
+  return image;
+}
+
+Image decode_stb(const std::string& bytes, const std::string& name) {
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
+  const auto fail = [&] {
+    const char* reason = stbi_failure_reason();
+    throw Error("cannot read '" + name +
+                "': it is not a whole EXR, PNG, JPEG, BMP or HDR picture (" +
+                (reason ? reason : "no reason given") + ")");
+  };
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) fail();
+  if (!is_image_size(width, height)) {
+    throw Error("cannot read '" + name + "': a picture of " + std::to_string(width) + " x " +
+                std::to_string(height) + " pixels is not accepted");
+  }
+  if (stbi_is_hdr_from_memory(data, size)) {
+    const std::unique_ptr<float, void (*)(void*)> values(
+        stbi_loadf_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
+    if (!values) fail();
+    return unpack<float>(values.get(), width, height, [](float v) -> double { return v; });
+  }
+  const std::unique_ptr<stbi_uc, void (*)(void*)> values(
+      stbi_load_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
+  if (!values) fail();
+  return unpack<stbi_uc>(values.get(), width, height, [](stbi_uc v) { return decode(v); });
+}
+
+}  // namespace
+
+void check_image_target(const fs::path& path) {
+  const std::string ending = extension(path);
+  if (ending != ".png" && ending != ".exr") {
+    throw Error("cannot write '" + path.string() +
+                "': pictures are written as .png or .exr, so the name has to end in one of these");
+  }
+  check_target(path);
+}
+
+void write_image(const fs::path& path, const Film& film, double exposure) {
+  check_image_target(path);
+  if (extension(path) == ".exr") {
+    write_exr(path, film);
+  } else {
+    write_png(path, mean(film), exposure);
+  }
+}
+
+void write_png(const fs::path& path, const Picture& picture) {
+  std::string bytes;
+  const auto append = [](void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data), size);
+  };
+  if (!stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3,
+                              picture.pixels.data(), 3 * picture.width)) {
+    throw Error("cannot write '" + path.string() + "': the picture could not be encoded");
+  }
+  write_file(path, bytes);
+}
+
+void write_png(const fs::path& path, const Image& image, double exposure) {
+  write_png(path, tone_map(image, exposure));
+}
+
+void write_exr(const fs::path& path, const Film& film) { write_file(path, encode_exr(film)); }
+
+Film read_exr(const fs::path& path) {
+  return decode_exr(read_file(path, kMaxPictureBytes), path.string());
+}
+
+Image read_image(const fs::path& path) {
+  const std::string bytes = read_file(path, kMaxPictureBytes);
+  if (starts_as_exr(bytes)) return mean(decode_exr(bytes, path.string()));
+  return decode_stb(bytes, path.string());
+}
+
+bool is_exr(const fs::path& path) { return starts_as_exr(read_file(path, kMaxPictureBytes)); }
+
+}  // namespace pt

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "pt/image/film.h"
+#include "pt/image/image.h"
+#include "pt/image/picture.h"
+
+#include <filesystem>
+#include <string>
+
+// Pictures in files. Writers leave a whole file or none (pt/file.h); all functions throw pt::Error
+// for a path or a file they cannot use.
+
+namespace pt {
+
+// Throws pt::Error unless write_image knows the extension of `path` and could write there.
+void check_image_target(const std::filesystem::path& path);
+
+// By extension: .png the tone-mapped mean, .exr all of the film (exposure plays no part).
+void write_image(const std::filesystem::path& path, const Film& film, double exposure = 1);
+
+void write_png(const std::filesystem::path& path, const Picture& picture);
+void write_png(const std::filesystem::path& path, const Image& image, double exposure = 1);
+
+// Scanlines, ZIP; 32-bit float channels R, G, B, Y (the means), variance.R, variance.G, variance.B,
+// variance.Y (of one sample), and the integer channel samples.
+void write_exr(const std::filesystem::path& path, const Film& film);
+
+// Reads R, G and B, half or float, and what there is of the other channels of write_exr; where one
+// of those is missing, all samples and variances are 0. Scanline files of one part only.
+Film read_exr(const std::filesystem::path& path);
+
+// A picture in linear radiance, by what the file holds, not by its name: EXR and Radiance HDR as
+// they are; PNG, JPEG and BMP by decode(), as 8 bits a channel, without their alpha.
+Image read_image(const std::filesystem::path& path);
+
+// Whether the file starts as an EXR does.
+bool is_exr(const std::filesystem::path& path);
+
+}  // namespace pt

@@ -1,0 +1,120 @@
+#include "pt/error.h"
+#include "pt/image/image_io.h"
+#include "pt/image/sample_map.h"
+#include "pt/render/options.h"
+#include "pt/render/progress.h"
+#include "pt/render/render_film.h"
+#include "pt/scene/load_collada.h"
+#include "pt/tasks/hit_bvh.h"
+#include "pt/todo.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace pt {
+namespace {
+
+std::atomic<bool> interrupted = false;                  // set by Ctrl-C
+static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler could not set it
+
+constexpr int kInterruptedExit = 130;  // as shells have it for Ctrl-C
+
+// Asks the scene's tree once, and goes back to no tree at all where one of its tasks is a stub: so
+// that part 1 shows its pictures before part 2 is written.
+void choose_engine(Scene& scene, const RenderOptions& options) {
+  scene.tracer = Tracer(options.engine, scene.primitives, options.max_leaf);
+  if (options.engine != Engine::task || scene.primitives.size() == 0) return;
+  const Vec3 target = bounds(scene.primitives, 0).center();
+  const Ray probe{target - Vec3{1, 2, 3}, {1, 2, 3}, 0, kInfinity};
+  hit_bvh(scene.tracer.bvh(), scene.primitives, probe);
+  occluded_bvh(scene.tracer.bvh(), scene.primitives, probe);
+  for (const char* slug : {"build_bvh", "hit_box", "hit_bvh"}) {
+    if (!todo_reached(slug)) continue;
+    std::fprintf(stderr, "%s is not written yet: tracing without a tree (--engine linear)\n", slug);
+    scene.tracer = Tracer(Engine::linear, scene.primitives);
+    return;
+  }
+}
+
+std::filesystem::path beside(const std::filesystem::path& picture, const char* ending) {
+  std::filesystem::path path = picture;
+  return path.replace_filename(picture.stem().string() + ending);
+}
+
+void write_pictures(const RenderOptions& options, const Film& film) {
+  write_image(options.output, film, options.exposure);
+  fmt::print("wrote {}\n", options.output.string());
+  if (!options.adaptive) return;
+  const SampleMap map = sample_map(film, options.adaptive->max_samples);
+  const auto picture = beside(options.output, "_rate.png");
+  const auto counts = beside(options.output, "_rate.csv");
+  write_png(picture, sample_picture(map));
+  write_counts(counts, map);
+  fmt::print("wrote {} and {}\n", picture.string(), counts.string());
+}
+
+void print_summary(const RenderResult& result, const RenderOptions& options, const Scene& scene) {
+  const double rays = static_cast<double>(result.rays.closest + result.rays.occluded);
+  fmt::print("{} primitives, {} lights, engine {}, {} threads, seed {}\n", scene.primitives.size(),
+             scene.lights.size(), name(scene.tracer.engine()), options.threads, options.seed);
+  fmt::print(
+      "{:.2f} s, {:.2f} CPU s; {:.3g} M rays ({:.0f} % shadow), {:.3g} M a second, "
+      "{:.3g} M a CPU second\n",
+      result.seconds, result.cpu_seconds, rays * 1e-6,
+      100 * static_cast<double>(result.rays.occluded) / std::max(rays, 1.0),
+      rays * 1e-6 / result.seconds, rays * 1e-6 / result.cpu_seconds);
+  const auto a_ray = [&](long long count) { return static_cast<double>(count) / rays; };
+  fmt::print("tests a ray: {:.2f} boxes, {:.2f} triangles, {:.2f} spheres\n",
+             a_ray(result.tests.boxes), a_ray(result.tests.triangles), a_ray(result.tests.spheres));
+  if (result.not_finite > 0) {
+    fmt::print(
+        "{} samples were not finite and are left out; the first at pixel x {} y {} "
+        "(from the bottom left), seed {}\n",
+        result.not_finite, result.first_bad->x, result.first_bad->y, options.seed);
+  } else {
+    fmt::print("non-finite samples: 0\n");
+  }
+}
+
+int run(int argc, const char* const* argv) {
+  const RenderOptions options = parse_options(argc, argv);
+  check_image_target(options.output);
+  LoadedScene loaded = load_collada(options.scene, {options.lambertian});
+  for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
+  if (options.show != Show::normals) require_supported(loaded, options.scene);
+  choose_engine(loaded.scene, options);
+
+  const View view{loaded.scene,
+                  frame_camera(loaded, options.framing, options.width, options.height),
+                  path_settings(options), options.width, options.height};
+  const RenderSettings settings{options.samples, options.adaptive, options.seed, options.threads};
+
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  std::signal(SIGTERM, [](int) { interrupted = true; });
+  Progress progress;
+  const RenderResult result = render_film(
+      view, settings, [&](double part) { progress.show(part); }, &interrupted);
+  progress.clear();
+  if (!result.complete) {
+    fmt::print(stderr, "interrupted: nothing was written\n");
+    return kInterruptedExit;
+  }
+  print_summary(result, options, loaded.scene);
+  write_pictures(options, result.film);
+  return 0;
+}
+
+}  // namespace
+}  // namespace pt
+
+int main(int argc, char** argv) {
+  try {
+    return pt::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,173 @@
+#include "pt/render/options.h"
+
+#include "pt/error.h"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace pt {
+
+namespace {
+
+const std::map<std::string, Show> kShow{{"full", Show::full},
+                                        {"direct", Show::direct},
+                                        {"indirect", Show::indirect},
+                                        {"bounce", Show::bounce},
+                                        {"normals", Show::normals}};
+const std::map<std::string, Engine> kEngines{{"linear", Engine::linear}, {"task", Engine::task}};
+const std::map<std::string, Framing> kFramings{
+    {"course", Framing::course}, {"fit", Framing::fit}, {"file", Framing::file}};
+
+const char* kFooter =
+    "Which implementation of the tasks renders is chosen with ./run render --from student, or for\n"
+    "one task with --from hit_bvh=student; the default is reference.\n\n"
+    "Examples:\n"
+    "  ./run render scenes/box_spheres.dae -f box.png -s 64 -l 4 -m 5\n"
+    "  ./run render scenes/box_spheres.dae -f normals.png --show normals\n"
+    "  ./run render scenes/box_spheres.dae -f adaptive.png -s 1024 -a 32 0.05\n";
+
+// Options of two values come as vectors.
+struct Pairs {
+  std::vector<int> size;
+  std::vector<double> adaptive;
+};
+
+void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
+  app.add_option("scene", options.scene, "Scene file (.dae)")->required();
+  app.add_option("-f,--output", options.output,
+                 "Picture to write: .png, or .exr with mean and variance; default <scene>.png");
+  app.add_option("-r,--size", pairs.size, "Width and height in pixels, default 480 360")
+      ->expected(2)
+      ->check(CLI::Range(1, 16384))
+      ->type_name("W H");
+  app.add_option("--show", options.show, "What to show")
+      ->transform(CLI::CheckedTransformer(kShow, CLI::ignore_case).description(""))
+      ->type_name("full|direct|indirect|bounce|normals")
+      ->default_str("full");
+  app.add_option("--bounce", options.bounce, "Which bounce alone, with --show bounce")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  app.add_option("--exposure", options.exposure,
+                 "Factor on radiance in a .png; 1.4142 matches the course's pictures")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--camera", options.framing,
+                 "course: the course's framing rule; fit: the file's field of view from far enough "
+                 "to see everything; file: the file's own camera")
+      ->transform(CLI::CheckedTransformer(kFramings, CLI::ignore_case).description(""))
+      ->type_name("course|fit|file")
+      ->default_str("course");
+}
+
+void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
+  app.add_option("-s,--samples", options.samples, "Camera rays a pixel (with -a: at most)")
+      ->check(CLI::Range(1, 1 << 24))
+      ->capture_default_str();
+  app.add_option("-l,--light-samples", options.light_samples,
+                 "Samples an area light (with -H: directions)")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  app.add_option("-m,--bounces", options.bounces,
+                 "How often light may bounce: 0 emitters only, 1 direct light, more: indirect")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  app.add_flag("-H,--hemisphere", options.hemisphere,
+               "Direct light by looking around, not by asking the lights");
+  app.add_option("-a,--adaptive", pairs.adaptive,
+                 "Stop a pixel when its 95 % interval is narrower than TOLERANCE x mean, checked "
+                 "every BATCH samples")
+      ->expected(2)
+      ->type_name("BATCH TOLERANCE");
+  app.add_flag("--lambertian", options.lambertian,
+               "Treat mirrors, glass and the like as matt, albedo 0.5");
+}
+
+void describe_machine(CLI::App& app, RenderOptions& options) {
+  app.add_option("-t,--threads", options.threads, "Threads; default: one a processor")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--engine", options.engine, "How rays are traced")
+      ->transform(CLI::CheckedTransformer(kEngines, CLI::ignore_case).description(""))
+      ->type_name("task|linear")
+      ->default_str("task");
+  app.add_option("--leaf", options.max_leaf, "Most primitives in a leaf of the BVH")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "Same seed, same picture, bit for bit")
+      ->capture_default_str();
+}
+
+AdaptiveSettings adaptive_settings(const std::vector<double>& pair, int max_samples) {
+  const double batch = pair[0], tolerance = pair[1];
+  if (!(batch >= 2 && batch <= max_samples && batch == std::floor(batch))) {
+    throw Error("-a takes a batch of at least 2 samples and at most the maximum of -s (" +
+                std::to_string(max_samples) + "): give -a BATCH TOLERANCE, as in -a 32 0.05");
+  }
+  if (!(tolerance > 0 && std::isfinite(tolerance))) {
+    throw Error("-a takes a tolerance above 0: give -a BATCH TOLERANCE, as in -a 32 0.05");
+  }
+  return {max_samples, static_cast<int>(batch), tolerance};
+}
+
+}  // namespace
+
+RenderOptions parse_options(int argc, const char* const* argv) {
+  RenderOptions options;
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  Pairs pairs;
+  CLI::App app("Renders a scene with the tasks of the course.", "./run render");
+  app.footer(kFooter);
+  describe_picture(app, options, pairs);
+  describe_transport(app, options, pairs);
+  describe_machine(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    std::exit(app.exit(help));
+  } catch (const CLI::ParseError& error) {
+    throw Error(std::string(error.what()) + "; see ./run render --help");
+  }
+  if (!pairs.size.empty()) {
+    options.width = pairs.size[0];
+    options.height = pairs.size[1];
+  }
+  if (!pairs.adaptive.empty()) {
+    options.adaptive = adaptive_settings(pairs.adaptive, options.samples);
+  }
+  if (options.output.empty()) options.output = options.scene.stem().string() + ".png";
+  return options;
+}
+
+PathSettings path_settings(const RenderOptions& options) {
+  PathSettings settings;
+  settings.light_samples = options.light_samples;
+  settings.direct =
+      options.hemisphere ? PathSettings::Direct::hemisphere : PathSettings::Direct::lights;
+  settings.show_normals = options.show == Show::normals;
+  settings.from = 0;
+  settings.to = options.bounces;
+  switch (options.show) {
+    case Show::full:
+    case Show::normals:
+      break;
+    case Show::direct:
+      settings.from = settings.to = 1;
+      break;
+    case Show::indirect:
+      settings.from = 2;
+      break;
+    case Show::bounce:
+      settings.from = settings.to = options.bounce;
+      break;
+  }
+  return settings;
+}
+
+}  // namespace pt

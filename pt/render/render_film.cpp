@@ -1,0 +1,156 @@
+#include "pt/render/render_film.h"
+
+#include "pt/render/pixel_record.h"
+#include "pt/tasks/estimate_pixel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <time.h>
+
+namespace pt {
+
+namespace {
+
+constexpr int kTileSize = 16;
+
+double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+PixelEstimate ask_task(const View& view, int x, int y, const RenderSettings& settings,
+                       Sampler& sampler) {
+  if (settings.adaptive) return adaptive_pixel(view, x, y, *settings.adaptive, sampler);
+  return {estimate_pixel(view, x, y, settings.samples, sampler), settings.samples};
+}
+
+// What one thread has to report besides its pixels.
+struct Share {
+  RayCount rays;
+  TestCount tests;
+  long long not_finite = 0;
+  std::optional<BadPixel> first_bad;
+  double cpu_seconds = 0;
+};
+
+bool comes_before(const BadPixel& a, const BadPixel& b) {
+  return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+}
+
+void note_bad(Share& share, BadPixel pixel) {
+  if (!share.first_bad || comes_before(pixel, *share.first_bad)) share.first_bad = pixel;
+}
+
+void render_pixel(const View& view, int x, int y, const RenderSettings& settings, Film& film,
+                  Share& share) {
+  PixelRecord& record = pixel_record();
+  record = {};
+  Sampler sampler = Sampler::for_pixel(settings.seed, x, y);
+  PixelEstimate estimate = ask_task(view, x, y, settings, sampler);
+
+  // The task counted samples that were not finite as black: take them out of its mean.
+  int not_finite = record.not_finite;
+  if (not_finite > 0 && estimate.samples > not_finite) {
+    estimate.mean *= static_cast<double>(estimate.samples) / (estimate.samples - not_finite);
+  }
+  if (!is_finite(estimate.mean)) {
+    estimate.mean = {};
+    ++not_finite;
+  }
+  if (not_finite > 0) {
+    share.not_finite += not_finite;
+    note_bad(share, {x, y});
+  }
+  const RunningMoments& moments = record.moments;
+  film.set(x, view.height - 1 - y,
+           {estimate.mean, moments.variance(), moments.variance_y(), estimate.samples});
+}
+
+// Everything the threads share: the tiles not yet taken, and how far the picture is.
+struct Tiles {
+  int columns, count;
+  std::atomic<int> next{0};
+  std::atomic<int> done{0};
+  std::mutex reporting;
+
+  Tiles(int width, int height)
+      : columns((width + kTileSize - 1) / kTileSize),
+        count(columns * ((height + kTileSize - 1) / kTileSize)) {}
+};
+
+Share render_tiles(const View& view, const RenderSettings& settings, Film& film, Tiles& tiles,
+                   const std::function<void(double)>& progress, const std::atomic<bool>* stop) {
+  const RayCount rays_before = rays_traced();
+  const TestCount tests_before = test_count;
+  const double cpu_before = thread_cpu_seconds();
+  const auto stopped = [stop] { return stop != nullptr && *stop; };
+  Share share;
+  for (int tile = tiles.next++; tile < tiles.count && !stopped(); tile = tiles.next++) {
+    const int x0 = tile % tiles.columns * kTileSize;
+    const int y0 = tile / tiles.columns * kTileSize;
+    for (int y = y0; y < std::min(y0 + kTileSize, view.height); ++y) {
+      for (int x = x0; x < std::min(x0 + kTileSize, view.width); ++x) {
+        if (stopped()) return share;
+        render_pixel(view, x, y, settings, film, share);
+      }
+    }
+    ++tiles.done;
+    if (!progress) continue;
+    const std::unique_lock lock(tiles.reporting, std::try_to_lock);
+    if (lock.owns_lock()) progress(static_cast<double>(tiles.done) / tiles.count);
+  }
+  const RayCount rays = rays_traced();
+  share.rays = {rays.closest - rays_before.closest, rays.occluded - rays_before.occluded};
+  share.tests = {test_count.boxes - tests_before.boxes,
+                 test_count.triangles - tests_before.triangles,
+                 test_count.spheres - tests_before.spheres};
+  share.cpu_seconds = thread_cpu_seconds() - cpu_before;
+  return share;
+}
+
+void add(RenderResult& result, const Share& share) {
+  result.rays.closest += share.rays.closest;
+  result.rays.occluded += share.rays.occluded;
+  result.tests.boxes += share.tests.boxes;
+  result.tests.triangles += share.tests.triangles;
+  result.tests.spheres += share.tests.spheres;
+  result.not_finite += share.not_finite;
+  result.cpu_seconds += share.cpu_seconds;
+  if (share.first_bad && (!result.first_bad || comes_before(*share.first_bad, *result.first_bad))) {
+    result.first_bad = share.first_bad;
+  }
+}
+
+}  // namespace
+
+RenderResult render_film(const View& view, const RenderSettings& settings,
+                         const std::function<void(double)>& progress,
+                         const std::atomic<bool>* stop) {
+  const auto start = std::chrono::steady_clock::now();
+  RenderResult result;
+  result.film = Film(view.width, view.height);
+  Tiles tiles(view.width, view.height);
+  std::vector<Share> shares(settings.threads);
+  {
+    std::vector<std::jthread> threads;
+    for (Share& share : shares) {
+      threads.emplace_back([&, into = &share] {
+        *into = render_tiles(view, settings, result.film, tiles, progress, stop);
+      });
+    }
+  }
+  for (const Share& share : shares) add(result, share);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.complete = tiles.done == tiles.count;
+  if (result.complete && progress) progress(1);
+  return result;
+}
+
+}  // namespace pt

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "pt/image/film.h"
+#include "pt/render/test_count.h"
+#include "pt/scene/scene.h"
+#include "pt/scene/view.h"
+#include "pt/tasks/adaptive_pixel.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace pt {
+
+struct RenderSettings {
+  int samples = 1;                           // a pixel; unless adaptive
+  std::optional<AdaptiveSettings> adaptive;  // adaptive_pixel in place of estimate_pixel
+  std::uint64_t seed = 0;
+  int threads = 1;
+};
+
+// A sample that was NaN or infinite, named so that it can be looked at.
+struct BadPixel {
+  int x = 0;  // as the tasks count: from the left
+  int y = 0;  // and from the bottom
+};
+
+struct RenderResult {
+  Film film;
+  RayCount rays;
+  TestCount tests;
+  long long not_finite = 0;           // samples left out of the picture
+  std::optional<BadPixel> first_bad;  // the lowest, then leftmost, of the pixels they fell on
+  double seconds = 0;                 // wall time
+  double cpu_seconds = 0;             // of all threads
+  bool complete = false;              // false if it was stopped before the end
+};
+
+// The picture of a view, tile by tile. Same seed, same bits, for any number of threads: each pixel
+// has its own random numbers. `progress` is called from time to time with the part done, in [0, 1],
+// by one thread at a time. Setting *stop ends the render within about a pixel.
+RenderResult render_film(const View& view, const RenderSettings& settings,
+                         const std::function<void(double)>& progress = {},
+                         const std::atomic<bool>* stop = nullptr);
+
+}  // namespace pt

@@ -1,0 +1,103 @@
+#include "pt/scene/collada/cameras.h"
+
+#include "pt/scene/collada/numbers.h"
+#include "pt/scene/field_of_view.h"
+
+#include <cmath>
+
+#include <tinyxml2.h>
+
+namespace pt {
+
+namespace {
+
+std::optional<double> optional_number(const ColladaDocument& document, const XMLElement& parent,
+                                      const char* name) {
+  const XMLElement* element = parent.FirstChildElement(name);
+  if (element == nullptr) return std::nullopt;
+  return read_number(document, *element);
+}
+
+std::optional<double> optional_fov(const ColladaDocument& document, const XMLElement& perspective,
+                                   const char* name) {
+  const std::optional<double> fov = optional_number(document, perspective, name);
+  if (fov && !(*fov > 0 && *fov < 180)) {
+    document.fail(perspective, std::string(name) + " is " + shown(*fov) +
+                                   " degrees; write an angle between 0 and 180");
+  }
+  return fov;
+}
+
+// A field of view that is stated is taken; the other follows from it and the aspect ratio, which is
+// 4:3 where the file has none.
+void read_fields(const ColladaDocument& document, const XMLElement& perspective,
+                 FileCamera& camera) {
+  const std::optional<double> x = optional_fov(document, perspective, "xfov");
+  const std::optional<double> y = optional_fov(document, perspective, "yfov");
+  const double aspect = optional_number(document, perspective, "aspect_ratio").value_or(4.0 / 3);
+  if (!(aspect > 0)) document.fail(perspective, "aspect_ratio must be above 0; mend it");
+  if (!x && !y) document.fail(perspective, "<perspective> has no xfov; add it, in degrees");
+  camera.hfov_deg = x ? *x : fov_from(half_tangent(*y) * aspect);
+  camera.vfov_deg = y ? *y : fov_from(half_tangent(*x) / aspect);
+  if (!(camera.hfov_deg > 0 && camera.hfov_deg < 180 && camera.vfov_deg > 0 &&
+        camera.vfov_deg < 180)) {
+    document.fail(perspective, "the fields of view leave (0, 180) degrees; mend the aspect_ratio");
+  }
+  camera.near_clip = optional_number(document, perspective, "znear").value_or(0);
+  camera.far_clip = optional_number(document, perspective, "zfar").value_or(kInfinity);
+  if (!(camera.near_clip >= 0 && camera.near_clip < camera.far_clip)) {
+    document.fail(perspective, "znear and zfar must satisfy 0 <= znear < zfar; mend them");
+  }
+}
+
+// The frame keeps the direction in which the camera looks; its up is turned to a right angle.
+Frame camera_frame(const ColladaDocument& document, const Instance& instance,
+                   std::vector<std::string>& notes) {
+  const Vec3 backwards = instance.to_world.z;
+  if (!std::isnormal(length_squared(backwards))) {
+    document.fail(*instance.node, "camera " + label(*instance.node) +
+                                      " looks nowhere: its z axis has no length; mend its matrix");
+  }
+  const Vec3 z = normalize(backwards);
+  Vec3 right = cross(instance.to_world.y, z);
+  if (!(length(right) > 1e-6 * length(instance.to_world.y))) {
+    notes.push_back("camera " + label(*instance.node) +
+                    " has no up direction of its own: y is up.");
+    right = cross(Vec3{0, 1, 0}, z);
+    if (!(length(right) > 1e-6)) right = {1, 0, 0};
+  }
+  const Vec3 x = normalize(right);
+  return {x, cross(z, x), z};
+}
+
+}  // namespace
+
+std::optional<FileCamera> read_camera(const ColladaDocument& document,
+                                      const std::vector<Instance>& cameras,
+                                      std::vector<std::string>& notes) {
+  std::optional<FileCamera> last;
+  int perspectives = 0;
+  for (const Instance& instance : cameras) {
+    const XMLElement& element = document.resolve(*instance.element, "url", "camera");
+    const XMLElement& common =
+        document.child(document.child(element, "optics"), "technique_common");
+    const XMLElement* perspective = common.FirstChildElement("perspective");
+    if (perspective == nullptr) {
+      notes.push_back("camera " + label(element) + " has no perspective and is ignored.");
+      continue;
+    }
+    FileCamera camera;
+    camera.position = instance.to_world.translation;
+    camera.camera_to_world = camera_frame(document, instance, notes);
+    read_fields(document, *perspective, camera);
+    last = camera;
+    ++perspectives;
+  }
+  if (perspectives > 1) {
+    notes.push_back("the file has " + std::to_string(perspectives) +
+                    " cameras: the last is taken.");
+  }
+  return last;
+}
+
+}  // namespace pt

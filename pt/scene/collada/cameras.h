@@ -1,0 +1,18 @@
+#pragma once
+
+#include "pt/scene/collada/nodes.h"
+#include "pt/scene/load_collada.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// The last camera of the scene; nothing where there is none that has a perspective. What was
+// ignored or corrected is added to notes.
+std::optional<FileCamera> read_camera(const ColladaDocument& document,
+                                      const std::vector<Instance>& cameras,
+                                      std::vector<std::string>& notes);
+
+}  // namespace pt

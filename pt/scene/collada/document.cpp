@@ -1,0 +1,174 @@
+#include "pt/scene/collada/document.h"
+
+#include "pt/error.h"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include <tinyxml2.h>
+
+namespace pt {
+
+namespace {
+
+// A mesh of a million triangles needs about 80 MB. Markup costs far more memory than its length in
+// the file, so that it has a limit of its own.
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
+constexpr std::ptrdiff_t kMaxMarkup = 2'000'000;
+constexpr std::size_t kHeadBytes = 64 * 1024;
+
+bool is_course_profile(const XMLElement& technique) {
+  const char* profile = technique.Attribute("profile");
+  return profile != nullptr &&
+         (std::strcmp(profile, "CGL") == 0 || std::strcmp(profile, "CMU462") == 0);
+}
+
+// Checks what can be checked before reading, then reads; what is not COLLADA is told from its
+// beginning, so that a large file of something else costs nothing.
+std::string read_file(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw Error(name + ": no such file; check the path");
+  if (std::filesystem::is_directory(status)) {
+    throw Error(name + ": is a directory; name a .dae file in it");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw Error(name + ": is not a regular file; name a .dae file");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw Error(name + ": cannot be read (" + error.message() + "); check the path");
+  if (size == 0) throw Error(name + ": is empty; export the scene again");
+  if (size > kMaxBytes) throw Error(name + ": is larger than 512 MiB; split the scene");
+
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw Error(name + ": cannot be opened; check its permissions");
+  std::string text(std::min<std::size_t>(size, kHeadBytes), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (text.find("<COLLADA") == std::string::npos) {
+    throw Error(name +
+                ":1: is no COLLADA file (no <COLLADA> near its beginning); name a .dae file");
+  }
+  const std::size_t head = text.size();
+  text.resize(size);
+  in.read(text.data() + head, static_cast<std::streamsize>(size - head));
+  if (size > head && !in) throw Error(name + ": cannot be read to its end; copy it again");
+  return text;
+}
+
+}  // namespace
+
+ColladaDocument::ColladaDocument(const std::filesystem::path& file)
+    : file_(file.string()), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
+  parse(read_file(file));
+  root_ = xml_->RootElement();
+  if (root_ == nullptr || std::strcmp(root_->Name(), "COLLADA") != 0) {
+    throw Error(file_ + ":1: the outermost element is not <COLLADA>; name a .dae file");
+  }
+  index(*root_);
+}
+
+ColladaDocument::~ColladaDocument() = default;
+
+void ColladaDocument::parse(const std::string& text) {
+  if (text.find('\0') != std::string::npos) {
+    throw Error(file_ + ": holds a zero byte, so it is no text; export the scene again");
+  }
+  if (std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; }) >
+      kMaxMarkup) {
+    throw Error(file_ + ": has more than two million tags and attributes; split the scene");
+  }
+  const tinyxml2::XMLError error = xml_->Parse(text.data(), text.size());
+  if (error == tinyxml2::XML_SUCCESS) return;
+  const std::string where = file_ + ":" + std::to_string(xml_->ErrorLineNum()) + ": ";
+  if (error == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
+    throw Error(where + "elements are nested too deep; flatten the scene");
+  }
+  throw Error(where + "the XML is malformed (" + tinyxml2::XMLDocument::ErrorIDToName(error) +
+              "); mend it there, or copy the file again if it was cut off");
+}
+
+void ColladaDocument::index(const XMLElement& element) {
+  if (const char* id = element.Attribute("id")) {
+    const auto [other, is_new] = by_id_.emplace(std::string(element.Name()) + "#" + id, &element);
+    if (!is_new) {
+      fail(element, std::string("<") + element.Name() + "> has the id " + quoted(id) + " of line " +
+                        std::to_string(other->second->GetLineNum()) + "; give each its own");
+    }
+  }
+  if (std::strcmp(element.Name(), "technique") == 0 && is_course_profile(element)) {
+    has_course_profile_ = true;
+  }
+  for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    index(*child);
+  }
+}
+
+void ColladaDocument::fail(const XMLElement& at, const std::string& what) const {
+  throw Error(file_ + ":" + std::to_string(at.GetLineNum()) + ": " + what);
+}
+
+const XMLElement& ColladaDocument::child(const XMLElement& parent, const char* name) const {
+  const XMLElement* found = parent.FirstChildElement(name);
+  if (found == nullptr) {
+    fail(parent, std::string("<") + parent.Name() + "> has no <" + name + ">; add one");
+  }
+  return *found;
+}
+
+std::string_view ColladaDocument::attribute(const XMLElement& element, const char* name) const {
+  const char* value = element.Attribute(name);
+  if (value == nullptr) {
+    fail(element, std::string("<") + element.Name() + "> has no attribute " + name + "; add it");
+  }
+  return value;
+}
+
+const XMLElement* ColladaDocument::find(std::string_view url, const char* kind) const {
+  if (url.empty() || url.front() != '#') return nullptr;
+  const auto found = by_id_.find(std::string(kind) + std::string(url));
+  return found == by_id_.end() ? nullptr : found->second;
+}
+
+const XMLElement& ColladaDocument::resolve(const XMLElement& from, const char* name,
+                                           const char* kind) const {
+  const std::string_view url = attribute(from, name);
+  const XMLElement* found = find(url, kind);
+  if (found == nullptr) {
+    fail(from, std::string("there is no <") + kind + "> with the id that " + quoted(url) +
+                   " names; define it in this file or mend the " + name);
+  }
+  return *found;
+}
+
+const XMLElement* course_child(const XMLElement& element, const char* name) {
+  for (const XMLElement* extra = element.FirstChildElement("extra"); extra != nullptr;
+       extra = extra->NextSiblingElement("extra")) {
+    for (const XMLElement* technique = extra->FirstChildElement("technique"); technique != nullptr;
+         technique = technique->NextSiblingElement("technique")) {
+      if (!is_course_profile(*technique)) continue;
+      if (const XMLElement* found = technique->FirstChildElement(*name ? name : nullptr)) {
+        return found;
+      }
+    }
+  }
+  return nullptr;
+}
+
+std::string label(const XMLElement& element) {
+  const char* name = element.Attribute("name");
+  if (name == nullptr || *name == '\0') name = element.Attribute("id");
+  return quoted(name == nullptr ? "" : name);
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  std::string out = "'";
+  for (const char c : text.substr(0, kLongest)) out += c >= ' ' && c <= '~' ? c : '?';
+  return out + (text.size() > kLongest ? "...'" : "'");
+}
+
+}  // namespace pt

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "pt/geometry/sphere.h"
+#include "pt/geometry/triangle.h"
+#include "pt/scene/light.h"
+
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// A surface that emits, as the light that it is: two triangles that form a parallelogram are a
+// RectangleLight, other meshes a MeshLight, a sphere a SphereLight.
+struct Emitter {
+  Light light;
+  std::string name;  // in quotes
+  Vec3 center;       // of its area
+  Vec3 n;            // unit, on the side that emits, if all of it lies in one plane; else zero
+  double size = 0;   // from one end to the other
+};
+
+// The triangles have an area and world-space corners; each emits on its geometric normal's side.
+Emitter mesh_emitter(const std::vector<Triangle>& triangles, Rgb radiance, const std::string& name);
+Emitter sphere_emitter(const Sphere& sphere, Rgb radiance, const std::string& name);
+
+}  // namespace pt

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "pt/math/vec3.h"
+#include "pt/scene/collada/document.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// A triangle as the file states it, in the geometry's own space: normals of any length, zero where
+// there are none.
+struct FileTriangle {
+  Vec3 p[3];
+  Vec3 n[3];
+};
+
+// The faces of one <polylist>, <triangles> or <polygons>, in their order, as fans of triangles.
+struct MeshPart {
+  std::string material_symbol;  // empty where the file has none
+  std::vector<FileTriangle> triangles;
+};
+
+// A mesh, or a sphere around the origin.
+struct ColladaGeometry {
+  std::vector<MeshPart> parts;
+  std::optional<double> sphere_radius;
+  std::vector<std::string> notes;
+};
+
+ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement& geometry);
+
+}  // namespace pt

@@ -1,0 +1,83 @@
+#include "pt/scene/collada/lights.h"
+
+#include "pt/scene/collada/numbers.h"
+
+#include <cmath>
+#include <optional>
+
+#include <tinyxml2.h>
+
+namespace pt {
+
+namespace {
+
+// <area>, <point>, ... : from the course's technique, else from technique_common.
+const XMLElement& kind_element(const ColladaDocument& document, const XMLElement& light) {
+  if (const XMLElement* course = course_child(light, "")) return *course;
+  const XMLElement& common = document.child(light, "technique_common");
+  const XMLElement* kind = common.FirstChildElement();
+  if (kind == nullptr) document.fail(common, "light " + label(light) + " has no kind; write one");
+  return *kind;
+}
+
+// In its own frame a light stands at the origin and shines along -z with y up; the sides of an area
+// light are the images of y and of y x (-z) = -x.
+RectangleLight area_light(const ColladaDocument& document, const Instance& instance, Rgb color) {
+  const Transform& map = instance.to_world;
+  const Vec3 u = map.direction({0, 1, 0});
+  const Vec3 v = map.direction({-1, 0, 0});
+  const Vec3 normal = cross(u, v);
+  const Vec3 ahead = map.direction({0, 0, -1});
+  if (!std::isnormal(length_squared(normal)) || !(dot(normal, ahead) != 0)) {
+    document.fail(*instance.node, "area light " + label(*instance.node) +
+                                      " has no area or no side to shine to; mend its matrix");
+  }
+  const Vec3 n = normalize(normal);
+  return {map.translation, u, v, dot(n, ahead) < 0 ? -n : n, color};
+}
+
+DirectionalLight directional_light(const ColladaDocument& document, const Instance& instance,
+                                   Rgb color) {
+  const Vec3 ahead = instance.to_world.direction({0, 0, -1});
+  if (!std::isnormal(length_squared(ahead))) {
+    document.fail(*instance.node, "directional light " + label(*instance.node) +
+                                      " has no direction; mend its matrix");
+  }
+  return {normalize(ahead), color};
+}
+
+}  // namespace
+
+LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances) {
+  LightNodes lights;
+  for (const Instance& instance : instances) {
+    const XMLElement& element = document.resolve(*instance.element, "url", "light");
+    const XMLElement& kind_of = kind_element(document, element);
+    const std::string_view kind = kind_of.Name();
+    const std::string name = label(*instance.node);
+    if (kind == "spot") {
+      lights.unsupported.push_back("spot light " + name);
+      lights.notes.push_back("spot light " + name + " is outside the model and left out.");
+      continue;
+    }
+    const Rgb color = read_color(document, document.child(kind_of, "color"));
+    std::optional<Light> light;
+    if (kind == "area") light = area_light(document, instance, color);
+    if (kind == "point") light = PointLight{instance.to_world.translation, color};
+    if (kind == "directional") light = directional_light(document, instance, color);
+    if (kind == "ambient") light = AmbientLight{color};
+    if (!light) {
+      document.fail(kind_of, "<" + std::string(kind) +
+                                 "> is no kind of light; write area, point, "
+                                 "directional or ambient");
+    }
+    if (is_black(color)) {
+      lights.notes.push_back("light " + name + " is black and left out.");
+      continue;
+    }
+    lights.nodes.push_back({*light, name, instance.to_world.translation});
+  }
+  return lights;
+}
+
+}  // namespace pt

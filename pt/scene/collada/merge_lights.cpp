@@ -1,0 +1,91 @@
+#include "pt/scene/collada/lights.h"
+#include "pt/scene/collada/numbers.h"
+
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+constexpr double kCenterTolerance = 0.05;  // of the surface's size
+constexpr double kPlaneTolerance = 1e-3;   // the same, for a point light
+constexpr double kParallel = 0.99;         // cosine
+
+bool coincide(const LightNode& node, const Emitter& emitter) {
+  const Vec3 offset = node.position - emitter.center;
+  if (!(length(offset) <= kCenterTolerance * emitter.size) || emitter.n == Vec3{}) return false;
+  if (const auto* area = std::get_if<RectangleLight>(&node.light)) {
+    return std::abs(dot(area->n, emitter.n)) > kParallel;
+  }
+  return std::holds_alternative<PointLight>(node.light) &&
+         std::abs(dot(offset, emitter.n)) <= kPlaneTolerance * emitter.size;
+}
+
+// "0.8 x 0 x 0.6": how far a rectangle reaches along x, y and z.
+std::string reach(const RectangleLight& light) {
+  const auto along = [&](int axis) {
+    const double length_of = std::abs(light.u[axis]) + std::abs(light.v[axis]);
+    const bool is_noise = length_of < 1e-5 * (max_abs(light.u) + max_abs(light.v));
+    return shown(is_noise ? 0 : length_of);
+  };
+  return along(0) + " x " + along(1) + " x " + along(2);
+}
+
+Rgb radiance(const Light& light) {
+  if (const auto* rectangle = std::get_if<RectangleLight>(&light)) return rectangle->radiance;
+  return std::get<MeshLight>(light).radiance;
+}
+
+// Whether two rectangles are the same but for rounding: sides compared as they lie in space.
+bool same_sides(const RectangleLight& a, const RectangleLight& b) {
+  const auto parallel = [](Vec3 p, Vec3 q) {
+    const double tolerance = 1e-3 * length(q);
+    return length(p - q) <= tolerance || length(p + q) <= tolerance;
+  };
+  return (parallel(a.u, b.u) && parallel(a.v, b.v)) || (parallel(a.u, b.v) && parallel(a.v, b.u));
+}
+
+// What the light node says that its surface does not; empty where the two agree.
+std::string correction(const LightNode& node, const Emitter& emitter) {
+  const std::string which = "light node " + node.name + " lies on the emitting surface " +
+                            emitter.name + ", which is the light";
+  const auto* area = std::get_if<RectangleLight>(&node.light);
+  if (area == nullptr) return which + ": the point light is left out.";
+  std::string note;
+  const auto* quad = std::get_if<RectangleLight>(&emitter.light);
+  if (quad != nullptr && !same_sides(*area, *quad)) {
+    note += "; the node's " + reach(*area) + " along x, y, z gives way to " + reach(*quad);
+  }
+  if (!(area->radiance == radiance(emitter.light))) {
+    note += "; its colour " + shown(area->radiance) + " gives way to the radiance " +
+            shown(radiance(emitter.light));
+  }
+  if (dot(area->n, emitter.n) < 0) note += "; it shone to the other side";
+  return note.empty() ? "" : which + note + ".";
+}
+
+const Emitter* find_coinciding(const LightNode& node, const std::vector<Emitter>& emitters) {
+  for (const Emitter& emitter : emitters) {
+    if (coincide(node, emitter)) return &emitter;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+SceneLights merge_lights(const std::vector<Emitter>& emitters,
+                         const std::vector<LightNode>& nodes) {
+  SceneLights merged;
+  for (const Emitter& emitter : emitters) merged.lights.push_back(emitter.light);
+  for (const LightNode& node : nodes) {
+    if (const Emitter* emitter = find_coinciding(node, emitters)) {
+      const std::string note = correction(node, *emitter);
+      if (!note.empty()) merged.notes.push_back(note);
+    } else {
+      merged.lights.push_back(node.light);
+    }
+  }
+  return merged;
+}
+
+}  // namespace pt

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "pt/math/transform.h"
+#include "pt/scene/collada/document.h"
+
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// One <instance_...> of the visual scene and where its node puts it.
+struct Instance {
+  const XMLElement* element = nullptr;
+  const XMLElement* node = nullptr;
+  Transform to_world;
+};
+
+struct Instances {
+  std::vector<Instance> geometries;
+  std::vector<Instance> lights;
+  std::vector<Instance> cameras;
+  std::vector<std::string> notes;
+};
+
+// All that the file's visual scene shows, nested and instanced nodes unfolded, in document order.
+Instances read_nodes(const ColladaDocument& document);
+
+}  // namespace pt

@@ -1,0 +1,115 @@
+#include "pt/scene/collada/numbers.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include <tinyxml2.h>
+
+namespace pt {
+
+namespace {
+
+bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
+std::string tag(const XMLElement& element) { return std::string("<") + element.Name() + ">"; }
+
+// The text of an element that holds nothing else: a comment in the middle would hide the rest.
+std::string_view only_text(const ColladaDocument& document, const XMLElement& element) {
+  const tinyxml2::XMLNode* first = element.FirstChild();
+  if (first == nullptr) return {};
+  if (first->ToText() == nullptr || first->NextSibling() != nullptr) {
+    document.fail(element, tag(element) + " holds more than numbers; leave only these");
+  }
+  return first->Value();
+}
+
+const char* end_of_word(const char* begin, const char* end) {
+  while (begin != end && !is_space(*begin)) ++begin;
+  return begin;
+}
+
+template <class Number>
+std::vector<Number> read_list(const ColladaDocument& document, const XMLElement& element,
+                              const char* kind) {
+  const std::string_view text = only_text(document, element);
+  std::vector<Number> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    while (at != end && is_space(*at)) ++at;
+    if (at == end) return numbers;
+    const char* const word = at;
+    if (*at == '+') ++at;
+    Number number{};
+    const auto [rest, error] = std::from_chars(at, end, number);
+    const bool whole = error == std::errc{} && (rest == end || is_space(*rest));
+    if (!whole || !std::isfinite(static_cast<double>(number))) {
+      const std::string_view shown_word(word, end_of_word(word, end) - word);
+      document.fail(element,
+                    quoted(shown_word) + " in " + tag(element) + " is no " + kind + "; write one");
+    }
+    numbers.push_back(number);
+    at = rest;
+  }
+}
+
+}  // namespace
+
+std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element) {
+  return read_list<double>(document, element, "finite number");
+}
+
+std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element,
+                                 std::size_t count) {
+  std::vector<double> numbers = read_numbers(document, element);
+  if (numbers.size() != count) {
+    document.fail(element, tag(element) + " holds " + std::to_string(numbers.size()) +
+                               " numbers; write " + std::to_string(count));
+  }
+  return numbers;
+}
+
+std::vector<int> read_integers(const ColladaDocument& document, const XMLElement& element) {
+  return read_list<int>(document, element, "integer");
+}
+
+double read_number(const ColladaDocument& document, const XMLElement& element) {
+  return read_numbers(document, element, 1)[0];
+}
+
+Rgb read_color(const ColladaDocument& document, const XMLElement& element) {
+  const std::vector<double> c = read_numbers(document, element);
+  if (c.size() != 3 && c.size() != 4) {
+    document.fail(element, tag(element) + " holds " + std::to_string(c.size()) +
+                               " numbers; write red, green and blue");
+  }
+  if (!(c[0] >= 0 && c[1] >= 0 && c[2] >= 0)) {
+    document.fail(element, tag(element) + " is negative; write numbers from 0 up");
+  }
+  return {c[0], c[1], c[2]};
+}
+
+std::optional<std::size_t> read_count(const ColladaDocument& document, const XMLElement& element,
+                                      const char* attribute) {
+  const char* text = element.Attribute(attribute);
+  if (text == nullptr) return std::nullopt;
+  const std::string_view digits(text);
+  unsigned int value = 0;
+  const auto [rest, error] = std::from_chars(text, text + digits.size(), value);
+  if (error != std::errc{} || rest != text + digits.size()) {
+    document.fail(element, std::string(attribute) + "=" + quoted(digits) + " of " + tag(element) +
+                               " is no count; write an integer from 0 up");
+  }
+  return value;
+}
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string shown(Rgb c) { return shown(c.r) + " " + shown(c.g) + " " + shown(c.b); }
+
+}  // namespace pt

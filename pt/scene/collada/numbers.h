@@ -1,0 +1,33 @@
+#pragma once
+
+#include "pt/math/rgb.h"
+#include "pt/math/vec3.h"
+#include "pt/scene/collada/document.h"
+
+#include <optional>
+#include <vector>
+
+namespace pt {
+
+// The numbers that stand in elements, separated by white space. All throw Error, with the element's
+// line, for text that is no number, for numbers that are not finite, and for too few or too many.
+
+std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element);
+std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element,
+                                 std::size_t count);
+std::vector<int> read_integers(const ColladaDocument& document, const XMLElement& element);
+
+double read_number(const ColladaDocument& document, const XMLElement& element);
+
+// Three numbers or four, of which the fourth (alpha) is ignored; none negative.
+Rgb read_color(const ColladaDocument& document, const XMLElement& element);
+
+// An attribute that holds an integer >= 0; nothing where it is missing.
+std::optional<std::size_t> read_count(const ColladaDocument& document, const XMLElement& element,
+                                      const char* attribute);
+
+// A number as a message shows it: 0.8, 10, 1e-07; and three of them.
+std::string shown(double value);
+std::string shown(Rgb color);
+
+}  // namespace pt

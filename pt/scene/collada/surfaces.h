@@ -1,0 +1,27 @@
+#pragma once
+
+#include "pt/scene/collada/emitters.h"
+#include "pt/scene/collada/nodes.h"
+#include "pt/scene/load_collada.h"
+
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// All surfaces in world space, and those of them that emit.
+struct Surfaces {
+  Primitives primitives;
+  std::vector<int> material_of;
+  std::vector<Material> materials;
+  std::vector<Emitter> emitters;
+  std::vector<std::string> notes;
+};
+
+// Winding orders are kept by maps that do not mirror and turned by those that do, so that a
+// geometric normal stays on the side of the surface on which the file has it. Triangles without an
+// area are left out.
+Surfaces read_surfaces(const ColladaDocument& document, const std::vector<Instance>& geometries,
+                       const LoadOptions& options);
+
+}  // namespace pt

@@ -1,0 +1,83 @@
+#include "pt/scene/collada/transforms.h"
+
+#include "pt/scene/collada/numbers.h"
+
+#include <cmath>
+
+#include <tinyxml2.h>
+
+namespace pt {
+
+namespace {
+
+Vec3 read_vec3(const ColladaDocument& document, const XMLElement& element) {
+  const std::vector<double> v = read_numbers(document, element, 3);
+  return {v[0], v[1], v[2]};
+}
+
+// Row-major, the last row 0 0 0 1. A camera's may lack its last number (one of the course's files
+// does, and then its rows have slipped, so that the last row says nothing).
+Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix, bool holds_camera,
+                      std::vector<std::string>& notes) {
+  std::vector<double> m = read_numbers(document, matrix);
+  if (m.size() == 15 && holds_camera) {
+    notes.push_back("the camera's matrix has 15 numbers: a 1 is added as the 16th.");
+    m.push_back(1);
+  } else if (m.size() != 16) {
+    document.fail(matrix, "<matrix> holds " + std::to_string(m.size()) + " numbers; write 16");
+  } else if (!(m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1)) {
+    document.fail(matrix,
+                  "the last row of <matrix> is not 0 0 0 1; write an affine map, row by row");
+  }
+  return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}, {m[3], m[7], m[11]}};
+}
+
+// About an axis by an angle in degrees, anticlockwise seen from the axis' tip (Rodrigues, 1840).
+Transform read_rotate(const ColladaDocument& document, const XMLElement& rotate) {
+  const std::vector<double> r = read_numbers(document, rotate, 4);
+  const Vec3 axis{r[0], r[1], r[2]};
+  const double squared = length_squared(axis);
+  if (!std::isnormal(squared)) {
+    document.fail(rotate, "<rotate> has an axis without a direction; write one of length 1");
+  }
+  const Vec3 k = axis / std::sqrt(squared);
+  const double angle = r[3] * (kPi / 180);
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto turned = [&](Vec3 v) { return c * v + s * cross(k, v) + (1 - c) * dot(k, v) * k; };
+  return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1}), {}};
+}
+
+}  // namespace
+
+Transform node_transform(const ColladaDocument& document, const XMLElement& node,
+                         std::vector<std::string>& notes) {
+  const bool holds_camera = node.FirstChildElement("instance_camera") != nullptr;
+  Transform map;
+  for (const XMLElement* step = node.FirstChildElement(); step != nullptr;
+       step = step->NextSiblingElement()) {
+    const std::string_view kind = step->Name();
+    if (kind == "matrix") {
+      map = map * read_matrix(document, *step, holds_camera, notes);
+    } else if (kind == "translate") {
+      map = map * Transform{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, read_vec3(document, *step)};
+    } else if (kind == "rotate") {
+      map = map * read_rotate(document, *step);
+    } else if (kind == "scale") {
+      const Vec3 s = read_vec3(document, *step);
+      map = map * Transform{{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}, {}};
+    } else if (kind == "lookat" || kind == "skew") {
+      document.fail(*step, "<" + std::string(kind) + "> cannot be read; write a <matrix>");
+    }
+  }
+  return map;
+}
+
+void check_finite(const ColladaDocument& document, const XMLElement& at, const Transform& map) {
+  for (const Vec3 v : {map.x, map.y, map.z, map.translation}) {
+    if (!(is_finite(v) && max_abs(v) <= kMaxCoordinate)) {
+      document.fail(at, "node " + label(at) + " is placed with numbers beyond 1e30; scale it down");
+    }
+  }
+}
+
+}  // namespace pt

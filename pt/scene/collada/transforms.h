@@ -1,0 +1,23 @@
+#pragma once
+
+#include "pt/math/transform.h"
+#include "pt/scene/collada/document.h"
+
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// The map from a node's space to its parent's: its <matrix>, <translate>, <rotate> and <scale> in
+// document order, so that the last listed acts first on a point. What was corrected is added to
+// notes.
+Transform node_transform(const ColladaDocument& document, const XMLElement& node,
+                         std::vector<std::string>& notes);
+
+// An error if any number of the map is infinite, NaN or beyond what geometry can be computed with.
+void check_finite(const ColladaDocument& document, const XMLElement& at, const Transform& map);
+
+// The largest coordinate a scene may have: its cross products still have finite squares.
+inline constexpr double kMaxCoordinate = 1e30;
+
+}  // namespace pt

@@ -1,0 +1,76 @@
+#include "pt/scene/frame_camera.h"
+
+#include "pt/scene/field_of_view.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+// Half the picture's width and height on a window at distance 1.
+struct Window {
+  double x, y;
+};
+
+Window file_window(const FileCamera& camera) {
+  return {half_tangent(camera.hfov_deg), half_tangent(camera.vfov_deg)};
+}
+
+// The smallest window of that aspect ratio around the given one.
+Window widen(Window window, double aspect) {
+  const double y = std::max(window.y, window.x / aspect);
+  return {y * aspect, y};
+}
+
+Window course_window(const FileCamera& camera, int width, int height) {
+  constexpr double kScreenHeight = 600;
+  const double distance = kScreenHeight / (2 * widen(file_window(camera), 4.0 / 3).y);
+  return {width / (2 * distance), height / (2 * distance)};
+}
+
+FileCamera default_camera() {
+  FileCamera camera;
+  camera.hfov_deg = 49.13434;
+  camera.vfov_deg = fov_from(half_tangent(camera.hfov_deg) * 3 / 4);
+  return camera;
+}
+
+// z from the target towards the eye; y up as far as it can be.
+Frame upright_frame(const FileCamera& camera) {
+  const Vec3 z = camera.camera_to_world.z;
+  const Vec3 right = cross({0, 1, 0}, z);
+  if (!(length(right) > 1e-6)) return camera.camera_to_world;
+  const Vec3 x = normalize(right);
+  return {x, cross(z, x), z};
+}
+
+}  // namespace
+
+Camera frame_camera(const LoadedScene& loaded, Framing framing, int width, int height) {
+  assert(width > 0 && height > 0);
+  const FileCamera from = loaded.camera.value_or(default_camera());
+  if (!loaded.camera) framing = Framing::fit;
+
+  const Window window = framing == Framing::course
+                            ? course_window(from, width, height)
+                            : widen(file_window(from), static_cast<double>(width) / height);
+  Camera camera;
+  camera.hfov_deg = fov_from(window.x);
+  camera.vfov_deg = fov_from(window.y);
+  if (framing == Framing::file) {
+    camera.position = from.position;
+    camera.camera_to_world = from.camera_to_world;
+    camera.near_clip = from.near_clip;
+    camera.far_clip = from.far_clip;
+    return camera;
+  }
+  const Box box = bounds(loaded.scene.primitives);
+  camera.camera_to_world = upright_frame(from);
+  camera.position = box.center() + 1.5 * length(box.extent()) * camera.camera_to_world.z;
+  return camera;
+}
+
+}  // namespace pt

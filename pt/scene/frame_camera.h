@@ -1,0 +1,23 @@
+#pragma once
+
+#include "pt/scene/camera.h"
+#include "pt/scene/load_collada.h"
+
+namespace pt {
+
+// Where the camera of a picture stands and how much it sees.
+//   course  the course's rule, for laying our pictures beside theirs: only the direction is the
+//           file's. The camera looks at the centre of the scene's bounding box from 1.5 times the
+//           box's diagonal, y up. The fields of view are widened to 4:3 (the narrower grows); then
+//           a picture of 600 pixels height shows them whole and any other a window of it, pixel for
+//           pixel.
+//   fit     stands there too, and shows the file's whole field at the picture's shape.
+//   file    the file's own position, frame and clip range, and its whole field.
+// All pixels are square. A scene without a camera is seen from +z with the field of view of
+// Blender's first camera (49.13 degrees, 4:3), whole, whatever the framing.
+enum class Framing { course, fit, file };
+
+// width and height in pixels, > 0.
+Camera frame_camera(const LoadedScene& loaded, Framing framing, int width, int height);
+
+}  // namespace pt

@@ -1,0 +1,66 @@
+#include "pt/scene/load_collada.h"
+
+#include "pt/error.h"
+#include "pt/scene/collada/cameras.h"
+#include "pt/scene/collada/lights.h"
+#include "pt/scene/collada/nodes.h"
+#include "pt/scene/collada/surfaces.h"
+
+#include <unordered_set>
+#include <utility>
+
+namespace pt {
+
+namespace {
+
+// A node that is instanced often has the same to say every time.
+void append_new(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  std::unordered_set<std::string> known(notes.begin(), notes.end());
+  for (const std::string& note : more) {
+    if (known.insert(note).second) notes.push_back(note);
+  }
+}
+
+}  // namespace
+
+LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& options) {
+  const ColladaDocument document(file);
+  Instances instances = read_nodes(document);
+  LoadedScene loaded;
+  loaded.course_profile = document.has_course_profile();
+  loaded.camera = read_camera(document, instances.cameras, instances.notes);
+  append_new(loaded.notes, instances.notes);
+
+  Surfaces surfaces = read_surfaces(document, instances.geometries, options);
+  if (surfaces.primitives.size() == 0) {
+    document.fail(document.root(), "the scene shows no surface; put an <instance_geometry> in it");
+  }
+  LightNodes nodes = read_lights(document, instances.lights);
+  SceneLights lights = merge_lights(surfaces.emitters, nodes.nodes);
+  append_new(loaded.notes, surfaces.notes);
+  append_new(loaded.notes, nodes.notes);
+  append_new(loaded.notes, lights.notes);
+
+  loaded.scene.primitives = std::move(surfaces.primitives);
+  loaded.scene.material_of = std::move(surfaces.material_of);
+  loaded.scene.materials = std::move(surfaces.materials);
+  loaded.scene.lights = std::move(lights.lights);
+  loaded.unsupported_lights = std::move(nodes.unsupported);
+  return loaded;
+}
+
+void require_supported(const LoadedScene& loaded, const std::filesystem::path& file) {
+  for (const Material& material : loaded.scene.materials) {
+    if (material.unsupported.empty()) continue;
+    throw Error(file.string() + ": material '" + material.name + "' is a " + material.unsupported +
+                " material, which light transport here does not model; show the normals, or treat "
+                "it as diffuse with --lambertian");
+  }
+  for (const std::string& light : loaded.unsupported_lights) {
+    throw Error(file.string() + ": " + light +
+                " is a kind that light transport here does not model; make it a point or area "
+                "light, or show the normals");
+  }
+}
+
+}  // namespace pt

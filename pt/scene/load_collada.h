@@ -1,0 +1,47 @@
+#pragma once
+
+#include "pt/math/frame.h"
+#include "pt/scene/scene.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// A camera as the file has it, in world space: the frame has x to the right, y up and z backwards.
+struct FileCamera {
+  Vec3 position;
+  Frame camera_to_world;
+  double hfov_deg = 50;  // whole angles, in (0, 180)
+  double vfov_deg = 38;
+  double near_clip = 0;
+  double far_clip = kInfinity;
+};
+
+struct LoadOptions {
+  bool lambertian = false;  // treat materials outside the model as albedo 0.5, and say so in notes
+};
+
+struct LoadedScene {
+  Scene scene;  // complete but for the tracer, which is not built
+  std::optional<FileCamera> camera;
+  bool course_profile = false;  // the file has the course's own data (profile CGL or CMU462)
+  std::vector<std::string> unsupported_lights;  // "spot light 'Lamp'": what no Light can stand for
+  std::vector<std::string> notes;               // what was corrected or ignored, a sentence each
+};
+
+// Reads a COLLADA 1.4.1 file; the dialect, and the answer to each of its traps, is in
+// docs/scenes.md. The scene has at least one surface; its normals are unit, its triangles have an
+// area, its numbers are finite.
+//
+// Throws Error, "file:line: what is wrong; what to do", for anything it cannot read. A material or
+// a light outside the model is no error here: its scene can still be shown by its normals.
+LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& options = {});
+
+// Throws Error, naming file and material or light, if the scene holds any that the model of light
+// transport has no place for. To be called before anything but normals is rendered.
+void require_supported(const LoadedScene& loaded, const std::filesystem::path& file);
+
+}  // namespace pt

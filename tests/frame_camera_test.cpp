@@ -1,0 +1,101 @@
+#include "pt/scene/frame_camera.h"
+
+#include "collada_text.h"
+
+namespace pt {
+namespace {
+
+// A box of the course's size, 2 x 1.5 x 2, standing on the origin, and its camera.
+LoadedScene box(double aspect) {
+  LoadedScene loaded;
+  loaded.scene.primitives.triangles = {flat_triangle({-1, 0, -1}, {1, 0, -1}, {1, 1.5, 1})};
+  FileCamera camera;
+  camera.position = {0, 0, 3};
+  camera.hfov_deg = 49.13434;
+  camera.vfov_deg = 2 * std::atan(std::tan(49.13434 / 2 * kPi / 180) / aspect) * 180 / kPi;
+  camera.near_clip = 0.1;
+  camera.far_clip = 100;
+  loaded.camera = camera;
+  return loaded;
+}
+
+// Both of the course's aspect ratios are widened to the same 4:3. The numbers are those of its own
+// pictures, to their last digits.
+TEST(FrameCamera, frames_the_boxes_as_the_course_does) {
+  for (const double aspect : {16.0 / 9, 4.0 / 3}) {
+    const Camera camera = frame_camera(box(aspect), Framing::course, 480, 360);
+    EXPECT_NEAR(camera.hfov_deg, 30.68, 0.01);
+    EXPECT_NEAR(camera.vfov_deg, 23.24, 0.01);
+    expect_near(camera.position, {0, 0.75, 1.5 * std::sqrt(4 + 2.25 + 4)});
+    expect_near(camera.position, {0, 0.75, 4.8023}, 1e-4);
+  }
+}
+
+TEST(FrameCamera, turns_with_the_files_camera_and_keeps_y_up) {
+  LoadedScene loaded = box(4.0 / 3);
+  // Looking along -x, and rolled: its own y is z of the world.
+  loaded.camera->camera_to_world = {{0, -1, 0}, {0, 0, 1}, {-1, 0, 0}};
+  const Camera camera = frame_camera(loaded, Framing::course, 480, 360);
+  expect_near(camera.position, {-1.5 * std::sqrt(10.25), 0.75, 0});
+  expect_near(camera.camera_to_world.y, {0, 1, 0});
+  expect_near(camera.camera_to_world.z, {-1, 0, 0});
+  expect_near(camera.camera_to_world.x, {0, 0, 1});
+}
+
+TEST(FrameCamera, widens_the_narrower_field_to_4_by_3) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.camera->hfov_deg = 20;
+  loaded.camera->vfov_deg = 90;
+  // 800 x 600 is the whole field: tangents 4/3 and 1.
+  const Camera camera = frame_camera(loaded, Framing::course, 800, 600);
+  EXPECT_NEAR(camera.vfov_deg, 90, 1e-12);
+  EXPECT_NEAR(camera.hfov_deg, 2 * std::atan(4.0 / 3) * 180 / kPi, 1e-12);
+}
+
+// The file's field is 90 x 2 atan(1/2), 2:1. In a square picture its width fits; in one of 4:1, its
+// height.
+TEST(FrameCamera, fit_shows_the_whole_field_with_square_pixels) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.camera->hfov_deg = 90;
+  loaded.camera->vfov_deg = 2 * std::atan(0.5) * 180 / kPi;
+  const Camera square = frame_camera(loaded, Framing::fit, 100, 100);
+  EXPECT_NEAR(square.hfov_deg, 90, 1e-12);
+  EXPECT_NEAR(square.vfov_deg, 90, 1e-12);
+  const Camera wide = frame_camera(loaded, Framing::fit, 400, 100);
+  EXPECT_NEAR(wide.hfov_deg, 2 * std::atan(2) * 180 / kPi, 1e-12);
+  EXPECT_NEAR(wide.vfov_deg, 2 * std::atan(0.5) * 180 / kPi, 1e-12);
+  expect_near(wide.position, {0, 0.75, 1.5 * std::sqrt(10.25)});
+}
+
+TEST(FrameCamera, file_stays_where_the_file_puts_it) {
+  LoadedScene loaded = box(4.0 / 3);
+  const Camera camera = frame_camera(loaded, Framing::file, 480, 360);
+  expect_near(camera.position, {0, 0, 3});
+  EXPECT_EQ(camera.near_clip, 0.1);
+  EXPECT_EQ(camera.far_clip, 100);
+  EXPECT_NEAR(camera.hfov_deg, 49.13434, 1e-12);
+  EXPECT_EQ(frame_camera(loaded, Framing::fit, 480, 360).far_clip, kInfinity);
+}
+
+TEST(FrameCamera, sees_a_scene_without_a_camera_from_the_front) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.camera.reset();
+  for (const Framing framing : {Framing::course, Framing::fit, Framing::file}) {
+    const Camera camera = frame_camera(loaded, framing, 480, 360);
+    expect_near(camera.position, {0, 0.75, 1.5 * std::sqrt(10.25)});
+    EXPECT_NEAR(camera.hfov_deg, 49.13434, 1e-12);
+  }
+}
+
+// Straight down, y cannot be up: the file's own frame stands.
+TEST(FrameCamera, may_look_straight_down) {
+  LoadedScene loaded = box(4.0 / 3);
+  const Frame down{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+  loaded.camera->camera_to_world = down;
+  const Camera camera = frame_camera(loaded, Framing::course, 480, 360);
+  expect_near(camera.camera_to_world.y, down.y);
+  expect_near(camera.position, {0, 0.75 + 1.5 * std::sqrt(10.25), 0});
+}
+
+}  // namespace
+}  // namespace pt

@@ -1,0 +1,116 @@
+#include "pt/render/pixel_record.h"
+#include "pt/render/render_film.h"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace pt {
+namespace {
+
+// A floor under a rectangular light, a sphere on it, and a wall that glows with `glow`.
+Scene make_scene(Rgb glow) {
+  Scene scene;
+  scene.primitives.triangles = {
+      flat_triangle({-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}),
+      flat_triangle({-4, 0, -4}, {4, 0, 4}, {4, 0, -4}),
+      flat_triangle({-4, 0, -4}, {4, 0, -4}, {0, 4, -4}),
+  };
+  scene.primitives.spheres = {{{0, 1, 0}, 1}};
+  scene.materials = {{"matt", {.7, .5, .3}, {}, ""}, {"glowing", {.2, .2, .2}, glow, ""}};
+  scene.material_of = {0, 0, 1, 0};
+  scene.lights = {RectangleLight{{0, 5, 1}, {2, 0, 0}, {0, 0, 2}, {0, -1, 0}, {8, 8, 8}}};
+  scene.tracer = Tracer(Engine::task, scene.primitives);
+  return scene;
+}
+
+View make_view(const Scene& scene) {
+  Camera camera;
+  camera.position = {0, 2, 8};
+  PathSettings settings;
+  settings.to = 3;
+  return {scene, camera, settings, 37, 29};
+}
+
+bool same_bits(const Film& a, const Film& b) {
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      const FilmPixel &p = a.at(x, y), &q = b.at(x, y);
+      if (p.mean != q.mean || p.variance != q.variance || p.variance_y != q.variance_y ||
+          p.samples != q.samples) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+TEST(RenderFilm, gives_the_same_bits_for_any_number_of_threads) {
+  const Scene scene = make_scene({1, 2, 3});
+  const View view = make_view(scene);
+  RenderSettings settings{4, {}, 5, 1};
+  for (const bool adaptive : {false, true}) {
+    if (adaptive) settings.adaptive = AdaptiveSettings{64, 8, .1};
+    settings.threads = 1;
+    const RenderResult one = render_film(view, settings);
+    for (const int threads : {2, 7}) {
+      settings.threads = threads;
+      const RenderResult many = render_film(view, settings);
+      EXPECT_TRUE(same_bits(one.film, many.film)) << threads << " threads";
+      EXPECT_EQ(one.rays.closest, many.rays.closest);
+      EXPECT_EQ(one.rays.occluded, many.rays.occluded);
+      EXPECT_EQ(one.tests.boxes, many.tests.boxes);
+    }
+  }
+  settings.seed = 6;
+  EXPECT_FALSE(same_bits(render_film(view, settings).film, render_film(view, {4, {}, 5, 2}).film));
+}
+
+// Sky above the wall is black and constant: no variance at all. The floor is noisy.
+TEST(RenderFilm, records_the_variance_of_the_samples) {
+  const Scene scene = make_scene({1, 2, 3});
+  const RenderResult result = render_film(make_view(scene), {16, {}, 5, 2});
+  const FilmPixel corner = result.film.at(0, 0);
+  EXPECT_EQ(corner.mean, Rgb{});
+  EXPECT_EQ(corner.variance_y, 0);
+  const FilmPixel floor = result.film.at(18, 26);
+  EXPECT_GT(floor.mean.r, 0);
+  EXPECT_GT(floor.variance.r, 0);
+  EXPECT_EQ(floor.samples, 16);
+}
+
+// Of a wall of infinite radiance nothing is left, and its pixels are named.
+TEST(RenderFilm, leaves_out_samples_that_are_not_finite) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Scene scene = make_scene({infinity, 1, 1});
+  const RenderResult result = render_film(make_view(scene), {4, {}, 5, 2});
+  EXPECT_TRUE(result.complete);
+  EXPECT_GT(result.not_finite, 0);
+  ASSERT_TRUE(result.first_bad.has_value());
+  for (int y = 0; y < result.film.height; ++y) {
+    for (int x = 0; x < result.film.width; ++x) {
+      EXPECT_TRUE(is_finite(result.film.at(x, y).mean));
+    }
+  }
+}
+
+TEST(RenderFilm, stops_when_asked_and_says_so) {
+  const Scene scene = make_scene({});
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(render_film(make_view(scene), {4, {}, 5, 2}, {}, &stop).complete);
+}
+
+TEST(RenderFilm, tells_its_progress_up_to_the_end) {
+  const Scene scene = make_scene({});
+  double last = 0;
+  render_film(make_view(scene), {1, {}, 5, 1}, [&](double part) {
+    EXPECT_GE(part, last);
+    last = part;
+  });
+  EXPECT_EQ(last, 1);
+}
+
+}  // namespace
+}  // namespace pt
