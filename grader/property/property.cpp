@@ -1,8 +1,11 @@
 #include "grader/property/property.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -32,11 +35,34 @@ constexpr std::string_view kFields[] = {"what: ", "got: ", "expected: ", "off by
       fmt::format("what: {}\ngot: {}\nexpected: {}\noff by: {}\n", what, got, expected, off_by));
 }
 
+constexpr std::array kCauses{Cause::wrong, Cause::crash, Cause::timeout, Cause::bad_reply,
+                             Cause::not_attempted};
+constexpr std::string_view kCauseField = "cause: ";
+
+// How many smaller inputs to try after a failure: a call that died costs a new process, one that
+// hangs the whole limit.
+int shrink_attempts(Cause cause) {
+  switch (cause) {
+    case Cause::wrong:
+      return std::numeric_limits<int>::max();
+    case Cause::crash:
+    case Cause::bad_reply:
+      return 20;
+    case Cause::timeout:
+      return 1;
+    case Cause::not_attempted:
+      return 0;
+  }
+  return 0;
+}
+
+// Labels stand at the start of a line: what a submission wrote never does.
 std::string field(const std::string& text, std::string_view label) {
-  const std::size_t start = text.find(label);
-  if (start == std::string::npos) return "";
-  const std::size_t begin = start + label.size();
-  return text.substr(begin, text.find('\n', begin) - begin);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(label)) return line.substr(label.size());
+  }
+  return "";
 }
 
 std::uint64_t hash(std::string_view text, std::uint64_t start) {
@@ -45,11 +71,49 @@ std::uint64_t hash(std::string_view text, std::uint64_t start) {
   return h;
 }
 
-// RapidCheck's own listener reads its configuration from the environment and prints it.
-struct Quiet : rc::detail::TestListener {
-  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
-  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
+Cause cause_of(const std::string& text) {
+  const std::string cause = field(text, kCauseField);
+  for (const Cause known : kCauses) {
+    if (cause == name(known)) return known;
+  }
+  return Cause::wrong;
+}
+
+// Ends a search for smaller failures that RapidCheck would go on with for as long as it finds some.
+struct Enough {};
+
+// Follows a property: keeps the smallest failing case, and ends the search for a smaller one after
+// a while. (RapidCheck's own listener reads its configuration from the environment and prints it.)
+class Watcher : public rc::detail::TestListener {
+ public:
+  void onTestCaseFinished(const rc::detail::CaseDescription& tried) override {
+    if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
+    if (tried.result.type != rc::detail::CaseResult::Type::Failure) return;
+    smallest_ = tried;
+    deadline_ = Clock::now() + kShrinkTime;
+    attempts_left_ = shrink_attempts(cause_of(tried.result.description));
+    if (attempts_left_ == 0) throw Enough{};
+  }
+
+  void onShrinkTried(const rc::detail::CaseDescription& tried, bool fails) override {
+    if (fails) {
+      smallest_ = tried;
+      attempts_left_ =
+          std::min(attempts_left_, shrink_attempts(cause_of(tried.result.description)));
+    }
+    if (--attempts_left_ <= 0 || Clock::now() > deadline_) throw Enough{};
+  }
+
   void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+
+  const std::optional<rc::detail::CaseDescription>& smallest() const { return smallest_; }
+  int held() const { return held_; }
+
+ private:
+  std::optional<rc::detail::CaseDescription> smallest_;
+  int held_ = 0;
+  int attempts_left_ = 0;
+  Clock::time_point deadline_;
 };
 
 // RapidCheck gives the type where the generator has no name; names end in a colon (draw). A value
@@ -61,17 +125,17 @@ void add_input(Failure& failure, const std::string& name, const std::string& val
   }
 }
 
-Failure describe(const rc::detail::FailureResult& result, std::uint64_t seed) {
+Failure describe(const rc::detail::CaseDescription& failed, int held) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  Failure failure{test->test_suite_name(), test->name(), {}, "", "", "", "", 0, seed};
-  for (const auto& [name, value] : result.counterExample) add_input(failure, name, value);
-  const std::string& text = result.description;
+  const std::string& text = failed.result.description;
+  Failure failure{test->test_suite_name(), test->name(), {}, "", "", "", "", held, seed(),
+                  cause_of(text)};
+  for (const auto& [name, value] : failed.example()) add_input(failure, name, value);
   failure.what = field(text, kFields[0]);
   failure.got = field(text, kFields[1]);
   failure.expected = field(text, kFields[2]);
   failure.off_by = field(text, kFields[3]);
   if (failure.what.empty() && failure.got.empty()) failure.got = text;
-  failure.cases_before = result.numSuccess;
   return failure;
 }
 
@@ -100,32 +164,44 @@ void for_all(const std::function<void()>& property, int cases) {
   params.seed = hash(std::string(test->test_suite_name()) + "." + test->name(), seed());
   params.maxSuccess = cases;
 
-  // The property library shrinks for as long as it finds smaller failures; after the deadline every
-  // further attempt counts as held, which ends the search.
-  bool failed = false;
-  Clock::time_point deadline;
-  const auto bounded = [&] {
-    if (failed && Clock::now() > deadline) return;
-    try {
-      property();
-    } catch (...) {
-      if (!failed) deadline = Clock::now() + kShrinkTime;
-      failed = true;
-      throw;
-    }
-  };
-  Quiet quiet;
-  const rc::detail::TestResult result = rc::detail::checkProperty(
-      rc::detail::toProperty(bounded), rc::detail::TestMetadata{}, params, quiet, {});
-  if (result.is<rc::detail::SuccessResult>()) return;
-  if (result.is<rc::detail::FailureResult>()) {
-    mutable_failures().push_back(describe(result.get<rc::detail::FailureResult>(), seed()));
-    ADD_FAILURE() << print(mutable_failures().back());
-    return;
+  Watcher watcher;
+  std::string fault;
+  try {
+    const auto result = rc::detail::checkProperty(rc::detail::toProperty(property),
+                                                  rc::detail::TestMetadata{}, params, watcher, {});
+    std::ostringstream text;
+    rc::detail::printResultMessage(result, text);
+    if (!result.is<rc::detail::SuccessResult>()) fault = text.str();
+  } catch (const Enough&) {
   }
-  std::ostringstream text;
-  rc::detail::printResultMessage(result, text);
-  ADD_FAILURE() << "the property itself is at fault: " << text.str();
+  if (watcher.smallest()) {
+    mutable_failures().push_back(describe(*watcher.smallest(), watcher.held()));
+    ADD_FAILURE() << print(mutable_failures().back());
+  } else if (!fault.empty()) {
+    ADD_FAILURE() << "the property itself is at fault: " << fault;
+  }
+}
+
+const char* name(Cause cause) {
+  switch (cause) {
+    case Cause::wrong:
+      return "wrong";
+    case Cause::crash:
+      return "crash";
+    case Cause::timeout:
+      return "timeout";
+    case Cause::bad_reply:
+      return "bad reply";
+    case Cause::not_attempted:
+      return "not attempted";
+  }
+  return "";
+}
+
+void fail_call(Cause cause, const std::string& got) {
+  throw rc::detail::CaseResult(
+      rc::detail::CaseResult::Type::Failure,
+      fmt::format("what: \ngot: {}\nexpected: an answer\n{}{}\n", got, kCauseField, name(cause)));
 }
 
 void expect(bool condition, const std::string& expected, const std::string& got) {

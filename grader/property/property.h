@@ -32,6 +32,17 @@
 
 namespace grader {
 
+// Why a case failed. All but the first are known in graded runs only, where the task runs in
+// another process: the call itself came to nothing.
+enum class Cause {
+  wrong,          // the answer is not what was promised
+  crash,          // the process died, or the task threw
+  timeout,        // no answer within the limit
+  bad_reply,      // an answer that no implementation of the contract can give
+  not_attempted,  // the task calls todo()
+};
+const char* name(Cause cause);
+
 // A failed promise, as every report shows it. All texts are for a person to read.
 struct Failure {
   std::string task;
@@ -43,6 +54,7 @@ struct Failure {
   std::string off_by;      // empty where there is no number
   int cases_before = 0;    // how many cases held first
   std::uint64_t seed = 0;  // replays it
+  Cause cause = Cause::wrong;
 };
 
 // Runs the property on up to `cases` random inputs, or until one fails, and then looks for a
@@ -69,6 +81,9 @@ void expect_near(const std::string& what, pt::Rgb got, pt::Rgb expected, double 
 
 // got == expected, exactly.
 void expect_equal(const std::string& what, long long got, long long expected);
+
+// Makes the case fail because a call gave no answer; `got` says what it did instead.
+[[noreturn]] void fail_call(Cause cause, const std::string& got);
 
 // The mean of many draws, and how far it may be from what it estimates by chance.
 struct Mean {

@@ -70,4 +70,9 @@ Rgb background(const Scene& scene, Vec3 direction) {
 
 RayCount rays_traced() { return ray_count; }
 
+void count_rays(const RayCount& more) {
+  ray_count.closest += more.closest;
+  ray_count.occluded += more.occluded;
+}
+
 }  // namespace pt

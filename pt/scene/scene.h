@@ -46,4 +46,7 @@ struct RayCount {
 };
 RayCount rays_traced();
 
+// Adds rays that another process traced for this thread.
+void count_rays(const RayCount& more);
+
 }  // namespace pt

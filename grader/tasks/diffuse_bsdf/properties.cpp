@@ -42,8 +42,8 @@ std::vector<Vec3> grid(int heights, int sectors) {
 PROMISE(diffuse_bsdf, f_reflects_the_albedo) {
   for_all(
       [] {
-        const Rgb albedo = *color();
-        const Vec3 wo = *above();
+        const Rgb albedo = draw("albedo", color());
+        const Vec3 wo = draw("wo", above());
         Rgb reflected;
         const std::vector<Vec3> directions = grid(10, 12);
         for (const Vec3 wi : directions) reflected += pt::diffuse_f(albedo, wo, wi) * wi.z;
@@ -56,8 +56,8 @@ PROMISE(diffuse_bsdf, f_reflects_the_albedo) {
 
 PROMISE(diffuse_bsdf, f_is_the_same_for_all_directions) {
   for_all([] {
-    const Rgb albedo = *color();
-    const Vec3 wo = *above(), wi = *above();
+    const Rgb albedo = draw("albedo", color());
+    const Vec3 wo = draw("wo", above()), wi = draw("wi", above());
     expect_near("f, and f along the normal", pt::diffuse_f(albedo, wo, wi),
                 pt::diffuse_f(albedo, {0, 0, 1}, {0, 0, 1}), 1e-12);
   });
@@ -65,8 +65,8 @@ PROMISE(diffuse_bsdf, f_is_the_same_for_all_directions) {
 
 PROMISE(diffuse_bsdf, f_is_zero_across_the_surface) {
   for_all([] {
-    const Rgb albedo = *color(0.25, 1);
-    const Vec3 wo = *above(), wi = *above();
+    const Rgb albedo = draw("albedo", color(0.25, 1));
+    const Vec3 wo = draw("wo", above()), wi = draw("wi", above());
     expect_near("f to below", pt::diffuse_f(albedo, wo, mirrored(wi)), {}, 0);
     expect_near("f from below", pt::diffuse_f(albedo, mirrored(wo), wi), {}, 0);
     expect_near("f with both below, and f with both above",
@@ -78,9 +78,10 @@ PROMISE(diffuse_bsdf, f_is_zero_across_the_surface) {
 PROMISE(diffuse_bsdf, samples_the_side_of_wo) {
   for_all(
       [] {
-        const Rgb albedo = *color();
-        const Vec3 wo = *above();
-        const auto samples = repeat<pt::diffuse_sample>(2000, *sampler_seed(), albedo, wo);
+        const Rgb albedo = draw("albedo", color());
+        const Vec3 wo = draw("wo", above());
+        const auto samples =
+            repeat<pt::diffuse_sample>(2000, draw("seed", sampler_seed()), albedo, wo);
         std::vector<int> found(16);
         for (const pt::BsdfSample& sample : samples) {
           expect_near("the length of wi", length(sample.wi), 1, 1e-9);
@@ -100,9 +101,9 @@ PROMISE(diffuse_bsdf, samples_the_side_of_wo) {
 
 PROMISE(diffuse_bsdf, a_sample_knows_its_own_f_and_pdf) {
   for_all([] {
-    const Rgb albedo = *color();
-    const Vec3 wo = *above();
-    pt::Sampler sampler(*sampler_seed());
+    const Rgb albedo = draw("albedo", color());
+    const Vec3 wo = draw("wo", above());
+    pt::Sampler sampler(draw("seed", sampler_seed()));
     const pt::BsdfSample sample = pt::diffuse_sample(albedo, wo, sampler);
     expect_near("the sample's f, and diffuse_f for its wi", sample.f,
                 pt::diffuse_f(albedo, wo, sample.wi), 1e-12);
@@ -146,9 +147,9 @@ Histogram found_by_sampling(Vec3 wo, std::uint64_t seed) {
 PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
   for_all(
       [] {
-        const Vec3 wo = *above();
+        const Vec3 wo = draw("wo", above());
         const Histogram expected = expected_by_pdf(wo);
-        const Histogram found = found_by_sampling(wo, *sampler_seed());
+        const Histogram found = found_by_sampling(wo, draw("seed", sampler_seed()));
         double chi_square = 0;
         for (std::size_t k = 0; k < found.size(); ++k) {
           const double off = found[k] - expected[k];
@@ -166,7 +167,7 @@ PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
 PROMISE(diffuse_bsdf, pdf_sums_to_one) {
   for_all(
       [] {
-        const Vec3 wo = *above();
+        const Vec3 wo = draw("wo", above());
         double sum = 0;
         const std::vector<Vec3> directions = grid(16, 8);
         for (const Vec3 wi : directions) {
@@ -181,10 +182,11 @@ PROMISE(diffuse_bsdf, pdf_sums_to_one) {
 PROMISE(diffuse_bsdf, samples_estimate_the_albedo) {
   for_all(
       [] {
-        const Rgb albedo = *color();
-        const Vec3 wo = *above();
+        const Rgb albedo = draw("albedo", color());
+        const Vec3 wo = draw("wo", above());
         std::vector<Rgb> reflected;
-        for (const auto& s : repeat<pt::diffuse_sample>(4000, *sampler_seed(), albedo, wo)) {
+        for (const auto& s :
+             repeat<pt::diffuse_sample>(4000, draw("seed", sampler_seed()), albedo, wo)) {
           reflected.push_back(s.f * (s.wi.z / s.pdf));
         }
         expect_mean("f cos(wi) / pdf", mean_of(reflected), albedo, 1e-9);

@@ -20,11 +20,12 @@ constexpr int kCases = 12;
 // Calls of few samples are many, so that each case looks in about as many directions.
 std::vector<Rgb> estimates(const Situation& s, int samples) {
   const int calls = samples < 4 ? 4000 : 2000;
-  return repeat<pt::direct_hemisphere>(calls, *sampler_seed(), s.scene, s.point, samples);
+  return repeat<pt::direct_hemisphere>(calls, draw("seed", sampler_seed()), s.scene, s.point,
+                                       samples);
 }
 
 void expect_estimate(const Situation& s) {
-  const int samples = *whole(1, 16);
+  const int samples = draw("samples a call", whole(1, 16));
   expect_mean(fmt::format("the mean, {} samples a call", samples), mean_of(estimates(s, samples)),
               s.expected, 1e-9 * max_channel(s.expected));
 }
@@ -176,9 +177,9 @@ PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
   for_all(
       [] {
         const Situation s = *in_a_glowing_room(1);
-        const int samples = *rc::gen::element(1, 2, 3, 8, 16);
-        const std::vector<Rgb> draws =
-            repeat<pt::direct_hemisphere>(3000, *sampler_seed(), s.scene, s.point, samples);
+        const int samples = draw("samples a call", rc::gen::element(1, 2, 3, 8, 16));
+        const std::vector<Rgb> draws = repeat<pt::direct_hemisphere>(
+            3000, draw("seed", sampler_seed()), s.scene, s.point, samples);
         const Mean mean = mean_of(draws);
         expect_mean("the mean", mean, s.expected);
         const double n = static_cast<double>(draws.size());
@@ -195,8 +196,8 @@ PROMISE(direct_hemisphere, starts_off_the_surface) {
   for_all(
       [] {
         const Situation s = *in_a_glowing_room(1e4);
-        for (const Rgb& one :
-             repeat<pt::direct_hemisphere>(200, *sampler_seed(), s.scene, s.point, 1)) {
+        for (const Rgb& one : repeat<pt::direct_hemisphere>(200, draw("seed", sampler_seed()),
+                                                            s.scene, s.point, 1)) {
           expect(max_channel(one) > 0, "light from every direction",
                  "none: a ray met the surface that it started on");
         }
@@ -212,7 +213,7 @@ PROMISE(direct_hemisphere, starts_off_the_surface) {
           return stage.patch(pt::gray(0.5), *direction_above()).done();
         });
         for (const Rgb& one :
-             repeat<pt::direct_hemisphere>(50, *sampler_seed(), s.scene, s.point, 1)) {
+             repeat<pt::direct_hemisphere>(50, draw("seed", sampler_seed()), s.scene, s.point, 1)) {
           expect(max_channel(one) < 0.01, "no light through a lid close to the surface", show(one));
         }
       },
@@ -232,7 +233,7 @@ PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
           return stage.patch(pt::gray(0.5), *direction_above()).done();
         });
         const std::vector<Rgb> draws =
-            repeat<pt::direct_hemisphere>(5000, *sampler_seed(), s.scene, s.point, 1);
+            repeat<pt::direct_hemisphere>(5000, draw("seed", sampler_seed()), s.scene, s.point, 1);
         std::vector<int> found(cells.size());
         for (const Rgb& draw : draws) {
           const double cell = std::round(draw.g / draw.r) - 1;

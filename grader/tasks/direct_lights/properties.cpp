@@ -18,10 +18,10 @@ constexpr int kCases = 20;
 
 Rgb any_radiance() { return *color(0.25, 4); }
 Vec3 any_position() { return *real(0.5, 4) * *direction_above(); }
-int any_samples() { return *whole(1, 16); }
+int any_samples() { return draw("samples a call", whole(1, 16)); }
 
 std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
-  return repeat<pt::direct_lights>(calls, *sampler_seed(), s.scene, s.point, samples);
+  return repeat<pt::direct_lights>(calls, draw("seed", sampler_seed()), s.scene, s.point, samples);
 }
 
 void expect_estimate(const Situation& s, int samples) {
@@ -121,7 +121,7 @@ PROMISE(direct_lights, averages_over_the_samples) {
           stage.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
         });
         expect_estimate(s, 1);
-        expect_estimate(s, *whole(2, 32));
+        expect_estimate(s, draw("samples a call", whole(2, 32)));
       },
       12);
 }

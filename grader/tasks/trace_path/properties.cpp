@@ -55,7 +55,8 @@ rc::Gen<Case> asked_of(const rc::Gen<Room>& rooms, int low, int high, const rc::
 }
 
 std::vector<Rgb> estimates(const Case& c, int calls = kCalls) {
-  return repeat<pt::trace_path>(calls, *sampler_seed(), c.room.scene, c.room.point, c.settings);
+  return repeat<pt::trace_path>(calls, draw("seed", sampler_seed()), c.room.scene, c.room.point,
+                                c.settings);
 }
 
 void expect_estimate(const Case& c) {

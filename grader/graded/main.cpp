@@ -1,0 +1,74 @@
+// graded.<slug>: the properties of one task, whose calls go to a worker. Trusted: no line of a
+// submission runs in here. Writes what it found as JSON for `grade`; the exit status is 0 if every
+// promise held, 1 if one did not, 2 if nothing could be judged.
+#include "grader/graded/report.h"
+#include "grader/process/spawn.h"
+#include "grader/remote/session.h"
+#include "pt/error.h"
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+
+namespace {
+
+struct Options {
+  grader::remote::SessionSettings session;
+  std::string report;
+  std::string promises = "*";  // a filter as GoogleTest has it
+  std::uint64_t seed = 1;
+};
+
+int run(const Options& options, const char* program) {
+  setenv("FIRSTLIGHT_SEED", std::to_string(options.seed).c_str(), 1);
+  grader::remote::open_session(options.session);
+  std::string filter = "--gtest_filter=" + options.promises;
+  std::string name = program, brief = "--gtest_brief=1";
+  char* arguments[] = {name.data(), filter.data(), brief.data(), nullptr};
+  int count = 3;
+  testing::InitGoogleTest(&count, arguments);
+  const int failed = RUN_ALL_TESTS();
+  const auto& test = *testing::UnitTest::GetInstance();
+  if (!options.report.empty()) {
+    grader::write_report(options.report, test, grader::remote::session().record());
+  }
+  if (test.test_to_run_count() == 0) throw pt::Error("no property was run: nothing is judged");
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  grader::hide_process();
+  std::signal(SIGPIPE, SIG_IGN);
+  Options options;
+  CLI::App app{"Checks the properties of one task on a worker"};
+  int call_limit = 2000;
+  app.add_option("--worker", options.session.program, "the worker program")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app.add_option("--report", options.report, "where to write the findings, as JSON");
+  app.add_option("--promises", options.promises, "only these: names as in --gtest_filter");
+  app.add_option("--seed", options.seed, "of all random inputs");
+  app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
+  app.add_option("--call-limit", call_limit, "milliseconds that one call may take")
+      ->check(CLI::PositiveNumber);
+  options.session.task = FIRSTLIGHT_TASK;
+  try {
+    app.parse(argc, argv);
+    options.session.program = std::filesystem::absolute(options.session.program);
+    options.session.call_limit = std::chrono::milliseconds(call_limit);
+    options.session.lost_limit = 3 * options.session.call_limit;
+    options.session.total_limit = 15 * options.session.call_limit;
+    return run(options, argv[0]);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const pt::Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

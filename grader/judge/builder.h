@@ -1,0 +1,40 @@
+#pragma once
+
+#include "grader/judge/config.h"
+
+#include <string>
+
+namespace grader {
+
+// Something that was built, or why not.
+struct Built {
+  std::string path;   // of the object or program; empty if it failed
+  std::string key;    // stands for its content and everything that went into it
+  std::string error;  // the first error, as the compiler or linker said it
+
+  bool ok() const { return !path.empty(); }
+};
+
+// Compiles files of a submission and links workers, by plain commands, each result kept under the
+// hash of everything it depends on. Safe from any thread.
+class Builder {
+ public:
+  explicit Builder(const Config& config);
+
+  // `text` as the file part/slug.cpp of a tree in which there is nothing else.
+  Built compile(const TaskConfig& task, const std::string& text) const;
+
+  // A worker of the framework and one definition of every task: objects, and for each key what
+  // stands for its content.
+  Built link(const Paths& objects, const std::string& key, bool integrated) const;
+
+  const std::string& cache() const { return cache_; }
+
+ private:
+  const Config& config_;
+  std::string cache_;      // the folder
+  std::string toolchain_;  // stands for compiler, flags and headers
+  std::string framework_;  // and for the objects of the framework
+};
+
+}  // namespace grader

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+using Paths = std::vector<std::string>;
+
+// What the build knows about one task.
+struct TaskConfig {
+  std::string part;    // "1_rays"
+  std::string number;  // "1.3"
+  std::string slug;
+  std::string graded;  // the property program; empty if the task has no properties
+  Paths reference;     // objects
+
+  std::string file() const { return part + "/" + slug + ".cpp"; }
+};
+
+// How to build workers: written by CMake for this build (grader/judge/judge.cmake), trusted.
+struct Config {
+  std::string root;  // of the project
+  std::string work;  // where `grade` keeps what it builds
+  std::string compiler;
+  std::vector<std::string> compile_flags;
+  std::vector<std::string> link_flags;
+  std::vector<std::string> recording_flags;  // for the linker, of the integrated worker
+  Paths framework;                           // objects of every worker
+  Paths recording;                           // and of the integrated one
+  Paths radiance;                            // the implementation path
+  std::map<std::string, Paths> callbacks;    // by slug or "radiance": objects
+  std::vector<TaskConfig> tasks;             // in the order of the course
+};
+
+// Throws pt::Error if the file is not there.
+Config load_config(const std::string& path);
+
+// The tasks whose code a task's calls reach, in the order of the course: all of them, not only
+// those it calls itself. Scenes are traced by the tasks of part 2.
+const std::vector<std::string>& needs(const std::string& slug);
+
+// The functions that, when the task is judged by itself, the judge answers (names in callbacks).
+const std::vector<std::string>& asks_the_judge(const std::string& slug);
+
+}  // namespace grader

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace grader {
+
+// The whole file. Throws pt::Error if it cannot be read.
+std::string read_file(const std::string& path);
+
+// A name for a file next to `path` that no one else uses.
+std::string temporary_name(const std::string& path);
+
+// Written next to `path` and renamed, so that no one reads half of it.
+void write_file(const std::string& path, std::string_view text);
+
+// A file that changes whenever the content may have: its path, size and time, as text.
+std::string stamp(const std::string& path);
+
+// A task's file of a submission.
+struct Submitted {
+  bool present = false;
+  std::string rejected;  // why the file is not accepted; empty if it is
+  std::string text;
+};
+
+inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
+
+// Reads <folder>/<part>/<slug>.cpp without following a link below the folder: what is no regular
+// file, or larger than kMaxFile, is rejected.
+Submitted read_submitted(const std::string& folder, const std::string& part,
+                         const std::string& slug);
+
+}  // namespace grader

@@ -1,0 +1,119 @@
+#include "grader/judge/findings.h"
+
+#include "grader/judge/files.h"
+#include "grader/judge/sha256.h"
+#include "grader/process/run_command.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+namespace grader {
+
+namespace {
+
+using nlohmann::json;
+
+// Far beyond what the program allows itself: a fault of ours if it is reached.
+constexpr std::chrono::seconds kProgramTime{150};
+
+FailureReport parse_failure(const json& failure, bool integrated) {
+  FailureReport report;
+  failure.at("input").get_to(report.input);
+  failure.at("what").get_to(report.what);
+  failure.at("got").get_to(report.got);
+  failure.at("expected").get_to(report.expected);
+  failure.at("off_by").get_to(report.off_by);
+  failure.at("cause").get_to(report.cause);
+  failure.at("cases_before").get_to(report.cases_before);
+  failure.at("seed").get_to(report.seed);
+  report.integrated = integrated;
+  return report;
+}
+
+Findings parse(const std::string& text, bool integrated) {
+  const json report = json::parse(text);
+  Findings findings;
+  report.at("todo").get_to(findings.todo);
+  report.at("printed").get_to(findings.printed);
+  for (const json& promise : report.at("promises")) {
+    PromiseResult result;
+    promise.at("name").get_to(result.name);
+    promise.at("held").get_to(result.held);
+    promise.at("seconds").get_to(result.seconds);
+    result.bonus = result.name.ends_with("_bonus");
+    for (const json& failure : promise.at("failures")) {
+      result.failures.push_back(parse_failure(failure, integrated));
+    }
+    findings.promises.push_back(result);
+  }
+  return findings;
+}
+
+std::vector<std::string> command(const Trial& trial, const std::string& report) {
+  std::vector<std::string> words{trial.task.graded,
+                                 "--worker",
+                                 trial.worker.path,
+                                 "--report",
+                                 report,
+                                 "--seed",
+                                 std::to_string(trial.request.seed),
+                                 "--call-limit",
+                                 std::to_string(trial.request.call_limit)};
+  if (trial.integrated) words.push_back("--integrated");
+  if (!trial.promises.empty()) {
+    std::string filter;
+    for (const std::string& name : trial.promises) filter += "*." + name + ":";
+    words.push_back("--promises=" + filter);
+  }
+  return words;
+}
+
+bool timed_out(const Findings& findings) {
+  for (const PromiseResult& promise : findings.promises) {
+    for (const FailureReport& failure : promise.failures) {
+      if (failure.cause == "timeout") return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Findings try_worker(const Builder& builder, const Trial& trial) {
+  std::string key = stamp(trial.task.graded) + trial.worker.key;
+  for (const std::string& word : command(trial, "")) key += '\0' + word;
+  const std::string path = builder.cache() + "/" + sha256(key) + ".json";
+  if (std::filesystem::exists(path)) return parse(read_file(path), trial.integrated);
+
+  const std::string report = temporary_name(path);
+  const CommandResult result = run_command(
+      {command(trial, report), {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
+  const bool finished =
+      !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
+  if (!finished || !std::filesystem::exists(report)) {
+    std::filesystem::remove(report);
+    return {{},
+            {},
+            "",
+            fmt::format("the judge's own program {} ended with {}: {}", trial.task.graded,
+                        describe_status(result.status), result.output.substr(0, 1000))};
+  }
+  Findings findings = parse(read_file(report), trial.integrated);
+  if (findings.promises.empty()) {
+    throw pt::Error("no property of " + trial.task.slug + " was run: nothing is judged");
+  }
+  // The time that a call takes depends on what else the machine does: that is asked again.
+  if (timed_out(findings)) {
+    std::filesystem::remove(report);
+  } else {
+    std::filesystem::rename(report, path);
+  }
+  return findings;
+}
+
+}  // namespace grader

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "grader/judge/builder.h"
+#include "grader/judge/grade.h"
+#include "grader/report/results.h"
+
+#include <optional>
+#include <set>
+#include <string>
+
+namespace grader {
+
+// What a property program found out about one task on one worker.
+struct Findings {
+  std::vector<PromiseResult> promises;  // name, held, seconds and failures are filled
+  std::set<std::string> todo;           // slugs of tasks that are not written
+  std::string printed;
+  std::string broken;  // why there is nothing to go by; empty if there is
+};
+
+struct Trial {
+  const TaskConfig& task;
+  const Built& worker;
+  bool integrated = false;
+  const GradeRequest& request;
+  std::vector<std::string> promises;  // only these; all if empty
+};
+
+// Runs the property program, unless the same was run before. Safe from any thread.
+Findings try_worker(const Builder& builder, const Trial& trial);
+
+}  // namespace grader

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "grader/judge/config.h"
+#include "grader/report/results.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+struct GradeRequest {
+  std::string submission;          // a folder with the tree of student/
+  std::vector<std::string> asked;  // slugs
+  std::uint64_t seed = 1;
+  int call_limit = 2000;  // milliseconds
+  int threads = 2;
+};
+
+// Judges the tasks asked for, each by itself and then together with the submission's other tasks.
+// `progress` gets what is known so far, now and then.
+Results grade(const Config& config, const GradeRequest& request,
+              const std::function<void(const Results&)>& progress);
+
+// The slugs that a word means: a task, a part ("1", "1_rays"), or an exercise ("1.3"). Throws
+// pt::Error if there is none.
+std::vector<std::string> tasks_meant(const Config& config, const std::string& word);
+
+}  // namespace grader

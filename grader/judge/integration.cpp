@@ -1,0 +1,149 @@
+#include "grader/judge/integration.h"
+
+#include "grader/judge/files.h"
+#include "grader/judge/parallel.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace grader {
+
+namespace {
+
+class Integration {
+ public:
+  Integration(const Config& config, const Builder& builder, const GradeRequest& request,
+              std::vector<Judged>& judged)
+      : config_(config), builder_(builder), request_(request), judged_(judged) {}
+
+  void run() {
+    // A task that is not right by itself must not spoil others: the reference stands in for it.
+    for (const Judged& each : judged_) {
+      if (each.result.state == State::pass) sound_.push_back(each.config->slug);
+    }
+    std::vector<Judged*> together;
+    for (Judged& each : judged_) {
+      if (each.result.state == State::pass && !needs(each.config->slug).empty() && !block(each)) {
+        together.push_back(&each);
+      }
+    }
+    if (together.empty()) return;
+    const Built worker = link_without("");
+    for_each(together.size(), request_.threads,
+             [&](std::size_t i) { judge(*together[i], worker); });
+    std::erase_if(together, [&](Judged* each) { return block_by_failed(*each, together); });
+    for_each(together.size(), request_.threads, [&](std::size_t i) { blame(*together[i]); });
+  }
+
+ private:
+  const Judged* find(const std::string& slug) const {
+    for (const Judged& each : judged_) {
+      if (each.config->slug == slug) return &each;
+    }
+    return nullptr;
+  }
+
+  void block(Judged& judged, const std::vector<std::string>& by) const {
+    judged.result.state = State::blocked;
+    judged.result.blocked_by = by;
+    judged.result.reason = fmt::format("right by itself; judged with your own tasks when {} {}",
+                                       fmt::join(by, ", "), by.size() == 1 ? "passes" : "pass");
+  }
+
+  bool block(Judged& judged) const {
+    std::vector<std::string> by;
+    for (const std::string& slug : needs(judged.config->slug)) {
+      if (std::count(sound_.begin(), sound_.end(), slug) == 0) by.push_back(slug);
+    }
+    if (!by.empty()) block(judged, by);
+    return !by.empty();
+  }
+
+  // What fails because a task it asks fails in the same way waits for that one.
+  bool block_by_failed(Judged& judged, const std::vector<Judged*>& together) const {
+    if (judged.result.state == State::pass) return true;
+    std::vector<std::string> by;
+    for (const std::string& slug : needs(judged.config->slug)) {
+      for (const Judged* other : together) {
+        const bool fails = other->result.state != State::pass;
+        if (other->config->slug == slug && fails) by.push_back(slug);
+      }
+    }
+    if (!by.empty()) block(judged, by);
+    return !by.empty();
+  }
+
+  // The worker of all sound tasks of the submission but one, for which the reference stands in.
+  Built link_without(const std::string& swapped) const {
+    Paths objects;
+    std::string key;
+    const auto add = [&](const Paths& paths) {
+      for (const std::string& path : paths) {
+        objects.push_back(path);
+        key += stamp(path);
+      }
+    };
+    for (const TaskConfig& task : config_.tasks) {
+      const bool own = std::count(sound_.begin(), sound_.end(), task.slug) > 0;
+      if (own && task.slug != swapped) {
+        const Built& object = find(task.slug)->object;
+        objects.push_back(object.path);
+        key += object.key;
+      } else {
+        add(task.reference);
+      }
+    }
+    add(config_.callbacks.at("radiance"));
+    return builder_.link(objects, key, true);
+  }
+
+  void judge(Judged& judged, const Built& worker) const {
+    if (!worker.ok()) {
+      judged.result.state = State::fail;
+      judged.result.reason = "it does not link together with your other tasks";
+      judged.result.compiler_output = worker.error;
+      return;
+    }
+    enter(try_worker(builder_, {*judged.config, worker, true, request_, {}}), request_,
+          judged.result);
+  }
+
+  void blame(Judged& judged) const {
+    if (!judged.result.compiler_output.empty()) return;
+    std::vector<std::string> failed;
+    for (const PromiseResult& promise : judged.result.promises) {
+      if (!promise.held && !promise.bonus) failed.push_back(promise.name);
+    }
+    for (const std::string& slug : needs(judged.config->slug)) {
+      const Built worker = link_without(slug);
+      if (!worker.ok()) continue;
+      const Findings findings =
+          try_worker(builder_, {*judged.config, worker, true, request_, failed});
+      const bool mended = findings.broken.empty() &&
+                          std::all_of(findings.promises.begin(), findings.promises.end(),
+                                      [](const PromiseResult& promise) { return promise.held; });
+      if (mended) judged.result.blamed.push_back(slug);
+    }
+    judged.result.reason = judged.result.blamed.empty()
+                               ? "right by itself; it fails only together with your other tasks"
+                               : fmt::format("right by itself; it fails only with your {}",
+                                             fmt::join(judged.result.blamed, " or "));
+  }
+
+  const Config& config_;
+  const Builder& builder_;
+  const GradeRequest& request_;
+  std::vector<Judged>& judged_;
+  std::vector<std::string> sound_;
+};
+
+}  // namespace
+
+void judge_together(const Config& config, const Builder& builder, const GradeRequest& request,
+                    std::vector<Judged>& judged) {
+  Integration(config, builder, request, judged).run();
+}
+
+}  // namespace grader

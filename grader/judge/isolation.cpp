@@ -1,0 +1,159 @@
+#include "grader/judge/isolation.h"
+
+#include "grader/judge/files.h"
+#include "grader/judge/parallel.h"
+#include "grader/judge/promises.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace grader {
+
+namespace {
+
+// One entry a promise of the contract, not kept so far. Promises without a property do not count.
+std::vector<PromiseResult> promises_to_judge(const Config& config, const std::string& slug) {
+  std::vector<PromiseResult> promises;
+  for (const Promise& promise : promises_of(read_file(config.root + "/pt/tasks/" + slug + ".h"))) {
+    PromiseResult result;
+    result.name = promise.name;
+    result.words = promise.title + (promise.words.empty() ? "" : ": " + promise.words);
+    result.bonus = promise.bonus;
+    promises.push_back(result);
+  }
+  return promises;
+}
+
+// The objects of an isolated worker, and what stands for their content.
+Built link_alone(const Config& config, const Builder& builder, const Judged& judged) {
+  Paths objects{judged.object.path};
+  std::string key = judged.object.key;
+  const auto& answered = asks_the_judge(judged.config->slug);
+  const auto add = [&](const Paths& paths) {
+    for (const std::string& path : paths) {
+      objects.push_back(path);
+      key += stamp(path);
+    }
+  };
+  for (const TaskConfig& other : config.tasks) {
+    if (other.slug == judged.config->slug) continue;
+    const bool callback = std::count(answered.begin(), answered.end(), other.slug) > 0;
+    add(callback ? config.callbacks.at(other.slug) : other.reference);
+  }
+  const bool callback = std::count(answered.begin(), answered.end(), "radiance") > 0;
+  add(callback ? config.callbacks.at("radiance") : config.radiance);
+  return builder.link(objects, key, false);
+}
+
+void refuse(TaskResult& result, State state, const std::string& reason,
+            const std::string& output = "") {
+  result.state = state;
+  result.reason = reason;
+  result.compiler_output = output;
+}
+
+// Compilers name the file as they were given it; people look for it in the submission.
+std::string in_folder(std::string text, const TaskConfig& task, const std::string& folder) {
+  for (std::size_t at = text.find(task.file()); at != std::string::npos;
+       at = text.find(task.file(), at + folder.size() + 1 + task.file().size())) {
+    text.insert(at, folder + "/");
+  }
+  return text;
+}
+
+void judge_one(const Config& config, const Builder& builder, const GradeRequest& request,
+               Judged& judged) {
+  const TaskConfig& task = *judged.config;
+  TaskResult& result = judged.result;
+  result.part = task.part;
+  result.number = task.number;
+  result.slug = task.slug;
+  result.promises = promises_to_judge(config, task.slug);
+
+  const Submitted file = read_submitted(request.submission, task.part, task.slug);
+  if (!file.present) return refuse(result, State::not_attempted, "there is no " + task.file());
+  if (!file.rejected.empty()) return refuse(result, State::rejected, file.rejected);
+  judged.object = builder.compile(task, file.text);
+  if (!judged.object.ok()) {
+    return refuse(result, State::fail, "it does not compile",
+                  in_folder(judged.object.error, task, request.submission));
+  }
+  const Built worker = link_alone(config, builder, judged);
+  if (!worker.ok()) return refuse(result, State::fail, "it does not link", worker.error);
+  const Findings findings = try_worker(builder, {task, worker, false, request, {}});
+  // The properties say what can be judged; that each promise has one is checked elsewhere.
+  if (findings.broken.empty()) {
+    std::erase_if(result.promises, [&](const PromiseResult& promise) {
+      return std::none_of(findings.promises.begin(), findings.promises.end(),
+                          [&](const PromiseResult& found) { return found.name == promise.name; });
+    });
+  }
+  enter(findings, request, result);
+}
+
+State state_of(const std::vector<PromiseResult>& promises) {
+  State state = State::pass;
+  for (const PromiseResult& promise : promises) {
+    if (promise.bonus || promise.held) continue;
+    if (state == State::pass) state = State::fail;
+    for (const FailureReport& failure : promise.failures) {
+      if (failure.cause == "crash") state = State::crash;
+      if (failure.cause == "timeout" && state != State::crash) state = State::timeout;
+    }
+  }
+  return state;
+}
+
+// The result's own entry for a promise; one is made for a property that the contract does not list.
+PromiseResult& entry(TaskResult& result, const PromiseResult& found) {
+  for (PromiseResult& promise : result.promises) {
+    if (promise.name == found.name) return promise;
+  }
+  result.promises.push_back(found);
+  result.promises.back().failures.clear();
+  result.promises.back().words = found.name;
+  return result.promises.back();
+}
+
+}  // namespace
+
+void enter(const Findings& findings, const GradeRequest& request, TaskResult& result) {
+  if (!findings.broken.empty()) return refuse(result, State::fail, findings.broken);
+  if (!findings.printed.empty()) result.printed = findings.printed;
+  if (findings.todo.contains(result.slug)) {
+    return refuse(result, State::not_attempted, "it is not written yet");
+  }
+  for (const PromiseResult& found : findings.promises) {
+    PromiseResult& promise = entry(result, found);
+    if (promise.bonus && !promise.failures.empty()) continue;  // known from before
+    promise.held = found.held;
+    promise.seconds += found.seconds;
+    for (FailureReport failure : found.failures) {
+      failure.replay = fmt::format("./run grade {} --seed {}", result.slug, request.seed);
+      if (request.submission != "student") failure.replay += " --submission " + request.submission;
+      promise.failures.push_back(failure);
+    }
+  }
+  result.state = state_of(result.promises);
+}
+
+void count_points(TaskResult& result) {
+  result.points = result.max_points = result.bonus_points = 0;
+  for (const PromiseResult& promise : result.promises) {
+    if (promise.bonus) {
+      result.bonus_points += promise.held ? 1 : 0;
+    } else {
+      result.points += promise.held ? 1 : 0;
+      ++result.max_points;
+    }
+  }
+}
+
+void judge_alone(const Config& config, const Builder& builder, const GradeRequest& request,
+                 std::vector<Judged>& judged) {
+  for_each(judged.size(), request.threads,
+           [&](std::size_t i) { judge_one(config, builder, request, judged[i]); });
+}
+
+}  // namespace grader

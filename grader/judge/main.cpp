@@ -1,0 +1,90 @@
+// grade: judges a submission, and never runs a line of it itself. Exit status 0 if all that was
+// asked for passes, 1 if something that was judged does not, 2 if nothing could be judged.
+#include "grader/judge/grade.h"
+#include "grader/judge/hints.h"
+#include "grader/process/spawn.h"
+#include "grader/report/json.h"
+#include "grader/report/terminal.h"
+#include "pt/error.h"
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include <CLI/CLI.hpp>
+
+namespace {
+
+using namespace grader;
+
+struct Options {
+  std::vector<std::string> what;
+  std::string submission = "student";
+  std::string json;
+  std::string hint;
+  std::string config;
+  int tier = 0;
+  std::uint64_t seed = 1;
+  int call_limit = 2000;
+  bool all = false;
+};
+
+// The file that CMake wrote next to this program.
+std::string config_path() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "grade.json";
+}
+
+int grade_submission(const Config& config, const Options& options) {
+  GradeRequest request{options.submission, {}, options.seed, options.call_limit};
+  std::set<std::string> asked;
+  for (const std::string& word : options.what) {
+    for (const std::string& slug : tasks_meant(config, word)) asked.insert(slug);
+  }
+  for (const TaskConfig& task : config.tasks) {
+    if (options.what.empty() || asked.contains(task.slug)) request.asked.push_back(task.slug);
+  }
+  const Results results = grade(config, request, [&](const Results& so_far) {
+    if (!options.json.empty()) write_json(so_far, options.json);
+  });
+  remember_failures(config, results);
+  const std::string text = to_text(results, {terminal_has_color(), options.all});
+  std::fputs(text.c_str(), stdout);
+  return passes(results) ? 0 : 1;
+}
+
+int run(const Options& options) {
+  const Config config = load_config(options.config.empty() ? config_path() : options.config);
+  if (options.hint.empty()) return grade_submission(config, options);
+  std::fputs(hint(config, options.hint, options.tier).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  hide_process();
+  std::signal(SIGPIPE, SIG_IGN);
+  Options options;
+  CLI::App app{"Judges a submission: every task, or those asked for"};
+  app.add_option("what", options.what, "tasks (hit_triangle), parts (1) or exercises (1.3)");
+  app.add_option("--submission", options.submission, "a folder with the tree of student/")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--all", options.all, "show every failure, not only the first");
+  app.add_option("--json", options.json, "also write the results to this file");
+  app.add_option("--seed", options.seed, "of all random inputs");
+  app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--hint", options.hint, "show the next hint for this task instead");
+  app.add_option("--tier", options.tier, "this hint, not the next")->check(CLI::Range(1, 3));
+  app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+  try {
+    app.parse(argc, argv);
+    return run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

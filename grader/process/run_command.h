@@ -1,0 +1,25 @@
+#pragma once
+
+#include "grader/process/spawn.h"
+
+#include <chrono>
+#include <string>
+
+namespace grader {
+
+struct CommandResult {
+  int status = 0;  // as waitpid gives it
+  bool timed_out = false;
+  std::string output;  // both streams together, the first kMaxOutput bytes
+  double seconds = 0;
+
+  bool ok() const { return !timed_out && status == 0; }
+};
+
+inline constexpr std::size_t kMaxOutput = std::size_t{1} << 18;
+
+// Runs a command to its end, or until the limit, and keeps what it prints. Its descriptors are set
+// here: no input, and both outputs are read.
+CommandResult run_command(Child child, std::chrono::milliseconds limit);
+
+}  // namespace grader

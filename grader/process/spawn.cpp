@@ -1,0 +1,117 @@
+#include "grader/process/spawn.h"
+
+#include "grader/process/descriptor.h"
+#include "pt/error.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+namespace grader {
+
+namespace {
+
+std::vector<char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> all;
+  for (const std::string& text : texts) all.push_back(const_cast<char*>(text.c_str()));
+  all.push_back(nullptr);
+  return all;
+}
+
+// From here to exec nothing may allocate: another thread may have held the allocator's lock.
+
+void limit(int resource, const std::optional<std::uint64_t>& most) {
+  if (!most) return;
+  const rlimit both{*most, *most};
+  if (setrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) _exit(127);
+}
+
+void apply(const Limits& limits) {
+  limit(RLIMIT_CPU, limits.cpu_seconds);
+  if (!kSanitized) limit(RLIMIT_AS, limits.address_space);
+  limit(RLIMIT_FSIZE, limits.file_size);
+  limit(RLIMIT_NPROC, limits.processes);
+  limit(RLIMIT_NOFILE, limits.open_files);
+  limit(RLIMIT_CORE, 0);
+}
+
+// First out of the way of the numbers they are to have, then to those numbers.
+void arrange(const int* descriptors, int count) {
+  constexpr int kAway = 100;
+  for (int i = 0; i < count; ++i) {
+    if (dup2(descriptors[i], kAway + i) < 0) _exit(127);
+  }
+  for (int i = 0; i < count; ++i) {
+    if (dup2(kAway + i, i) < 0) _exit(127);
+  }
+  close_range(static_cast<unsigned>(count), ~0U, 0);
+}
+
+[[noreturn]] void become(const Child& child, char* const* command, char* const* environment,
+                         pid_t parent) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);  // it died before the line above
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  std::signal(SIGPIPE, SIG_IGN);
+  arrange(child.descriptors.data(), static_cast<int>(child.descriptors.size()));
+  if (!child.directory.empty() && chdir(child.directory.c_str()) != 0) _exit(127);
+  apply(child.limits);
+  execve(command[0], command, environment);
+  _exit(127);
+}
+
+}  // namespace
+
+Pipe make_pipe() {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) {
+    throw pt::Error(fmt::format("there is no pipe to be had: {}", std::strerror(errno)));
+  }
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+void set_nonblocking(const Descriptor& descriptor) {
+  fcntl(descriptor.number(), F_SETFL, fcntl(descriptor.number(), F_GETFL) | O_NONBLOCK);
+}
+
+pid_t spawn(const Child& child) {
+  const std::vector<char*> command = pointers(child.command);
+  const std::vector<char*> environment = pointers(child.environment);
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid < 0) {
+    throw pt::Error(fmt::format("cannot start {}: {}", child.command.at(0), std::strerror(errno)));
+  }
+  if (pid == 0) become(child, command.data(), environment.data(), parent);
+  setpgid(pid, pid);  // in case we are first; fails once the child has run exec
+  return pid;
+}
+
+int kill_child(pid_t pid) {
+  kill(-pid, SIGKILL);
+  kill(pid, SIGKILL);
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+std::string describe_status(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("exit status {}", WEXITSTATUS(status));
+}
+
+void hide_process() {
+  if (!kSanitized) prctl(PR_SET_DUMPABLE, 0);
+}
+
+}  // namespace grader

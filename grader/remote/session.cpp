@@ -1,0 +1,192 @@
+#include "grader/remote/session.h"
+
+#include "grader/process/printable.h"
+#include "grader/stand_ins/counting.h"
+#include "pt/error.h"
+#include "pt/scene/scene.h"
+
+#include <fmt/format.h>
+
+namespace grader::remote {
+
+namespace {
+
+constexpr std::size_t kMaxKnown = 256;                         // objects
+constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
+constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
+
+std::unique_ptr<Session> the_session;
+
+double seconds(std::chrono::nanoseconds time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+void open_session(const SessionSettings& settings) {
+  the_session = std::make_unique<Session>(settings);
+}
+
+Session& session() {
+  if (!the_session) throw pt::Error("there is no session with a worker: main has to open one");
+  return *the_session;
+}
+
+void Session::begin() {
+  definitions_.clear();
+  scenes_.clear();
+}
+
+Handle Session::define(ObjectKind kind, std::string_view bytes) {
+  const Handle handle = content_hash(kind, bytes);
+  const bool named = std::any_of(definitions_.begin(), definitions_.end(),
+                                 [&](const Definition& each) { return each.handle == handle; });
+  if (!named) definitions_.push_back({handle, kind, std::string(bytes)});
+  return handle;
+}
+
+Handle Session::name(const pt::Scene& scene) {
+  Writer content;
+  Codec<pt::Scene>::put(content, scene,
+                        settings_.integrated ? pt::Engine::task : scene.tracer.engine());
+  const Handle handle = define(ObjectKind::scene, content.bytes());
+  scenes_[handle] = &scene;
+  return handle;
+}
+
+Handle Session::name(const pt::Primitives& primitives) {
+  Writer content;
+  put(content, primitives);
+  return define(ObjectKind::primitives, content.bytes());
+}
+
+Handle Session::name(const pt::Bvh& bvh) {
+  Writer content;
+  put(content, bvh);
+  return define(ObjectKind::bvh, content.bytes());
+}
+
+const pt::Scene& Session::scene(Handle handle) const {
+  const auto found = scenes_.find(handle);
+  if (found == scenes_.end()) throw BadMessage("it asked about a scene that it was not given");
+  return *found->second;
+}
+
+std::string_view Session::call(Function function, std::uint64_t code, const Repetition& repetition,
+                               const Writer& arguments) {
+  expect_attempted();
+  expect_time_left();
+  drop_known_definitions();
+  record_.calls += std::max(1, repetition.count);
+  const auto start = Clock::now();
+  try {
+    reply_ = converse(message(function, code, repetition, arguments));
+    waited_ += Clock::now() - start;
+    Reader reply(reply_);
+    take_head(reply, code);
+    expect_attempted();
+    for (const Definition& each : definitions_) {
+      known_.insert(each.handle);
+      known_bytes_ += each.content.size();
+    }
+    return reply.raw(reply.left());
+  } catch (const WorkerFailed& failure) {
+    waited_ += Clock::now() - start;
+    lost_ += Clock::now() - start;
+    fail(failure);
+  } catch (const BadMessage& bad) {
+    reject(bad.what());
+  }
+}
+
+void Session::expect_attempted() const {
+  if (record_.todo.contains(settings_.task)) {
+    fail_call(Cause::not_attempted, "the task is not written yet");
+  }
+}
+
+void Session::expect_time_left() const {
+  if (lost_ > settings_.lost_limit) {
+    fail_call(last_cause_, fmt::format("not asked any more: {:.1f} s went on calls that failed",
+                                       seconds(lost_)));
+  }
+  if (waited_ > settings_.total_limit) {
+    fail_call(Cause::timeout,
+              fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(waited_)));
+  }
+}
+
+void Session::drop_known_definitions() {
+  std::size_t bytes = known_bytes_;
+  for (const Definition& each : definitions_) bytes += each.content.size();
+  forget_ = !worker_ || known_.size() > kMaxKnown || bytes > kMaxKnownBytes;
+  if (forget_) {
+    known_.clear();
+    known_bytes_ = 0;
+  }
+  std::erase_if(definitions_, [&](const Definition& each) { return known_.contains(each.handle); });
+}
+
+Writer Session::message(Function function, std::uint64_t code, const Repetition& repetition,
+                        const Writer& arguments) {
+  Writer out;
+  put(out, CallHead{static_cast<std::uint32_t>(function), code, repetition, forget_,
+                    definitions_.size()});
+  for (const Definition& each : definitions_) put(out, each);
+  out.raw(arguments.bytes().data(), arguments.bytes().size());
+  return out;
+}
+
+std::string Session::converse(const Writer& call) {
+  const auto deadline = Clock::now() + settings_.call_limit;
+  if (!worker_) worker_ = std::make_unique<WorkerProcess>(settings_.program, kMaxPrinted);
+  worker_->send(Kind::call, ++sequence_, call.bytes(), deadline);
+  while (true) {
+    Message message = worker_->receive(sequence_, deadline);
+    if (message.kind == Kind::reply) return std::move(message.payload);
+    if (message.kind == Kind::threw) {
+      throw WorkerFailed{Cause::crash, "it threw: " + printable(message.payload, 200), true};
+    }
+    const Writer reply = answer(settings_.task, message.payload, *this);
+    worker_->send(Kind::answer, sequence_, reply.bytes(), deadline);
+  }
+}
+
+void Session::take_head(Reader& reply, std::uint64_t code) {
+  const auto head = get<ReplyHead>(reply);
+  if (head.code != code) throw BadMessage("the reply is of another type");
+  if (head.closest < 0 || head.occluded < 0) throw BadMessage("a count is negative");
+  for (std::size_t i = 0; i < kTasks.size(); ++i) {
+    if (head.todo >> i & 1) record_.todo.emplace(kTasks[i]);
+  }
+  pt::count_rays({head.closest, head.occluded});
+  if (!settings_.integrated) return;
+  for (const pt::Box& box : head.tests.boxes) count(box);
+  for (const pt::Triangle& triangle : head.tests.triangles) count(triangle);
+  for (const pt::Sphere& sphere : head.tests.spheres) count(sphere);
+}
+
+void Session::reject(const std::string& why) {
+  fail({Cause::bad_reply, "a reply that cannot be: " + why, false});
+}
+
+void Session::fail(const WorkerFailed& failure) {
+  last_cause_ = failure.cause;
+  if (!failure.alive) {
+    if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
+    worker_.reset();
+    ++record_.restarts;
+  }
+  fail_call(failure.cause, failure.cause == Cause::timeout
+                               ? fmt::format("no answer within {} s", seconds(settings_.call_limit))
+                               : failure.text);
+}
+
+SessionRecord Session::record() const {
+  SessionRecord record = record_;
+  if (worker_ && record.printed.size() < kMaxPrinted) record.printed += worker_->printed();
+  record.printed = printable(record.printed, kMaxPrinted, true);
+  return record;
+}
+
+}  // namespace grader::remote

@@ -1,0 +1,151 @@
+#include "grader/remote/worker_process.h"
+
+#include "grader/process/spawn.h"
+
+#include <cerrno>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+
+namespace grader::remote {
+
+namespace {
+
+// What one worker may use. The judge's own clock is what stops a call; the limit on processor time
+// only matters if the judge itself is gone.
+constexpr Limits kWorkerLimits{
+    .cpu_seconds = 120,
+    .address_space = std::uint64_t{1} << 30,
+    .file_size = 0,
+    .processes = 0,
+    .open_files = 16,
+};
+
+// After this much, nobody reads what it prints any more.
+constexpr std::size_t kMaxTaken = std::size_t{1} << 20;
+
+int milliseconds_until(Clock::time_point deadline) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  return static_cast<int>(std::clamp<long long>(left, 0, 1 << 30));
+}
+
+}  // namespace
+
+WorkerProcess::WorkerProcess(const std::string& program, std::size_t max_printed)
+    : max_printed_(max_printed) {
+  Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  Pipe calls = make_pipe(), replies = make_pipe(), output = make_pipe();
+  Child child{{program}, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "/", kWorkerLimits};
+  child.descriptors = {nothing.number(), output.write_end.number(), output.write_end.number(),
+                       calls.read_end.number(), replies.write_end.number()};
+  pid_ = spawn(child);
+  to_worker_ = std::move(calls.write_end);
+  from_worker_ = std::move(replies.read_end);
+  output_ = std::move(output.read_end);
+  for (const Descriptor* end : {&to_worker_, &from_worker_, &output_}) set_nonblocking(*end);
+}
+
+WorkerProcess::~WorkerProcess() {
+  if (pid_ > 0) kill_child(pid_);
+}
+
+void WorkerProcess::send(Kind kind, std::uint64_t sequence, std::string_view payload,
+                         Clock::time_point deadline) {
+  const Header header{kMagic, kind, sequence, payload.size()};
+  std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
+  bytes.append(payload);
+  for (std::size_t sent = 0; sent < bytes.size();) {
+    const ssize_t count = write(to_worker_.number(), bytes.data() + sent, bytes.size() - sent);
+    if (count > 0) {
+      sent += static_cast<std::size_t>(count);
+    } else if (errno == EAGAIN) {
+      wait(to_worker_, POLLOUT, deadline);
+    } else if (errno != EINTR) {
+      ended();
+    }
+  }
+}
+
+Message WorkerProcess::receive(std::uint64_t sequence, Clock::time_point deadline) {
+  fill(sizeof(Header), deadline);
+  Header header;
+  std::memcpy(&header, buffer_.data(), sizeof header);
+  const bool known =
+      header.kind == Kind::reply || header.kind == Kind::ask || header.kind == Kind::threw;
+  if (header.magic != kMagic || !known || header.sequence != sequence) {
+    throw WorkerFailed{Cause::bad_reply, "bytes that are no reply"};
+  }
+  if (header.length > kMaxPayload) {
+    throw WorkerFailed{Cause::bad_reply, fmt::format("a reply of {} bytes", header.length)};
+  }
+  fill(sizeof header + header.length, deadline);
+  Message message{header.kind, buffer_.substr(sizeof header, header.length)};
+  buffer_.erase(0, sizeof header + header.length);
+  return message;
+}
+
+void WorkerProcess::fill(std::size_t size, Clock::time_point deadline) {
+  char chunk[1 << 16];
+  while (buffer_.size() < size) {
+    wait(from_worker_, POLLIN, deadline);
+    const ssize_t count = read(from_worker_.number(), chunk, sizeof chunk);
+    if (count > 0) {
+      buffer_.append(chunk, static_cast<std::size_t>(count));
+    } else if (count == 0) {
+      ended();
+    }
+  }
+}
+
+void WorkerProcess::wait(const Descriptor& descriptor, short event, Clock::time_point deadline) {
+  while (true) {
+    pollfd waiting[] = {{descriptor.number(), event, 0}, {output_.number(), POLLIN, 0}};
+    const int left = milliseconds_until(deadline);
+    const int ready = poll(waiting, 2, left);  // a closed output_ is -1, which poll ignores
+    if (ready > 0 && waiting[1].revents != 0) take_output();
+    if (ready > 0 && waiting[0].revents != 0) return;
+    if (left == 0) throw WorkerFailed{Cause::timeout, "no answer within the limit"};
+  }
+}
+
+// What is printed after the limit goes to a pipe that nobody reads: the worker's writes fail.
+void WorkerProcess::take_output() {
+  char chunk[1 << 16];
+  const ssize_t count = read(output_.number(), chunk, sizeof chunk);
+  if (count <= 0) {
+    if (count == 0) output_.close();
+    return;
+  }
+  bytes_printed_ += static_cast<std::size_t>(count);
+  const std::size_t room = max_printed_ - std::min(max_printed_, printed_.size());
+  printed_.append(chunk, std::min(room, static_cast<std::size_t>(count)));
+  if (bytes_printed_ > kMaxTaken) output_.close();
+}
+
+// The worker closed its side. That is how a process that dies looks from here, a moment before its
+// status is there.
+void WorkerProcess::ended() {
+  int status = 0;
+  bool dead = false;
+  for (int i = 0; i < 100 && !dead; ++i) {
+    dead = waitpid(pid_, &status, WNOHANG) == pid_;
+    if (!dead) poll(nullptr, 0, 2);
+  }
+  while (output_.is_open() && bytes_printed_ <= kMaxTaken) {
+    const std::size_t before = bytes_printed_;
+    take_output();
+    if (bytes_printed_ == before) break;
+  }
+  if (!dead) throw WorkerFailed{Cause::crash, "it closed its connection to the judge"};
+  kill(-pid_, SIGKILL);
+  pid_ = -1;
+  if (WIFEXITED(status)) {
+    throw WorkerFailed{
+        Cause::crash, fmt::format("the process ended by itself, with {}", describe_status(status))};
+  }
+  throw WorkerFailed{Cause::crash, describe_status(status)};
+}
+
+}  // namespace grader::remote

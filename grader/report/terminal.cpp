@@ -1,0 +1,174 @@
+#include "grader/report/terminal.h"
+
+#include "grader/report/wrap.h"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+namespace grader {
+
+namespace {
+
+constexpr int kWidth = 100;
+
+std::string paint(const std::string& text, const char* code, const TerminalStyle& style) {
+  return style.color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
+}
+
+// As people say it.
+std::string words(State state) {
+  std::string text = name(state);
+  for (char& c : text) c = c == '_' ? ' ' : c;
+  return text;
+}
+
+const char* color_of(State state) {
+  switch (state) {
+    case State::pass:
+      return "32";
+    case State::fail:
+    case State::crash:
+    case State::timeout:
+    case State::rejected:
+      return "31";
+    case State::blocked:
+    case State::too_noisy:
+      return "33";
+    case State::not_attempted:
+      return "2";
+  }
+  return "0";
+}
+
+std::string row(const TaskResult& task, const TerminalStyle& style) {
+  std::string line =
+      fmt::format("  {}  {:<18} {} {:>6}", task.number, task.slug,
+                  paint(fmt::format("{:<14}", words(task.state)), color_of(task.state), style),
+                  fmt::format("{}/{}", task.points, task.max_points));
+  if (task.bonus_points > 0) line += fmt::format("  + {} bonus", task.bonus_points);
+  if (task.state == State::blocked)
+    line += fmt::format("  by {}", fmt::join(task.blocked_by, ", "));
+  return line + "\n";
+}
+
+std::string table(const Results& results, const TerminalStyle& style) {
+  std::string text, part;
+  int points = 0, max_points = 0, bonus = 0, passed = 0;
+  for (const TaskResult& task : results.tasks) {
+    if (task.part != part) {
+      const std::size_t underscore = task.part.find('_');
+      text += fmt::format("\nPart {}  {}\n", task.part.substr(0, underscore),
+                          task.part.substr(underscore + 1));
+    }
+    part = task.part;
+    text += row(task, style);
+    points += task.points;
+    max_points += task.max_points;
+    bonus += task.bonus_points;
+    passed += task.state == State::pass ? 1 : 0;
+  }
+  text += fmt::format("\n{} of {} tasks pass. {} of {} points", passed, results.tasks.size(),
+                      points, max_points);
+  if (bonus > 0) text += fmt::format(" and {} bonus", bonus);
+  return text + ".\n";
+}
+
+// "  got       1.5", further lines below the value.
+std::string labelled(const std::string& label, const std::vector<std::string>& lines) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    text += fmt::format("  {:<10}{}\n", i == 0 ? label : "", lines[i]);
+  }
+  return text;
+}
+
+std::string failure_text(const FailureReport& failure) {
+  std::string text;
+  if (failure.integrated) text += "  With your own tasks in all places:\n";
+  text += labelled("input", failure.input);
+  if (!failure.what.empty()) text += labelled("compared", {failure.what});
+  text += labelled("got", {failure.got}) + labelled("expected", {failure.expected});
+  if (!failure.off_by.empty()) text += labelled("off by", {failure.off_by});
+  return text + "\n";
+}
+
+std::string promise_text(const TaskResult& task, const PromiseResult& promise,
+                         const TerminalStyle& style) {
+  std::string text = "\n";
+  for (const std::string& line : wrap(task.slug + " " + promise.words, kWidth)) {
+    text += paint(line, "1", style) + "\n";
+  }
+  text += "\n";
+  if (promise.failures.empty()) return text + "  It failed without a counterexample.\n";
+  for (const FailureReport& failure : promise.failures) {
+    text += failure_text(failure);
+    if (!style.all) break;
+  }
+  return text + labelled("replay", {promise.failures[0].replay}) +
+         labelled("hint", {"./run hint " + task.slug});
+}
+
+std::string reason_text(const TaskResult& task, const TerminalStyle& style) {
+  std::string text = "\n" + paint(task.slug + ": " + task.reason, "1", style) + "\n";
+  if (!task.compiler_output.empty()) text += "\n" + task.compiler_output;
+  return text;
+}
+
+std::string printed_text(const TaskResult& task) {
+  std::string text = "\n  printed\n";
+  for (const std::string& line : lines_of(task.printed.substr(0, 400)))
+    text += "    " + line + "\n";
+  return text;
+}
+
+// The reason or the failed promises of one task, the most telling first.
+std::vector<std::string> failures_of(const TaskResult& task, const TerminalStyle& style) {
+  std::vector<std::string> texts;
+  const bool quiet = task.state == State::pass || task.state == State::not_attempted ||
+                     task.state == State::blocked;
+  if (!task.reason.empty() && !quiet) texts.push_back(reason_text(task, style));
+  for (const PromiseResult& promise : task.promises) {
+    const bool failed = !promise.held && (!promise.bonus || style.all);
+    const bool shown = !promise.failures.empty() || (task.reason.empty() && !promise.bonus);
+    if (failed && shown && !(quiet && !promise.bonus)) {
+      texts.push_back(promise_text(task, promise, style));
+    }
+  }
+  // A reason such as "only with your hit_box" belongs to the first failure below it.
+  if (texts.size() > 1 && !task.reason.empty() && !quiet) {
+    texts[1] = texts[0] + texts[1];
+    texts.erase(texts.begin());
+  }
+  if (!texts.empty() && !task.printed.empty()) texts.back() += printed_text(task);
+  return texts;
+}
+
+}  // namespace
+
+bool terminal_has_color() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDOUT_FILENO) == 1 && (no_color == nullptr || *no_color == '\0') &&
+         terminal != nullptr && std::string(terminal) != "dumb";
+}
+
+std::string to_text(const Results& results, const TerminalStyle& style) {
+  std::vector<std::string> failures;
+  for (const TaskResult& task : results.tasks) {
+    for (std::string& text : failures_of(task, style)) failures.push_back(std::move(text));
+  }
+  std::string text = table(results, style);
+  const std::size_t shown = style.all ? failures.size() : std::min<std::size_t>(1, failures.size());
+  for (std::size_t i = 0; i < shown; ++i) text += failures[i];
+  if (failures.size() > shown) {
+    text += fmt::format("\n{} more; --all shows {}.\n", failures.size() - shown,
+                        failures.size() - shown == 1 ? "it" : "them");
+  }
+  return text + fmt::format("\n{}, seed {}, {:.1f} s. Isolation {}.\n", results.submission,
+                            results.seed, results.seconds, results.isolation);
+}
+
+}  // namespace grader
