@@ -225,7 +225,7 @@ PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
   for_all(
       [] {
         const std::vector<Rectangle> cells = dome(3);
-        const Situation s = *rc::gen::exec([&cells] {
+        const Situation s = *rc::gen::exec([cells] {
           Stage stage(*pose());
           for (std::size_t i = 0; i < cells.size(); ++i) {
             stage.surface(cells[i], pt::gray(0.5), {1, static_cast<double>(i + 1), 0});
