@@ -4,12 +4,18 @@ firstlight_library(grader_report report/results.cpp report/json.cpp report/termi
 target_link_libraries(grader_report PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 firstlight_library(grader_judge
   judge/builder.cpp judge/config.cpp judge/files.cpp judge/findings.cpp judge/grade.cpp
-  judge/hints.cpp judge/integration.cpp judge/isolation.cpp judge/promises.cpp judge/sha256.cpp)
+  judge/integration.cpp judge/isolation.cpp judge/promises.cpp judge/sha256.cpp)
 target_link_libraries(grader_judge PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
+
+firstlight_library(grader_hints hints/hints.cpp hints/memory.cpp)
+target_link_libraries(grader_hints PUBLIC fmt::fmt)
+add_executable(hint hints/main.cpp)
+target_link_libraries(hint PRIVATE
+  grader_hints grader_judge grader_report grader_process CLI11::CLI11 firstlight_warnings)
 
 add_executable(grade judge/main.cpp)
 target_link_libraries(grade PRIVATE
-  grader_judge grader_report grader_process CLI11::CLI11 firstlight_warnings)
+  grader_hints grader_judge grader_report grader_process CLI11::CLI11 firstlight_warnings)
 
 # A list of words as the inside of a JSON array, and the objects of libraries likewise.
 function(firstlight_json_list result)
