@@ -102,6 +102,7 @@ void print_whole_render(const std::filesystem::path& file) {
       "({:.2f} to {:.2f} in {} runs)\n",
       file.filename().string(), median(rates), *std::min_element(rates.begin(), rates.end()),
       *std::max_element(rates.begin(), rates.end()), kRuns);
+  std::fflush(stdout);
 }
 
 // The folder of the course's scenes, or where it is looked for.

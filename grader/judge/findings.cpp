@@ -2,6 +2,7 @@
 
 #include "grader/judge/files.h"
 #include "grader/judge/sha256.h"
+#include "grader/process/printable.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
@@ -101,7 +102,7 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
             {},
             "",
             fmt::format("the judge's own program {} ended with {}: {}", trial.task.graded,
-                        describe_status(result.status), result.output.substr(0, 1000))};
+                        describe_status(result.status), printable(result.output, 1000, true))};
   }
   Findings findings = parse(read_file(report), trial.integrated);
   if (findings.promises.empty()) {

@@ -69,6 +69,6 @@ template <>
 inline constexpr int kLargest<pt::PathSettings::Direct> =
     static_cast<int>(pt::PathSettings::Direct::lights);
 template <>
-inline constexpr int kLargest<pt::Engine> = static_cast<int>(pt::Engine::task);
+inline constexpr int kLargest<pt::Engine> = static_cast<int>(pt::Engine::wide);
 
 }  // namespace grader::remote

@@ -22,7 +22,8 @@ const std::map<std::string, Show> kShow{{"full", Show::full},
                                         {"indirect", Show::indirect},
                                         {"bounce", Show::bounce},
                                         {"normals", Show::normals}};
-const std::map<std::string, Engine> kEngines{{"linear", Engine::linear}, {"task", Engine::task}};
+const std::map<std::string, Engine> kEngines{
+    {"linear", Engine::linear}, {"task", Engine::task}, {"wide", Engine::wide}};
 const std::map<std::string, Framing> kFramings{
     {"course", Framing::course}, {"fit", Framing::fit}, {"file", Framing::file}};
 
@@ -95,7 +96,7 @@ void describe_machine(CLI::App& app, RenderOptions& options) {
       ->check(CLI::Range(1, 1024));
   app.add_option("--engine", options.engine, "How rays are traced")
       ->transform(CLI::CheckedTransformer(kEngines, CLI::ignore_case).description(""))
-      ->type_name("task|linear")
+      ->type_name("task|linear|wide")
       ->default_str("task");
   app.add_option("--leaf", options.max_leaf, "Most primitives in a leaf of the BVH")
       ->check(CLI::Range(1, 1 << 20))

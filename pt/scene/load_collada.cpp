@@ -53,13 +53,13 @@ void require_supported(const LoadedScene& loaded, const std::filesystem::path& f
   for (const Material& material : loaded.scene.materials) {
     if (material.unsupported.empty()) continue;
     throw Error(file.string() + ": material '" + material.name + "' is a " + material.unsupported +
-                " material, which light transport here does not model; show the normals, or treat "
-                "it as diffuse with --lambertian");
+                " material, which light transport here does not model; give --show normals, or "
+                "--lambertian to treat it as diffuse");
   }
   for (const std::string& light : loaded.unsupported_lights) {
     throw Error(file.string() + ": " + light +
                 " is a kind that light transport here does not model; make it a point or area "
-                "light, or show the normals");
+                "light, or give --show normals");
   }
 }
 

@@ -40,6 +40,11 @@ bool Scene::occluded(const Ray& ray) const {
   return tracer.occluded(primitives, ray);
 }
 
+std::uint32_t Scene::occluded(std::span<const Ray> rays) const {
+  ray_count.occluded += static_cast<long long>(rays.size());
+  return tracer.occluded(primitives, rays);
+}
+
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
   const Material& material = scene.materials[scene.material_of[hit.primitive]];
   SurfacePoint point;

@@ -6,13 +6,15 @@
 #include "pt/scene/material.h"
 #include "pt/scene/tracer.h"
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace pt {
 
-// Everything that light meets, in world space (right-handed, y up). Rays are traced by the two
-// members, whatever engine stands behind them; both count the ray.
+// Everything that light meets, in world space (right-handed, y up). Rays are traced by the
+// members, whatever engine stands behind them; they count each ray.
 struct Scene {
   Primitives primitives;
   std::vector<int> material_of;  // for each primitive, an index into materials
@@ -25,6 +27,9 @@ struct Scene {
 
   // Whether any surface lies within the ray's range.
   bool occluded(const Ray& ray) const;
+
+  // For up to 32 rays, best from one point towards one light: bit i says it of ray i.
+  std::uint32_t occluded(std::span<const Ray> rays) const;
 };
 
 // The surface that a ray met, as light transport sees it. `ray` is the ray that the hit answers.

@@ -27,10 +27,21 @@ bool occluded_linear(const Primitives& primitives, const Ray& ray) {
 
 }  // namespace
 
-std::string_view name(Engine engine) { return engine == Engine::linear ? "linear" : "task"; }
+std::string_view name(Engine engine) {
+  switch (engine) {
+    case Engine::linear:
+      return "linear";
+    case Engine::task:
+      return "task";
+    case Engine::wide:
+      return "wide";
+  }
+  return "";
+}
 
 Tracer::Tracer(Engine engine, const Primitives& primitives, int max_leaf) : engine_(engine) {
-  if (engine == Engine::linear) return;
+  if (engine == Engine::wide) wide_ = WideBvh::build(primitives);
+  if (engine != Engine::task) return;
   std::vector<Box> boxes;
   boxes.reserve(primitives.size());
   for (int i = 0; i < primitives.size(); ++i) boxes.push_back(bounds(primitives, i));
@@ -38,13 +49,24 @@ Tracer::Tracer(Engine engine, const Primitives& primitives, int max_leaf) : engi
 }
 
 std::optional<Hit> Tracer::closest(const Primitives& primitives, const Ray& ray) const {
+  if (engine_ == Engine::wide) return wide_.closest(primitives, ray);
   if (engine_ == Engine::linear) return closest_linear(primitives, ray);
   return hit_bvh(bvh_, primitives, ray);
 }
 
 bool Tracer::occluded(const Primitives& primitives, const Ray& ray) const {
+  if (engine_ == Engine::wide) return wide_.occluded(primitives, ray);
   if (engine_ == Engine::linear) return occluded_linear(primitives, ray);
   return occluded_bvh(bvh_, primitives, ray);
+}
+
+std::uint32_t Tracer::occluded(const Primitives& primitives, std::span<const Ray> rays) const {
+  if (engine_ == Engine::wide) return wide_.occluded(primitives, rays);
+  std::uint32_t blocked = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (occluded(primitives, rays[i])) blocked |= std::uint32_t{1} << i;
+  }
+  return blocked;
 }
 
 }  // namespace pt

@@ -1,19 +1,21 @@
 #pragma once
 
+#include "pt/accel/wide_bvh.h"
 #include "pt/geometry/bvh.h"
 #include "pt/geometry/hit.h"
 #include "pt/geometry/primitives.h"
 #include "pt/geometry/ray.h"
 
-#include <memory>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace pt {
 
 // How a scene answers "what does this ray meet": by asking every primitive in turn, through the
 // tasks of part 2 as they are linked, or through the fast engine of pt/accel.
-enum class Engine { linear, task };
+enum class Engine { linear, task, wide };
 
 std::string_view name(Engine engine);
 
@@ -30,12 +32,16 @@ class Tracer {
   std::optional<Hit> closest(const Primitives& primitives, const Ray& ray) const;
   bool occluded(const Primitives& primitives, const Ray& ray) const;
 
+  // For up to 32 rays, best from one point: bit i says whether anything lies in ray i's range.
+  std::uint32_t occluded(const Primitives& primitives, std::span<const Ray> rays) const;
+
   Engine engine() const { return engine_; }
   const Bvh& bvh() const { return bvh_; }  // empty but for Engine::task
 
  private:
   Engine engine_ = Engine::linear;
   Bvh bvh_;
+  WideBvh wide_;
 };
 
 }  // namespace pt

@@ -1,0 +1,158 @@
+// Single rays: ours against Embree's, for generated meshes of 10^3 to 10^6 triangles and for scene
+// files given on the command line.
+#include "bench/embree.h"
+#include "bench/ray_sets.h"
+#include "bench/report.h"
+#include "pt/accel/wide_bvh.h"
+#include "pt/error.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace pt {
+namespace {
+
+constexpr int kRays = 100000;
+constexpr int kRounds = 7;
+volatile long long sink;  // keeps what is timed from being optimised away
+
+// Embree's rays are converted beforehand, and copied because a query writes into them.
+struct EmbreeRays {
+  const EmbreeScene& scene;
+  const std::vector<Ray>& from;
+  std::vector<RTCRay> rays;
+
+  EmbreeRays(const EmbreeScene& embree, const std::vector<Ray>& these)
+      : scene(embree), from(these) {
+    for (const Ray& ray : from) rays.push_back(scene.convert(ray));
+  }
+  // Like ours, with the normal at the hit.
+  void closest(const Primitives& primitives) const {
+    long long hits = 0;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      RTCRayHit query;
+      query.ray = rays[i];
+      query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(scene.handle(), &context, &query);
+      hits += scene.hit_of(primitives, from[i], query).has_value();
+    }
+    sink = hits;
+  }
+  void occluded() const {
+    long long hits = 0;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (RTCRay ray : rays) {
+      rtcOccluded1(scene.handle(), &context, &ray);
+      hits += ray.tfar < 0;
+    }
+    sink = hits;
+  }
+};
+
+struct Ours {
+  const Primitives& primitives;
+  const WideBvh& bvh;
+
+  void closest(const std::vector<Ray>& rays) const {
+    long long hits = 0;
+    for (const Ray& ray : rays) hits += bvh.closest(primitives, ray).has_value();
+    sink = hits;
+  }
+  void occluded(const std::vector<Ray>& rays) const {
+    long long hits = 0;
+    for (const Ray& ray : rays) hits += bvh.occluded(primitives, ray);
+    sink = hits;
+  }
+  void occluded_by_groups(const std::vector<Ray>& rays) const {
+    long long hits = 0;
+    const std::span<const Ray> all(rays);
+    for (std::size_t i = 0; i + kShadowGroup <= rays.size(); i += kShadowGroup) {
+      hits += __builtin_popcount(bvh.occluded(primitives, all.subspan(i, kShadowGroup)));
+    }
+    sink = hits;
+  }
+};
+
+struct Line {
+  const char* kind;
+  double ours;  // seconds, medians
+  double embree;
+  double ratio;
+};
+
+Line line(const char* kind, const std::vector<double>& ours, const std::vector<double>& embree) {
+  return {kind, median(ours), median(embree), ratio(embree, ours)};
+}
+
+void compare(TestScene& test, Csv& csv) {
+  const Primitives& primitives = test.scene.primitives;
+  double start = cpu_seconds();
+  const WideBvh bvh = WideBvh::build(primitives);
+  const double build_ours = cpu_seconds() - start;
+  start = cpu_seconds();
+  const EmbreeScene embree(primitives);
+  const double build_embree = cpu_seconds() - start;
+  const double bytes = static_cast<double>(bvh.bytes()) / primitives.size();
+  const double bytes_embree = static_cast<double>(embree.bytes()) / primitives.size();
+  std::printf("%s: %d primitives; build %.1f ms, Embree %.1f; bytes each %.0f, Embree %.0f\n",
+              test.name.c_str(), primitives.size(), 1e3 * build_ours, 1e3 * build_embree, bytes,
+              bytes_embree);
+
+  test.scene.tracer = Tracer(Engine::wide, primitives);
+  const RaySets rays = make_rays(test, kRays);
+  const EmbreeRays primary(embree, rays.primary), bounce(embree, rays.bounce);
+  const EmbreeRays shadow(embree, rays.shadow);
+  const Ours ours{primitives, bvh};
+  const auto seconds =
+      interleave({[&] { ours.closest(rays.primary); }, [&] { primary.closest(primitives); },
+                  [&] { ours.closest(rays.bounce); }, [&] { bounce.closest(primitives); },
+                  [&] { ours.occluded(rays.shadow); }, [&] { shadow.occluded(); },
+                  [&] { ours.occluded_by_groups(rays.shadow); }},
+                 kRounds);
+  const std::size_t counts[] = {rays.primary.size(), rays.bounce.size(), rays.shadow.size(),
+                                rays.shadow.size()};
+  const Line lines[] = {
+      line("primary", seconds[0], seconds[1]), line("bounce", seconds[2], seconds[3]),
+      line("shadow", seconds[4], seconds[5]), line("shadow x8", seconds[6], seconds[5])};
+  for (int i = 0; i < 4; ++i) {
+    const Line& l = lines[i];
+    const double million = 1e-6 * static_cast<double>(counts[i]);
+    if (counts[i] == 0) continue;
+    std::printf("  %-10s %6.2f M/s   Embree %6.2f M/s   ratio %.2f\n", l.kind, million / l.ours,
+                million / l.embree, l.ratio);
+    char row[300];
+    std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,%.4g,%.4g,%.1f,%.1f", test.name.c_str(),
+                  primitives.size(), l.kind, 1e3 * l.ours / million, 1e3 * l.embree / million,
+                  l.ratio, 1e3 * build_ours, 1e3 * build_embree, bytes, bytes_embree);
+    csv.row(row);
+  }
+}
+
+int run(int count, char** arguments) {
+  const char* folder = std::getenv("BENCH_OUT");
+  Csv csv(std::string(folder ? folder : ".") + "/bench_rays.csv",
+          "scene,primitives,rays,ns,ns_embree,ratio,build_ms,build_ms_embree,bytes,bytes_embree");
+  std::printf("kernel %s\n", best_kernel().name);
+  for (int i = 1; i < count; ++i) {
+    TestScene test = arguments[i][0] >= '0' && arguments[i][0] <= '9'
+                         ? blob_scene(std::atoi(arguments[i]))
+                         : file_scene(arguments[i], 480, 360);
+    compare(test, csv);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace pt
+
+int main(int count, char** arguments) {
+  try {
+    return pt::run(count, arguments);
+  } catch (const pt::Error& error) {
+    std::fprintf(stderr, "bench_rays: %s\n", error.what());
+    return 2;
+  }
+}

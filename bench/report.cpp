@@ -1,0 +1,55 @@
+#include "bench/report.h"
+
+#include "pt/error.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+namespace pt {
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<std::vector<double>> interleave(const std::vector<std::function<void()>>& contenders,
+                                            int rounds) {
+  std::vector<std::vector<double>> seconds(contenders.size());
+  for (int round = -1; round < rounds; ++round) {
+    for (std::size_t i = 0; i < contenders.size(); ++i) {
+      const double start = cpu_seconds();
+      contenders[i]();
+      if (round >= 0) seconds[i].push_back(cpu_seconds() - start);
+    }
+  }
+  return seconds;
+}
+
+double ratio(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i] / b[i]);
+  return median(ratios);
+}
+
+Csv::Csv(const std::string& file, const std::string& header)
+    : file_(std::fopen(file.c_str(), "w")) {
+  if (!file_) throw Error("cannot write " + file + ": choose another folder with --out");
+  row(header);
+}
+
+Csv::~Csv() { std::fclose(file_); }
+
+void Csv::row(const std::string& line) {
+  std::fprintf(file_, "%s\n", line.c_str());
+  std::fflush(file_);
+}
+
+}  // namespace pt

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// CPU time of this thread, in seconds.
+double cpu_seconds();
+
+double median(std::vector<double> values);
+
+// Runs all contenders by turns, `rounds` times after once to warm up, and returns the seconds of
+// each round: [contender][round]. Two that are compared ran within moments of each other, so what
+// else the machine does weighs on both.
+std::vector<std::vector<double>> interleave(const std::vector<std::function<void()>>& contenders,
+                                            int rounds);
+
+// The median over the rounds of how many times faster b was than a.
+double ratio(const std::vector<double>& a, const std::vector<double>& b);
+
+// A table as comma-separated values, a line a row.
+class Csv {
+ public:
+  Csv(const std::string& file, const std::string& header);
+  ~Csv();
+  Csv(const Csv&) = delete;
+  Csv& operator=(const Csv&) = delete;
+
+  void row(const std::string& line);
+
+ private:
+  std::FILE* file_;
+};
+
+}  // namespace pt

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "pt/scene/camera.h"
+#include "pt/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// What is traced: a scene without a tracer, and where it is seen from.
+struct TestScene {
+  std::string name;
+  Scene scene;
+  Camera camera;
+};
+
+// A bumpy blob of about `triangles` triangles in a Cornell box, under a rectangular light.
+TestScene blob_scene(int triangles);
+
+// A scene file, seen as the course does. Materials outside the model become diffuse.
+TestScene file_scene(const std::string& file, int width, int height);
+
+}  // namespace pt

@@ -1,0 +1,166 @@
+#include "pt/accel/binary_tree.h"
+
+#include "pt/accel/wide_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pt {
+
+namespace {
+
+constexpr int kBins = 16;
+
+// Deeper down, ranges are halved: 2^32 primitives no more than 32 times.
+constexpr int kSahDepth = kMaxTreeDepth - 32;
+constexpr float kHuge = 0x1p100f;
+
+struct Bin {
+  FloatBox box;
+  std::uint32_t count = 0;
+
+  void add(const FloatBox& other, std::uint32_t n) {
+    box.grow(other);
+    count += n;
+  }
+};
+
+// Where a range of primitives is cut: those with a bin up to `plane` on `axis` go left.
+struct Cut {
+  float cost = kHuge;
+  int axis = -1;
+  int plane = 0;
+};
+
+// Twice the centre of a box: what is binned.
+float center(const FloatBox& box, int axis) { return box.min[axis] + box.max[axis]; }
+
+// Bins of equal width between the centres of a range.
+struct Binning {
+  std::array<float, 3> origin{};
+  std::array<float, 3> scale{};  // 0 where all centres are the same
+
+  explicit Binning(const FloatBox& centers) {
+    for (int a = 0; a < 3; ++a) {
+      const float extent = centers.max[a] - centers.min[a];
+      origin[a] = centers.min[a];
+      // Less than kBins, so that the last centre rounds into the last bin. An extent so small that
+      // the quotient overflows is as good as none.
+      const float s = 0.999f * kBins / extent;
+      scale[a] = extent > 0 && s < kHuge ? s : 0;
+    }
+  }
+  int bin(const FloatBox& box, int axis) const {
+    return static_cast<int>((center(box, axis) - origin[axis]) * scale[axis]);
+  }
+};
+
+class Builder {
+ public:
+  Builder(std::vector<BoxedPrimitive> primitives, int block)
+      : block_(static_cast<std::uint32_t>(block)) {
+    tree_.primitives = std::move(primitives);
+    if (tree_.primitives.empty()) return;
+    tree_.nodes.reserve(tree_.primitives.size());
+    tree_.nodes.emplace_back();
+    build(0, 0, static_cast<std::uint32_t>(tree_.primitives.size()), 0);
+  }
+
+  BinaryTree take() { return std::move(tree_); }
+
+ private:
+  float leaf_cost(std::uint32_t count) const {
+    return static_cast<float>((count + block_ - 1) / block_);
+  }
+
+  // The cheapest cut of one axis, seen from both sides: the boxes of all bins to the right of each
+  // plane, then those to the left.
+  Cut best_cut(const std::array<Bin, kBins>& bins, int axis) const {
+    std::array<float, kBins> right_cost{};
+    Bin sum;
+    for (int i = kBins - 1; i > 0; --i) {
+      sum.add(bins[i].box, bins[i].count);
+      right_cost[i] = sum.count > 0 ? sum.box.half_area() * leaf_cost(sum.count) : kHuge;
+    }
+    Cut best;
+    sum = {};
+    for (int i = 0; i + 1 < kBins; ++i) {
+      sum.add(bins[i].box, bins[i].count);
+      if (sum.count == 0) continue;
+      const float cost = sum.box.half_area() * leaf_cost(sum.count) + right_cost[i + 1];
+      if (cost < best.cost) best = {cost, axis, i};
+    }
+    return best;
+  }
+
+  Cut best_cut(const Binning& binning, std::uint32_t begin, std::uint32_t end) const {
+    std::array<std::array<Bin, kBins>, 3> bins;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const FloatBox& box = tree_.primitives[i].box;
+      for (int a = 0; a < 3; ++a) bins[a][binning.bin(box, a)].add(box, 1);
+    }
+    Cut best;
+    for (int a = 0; a < 3; ++a) {
+      if (!(binning.scale[a] > 0)) continue;
+      const Cut cut = best_cut(bins[a], a);
+      if (cut.cost < best.cost) best = cut;
+    }
+    return best;
+  }
+
+  // Sorts the range so that the left part comes first, and returns where the right one begins:
+  // `end` where a leaf is as good. Boxes that no plane separates are halved as they come.
+  std::uint32_t split(const FloatBox& box, const FloatBox& centers, std::uint32_t begin,
+                      std::uint32_t end, int depth) {
+    const std::uint32_t count = end - begin;
+    const std::uint32_t middle = begin + count / 2;
+    if (depth >= kSahDepth) return count <= block_ ? end : middle;
+    const Binning binning(centers);
+    const Cut cut = best_cut(binning, begin, end);
+    if (count <= block_ && !(cut.cost + box.half_area() < box.half_area() * leaf_cost(count))) {
+      return end;
+    }
+    if (cut.axis < 0) return middle;
+    const auto first = tree_.primitives.begin();
+    const auto right =
+        std::partition(first + begin, first + end, [&](const BoxedPrimitive& primitive) {
+          return binning.bin(primitive.box, cut.axis) <= cut.plane;
+        });
+    return static_cast<std::uint32_t>(right - first);
+  }
+
+  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, int depth) {
+    FloatBox box, centers;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const FloatBox& b = tree_.primitives[i].box;
+      box.grow(b);
+      FloatBox c;
+      for (int a = 0; a < 3; ++a) c.min[a] = c.max[a] = center(b, a);
+      centers.grow(c);
+    }
+    tree_.nodes[node].box = box;
+    const std::uint32_t middle = split(box, centers, begin, end, depth);
+    if (middle == end) {
+      tree_.nodes[node].first = begin;
+      tree_.nodes[node].count = end - begin;
+      return;
+    }
+    const auto child = static_cast<std::uint32_t>(tree_.nodes.size());
+    tree_.nodes.resize(tree_.nodes.size() + 2);
+    tree_.nodes[node].first = child;
+    build(child, begin, middle, depth + 1);
+    build(child + 1, middle, end, depth + 1);
+  }
+
+  std::uint32_t block_;
+  BinaryTree tree_;
+};
+
+}  // namespace
+
+BinaryTree build_binary_tree(std::vector<BoxedPrimitive> primitives, int block) {
+  return Builder(std::move(primitives), block).take();
+}
+
+}  // namespace pt

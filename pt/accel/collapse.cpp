@@ -1,0 +1,149 @@
+#include "pt/accel/collapse.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace pt {
+
+namespace {
+
+// For triangles smaller still, products of single precision may underflow; with this size the error
+// bounds are larger than what is lost then.
+constexpr float kSmallest = 0x1p-40f;
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+double sum_abs(Vec3 a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); }
+
+void put(float (&rows)[3][kBlock], int slot, Vec3 a) {
+  for (int axis = 0; axis < 3; ++axis) rows[axis][slot] = static_cast<float>(a[axis]);
+}
+
+// The differences are taken before they are scaled: of corners far from the centre, nothing is
+// lost.
+void put(WideBlock& block, int slot, const Triangle& triangle, const WideFrame& frame) {
+  const Vec3 e1 = (triangle.p0 - triangle.p1) * frame.scale;
+  const Vec3 e2 = (triangle.p2 - triangle.p0) * frame.scale;
+  const double longer = std::max(sum_abs(e1), sum_abs(e2));
+  put(block.p0, slot, frame(triangle.p0));
+  put(block.e1, slot, e1);
+  put(block.e2, slot, e2);
+  put(block.n, slot, cross(e1, e2));
+  block.size[slot] = std::max(kSmallest, static_cast<float>(longer + longer * longer / 6));
+}
+
+WideBlock empty_block() {
+  WideBlock block;
+  for (int slot = 0; slot < kBlock; ++slot) {
+    const Vec3 none{kNone, kNone, kNone};
+    put(block.p0, slot, none);
+    put(block.e1, slot, none);
+    put(block.e2, slot, none);
+    put(block.n, slot, none);
+    block.size[slot] = kNone;
+    block.primitive[slot] = kNothing;
+  }
+  return block;
+}
+
+// A slot that every ray has to ask: see WideBlock.
+void put_sphere(WideBlock& block, int slot) {
+  put(block.p0, slot, {});
+  put(block.e1, slot, {});
+  put(block.e2, slot, {});
+  put(block.n, slot, {});
+  block.size[slot] = std::numeric_limits<float>::infinity();
+}
+
+WideBlock make_block(const BinaryTree& binary, const BinaryNode& leaf, const Primitives& primitives,
+                     const WideFrame& frame) {
+  WideBlock block = empty_block();
+  for (int slot = 0; slot < static_cast<int>(leaf.count); ++slot) {
+    const std::uint32_t primitive = binary.primitives[leaf.first + slot].primitive;
+    block.primitive[slot] = primitive;
+    const int index = static_cast<int>(primitive);
+    if (primitives.is_triangle(index)) {
+      put(block, slot, primitives.triangle(index), frame);
+    } else {
+      put_sphere(block, slot);
+    }
+  }
+  return block;
+}
+
+// The binary nodes that become the children of one wide node.
+template <int W>
+struct Children {
+  std::array<std::uint32_t, W> node{};
+  int count = 0;
+};
+
+template <int W>
+Children<W> gather(const BinaryTree& binary, const BinaryNode& parent) {
+  Children<W> children{{parent.first, parent.first + 1}, 2};
+  while (children.count < W) {
+    int largest = -1;
+    float area = -1;
+    for (int i = 0; i < children.count; ++i) {
+      const BinaryNode& child = binary.nodes[children.node[i]];
+      if (child.count == 0 && child.box.half_area() > area) {
+        largest = i;
+        area = child.box.half_area();
+      }
+    }
+    if (largest < 0) break;
+    const std::uint32_t first = binary.nodes[children.node[largest]].first;
+    children.node[largest] = first;
+    children.node[children.count++] = first + 1;
+  }
+  return children;
+}
+
+template <int W>
+struct Collapsing {
+  const BinaryTree& binary;
+  const Primitives& primitives;
+  const WideFrame& frame;
+  WideTree<W> wide;
+
+  WideRef add_block(const BinaryNode& leaf) {
+    wide.blocks.push_back(make_block(binary, leaf, primitives, frame));
+    return kLeaf | static_cast<WideRef>(wide.blocks.size() - 1);
+  }
+
+  // The new node is reached by index, because its children's push_back may move it.
+  WideRef add(const BinaryNode& from) {
+    if (from.count > 0) return add_block(from);
+    const Children<W> children = gather<W>(binary, from);
+    const auto index = static_cast<WideRef>(wide.nodes.size());
+    wide.nodes.emplace_back();
+    for (int i = 0; i < W; ++i) {
+      const FloatBox box = i < children.count ? binary.nodes[children.node[i]].box : FloatBox{};
+      for (int axis = 0; axis < 3; ++axis) {
+        wide.nodes[index].bounds[axis][i] = box.min[axis];
+        wide.nodes[index].bounds[axis + 3][i] = box.max[axis];
+      }
+      const WideRef child = i < children.count ? add(binary.nodes[children.node[i]]) : kNothing;
+      wide.nodes[index].child[i] = child;
+    }
+    return index;
+  }
+};
+
+}  // namespace
+
+template <int W>
+WideTree<W> collapse(const BinaryTree& binary, const Primitives& primitives,
+                     const WideFrame& frame) {
+  Collapsing<W> collapsing{binary, primitives, frame, {}};
+  if (!binary.nodes.empty()) collapsing.wide.root = collapsing.add(binary.nodes[0]);
+  collapsing.wide.nodes.shrink_to_fit();
+  collapsing.wide.blocks.shrink_to_fit();
+  return std::move(collapsing.wide);
+}
+
+template WideTree<8> collapse<8>(const BinaryTree&, const Primitives&, const WideFrame&);
+template WideTree<16> collapse<16>(const BinaryTree&, const Primitives&, const WideFrame&);
+
+}  // namespace pt

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "pt/accel/binary_tree.h"
+#include "pt/accel/wide_tree.h"
+#include "pt/geometry/primitives.h"
+
+#include <vector>
+
+namespace pt {
+
+// The tree's frame: p is at (p - center) * scale there.
+struct WideFrame {
+  Vec3 center;
+  double scale = 1;
+
+  Vec3 operator()(Vec3 p) const { return (p - center) * scale; }
+};
+
+// A wide tree as it is built.
+template <int W>
+struct WideTree {
+  std::vector<WideNode<W>> nodes;
+  std::vector<WideBlock> blocks;
+  WideRef root = kNothing;
+};
+
+// Gives every node of the binary tree up to W children, by putting the children of the largest
+// inner child in its place as long as there is room, and copies the primitives into blocks. W is 8
+// or 16.
+template <int W>
+WideTree<W> collapse(const BinaryTree& binary, const Primitives& primitives,
+                     const WideFrame& frame);
+
+}  // namespace pt

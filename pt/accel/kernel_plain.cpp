@@ -1,0 +1,2 @@
+#define PT_KERNEL plain
+#include "pt/accel/traverse.h"

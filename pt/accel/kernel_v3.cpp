@@ -1,0 +1,2 @@
+#define PT_KERNEL v3
+#include "pt/accel/traverse.h"

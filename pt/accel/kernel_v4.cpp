@@ -1,0 +1,2 @@
+#define PT_KERNEL v4
+#include "pt/accel/traverse.h"

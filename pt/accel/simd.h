@@ -1,0 +1,119 @@
+// Several floats at once, by the vector extensions of gcc and clang: + - * work lane by lane, also
+// with one float for all lanes. What the extensions lack is below, with the instruction where there
+// is one. Included by traverse.cpp alone, which is compiled for several instruction sets; all is
+// internal, so that no function compiled for one of them stands in for another.
+#pragma once
+
+#include <cstdint>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#define PT_INLINE static inline __attribute__((always_inline))
+
+namespace pt {
+namespace {
+
+template <int W>
+struct LanesOf {
+  typedef float Floats __attribute__((vector_size(4 * W)));
+  typedef std::int32_t Ints __attribute__((vector_size(4 * W)));
+};
+template <int W>
+using Floats = typename LanesOf<W>::Floats;
+template <int W>
+using Ints = typename LanesOf<W>::Ints;
+
+// `p` is aligned to 4 W bytes.
+template <int W>
+PT_INLINE Floats<W> load(const float* p) {
+  Floats<W> a;
+  __builtin_memcpy(&a, __builtin_assume_aligned(p, 4 * W), sizeof a);
+  return a;
+}
+template <int W>
+PT_INLINE void store(float* p, Floats<W> a) {
+  __builtin_memcpy(__builtin_assume_aligned(p, 4 * W), &a, sizeof a);
+}
+template <int W>
+PT_INLINE Floats<W> splat(float a) {
+  return a - Floats<W>{};
+}
+
+// a b + c, a b - c and c - a b: rounded once or twice, whichever is faster.
+template <int W>
+PT_INLINE Floats<W> multiply_add(Floats<W> a, Floats<W> b, Floats<W> c) {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) return (Floats<W>)_mm512_fmadd_ps((__m512)a, (__m512)b, (__m512)c);
+#endif
+#if defined(__FMA__)
+  if constexpr (W == 8) return (Floats<W>)_mm256_fmadd_ps((__m256)a, (__m256)b, (__m256)c);
+#endif
+  return a * b + c;
+}
+template <int W>
+PT_INLINE Floats<W> multiply_subtract(Floats<W> a, Floats<W> b, Floats<W> c) {
+  return multiply_add<W>(a, b, -c);
+}
+
+// The smaller and the larger; if either is NaN, b. (The maskless intrinsics make g++ 12 warn of an
+// uninitialised value in its own header; a mask of all lanes is the same instruction.)
+template <int W>
+PT_INLINE Floats<W> min(Floats<W> a, Floats<W> b) {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) return (Floats<W>)_mm512_maskz_min_ps(0xffff, (__m512)a, (__m512)b);
+#endif
+#if defined(__AVX__)
+  if constexpr (W == 8) return (Floats<W>)_mm256_min_ps((__m256)a, (__m256)b);
+#endif
+  return a < b ? a : b;
+}
+template <int W>
+PT_INLINE Floats<W> max(Floats<W> a, Floats<W> b) {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) return (Floats<W>)_mm512_maskz_max_ps(0xffff, (__m512)a, (__m512)b);
+#endif
+#if defined(__AVX__)
+  if constexpr (W == 8) return (Floats<W>)_mm256_max_ps((__m256)a, (__m256)b);
+#endif
+  return a > b ? a : b;
+}
+
+// The sign bits of a, and a with the bits `sign` flipped.
+template <int W>
+PT_INLINE Ints<W> sign_of(Floats<W> a) {
+  return (Ints<W>)a & std::int32_t(0x80000000);
+}
+template <int W>
+PT_INLINE Floats<W> flip(Floats<W> a, Ints<W> sign) {
+  return (Floats<W>)((Ints<W>)a ^ sign);
+}
+
+// Bit i is set where lane i of a comparison's result is true.
+template <int W>
+PT_INLINE std::uint32_t bits(Ints<W> yes) {
+#if defined(__AVX__)
+  if constexpr (W == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)yes));
+#elif defined(__SSE2__)
+  if constexpr (W == 8) {
+    const __m128 low = (__m128)__builtin_shufflevector(yes, yes, 0, 1, 2, 3);
+    const __m128 high = (__m128)__builtin_shufflevector(yes, yes, 4, 5, 6, 7);
+    return static_cast<std::uint32_t>(_mm_movemask_ps(low) | _mm_movemask_ps(high) << 4);
+  }
+#endif
+  std::uint32_t result = 0;
+  for (int i = 0; i < W; ++i) result |= static_cast<std::uint32_t>(yes[i] & 1) << i;
+  return result;
+}
+
+// Bit i is set where a <= b in lane i; not where either is NaN.
+template <int W>
+PT_INLINE std::uint32_t less_equal(Floats<W> a, Floats<W> b) {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LE_OQ);
+#endif
+  return bits<W>(a <= b);
+}
+
+}  // namespace
+}  // namespace pt

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "pt/geometry/sphere.h"
+#include "pt/geometry/triangle.h"
+
+#include <cstdint>
+
+// The data that the wide engine's queries read. See wide_bvh.h for the idea.
+
+namespace pt {
+
+// What a node's slot points at: the index of a node or, with kLeaf, of a block.
+using WideRef = std::uint32_t;
+inline constexpr WideRef kLeaf = 0x80000000u;
+inline constexpr WideRef kNothing = 0xffffffffu;
+inline constexpr int kBlock = 8;
+inline constexpr int kMaxTreeDepth = 80;
+
+// The boxes of up to W children, each bound in a row of its own. Empty slots have min > max.
+template <int W>
+struct alignas(4 * W) WideNode {
+  float bounds[6][W];  // min x y z, max x y z
+  WideRef child[W];
+};
+
+// Up to 8 triangles. The third edge and all else follows from e1 = p0 - p1 and e2 = p2 - p0.
+// Empty slots are NaN, which no test accepts. A slot with an infinite `size` is accepted by every
+// test and left to the decision in double precision: spheres.
+struct alignas(32) WideBlock {
+  float p0[3][kBlock];
+  float e1[3][kBlock];
+  float e2[3][kBlock];
+  float n[3][kBlock];  // e1 x e2
+  float size[kBlock];  // what the triangle's error bounds grow with: E + E^2 / 6, where E is the
+                       // longer edge, its components added up
+  std::uint32_t primitive[kBlock];
+};
+
+// The tree as a query sees it. Its coordinates are (p - center) * scale, all of them in [-1, 1], so
+// that single precision is as good at every scale and anywhere in space.
+struct WideView {
+  const void* nodes;  // WideNode<width of the kernel>
+  const WideBlock* blocks;
+  WideRef root;                 // kNothing where nothing is in the tree
+  double center[4];             // x, y, z, and 0
+  double scale;                 // a power of two
+  const std::uint32_t* beside;  // primitives outside the tree, asked by every query
+  std::uint32_t beside_count;
+  std::uint32_t triangle_count;
+};
+
+// What is asked: the tree, and the primitives it was built for.
+struct WideQuery {
+  const WideView& view;
+  const Triangle* triangles;
+  const Sphere* spheres;
+};
+
+}  // namespace pt

@@ -1,0 +1,252 @@
+#include "pt/accel/wide_bvh.h"
+#include "pt/geometry/spawn_ray.h"
+#include "tests/generated_meshes.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace pt {
+namespace {
+
+std::vector<const Kernel*> kernels() {
+  std::vector<const Kernel*> result;
+  for (const char* name : {"plain", "v2", "v3", "v4"}) {
+    if (const Kernel* kernel = find_kernel(name)) result.push_back(kernel);
+  }
+  return result;
+}
+
+// The oracle: every primitive in turn, decided by the test that the engine promises to agree with.
+struct Brute {
+  double t = 0;
+  int primitive = -1;
+};
+
+Brute brute_force(const Primitives& primitives, const Ray& ray) {
+  Brute best;
+  for (int i = 0; i < primitives.size(); ++i) {
+    const ExactHit hit = primitives.is_triangle(i) ? exact_hit(primitives.triangle(i), ray)
+                                                   : exact_hit(primitives.sphere(i), ray);
+    if (hit.hit && (best.primitive < 0 || hit.t < best.t)) best = {hit.t, i};
+  }
+  return best;
+}
+
+struct Mesh {
+  std::string name;
+  Primitives primitives;
+};
+
+std::vector<Triangle> slivers() {
+  std::vector<Triangle> triangles;
+  Sampler sampler(11);
+  for (int i = 0; i < 150; ++i) {
+    const Vec3 p = uniform_in_cube(sampler), along = uniform_in_cube(sampler);
+    const double width = std::pow(10, uniform(sampler, -9, -3));
+    triangles.push_back(
+        flat_triangle(p, p + along, p + 0.5 * along + width * uniform_in_cube(sampler)));
+  }
+  return triangles;
+}
+
+std::vector<Triangle> same_centroids() {
+  std::vector<Triangle> triangles;
+  Sampler sampler(12);
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 a = uniform_in_cube(sampler), b = uniform_in_cube(sampler);
+    triangles.push_back(flat_triangle(a, b, -(a + b)));
+    triangles.push_back(flat_triangle(-a, -b, a + b));
+  }
+  return triangles;
+}
+
+// At 2^-i: planes in the middle of the longest axis would make a tree as deep as there are
+// triangles.
+std::vector<Triangle> clustered() {
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 200; ++i) {
+    const double s = std::ldexp(1.0, -i);
+    triangles.push_back(flat_triangle({s, 0, 0}, {s, 0.5 * s, 0}, {s, 0, 0.5 * s}));
+  }
+  return triangles;
+}
+
+std::vector<Triangle> degenerate() {
+  std::vector<Triangle> triangles = soup(60, 0.5, 13);
+  Sampler sampler(14);
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 p = uniform_in_cube(sampler), q = uniform_in_cube(sampler), n{0, 0, 1};
+    triangles.push_back({p, p, p, n, n, n});
+    triangles.push_back({p, q, q, n, n, n});
+    triangles.push_back({p, 0.5 * (p + q), q, n, n, n});
+  }
+  const double nan = std::nan("");
+  triangles.push_back({{nan, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}});
+  triangles.push_back({{0, 0, 0}, {kInfinity, 1, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}});
+  return triangles;
+}
+
+std::vector<Triangle> duplicates() {
+  std::vector<Triangle> triangles = blob(4);
+  const std::vector<Triangle> once = triangles;
+  for (int i = 0; i < 3; ++i) triangles.insert(triangles.end(), once.begin(), once.end());
+  return triangles;
+}
+
+std::vector<Triangle> many_sizes() {
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 8; ++i) {
+    const std::vector<Triangle> more = soup(25, std::pow(10, -i), 15 + i);
+    triangles.insert(triangles.end(), more.begin(), more.end());
+  }
+  return triangles;
+}
+
+std::vector<Sphere> some_spheres(int count, double radius) {
+  Sampler sampler(16);
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < count; ++i) spheres.push_back({uniform_in_cube(sampler), radius});
+  return spheres;
+}
+
+std::vector<Mesh> meshes() {
+  return {{"blob", {blob(8), {}}},
+          {"flat grid", {grid(9), {}}},
+          {"soup", {soup(150, 0.3, 1), {}}},
+          {"slivers", {slivers(), {}}},
+          {"same centroids", {same_centroids(), {}}},
+          {"clustered", {clustered(), {}}},
+          {"degenerate", {degenerate(), {}}},
+          {"duplicates", {duplicates(), {}}},
+          {"many sizes", {many_sizes(), {}}},
+          {"one triangle", {soup(1, 1, 2), {}}},
+          {"spheres", {{}, some_spheres(80, 0.2)}},
+          {"spheres and triangles", {soup(100, 0.3, 3), some_spheres(30, 0.3)}},
+          {"a ground that is a sphere", {blob(6), {{{0, 0, -1e5 - 1}, 1e5}}}}};
+}
+
+void place(Primitives& primitives, double scale, Vec3 shift) {
+  place(primitives.triangles, scale, shift);
+  for (Sphere& s : primitives.spheres) s = {scale * s.center + shift, scale * s.radius};
+}
+
+// A point that tests find hard: a corner, on an edge, inside a triangle, or near the mesh.
+Vec3 target(const Primitives& primitives, Sampler& sampler) {
+  const int kind = static_cast<int>(5 * sampler.next_1d());
+  const Vec3 anywhere = 1.2 * uniform_in_cube(sampler);
+  if (primitives.triangles.empty() || kind == 4) return anywhere;
+  const auto count = static_cast<double>(primitives.triangles.size());
+  const Triangle& t = primitives.triangles[static_cast<std::size_t>(count * sampler.next_1d())];
+  const double a = sampler.next_1d(), b = sampler.next_1d() * (1 - a);
+  if (kind == 0) return t.p1;
+  if (kind == 1) return t.p0 + a * (t.p1 - t.p0);
+  if (kind == 2) return t.p2 + 0.5 * (t.p1 - t.p2);
+  return t.p0 + a * (t.p1 - t.p0) + b * (t.p2 - t.p0);
+}
+
+Vec3 hard_direction(Vec3 d, Sampler& sampler) {
+  const int kind = static_cast<int>(8 * sampler.next_1d());
+  if (kind == 0) d.x = 0;
+  if (kind == 1) d.y = -0.0;
+  if (kind == 2) d = {0, -0.0, d.z};
+  if (kind == 3) d = {-d.x, 0, -0.0};
+  if (kind == 4) d.z *= 1e-9;
+  if (kind == 5) d.x *= 1e-70;
+  return d == Vec3{} ? Vec3{0, 0, 1} : d;
+}
+
+// For a mesh of about unit size at the origin: towards or away from a target, from near, from far,
+// or from another target.
+Ray hard_ray(const Primitives& primitives, Sampler& sampler) {
+  const Vec3 to = target(primitives, sampler);
+  Ray ray;
+  const int from = static_cast<int>(6 * sampler.next_1d());
+  ray.origin = 1.5 * uniform_in_cube(sampler);
+  if (from == 0) ray.origin = target(primitives, sampler);
+  if (from == 1) ray.origin = std::pow(10, uniform(sampler, 0, 9)) * uniform_in_cube(sampler);
+  ray.direction = to - ray.origin;
+  if (from == 2 || ray.direction == Vec3{}) ray.direction = uniform_direction(sampler);
+  if (from == 3) {
+    ray.direction = hard_direction(ray.direction, sampler);
+    ray.origin = to - ray.direction;
+  }
+  ray.direction *= std::pow(10, uniform(sampler, -3, 3));
+  const int range = static_cast<int>(6 * sampler.next_1d());
+  const double t = 1 / max_abs(ray.direction);
+  if (range == 0) ray.t_max = 2 * t * sampler.next_1d();
+  if (range == 1) ray.t_min = 2 * t * sampler.next_1d();
+  if (range == 2) ray.t_min = -t, ray.t_max = t;
+  if (range == 3) ray.t_min = -kInfinity, ray.t_max = -t * sampler.next_1d();
+  return ray;
+}
+
+std::string text(const Ray& ray) {
+  char line[400];
+  std::snprintf(line, sizeof line, "{{%a,%a,%a},{%a,%a,%a},%a,%a}", ray.origin.x, ray.origin.y,
+                ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.t_min,
+                ray.t_max);
+  return line;
+}
+
+// True where the engine's answers for the ray are, bit for bit, those of asking every primitive.
+::testing::AssertionResult agrees(const WideBvh& bvh, const Primitives& primitives, const Ray& ray,
+                                  const Brute& expected) {
+  const std::optional<Hit> hit = bvh.closest(primitives, ray);
+  const int primitive = hit ? hit->primitive : -1;
+  if (primitive != expected.primitive || (hit && hit->t != expected.t)) {
+    return ::testing::AssertionFailure()
+           << text(ray) << " hits " << primitive << " at " << (hit ? hit->t : 0) << ", expected "
+           << expected.primitive << " at " << expected.t;
+  }
+  if (bvh.occluded(primitives, ray) != (expected.primitive >= 0)) {
+    return ::testing::AssertionFailure() << text(ray) << ": wrong answer of occluded";
+  }
+  return ::testing::AssertionSuccess();
+}
+
+struct Placement {
+  double scale;
+  Vec3 shift;
+};
+class Wide : public ::testing::TestWithParam<Placement> {};
+
+TEST_P(Wide, answers_like_asking_every_primitive_with_any_kernel) {
+  const auto [scale, shift] = GetParam();
+  const std::vector<const Kernel*> all = kernels();
+  std::uint64_t seed = 100;
+  for (const Mesh& mesh : meshes()) {
+    Sampler sampler(++seed);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 10000; ++i) {
+      rays.push_back(hard_ray(mesh.primitives, sampler));
+      rays.back().origin = scale * rays.back().origin + shift;
+      rays.back().direction *= scale;
+    }
+    Primitives primitives = mesh.primitives;
+    place(primitives, scale, shift);
+    std::vector<WideBvh> bvhs;
+    for (const Kernel* kernel : all) bvhs.push_back(WideBvh::build(primitives, *kernel));
+    int hits = 0;
+    for (const Ray& ray : rays) {
+      const Brute expected = brute_force(primitives, ray);
+      hits += expected.primitive >= 0;
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        ASSERT_TRUE(agrees(bvhs[k], primitives, ray, expected))
+            << mesh.name << ", " << all[k]->name;
+      }
+    }
+    EXPECT_GT(hits, 100) << mesh.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryPlace, Wide,
+                         ::testing::Values(Placement{1, {}}, Placement{1e-6, {}},
+                                           Placement{1e6, {}}, Placement{1, {1e4, -3e4, 2e4}},
+                                           Placement{1e-6, {1, 1, -1}}, Placement{0x1p-50, {}},
+                                           Placement{3e60, {}}));
+
+}  // namespace
+}  // namespace pt
