@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 
+#include <filesystem>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -20,6 +21,10 @@ Slugs operator+(Slugs all, const Slugs& more) {
 }
 
 }  // namespace
+
+std::string default_config_path() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "grade.json";
+}
 
 Config load_config(const std::string& path) {
   std::ifstream file(path);

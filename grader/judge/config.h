@@ -34,6 +34,9 @@ struct Config {
   std::vector<TaskConfig> tasks;             // in the order of the course
 };
 
+// The file that CMake wrote next to the program that runs.
+std::string default_config_path();
+
 // Throws pt::Error if the file is not there.
 Config load_config(const std::string& path);
 

@@ -1,7 +1,7 @@
 // grade: judges a submission, and never runs a line of it itself. Exit status 0 if all that was
 // asked for passes, 1 if something that was judged does not, 2 if nothing could be judged.
+#include "grader/hints/memory.h"
 #include "grader/judge/grade.h"
-#include "grader/judge/hints.h"
 #include "grader/process/spawn.h"
 #include "grader/report/json.h"
 #include "grader/report/terminal.h"
@@ -9,7 +9,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <set>
 
 #include <CLI/CLI.hpp>
@@ -22,20 +21,15 @@ struct Options {
   std::vector<std::string> what;
   std::string submission = "student";
   std::string json;
-  std::string hint;
   std::string config;
-  int tier = 0;
   std::uint64_t seed = 1;
   int call_limit = 2000;
   bool all = false;
 };
 
-// The file that CMake wrote next to this program.
-std::string config_path() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "grade.json";
-}
-
-int grade_submission(const Config& config, const Options& options) {
+int run(const Options& options) {
+  const Config config =
+      load_config(options.config.empty() ? default_config_path() : options.config);
   GradeRequest request{options.submission, {}, options.seed, options.call_limit};
   std::set<std::string> asked;
   for (const std::string& word : options.what) {
@@ -47,17 +41,10 @@ int grade_submission(const Config& config, const Options& options) {
   const Results results = grade(config, request, [&](const Results& so_far) {
     if (!options.json.empty()) write_json(so_far, options.json);
   });
-  remember_failures(config, results);
+  remember_failures(config.work, results);
   const std::string text = to_text(results, {terminal_has_color(), options.all});
   std::fputs(text.c_str(), stdout);
   return passes(results) ? 0 : 1;
-}
-
-int run(const Options& options) {
-  const Config config = load_config(options.config.empty() ? config_path() : options.config);
-  if (options.hint.empty()) return grade_submission(config, options);
-  std::fputs(hint(config, options.hint, options.tier).c_str(), stdout);
-  return 0;
 }
 
 }  // namespace
@@ -75,8 +62,6 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "of all random inputs");
   app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
-  app.add_option("--hint", options.hint, "show the next hint for this task instead");
-  app.add_option("--tier", options.tier, "this hint, not the next")->check(CLI::Range(1, 3));
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
   try {
     app.parse(argc, argv);

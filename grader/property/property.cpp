@@ -1,5 +1,7 @@
 #include "grader/property/property.h"
 
+#include "grader/property/replay.h"
+
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -9,7 +11,6 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <rapidcheck/detail/TestListener.h>
 
 namespace grader {
 
@@ -79,17 +80,16 @@ Cause cause_of(const std::string& text) {
   return Cause::wrong;
 }
 
-// Ends a search for smaller failures that RapidCheck would go on with for as long as it finds some.
-struct Enough {};
-
 // Follows a property: keeps the smallest failing case, and ends the search for a smaller one after
 // a while. (RapidCheck's own listener reads its configuration from the environment and prints it.)
 class Watcher : public rc::detail::TestListener {
  public:
+  explicit Watcher(const Counted& counted) : counted_(counted) {}
+
   void onTestCaseFinished(const rc::detail::CaseDescription& tried) override {
     if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
     if (tried.result.type != rc::detail::CaseResult::Type::Failure) return;
-    smallest_ = tried;
+    keep(tried);
     deadline_ = Clock::now() + kShrinkTime;
     attempts_left_ = shrink_attempts(cause_of(tried.result.description));
     if (attempts_left_ == 0) throw Enough{};
@@ -97,7 +97,7 @@ class Watcher : public rc::detail::TestListener {
 
   void onShrinkTried(const rc::detail::CaseDescription& tried, bool fails) override {
     if (fails) {
-      smallest_ = tried;
+      keep(tried);
       attempts_left_ =
           std::min(attempts_left_, shrink_attempts(cause_of(tried.result.description)));
     }
@@ -108,13 +108,34 @@ class Watcher : public rc::detail::TestListener {
 
   const std::optional<rc::detail::CaseDescription>& smallest() const { return smallest_; }
   int held() const { return held_; }
+  int smallest_run() const { return smallest_run_; }
 
  private:
+  void keep(const rc::detail::CaseDescription& tried) {
+    smallest_ = tried;
+    smallest_run_ = counted_.runs;
+  }
+
+  const Counted& counted_;
+  int smallest_run_ = 0;
   std::optional<rc::detail::CaseDescription> smallest_;
   int held_ = 0;
   int attempts_left_ = 0;
   Clock::time_point deadline_;
 };
+
+// What RapidCheck has to say if the property failed and the listener did not end it.
+std::string check(Counted& counted, const rc::detail::TestParams& params,
+                  rc::detail::TestListener& listener) {
+  std::ostringstream text;
+  try {
+    const auto result = rc::detail::checkProperty(rc::detail::toProperty([&] { counted.run(); }),
+                                                  rc::detail::TestMetadata{}, params, listener, {});
+    if (!result.is<rc::detail::SuccessResult>()) rc::detail::printResultMessage(result, text);
+  } catch (const Enough&) {
+  }
+  return text.str();
+}
 
 // RapidCheck gives the type where the generator has no name; names end in a colon (draw). A value
 // of several lines, such as a sphere and a ray, is several inputs.
@@ -164,19 +185,17 @@ void for_all(const std::function<void()>& property, int cases) {
   params.seed = hash(std::string(test->test_suite_name()) + "." + test->name(), seed());
   params.maxSuccess = cases;
 
-  Watcher watcher;
-  std::string fault;
-  try {
-    const auto result = rc::detail::checkProperty(rc::detail::toProperty(property),
-                                                  rc::detail::TestMetadata{}, params, watcher, {});
-    std::ostringstream text;
-    rc::detail::printResultMessage(result, text);
-    if (!result.is<rc::detail::SuccessResult>()) fault = text.str();
-  } catch (const Enough&) {
-  }
+  Counted counted{property};
+  Watcher watcher(counted);
+  const std::string fault = check(counted, params, watcher);
   if (watcher.smallest()) {
     mutable_failures().push_back(describe(*watcher.smallest(), watcher.held()));
     ADD_FAILURE() << print(mutable_failures().back());
+    if (std::getenv("FIRSTLIGHT_REPLAY") != nullptr) {
+      Counted again{property, watcher.smallest_run()};
+      Replayer replayer(again);
+      check(again, params, replayer);
+    }
   } else if (!fault.empty()) {
     ADD_FAILURE() << "the property itself is at fault: " << fault;
   }

@@ -54,28 +54,6 @@ std::string row(const TaskResult& task, const TerminalStyle& style) {
   return line + "\n";
 }
 
-std::string table(const Results& results, const TerminalStyle& style) {
-  std::string text, part;
-  int points = 0, max_points = 0, bonus = 0, passed = 0;
-  for (const TaskResult& task : results.tasks) {
-    if (task.part != part) {
-      const std::size_t underscore = task.part.find('_');
-      text += fmt::format("\nPart {}  {}\n", task.part.substr(0, underscore),
-                          task.part.substr(underscore + 1));
-    }
-    part = task.part;
-    text += row(task, style);
-    points += task.points;
-    max_points += task.max_points;
-    bonus += task.bonus_points;
-    passed += task.state == State::pass ? 1 : 0;
-  }
-  text += fmt::format("\n{} of {} tasks pass. {} of {} points", passed, results.tasks.size(),
-                      points, max_points);
-  if (bonus > 0) text += fmt::format(" and {} bonus", bonus);
-  return text + ".\n";
-}
-
 // "  got       1.5", further lines below the value.
 std::string labelled(const std::string& label, const std::vector<std::string>& lines) {
   std::string text;
@@ -124,29 +102,48 @@ std::string printed_text(const TaskResult& task) {
   return text;
 }
 
-// The reason or the failed promises of one task, the most telling first.
-std::vector<std::string> failures_of(const TaskResult& task, const TerminalStyle& style) {
-  std::vector<std::string> texts;
+}  // namespace
+
+std::string table(const Results& results, const TerminalStyle& style) {
+  std::string text, part;
+  int points = 0, max_points = 0, bonus = 0, passed = 0;
+  for (const TaskResult& task : results.tasks) {
+    if (task.part != part) {
+      const std::size_t underscore = task.part.find('_');
+      text += fmt::format("\nPart {}  {}\n", task.part.substr(0, underscore),
+                          task.part.substr(underscore + 1));
+    }
+    part = task.part;
+    text += row(task, style);
+    points += task.points;
+    max_points += task.max_points;
+    bonus += task.bonus_points;
+    passed += task.state == State::pass ? 1 : 0;
+  }
+  text += fmt::format("\n{} of {} tasks pass. {} of {} points", passed, results.tasks.size(),
+                      points, max_points);
+  if (bonus > 0) text += fmt::format(" and {} bonus", bonus);
+  return text + ".\n";
+}
+
+std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalStyle& style) {
+  std::vector<FailureText> texts;
   const bool quiet = task.state == State::pass || task.state == State::not_attempted ||
                      task.state == State::blocked;
-  if (!task.reason.empty() && !quiet) texts.push_back(reason_text(task, style));
+  std::string reason = task.reason.empty() || quiet ? "" : reason_text(task, style);
   for (const PromiseResult& promise : task.promises) {
     const bool failed = !promise.held && (!promise.bonus || style.all);
     const bool shown = !promise.failures.empty() || (task.reason.empty() && !promise.bonus);
     if (failed && shown && !(quiet && !promise.bonus)) {
-      texts.push_back(promise_text(task, promise, style));
+      // A reason such as "only with your hit_box" belongs to the first failure below it.
+      texts.push_back({task.slug, promise.name, reason + promise_text(task, promise, style)});
+      reason.clear();
     }
   }
-  // A reason such as "only with your hit_box" belongs to the first failure below it.
-  if (texts.size() > 1 && !task.reason.empty() && !quiet) {
-    texts[1] = texts[0] + texts[1];
-    texts.erase(texts.begin());
-  }
-  if (!texts.empty() && !task.printed.empty()) texts.back() += printed_text(task);
+  if (!reason.empty()) texts.push_back({task.slug, "", reason});
+  if (!texts.empty() && !task.printed.empty()) texts.back().text += printed_text(task);
   return texts;
 }
-
-}  // namespace
 
 bool terminal_has_color() {
   const char* no_color = std::getenv("NO_COLOR");
@@ -158,7 +155,7 @@ bool terminal_has_color() {
 std::string to_text(const Results& results, const TerminalStyle& style) {
   std::vector<std::string> failures;
   for (const TaskResult& task : results.tasks) {
-    for (std::string& text : failures_of(task, style)) failures.push_back(std::move(text));
+    for (FailureText& each : failure_texts(task, style)) failures.push_back(std::move(each.text));
   }
   std::string text = table(results, style);
   const std::size_t shown = style.all ? failures.size() : std::min<std::size_t>(1, failures.size());

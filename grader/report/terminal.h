@@ -3,6 +3,7 @@
 #include "grader/report/results.h"
 
 #include <string>
+#include <vector>
 
 namespace grader {
 
@@ -13,6 +14,16 @@ struct TerminalStyle {
 
 // The results for a person in front of a terminal: a table, then failures in full.
 std::string to_text(const Results& results, const TerminalStyle& style);
+
+// Its parts: a row for each task, and what there is to say about each failure, in the order of the
+// report.
+std::string table(const Results& results, const TerminalStyle& style);
+struct FailureText {
+  std::string slug;
+  std::string promise;  // the property; empty: the whole task
+  std::string text;
+};
+std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalStyle& style);
 
 // Whether standard output is a terminal that shows colours and NO_COLOR is not set.
 bool terminal_has_color();

@@ -43,6 +43,18 @@ TEST(Property, shrinks_a_magnitude_to_a_power_of_ten) {
   EXPECT_EQ(failure.input, std::vector<std::string>{"x: 100"});
 }
 
+TEST(Property, runs_the_smallest_failing_case_once_more_for_a_debugger) {
+  setenv("FIRSTLIGHT_REPLAY", "1", 1);
+  int last = 0;
+  const Failure failure = failure_of([&] {
+    last = draw("n", whole(0, 1000));
+    expect(last < 17, "less", "more");
+  });
+  unsetenv("FIRSTLIGHT_REPLAY");
+  EXPECT_EQ(failure.input, std::vector<std::string>{"n: " + std::to_string(last)});
+  EXPECT_EQ(last, 17);
+}
+
 struct Two {
   pt::Vec3 first, second;
 };

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "grader/report/results.h"
+
+#include <string>
+
+namespace grader {
+
+// What to_json wrote. Throws pt::Error, naming `path`, if the text is something else.
+Results results_from_json(const std::string& text, const std::string& path);
+
+}  // namespace grader

@@ -1,0 +1,38 @@
+// watch: judges each task when its file is saved, by running grade, and shows what it found. Exit
+// status 0 when the learner quits, 2 if there is no terminal or nothing to watch.
+#include "grader/judge/config.h"
+#include "grader/report/terminal.h"
+#include "grader/watch/raw_terminal.h"
+#include "grader/watch/session.h"
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+int main(int argc, char** argv) {
+  using namespace grader;
+  std::signal(SIGPIPE, SIG_IGN);
+  WatchOptions options;
+  options.submission = "student";
+  CLI::App app{"Checks each task when its file is saved"};
+  app.add_option("--submission", options.submission, "a folder with the tree of student/")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--config", options.config,
+                 "what CMake wrote (grade.json); the programs grade and hint are next to it");
+  try {
+    app.parse(argc, argv);
+    if (options.config.empty()) options.config = default_config_path();
+    options.programs = std::filesystem::absolute(options.config).parent_path();
+    options.style.color = terminal_has_color();
+    const Config config = load_config(options.config);
+    RawTerminal terminal;
+    return WatchSession(config, options).run(terminal);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,251 @@
+// watch, in a terminal of its own, with programs in the place of grade and hint that say what they
+// were asked and answer what the test has laid out.
+#include "grader/report/json.h"
+#include "tests/grader_fixture.h"
+#include "tests/pseudo_terminal.h"
+
+#include <csignal>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace grader {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// Answers with the file <task>.json, or all.json; first does what is in the file `before`, if any.
+constexpr const char* kGrade = R"(#!/bin/sh
+here=$(dirname "$0")
+task=all
+case $1 in --*) ;; *) task=$1 ;; esac
+while [ $# -gt 1 ]; do [ "$1" = --json ] && json=$2; shift; done
+echo "graded $task" >> "$here/log"
+[ -e "$here/before" ] && . "$here/before"
+cp "$here/$task.json" "$json"
+echo "finished $task" >> "$here/log"
+)";
+constexpr const char* kHint = "#!/bin/sh\necho \"hint asked for: $1 $2\"\n";
+
+TaskResult failing(const std::string& part, const std::string& number, const std::string& slug,
+                   const std::vector<std::string>& promises) {
+  TaskResult task;
+  task.part = part;
+  task.number = number;
+  task.slug = slug;
+  task.state = promises.empty() ? State::pass : State::fail;
+  task.max_points = 5;
+  for (const std::string& name : promises) {
+    PromiseResult promise{name, "words of " + name, false, false, 0, {}};
+    FailureReport& failure = promise.failures.emplace_back();
+    failure.got = "got for " + name;
+    task.promises.push_back(promise);
+  }
+  return task;
+}
+
+class WatchTest : public testing::Test {
+ protected:
+  WatchTest() {
+    for (const auto& [name, text] : {std::pair("grade", kGrade), std::pair("hint", kHint)}) {
+      write_file(here_ + "/" + name, text);
+      std::filesystem::permissions(here_ + "/" + name, std::filesystem::perms::owner_all);
+    }
+    for (const char* part : {"/student/1_rays", "/student/2_bvh"}) {
+      std::filesystem::create_directories(here_ + part);
+    }
+    save("1_rays/hit_triangle", "// first");
+    TaskResult unwritten = failing("2_bvh", "2.1", "build_bvh", {});
+    unwritten.state = State::not_attempted;
+    answer("all", {triangle({"one", "two"}), unwritten});
+    answer("hit_triangle", {triangle({"three"})});
+    answer("hit_sphere", {failing("1_rays", "1.4", "hit_sphere", {})});
+  }
+
+  static TaskResult triangle(const std::vector<std::string>& promises) {
+    return failing("1_rays", "1.3", "hit_triangle", promises);
+  }
+
+  // As an editor does it.
+  void save(const std::string& file, const std::string& text) const {
+    write_file(here_ + "/student/" + file + ".cpp", text);
+  }
+
+  void answer(const std::string& task, std::vector<TaskResult> tasks) const {
+    Results results;
+    results.complete = true;
+    results.tasks = std::move(tasks);
+    write_json(results, here_ + "/" + task + ".json");
+  }
+
+  std::vector<std::string> command() const {
+    return {WATCH_PROGRAM, "--submission", here_ + "/student", "--config", folder_.config()};
+  }
+
+  // Waits for what the first run over everything found.
+  static void begin(PseudoTerminal& terminal) {
+    terminal.expect("got for one");
+    terminal.expect("q quit");
+  }
+
+  static void expect_exit(PseudoTerminal& terminal, int code) {
+    const int status = terminal.wait();
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), code);
+    EXPECT_TRUE(terminal.mode() == terminal.mode_before());
+  }
+
+  const GraderFolder folder_;
+  const std::string here_ = folder_.path();
+};
+
+TEST_F(WatchTest, judges_everything_once_and_then_what_is_saved) {
+  PseudoTerminal terminal(command());
+  EXPECT_THAT(terminal.expect("got for one"), HasSubstr("hit_triangle"));
+  EXPECT_FALSE(terminal.mode() == terminal.mode_before());
+  save("1_rays/hit_triangle", "// second");
+  EXPECT_THAT(terminal.expect("got for three"), Not(HasSubstr("got for two")));
+  save("1_rays/hit_sphere", "// new");
+  const std::string screen = terminal.expect("hit_sphere passes");
+  EXPECT_THAT(screen, HasSubstr("1.3  hit_triangle"));
+  EXPECT_THAT(screen, HasSubstr("1 of 3 tasks pass"));
+  terminal.type("q");
+  expect_exit(terminal, 0);
+  EXPECT_EQ(read_file(here_ + "/log"),
+            "graded all\nfinished all\ngraded hit_triangle\nfinished hit_triangle\n"
+            "graded hit_sphere\nfinished hit_sphere\n");
+}
+
+TEST_F(WatchTest, answers_keys) {
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  terminal.type("h");
+  terminal.expect("hint asked for: hit_triangle one");
+  terminal.type("n");
+  EXPECT_THAT(terminal.expect("got for two"), Not(HasSubstr("got for one")));
+  terminal.type("xh");
+  terminal.expect("hint asked for: hit_triangle two");
+  terminal.type("n");
+  terminal.expect("1.4 hit_sphere is not judged yet");
+  terminal.type("n");
+  terminal.expect("2.1 build_bvh is not written yet");
+  terminal.type("n");
+  terminal.expect("got for one");
+  terminal.type("l");
+  terminal.expect("1.3  hit_triangle       fail");
+  terminal.expect("2.1  build_bvh          not attempted");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, begins_with_what_fails_not_with_what_is_not_written) {
+  TaskResult unwritten = triangle({});
+  unwritten.state = State::not_attempted;
+  answer("all", {unwritten, failing("1_rays", "1.4", "hit_sphere", {"four"})});
+  PseudoTerminal terminal(command());
+  EXPECT_THAT(terminal.expect("got for four"), Not(HasSubstr("not written yet")));
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, leaves_the_terminal_as_it_was_however_it_ends) {
+  struct Case {
+    const char* keys;
+    int signal, code;
+  };
+  for (const Case& each : {Case{"\x03", 0, 0}, Case{"\x1c", 0, 128 + SIGQUIT},
+                           Case{"", SIGTERM, 128 + SIGTERM}, Case{"", SIGHUP, 128 + SIGHUP}}) {
+    PseudoTerminal terminal(command());
+    begin(terminal);
+    EXPECT_FALSE(terminal.mode() == terminal.mode_before());
+    terminal.type(each.keys);
+    if (each.signal != 0) terminal.send_signal(each.signal);
+    expect_exit(terminal, each.code);
+  }
+}
+
+TEST_F(WatchTest, leaves_the_terminal_as_it_was_when_it_crashes) {
+  for (const int signal : {SIGSEGV, SIGABRT}) {
+    PseudoTerminal terminal(command());
+    begin(terminal);
+    EXPECT_FALSE(terminal.mode() == terminal.mode_before());
+    terminal.send_signal(signal);
+    const int status = terminal.wait();
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), signal);
+    EXPECT_TRUE(terminal.mode() == terminal.mode_before());
+  }
+}
+
+TEST_F(WatchTest, can_be_stopped_and_go_on) {
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  terminal.type("\x1a");
+  EXPECT_TRUE(WIFSTOPPED(terminal.wait()));
+  EXPECT_TRUE(terminal.mode() == terminal.mode_before());
+  terminal.send_signal(SIGCONT);
+  terminal.expect("q quit");
+  EXPECT_FALSE(terminal.mode() == terminal.mode_before());
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, survives_a_grade_that_crashes) {
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  write_file(here_ + "/before", "echo last words; kill -SEGV $$\n");
+  save("1_rays/hit_triangle", "// worse");
+  EXPECT_THAT(terminal.expect("last words"), HasSubstr("grade gave no verdict: signal 11"));
+  std::filesystem::remove(here_ + "/before");
+  save("1_rays/hit_triangle", "// better");
+  terminal.expect("got for three");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, starts_anew_when_the_file_is_saved_again) {
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  write_file(
+      here_ + "/before",
+      "[ -e \"$here/first\" ] || { echo $$ > \"$here/new\"; mv \"$here/new\" \"$here/first\"; }\n"
+      "until [ -e \"$here/go\" ]; do sleep 0.02; done\n");
+  save("1_rays/hit_triangle", "// half of it");
+  terminal.expect("checking hit_triangle");
+  while (!std::filesystem::exists(here_ + "/first")) usleep(1000);
+  const pid_t first = std::stoi(read_file(here_ + "/first"));
+  EXPECT_EQ(kill(first, 0), 0);
+  save("1_rays/hit_triangle", "// all of it, at last");
+  terminal.expect("checking hit_triangle");
+  EXPECT_NE(kill(first, 0), 0) << "the first run goes on";
+  write_file(here_ + "/go", "");
+  terminal.expect("got for three");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+  EXPECT_THAT(read_file(here_ + "/log"), testing::EndsWith("graded hit_triangle\ngraded "
+                                                           "hit_triangle\nfinished "
+                                                           "hit_triangle\n"));
+}
+
+TEST_F(WatchTest, quits_while_a_task_is_judged) {
+  write_file(here_ + "/before", "sleep 1000\n");
+  PseudoTerminal terminal(command());
+  terminal.expect("checking all tasks");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, needs_a_terminal) {
+  std::string line;
+  for (const std::string& word : command()) line += "'" + word + "' ";
+  FILE* pipe = popen((line + "2>&1 </dev/null").c_str(), "r");
+  char text[256] = "";
+  EXPECT_NE(std::fgets(text, sizeof text, pipe), nullptr);
+  EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 2);
+  EXPECT_STREQ(text, "watch takes its keys from a terminal, and this is none; use grade instead\n");
+}
+
+}  // namespace
+}  // namespace grader
