@@ -96,9 +96,9 @@ PT_INLINE std::uint32_t bits(Ints<W> yes) {
   if constexpr (W == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)yes));
 #elif defined(__SSE2__)
   if constexpr (W == 8) {
-    const __m128 low = (__m128)__builtin_shufflevector(yes, yes, 0, 1, 2, 3);
-    const __m128 high = (__m128)__builtin_shufflevector(yes, yes, 4, 5, 6, 7);
-    return static_cast<std::uint32_t>(_mm_movemask_ps(low) | _mm_movemask_ps(high) << 4);
+    __m128 half[2];
+    __builtin_memcpy(half, &yes, sizeof half);
+    return static_cast<std::uint32_t>(_mm_movemask_ps(half[0]) | _mm_movemask_ps(half[1]) << 4);
   }
 #endif
   std::uint32_t result = 0;
