@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -54,7 +55,7 @@ const unsigned char* data(const std::string& bytes) {
 
 // Frees tinyexr's message.
 std::string take_message(const char* message) {
-  const std::string text = message ? message : "no reason given";
+  std::string text = message ? message : "no reason given";
   FreeEXRErrorMessage(message);
   return text;
 }
@@ -183,7 +184,7 @@ std::string encode_exr(const Film& film) {
   std::array<int, kChannels> types;
   std::array<unsigned char*, kChannels> images;
   for (int c = 0; c < kChannels; ++c) {
-    std::strcpy(channels[c].name, kNames[c]);
+    std::snprintf(channels[c].name, sizeof channels[c].name, "%s", kNames[c]);
     types[c] = TINYEXR_PIXELTYPE_FLOAT;
     images[c] = reinterpret_cast<unsigned char*>(floats[c].data());
   }

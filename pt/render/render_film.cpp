@@ -140,6 +140,7 @@ RenderResult render_film(const View& view, const RenderSettings& settings,
   std::vector<Share> shares(settings.threads);
   {
     std::vector<std::jthread> threads;
+    threads.reserve(shares.size());
     for (Share& share : shares) {
       threads.emplace_back([&, into = &share] {
         *into = render_tiles(view, settings, result.film, tiles, progress, stop);
