@@ -1,36 +1,20 @@
 #include "grader/self_check/task_folder.h"
 
+#include "grader/judge/promises.h"
+
 #include <algorithm>
-#include <cctype>
 #include <fstream>
+#include <sstream>
 
 namespace grader {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-std::string identifier(const std::string& words) {
-  std::string name;
-  for (const char c : words) {
-    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
-    if (c == ' ' || c == '-') name += '_';
-  }
-  return name;
-}
-
-}  // namespace
-
 std::vector<std::string> promises_in(const fs::path& contract) {
-  const std::string item = "//   - ";
+  std::ostringstream text;
+  text << std::ifstream(contract).rdbuf();
   std::vector<std::string> names;
-  std::ifstream in(contract);
-  bool listed = false;
-  for (std::string line; std::getline(in, line);) {
-    if (line == "// Promises:") listed = true;
-    if (!listed || !line.starts_with(item)) continue;
-    names.push_back(identifier(line.substr(item.size(), line.find(':') - item.size())));
-  }
+  for (const Promise& promise : promises_of(text.str())) names.push_back(promise.name);
   return names;
 }
 

@@ -6,9 +6,7 @@
 
 namespace grader {
 
-// A promise as the contract writes it: "//   - keeps t inside the ray: ..." is
-// keeps_t_inside_the_ray, and "(bonus)" at the end of the name becomes _bonus. Apostrophes are left
-// out.
+// The names of the properties that a contract promises (grader/judge/promises.h).
 std::vector<std::string> promises_in(const std::filesystem::path& contract);
 
 // What the first line of a wrong or right solution says after "// breaks: " or "// right: "; empty
