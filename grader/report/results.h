@@ -44,15 +44,42 @@ struct PromiseResult {
   std::string words;  // "keeps t inside the ray: no hit before t_min, ...": the contract's
   bool bonus = false;
   bool held = false;
+  int points = 1;  // for keeping it
   double seconds = 0;
   std::vector<FailureReport> failures;
 };
 
-// A rendered picture and its verdict. Nothing fills these yet.
+// A part of a picture that is wrong, in pixels from the top left.
+struct FailingCell {
+  int x = 0, y = 0, width = 0, height = 0;
+  std::string channel;  // "Y" (luminance), "R", "G" or "B"
+  double off_by = 0;    // relative to the golden: -0.094 is 9.4 % too dark
+  double evidence = 0;  // |z| over its threshold, of the last stage
+};
+
+// A recipe rendered with the submission, and the verdict on it. The files are EXRs (pt/image) that
+// the judge made: they stay in its cache, next to it on the same machine.
 struct PictureResult {
-  std::string recipe;
+  std::string recipe;  // its name in scenes/recipes.json
+  std::string title;   // and what it shows, in words
   State state = State::not_attempted;
-  std::string text;
+  std::string text;         // the one sentence; empty if it passes
+  bool integrated = false;  // rendered with all tasks of the submission; else with this one only
+  int samples = 0;          // a pixel, of all stages together
+  int stages = 0;           // that were rendered; more than one where the first one complained
+  double noise = 0;         // variance of the submission's samples over the golden's
+  double seconds = 0;
+  int points = 0;
+  int max_points = 0;
+  std::string replay;  // the command that shows it again
+  int width = 0;
+  int height = 0;
+  std::string golden;         // mean and variance; a path, as are the next four
+  std::string render;         // the same of the submission; empty if there is no picture
+  std::string evidence;       // R: the largest |z| / threshold of the cells that hold the pixel
+  std::string golden_counts;  // of an adaptive recipe: samples a pixel, written by write_counts
+  std::string counts;         // and the submission's
+  std::vector<FailingCell> cells;  // the smallest that fail
 };
 
 struct TaskResult {
@@ -61,8 +88,8 @@ struct TaskResult {
   std::string slug;
   State state = State::not_attempted;
   std::string reason;  // one sentence where the promises do not say it: why blocked, rejected, ...
-  int points = 0;      // one for each promise kept
-  int max_points = 0;  // of the promises that are no bonus
+  int points = 0;      // for promises kept and pictures that are right
+  int max_points = 0;  // of the pictures, and of the promises that are no bonus
   int bonus_points = 0;
   std::vector<std::string> blocked_by;  // slugs: why it was not judged with the submission's others
   std::vector<std::string> blamed;      // slugs: with the reference in their place it would pass
@@ -72,11 +99,20 @@ struct TaskResult {
   std::vector<PictureResult> pictures;
 };
 
+// How long a part of the run took: "properties", "pictures".
+struct Phase {
+  std::string name;
+  double seconds = 0;
+};
+
 struct Results {
   std::string submission;  // the folder
   std::uint64_t seed = 0;
-  std::string isolation;  // the tier, "C: rlimits only, not isolated"
+  std::string isolation;              // the tier, "C: rlimits only, not isolated"
+  std::vector<std::string> versions;  // "g++ 12.2.0", "firstlight 336aeb9": what it was judged with
+  std::string command;                // that reproduces the run
   double seconds = 0;
+  std::vector<Phase> phases;
   bool complete = false;           // false in a file that a killed run left
   std::vector<std::string> asked;  // slugs
   std::vector<TaskResult> tasks;   // in the order of the course
