@@ -4,6 +4,7 @@
 #include "pt/geometry/hit.h"
 #include "pt/geometry/primitives.h"
 #include "pt/geometry/surface_point.h"
+#include "pt/render/render_rows.h"
 #include "pt/scene/camera.h"
 #include "pt/scene/light.h"
 #include "pt/scene/material.h"
@@ -61,6 +62,8 @@ FIRSTLIGHT_FIELDS(pt::PathSettings, light_samples, direct, survival, from, to, s
 FIRSTLIGHT_FIELDS(pt::AdaptiveSettings, max_samples, batch, tolerance);
 FIRSTLIGHT_FIELDS(pt::PixelEstimate, mean, samples);
 FIRSTLIGHT_FIELDS(pt::BsdfSample, wi, f, pdf);
+FIRSTLIGHT_FIELDS(pt::RowsRequest, first_row, rows, samples, adaptive, seed);
+FIRSTLIGHT_FIELDS(pt::PictureRows, mean, counts);
 
 // The largest value of an enum; the smallest is 0.
 template <class Enum>

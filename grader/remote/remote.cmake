@@ -27,7 +27,7 @@ firstlight_library(grader_graded graded/report.cpp)
 target_link_libraries(grader_graded PUBLIC grader_property nlohmann_json::nlohmann_json)
 
 # What every program that runs tasks consists of, beside the tasks.
-set(FIRSTLIGHT_RENDERER pt_base pt_scene)
+set(FIRSTLIGHT_RENDERER pt_base pt_scene pt_rows)
 
 # The inner calls of a task that come back to the judge when it is judged by itself.
 function(firstlight_worker_choices slug)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pt/render/radiance.h"
+#include "pt/render/render_rows.h"
 #include "pt/tasks/adaptive_pixel.h"
 #include "pt/tasks/build_bvh.h"
 #include "pt/tasks/camera_ray.h"
@@ -71,6 +72,10 @@
        (const Scene& scene, const Ray& ray, const PathSettings& settings, Sampler& sampler), \
        (scene, ray, settings, sampler))
 
+// Not a task either: the pictures that the judge looks at.
+#define FIRSTLIGHT_CALLS_render_rows(CALL, DRAW) \
+  CALL(PictureRows, render_rows, (const View& view, const RowsRequest& request), (view, request))
+
 // In the order of the course.
 #define FIRSTLIGHT_TASKS(TASK) \
   TASK(estimate_pixel)         \
@@ -95,7 +100,8 @@
                       FIRSTLIGHT_CALLS_direct_lights(CALL, DRAW)                             \
                           FIRSTLIGHT_CALLS_trace_path(CALL, DRAW)                            \
                               FIRSTLIGHT_CALLS_adaptive_pixel(CALL, DRAW)                    \
-                                  FIRSTLIGHT_CALLS_radiance(CALL, DRAW)
+                                  FIRSTLIGHT_CALLS_radiance(CALL, DRAW)                      \
+                                      FIRSTLIGHT_CALLS_render_rows(CALL, DRAW)
 
 // The rows of one task whose slug is itself a macro.
 #define FIRSTLIGHT_JOIN(a, b) a##b

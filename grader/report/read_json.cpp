@@ -27,8 +27,12 @@ FailureReport read_failure(const json& from) {
 }
 
 PromiseResult read_promise(const json& from) {
-  PromiseResult promise{from.at("name"), from.at("words"),   from.at("bonus"),
-                        from.at("held"), from.at("seconds"), {}};
+  PromiseResult promise;
+  from.at("name").get_to(promise.name);
+  from.at("words").get_to(promise.words);
+  from.at("bonus").get_to(promise.bonus);
+  from.at("held").get_to(promise.held);
+  from.at("seconds").get_to(promise.seconds);
   for (const json& each : from.at("failures")) promise.failures.push_back(read_failure(each));
   return promise;
 }
@@ -49,7 +53,11 @@ TaskResult read_task(const json& from) {
   from.at("printed").get_to(task.printed);
   for (const json& each : from.at("promises")) task.promises.push_back(read_promise(each));
   for (const json& each : from.at("pictures")) {
-    task.pictures.push_back({each.at("recipe"), state_of(each.at("state")), each.at("text")});
+    PictureResult picture;
+    picture.recipe = each.at("recipe");
+    picture.state = state_of(each.at("state"));
+    picture.text = each.at("text");
+    task.pictures.push_back(picture);
   }
   return task;
 }
