@@ -41,6 +41,8 @@ Config load_config(const std::string& path) {
   json.at("recording").get_to(config.recording);
   json.at("radiance").get_to(config.radiance);
   json.at("callbacks").get_to(config.callbacks);
+  json.at("picture").get_to(config.picture);
+  json.at("compiler_version").get_to(config.compiler_version);
   for (const auto& task : json.at("tasks")) {
     config.tasks.push_back({task.at("part"), task.at("number"), task.at("slug"), task.at("graded"),
                             task.at("reference")});

@@ -31,6 +31,8 @@ struct Config {
   Paths recording;                           // and of the integrated one
   Paths radiance;                            // the implementation path
   std::map<std::string, Paths> callbacks;    // by slug or "radiance": objects
+  std::string picture;                       // the program graded_picture
+  std::string compiler_version;              // "g++ 12.2.0"
   std::vector<TaskConfig> tasks;             // in the order of the course
 };
 

@@ -2,6 +2,9 @@
 
 #include "grader/judge/integration.h"
 #include "grader/judge/isolation.h"
+#include "grader/judge/pictures.h"
+#include "grader/judge/points.h"
+#include "grader/process/run_command.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -29,46 +32,103 @@ std::vector<const TaskConfig*> to_judge(const Config& config, const GradeRequest
   return tasks;
 }
 
-Results summary(const Config& config, const GradeRequest& request,
-                const std::vector<Judged>& judged, Clock::time_point start) {
-  Results results;
-  results.submission = request.submission;
-  results.seed = request.seed;
-  results.isolation = kIsolation;
-  for (const TaskConfig& task : config.tasks) {
-    if (std::find(request.asked.begin(), request.asked.end(), task.slug) == request.asked.end()) {
-      continue;
+// What the verdicts depend on beside the submission.
+std::vector<std::string> versions(const Config& config) {
+  std::vector<std::string> all{config.compiler_version};
+  const CommandResult commit =
+      run_command({{"/usr/bin/git", "-C", config.root, "describe", "--always", "--dirty"},
+                   {"PATH=/usr/bin", "LANG=C.UTF-8"},
+                   {},
+                   "",
+                   {}},
+                  std::chrono::seconds(5));
+  if (commit.ok()) all.push_back("Firstlight " + commit.output.substr(0, commit.output.find('\n')));
+  return all;
+}
+
+// One run, from its start on.
+class Run {
+ public:
+  Run(const Config& config, const GradeRequest& request)
+      : config_(config),
+        request_(request),
+        points_(load_points(config.root + "/grader/points.json")) {
+    results_.submission = request.submission;
+    results_.seed = request.seed;
+    results_.isolation = kIsolation;
+    results_.versions = versions(config);
+    results_.command = request.command;
+    for (const TaskConfig* task : to_judge(config, request)) {
+      if (task->graded.empty()) {
+        throw pt::Error(task->slug + " has no properties: nothing about it can be judged");
+      }
+      Judged& judged = judged_.emplace_back();
+      judged.config = task;
     }
-    results.asked.push_back(task.slug);
-    for (const Judged& each : judged) {
-      if (each.config->slug == task.slug) results.tasks.push_back(each.result);
+    for (const TaskConfig& task : config.tasks) {
+      if (is_asked(task.slug)) results_.asked.push_back(task.slug);
     }
   }
-  for (TaskResult& task : results.tasks) count_points(task);
-  results.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return results;
-}
+
+  Results judge(const std::function<void(const Results&)>& progress) {
+    const Builder builder(config_);
+    phase("properties", [&] {
+      judge_alone(config_, builder, request_, judged_);
+      progress(summary());
+      judge_together(config_, builder, request_, judged_);
+    });
+    if (request_.pictures) {
+      progress(summary());
+      phase("pictures", [&] {
+        judge_pictures(config_, builder, request_, judged_, [&] { progress(summary()); });
+      });
+    }
+    Results results = summary();
+    results.complete = true;
+    progress(results);
+    return results;
+  }
+
+ private:
+  static double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  bool is_asked(const std::string& slug) const {
+    return std::find(request_.asked.begin(), request_.asked.end(), slug) != request_.asked.end();
+  }
+
+  template <class Work>
+  void phase(const std::string& name, const Work& work) {
+    const auto start = Clock::now();
+    work();
+    results_.phases.push_back({name, seconds_since(start)});
+  }
+
+  // What is known so far.
+  Results summary() const {
+    Results results = results_;
+    for (const Judged& each : judged_) {
+      if (is_asked(each.config->slug)) results.tasks.push_back(each.result);
+    }
+    for (TaskResult& task : results.tasks) count_points(points_, task);
+    results.seconds = seconds_since(start_);
+    return results;
+  }
+
+  const Config& config_;
+  const GradeRequest& request_;
+  const Clock::time_point start_ = Clock::now();
+  const Points points_;
+  Results results_;
+  std::vector<Judged> judged_;
+};
 
 }  // namespace
 
 Results grade(const Config& config, const GradeRequest& request,
               const std::function<void(const Results&)>& progress) {
-  const auto start = Clock::now();
-  const Builder builder(config);
-  std::vector<Judged> judged;
-  for (const TaskConfig* task : to_judge(config, request)) {
-    if (task->graded.empty()) {
-      throw pt::Error(task->slug + " has no properties: nothing about it can be judged");
-    }
-    judged.push_back({task, {}, {}});
-  }
-  judge_alone(config, builder, request, judged);
-  progress(summary(config, request, judged, start));
-  judge_together(config, builder, request, judged);
-  Results results = summary(config, request, judged, start);
-  results.complete = true;
-  progress(results);
-  return results;
+  return Run(config, request).judge(progress);
 }
 
 std::vector<std::string> tasks_meant(const Config& config, const std::string& word) {

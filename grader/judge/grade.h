@@ -16,6 +16,8 @@ struct GradeRequest {
   std::uint64_t seed = 1;
   int call_limit = 2000;  // milliseconds
   int threads = 2;
+  bool pictures = true;  // rendered and judged too, not the promises only
+  std::string command;   // that asks for all this, for the report
 };
 
 // Judges the tasks asked for, each by itself and then together with the submission's other tasks.

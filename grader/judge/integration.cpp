@@ -12,6 +12,13 @@ namespace grader {
 
 namespace {
 
+const Judged* right_alone(const std::vector<Judged>& judged, const std::string& slug) {
+  for (const Judged& each : judged) {
+    if (each.config->slug == slug && each.right_alone) return &each;
+  }
+  return nullptr;
+}
+
 class Integration {
  public:
   Integration(const Config& config, const Builder& builder, const GradeRequest& request,
@@ -19,10 +26,6 @@ class Integration {
       : config_(config), builder_(builder), request_(request), judged_(judged) {}
 
   void run() {
-    // A task that is not right by itself must not spoil others: the reference stands in for it.
-    for (const Judged& each : judged_) {
-      if (each.result.state == State::pass) sound_.push_back(each.config->slug);
-    }
     std::vector<Judged*> together;
     for (Judged& each : judged_) {
       if (each.result.state == State::pass && !needs(each.config->slug).empty() && !block(each)) {
@@ -30,7 +33,7 @@ class Integration {
       }
     }
     if (together.empty()) return;
-    const Built worker = link_without("");
+    const Built worker = link_together(config_, builder_, judged_, Elsewhere::answers);
     for_each(together.size(), request_.threads,
              [&](std::size_t i) { judge(*together[i], worker); });
     std::erase_if(together, [&](Judged* each) { return block_by_failed(*each, together); });
@@ -38,13 +41,6 @@ class Integration {
   }
 
  private:
-  const Judged* find(const std::string& slug) const {
-    for (const Judged& each : judged_) {
-      if (each.config->slug == slug) return &each;
-    }
-    return nullptr;
-  }
-
   void block(Judged& judged, const std::vector<std::string>& by) const {
     judged.result.state = State::blocked;
     judged.result.blocked_by = by;
@@ -55,7 +51,7 @@ class Integration {
   bool block(Judged& judged) const {
     std::vector<std::string> by;
     for (const std::string& slug : needs(judged.config->slug)) {
-      if (std::count(sound_.begin(), sound_.end(), slug) == 0) by.push_back(slug);
+      if (!right_alone(judged_, slug)) by.push_back(slug);
     }
     if (!by.empty()) block(judged, by);
     return !by.empty();
@@ -73,30 +69,6 @@ class Integration {
     }
     if (!by.empty()) block(judged, by);
     return !by.empty();
-  }
-
-  // The worker of all sound tasks of the submission but one, for which the reference stands in.
-  Built link_without(const std::string& swapped) const {
-    Paths objects;
-    std::string key;
-    const auto add = [&](const Paths& paths) {
-      for (const std::string& path : paths) {
-        objects.push_back(path);
-        key += stamp(path);
-      }
-    };
-    for (const TaskConfig& task : config_.tasks) {
-      const bool own = std::count(sound_.begin(), sound_.end(), task.slug) > 0;
-      if (own && task.slug != swapped) {
-        const Built& object = find(task.slug)->object;
-        objects.push_back(object.path);
-        key += object.key;
-      } else {
-        add(task.reference);
-      }
-    }
-    add(config_.callbacks.at("radiance"));
-    return builder_.link(objects, key, true);
   }
 
   void judge(Judged& judged, const Built& worker) const {
@@ -117,7 +89,7 @@ class Integration {
       if (!promise.held && !promise.bonus) failed.push_back(promise.name);
     }
     for (const std::string& slug : needs(judged.config->slug)) {
-      const Built worker = link_without(slug);
+      const Built worker = link_together(config_, builder_, judged_, Elsewhere::answers, slug);
       if (!worker.ok()) continue;
       const Findings findings =
           try_worker(builder_, {*judged.config, worker, true, request_, failed});
@@ -136,10 +108,34 @@ class Integration {
   const Builder& builder_;
   const GradeRequest& request_;
   std::vector<Judged>& judged_;
-  std::vector<std::string> sound_;
 };
 
 }  // namespace
+
+// A task that is not right by itself must not spoil others.
+Built link_together(const Config& config, const Builder& builder,
+                    const std::vector<Judged>& judged, Elsewhere elsewhere,
+                    const std::string& swapped) {
+  Paths objects;
+  std::string key;
+  const auto add = [&](const Paths& paths) {
+    for (const std::string& path : paths) {
+      objects.push_back(path);
+      key += stamp(path);
+    }
+  };
+  for (const TaskConfig& task : config.tasks) {
+    const Judged* own = right_alone(judged, task.slug);
+    if (own != nullptr && task.slug != swapped) {
+      objects.push_back(own->object.path);
+      key += own->object.key;
+    } else {
+      add(task.reference);
+    }
+  }
+  add(elsewhere == Elsewhere::answers ? config.callbacks.at("radiance") : config.radiance);
+  return builder.link(objects, key, true);
+}
 
 void judge_together(const Config& config, const Builder& builder, const GradeRequest& request,
                     std::vector<Judged>& judged) {

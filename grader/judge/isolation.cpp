@@ -3,6 +3,7 @@
 #include "grader/judge/files.h"
 #include "grader/judge/parallel.h"
 #include "grader/judge/promises.h"
+#include "grader/judge/sha256.h"
 
 #include <algorithm>
 
@@ -23,27 +24,6 @@ std::vector<PromiseResult> promises_to_judge(const Config& config, const std::st
     promises.push_back(result);
   }
   return promises;
-}
-
-// The objects of an isolated worker, and what stands for their content.
-Built link_alone(const Config& config, const Builder& builder, const Judged& judged) {
-  Paths objects{judged.object.path};
-  std::string key = judged.object.key;
-  const auto& answered = asks_the_judge(judged.config->slug);
-  const auto add = [&](const Paths& paths) {
-    for (const std::string& path : paths) {
-      objects.push_back(path);
-      key += stamp(path);
-    }
-  };
-  for (const TaskConfig& other : config.tasks) {
-    if (other.slug == judged.config->slug) continue;
-    const bool callback = std::count(answered.begin(), answered.end(), other.slug) > 0;
-    add(callback ? config.callbacks.at(other.slug) : other.reference);
-  }
-  const bool callback = std::count(answered.begin(), answered.end(), "radiance") > 0;
-  add(callback ? config.callbacks.at("radiance") : config.radiance);
-  return builder.link(objects, key, false);
 }
 
 void refuse(TaskResult& result, State state, const std::string& reason,
@@ -74,12 +54,13 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
   const Submitted file = read_submitted(request.submission, task.part, task.slug);
   if (!file.present) return refuse(result, State::not_attempted, "there is no " + task.file());
   if (!file.rejected.empty()) return refuse(result, State::rejected, file.rejected);
+  judged.content = sha256(file.text);
   judged.object = builder.compile(task, file.text);
   if (!judged.object.ok()) {
     return refuse(result, State::fail, "it does not compile",
                   in_folder(judged.object.error, task, request.submission));
   }
-  const Built worker = link_alone(config, builder, judged);
+  const Built worker = link_alone(config, builder, judged, Elsewhere::answers);
   if (!worker.ok()) return refuse(result, State::fail, "it does not link", worker.error);
   const Findings findings = try_worker(builder, {task, worker, false, request, {}});
   // The properties say what can be judged; that each promise has one is checked elsewhere.
@@ -90,6 +71,7 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
     });
   }
   enter(findings, request, result);
+  judged.right_alone = result.state == State::pass;
 }
 
 State state_of(const std::vector<PromiseResult>& promises) {
@@ -138,16 +120,24 @@ void enter(const Findings& findings, const GradeRequest& request, TaskResult& re
   result.state = state_of(result.promises);
 }
 
-void count_points(TaskResult& result) {
-  result.points = result.max_points = result.bonus_points = 0;
-  for (const PromiseResult& promise : result.promises) {
-    if (promise.bonus) {
-      result.bonus_points += promise.held ? 1 : 0;
-    } else {
-      result.points += promise.held ? 1 : 0;
-      ++result.max_points;
+Built link_alone(const Config& config, const Builder& builder, const Judged& judged,
+                 Elsewhere elsewhere) {
+  Paths objects{judged.object.path};
+  std::string key = judged.object.key;
+  const auto& asked = asks_the_judge(judged.config->slug);
+  const auto add = [&](const std::string& name, const Paths& reference) {
+    const bool answer =
+        elsewhere == Elsewhere::answers && std::count(asked.begin(), asked.end(), name) > 0;
+    for (const std::string& path : answer ? config.callbacks.at(name) : reference) {
+      objects.push_back(path);
+      key += stamp(path);
     }
+  };
+  for (const TaskConfig& other : config.tasks) {
+    if (other.slug != judged.config->slug) add(other.slug, other.reference);
   }
+  add("radiance", config.radiance);
+  return builder.link(objects, key, false);
 }
 
 void judge_alone(const Config& config, const Builder& builder, const GradeRequest& request,

@@ -9,6 +9,8 @@ namespace grader {
 struct Judged {
   const TaskConfig* config = nullptr;
   Built object;  // of the submission's file, if it compiles
+  std::string content;       // a hash of that file; the same on every machine
+  bool right_alone = false;  // every promise holds with the reference elsewhere
   TaskResult result;
 };
 
@@ -20,7 +22,10 @@ void judge_alone(const Config& config, const Builder& builder, const GradeReques
 // Puts findings into a result: the state, and every failure with the command that replays it.
 void enter(const Findings& findings, const GradeRequest& request, TaskResult& result);
 
-// Points from promises.
-void count_points(TaskResult& result);
+// What the worker of one task consists of: it, and in all other places the judge's answers (for
+// its properties) or the reference (for its pictures).
+enum class Elsewhere { answers, reference };
+Built link_alone(const Config& config, const Builder& builder, const Judged& judged,
+                 Elsewhere elsewhere);
 
 }  // namespace grader

@@ -5,7 +5,8 @@ firstlight_library(grader_report
 target_link_libraries(grader_report PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 firstlight_library(grader_judge
   judge/builder.cpp judge/config.cpp judge/files.cpp judge/findings.cpp judge/grade.cpp
-  judge/integration.cpp judge/isolation.cpp judge/promises.cpp judge/sha256.cpp)
+  judge/integration.cpp judge/isolation.cpp judge/picture_trial.cpp judge/pictures.cpp
+  judge/points.cpp judge/promises.cpp judge/sha256.cpp)
 target_link_libraries(grader_judge PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 
 firstlight_library(grader_hints hints/hints.cpp hints/memory.cpp)
@@ -98,6 +99,8 @@ file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/grade.json CONTENT "{
  \"framework\": ${framework},
  \"recording\": ${recording},
  \"radiance\": ${radiance},
+ \"picture\": \"$<TARGET_FILE:graded_picture>\",
+ \"compiler_version\": \"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\",
  \"callbacks\": {
   ${callbacks}},
  \"tasks\": [

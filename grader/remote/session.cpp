@@ -5,6 +5,8 @@
 #include "pt/error.h"
 #include "pt/scene/scene.h"
 
+#include <cstdlib>
+
 #include <fmt/format.h>
 
 namespace grader::remote {
@@ -101,18 +103,20 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
 
 void Session::expect_attempted() const {
   if (record_.todo.contains(settings_.task)) {
-    fail_call(Cause::not_attempted, "the task is not written yet");
+    settings_.give_up(Cause::not_attempted, "the task is not written yet");
   }
 }
 
 void Session::expect_time_left() const {
   if (lost_ > settings_.lost_limit) {
-    fail_call(last_cause_, fmt::format("not asked any more: {:.1f} s went on calls that failed",
-                                       seconds(lost_)));
+    settings_.give_up(last_cause_,
+                      fmt::format("not asked any more: {:.1f} s went on calls that failed",
+                                  seconds(lost_)));
   }
   if (waited_ > settings_.total_limit) {
-    fail_call(Cause::timeout,
-              fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(waited_)));
+    settings_.give_up(
+        Cause::timeout,
+        fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(waited_)));
   }
 }
 
@@ -147,6 +151,7 @@ std::string Session::converse(const Writer& call) {
     if (message.kind == Kind::threw) {
       throw WorkerFailed{Cause::crash, "it threw: " + printable(message.payload, 200), true};
     }
+    if (!settings_.answers) throw BadMessage("it asked the judge, who has nothing to say");
     const Writer reply = answer(settings_.task, message.payload, *this);
     worker_->send(Kind::answer, sequence_, reply.bytes(), deadline);
   }
@@ -177,9 +182,11 @@ void Session::fail(const WorkerFailed& failure) {
     worker_.reset();
     ++record_.restarts;
   }
-  fail_call(failure.cause, failure.cause == Cause::timeout
-                               ? fmt::format("no answer within {} s", seconds(settings_.call_limit))
-                               : failure.text);
+  settings_.give_up(failure.cause,
+                    failure.cause == Cause::timeout
+                        ? fmt::format("no answer within {} s", seconds(settings_.call_limit))
+                        : failure.text);
+  std::abort();  // give_up has returned
 }
 
 SessionRecord Session::record() const {

@@ -2,6 +2,7 @@
 
 #include "grader/remote/worker_process.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -14,6 +15,9 @@ struct SessionSettings {
   std::string task;         // the slug that is judged
   std::string program;      // the worker
   bool integrated = false;  // all tasks are the submission's: its scenes are traced by its own tree
+  bool answers = true;      // the worker may ask back
+  // What to do when a call comes to nothing; does not return.
+  std::function<void(Cause, const std::string&)> give_up = fail_call;
   std::chrono::milliseconds call_limit{2000};    // of one call, and of kBatch repetitions
   std::chrono::milliseconds lost_limit{6000};    // that calls without an answer may cost in all
   std::chrono::milliseconds total_limit{30000};  // that all calls together may wait

@@ -1,0 +1,89 @@
+#include "grader/judge/picture_trial.h"
+
+#include "grader/judge/files.h"
+#include "grader/judge/sha256.h"
+#include "grader/process/printable.h"
+#include "grader/process/run_command.h"
+#include "grader/report/read_json.h"
+#include "pt/error.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Far beyond what the program allows itself: a fault of ours if it is reached.
+constexpr std::chrono::seconds kProgramTime{400};
+
+std::vector<std::string> command(const Config& config, const GradeRequest& request,
+                                 const PictureTrial& trial) {
+  std::vector<std::string> words{config.picture,
+                                 "--worker",
+                                 trial.worker.path,
+                                 "--task",
+                                 trial.task.slug,
+                                 "--recipes",
+                                 config.root + "/scenes/recipes.json",
+                                 "--goldens",
+                                 config.root + "/golden",
+                                 "--recipe",
+                                 trial.recipe.name,
+                                 "--content",
+                                 sha256(trial.content),
+                                 "--seed",
+                                 std::to_string(request.seed),
+                                 "--stages",
+                                 std::to_string(trial.stages),
+                                 "--call-limit",
+                                 std::to_string(5 * request.call_limit)};
+  if (trial.integrated) words.push_back("--integrated");
+  return words;
+}
+
+// All that the verdict depends on.
+std::string key_of(const Config& config, const std::vector<std::string>& words,
+                   const PictureTrial& trial) {
+  std::string key = stamp(config.picture) + trial.worker.key + stamp(trial.recipe.scene) +
+                    stamp(config.root + "/scenes/recipes.json");
+  const std::string golden = config.root + "/golden/" + trial.recipe.name;
+  for (const char* ending : {".exr", ".map.json"}) {
+    if (fs::exists(golden + ending)) key += stamp(golden + ending);
+  }
+  for (const std::string& word : words) key += '\0' + word;
+  return sha256(key);
+}
+
+PictureResult read_picture(const std::string& path) {
+  return results_from_json(read_file(path), path).tasks.at(0).pictures.at(0);
+}
+
+}  // namespace
+
+PictureResult try_picture(const Config& config, const Builder& builder,
+                          const GradeRequest& request, const PictureTrial& trial) {
+  std::vector<std::string> words = command(config, request, trial);
+  const std::string path = builder.cache() + "/" + key_of(config, words, trial) + ".picture.json";
+  if (!fs::exists(path)) {
+    words.insert(words.end(), {"--report", path});
+    const CommandResult run =
+        run_command({words, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
+    if (run.timed_out || !WIFEXITED(run.status) || WEXITSTATUS(run.status) > 1) {
+      throw pt::Error(fmt::format("the picture {} could not be judged: {}", trial.recipe.name,
+                                  printable(run.output, 1000, true)));
+    }
+  }
+  PictureResult result = read_picture(path);
+  result.replay = fmt::format("./run grade {} --seed {}", trial.task.slug, request.seed);
+  if (request.submission != "student") result.replay += " --submission " + request.submission;
+  // The time that a call takes depends on what else the machine does: that is asked again.
+  if (result.state == State::timeout) fs::remove(path);
+  return result;
+}
+
+}  // namespace grader

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "grader/judge/builder.h"
+#include "grader/judge/grade.h"
+#include "grader/recipes/recipes.h"
+
+namespace grader {
+
+// One recipe on one worker.
+struct PictureTrial {
+  const Recipe& recipe;
+  const TaskConfig& task;
+  const Built& worker;
+  std::string content;  // stands for what of the submission is judged; the same on every machine
+  bool integrated = false;
+  int stages = 3;  // at most
+};
+
+// Runs the program graded_picture, unless the same was run before. Safe from any thread. Throws
+// pt::Error if that program cannot judge, as without a golden.
+PictureResult try_picture(const Config& config, const Builder& builder,
+                          const GradeRequest& request, const PictureTrial& trial);
+
+}  // namespace grader

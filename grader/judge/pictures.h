@@ -1,0 +1,16 @@
+#pragma once
+
+#include "grader/judge/isolation.h"
+#include "grader/recipes/recipes.h"
+
+namespace grader {
+
+// Renders the recipes that show the tasks asked for, and enters the verdicts. What passes with all
+// tasks of the submission that are right by themselves passes for each of them; where it does not,
+// each task is rendered by itself, the reference elsewhere. A task that fails its promises already
+// is rendered by itself, one stage only. Sample maps are always judged by themselves.
+// `progress` is called after every recipe, by one thread at a time.
+void judge_pictures(const Config& config, const Builder& builder, const GradeRequest& request,
+                    std::vector<Judged>& judged, const std::function<void()>& progress);
+
+}  // namespace grader

@@ -1,0 +1,94 @@
+#include "grader/judge/points.h"
+
+#include "grader/judge/files.h"
+#include "pt/error.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace grader {
+
+namespace {
+
+using nlohmann::json;
+
+int read_number(const json& from, const std::string& where) {
+  if (!from.is_number_unsigned() || from.get<long long>() > 1000) {
+    throw pt::Error(where + " is no whole number from 0 to 1000");
+  }
+  return from.get<int>();
+}
+
+std::map<std::string, int> read_numbers(const json& from, const std::string& where) {
+  std::map<std::string, int> numbers;
+  for (const auto& [name, value] : from.items()) {
+    numbers[name] = read_number(value, where + "." + name);
+  }
+  return numbers;
+}
+
+TaskPoints read_task(const json& from, TaskPoints points, const std::string& where) {
+  if (!from.is_object()) throw pt::Error(where + " is no object");
+  for (const auto& [name, value] : from.items()) {
+    const std::string place = where + "." + name;
+    if (name == "promise") {
+      points.promise = read_number(value, place);
+    } else if (name == "picture") {
+      points.picture = read_number(value, place);
+    } else if (name == "too_noisy") {
+      points.too_noisy = read_number(value, place);
+    } else if (name == "promises" || name == "pictures") {
+      (name == "promises" ? points.promises : points.pictures) = read_numbers(value, place);
+    } else {
+      throw pt::Error(place + " means nothing; write promise, picture, too_noisy, promises or "
+                              "pictures");
+    }
+  }
+  return points;
+}
+
+int worth(int usual, const std::map<std::string, int>& special, const std::string& name) {
+  const auto found = special.find(name);
+  return found == special.end() ? usual : found->second;
+}
+
+}  // namespace
+
+Points load_points(const std::string& path) {
+  try {
+    const json all = json::parse(read_file(path));
+    const TaskPoints usual = read_task(all.at("default"), {}, "default");
+    Points points;
+    for (const auto& [slug, task] : all.at("tasks").items()) {
+      points[slug] = read_task(task, usual, "tasks." + slug);
+    }
+    return points;
+  } catch (const json::exception& error) {
+    throw pt::Error(fmt::format("{}: {}; see grader/judge/points.h", path, error.what()));
+  } catch (const pt::Error& error) {
+    throw pt::Error(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+void count_points(const Points& points, TaskResult& result) {
+  const auto found = points.find(result.slug);
+  const TaskPoints& task = found == points.end() ? TaskPoints{} : found->second;
+  result.points = result.max_points = result.bonus_points = 0;
+  for (PromiseResult& promise : result.promises) {
+    promise.points = worth(task.promise, task.promises, promise.name);
+    const int earned = promise.held ? promise.points : 0;
+    (promise.bonus ? result.bonus_points : result.points) += earned;
+    if (!promise.bonus) result.max_points += promise.points;
+  }
+  for (PictureResult& picture : result.pictures) {
+    picture.max_points = worth(task.picture, task.pictures, picture.recipe);
+    picture.points = picture.state == State::pass        ? picture.max_points
+                     : picture.state == State::too_noisy ? std::min(task.too_noisy,
+                                                                    picture.max_points)
+                                                         : 0;
+    result.points += picture.points;
+    result.max_points += picture.max_points;
+  }
+}
+
+}  // namespace grader

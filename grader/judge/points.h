@@ -1,0 +1,30 @@
+#pragma once
+
+#include "grader/report/results.h"
+
+#include <map>
+#include <string>
+
+namespace grader {
+
+// What the promises and pictures of one task are worth.
+struct TaskPoints {
+  int promise = 1;
+  int picture = 1;
+  int too_noisy = 0;                    // of a picture that is right on average
+  std::map<std::string, int> promises;  // by name: those that are worth something else
+  std::map<std::string, int> pictures;  // by recipe
+};
+
+using Points = std::map<std::string, TaskPoints>;  // by slug
+
+// Reads grader/points.json:
+//   {"default": {"promise": n, "picture": n, "too_noisy": n},
+//    "tasks": {slug: {as above, "promises": {name: n}, "pictures": {recipe: n}}}}
+// Throws pt::Error, with the file and what to do, for anything else.
+Points load_points(const std::string& path);
+
+// Fills in what each promise and picture earns, and the sums.
+void count_points(const Points& points, TaskResult& result);
+
+}  // namespace grader

@@ -1,0 +1,138 @@
+#include "grader/pictures/judge_recipe.h"
+
+#include "grader/images/sample_map_verdict.h"
+#include "pt/error.h"
+#include "pt/image/image_io.h"
+
+#include <chrono>
+#include <filesystem>
+
+namespace grader {
+
+namespace {
+
+State state_of(ImageVerdict::Outcome outcome) {
+  switch (outcome) {
+    case ImageVerdict::Outcome::pass:
+      return State::pass;
+    case ImageVerdict::Outcome::too_noisy:
+      return State::too_noisy;
+    case ImageVerdict::Outcome::wrong:
+    case ImageVerdict::Outcome::unusable:
+      break;
+  }
+  return State::fail;
+}
+
+State state_of(Cause cause) {
+  switch (cause) {
+    case Cause::crash:
+      return State::crash;
+    case Cause::timeout:
+      return State::timeout;
+    case Cause::not_attempted:
+      return State::not_attempted;
+    case Cause::wrong:
+    case Cause::bad_reply:
+      break;
+  }
+  return State::fail;
+}
+
+pt::Film read_golden(const std::string& path, const Recipe& recipe) {
+  if (!std::filesystem::exists(path)) {
+    throw pt::Error(path + " is missing: make it with ./run bless " + recipe.name);
+  }
+  pt::Film golden = pt::read_exr(path);
+  if (golden.width != recipe.width || golden.height != recipe.height) {
+    throw pt::Error(path + " is not of the recipe's size: make it with ./run bless " + recipe.name);
+  }
+  return golden;
+}
+
+void enter(const ImageVerdict& verdict, PictureResult& result) {
+  result.state = state_of(verdict.outcome);
+  result.text = verdict.sentence;
+  result.samples = verdict.samples;
+  result.stages = verdict.stages;
+  result.noise = verdict.noise;
+  result.cells = verdict.cells;
+}
+
+// A film of one value a pixel, as an EXR holds it.
+pt::Film film_of(const pt::Image& image) {
+  pt::Film film(image.width, image.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) film.pixels[i].mean = image.pixels[i];
+  return film;
+}
+
+void keep(const ImageVerdict& verdict, const PictureFiles& files, PictureResult& result) {
+  if (verdict.render.width == 0) return;
+  pt::write_image(files.render, verdict.render);
+  pt::write_image(files.evidence, film_of(verdict.evidence));
+  result.render = files.render;
+  result.evidence = files.evidence;
+}
+
+// First how many samples a run takes where; then its picture, runs as samples.
+void judge_adaptive(const Recipe& recipe, const pt::View& view, const SeedSource& source,
+                    int max_stages, const PictureFiles& files, PictureResult& result) {
+  const SampleMapReference reference = read_sample_map_reference(files.reference);
+  const Rendered run = render(recipe, view, 1, batch_seed(source, recipe, 0, 0));
+  pt::write_counts(files.counts, run.counts);
+  result.golden_counts = files.reference;
+  result.counts = files.counts;
+  const SampleMapVerdict map = judge_sample_map(reference, run.counts);
+  const ImageVerdict verdict = judge_image(
+      read_golden(files.golden, recipe), NoiseClass::ordinary,
+      [&](int stage, int batches, int samples) {
+        return render_stage(recipe, view, source, stage, batches, samples);
+      },
+      max_stages, kAdaptiveStages);
+  enter(verdict, result);
+  keep(verdict, files, result);
+  if (!map.pass) {
+    result.state = State::fail;
+    result.text = map.sentence;
+  }
+}
+
+void judge(const Recipe& recipe, const pt::View& view, const SeedSource& source, int max_stages,
+           const PictureFiles& files, PictureResult& result) {
+  if (recipe.adaptive) {
+    return judge_adaptive(recipe, view, source, max_stages, files, result);
+  }
+  const ImageVerdict verdict = judge_image(
+      read_golden(files.golden, recipe), recipe.noisy ? NoiseClass::noisy : NoiseClass::ordinary,
+      [&](int stage, int batches, int samples) {
+        return render_stage(recipe, view, source, stage, batches, samples);
+      },
+      max_stages);
+  enter(verdict, result);
+  keep(verdict, files, result);
+}
+
+}  // namespace
+
+PictureResult judge_recipe(const Recipe& recipe, pt::Engine engine, const SeedSource& source,
+                           int max_stages, const PictureFiles& files) {
+  const auto start = std::chrono::steady_clock::now();
+  PictureResult result;
+  result.recipe = recipe.name;
+  result.title = recipe.title;
+  result.width = recipe.width;
+  result.height = recipe.height;
+  result.golden = files.golden;
+  const RecipeScene scene = load_scene(recipe, engine);
+  try {
+    judge(recipe, view(recipe, scene), source, max_stages, files, result);
+  } catch (const NoPicture& none) {
+    result.state = state_of(none.cause);
+    result.text = none.text;
+  }
+  result.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace grader

@@ -1,0 +1,101 @@
+// graded_picture: judges one recipe, rendered by a worker. Trusted: no line of a submission runs in
+// here. Writes what it found as a results.json with this one picture, and the picture next to it. The
+// exit status is 0 if the picture is right, 1 if not, 2 if nothing could be judged.
+#include "grader/pictures/judge_recipe.h"
+#include "grader/process/spawn.h"
+#include "grader/remote/session.h"
+#include "grader/report/json.h"
+#include "pt/error.h"
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+namespace {
+
+using namespace grader;
+
+struct Options {
+  remote::SessionSettings session;
+  SeedSource source;
+  std::string recipes, goldens, recipe;
+  std::string report;
+  int stages = 3;
+  int call_limit = 10000;
+};
+
+// Parts 1 and 2 are what the wide engine does without.
+pt::Engine engine_for(const std::string& slug) {
+  for (const char* tracing : {"hit_triangle", "hit_sphere", "build_bvh", "hit_box", "hit_bvh"}) {
+    if (slug == tracing) return pt::Engine::task;
+  }
+  return pt::Engine::wide;
+}
+
+int run(const Options& options) {
+  const std::vector<Recipe> recipes = load_recipes(options.recipes);
+  const Recipe& recipe = find(recipes, options.recipe);
+  const std::string golden = options.goldens + "/" + recipe.name;
+  const std::string beside = std::filesystem::path(options.report).replace_extension();
+  remote::open_session(options.session);
+  PictureResult result =
+      judge_recipe(recipe, engine_for(options.session.task), options.source, options.stages,
+                   {golden + ".exr", golden + ".map.json", beside + ".exr",
+                    beside + ".evidence.exr", beside + ".csv"});
+  result.integrated = options.session.integrated;
+  Results results;
+  results.complete = true;
+  results.tasks.emplace_back().slug = options.session.task;
+  results.tasks[0].state = result.state;
+  results.tasks[0].printed = remote::session().record().printed;
+  results.tasks[0].pictures.push_back(result);
+  write_json(results, options.report);
+  return result.state == State::pass ? 0 : 1;
+}
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--worker", options.session.program, "the worker program")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app.add_option("--task", options.session.task, "the slug of the task that is judged")
+      ->required();
+  app.add_option("--recipes", options.recipes, "recipes.json")->required();
+  app.add_option("--goldens", options.goldens, "the folder of the goldens")->required();
+  app.add_option("--recipe", options.recipe, "its name")->required();
+  app.add_option("--report", options.report, "where to write the findings")->required();
+  app.add_option("--content", options.source.content, "stands for what is judged: a hash");
+  app.add_option("--seed", options.source.seed, "of the run");
+  app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
+  app.add_option("--stages", options.stages, "at most")->check(CLI::Range(1, 3));
+  app.add_option("--call-limit", options.call_limit, "milliseconds that a few rows may take")
+      ->check(CLI::PositiveNumber);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  hide_process();
+  std::signal(SIGPIPE, SIG_IGN);
+  Options options;
+  CLI::App app{"Judges a picture that a worker renders"};
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    options.session.program = std::filesystem::absolute(options.session.program);
+    options.session.answers = false;
+    options.session.give_up = [](Cause cause, const std::string& text) {
+      throw NoPicture{cause, text};
+    };
+    options.session.call_limit = std::chrono::milliseconds(options.call_limit);
+    options.session.lost_limit = options.session.call_limit;
+    options.session.total_limit = 9 * options.session.call_limit;
+    return run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

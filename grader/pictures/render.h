@@ -1,0 +1,44 @@
+#pragma once
+
+#include "grader/images/image_verdict.h"
+#include "grader/property/property.h"
+#include "grader/recipes/recipes.h"
+#include "pt/image/sample_map.h"
+
+#include <cstdint>
+#include <string>
+
+// Pictures of a recipe, made by the worker of this program's session.
+
+namespace grader {
+
+// The worker made no picture. The text says what it did instead, for a person to read.
+struct NoPicture {
+  Cause cause = Cause::crash;
+  std::string text;
+};
+
+// Which random numbers a picture takes: those of a submission's content, so that the same files get
+// the same numbers and no others can be tried without changing them.
+struct SeedSource {
+  std::string content;     // a hash of what is judged
+  std::uint64_t seed = 1;  // of the run
+};
+
+// The seed of one batch of a stage. As it is a hash, it is none of the small numbers that goldens
+// are made with.
+std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch);
+
+struct Rendered {
+  pt::Image mean;        // as the task returned it, NaN included
+  pt::SampleMap counts;  // of an adaptive recipe; else empty
+};
+
+// Throws NoPicture.
+Rendered render(const Recipe& recipe, const pt::View& view, int samples, std::uint64_t seed);
+
+// The batches of one stage; of an adaptive recipe each is one run.
+Batches render_stage(const Recipe& recipe, const pt::View& view, const SeedSource& source,
+                     int stage, int batches, int samples);
+
+}  // namespace grader
