@@ -25,12 +25,27 @@ struct Options {
   std::uint64_t seed = 1;
   int call_limit = 2000;
   bool all = false;
+  bool no_pictures = false;
+
+  // As a person would type it.
+  std::string command() const {
+    std::string words = "./run grade";
+    for (const std::string& word : what) words += " " + word;
+    if (submission != "student") words += " --submission " + submission;
+    if (no_pictures) words += " --no-pictures";
+    return words + " --seed " + std::to_string(seed);
+  }
 };
 
 int run(const Options& options) {
   const Config config =
       load_config(options.config.empty() ? default_config_path() : options.config);
-  GradeRequest request{options.submission, {}, options.seed, options.call_limit};
+  GradeRequest request;
+  request.submission = options.submission;
+  request.seed = options.seed;
+  request.call_limit = options.call_limit;
+  request.pictures = !options.no_pictures;
+  request.command = options.command();
   std::set<std::string> asked;
   for (const std::string& word : options.what) {
     for (const std::string& slug : tasks_meant(config, word)) asked.insert(slug);
@@ -58,6 +73,7 @@ int main(int argc, char** argv) {
   app.add_option("--submission", options.submission, "a folder with the tree of student/")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--all", options.all, "show every failure, not only the first");
+  app.add_flag("--no-pictures", options.no_pictures, "judge the promises only");
   app.add_option("--json", options.json, "also write the results to this file");
   app.add_option("--seed", options.seed, "of all random inputs");
   app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")

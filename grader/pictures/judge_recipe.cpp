@@ -1,6 +1,5 @@
 #include "grader/pictures/judge_recipe.h"
 
-#include "grader/images/sample_map_verdict.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 
@@ -74,34 +73,8 @@ void keep(const ImageVerdict& verdict, const PictureFiles& files, PictureResult&
   result.evidence = files.evidence;
 }
 
-// First how many samples a run takes where; then its picture, runs as samples.
-void judge_adaptive(const Recipe& recipe, const pt::View& view, const SeedSource& source,
-                    int max_stages, const PictureFiles& files, PictureResult& result) {
-  const SampleMapReference reference = read_sample_map_reference(files.reference);
-  const Rendered run = render(recipe, view, 1, batch_seed(source, recipe, 0, 0));
-  pt::write_counts(files.counts, run.counts);
-  result.golden_counts = files.reference;
-  result.counts = files.counts;
-  const SampleMapVerdict map = judge_sample_map(reference, run.counts);
-  const ImageVerdict verdict = judge_image(
-      read_golden(files.golden, recipe), NoiseClass::ordinary,
-      [&](int stage, int batches, int samples) {
-        return render_stage(recipe, view, source, stage, batches, samples);
-      },
-      max_stages, kAdaptiveStages);
-  enter(verdict, result);
-  keep(verdict, files, result);
-  if (!map.pass) {
-    result.state = State::fail;
-    result.text = map.sentence;
-  }
-}
-
 void judge(const Recipe& recipe, const pt::View& view, const SeedSource& source, int max_stages,
            const PictureFiles& files, PictureResult& result) {
-  if (recipe.adaptive) {
-    return judge_adaptive(recipe, view, source, max_stages, files, result);
-  }
   const ImageVerdict verdict = judge_image(
       read_golden(files.golden, recipe), recipe.noisy ? NoiseClass::noisy : NoiseClass::ordinary,
       [&](int stage, int batches, int samples) {

@@ -3,7 +3,6 @@
 #include "grader/recipes/read_recipe.h"
 #include "pt/error.h"
 #include "pt/file.h"
-#include "pt/scene/load_collada.h"
 
 #include <algorithm>
 #include <set>
@@ -71,18 +70,6 @@ const Recipe& find(const std::vector<Recipe>& recipes, const std::string& name) 
   }
   throw pt::Error(
       fmt::format("there is no recipe '{}'; take one of {}", name, fmt::join(names, ", ")));
-}
-
-RecipeScene load_scene(const Recipe& recipe, pt::Engine engine) {
-  pt::LoadedScene loaded = pt::load_collada(recipe.scene);
-  if (!recipe.settings.show_normals) pt::require_supported(loaded, recipe.scene);
-  const pt::Camera camera = pt::frame_camera(loaded, recipe.framing, recipe.width, recipe.height);
-  loaded.scene.tracer = pt::Tracer(engine, loaded.scene.primitives);
-  return {std::move(loaded.scene), camera};
-}
-
-pt::View view(const Recipe& recipe, const RecipeScene& scene) {
-  return {scene.scene, scene.camera, recipe.settings, recipe.width, recipe.height};
 }
 
 }  // namespace grader

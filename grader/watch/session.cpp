@@ -119,7 +119,7 @@ void WatchSession::start_next() {
   if (running_ || waiting_.empty()) return;
   judging_ = waiting_.front();
   waiting_.pop_front();
-  std::vector<std::string> command{options_.programs + "/grade"};
+  std::vector<std::string> command{options_.programs + "/grade", "--no-pictures"};
   if (!judging_.empty()) command.push_back(judging_);
   for (const std::string& word :
        {std::string("--submission"), options_.submission, std::string("--json"), results_path_,
