@@ -113,9 +113,8 @@ class Integration {
 }  // namespace
 
 // A task that is not right by itself must not spoil others.
-Built link_together(const Config& config, const Builder& builder,
-                    const std::vector<Judged>& judged, Elsewhere elsewhere,
-                    const std::string& swapped) {
+Built link_together(const Config& config, const Builder& builder, const std::vector<Judged>& judged,
+                    Elsewhere elsewhere, const std::string& swapped) {
   Paths objects;
   std::string key;
   const auto add = [&](const Paths& paths) {

@@ -6,9 +6,8 @@ namespace grader {
 
 // The worker of all tasks that are right by themselves, and of the reference for all others and for
 // `swapped`. radiance() is the judge's answer for properties, the renderer's for pictures.
-Built link_together(const Config& config, const Builder& builder,
-                    const std::vector<Judged>& judged, Elsewhere elsewhere,
-                    const std::string& swapped = "");
+Built link_together(const Config& config, const Builder& builder, const std::vector<Judged>& judged,
+                    Elsewhere elsewhere, const std::string& swapped = "");
 
 // Judges again, together with the submission's other tasks, every task that is right by itself and
 // asks others: its state becomes blocked where one of those is not right itself, and fails where

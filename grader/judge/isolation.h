@@ -8,7 +8,7 @@ namespace grader {
 // A task on its way to a verdict.
 struct Judged {
   const TaskConfig* config = nullptr;
-  Built object;  // of the submission's file, if it compiles
+  Built object;              // of the submission's file, if it compiles
   std::string content;       // a hash of that file; the same on every machine
   bool right_alone = false;  // every promise holds with the reference elsewhere
   TaskResult result;

@@ -52,7 +52,7 @@ std::string key_of(const Config& config, const std::vector<std::string>& words,
   std::string key = stamp(config.picture) + trial.worker.key + stamp(trial.recipe.scene) +
                     stamp(config.root + "/scenes/recipes.json");
   const std::string golden = config.root + "/golden/" + trial.recipe.name;
-  for (const char* ending : {".exr", ".map.json"}) {
+  for (const char* ending : {".exr", "_rates.json"}) {
     if (fs::exists(golden + ending)) key += stamp(golden + ending);
   }
   for (const std::string& word : words) key += '\0' + word;
@@ -65,8 +65,8 @@ PictureResult read_picture(const std::string& path) {
 
 }  // namespace
 
-PictureResult try_picture(const Config& config, const Builder& builder,
-                          const GradeRequest& request, const PictureTrial& trial) {
+PictureResult try_picture(const Config& config, const Builder& builder, const GradeRequest& request,
+                          const PictureTrial& trial) {
   std::vector<std::string> words = command(config, request, trial);
   const std::string path = builder.cache() + "/" + key_of(config, words, trial) + ".picture.json";
   if (!fs::exists(path)) {

@@ -18,7 +18,7 @@ struct PictureTrial {
 
 // Runs the program graded_picture, unless the same was run before. Safe from any thread. Throws
 // pt::Error if that program cannot judge, as without a golden.
-PictureResult try_picture(const Config& config, const Builder& builder,
-                          const GradeRequest& request, const PictureTrial& trial);
+PictureResult try_picture(const Config& config, const Builder& builder, const GradeRequest& request,
+                          const PictureTrial& trial);
 
 }  // namespace grader

@@ -113,9 +113,8 @@ class Gallery {
     const PictureResult together = trial(recipe, *tasks[0], together_, content_, true, 3);
     bool all_right = true;
     for (Judged* task : tasks) {
-      const PictureResult result = together.state == State::pass
-                                       ? together
-                                       : judge_alone(recipe, *task, 3);
+      const PictureResult result =
+          together.state == State::pass ? together : judge_alone(recipe, *task, 3);
       put(*task, result);
       all_right = all_right && result.state == State::pass;
     }
@@ -124,7 +123,8 @@ class Gallery {
     result.text = fmt::format("right with the reference elsewhere, not with your other tasks: {}",
                               together.text);
     const std::vector<std::string> blamed = blame(recipe, *tasks[0], tasks);
-    if (!blamed.empty()) result.text += fmt::format(" (only with your {})", fmt::join(blamed, ", "));
+    if (!blamed.empty())
+      result.text += fmt::format(" (only with your {})", fmt::join(blamed, ", "));
     for (Judged* task : tasks) put(*task, result);
   }
 

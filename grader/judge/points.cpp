@@ -40,8 +40,9 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
     } else if (name == "promises" || name == "pictures") {
       (name == "promises" ? points.promises : points.pictures) = read_numbers(value, place);
     } else {
-      throw pt::Error(place + " means nothing; write promise, picture, too_noisy, promises or "
-                              "pictures");
+      throw pt::Error(place +
+                      " means nothing; write promise, picture, too_noisy, promises or "
+                      "pictures");
     }
   }
   return points;
@@ -82,10 +83,10 @@ void count_points(const Points& points, TaskResult& result) {
   }
   for (PictureResult& picture : result.pictures) {
     picture.max_points = worth(task.picture, task.pictures, picture.recipe);
-    picture.points = picture.state == State::pass        ? picture.max_points
-                     : picture.state == State::too_noisy ? std::min(task.too_noisy,
-                                                                    picture.max_points)
-                                                         : 0;
+    picture.points = picture.state == State::pass ? picture.max_points
+                     : picture.state == State::too_noisy
+                         ? std::min(task.too_noisy, picture.max_points)
+                         : 0;
     result.points += picture.points;
     result.max_points += picture.max_points;
   }

@@ -1,9 +1,11 @@
 #include "grader/pictures/judge_recipe.h"
 
+#include "grader/images/sample_map_verdict.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 namespace grader {
@@ -73,8 +75,43 @@ void keep(const ImageVerdict& verdict, const PictureFiles& files, PictureResult&
   result.evidence = files.evidence;
 }
 
+// What the reference takes on average, in whole samples: to look at.
+pt::SampleMap usual_counts(const SampleMapReference& reference) {
+  pt::SampleMap map{reference.width, reference.height, {}, reference.settings.max_samples};
+  for (const double mean : reference.mean)
+    map.counts.push_back(static_cast<int>(std::lround(mean)));
+  return map;
+}
+
+// First how many samples a run takes where; then its picture, runs as samples.
+void judge_adaptive(const Recipe& recipe, const pt::View& view, const SeedSource& source,
+                    int max_stages, const PictureFiles& files, PictureResult& result) {
+  const SampleMapReference reference = read_reference(files.rates);
+  const Rendered run = render(recipe, view, 1, batch_seed(source, recipe, 0, 0));
+  pt::write_counts(files.counts, run.counts);
+  pt::write_counts(files.golden_counts, usual_counts(reference));
+  result.golden_counts = files.golden_counts;
+  result.counts = files.counts;
+  const SampleMapVerdict map = judge_sample_map(reference, run.counts);
+  const ImageVerdict verdict = judge_image(
+      read_golden(files.golden, recipe), NoiseClass::ordinary,
+      [&](int stage, int batches, int samples) {
+        return render_stage(recipe, view, source, stage, batches, samples);
+      },
+      max_stages, kAdaptiveStages);
+  enter(verdict, result);
+  keep(verdict, files, result);
+  if (!map.pass) {
+    result.state = State::fail;
+    result.text = map.sentence;
+  }
+}
+
 void judge(const Recipe& recipe, const pt::View& view, const SeedSource& source, int max_stages,
            const PictureFiles& files, PictureResult& result) {
+  if (recipe.adaptive) {
+    return judge_adaptive(recipe, view, source, max_stages, files, result);
+  }
   const ImageVerdict verdict = judge_image(
       read_golden(files.golden, recipe), recipe.noisy ? NoiseClass::noisy : NoiseClass::ordinary,
       [&](int stage, int batches, int samples) {
@@ -103,8 +140,7 @@ PictureResult judge_recipe(const Recipe& recipe, pt::Engine engine, const SeedSo
     result.state = state_of(none.cause);
     result.text = none.text;
   }
-  result.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }
 

@@ -6,11 +6,11 @@ namespace grader {
 
 // What one recipe is judged by, and where what was seen is kept.
 struct PictureFiles {
-  std::string golden;     // an EXR, made by bless
-  std::string reference;  // of an adaptive recipe: its sample map's
-  std::string render;     // written: mean and variance of the submission's picture, an EXR
-  std::string evidence;   // written: an EXR
-  std::string counts;     // written for an adaptive recipe
+  std::string golden;  // an EXR, made by bless
+  std::string rates;   // of an adaptive recipe: the reference of its sample map
+  // Written: mean and variance of the submission's picture, an EXR; the evidence, another; and for
+  // an adaptive recipe the samples a pixel that it took, and that the reference takes.
+  std::string render, evidence, counts, golden_counts;
 };
 
 // The recipe as the session's worker renders it, judged. Engine: of the scene, unless the worker

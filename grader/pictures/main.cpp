@@ -1,6 +1,6 @@
 // graded_picture: judges one recipe, rendered by a worker. Trusted: no line of a submission runs in
-// here. Writes what it found as a results.json with this one picture, and the picture next to it. The
-// exit status is 0 if the picture is right, 1 if not, 2 if nothing could be judged.
+// here. Writes what it found as a results.json with this one picture, and the picture next to it.
+// The exit status is 0 if the picture is right, 1 if not, 2 if nothing could be judged.
 #include "grader/pictures/judge_recipe.h"
 #include "grader/process/spawn.h"
 #include "grader/remote/session.h"
@@ -42,8 +42,8 @@ int run(const Options& options) {
   remote::open_session(options.session);
   PictureResult result =
       judge_recipe(recipe, engine_for(options.session.task), options.source, options.stages,
-                   {golden + ".exr", golden + ".map.json", beside + ".exr",
-                    beside + ".evidence.exr", beside + ".csv"});
+                   {golden + ".exr", golden + "_rates.json", beside + ".exr",
+                    beside + ".evidence.exr", beside + ".csv", beside + ".usual.csv"});
   result.integrated = options.session.integrated;
   Results results;
   results.complete = true;
@@ -59,8 +59,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--worker", options.session.program, "the worker program")
       ->required()
       ->check(CLI::ExistingFile);
-  app.add_option("--task", options.session.task, "the slug of the task that is judged")
-      ->required();
+  app.add_option("--task", options.session.task, "the slug of the task that is judged")->required();
   app.add_option("--recipes", options.recipes, "recipes.json")->required();
   app.add_option("--goldens", options.goldens, "the folder of the goldens")->required();
   app.add_option("--recipe", options.recipe, "its name")->required();

@@ -19,8 +19,8 @@ pt::PictureRows ask_worker(const pt::View& view, const pt::RowsRequest& request)
   Writer out;
   session().begin();
   Signature::put(out, session(), view, request);
-  const std::string_view reply = session().call(kFunction<&pt::render_rows>, Signature::code(),
-                                                Repetition{}, out);
+  const std::string_view reply =
+      session().call(kFunction<&pt::render_rows>, Signature::code(), Repetition{}, out);
   auto rows = read_reply<pt::PictureRows>(reply, get<pt::PictureRows>);
   const std::size_t pixels = static_cast<std::size_t>(view.width) * request.rows;
   if (rows.mean.size() != pixels || rows.counts.size() != (request.adaptive ? pixels : 0)) {
@@ -32,8 +32,8 @@ pt::PictureRows ask_worker(const pt::View& view, const pt::RowsRequest& request)
 }  // namespace
 
 std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch) {
-  const std::string hash = sha256(fmt::format("{} {} {} {} {}", source.content, source.seed,
-                                              recipe.name, stage, batch));
+  const std::string hash =
+      sha256(fmt::format("{} {} {} {} {}", source.content, source.seed, recipe.name, stage, batch));
   return std::stoull(hash.substr(0, 16), nullptr, 16);
 }
 

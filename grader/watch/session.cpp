@@ -113,6 +113,8 @@ void WatchSession::take_verdict() {
   const double seconds = running_->seconds();
   running_.reset();
   show_verdict(output, *status, seconds);
+  // Tasks that ask the one that was saved may stand differently now; what did not change is known.
+  if (!judging_.empty() && waiting_.empty()) waiting_.push_back("");
 }
 
 void WatchSession::start_next() {
@@ -161,7 +163,9 @@ void WatchSession::show_verdict(const std::string& output, int status, double se
   try {
     const Results results = results_from_json(read_file(results_path_), results_path_);
     if (!results.complete) throw pt::Error("the results are not complete");
+    const std::string before = verdicts_.table();
     verdicts_.update(results);
+    if (judging_.empty() && judged_ && verdicts_.table() == before) return show_status();
     // All tasks again, after a save came in between: that task is still being looked at.
     const std::string again = judged_ ? "" : verdicts_.show_first();
     const std::string failure = judging_.empty() ? again : verdicts_.show(judging_);
