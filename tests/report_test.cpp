@@ -1,41 +1,23 @@
-// Results that are written come back.
+// Results that are written come back, and their texts are fit for every format.
 #include "grader/report/json.h"
+#include "grader/report/presentable.h"
 #include "grader/report/read_json.h"
 #include "pt/error.h"
+#include "tests/example_results.h"
+
+#include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace grader {
 namespace {
 
-// Every field has a value that it does not have by default and no other field has.
-Results full_results() {
-  const FailureReport failure{{"a", "b"}, "c", "d", "e", "f", "g", 1, 1ULL << 63, true, "h"};
-  TaskResult task{.part = "i",
-                  .number = "j",
-                  .slug = "k",
-                  .state = State::crash,
-                  .reason = "l",
-                  .points = 2,
-                  .max_points = 3,
-                  .bonus_points = 4,
-                  .blocked_by = {"m"},
-                  .blamed = {"n", "o"},
-                  .compiler_output = "p\nq\n",
-                  .printed = "\x1b\"r",
-                  .promises = {{"s", "t", true, true, 0.1, {}}, {"u", "v", false, false, 0.2, {}}},
-                  .pictures = {{"w", State::too_noisy, "x"}}};
-  task.promises[1].failures = {failure, failure};
-  return {"y", 5, "z", 0.3, true, {"aa", "bb"}, {task, task}};
-}
-
 TEST(report, what_is_written_comes_back) {
   const Results results = full_results();
-  const std::string text = to_json(results);
-  const Results back = results_from_json(text, "x");
-  EXPECT_EQ(to_json(back), text);
-  EXPECT_EQ(back.tasks.at(1).promises.at(1).failures.at(1).seed, 1ULL << 63);
-  EXPECT_EQ(back.tasks[0].state, State::crash);
+  EXPECT_NE(results, Results{});
+  EXPECT_EQ(results_from_json(to_json(results), "x"), results);
 }
 
 TEST(report, every_state_comes_back) {
@@ -46,12 +28,78 @@ TEST(report, every_state_comes_back) {
   }
 }
 
+TEST(report, a_number_that_is_not_finite_comes_back_as_not_a_number) {
+  Results results = full_results();
+  results.tasks[0].pictures[0].noise = std::numeric_limits<double>::infinity();
+  const Results back = results_from_json(to_json(results), "x");
+  EXPECT_TRUE(std::isnan(back.tasks[0].pictures[0].noise));
+}
+
+TEST(report, a_file_with_fewer_members_is_read) {
+  nlohmann::json older = nlohmann::json::parse(to_json(full_results()));
+  for (const char* member : {"phases", "versions", "command"}) older.erase(member);
+  for (nlohmann::json& task : older["tasks"]) task["pictures"] = nlohmann::json::array();
+  const Results back = results_from_json(older.dump(), "x");
+  EXPECT_EQ(back.tasks.at(1).promises, full_results().tasks[1].promises);
+  EXPECT_TRUE(back.phases.empty());
+}
+
+TEST(report, only_a_whole_run_passes) {
+  Results results = full_results();
+  for (TaskResult& task : results.tasks) task.state = State::pass;
+  EXPECT_EQ(nlohmann::json::parse(to_json(results)).at("passed"), true);
+  results.complete = false;
+  EXPECT_EQ(nlohmann::json::parse(to_json(results)).at("passed"), false);
+}
+
 TEST(report, what_is_no_report_is_refused) {
-  EXPECT_THROW(results_from_json("", "x"), pt::Error);
-  EXPECT_THROW(results_from_json("{}", "x"), pt::Error);
   std::string other = to_json(full_results());
   other.replace(other.find("\"schema_version\": 1"), 19, "\"schema_version\": 0");
-  EXPECT_THROW(results_from_json(other, "x"), pt::Error);
+  for (const std::string& text :
+       {std::string(), std::string("{}"), std::string("[]"), other,
+        std::string(R"({"schema_version": 1})"),
+        std::string(R"({"schema_version": 1, "tasks": 5})"),
+        std::string(R"({"schema_version": 1, "tasks": [5]})"),
+        std::string(R"({"schema_version": 1, "tasks": [{"state": "perfect"}]})"),
+        std::string(R"({"schema_version": 1, "tasks": [{"slug": 5}]})")}) {
+    EXPECT_THROW(results_from_json(text, "x"), pt::Error) << text;
+  }
+}
+
+TEST(presentable, leaves_plain_text_alone) {
+  const std::string text = "a\tb\nc \u00e9 \u2713 \U0001f600 <&\"'";
+  EXPECT_EQ(presentable(text), text);
+}
+
+TEST(presentable, replaces_what_is_no_text) {
+  const std::string mark = "\uFFFD";
+  EXPECT_EQ(presentable("a\x1b[31m"), "a" + mark + "[31m");
+  EXPECT_EQ(presentable(std::string("a\0b\x7f", 4)), "a" + mark + "b" + mark);
+  EXPECT_EQ(presentable("\xff\xfe"), mark + mark);
+  EXPECT_EQ(presentable("\xc2\x9b"), mark);                                // a control of 8 bits
+  EXPECT_EQ(presentable("\u202Eab\u2066"), mark + "ab" + mark);            // turns the direction
+  EXPECT_EQ(presentable("\xef\xbf\xbe\xef\xbf\xbf"), mark + mark);         // no characters in XML
+  EXPECT_EQ(presentable("\xed\xa0\x80").find('\xed'), std::string::npos);  // half a surrogate pair
+}
+
+TEST(presentable, cuts_long_texts_and_lists_between_characters) {
+  std::string text;
+  while (text.size() < 3 * kMaxText) text += "\u2713";
+  const std::string cut = presentable(text);
+  EXPECT_LE(cut.size(), kMaxText);
+  EXPECT_GT(cut.size(), kMaxText / 2);
+  EXPECT_EQ(cut.find("\uFFFD"), std::string::npos);
+  const std::size_t kept = cut.find(" ...");
+  EXPECT_EQ(cut.substr(kept), " ... (" + std::to_string(text.size() - kept) + " bytes more)");
+  EXPECT_EQ(presentable(cut), cut);
+
+  Results results = full_results();
+  results.tasks[1].promises[1].failures.resize(5000);
+  results.tasks[1].promises[1].failures[7].input = {text};
+  results = presentable(results);
+  EXPECT_EQ(results.tasks[1].promises[1].failures.size(), kMaxList);
+  EXPECT_EQ(results.tasks[1].promises[1].failures[7].input[0], cut);
+  EXPECT_EQ(presentable(results), results);
 }
 
 }  // namespace

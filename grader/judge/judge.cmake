@@ -1,8 +1,6 @@
 # grade, and all that it needs to build and judge a submission without CMake: the flags, the objects of
 # every worker, and the property programs, written to grade.json next to it.
-firstlight_library(grader_report
-  report/results.cpp report/json.cpp report/read_json.cpp report/terminal.cpp)
-target_link_libraries(grader_report PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
+include(${CMAKE_CURRENT_SOURCE_DIR}/report/report.cmake)
 firstlight_library(grader_judge
   judge/builder.cpp judge/config.cpp judge/files.cpp judge/findings.cpp judge/grade.cpp
   judge/integration.cpp judge/isolation.cpp judge/picture_trial.cpp judge/pictures.cpp
@@ -13,18 +11,21 @@ firstlight_library(grader_hints hints/hints.cpp hints/memory.cpp)
 target_link_libraries(grader_hints PUBLIC fmt::fmt)
 add_executable(hint hints/main.cpp)
 target_link_libraries(hint PRIVATE
-  grader_hints grader_judge grader_recipes grader_report grader_process pt_base CLI11::CLI11 firstlight_warnings)
+  grader_hints grader_judge grader_recipes grader_report grader_process pt_base CLI11::CLI11
+  firstlight_warnings)
 
 add_executable(grade judge/main.cpp)
 target_link_libraries(grade PRIVATE
-  grader_hints grader_judge grader_recipes grader_report grader_process pt_base CLI11::CLI11 firstlight_warnings)
+  grader_hints grader_judge grader_recipes grader_writers grader_report grader_process pt_image
+  pt_base CLI11::CLI11 firstlight_warnings)
 
 firstlight_library(grader_watch
   watch/files.cpp watch/raw_terminal.cpp watch/running.cpp watch/session.cpp watch/verdicts.cpp)
 target_link_libraries(grader_watch PUBLIC fmt::fmt)
 add_executable(watch watch/main.cpp)
 target_link_libraries(watch PRIVATE
-  grader_watch grader_judge grader_recipes grader_report grader_process pt_base CLI11::CLI11 firstlight_warnings)
+  grader_watch grader_judge grader_recipes grader_report grader_process pt_base CLI11::CLI11
+  firstlight_warnings)
 
 # A list of words as the inside of a JSON array, and the objects of libraries likewise.
 function(firstlight_json_list result)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@ enum class State {
   rejected,       // the file is not one that the judge accepts
 };
 
+inline constexpr std::array kStates{State::pass,      State::fail,          State::crash,
+                                    State::timeout,   State::not_attempted, State::blocked,
+                                    State::too_noisy, State::rejected};
+
 // "pass", "not_attempted": as it stands in JSON.
 const char* name(State state);
 
@@ -37,6 +42,8 @@ struct FailureReport {
   std::uint64_t seed = 0;
   bool integrated = false;  // found with the submission's other tasks, not by itself
   std::string replay;       // the command that shows it again
+
+  bool operator==(const FailureReport&) const = default;
 };
 
 struct PromiseResult {
@@ -47,6 +54,8 @@ struct PromiseResult {
   int points = 1;  // for keeping it
   double seconds = 0;
   std::vector<FailureReport> failures;
+
+  bool operator==(const PromiseResult&) const = default;
 };
 
 // A part of a picture that is wrong, in pixels from the top left.
@@ -55,6 +64,8 @@ struct FailingCell {
   std::string channel;  // "Y" (luminance), "R", "G" or "B"
   double off_by = 0;    // relative to the golden: -0.094 is 9.4 % too dark
   double evidence = 0;  // |z| over its threshold, of the last stage
+
+  bool operator==(const FailingCell&) const = default;
 };
 
 // A recipe rendered with the submission, and the verdict on it. The files are EXRs (pt/image) that
@@ -80,6 +91,8 @@ struct PictureResult {
   std::string golden_counts;  // of an adaptive recipe: samples a pixel, written by write_counts
   std::string counts;         // and the submission's
   std::vector<FailingCell> cells;  // the smallest that fail
+
+  bool operator==(const PictureResult&) const = default;
 };
 
 struct TaskResult {
@@ -97,12 +110,16 @@ struct TaskResult {
   std::string printed;  // the beginning of what the task printed while it was judged
   std::vector<PromiseResult> promises;
   std::vector<PictureResult> pictures;
+
+  bool operator==(const TaskResult&) const = default;
 };
 
 // How long a part of the run took: "properties", "pictures".
 struct Phase {
   std::string name;
   double seconds = 0;
+
+  bool operator==(const Phase&) const = default;
 };
 
 struct Results {
@@ -116,6 +133,8 @@ struct Results {
   bool complete = false;           // false in a file that a killed run left
   std::vector<std::string> asked;  // slugs
   std::vector<TaskResult> tasks;   // in the order of the course
+
+  bool operator==(const Results&) const = default;
 };
 
 // Whether all that was asked for passes.

@@ -1,5 +1,6 @@
 #include "grader/report/terminal.h"
 
+#include "grader/report/summary.h"
 #include "grader/report/wrap.h"
 
 #include <cstdlib>
@@ -16,13 +17,6 @@ constexpr int kWidth = 100;
 
 std::string paint(const std::string& text, const char* code, const TerminalStyle& style) {
   return style.color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
-}
-
-// As people say it.
-std::string words(State state) {
-  std::string text = name(state);
-  for (char& c : text) c = c == '_' ? ' ' : c;
-  return text;
 }
 
 const char* color_of(State state) {
@@ -43,15 +37,34 @@ const char* color_of(State state) {
   return "0";
 }
 
+// A name, a state and points, in columns.
+std::string columns(const std::string& label, State state, int points, int max_points,
+                    const TerminalStyle& style) {
+  return fmt::format("{:<18} {} {:>6}", label,
+                     paint(fmt::format("{:<14}", words(state)), color_of(state), style),
+                     fmt::format("{}/{}", points, max_points));
+}
+
 std::string row(const TaskResult& task, const TerminalStyle& style) {
-  std::string line =
-      fmt::format("  {}  {:<18} {} {:>6}", task.number, task.slug,
-                  paint(fmt::format("{:<14}", words(task.state)), color_of(task.state), style),
-                  fmt::format("{}/{}", task.points, task.max_points));
+  std::string line = fmt::format(
+      "  {}  {}", task.number, columns(task.slug, task.state, task.points, task.max_points, style));
   if (task.bonus_points > 0) line += fmt::format("  + {} bonus", task.bonus_points);
   if (task.state == State::blocked)
     line += fmt::format("  by {}", fmt::join(task.blocked_by, ", "));
   return line + "\n";
+}
+
+// The pictures of a task that are not right, as rows below its own.
+std::string picture_rows(const TaskResult& task, const TerminalStyle& style) {
+  std::string text;
+  for (const PictureResult& picture : task.pictures) {
+    if (!is_fault(picture.state)) continue;
+    text +=
+        "       " +
+        columns("  " + picture.recipe, picture.state, picture.points, picture.max_points, style) +
+        "  picture\n";
+  }
+  return text;
 }
 
 // "  got       1.5", further lines below the value.
@@ -89,6 +102,24 @@ std::string promise_text(const TaskResult& task, const PromiseResult& promise,
          labelled("hint", {"./run hint " + task.slug});
 }
 
+std::string picture_text(const TaskResult& task, const PictureResult& picture,
+                         const TerminalStyle& style) {
+  std::string text = "\n";
+  const std::string title = picture.title.empty() ? "" : ", " + picture.title;
+  const std::string points = fmt::format(" ({}, {} of {} points)", words(picture.state),
+                                         picture.points, picture.max_points);
+  for (const std::string& line :
+       wrap(task.slug + ": picture " + picture.recipe + title + points, kWidth)) {
+    text += paint(line, "1", style) + "\n";
+  }
+  text += "\n";
+  if (picture.integrated) text += "  With your own tasks in all places:\n";
+  for (const std::string& line : wrap(picture.text, kWidth - 2)) text += "  " + line + "\n";
+  text += "\n";
+  if (!picture.replay.empty()) text += labelled("replay", {picture.replay});
+  return text + labelled("see it", {how_to_see(task, picture)});
+}
+
 std::string reason_text(const TaskResult& task, const TerminalStyle& style) {
   std::string text = "\n" + paint(task.slug + ": " + task.reason, "1", style) + "\n";
   if (!task.compiler_output.empty()) text += "\n" + task.compiler_output;
@@ -106,30 +137,19 @@ std::string printed_text(const TaskResult& task) {
 
 std::string table(const Results& results, const TerminalStyle& style) {
   std::string text, part;
-  int points = 0, max_points = 0, bonus = 0, passed = 0;
   for (const TaskResult& task : results.tasks) {
     if (task.part != part) {
-      const std::size_t underscore = task.part.find('_');
-      text += fmt::format("\nPart {}  {}\n", task.part.substr(0, underscore),
-                          task.part.substr(underscore + 1));
+      text += fmt::format("\nPart {}  {}\n", part_number(task.part), part_name(task.part));
     }
     part = task.part;
-    text += row(task, style);
-    points += task.points;
-    max_points += task.max_points;
-    bonus += task.bonus_points;
-    passed += task.state == State::pass ? 1 : 0;
+    text += row(task, style) + picture_rows(task, style);
   }
-  text += fmt::format("\n{} of {} tasks pass. {} of {} points", passed, results.tasks.size(),
-                      points, max_points);
-  if (bonus > 0) text += fmt::format(" and {} bonus", bonus);
-  return text + ".\n";
+  return text + "\n" + verdict(results) + "\n";
 }
 
 std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalStyle& style) {
   std::vector<FailureText> texts;
-  const bool quiet = task.state == State::pass || task.state == State::not_attempted ||
-                     task.state == State::blocked;
+  const bool quiet = !is_fault(task.state);
   std::string reason = task.reason.empty() || quiet ? "" : reason_text(task, style);
   for (const PromiseResult& promise : task.promises) {
     const bool failed = !promise.held && (!promise.bonus || style.all);
@@ -139,6 +159,11 @@ std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalSty
       texts.push_back({task.slug, promise.name, reason + promise_text(task, promise, style)});
       reason.clear();
     }
+  }
+  for (const PictureResult& picture : task.pictures) {
+    if (!is_fault(picture.state)) continue;
+    texts.push_back({task.slug, "", reason + picture_text(task, picture, style)});
+    reason.clear();
   }
   if (!reason.empty()) texts.push_back({task.slug, "", reason});
   if (!texts.empty() && !task.printed.empty()) texts.back().text += printed_text(task);
@@ -164,8 +189,9 @@ std::string to_text(const Results& results, const TerminalStyle& style) {
     text += fmt::format("\n{} more; --all shows {}.\n", failures.size() - shown,
                         failures.size() - shown == 1 ? "it" : "them");
   }
-  return text + fmt::format("\n{}, seed {}, {:.1f} s. Isolation {}.\n", results.submission,
-                            results.seed, results.seconds, results.isolation);
+  if (!results.complete) text += fmt::format("\n{}\n", kStopped);
+  return text + fmt::format("\n{}, seed {}, {}. Isolation {}.\n", results.submission, results.seed,
+                            times(results), results.isolation);
 }
 
 }  // namespace grader

@@ -15,12 +15,12 @@ struct TerminalStyle {
 // The results for a person in front of a terminal: a table, then failures in full.
 std::string to_text(const Results& results, const TerminalStyle& style);
 
-// Its parts: a row for each task, and what there is to say about each failure, in the order of the
-// report.
+// Its parts: a row for each task, with those of its pictures that are not right, and what there is
+// to say about each failure, in the order of the report.
 std::string table(const Results& results, const TerminalStyle& style);
 struct FailureText {
   std::string slug;
-  std::string promise;  // the property; empty: the whole task
+  std::string promise;  // the property; empty: a picture, or the whole task
   std::string text;
 };
 std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalStyle& style);

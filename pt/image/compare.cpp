@@ -10,7 +10,6 @@ namespace pt {
 namespace {
 
 constexpr double kDark = 0.01;      // keeps relative errors of dark pixels in bounds
-constexpr double kFullColor = 0.2;  // the relative difference at the ends of the legend
 
 // Blue and orange: red and green look alike to some. Both ends are equally bright.
 constexpr std::array<Color8, 5> kStops{
@@ -26,9 +25,9 @@ void check_sizes(const Picture& a, const Picture& b) {
               size(b));
 }
 
-double relative_difference(double a, double b) { return (a - b) / (std::abs(b) + kDark); }
-
 }  // namespace
+
+double relative_difference(double a, double b) { return (a - b) / (std::abs(b) + kDark); }
 
 Comparison compare(const Image& a, const Image& b) {
   check_sizes(a, b);
@@ -87,19 +86,23 @@ std::optional<MeanTest> compare_means(const Film& a, const Film& b) {
   return test;
 }
 
-Color8 difference_color(double relative) {
+Color8 difference_color(double relative, double full) {
   if (std::isnan(relative)) return {0, 0, 0};
-  return ramp(kStops, 0.5 + 0.5 * relative / kFullColor);
+  return ramp(kStops, 0.5 + 0.5 * relative / full);
 }
 
-Picture difference_picture(const Image& a, const Image& b) {
+Picture difference_map(const Image& a, const Image& b) {
   check_sizes(a, b);
   Picture picture(a.width, a.height);
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     picture.pixels[i] =
         difference_color(relative_difference(luminance(a.pixels[i]), luminance(b.pixels[i])));
   }
-  return with_legend(picture, kStops, {"-20 %", "0", "+20 %", "A below / above B"});
+  return picture;
+}
+
+Picture difference_picture(const Image& a, const Image& b) {
+  return with_legend(difference_map(a, b), kStops, {"-20 %", "0", "+20 %", "A below / above B"});
 }
 
 }  // namespace pt

@@ -41,12 +41,16 @@ struct MeanTest {
 // is not finite. Throws pt::Error if the sizes differ.
 std::optional<MeanTest> compare_means(const Film& a, const Film& b);
 
-// What difference_picture draws where a is `relative` = (a - b) / (|b| + 0.01) off: blue where a is
-// darker, orange where it is brighter, white where they agree, full at 20 %; black for NaN.
-Color8 difference_color(double relative);
+// (a - b) / (|b| + 0.01): bounded where b is dark.
+double relative_difference(double a, double b);
 
-// The relative difference of the luminances, in these colours, with a legend. Throws pt::Error if
-// the sizes differ.
+// Blue where a is darker, orange where it is brighter, white where they agree; full at `full`, and
+// black for NaN.
+Color8 difference_color(double relative, double full = 0.2);
+
+// The relative difference of the luminances in these colours; difference_picture adds a legend. They
+// throw pt::Error if the sizes differ.
+Picture difference_map(const Image& a, const Image& b);
 Picture difference_picture(const Image& a, const Image& b);
 
 }  // namespace pt

@@ -80,16 +80,20 @@ void write_image(const fs::path& path, const Film& film, double exposure) {
   }
 }
 
-void write_png(const fs::path& path, const Picture& picture) {
+std::string encode_png(const Picture& picture) {
   std::string bytes;
   const auto append = [](void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), size);
   };
   if (!stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3,
                               picture.pixels.data(), 3 * picture.width)) {
-    throw Error("cannot write '" + path.string() + "': the picture could not be encoded");
+    throw Error("the picture could not be encoded as PNG");
   }
-  write_file(path, bytes);
+  return bytes;
+}
+
+void write_png(const fs::path& path, const Picture& picture) {
+  write_file(path, encode_png(picture));
 }
 
 void write_png(const fs::path& path, const Image& image, double exposure) {

@@ -18,6 +18,9 @@ void check_image_target(const std::filesystem::path& path);
 // By extension: .png the tone-mapped mean, .exr all of the film (exposure plays no part).
 void write_image(const std::filesystem::path& path, const Film& film, double exposure = 1);
 
+// The bytes of a PNG file.
+std::string encode_png(const Picture& picture);
+
 void write_png(const std::filesystem::path& path, const Picture& picture);
 void write_png(const std::filesystem::path& path, const Image& image, double exposure = 1);
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "grader/report/results.h"
+
+#include <string>
+
+namespace grader {
+
+// A table (RFC 4180): a line that names the columns, then one a task. Those of many submissions may
+// be joined, without all first lines but one. `complete` is false of an unfinished run. A text that
+// a spreadsheet would take for a formula has an apostrophe before it.
+std::string to_csv(const Results& results);
+
+}  // namespace grader

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "pt/image/film.h"
+#include "pt/image/picture.h"
+#include "pt/image/sample_map.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+// Data inside a page, which may fetch none.
+
+namespace grader {
+
+// RFC 4648, with padding.
+std::string base64(std::string_view bytes);
+
+// "data:image/png;base64,...": what an image may have as its address.
+std::string png_address(const pt::Picture& picture);
+
+// The bits of the nearest IEEE 754 half; what is beyond its range becomes infinite.
+std::uint16_t to_half(double value);
+
+// Halves, little-endian, in base64: r, g and b of every pixel, row by row, the top row first.
+std::string embedded_pixels(const pt::Film& film);
+
+// Likewise one value a pixel: the standard deviation of the difference of the luminances. Empty
+// where one of the films does not have the variances. The sizes are equal.
+std::string embedded_noise(const pt::Film& render, const pt::Film& golden);
+
+// The counts as 32-bit integers, little-endian, in base64.
+std::string embedded_counts(const pt::SampleMap& map);
+
+}  // namespace grader

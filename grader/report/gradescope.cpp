@@ -1,0 +1,77 @@
+#include "grader/report/gradescope.h"
+
+#include "grader/report/presentable.h"
+#include "grader/report/summary.h"
+#include "grader/report/terminal.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace grader {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string output_of(const TaskResult& task) {
+  std::string text = fmt::format("{} {}\n", symbol(task.state), words(task.state));
+  for (const FailureText& failure : failure_texts(task, {})) text += failure.text;
+  if (!is_fault(task.state) && !task.reason.empty()) text += task.reason + "\n";
+  if (task.state == State::blocked) {
+    text += fmt::format("It waits for {}.\n", fmt::join(task.blocked_by, ", "));
+  }
+  int kept = 0, right = 0;
+  for (const PromiseResult& promise : task.promises) kept += promise.held ? 1 : 0;
+  for (const PictureResult& picture : task.pictures) right += picture.state == State::pass ? 1 : 0;
+  text += fmt::format("\n{} of {} promises are kept", kept, task.promises.size());
+  if (!task.pictures.empty()) {
+    text += fmt::format(", {} of {} pictures are right", right, task.pictures.size());
+  }
+  return text + ".\n";
+}
+
+ordered_json test_of(const TaskResult& task) {
+  return {{"score", task.points + task.bonus_points},
+          {"max_score", task.max_points},
+          {"status", task.state == State::pass ? "passed" : "failed"},
+          {"name", task.slug},
+          {"number", task.number},
+          {"output", output_of(task)},
+          {"output_format", "text"},
+          {"tags", {task.part}},
+          {"visibility", "visible"},
+          {"extra_data", {{"state", name(task.state)}, {"bonus_points", task.bonus_points}}}};
+}
+
+std::string head(const Results& results) {
+  std::string text = results.complete ? "" : fmt::format("{}\n", kStopped);
+  text += verdict(results) + "\n";
+  text +=
+      fmt::format("Seed {}, {}. Isolation {}.\n", results.seed, times(results), results.isolation);
+  for (const std::string& version : results.versions) text += version + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string to_gradescope(const Results& raw) {
+  const Results results = presentable(raw);
+  ordered_json tests = ordered_json::array();
+  for (const TaskResult& task : results.tasks) tests.push_back(test_of(task));
+  const Totals all = totals(results.tasks);
+  const ordered_json whole{
+      {"score", all.points + all.bonus_points},
+      {"execution_time", std::lround(results.seconds)},
+      {"output", head(results)},
+      {"output_format", "text"},
+      {"visibility", "visible"},
+      {"stdout_visibility", "hidden"},
+      {"tests", tests},
+      {"extra_data", {{"complete", results.complete}, {"seed", results.seed}}}};
+  return whole.dump(2) + "\n";
+}
+
+}  // namespace grader

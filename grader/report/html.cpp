@@ -1,0 +1,155 @@
+#include "grader/report/html.h"
+
+#include "grader/report/html_picture.h"
+#include "grader/report/page/sources.h"
+#include "grader/report/presentable.h"
+#include "grader/report/summary.h"
+#include "pt/error.h"
+
+#include <fmt/format.h>
+
+namespace grader {
+
+namespace {
+
+using kainjow::mustache::data;
+
+// A text, and whether there is one.
+void set_text(data& out, const std::string& key, const std::string& text) {
+  out.set(key, text);
+  out.set("has_" + key, !text.empty());
+}
+
+// Objects with one member, `key`; `list` is what the template calls them together.
+void set_texts(data& out, const std::string& list, const std::string& key,
+               const std::vector<std::string>& texts) {
+  data items{data::type::list};
+  for (const std::string& text : texts) items.push_back(data{key, text});
+  out.set(list, items);
+  out.set("has_" + list, !texts.empty());
+}
+
+data failure_data(const FailureReport& failure) {
+  data out;
+  set_texts(out, "input", "line", failure.input);
+  set_text(out, "what", failure.what);
+  set_text(out, "got", failure.got);
+  set_text(out, "expected", failure.expected);
+  set_text(out, "off_by", failure.off_by);
+  set_text(out, "cause", failure.cause == "wrong" ? "" : failure.cause);
+  set_text(out, "replay", failure.replay);
+  out.set("integrated", failure.integrated);
+  out.set("cases_before", std::to_string(failure.cases_before));
+  out.set("failure_seed", std::to_string(failure.seed));
+  return out;
+}
+
+// A bonus promise that is not kept is no fault; nor is one of a task that was not written.
+State state_of(const TaskResult& task, const PromiseResult& promise) {
+  if (promise.held) return State::pass;
+  return promise.bonus || !is_fault(task.state) ? State::not_attempted : State::fail;
+}
+
+data promise_data(const TaskResult& task, const PromiseResult& promise) {
+  const State state = state_of(task, promise);
+  data out, failures{data::type::list};
+  for (const FailureReport& failure : promise.failures) failures.push_back(failure_data(failure));
+  out.set("promise_words", promise.words.empty() ? promise.name : promise.words);
+  out.set("bonus", promise.bonus);
+  out.set("held", promise.held);
+  out.set("broken", !promise.held);
+  out.set("promise_open", state == State::fail && !promise.failures.empty());
+  out.set("promise_tone", tone(state));
+  out.set("promise_symbol", symbol(state));
+  out.set("promise_state", state == State::fail ? "not kept" : "not kept yet");
+  out.set("failures", failures);
+  out.set("no_failures",
+          promise.failures.empty()
+              ? data(task.reason.empty() ? "There is no counterexample." : task.reason)
+              : data(false));
+  return out;
+}
+
+data task_data(const TaskResult& task) {
+  data out, promises{data::type::list}, pictures{data::type::list};
+  for (const PromiseResult& each : task.promises) promises.push_back(promise_data(task, each));
+  for (const PictureResult& each : task.pictures) pictures.push_back(picture_data(each));
+  out.set("number", task.number);
+  out.set("slug", task.slug);
+  out.set("tone", tone(task.state));
+  out.set("symbol", symbol(task.state));
+  out.set("words", words(task.state));
+  out.set("open", is_fault(task.state));
+  out.set("task_points", std::to_string(task.points));
+  out.set("task_max", std::to_string(task.max_points));
+  out.set("task_has_bonus", task.bonus_points > 0);
+  out.set("task_bonus", std::to_string(task.bonus_points));
+  set_text(out, "reason", task.reason);
+  set_texts(out, "blocked_by", "other", task.blocked_by);
+  set_texts(out, "blamed", "other", task.blamed);
+  set_text(out, "compiler_output", task.compiler_output);
+  set_text(out, "printed", task.printed);
+  out.set("promises", promises);
+  out.set("has_promises", !task.promises.empty());
+  out.set("pictures", pictures);
+  out.set("has_pictures", !task.pictures.empty());
+  return out;
+}
+
+data parts_data(const std::vector<TaskResult>& tasks) {
+  data parts{data::type::list};
+  for (std::size_t i = 0; i < tasks.size();) {
+    std::vector<TaskResult> of_part;
+    data list{data::type::list};
+    const std::string& part = tasks[i].part;
+    for (; i < tasks.size() && tasks[i].part == part; ++i) {
+      of_part.push_back(tasks[i]);
+      list.push_back(task_data(tasks[i]));
+    }
+    const Totals sum = totals(of_part);
+    data out;
+    out.set("part_number", part_number(part));
+    out.set("part_name", part_name(part));
+    out.set("part_points", std::to_string(sum.points));
+    out.set("part_max", std::to_string(sum.max_points));
+    out.set("tasks", list);
+    parts.push_back(out);
+  }
+  return parts;
+}
+
+data page_data(const Results& results) {
+  const Totals all = totals(results.tasks);
+  data out;
+  out.set("style", std::string(page_css));
+  out.set("script", std::string(page_js));
+  out.set("verdict", verdict(results));
+  out.set("passed", std::to_string(all.passed));
+  out.set("task_count", std::to_string(results.tasks.size()));
+  out.set("points", std::to_string(all.points));
+  out.set("max_points", std::to_string(all.max_points));
+  out.set("has_bonus", all.bonus_points > 0);
+  out.set("bonus_points", std::to_string(all.bonus_points));
+  const int percent = all.max_points > 0 ? 100 * all.points / all.max_points : 0;
+  out.set("percent", std::to_string(std::clamp(percent, 0, 100)));
+  out.set("stopped", results.complete ? data(false) : data(kStopped));
+  out.set("submission", results.submission);
+  out.set("isolation", results.isolation);
+  out.set("seed", std::to_string(results.seed));
+  out.set("times", times(results));
+  set_texts(out, "versions", "version", results.versions);
+  set_text(out, "command", results.command);
+  out.set("parts", parts_data(results.tasks));
+  return out;
+}
+
+}  // namespace
+
+std::string to_html(const Results& results) {
+  kainjow::mustache::mustache page{std::string(page_html)};
+  std::string text = page.render(page_data(presentable(results)));
+  if (!page.is_valid()) throw pt::Error("the page cannot be made: " + page.error_message());
+  return text;
+}
+
+}  // namespace grader

@@ -1,0 +1,220 @@
+#include "grader/report/html_picture.h"
+
+#include "grader/report/embedded.h"
+#include "grader/report/pictures.h"
+#include "grader/report/summary.h"
+#include "pt/error.h"
+#include "pt/image/compare.h"
+#include "pt/image/image_io.h"
+#include "pt/image/tone_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace grader {
+
+namespace {
+
+using kainjow::mustache::data;
+
+struct Map {
+  std::string name, text;
+  pt::Picture picture, bar;
+  std::string low, high;
+  bool outlined = false;  // with the cells that fail
+};
+
+data map_data(const Map& map) {
+  data out;
+  out.set("map_name", map.name);
+  out.set("map_text", map.text);
+  out.set("map_alt", map.name + ": " + map.text);
+  out.set("map_png", png_address(map.picture));
+  out.set("map_bar", png_address(map.bar));
+  out.set("map_low", map.low);
+  out.set("map_high", map.high);
+  out.set("outlined", map.outlined);
+  return out;
+}
+
+std::string percent(double ratio) {
+  if (!std::isfinite(ratio)) return "not a number";
+  return fmt::format("{}{:.1f} %", ratio < 0 ? "\u2212" : "+", std::abs(100 * ratio));
+}
+
+data cells_data(const PictureResult& picture) {
+  data cells{data::type::list};
+  for (const FailingCell& cell : picture.cells) {
+    data out;
+    out.set("x", std::to_string(cell.x));
+    out.set("y", std::to_string(cell.y));
+    out.set("w", std::to_string(cell.width));
+    out.set("h", std::to_string(cell.height));
+    out.set("middle_x", std::to_string(cell.x + cell.width / 2));
+    out.set("middle_y", std::to_string(cell.y + cell.height / 2));
+    out.set("channel", cell.channel == "Y" ? "luminance" : cell.channel);
+    out.set("cell_off_by", percent(cell.off_by));
+    out.set("cell_evidence", fmt::format("{:.1f} \u00d7 threshold", cell.evidence));
+    cells.push_back(out);
+  }
+  return cells;
+}
+
+template <class Sized>
+void check_sizes(const Sized& render, const Sized& golden) {
+  if (render.width != golden.width || render.height != golden.height) {
+    throw pt::Error(fmt::format("The render has {} x {} pixels, the golden {} x {}.", render.width,
+                                render.height, golden.width, golden.height));
+  }
+}
+
+// What film_view and counts_view have in common.
+data view(const char* kind, int width, int height) {
+  data out;
+  out.set("kind", kind);
+  out.set("width", std::to_string(width));
+  out.set("height", std::to_string(height));
+  out.set("noise_data", "");
+  out.set("bar", false);
+  out.set("has_cells", false);
+  out.set("render_label", "render");
+  out.set("golden_label", "golden");
+  return out;
+}
+
+data film_maps(const PictureResult& picture, const pt::Image& render, const pt::Image& golden) {
+  const auto bar = [](double full) {
+    return legend_bar([=](double t) { return pt::difference_color((2 * t - 1) * full, full); });
+  };
+  data maps{data::type::list};
+  maps.push_back(map_data({"Difference", "of each pixel: blue too dark, orange too bright",
+                           pt::difference_map(render, golden), bar(0.2), "\u221220 %", "+20 %"}));
+  maps.push_back(
+      map_data({"8 \u00d7 8 difference", "of the means of blocks, with less noise",
+                block_difference_map(render, golden), bar(kBlockScale), "\u221210 %", "+10 %"}));
+  if (picture.evidence.empty()) return maps;
+  const pt::Image evidence = mean(pt::read_exr(picture.evidence));
+  check_sizes(evidence, golden);
+  maps.push_back(
+      map_data({"Evidence",
+                picture.cells.empty() ? "against the render, in thresholds"
+                                      : "against the render, in thresholds; what fails is outlined",
+                evidence_map(evidence), legend_bar([](double t) { return evidence_color(2 * t); }),
+                "0", "2 or more", true}));
+  return maps;
+}
+
+data film_view(const PictureResult& picture) {
+  const pt::Film render = pt::read_exr(picture.render), golden = pt::read_exr(picture.golden);
+  check_sizes(render, golden);
+  const pt::Image a = mean(render), b = mean(golden);
+  const double exposure = exposure_for(b);
+  data out = view("film", a.width, a.height);
+  out.set("render_png", png_address(pt::tone_map(a, exposure)));
+  out.set("golden_png", png_address(pt::tone_map(b, exposure)));
+  out.set("render_alt", "The submission's render of " + picture.recipe);
+  out.set("golden_alt", "The golden of " + picture.recipe);
+  out.set("render_data", embedded_pixels(render));
+  out.set("golden_data", embedded_pixels(golden));
+  out.set("noise_data", embedded_noise(render, golden));
+  out.set("compare_name", "Render over golden");
+  out.set("compare_text",
+          exposure == 1 ? ""
+                        : fmt::format("both at exposure {:g}, so that they can be seen", exposure));
+  out.set("maps", film_maps(picture, a, b));
+  out.set("has_cells", !picture.cells.empty());
+  out.set("cells", cells_data(picture));
+  return out;
+}
+
+data counts_view(const PictureResult& picture) {
+  const pt::SampleMap render = pt::read_counts(picture.counts);
+  const pt::SampleMap golden = pt::read_counts(picture.golden_counts);
+  check_sizes(render, golden);
+  const int min = std::min(*std::min_element(render.counts.begin(), render.counts.end()),
+                           *std::min_element(golden.counts.begin(), golden.counts.end()));
+  const int max = std::max(render.max, golden.max);
+  const auto colors = [](double t) {
+    return pt::sample_color(static_cast<int>(1000 * t), 0, 1000);
+  };
+  data out = view("counts", render.width, render.height);
+  out.set("render_png", png_address(count_map(render, min, max)));
+  out.set("golden_png", png_address(count_map(golden, min, max)));
+  out.set("render_alt", "The submission's sample map of " + picture.recipe);
+  out.set("golden_alt", "The reference's sample map of " + picture.recipe);
+  out.set("golden_label", "reference");
+  out.set("render_data", embedded_counts(render));
+  out.set("golden_data", embedded_counts(golden));
+  out.set("compare_name", "Sample map");
+  out.set("compare_text", "samples a pixel, the brighter the more");
+  out.set("bar", true);
+  out.set("low", std::to_string(min));
+  out.set("high", std::to_string(max));
+  out.set("bar_png", png_address(legend_bar(colors)));
+  data maps{data::type::list};
+  maps.push_back(map_data({"Difference", "of the counts: blue too few, orange too many",
+                           count_difference_map(render, golden),
+                           legend_bar([](double t) { return pt::difference_color(0.4 * t - 0.2); }),
+                           "\u221220 %", "+20 %"}));
+  out.set("maps", maps);
+  return out;
+}
+
+// How it was made, in one line.
+std::string made(const PictureResult& picture) {
+  std::string text = picture.integrated ? "Rendered with all tasks of the submission"
+                                        : "Rendered with this task of the submission, and the "
+                                          "reference in all other places";
+  if (picture.samples > 0) {
+    text += fmt::format("; {} samples a pixel in {} stage{}", picture.samples, picture.stages,
+                        picture.stages == 1 ? "" : "s");
+  }
+  if (picture.noise > 0) {
+    text += fmt::format("; {:.2f} times the variance of the reference", picture.noise);
+  }
+  if (picture.seconds > 0) text += fmt::format("; {:.1f} s", picture.seconds);
+  return text + ".";
+}
+
+}  // namespace
+
+const char* tone(State state) {
+  if (state == State::pass) return "pass";
+  if (state == State::too_noisy) return "noisy";
+  return is_fault(state) ? "fault" : "quiet";
+}
+
+data picture_data(const PictureResult& picture) {
+  data out;
+  out.set("recipe", picture.recipe);
+  out.set("title", picture.title);
+  out.set("picture_tone", tone(picture.state));
+  out.set("picture_symbol", symbol(picture.state));
+  out.set("picture_words", words(picture.state));
+  out.set("picture_open", is_fault(picture.state));
+  out.set("picture_points", std::to_string(picture.points));
+  out.set("picture_max", std::to_string(picture.max_points));
+  out.set("has_sentence", !picture.text.empty());
+  out.set("sentence", picture.text);
+  out.set("made", picture.render.empty() ? "" : made(picture));
+  out.set("picture_has_replay", !picture.replay.empty());
+  out.set("picture_replay", picture.replay);
+  data views{data::type::list};
+  std::string problem;
+  const auto add = [&](data (*make)(const PictureResult&)) {
+    try {
+      views.push_back(make(picture));
+    } catch (const pt::Error& error) {
+      problem += fmt::format("{}It cannot be shown. {}", problem.empty() ? "" : " ", error.what());
+    }
+  };
+  if (!picture.render.empty()) add(film_view);
+  if (!picture.counts.empty()) add(counts_view);
+  out.set("views", views);
+  out.set("problem", problem.empty() ? data(false) : data(problem));
+  return out;
+}
+
+}  // namespace grader

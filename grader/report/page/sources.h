@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+// The files of this folder, as the build embeds them (cmake/embed.cmake).
+
+namespace grader {
+
+extern const std::string_view page_html;  // a template in Mustache
+extern const std::string_view page_css;
+extern const std::string_view page_js;
+
+}  // namespace grader

@@ -1,0 +1,87 @@
+#include "grader/report/summary.h"
+
+#include <fmt/format.h>
+
+namespace grader {
+
+std::string words(State state) {
+  std::string text = name(state);
+  for (char& c : text) c = c == '_' ? ' ' : c;
+  return text;
+}
+
+const char* symbol(State state) {
+  switch (state) {
+    case State::pass:
+      return "\u2713";  // check mark
+    case State::fail:
+      return "\u2717";  // ballot cross
+    case State::crash:
+      return "!";
+    case State::timeout:
+      return "\u2026";  // ellipsis
+    case State::not_attempted:
+      return "\u25cb";  // empty circle
+    case State::blocked:
+      return "\u2016";  // two bars
+    case State::too_noisy:
+      return "\u2248";  // about equal
+    case State::rejected:
+      return "\u00d7";  // times
+  }
+  return "";
+}
+
+bool is_fault(State state) {
+  return state != State::pass && state != State::not_attempted && state != State::blocked;
+}
+
+Totals totals(const std::vector<TaskResult>& tasks) {
+  Totals all;
+  for (const TaskResult& task : tasks) {
+    all.points += task.points;
+    all.max_points += task.max_points;
+    all.bonus_points += task.bonus_points;
+    all.passed += task.state == State::pass ? 1 : 0;
+  }
+  return all;
+}
+
+std::string verdict(const Results& results) {
+  const Totals all = totals(results.tasks);
+  std::string text = fmt::format("{} of {} tasks pass. {} of {} points", all.passed,
+                                 results.tasks.size(), all.points, all.max_points);
+  if (all.bonus_points > 0) text += fmt::format(" and {} bonus", all.bonus_points);
+  return text + ".";
+}
+
+std::string times(const Results& results) {
+  std::string text;
+  for (const Phase& phase : results.phases) {
+    text += fmt::format("{}{} {:.1f} s", text.empty() ? "" : ", ", phase.name, phase.seconds);
+  }
+  const std::string all = fmt::format("{:.1f} s", results.seconds);
+  return text.empty() ? all : all + " (" + text + ")";
+}
+
+double seconds(const TaskResult& task) {
+  double sum = 0;
+  for (const PromiseResult& promise : task.promises) sum += promise.seconds;
+  for (const PictureResult& picture : task.pictures) sum += picture.seconds;
+  return sum;
+}
+
+std::string part_number(const std::string& part) { return part.substr(0, part.find('_')); }
+
+std::string part_name(const std::string& part) {
+  std::string name = part.substr(part.find('_') + 1);
+  for (char& c : name) c = c == '_' ? ' ' : c;
+  return name;
+}
+
+std::string how_to_see(const TaskResult& task, const PictureResult& picture) {
+  const bool grades = picture.replay.starts_with("./run grade");
+  return (grades ? picture.replay : "./run grade " + task.slug) + " --html report.html";
+}
+
+}  // namespace grader

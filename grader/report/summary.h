@@ -1,0 +1,50 @@
+#pragma once
+
+#include "grader/report/results.h"
+
+#include <string>
+#include <vector>
+
+// What the writers say in the same words.
+
+namespace grader {
+
+// "not attempted": as people say it.
+std::string words(State state);
+
+// A character that stands for it beside the words.
+const char* symbol(State state);
+
+// Whether it is the submission that is at fault: neither right, nor not written, nor waiting for
+// another task.
+bool is_fault(State state);
+
+struct Totals {
+  int points = 0;
+  int max_points = 0;
+  int bonus_points = 0;
+  int passed = 0;  // tasks
+};
+Totals totals(const std::vector<TaskResult>& tasks);
+
+// "7 of 12 tasks pass. 61 of 97 points and 2 bonus."
+std::string verdict(const Results& results);
+
+// What the report of an unfinished run has to say.
+inline constexpr const char* kStopped =
+    "This run was stopped before it ended: what was not judged yet may still change.";
+
+// "27.0 s (properties 5.9 s, pictures 21.0 s)"
+std::string times(const Results& results);
+
+// Of its promises and pictures, together.
+double seconds(const TaskResult& task);
+
+// "1" and "rays" of "1_rays".
+std::string part_number(const std::string& part);
+std::string part_name(const std::string& part);
+
+// The command that writes a page on which the picture can be seen.
+std::string how_to_see(const TaskResult& task, const PictureResult& picture);
+
+}  // namespace grader

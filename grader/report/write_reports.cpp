@@ -1,0 +1,28 @@
+#include "grader/report/write_reports.h"
+
+#include "grader/report/csv.h"
+#include "grader/report/gradescope.h"
+#include "grader/report/html.h"
+#include "grader/report/json.h"
+#include "grader/report/junit.h"
+#include "grader/report/presentable.h"
+#include "pt/file.h"
+
+namespace grader {
+
+void check_targets(const ReportFiles& files) {
+  for (const std::string* path :
+       {&files.json, &files.html, &files.junit, &files.gradescope, &files.csv}) {
+    if (!path->empty()) pt::check_target(*path);
+  }
+}
+
+void write_reports(const Results& results, const ReportFiles& files) {
+  if (!files.json.empty()) write_json(presentable(results), files.json);
+  if (!files.junit.empty()) pt::write_file(files.junit, to_junit(results));
+  if (!files.gradescope.empty()) pt::write_file(files.gradescope, to_gradescope(results));
+  if (!files.csv.empty()) pt::write_file(files.csv, to_csv(results));
+  if (!files.html.empty()) pt::write_file(files.html, to_html(results));
+}
+
+}  // namespace grader
