@@ -121,11 +121,11 @@ void WatchSession::start_next() {
   if (running_ || waiting_.empty()) return;
   judging_ = waiting_.front();
   waiting_.pop_front();
-  std::vector<std::string> command{options_.programs + "/grade", "--no-pictures"};
+  std::vector<std::string> command{options_.programs + "/grade"};
   if (!judging_.empty()) command.push_back(judging_);
   for (const std::string& word :
        {std::string("--submission"), options_.submission, std::string("--json"), results_path_,
-        std::string("--config"), options_.config}) {
+        std::string("--config"), options_.config, std::string("--no-pictures")}) {
     command.push_back(word);
   }
   std::filesystem::remove(results_path_);
