@@ -14,8 +14,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kIsolation = "C: rlimits only, not isolated";
-
 // The tasks asked for and all that they need, in the order of the course.
 std::vector<const TaskConfig*> to_judge(const Config& config, const GradeRequest& request) {
   std::set<std::string> wanted(request.asked.begin(), request.asked.end());
@@ -34,7 +32,7 @@ Results summary(const Config& config, const GradeRequest& request,
   Results results;
   results.submission = request.submission;
   results.seed = request.seed;
-  results.isolation = kIsolation;
+  results.isolation = request.isolation.words;
   for (const TaskConfig& task : config.tasks) {
     if (std::find(request.asked.begin(), request.asked.end(), task.slug) == request.asked.end()) {
       continue;
@@ -54,7 +52,7 @@ Results summary(const Config& config, const GradeRequest& request,
 Results grade(const Config& config, const GradeRequest& request,
               const std::function<void(const Results&)>& progress) {
   const auto start = Clock::now();
-  const Builder builder(config);
+  const Builder builder(config, request.isolation.tier, request.compile_limit);
   std::vector<Judged> judged;
   for (const TaskConfig* task : to_judge(config, request)) {
     if (task->graded.empty()) {

@@ -2,6 +2,7 @@
 
 #include "grader/judge/config.h"
 #include "grader/report/results.h"
+#include "grader/sandbox/probe.h"
 
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,8 @@ struct GradeRequest {
   std::uint64_t seed = 1;
   int call_limit = 2000;  // milliseconds
   int threads = 2;
+  Isolation isolation{};   // of all that runs of the submission
+  int compile_limit = 60;  // seconds that a file may take
 };
 
 // Judges the tasks asked for, each by itself and then together with the submission's other tasks.

@@ -27,7 +27,7 @@ std::vector<PromiseResult> promises_to_judge(const Config& config, const std::st
 
 // The objects of an isolated worker, and what stands for their content.
 Built link_alone(const Config& config, const Builder& builder, const Judged& judged) {
-  Paths objects{judged.object.path};
+  Paths objects;
   std::string key = judged.object.key;
   const auto& answered = asks_the_judge(judged.config->slug);
   const auto add = [&](const Paths& paths) {
@@ -43,6 +43,8 @@ Built link_alone(const Config& config, const Builder& builder, const Judged& jud
   }
   const bool callback = std::count(answered.begin(), answered.end(), "radiance") > 0;
   add(callback ? config.callbacks.at("radiance") : config.radiance);
+  // Last: where inline functions are in several objects, the linker takes the first.
+  objects.push_back(judged.object.path);
   return builder.link(objects, key, false);
 }
 
@@ -75,6 +77,9 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
   if (!file.present) return refuse(result, State::not_attempted, "there is no " + task.file());
   if (!file.rejected.empty()) return refuse(result, State::rejected, file.rejected);
   judged.object = builder.compile(task, file.text);
+  if (!judged.object.rejected.empty()) {
+    return refuse(result, State::rejected, judged.object.rejected);
+  }
   if (!judged.object.ok()) {
     return refuse(result, State::fail, "it does not compile",
                   in_folder(judged.object.error, task, request.submission));

@@ -11,8 +11,9 @@ namespace grader::remote {
 
 // How the one worker of this program is run.
 struct SessionSettings {
-  std::string task;         // the slug that is judged
-  std::string program;      // the worker
+  std::string task;          // the slug that is judged
+  std::string program;       // the worker
+  Tier tier = Tier::limits;  // of the box it runs in
   bool integrated = false;  // all tasks are the submission's: its scenes are traced by its own tree
   std::chrono::milliseconds call_limit{2000};    // of one call, and of kBatch repetitions
   std::chrono::milliseconds lost_limit{6000};    // that calls without an answer may cost in all
