@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Checks the properties of one task on a worker"};
   int call_limit = 2000;
+  std::string tier = "C";
   app.add_option("--worker", options.session.program, "the worker program")
       ->required()
       ->check(CLI::ExistingFile);
@@ -57,10 +58,12 @@ int main(int argc, char** argv) {
   app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
   app.add_option("--call-limit", call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
+  app.add_option("--isolation", tier, "the tier of the worker's box: A, B or C");
   options.session.task = FIRSTLIGHT_TASK;
   try {
     app.parse(argc, argv);
     options.session.program = std::filesystem::absolute(options.session.program);
+    options.session.tier = grader::tier_of(tier);
     options.session.call_limit = std::chrono::milliseconds(call_limit);
     options.session.lost_limit = 3 * options.session.call_limit;
     options.session.total_limit = 15 * options.session.call_limit;

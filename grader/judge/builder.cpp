@@ -1,12 +1,10 @@
 #include "grader/judge/builder.h"
 
-#include "grader/judge/files.h"
 #include "grader/judge/sha256.h"
 #include "grader/process/printable.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -20,25 +18,16 @@ namespace fs = std::filesystem;
 
 // A compiler can be made to work for ever, or to fill the disk.
 constexpr Limits kCompilerLimits{
-    .cpu_seconds = 60,
+    .cpu_seconds = {},
     .address_space = std::uint64_t{4} << 30,
     .file_size = std::uint64_t{256} << 20,
-    .processes = {},
-    .open_files = {},
+    .processes = 64,
+    .open_files = 256,
 };
-constexpr std::chrono::seconds kCompilerTime{60};
 constexpr std::size_t kMaxErrorLines = 12;
 
-std::string headers_of(const std::string& root) {
-  std::vector<std::string> paths;
-  for (const auto& entry : fs::recursive_directory_iterator(root + "/pt")) {
-    if (entry.path().extension() == ".h") paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  std::string all;
-  for (const std::string& path : paths) all += path + '\0' + sha256(read_file(path));
-  return all;
-}
+// Far above what any task compiles to.
+constexpr std::size_t kMaxObject = std::size_t{16} << 20;
 
 bool starts_error(const std::string& line) {
   for (const char* sign : {"error:", "undefined reference to", "multiple definition of"}) {
@@ -48,8 +37,8 @@ bool starts_error(const std::string& line) {
 }
 
 // The first error with the lines that explain it.
-std::string first_error(const CommandResult& result) {
-  if (result.timed_out) return "the compiler did not finish in 60 s";
+std::string first_error(const CommandResult& result, int seconds) {
+  if (result.timed_out) return fmt::format("the compiler did not finish in {} s", seconds);
   std::istringstream lines(printable(result.output, kMaxOutput, true));
   std::string text;
   std::size_t count = 0;
@@ -63,37 +52,31 @@ std::string first_error(const CommandResult& result) {
   return text.empty() ? "the compiler ended with " + describe_status(result.status) : text;
 }
 
-Child command(const Config& config, const std::string& directory) {
-  return {{config.compiler},
-          {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + config.work},
-          {},
-          directory,
-          kCompilerLimits};
-}
-
-// Runs a command that writes to its last argument, under a name of its own until it is complete.
-Built build(Child child, const std::string& path, const std::string& key) {
-  if (fs::exists(path)) return {path, key, ""};
-  const std::string temporary = temporary_name(path);
-  child.command.push_back(temporary);
-  const CommandResult result = run_command(child, kCompilerTime);
-  if (!result.ok()) {
-    fs::remove(temporary);
-    return {"", key, first_error(result)};
+// Headers were found below the project, for all that a person has to know.
+std::string in_project(std::string text, const std::string& root) {
+  for (std::size_t at = text.find("./pt/"); at != text.npos; at = text.find("./pt/", at + 1)) {
+    text.replace(at, 1, root);
+    at += root.size();
   }
-  fs::rename(temporary, path);
-  return {path, key, ""};
+  return text;
 }
 
 }  // namespace
 
-Builder::Builder(const Config& config) : config_(config), cache_(config.work + "/cache") {
+Builder::Builder(const Config& config, Tier tier, int seconds)
+    : config_(config),
+      tier_(tier),
+      seconds_(seconds),
+      cache_(config.work + "/cache"),
+      headers_(public_headers(config.root)) {
   fs::create_directories(cache_);
-  std::string tools = stamp(config.compiler);
+  // What was compiled where more can be read is no object of this tier.
+  std::string tools = stamp(config.compiler) + letter(tier);
   for (const auto* flags : {&config.compile_flags, &config.link_flags, &config.recording_flags}) {
     for (const std::string& flag : *flags) tools += flag + '\0';
   }
-  toolchain_ = sha256(tools + headers_of(config.root));
+  for (const auto& [path, text] : headers_) tools += path + '\0' + sha256(text);
+  toolchain_ = sha256(tools);
   std::string objects;
   for (const auto* paths : {&config.framework, &config.recording}) {
     for (const std::string& path : *paths) objects += stamp(path);
@@ -103,23 +86,46 @@ Builder::Builder(const Config& config) : config_(config), cache_(config.work + "
 
 Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   const std::string key = sha256(toolchain_ + task.file() + '\0' + text);
-  const std::string tree = temporary_name(cache_ + "/" + key + ".tree");
-  const std::string object = cache_ + "/" + key + ".o";
-  if (fs::exists(object)) return {object, key, ""};
-  fs::create_directories(tree + "/" + task.part);
-  write_file(tree + "/" + task.file(), text);
-  Child child = command(config_, tree);
+  const std::string path = cache_ + "/" + key + ".o";
+  if (fs::exists(path)) return {path, key, "", ""};
+  const Stage stage(temporary_name(cache_ + "/" + key + ".tree"), headers_, task.file(), text);
+  Box box{{config_.compiler},
+          {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=."},
+          {},
+          {},
+          stage.folder(),
+          true,
+          kCompilerLimits};
+  box.limits.cpu_seconds = seconds_;
   const auto& flags = config_.compile_flags;
-  child.command.insert(child.command.end(), flags.begin(), flags.end());
-  child.command.insert(child.command.end(), {"-fdiagnostics-color=never", "-c", task.file(), "-o"});
-  const Built built = build(std::move(child), object, key);
-  fs::remove_all(tree);
-  return built;
+  box.command.insert(box.command.end(), flags.begin(), flags.end());
+  box.command.insert(box.command.end(),
+                     {"-I.", "-fdiagnostics-color=never", "-c", task.file(), "-o", "task.o"});
+  const CommandResult result = run_command(boxed(box, tier_), std::chrono::seconds(seconds_));
+  if (!result.ok()) {
+    return {"", key, in_project(first_error(result, seconds_), config_.root), ""};
+  }
+  const Submitted object = stage.take("task.o", kMaxObject);
+  if (!object.present || !object.rejected.empty()) {
+    return {"", key, "", "what it compiles to is not accepted: " + object.rejected};
+  }
+  write_file(path, object.text);
+  return {path, key, "", ""};
 }
 
+// Outside the box: an object that has passed the audit has nothing in it that tells the linker to
+// read other files, or to run the compiler.
 Built Builder::link(const Paths& objects, const std::string& key, bool integrated) const {
   const std::string whole = sha256(framework_ + toolchain_ + key + (integrated ? "i" : "s"));
-  Child child = command(config_, cache_);
+  const std::string path = cache_ + "/" + whole + ".worker";
+  if (fs::exists(path)) return {path, whole, "", ""};
+  const std::string temporary = temporary_name(path);
+  Child child{{config_.compiler},
+              {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + config_.work},
+              {},
+              cache_,
+              kCompilerLimits};
+  child.limits.processes.reset();
   const auto add = [&](const std::vector<std::string>& more) {
     child.command.insert(child.command.end(), more.begin(), more.end());
   };
@@ -129,8 +135,16 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   add(objects);
   add(config_.link_flags);
   if (integrated) add(config_.recording_flags);
-  add({"-o"});
-  return build(std::move(child), cache_ + "/" + whole + ".worker", whole);
+  add({"-o", temporary});
+  const CommandResult result = run_command(child, std::chrono::seconds(seconds_));
+  if (!result.ok()) {
+    fs::remove(temporary);
+    return {"", whole, first_error(result, seconds_), ""};
+  }
+  // Another user runs it.
+  fs::permissions(temporary, fs::perms(0755));
+  fs::rename(temporary, path);
+  return {path, whole, "", ""};
 }
 
 }  // namespace grader

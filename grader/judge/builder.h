@@ -1,6 +1,8 @@
 #pragma once
 
 #include "grader/judge/config.h"
+#include "grader/judge/staging.h"
+#include "grader/sandbox/box.h"
 
 #include <string>
 
@@ -8,9 +10,10 @@ namespace grader {
 
 // Something that was built, or why not.
 struct Built {
-  std::string path;   // of the object or program; empty if it failed
-  std::string key;    // stands for its content and everything that went into it
-  std::string error;  // the first error, as the compiler or linker said it
+  std::string path;      // of the object or program; empty if it failed
+  std::string key;       // stands for its content and everything that went into it
+  std::string error;     // the first error, as the compiler or linker said it
+  std::string rejected;  // why what was compiled is not accepted, in one sentence
 
   bool ok() const { return !path.empty(); }
 };
@@ -19,9 +22,10 @@ struct Built {
 // hash of everything it depends on. Safe from any thread.
 class Builder {
  public:
-  explicit Builder(const Config& config);
+  // Compiles in boxes of the tier, for so many seconds at most.
+  Builder(const Config& config, Tier tier, int seconds);
 
-  // `text` as the file part/slug.cpp of a tree in which there is nothing else.
+  // `text` as the file part/slug.cpp of a tree in which there are the headers and nothing else.
   Built compile(const TaskConfig& task, const std::string& text) const;
 
   // A worker of the framework and one definition of every task: objects, and for each key what
@@ -32,9 +36,12 @@ class Builder {
 
  private:
   const Config& config_;
+  Tier tier_;
+  int seconds_;
   std::string cache_;      // the folder
   std::string toolchain_;  // stands for compiler, flags and headers
   std::string framework_;  // and for the objects of the framework
+  Headers headers_;
 };
 
 }  // namespace grader

@@ -24,7 +24,7 @@ struct Config {
   std::string root;  // of the project
   std::string work;  // where `grade` keeps what it builds
   std::string compiler;
-  std::vector<std::string> compile_flags;
+  std::vector<std::string> compile_flags;  // but where the headers are
   std::vector<std::string> link_flags;
   std::vector<std::string> recording_flags;  // for the linker, of the integrated worker
   Paths framework;                           // objects of every worker

@@ -3,6 +3,7 @@
 #include "grader/process/descriptor.h"
 #include "pt/error.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -47,6 +48,33 @@ std::string stamp(const std::string& path) {
                      found.st_mtim.tv_nsec);
 }
 
+Submitted read_plain_file(int folder, const std::string& name, std::size_t most) {
+  // Without O_NONBLOCK, opening a named pipe would wait for a writer.
+  const Descriptor file(
+      openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (!file.is_open()) {
+    if (errno == ENOENT) return {};
+    return {true, "the file is a link, or cannot be read", ""};
+  }
+  struct stat found {};
+  if (fstat(file.number(), &found) != 0 || !S_ISREG(found.st_mode)) {
+    return {true, "the file is no regular file", ""};
+  }
+  const std::string too_large = fmt::format("the file is larger than {} MiB", most >> 20);
+  if (found.st_size > static_cast<off_t>(most)) return {true, too_large, ""};
+  // It may still grow.
+  std::string text(static_cast<std::size_t>(found.st_size) + 1, '\0');
+  std::size_t size = 0;
+  for (ssize_t got = 1; got > 0; size += static_cast<std::size_t>(got)) {
+    if (size == text.size()) text.resize(std::min(most + 1, 2 * size));
+    if (size == text.size()) return {true, too_large, ""};
+    got = read(file.number(), text.data() + size, text.size() - size);
+    if (got < 0) return {true, "the file cannot be read", ""};
+  }
+  text.resize(size);
+  return {true, "", text};
+}
+
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug) {
   const Descriptor top(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
@@ -57,26 +85,7 @@ Submitted read_submitted(const std::string& folder, const std::string& part,
     if (errno == ENOENT) return {};
     return {true, part + " is no plain folder", ""};
   }
-  // Without O_NONBLOCK, opening a named pipe would wait for a writer.
-  const Descriptor file(openat(inner.number(), (slug + ".cpp").c_str(),
-                               O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  if (!file.is_open()) {
-    if (errno == ENOENT) return {};
-    return {true, "the file is a link, or cannot be read", ""};
-  }
-  struct stat found {};
-  if (fstat(file.number(), &found) != 0 || !S_ISREG(found.st_mode)) {
-    return {true, "the file is no regular file", ""};
-  }
-  std::string text(kMaxFile + 1, '\0');
-  std::size_t size = 0;
-  for (ssize_t got = 1; got > 0 && size < text.size(); size += static_cast<std::size_t>(got)) {
-    got = read(file.number(), text.data() + size, text.size() - size);
-    if (got < 0) return {true, "the file cannot be read", ""};
-  }
-  if (size > kMaxFile) return {true, "the file is larger than 1 MiB", ""};
-  text.resize(size);
-  return {true, "", text};
+  return read_plain_file(inner.number(), slug + ".cpp", kMaxFile);
 }
 
 }  // namespace grader

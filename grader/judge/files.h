@@ -17,12 +17,16 @@ void write_file(const std::string& path, std::string_view text);
 // A file that changes whenever the content may have: its path, size and time, as text.
 std::string stamp(const std::string& path);
 
-// A task's file of a submission.
+// A file that somebody else made.
 struct Submitted {
   bool present = false;
   std::string rejected;  // why the file is not accepted; empty if it is
   std::string text;
 };
+
+// The file `name` in an open folder: what is a link, no regular file, or larger than `most` bytes,
+// is rejected.
+Submitted read_plain_file(int folder, const std::string& name, std::size_t most);
 
 inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
 

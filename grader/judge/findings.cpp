@@ -64,7 +64,9 @@ std::vector<std::string> command(const Trial& trial, const std::string& report) 
                                  "--seed",
                                  std::to_string(trial.request.seed),
                                  "--call-limit",
-                                 std::to_string(trial.request.call_limit)};
+                                 std::to_string(trial.request.call_limit),
+                                 "--isolation",
+                                 std::string(1, letter(trial.request.isolation.tier))};
   if (trial.integrated) words.push_back("--integrated");
   if (!trial.promises.empty()) {
     std::string filter;

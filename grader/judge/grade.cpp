@@ -17,8 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kIsolation = "C: rlimits only, not isolated";
-
 // The tasks asked for and all that they need, in the order of the course.
 std::vector<const TaskConfig*> to_judge(const Config& config, const GradeRequest& request) {
   std::set<std::string> wanted(request.asked.begin(), request.asked.end());
@@ -55,7 +53,7 @@ class Run {
         points_(load_points(config.root + "/grader/points.json")) {
     results_.submission = request.submission;
     results_.seed = request.seed;
-    results_.isolation = kIsolation;
+    results_.isolation = request.isolation.words;
     results_.versions = versions(config);
     results_.command = request.command;
     for (const TaskConfig* task : to_judge(config, request)) {
@@ -71,7 +69,7 @@ class Run {
   }
 
   Results judge(const std::function<void(const Results&)>& progress) {
-    const Builder builder(config_);
+    const Builder builder(config_, request_.isolation.tier, request_.compile_limit);
     phase("properties", [&] {
       judge_alone(config_, builder, request_, judged_);
       progress(summary());

@@ -2,6 +2,7 @@
 
 #include "grader/judge/config.h"
 #include "grader/report/results.h"
+#include "grader/sandbox/probe.h"
 
 #include <cstdint>
 #include <functional>
@@ -18,6 +19,8 @@ struct GradeRequest {
   int threads = 2;
   bool pictures = true;  // rendered and judged too, not the promises only
   std::string command;   // that asks for all this, for the report
+  Isolation isolation{};   // of all that runs of the submission
+  int compile_limit = 60;  // seconds that a file may take
 };
 
 // Judges the tasks asked for, each by itself and then together with the submission's other tasks.

@@ -115,7 +115,7 @@ class Integration {
 // A task that is not right by itself must not spoil others.
 Built link_together(const Config& config, const Builder& builder, const std::vector<Judged>& judged,
                     Elsewhere elsewhere, const std::string& swapped) {
-  Paths objects;
+  Paths objects, own_objects;
   std::string key;
   const auto add = [&](const Paths& paths) {
     for (const std::string& path : paths) {
@@ -126,13 +126,15 @@ Built link_together(const Config& config, const Builder& builder, const std::vec
   for (const TaskConfig& task : config.tasks) {
     const Judged* own = right_alone(judged, task.slug);
     if (own != nullptr && task.slug != swapped) {
-      objects.push_back(own->object.path);
+      own_objects.push_back(own->object.path);
       key += own->object.key;
     } else {
       add(task.reference);
     }
   }
   add(elsewhere == Elsewhere::answers ? config.callbacks.at("radiance") : config.radiance);
+  // Last: where inline functions are in several objects, the linker takes the first.
+  objects.insert(objects.end(), own_objects.begin(), own_objects.end());
   return builder.link(objects, key, true);
 }
 

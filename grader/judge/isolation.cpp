@@ -56,6 +56,9 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
   if (!file.rejected.empty()) return refuse(result, State::rejected, file.rejected);
   judged.content = sha256(file.text);
   judged.object = builder.compile(task, file.text);
+  if (!judged.object.rejected.empty()) {
+    return refuse(result, State::rejected, judged.object.rejected);
+  }
   if (!judged.object.ok()) {
     return refuse(result, State::fail, "it does not compile",
                   in_folder(judged.object.error, task, request.submission));
@@ -122,7 +125,7 @@ void enter(const Findings& findings, const GradeRequest& request, TaskResult& re
 
 Built link_alone(const Config& config, const Builder& builder, const Judged& judged,
                  Elsewhere elsewhere) {
-  Paths objects{judged.object.path};
+  Paths objects;
   std::string key = judged.object.key;
   const auto& asked = asks_the_judge(judged.config->slug);
   const auto add = [&](const std::string& name, const Paths& reference) {
@@ -137,6 +140,8 @@ Built link_alone(const Config& config, const Builder& builder, const Judged& jud
     if (other.slug != judged.config->slug) add(other.slug, other.reference);
   }
   add("radiance", config.radiance);
+  // Last: where inline functions are in several objects, the linker takes the first.
+  objects.push_back(judged.object.path);
   return builder.link(objects, key, false);
 }
 

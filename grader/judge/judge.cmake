@@ -4,28 +4,29 @@ include(${CMAKE_CURRENT_SOURCE_DIR}/report/report.cmake)
 firstlight_library(grader_judge
   judge/builder.cpp judge/config.cpp judge/files.cpp judge/findings.cpp judge/grade.cpp
   judge/integration.cpp judge/isolation.cpp judge/picture_trial.cpp judge/pictures.cpp
-  judge/points.cpp judge/promises.cpp judge/sha256.cpp)
+  judge/points.cpp judge/promises.cpp judge/sha256.cpp judge/staging.cpp)
 target_link_libraries(grader_judge PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 
 firstlight_library(grader_hints hints/hints.cpp hints/memory.cpp)
 target_link_libraries(grader_hints PUBLIC fmt::fmt)
 add_executable(hint hints/main.cpp)
 target_link_libraries(hint PRIVATE
-  grader_hints grader_judge grader_recipes grader_report grader_process pt_base CLI11::CLI11
-  firstlight_warnings)
+  grader_hints grader_judge grader_recipes grader_sandbox grader_report grader_process pt_base
+  CLI11::CLI11 firstlight_warnings)
 
 add_executable(grade judge/main.cpp)
+add_dependencies(grade box box_probe)
 target_link_libraries(grade PRIVATE
-  grader_hints grader_judge grader_recipes grader_writers grader_report grader_process pt_image
-  pt_base CLI11::CLI11 firstlight_warnings)
+  grader_hints grader_judge grader_recipes grader_sandbox grader_writers grader_report
+  grader_process pt_image pt_base CLI11::CLI11 firstlight_warnings)
 
 firstlight_library(grader_watch
   watch/files.cpp watch/raw_terminal.cpp watch/running.cpp watch/session.cpp watch/verdicts.cpp)
 target_link_libraries(grader_watch PUBLIC fmt::fmt)
 add_executable(watch watch/main.cpp)
 target_link_libraries(watch PRIVATE
-  grader_watch grader_judge grader_recipes grader_report grader_process pt_base CLI11::CLI11
-  firstlight_warnings)
+  grader_watch grader_judge grader_recipes grader_sandbox grader_report grader_process pt_base
+  CLI11::CLI11 firstlight_warnings)
 
 # A list of words as the inside of a JSON array, and the objects of libraries likewise.
 function(firstlight_json_list result)
@@ -49,7 +50,7 @@ string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
 separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}")
 get_target_property(options firstlight_options INTERFACE_COMPILE_OPTIONS)
 firstlight_json_list(compile_flags
-  ${flags} ${CMAKE_CXX20_STANDARD_COMPILE_OPTION} ${options} -I${PROJECT_SOURCE_DIR})
+  ${flags} ${CMAKE_CXX20_STANDARD_COMPILE_OPTION} ${options})
 separate_arguments(flags UNIX_COMMAND "${CMAKE_EXE_LINKER_FLAGS}")
 get_target_property(options firstlight_options INTERFACE_LINK_OPTIONS)
 if(NOT options)

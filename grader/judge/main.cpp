@@ -24,6 +24,9 @@ struct Options {
   std::string config;
   std::uint64_t seed = 1;
   int call_limit = 2000;
+  int compile_limit = 60;
+  std::string isolation;
+  bool require_isolation = false;
   bool all = false;
   bool no_pictures = false;
 
@@ -37,6 +40,17 @@ struct Options {
   }
 };
 
+Isolation isolation(const Config& config, const Options& options) {
+  std::optional<Tier> forced;
+  if (!options.isolation.empty()) forced = tier_of(options.isolation);
+  const Isolation found = probe_isolation(config.root, config.work, forced);
+  if (options.require_isolation && found.tier == Tier::limits) {
+    throw pt::Error("submissions cannot be isolated here (" + found.why_not_better +
+                    "): mend that, or leave out --require-isolation");
+  }
+  return found;
+}
+
 int run(const Options& options) {
   const Config config =
       load_config(options.config.empty() ? default_config_path() : options.config);
@@ -44,6 +58,8 @@ int run(const Options& options) {
   request.submission = options.submission;
   request.seed = options.seed;
   request.call_limit = options.call_limit;
+  request.compile_limit = options.compile_limit;
+  request.isolation = isolation(config, options);
   request.pictures = !options.no_pictures;
   request.command = options.command();
   std::set<std::string> asked;
@@ -78,6 +94,11 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "of all random inputs");
   app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
+  app.add_option("--compile-limit", options.compile_limit, "seconds that compiling a file may take")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--isolation", options.isolation,
+                 "A (bubblewrap), B (another user) or C (none); default: the best that works here");
+  app.add_flag("--require-isolation", options.require_isolation, "refuse to grade in C");
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
   try {
     app.parse(argc, argv);

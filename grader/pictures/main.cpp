@@ -24,6 +24,7 @@ struct Options {
   std::string report;
   int stages = 3;
   int call_limit = 10000;
+  std::string tier = "C";
 };
 
 // Parts 1 and 2 are what the wide engine does without.
@@ -70,6 +71,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--stages", options.stages, "at most")->check(CLI::Range(1, 3));
   app.add_option("--call-limit", options.call_limit, "milliseconds that a few rows may take")
       ->check(CLI::PositiveNumber);
+  app.add_option("--isolation", options.tier, "the tier of the worker's box: A, B or C");
 }
 
 }  // namespace
@@ -83,6 +85,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     options.session.program = std::filesystem::absolute(options.session.program);
+    options.session.tier = tier_of(options.tier);
     options.session.answers = false;
     options.session.give_up = [](Cause cause, const std::string& text) {
       throw NoPicture{cause, text};

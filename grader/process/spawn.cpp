@@ -10,7 +10,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 
 namespace grader {
@@ -25,21 +24,6 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 }
 
 // From here to exec nothing may allocate: another thread may have held the allocator's lock.
-
-void limit(int resource, const std::optional<std::uint64_t>& most) {
-  if (!most) return;
-  const rlimit both{*most, *most};
-  if (setrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) _exit(127);
-}
-
-void apply(const Limits& limits) {
-  limit(RLIMIT_CPU, limits.cpu_seconds);
-  if (!kSanitized) limit(RLIMIT_AS, limits.address_space);
-  limit(RLIMIT_FSIZE, limits.file_size);
-  limit(RLIMIT_NPROC, limits.processes);
-  limit(RLIMIT_NOFILE, limits.open_files);
-  limit(RLIMIT_CORE, 0);
-}
 
 // First out of the way of the numbers they are to have, then to those numbers.
 void arrange(const int* descriptors, int count) {
@@ -62,7 +46,7 @@ void arrange(const int* descriptors, int count) {
   std::signal(SIGPIPE, SIG_IGN);
   arrange(child.descriptors.data(), static_cast<int>(child.descriptors.size()));
   if (!child.directory.empty() && chdir(child.directory.c_str()) != 0) _exit(127);
-  apply(child.limits);
+  if (!set_limits(child.limits)) _exit(127);
   execve(command[0], command, environment);
   _exit(127);
 }

@@ -1,7 +1,7 @@
 # The border between judge and submission: <slug>.remote for the property programs, workers to answer
 # them, and callbacks from a worker to the judge.
 firstlight_library(grader_process
-  process/spawn.cpp process/run_command.cpp)
+  process/limits.cpp process/spawn.cpp process/run_command.cpp)
 target_link_libraries(grader_process PUBLIC fmt::fmt)
 
 firstlight_library(grader_remote
@@ -56,9 +56,10 @@ endfunction()
 # graded.<slug>: the properties of one task, asked of a worker.
 function(firstlight_graded slug)
   add_executable(graded.${slug} graded/main.cpp)
+  add_dependencies(graded.${slug} box)
   target_compile_definitions(graded.${slug} PRIVATE FIRSTLIGHT_TASK="${slug}")
   target_link_libraries(graded.${slug} PRIVATE
-    grader_graded grader_remote grader_process CLI11::CLI11 firstlight_warnings)
+    grader_graded grader_remote grader_sandbox grader_process CLI11::CLI11 firstlight_warnings)
   firstlight_link_properties(graded.${slug} ${slug} remote)
 
   firstlight_worker(${slug})
@@ -78,7 +79,7 @@ if(FIRSTLIGHT_BENCH)
   firstlight_worker(diffuse_bsdf)
   add_executable(call_bench remote/call_bench.cpp)
   target_link_libraries(call_bench PRIVATE
-    firstlight_warnings grader_remote grader_property grader_process grader_counting
+    firstlight_warnings grader_remote grader_sandbox grader_property grader_process grader_counting
     pt_base pt_scene)
   firstlight_link_tasks(call_bench FROM reference CHOICES diffuse_bsdf=remote)
   add_dependencies(call_bench worker.diffuse_bsdf)

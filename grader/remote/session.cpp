@@ -143,7 +143,8 @@ Writer Session::message(Function function, std::uint64_t code, const Repetition&
 
 std::string Session::converse(const Writer& call) {
   const auto deadline = Clock::now() + settings_.call_limit;
-  if (!worker_) worker_ = std::make_unique<WorkerProcess>(settings_.program, kMaxPrinted);
+  if (!worker_)
+    worker_ = std::make_unique<WorkerProcess>(settings_.program, settings_.tier, kMaxPrinted);
   worker_->send(Kind::call, ++sequence_, call.bytes(), deadline);
   while (true) {
     Message message = worker_->receive(sequence_, deadline);

@@ -12,8 +12,9 @@ namespace grader::remote {
 
 // How the one worker of this program is run.
 struct SessionSettings {
-  std::string task;         // the slug that is judged
-  std::string program;      // the worker
+  std::string task;          // the slug that is judged
+  std::string program;       // the worker
+  Tier tier = Tier::limits;  // of the box it runs in
   bool integrated = false;  // all tasks are the submission's: its scenes are traced by its own tree
   bool answers = true;      // the worker may ask back
   // What to do when a call comes to nothing; does not return.

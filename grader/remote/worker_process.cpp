@@ -1,7 +1,5 @@
 #include "grader/remote/worker_process.h"
 
-#include "grader/process/spawn.h"
-
 #include <cerrno>
 
 #include <fcntl.h>
@@ -33,14 +31,14 @@ int milliseconds_until(Clock::time_point deadline) {
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const std::string& program, std::size_t max_printed)
-    : max_printed_(max_printed) {
+WorkerProcess::WorkerProcess(const std::string& program, Tier tier, std::size_t max_printed)
+    : tier_(tier), max_printed_(max_printed) {
   Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   Pipe calls = make_pipe(), replies = make_pipe(), output = make_pipe();
-  Child child{{program}, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "/", kWorkerLimits};
-  child.descriptors = {nothing.number(), output.write_end.number(), output.write_end.number(),
-                       calls.read_end.number(), replies.write_end.number()};
-  pid_ = spawn(child);
+  Box box{{program}, {"LANG=C.UTF-8"}, {}, {}, "", false, kWorkerLimits};
+  box.descriptors = {nothing.number(), output.write_end.number(), output.write_end.number(),
+                     calls.read_end.number(), replies.write_end.number()};
+  pid_ = spawn(boxed(box, tier));
   to_worker_ = std::move(calls.write_end);
   from_worker_ = std::move(replies.read_end);
   output_ = std::move(output.read_end);
@@ -141,6 +139,7 @@ void WorkerProcess::ended() {
   if (!dead) throw WorkerFailed{Cause::crash, "it closed its connection to the judge"};
   kill(-pid_, SIGKILL);
   pid_ = -1;
+  status = program_status(status, tier_);
   if (WIFEXITED(status)) {
     throw WorkerFailed{
         Cause::crash, fmt::format("the process ended by itself, with {}", describe_status(status))};

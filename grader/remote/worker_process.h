@@ -3,6 +3,7 @@
 #include "grader/process/descriptor.h"
 #include "grader/property/property.h"
 #include "grader/remote/message.h"
+#include "grader/sandbox/box.h"
 
 #include <chrono>
 #include <string>
@@ -28,7 +29,8 @@ struct Message {
 // and nothing waits beyond the deadline.
 class WorkerProcess {
  public:
-  WorkerProcess(const std::string& program, std::size_t max_printed);
+  // In a box of the tier.
+  WorkerProcess(const std::string& program, Tier tier, std::size_t max_printed);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
@@ -49,6 +51,7 @@ class WorkerProcess {
   [[noreturn]] void ended();
 
   pid_t pid_ = -1;
+  Tier tier_;
   Descriptor to_worker_, from_worker_, output_;
   std::string buffer_;  // received and not yet used
   std::string printed_;

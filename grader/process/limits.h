@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace grader {
+
+// What a process may use at most; nothing means no limit of our own. They are a process's, not its
+// children's.
+struct Limits {
+  std::optional<std::uint64_t> cpu_seconds;
+  std::optional<std::uint64_t> address_space;  // bytes; not applied to sanitised programs
+  std::optional<std::uint64_t> file_size;      // bytes, of any file it writes
+  std::optional<std::uint64_t> processes;      // of the user, not enforced for root
+  std::optional<std::uint64_t> open_files;
+};
+
+// Puts them on this process, for good, and lets it leave no core. False if that cannot be.
+// Allocates nothing: it may be called between fork and exec.
+bool set_limits(const Limits& limits);
+
+// Whether this build uses AddressSanitizer, which reserves more address space than any limit.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
+}  // namespace grader

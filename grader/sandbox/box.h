@@ -1,0 +1,46 @@
+#pragma once
+
+#include "grader/process/spawn.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Where programs that come from a submission run, and programs that read one: a box.
+// docs/decisions/ 0020-sandbox.md says what each tier holds.
+
+namespace grader {
+
+// From the best: each is tried (grader/sandbox/probe.h), and the first that works here is used.
+enum class Tier {
+  bubblewrap,  // A: namespaces of its own, and all of B but the other user
+  restricted,  // B: another user where we are root, Landlock and seccomp where there are any
+  limits,      // C: nothing but limits
+};
+
+// 'A', 'B' or 'C', and the way back. Throws pt::Error for other words.
+char letter(Tier tier);
+Tier tier_of(std::string_view word);
+
+// A program and what it gets. Beside that it sees the system's libraries, and the compiler and its
+// headers if it is one of the `tools`: no other file, no other process, no network. How long it may
+// run is up to who starts it.
+struct Box {
+  std::vector<std::string> command;      // argv; the program is a path
+  std::vector<std::string> environment;  // "NAME=value", all of it
+  std::vector<int> descriptors;          // entry i becomes descriptor i; all others are closed
+  std::vector<std::string> visible;      // files and folders it may read; its program it may anyway
+  std::string folder;                    // it may write in, and starts in; empty: none, and "/"
+  bool tools = false;                    // it may start programs, as a compiler does
+  Limits limits;
+};
+
+// The child that runs the box's program in this tier. In the tiers A and B nothing of it outlives
+// the program, spawn()'s pid, or this process. There, a program that cannot be started exits with
+// 127 and one sentence.
+Child boxed(const Box& box, Tier tier);
+
+// How the program itself ended, given how the child ended (as waitpid gives both).
+int program_status(int status, Tier tier);
+
+}  // namespace grader

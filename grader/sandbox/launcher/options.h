@@ -1,0 +1,23 @@
+#pragma once
+
+#include "grader/process/limits.h"
+
+#include <string>
+#include <vector>
+
+namespace grader::box {
+
+// What the launcher is told (by grader/sandbox/box.cpp).
+struct Options {
+  bool inside = false;               // bubblewrap: this is the first process of a namespace
+  bool tools = false;                // the program may start others
+  std::string folder;                // where it may write; empty: nowhere
+  std::vector<std::string> visible;  // what it may read
+  Limits limits;
+  std::vector<char*> command;  // ends with nullptr, as exec wants it
+};
+
+// Throws pt::Error for what it does not know.
+Options parse(int count, char** words);
+
+}  // namespace grader::box

@@ -1,0 +1,127 @@
+#include "grader/sandbox/launcher/user.h"
+
+#include "pt/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+
+#include <grp.h>
+#include <poll.h>
+#include <pwd.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/un.h>
+#include <sys/wait.h>
+
+namespace grader::box {
+
+namespace {
+
+// Numbers that no distribution gives to anyone (systemd's table of user ids calls them unused).
+constexpr uid_t kFirst = 60578, kLast = 61183;
+
+Descriptor open_process(pid_t pid) {
+  Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
+  if (!process.is_open()) throw pt::Error(std::string("no pidfd: ") + std::strerror(errno));
+  return process;
+}
+
+// A name that goes with its last descriptor, and is no file that others could put there first.
+Descriptor lock(uid_t id) {
+  Descriptor socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  const int length = std::snprintf(name.sun_path + 1, sizeof name.sun_path - 1, "firstlight-box-%u",
+                                   static_cast<unsigned>(id));
+  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + length);
+  if (bind(socket.number(), reinterpret_cast<const sockaddr*>(&name), size) != 0) return {};
+  return socket;
+}
+
+// Dead processes count until somebody has asked for their status; hence the bound.
+void kill_all_of(uid_t id) {
+  const pid_t killer = fork();
+  if (killer == 0) {
+    if (setresuid(id, id, id) != 0) _exit(1);
+    for (int i = 0; i < 100 && kill(-1, SIGKILL) == 0; ++i) ::poll(nullptr, 0, 1);
+    _exit(0);
+  }
+  waitpid(killer, nullptr, 0);
+}
+
+void close_all_but(std::array<int, 3> kept) {
+  std::sort(kept.begin(), kept.end());
+  unsigned next = 0;
+  for (const int number : kept) {
+    if (number < 0) continue;
+    if (static_cast<unsigned>(number) > next) {
+      close_range(next, static_cast<unsigned>(number) - 1, 0);
+    }
+    next = static_cast<unsigned>(number) + 1;
+  }
+  close_range(next, ~0U, 0);
+}
+
+}  // namespace
+
+User take_user() {
+  constexpr uid_t kCount = kLast - kFirst + 1;
+  const auto start = static_cast<uid_t>(getpid()) % kCount;
+  for (uid_t i = 0; i < kCount; ++i) {
+    const uid_t id = kFirst + (start + i) % kCount;
+    if (getpwuid(id) != nullptr) continue;
+    Descriptor held = lock(id);
+    if (held.is_open()) return {id, std::move(held)};
+  }
+  throw pt::Error("all users for boxes are taken");
+}
+
+void become(const User& user) {
+  const pid_t parent = getppid();
+  if (setgroups(0, nullptr) != 0 || setresgid(user.id, user.id, user.id) != 0 ||
+      setresuid(user.id, user.id, user.id) != 0) {
+    throw pt::Error(std::string("cannot become another user: ") + std::strerror(errno));
+  }
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a change of user ends it
+  if (getppid() != parent) _exit(127);
+}
+
+void start_keeper(const std::optional<User>& user) {
+  const pid_t self = getpid();
+  const Descriptor program = open_process(self), judge = open_process(getppid());
+  const pid_t keeper = fork();
+  if (keeper < 0) throw pt::Error(std::string("no process: ") + std::strerror(errno));
+  if (keeper > 0) return;
+  setsid();
+  prctl(PR_SET_PDEATHSIG, 0);
+  close_all_but({program.number(), judge.number(), user ? user->lock.number() : -1});
+  pollfd ends[] = {{program.number(), POLLIN, 0}, {judge.number(), POLLIN, 0}};
+  while (::poll(ends, 2, -1) < 0 && errno == EINTR) {
+  }
+  syscall(SYS_pidfd_send_signal, program.number(), SIGKILL, nullptr, 0);
+  kill(-self, SIGKILL);
+  if (user) kill_all_of(user->id);
+  _exit(0);
+}
+
+void continue_as_child() {
+  const pid_t child = fork();
+  if (child < 0) throw pt::Error(std::string("no process: ") + std::strerror(errno));
+  if (child == 0) return;
+  prctl(PR_SET_DUMPABLE, 0);
+  close_range(0, ~0U, 0);
+  while (true) {
+    int status = 0;
+    const pid_t ended = wait(&status);
+    if (ended == child) _exit(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+    if (ended < 0 && errno != EINTR) _exit(127);
+  }
+}
+
+}  // namespace grader::box

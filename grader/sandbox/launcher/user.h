@@ -1,0 +1,32 @@
+#pragma once
+
+#include "grader/process/descriptor.h"
+
+#include <optional>
+
+#include <sys/types.h>
+
+namespace grader::box {
+
+// A user that no other box has as long as `lock` is open anywhere.
+struct User {
+  uid_t id = 0;
+  Descriptor lock;
+};
+
+// Only root can have one. Throws pt::Error if all are taken.
+User take_user();
+
+// This process becomes the user, for good. Throws pt::Error if that cannot be.
+void become(const User& user);
+
+// Starts a process that waits until this one or the one that started it has ended, then ends what
+// is left: this process's group, and all processes of the user if there is one. It holds the user's
+// lock meanwhile, and no other descriptor.
+void start_keeper(const std::optional<User>& user);
+
+// In a process namespace of its own, this process goes on as a child; the parent waits, and ends
+// with the child's exit status, or 128 and the number of its signal. All others end with it.
+void continue_as_child();
+
+}  // namespace grader::box

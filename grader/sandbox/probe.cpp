@@ -1,0 +1,127 @@
+#include "grader/sandbox/probe.h"
+
+#include "grader/process/printable.h"
+#include "grader/process/run_command.h"
+#include "pt/error.h"
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Trial {
+  std::string words;    // empty if the tier does not hold
+  std::string problem;  // then: why
+};
+
+// A new folder, gone with this object.
+struct Scratch {
+  std::string path;
+  explicit Scratch(const std::string& work) {
+    fs::create_directories(work);
+    path = fs::canonical(work) / "probe.XXXXXX";
+    if (mkdtemp(path.data()) == nullptr) throw pt::Error(work + ": no folder can be made here");
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+};
+
+std::string words_of(Tier tier, const std::set<std::string>& holds) {
+  std::vector<std::string> parts;
+  if (tier == Tier::restricted && holds.contains("user")) parts.emplace_back("another user");
+  if (holds.contains("sockets")) parts.emplace_back("seccomp");
+  if (holds.contains("files")) parts.emplace_back("Landlock");
+  std::string list = fmt::format("{}", fmt::join(parts, ", "));
+  if (const std::size_t last = list.rfind(", "); last != list.npos) list.replace(last, 1, " and");
+  if (tier == Tier::bubblewrap) {
+    return "A: bubblewrap" + (list.empty() ? "" : " with " + list + " in it");
+  }
+  if (!holds.contains("sockets")) list += "; the network is open";
+  if (!holds.contains("files")) list += "; files that everyone may read are open";
+  return "B: " + list;
+}
+
+std::set<std::string> what_holds(const CommandResult& result) {
+  std::istringstream lines(result.output);
+  std::set<std::string> holds;
+  for (std::string line; std::getline(lines, line);) holds.insert(line);
+  return holds;
+}
+
+CommandResult run_probe(const std::string& root, const std::string& folder, Tier tier) {
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "box_probe";
+  Box box{
+      {program, root + "/CMakeLists.txt", std::to_string(getuid())}, {}, {}, {}, folder, false, {}};
+  box.tools = !folder.empty();
+  if (box.tools) box.visible = {program};
+  box.limits = {.cpu_seconds = 10,
+                .address_space = std::uint64_t{1} << 30,
+                .file_size = std::uint64_t{1} << 20,
+                .processes = box.tools ? 64 : 0,
+                .open_files = 16};
+  return run_command(boxed(box, tier), std::chrono::seconds(10));
+}
+
+Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
+  const Scratch scratch(work);
+  std::set<std::string> holds;
+  for (const std::string& folder : {std::string(), scratch.path}) {
+    const CommandResult result = run_probe(root, folder, tier);
+    if (!result.ok()) {
+      return {"", printable(result.output.substr(0, result.output.find('\n')), 200)};
+    }
+    const std::set<std::string> now = what_holds(result);
+    if (!now.contains("root")) return {"", "a program in it can read " + root};
+    if (!folder.empty() && !now.contains("write")) return {"", "it cannot write in a folder"};
+    if (folder.empty()) holds = now;
+  }
+  if (tier == Tier::restricted && !holds.contains("processes")) {
+    return {"", "a program in it can start others"};
+  }
+  return {words_of(tier, holds), ""};
+}
+
+}  // namespace
+
+const char* describe(Tier tier) {
+  switch (tier) {
+    case Tier::bubblewrap:
+      return "A: bubblewrap";
+    case Tier::restricted:
+      return "B: another user, seccomp and Landlock";
+    default:
+      return "C: rlimits only, not isolated";
+  }
+}
+
+Isolation probe_isolation(const std::string& root, const std::string& work,
+                          std::optional<Tier> forced) {
+  Isolation found{Tier::limits, describe(Tier::limits), ""};
+  for (const Tier tier : {Tier::bubblewrap, Tier::restricted}) {
+    if (forced && *forced != tier) continue;
+    // A sanitised program wants more memory and more system calls than a box lets it have.
+    const Trial trial =
+        kSanitized ? Trial{"", "it is not for sanitised programs"} : try_tier(root, work, tier);
+    if (!trial.words.empty()) return {tier, trial.words, found.why_not_better};
+    found.why_not_better += fmt::format("{}{}: {}", found.why_not_better.empty() ? "" : "; ",
+                                        letter(tier), trial.problem);
+  }
+  if (forced && *forced != Tier::limits) {
+    throw pt::Error("isolation does not work here as asked: " + found.why_not_better);
+  }
+  return found;
+}
+
+}  // namespace grader
