@@ -83,7 +83,7 @@ TEST(hints, that_are_not_complete_are_refused_with_the_line) {
 }
 
 PromiseResult failed(const std::string& name, bool bonus = false) {
-  PromiseResult promise{name, name, bonus, false, 0, {}};
+  PromiseResult promise{name, name, bonus, false, 1, 0, {}};
   promise.failures.emplace_back();
   return promise;
 }

@@ -3,8 +3,9 @@
 #include "grader/hints/memory.h"
 #include "grader/judge/grade.h"
 #include "grader/process/spawn.h"
-#include "grader/report/json.h"
+#include "grader/report/read_json.h"
 #include "grader/report/terminal.h"
+#include "grader/report/write_reports.h"
 #include "pt/error.h"
 
 #include <csignal>
@@ -20,14 +21,29 @@ using namespace grader;
 struct Options {
   std::vector<std::string> what;
   std::string submission = "student";
-  std::string json;
+  ReportFiles files;
+  std::string from_results;
   std::string config;
   std::uint64_t seed = 1;
   int call_limit = 2000;
   bool all = false;
 };
 
+int show(const Results& results, const Options& options) {
+  const std::string text = to_text(results, {terminal_has_color(), options.all});
+  std::fputs(text.c_str(), stdout);
+  return results.complete && passes(results) ? 0 : 1;
+}
+
+int report_again(const Options& options) {
+  const Results results = read_results(options.from_results);
+  write_reports(results, options.files);
+  return show(results, options);
+}
+
 int run(const Options& options) {
+  check_targets(options.files);
+  if (!options.from_results.empty()) return report_again(options);
   const Config config =
       load_config(options.config.empty() ? default_config_path() : options.config);
   GradeRequest request{options.submission, {}, options.seed, options.call_limit};
@@ -38,13 +54,10 @@ int run(const Options& options) {
   for (const TaskConfig& task : config.tasks) {
     if (options.what.empty() || asked.contains(task.slug)) request.asked.push_back(task.slug);
   }
-  const Results results = grade(config, request, [&](const Results& so_far) {
-    if (!options.json.empty()) write_json(so_far, options.json);
-  });
+  const Results results =
+      grade(config, request, [&](const Results& so_far) { write_reports(so_far, options.files); });
   remember_failures(config.work, results);
-  const std::string text = to_text(results, {terminal_has_color(), options.all});
-  std::fputs(text.c_str(), stdout);
-  return passes(results) ? 0 : 1;
+  return show(results, options);
 }
 
 }  // namespace
@@ -58,7 +71,12 @@ int main(int argc, char** argv) {
   app.add_option("--submission", options.submission, "a folder with the tree of student/")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--all", options.all, "show every failure, not only the first");
-  app.add_option("--json", options.json, "also write the results to this file");
+  app.add_option("--json", options.files.json, "also write the results to this file");
+  app.add_option("--html", options.files.html, "also write a page with all pictures");
+  app.add_option("--junit", options.files.junit, "also write JUnit's XML");
+  app.add_option("--gradescope", options.files.gradescope, "also write Gradescope's results.json");
+  app.add_option("--csv", options.files.csv, "also write a table, a line a task");
+  app.add_option("--from-results", options.from_results, "judge nothing: report what --json wrote");
   app.add_option("--seed", options.seed, "of all random inputs");
   app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
