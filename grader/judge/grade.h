@@ -17,8 +17,8 @@ struct GradeRequest {
   std::uint64_t seed = 1;
   int call_limit = 2000;  // milliseconds
   int threads = 2;
-  bool pictures = true;  // rendered and judged too, not the promises only
-  std::string command;   // that asks for all this, for the report
+  bool pictures = true;    // rendered and judged too, not the promises only
+  std::string command;     // that asks for all this, for the report
   Isolation isolation{};   // of all that runs of the submission
   int compile_limit = 60;  // seconds that a file may take
 };

@@ -14,7 +14,7 @@ target_link_libraries(hint PRIVATE
   grader_hints grader_judge grader_recipes grader_sandbox grader_report grader_process pt_base
   CLI11::CLI11 firstlight_warnings)
 
-add_executable(grade judge/main.cpp)
+add_executable(grade judge/main.cpp judge/options.cpp)
 add_dependencies(grade box box_probe)
 target_link_libraries(grade PRIVATE
   grader_hints grader_judge grader_recipes grader_sandbox grader_writers grader_report

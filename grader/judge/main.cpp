@@ -1,46 +1,31 @@
 // grade: judges a submission, and never runs a line of it itself. Exit status 0 if all that was
 // asked for passes, 1 if something that was judged does not, 2 if nothing could be judged.
 #include "grader/hints/memory.h"
+#include "grader/judge/files.h"
 #include "grader/judge/grade.h"
+#include "grader/judge/options.h"
 #include "grader/process/spawn.h"
-#include "grader/report/json.h"
+#include "grader/report/read_json.h"
 #include "grader/report/terminal.h"
 #include "pt/error.h"
 
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <optional>
 #include <set>
-
-#include <CLI/CLI.hpp>
+#include <sstream>
 
 namespace {
 
 using namespace grader;
+using Words = std::vector<std::string>;
 
-struct Options {
-  std::vector<std::string> what;
-  std::string submission = "student";
-  std::string json;
-  std::string config;
-  std::uint64_t seed = 1;
-  int call_limit = 2000;
-  int compile_limit = 60;
-  std::string isolation;
-  bool require_isolation = false;
-  bool all = false;
-  bool no_pictures = false;
+Config config_for(const GradeOptions& options) {
+  return load_config(options.config.empty() ? default_config_path() : options.config);
+}
 
-  // As a person would type it.
-  std::string command() const {
-    std::string words = "./run grade";
-    for (const std::string& word : what) words += " " + word;
-    if (submission != "student") words += " --submission " + submission;
-    if (no_pictures) words += " --no-pictures";
-    return words + " --seed " + std::to_string(seed);
-  }
-};
-
-Isolation isolation(const Config& config, const Options& options) {
+Isolation isolation(const Config& config, const GradeOptions& options) {
   std::optional<Tier> forced;
   if (!options.isolation.empty()) forced = tier_of(options.isolation);
   const Isolation found = probe_isolation(config.root, config.work, forced);
@@ -51,9 +36,47 @@ Isolation isolation(const Config& config, const Options& options) {
   return found;
 }
 
-int run(const Options& options) {
-  const Config config =
-      load_config(options.config.empty() ? default_config_path() : options.config);
+int show(const Results& results, const GradeOptions& options) {
+  const std::string text = to_text(results, {terminal_has_color(), options.all});
+  std::fputs(text.c_str(), stdout);
+  return results.complete && passes(results) ? 0 : 1;
+}
+
+int report_again(const GradeOptions& options) {
+  const Results results = read_results(options.from_results);
+  write_reports(results, options.files);
+  return show(results, options);
+}
+
+// The words of a run that has not ended, a line each, so that it can go on. What it has found out
+// so far is in the cache. Runs without pictures are too short for that.
+class Unfinished {
+ public:
+  explicit Unfinished(const Config& config) : path_(config.work + "/unfinished") {}
+
+  void begin(const Words& words) const {
+    std::string lines;
+    for (const std::string& word : words) lines += word + '\n';
+    std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
+    write_file(path_, lines);
+  }
+  void end() const { std::filesystem::remove(path_); }
+
+  Words words() const {
+    if (!std::filesystem::exists(path_)) {
+      throw pt::Error("no run was interrupted: there is nothing to --resume");
+    }
+    std::istringstream lines(read_file(path_));
+    Words words;
+    for (std::string word; std::getline(lines, word);) words.push_back(word);
+    return words;
+  }
+
+ private:
+  std::string path_;
+};
+
+GradeRequest request_for(const Config& config, const GradeOptions& options) {
   GradeRequest request;
   request.submission = options.submission;
   request.seed = options.seed;
@@ -61,7 +84,7 @@ int run(const Options& options) {
   request.compile_limit = options.compile_limit;
   request.isolation = isolation(config, options);
   request.pictures = !options.no_pictures;
-  request.command = options.command();
+  request.command = command(options);
   std::set<std::string> asked;
   for (const std::string& word : options.what) {
     for (const std::string& slug : tasks_meant(config, word)) asked.insert(slug);
@@ -69,13 +92,26 @@ int run(const Options& options) {
   for (const TaskConfig& task : config.tasks) {
     if (options.what.empty() || asked.contains(task.slug)) request.asked.push_back(task.slug);
   }
-  const Results results = grade(config, request, [&](const Results& so_far) {
-    if (!options.json.empty()) write_json(so_far, options.json);
-  });
+  return request;
+}
+
+int run(Words words) {
+  GradeOptions options = parse_options(words);
+  check_targets(options.files);
+  if (!options.from_results.empty()) return report_again(options);
+  const Config config = config_for(options);
+  const Unfinished unfinished(config);
+  if (options.resume) {
+    words = unfinished.words();
+    options = parse_options(words);
+  }
+  const GradeRequest request = request_for(config, options);
+  if (request.pictures) unfinished.begin(words);
+  const Results results =
+      grade(config, request, [&](const Results& so_far) { write_reports(so_far, options.files); });
+  if (request.pictures) unfinished.end();
   remember_failures(config.work, results);
-  const std::string text = to_text(results, {terminal_has_color(), options.all});
-  std::fputs(text.c_str(), stdout);
-  return passes(results) ? 0 : 1;
+  return show(results, options);
 }
 
 }  // namespace
@@ -83,28 +119,10 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
   hide_process();
   std::signal(SIGPIPE, SIG_IGN);
-  Options options;
-  CLI::App app{"Judges a submission: every task, or those asked for"};
-  app.add_option("what", options.what, "tasks (hit_triangle), parts (1) or exercises (1.3)");
-  app.add_option("--submission", options.submission, "a folder with the tree of student/")
-      ->check(CLI::ExistingDirectory);
-  app.add_flag("--all", options.all, "show every failure, not only the first");
-  app.add_flag("--no-pictures", options.no_pictures, "judge the promises only");
-  app.add_option("--json", options.json, "also write the results to this file");
-  app.add_option("--seed", options.seed, "of all random inputs");
-  app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--compile-limit", options.compile_limit, "seconds that compiling a file may take")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--isolation", options.isolation,
-                 "A (bubblewrap), B (another user) or C (none); default: the best that works here");
-  app.add_flag("--require-isolation", options.require_isolation, "refuse to grade in C");
-  app.add_option("--config", options.config, "what CMake wrote (grade.json)");
   try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return run(Words(argv + 1, argv + argc));
+  } catch (const CommandLine& done) {
+    return done.status == 0 ? 0 : 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

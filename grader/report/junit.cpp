@@ -62,10 +62,11 @@ Case promise_case(const TaskResult& task, const PromiseResult& promise) {
     result.element = "skipped";
     result.message = "a bonus promise that is not kept";
   } else if (!promise.held) {
-    const bool shown = !promise.failures.empty();
-    result.type = shown ? promise.failures[0].cause : name(task.state);
-    result.element = result.type == "wrong" || result.type == "fail" ? "failure" : "error";
-    if (shown) result.message = promise.words;
+    const std::string cause = promise.failures.empty() ? "" : promise.failures[0].cause;
+    const std::string whole = element_of(task.state);
+    result.type = cause.empty() ? name(task.state) : cause;
+    result.element = cause == "wrong" || (cause.empty() && whole != "error") ? "failure" : "error";
+    if (!cause.empty() || task.reason.empty()) result.message = promise.words;
     result.text = text_of(task, promise.name);
   }
   return result;

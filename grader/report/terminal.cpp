@@ -116,8 +116,9 @@ std::string picture_text(const TaskResult& task, const PictureResult& picture,
   if (picture.integrated) text += "  With your own tasks in all places:\n";
   for (const std::string& line : wrap(picture.text, kWidth - 2)) text += "  " + line + "\n";
   text += "\n";
-  if (!picture.replay.empty()) text += labelled("replay", {picture.replay});
-  return text + labelled("see it", {how_to_see(task, picture)});
+  const std::string see = how_to_see(task, picture);
+  if (!see.starts_with(picture.replay)) text += labelled("replay", {picture.replay});
+  return text + labelled("see it", {see});
 }
 
 std::string reason_text(const TaskResult& task, const TerminalStyle& style) {
