@@ -128,11 +128,6 @@ TEST(image_verdict, later_stages_repeat_no_false_complaint) {
   }
 }
 
-struct Found {
-  const char* error;
-  Spread spread;
-};
-
 // Each error is found in every one of several pictures of the size and the samples that are graded.
 TEST(image_verdict, errors_are_found) {
   for (const SyntheticError& error : synthetic_errors()) {

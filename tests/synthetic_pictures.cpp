@@ -10,10 +10,10 @@ constexpr double kFirefly = 1e-3;
 constexpr double kFireflySize = 30;  // the mean; lognormal, sigma 1
 constexpr double kFireflyMean = kFirefly * kFireflySize;
 
-// The key light's shadow: 1 % of the picture, a strip with a third of its height.
+// The key light's shadow: 1 % of the picture.
 bool in_shadow(const SyntheticScene& scene, int x, int y) {
   const double u = (x + 0.5) / scene.width, v = (y + 0.5) / scene.height;
-  return u > 0.6 && u < 0.63 && v > 0.5 && v < 0.833;
+  return u > 0.6 && u < 0.7 && v > 0.5 && v < 0.6;
 }
 
 double wave(double x) { return 0.5 + 0.5 * std::sin(x); }
@@ -23,12 +23,11 @@ SyntheticPixel floor_pixel(Spread spread, double u, double v) {
   const double light = 0.3 + 0.9 * std::exp(-4 * ((u - 0.4) * (u - 0.4) + (v - 0.6) * (v - 0.6)));
   pixel.direct = light * pt::Rgb{0.8, 0.7 + 0.1 * wave(9 * u), 0.55};
   pixel.indirect = 0.35 * pt::Rgb{0.5 + 0.4 * u, 0.5, 0.5 + 0.4 * (1 - u)};
-  const double deviation = 0.3 + 0.5 * wave(7 * u + 5 * v);
+  const double deviation = 0.3 * std::pow(10, wave(7 * u + 5 * v));
   pixel.shape = 1 / (deviation * deviation);
   if (spread == Spread::mostly_zero) {
     pixel.shape = 2;
-    pixel.hit = std::exp(std::log(0.003) + (std::log(0.3) - std::log(0.003)) * wave(5 * u - 6 * v));
-    pixel.indirect *= 0.2;
+    pixel.hit = 0.5 * std::pow(50, -wave(5 * u - 6 * v));
   }
   return pixel;
 }
@@ -79,15 +78,25 @@ int Draw::hits(int samples, double probability) {
   }
 }
 
-Draw::Sums Draw::direct(const SyntheticPixel& pixel, Spread spread, int samples) {
-  const double second = 1 + 1 / pixel.shape;
+Draw::Sums Draw::indirect(const SyntheticPixel& pixel, Spread spread, int samples) {
+  const bool also_zero = spread == Spread::mostly_zero;
+  return light(pixel, also_zero ? spread : Spread::diffuse, samples);
+}
+
+// The squares are those that numbers with this mean have on average.
+Draw::Sums Draw::lit(const SyntheticPixel& pixel, int count) {
+  const double mean = gamma(pixel.shape, count);
+  return {mean * count, count * mean * mean + (count - 1) / pixel.shape};
+}
+
+Draw::Sums Draw::light(const SyntheticPixel& pixel, Spread spread, int samples) {
   if (spread == Spread::mostly_zero) {
     const int count = hits(samples, pixel.hit);
     if (count == 0) return {};
-    const double mean = gamma(pixel.shape, count) / pixel.hit;
-    return {mean * count, second * count / (pixel.hit * pixel.hit)};
+    const Sums sums = lit(pixel, count);
+    return {sums.x / pixel.hit, sums.xx / (pixel.hit * pixel.hit)};
   }
-  Sums sums{gamma(pixel.shape, samples) * samples, second * samples};
+  Sums sums = lit(pixel, samples);
   if (spread == Spread::fireflies) {
     for (int i = hits(samples, kFirefly); i > 0; --i) {
       const double size = kFireflySize * std::exp(normal_(random_) - 0.5);
@@ -100,6 +109,11 @@ Draw::Sums Draw::direct(const SyntheticPixel& pixel, Spread spread, int samples)
   return sums;
 }
 
+Draw::Moments Draw::moments(const Sums& sums, int samples) {
+  const double mean = sums.x / samples;
+  return {mean, std::max(0.0, sums.xx - samples * mean * mean) / (samples - 1)};
+}
+
 pt::Image Draw::image(const SyntheticScene& scene, int samples) {
   pt::Image image(scene.width, scene.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -107,8 +121,8 @@ pt::Image Draw::image(const SyntheticScene& scene, int samples) {
     if (pixel.constant) {
       image.pixels[i] = pixel.direct;
     } else {
-      image.pixels[i] = pixel.direct * (direct(pixel, scene.spread, samples).x / samples) +
-                        pixel.indirect * gamma(pixel.shape, samples);
+      image.pixels[i] = pixel.direct * (light(pixel, scene.spread, samples).x / samples) +
+                        pixel.indirect * (indirect(pixel, scene.spread, samples).x / samples);
     }
   }
   return image;
@@ -128,11 +142,10 @@ pt::Film Draw::golden(const SyntheticScene& scene, int samples) {
     out.samples = samples;
     out.mean = pixel.direct;
     if (pixel.constant) continue;
-    const Sums sums = direct(pixel, scene.spread, samples);
-    const double mean = sums.x / samples;
-    const double variance = std::max(0.0, sums.xx / samples - mean * mean);
-    out.mean = pixel.direct * mean + pixel.indirect * gamma(pixel.shape, samples);
-    const auto of = [&](double a, double b) { return a * a * variance + b * b / pixel.shape; };
+    const Moments x = moments(light(pixel, scene.spread, samples), samples);
+    const Moments y = moments(indirect(pixel, scene.spread, samples), samples);
+    out.mean = pixel.direct * x.mean + pixel.indirect * y.mean;
+    const auto of = [&](double a, double b) { return a * a * x.variance + b * b * y.variance; };
     for (int c = 0; c < 3; ++c) out.variance[c] = of(pixel.direct[c], pixel.indirect[c]);
     out.variance_y = of(luminance(pixel.direct), luminance(pixel.indirect));
   }

@@ -17,17 +17,18 @@ namespace grader {
 
 // How the samples of the direct light are spread.
 enum class Spread {
-  diffuse,      // relative deviation 0.3 to 0.8, light tails
+  diffuse,      // relative deviation 0.3 to 3
   fireflies,    // the same, but one sample in a thousand is some thirty times as bright
-  mostly_zero,  // all but a few in a hundred, or in a thousand, are zero
+  mostly_zero,  // all but 1 to 50 in a hundred are zero
 };
 
-// A sample of a pixel is direct * X + indirect * Y, X and Y independent with mean 1.
+// A sample of a pixel is direct * X + indirect * Y, X and Y independent with mean 1. Y has no
+// fireflies.
 struct SyntheticPixel {
   pt::Rgb direct;
   pt::Rgb indirect;
-  double shape = 1;       // X of a hit, and Y, are gamma distributed: variance 1 / shape
-  double hit = 1;         // probability that X is not zero (mostly_zero)
+  double shape = 1;       // what is not zero is gamma distributed: variance 1 / shape
+  double hit = 1;         // probability that X, or Y, is not zero (mostly_zero)
   bool constant = false;  // X = Y = 1
 };
 
@@ -58,9 +59,15 @@ class Draw {
   struct Sums {
     double x = 0, xx = 0;  // of the samples and their squares
   };
+  struct Moments {
+    double mean = 0, variance = 0;
+  };
+  static Moments moments(const Sums& sums, int samples);
   double gamma(double shape, double count);
   int hits(int samples, double probability);
-  Sums direct(const SyntheticPixel& pixel, Spread spread, int samples);
+  Sums lit(const SyntheticPixel& pixel, int count);
+  Sums light(const SyntheticPixel& pixel, Spread spread, int samples);
+  Sums indirect(const SyntheticPixel& pixel, Spread spread, int samples);
 
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;

@@ -7,7 +7,7 @@
 namespace grader {
 namespace {
 
-void raise(pt::Image& evidence, const Cell& cell, double value) {
+void lift(pt::Image& evidence, const Cell& cell, double value) {
   value = std::min(value, kMostEvidence);
   for (int y = cell.y; y < cell.y + cell.height; ++y) {
     for (int x = cell.x; x < cell.x + cell.width; ++x) {
@@ -45,7 +45,7 @@ pt::Image evidence_map(const Golden& golden, const Moments& stage,
   for (const auto* complaints : {&measured, &kept}) {
     for (const Complaint& one : *complaints) {
       // Constant pixels take no part in the blocks that they lie in; they are set below.
-      if (one.cell.scale != Scale::sum) raise(evidence, one.cell, one.evidence());
+      if (one.cell.scale != Scale::sum) lift(evidence, one.cell, one.evidence());
     }
   }
   for (std::size_t i = 0; i < golden.constant.size(); ++i) {
