@@ -84,18 +84,17 @@ bool holds(const Cell& outer, const Cell& inner) {
          inner.y + inner.height <= outer.y + outer.height;
 }
 
-// Luminance says most, unless a channel is much further off.
-bool says_more(const Complaint& a, const Complaint& b) {
-  const auto weight = [](const Complaint& c) {
-    return std::abs(c.off_by) * (c.cell.plane == kLuminance ? 1.5 : 1) *
-           (c.cell.weighted ? 0.9 : 1);
-  };
-  return weight(a) > weight(b);
-}
-
 }  // namespace
 
 double Complaint::evidence() const { return std::abs(z) / threshold; }
+
+bool says_more(const Complaint& a, const Complaint& b) {
+  const auto weight = [](const Complaint& one) {
+    const double plane = one.cell.plane == kLuminance ? 2.5 : 1;
+    return std::abs(one.off_by) * plane * (one.cell.weighted ? 0.9 : 1);
+  };
+  return weight(a) > weight(b);
+}
 
 std::vector<Cell> cells_of(const Golden& golden) {
   std::vector<Cell> cells;

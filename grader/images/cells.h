@@ -33,6 +33,9 @@ struct Complaint {
   double evidence() const;  // |z| / threshold
 };
 
+// Of two complaints about one place: luminance says most, unless a channel is much further off.
+bool says_more(const Complaint& a, const Complaint& b);
+
 // The deviation of every cell and the threshold at which, over all cells together, a right picture
 // deviates so with a chance of at most `level`.
 std::vector<Complaint> measure(const Comparison& pictures, const std::vector<Cell>& cells,

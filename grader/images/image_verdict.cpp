@@ -1,13 +1,13 @@
 #include "grader/images/image_verdict.h"
 
 #include "grader/images/cells.h"
+#include "grader/images/evidence.h"
 #include "grader/images/guards.h"
 #include "grader/images/sentences.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
 
 namespace grader {
 namespace {
@@ -17,7 +17,6 @@ using Outcome = ImageVerdict::Outcome;
 constexpr std::array<double, 3> kLevels{1e-2, 2e-3, 2e-3};
 constexpr std::size_t kKept = 16;
 constexpr double kMostCorrelated = 3;
-constexpr double kMostEvidence = 1000;
 
 double most_noise(NoiseClass noise) { return noise == NoiseClass::noisy ? 6 : 3; }
 
@@ -45,70 +44,6 @@ std::vector<WrongConstant> also_before(const std::vector<WrongConstant>& now,
 // Two stages' complaints about the energy of a noisy picture are one if they agree on the sign.
 double agreed(double now, double before) { return now * before > 0 ? now : 0; }
 
-// The sums of all stages.
-class Accumulated {
- public:
-  Accumulated(int width, int height) : film_(width, height) {}
-
-  void add(const Moments& stage) {
-    const int samples = stage.batches * stage.samples;
-    samples_ += samples;
-    freedom_ += stage.batches - 1;
-    for (std::size_t i = 0; i < film_.pixels.size(); ++i) {
-      pt::FilmPixel& pixel = film_.pixels[i];
-      const auto blend = [&](double old, double now, double part) {
-        return old + (now - old) * part;
-      };
-      const double part = static_cast<double>(samples) / samples_;
-      const double variance_part = static_cast<double>(stage.batches - 1) / freedom_;
-      for (int plane = 0; plane < kPlanes; ++plane) {
-        const double variance = stage.variance[plane][i] * stage.samples;
-        if (plane == kLuminance) {
-          pixel.variance_y = blend(pixel.variance_y, variance, variance_part);
-        } else {
-          pixel.mean[plane] = blend(pixel.mean[plane], stage.mean[plane][i], part);
-          pixel.variance[plane] = blend(pixel.variance[plane], variance, variance_part);
-        }
-      }
-      pixel.samples = samples_;
-    }
-  }
-
-  const pt::Film& film() const { return film_; }
-  int samples() const { return samples_; }
-
- private:
-  pt::Film film_;
-  int samples_ = 0;
-  int freedom_ = 0;
-};
-
-void raise(pt::Image& evidence, const Cell& cell, double value) {
-  value = std::min(value, kMostEvidence);
-  for (int y = cell.y; y < cell.y + cell.height; ++y) {
-    for (int x = cell.x; x < cell.x + cell.width; ++x) {
-      if (evidence.at(x, y).r < value) evidence.at(x, y) = pt::gray(value);
-    }
-  }
-}
-
-pt::Image evidence_of(const Golden& golden, const Moments& stage,
-                      const std::vector<Complaint>& measured, const std::vector<Complaint>& kept) {
-  pt::Image evidence(golden.width, golden.height);
-  for (const auto* complaints : {&measured, &kept}) {
-    for (const Complaint& one : *complaints) {
-      // Constant pixels take no part in the blocks that they lie in; they are set below.
-      if (one.cell.scale != Scale::sum) raise(evidence, one.cell, one.evidence());
-    }
-  }
-  for (std::size_t i = 0; i < golden.constant.size(); ++i) {
-    if (!golden.constant[i]) continue;
-    const double value = constant_error(golden, stage, i).evidence;
-    evidence.pixels[i] = pt::gray(std::min(value, kMostEvidence));
-  }
-  return evidence;
-}
-
 // Judges one stage after the other.
 class Judge {
  public:
@@ -130,7 +65,7 @@ class Judge {
   Golden golden_;
   std::vector<Cell> cells_;
   double most_noise_;
-  Accumulated sum_;
+  PooledFilm sum_;
   Suspicion suspicion_;
   ImageVerdict verdict_;
 };
@@ -154,7 +89,7 @@ void Judge::refuse(const Unusable& what, const Batches& batches) {
   const Moments stage = moments(images, batches.samples);
   sum_.add(stage);
   verdict_.render = sum_.film();
-  verdict_.evidence = evidence_of(golden_, stage, {}, {});
+  verdict_.evidence = evidence_map(golden_, stage, {}, {});
   if (what.pixel) {
     const int x = static_cast<int>(*what.pixel) % golden_.width;
     const int y = static_cast<int>(*what.pixel) / golden_.width;
@@ -191,7 +126,7 @@ bool Judge::judge(const Batches& batches) {
   sum_.add(stage);
   verdict_.samples = sum_.samples();
   verdict_.noise = noise.ratio;
-  verdict_.evidence = evidence_of(golden_, stage, measured, now.cells);
+  verdict_.evidence = evidence_map(golden_, stage, measured, now.cells);
   return suspicion_.any();
 }
 

@@ -23,6 +23,17 @@ bool is_active(const SampleMapReference& reference, std::size_t i) {
          reference.mean[i] < 0.9 * reference.settings.max_samples;
 }
 
+// Of the active pixels.
+double mean_batches(const SampleMapReference& reference) {
+  double active = 0, sum = 0;
+  for (std::size_t i = 0; i < reference.mean.size(); ++i) {
+    if (!is_active(reference, i)) continue;
+    ++active;
+    sum += reference.mean[i];
+  }
+  return active > 0 ? sum / active / reference.settings.batch : 0;
+}
+
 // First and second moments of pairs, each with a weight.
 struct Pairs {
   double weight = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
@@ -43,7 +54,7 @@ struct Pairs {
 // Fractions of the map that break a rule which holds for every pixel.
 void count_broken_rules(SampleMapVerdict& verdict, const SampleMapReference& reference,
                         const std::vector<int>& counts) {
-  const auto [max, batch, tolerance] = reference.settings;
+  const int max = reference.settings.max_samples, batch = reference.settings.batch;
   int lit = 0, off = 0, outside = 0, on = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const int n = counts[i];
@@ -81,9 +92,14 @@ void fit(SampleMapVerdict& verdict, const SampleMapReference& reference,
   if (variances > 1e-20) verdict.correlation = logarithms.covariance() / std::sqrt(variances);
 }
 
+bool fits(const SampleMapVerdict& v) {
+  return v.correlation > kLeastCorrelation && within(v.b, kLeastSlope, kMostSlope) &&
+         std::abs(v.a) <= kMostOffset && within(v.ratio, kLeastSlope, kMostSlope);
+}
+
 // The rule that is broken first, and how; empty if all hold.
 std::string broken_rule(const SampleMapVerdict& v, const SampleMapReference& reference) {
-  const auto [max, batch, tolerance] = reference.settings;
+  const int max = reference.settings.max_samples, batch = reference.settings.batch;
   if (!(v.off_batch <= kMostOffBatch)) {
     return fmt::format(
         "{:.1f} % of the pixels took a number of samples that is no multiple of the "
@@ -99,33 +115,34 @@ std::string broken_rule(const SampleMapVerdict& v, const SampleMapReference& ref
   if (!(v.constant_on <= kMostConstantOn)) {
     return fmt::format(
         "{:.0f} % of the pixels whose samples are all alike took more than one "
-        "batch: is a variance that is zero but for rounding taken for zero?",
+        "batch",
         100 * v.constant_on);
   }
-  return "";
+  if (fits(v)) return "";
+  return fmt::format(
+      "the pixels take {:.2f} times the samples that they should (n = {:.2f} batches "
+      "+ {:.2f} times the reference's, correlation {:.2f})",
+      v.ratio, v.a, v.b, v.correlation);
 }
 
-bool fits(const SampleMapVerdict& v) {
-  return v.correlation > kLeastCorrelation && within(v.b, kLeastSlope, kMostSlope) &&
-         std::abs(v.a) <= kMostOffset && within(v.ratio, kLeastSlope, kMostSlope);
-}
-
-// What the figures of docs/verdicts.md tell apart; a wrong hint is worse than none.
+// What the figures of docs/verdicts.md tell apart; empty for anything else, as a wrong hint is
+// worse than none.
 std::string likely_cause(const SampleMapVerdict& v, double mean_batches) {
   const bool flat = std::abs(v.b) < 0.05;
+  const bool follows = v.correlation > kLeastCorrelation;
   if (flat && std::abs(v.a - 1) < 0.1 && mean_batches > 1.5) {
-    return ": nearly every pixel stops after its first batch";
+    return "nearly every pixel stops after its first batch";
   }
   if (flat && std::abs(v.correlation) < 0.2) {
-    return ": the counts do not depend on the pixel; does each sample enter by itself, not the "
-           "total so far?";
+    return "the counts do not depend on the pixel: does each sample enter by itself, or the total "
+           "so far?";
   }
-  if (v.correlation > kLeastCorrelation && within(v.b, 0.22, 0.32) && within(v.ratio, 0.22, 0.36)) {
-    return ": about a quarter of the samples, which a missing factor of 1.96 would explain "
+  if (follows && within(v.b, 0.2, 0.32) && within(v.ratio, 0.2, 0.36)) {
+    return "about a quarter of the samples, which a missing factor of 1.96 would explain "
            "(1 / 1.96^2 = 0.26)";
   }
-  if (v.correlation > kLeastCorrelation && within(v.b, 0.93, 1.07) && within(v.a, -1.15, -0.85)) {
-    return ": one batch less everywhere";
+  if (follows && within(v.b, 0.93, 1.07) && within(v.a, -1.15, -0.85)) {
+    return "one batch less everywhere: is the last one counted?";
   }
   return "";
 }
@@ -144,21 +161,10 @@ SampleMapVerdict judge_sample_map(const SampleMapReference& reference,
   count_broken_rules(verdict, reference, counts.counts);
   fit(verdict, reference, counts.counts);
   verdict.sentence = broken_rule(verdict, reference);
-  if (!verdict.sentence.empty()) return verdict;
-
-  double active = 0, sum = 0;
-  for (std::size_t i = 0; i < reference.mean.size(); ++i) {
-    if (!is_active(reference, i)) continue;
-    ++active;
-    sum += reference.mean[i];
-  }
-  verdict.pass = fits(verdict);
+  verdict.pass = verdict.sentence.empty();
   if (!verdict.pass) {
-    verdict.sentence = fmt::format(
-        "the pixels take {:.2f} times the samples that they should (n = {:.2f} batches + {:.2f} "
-        "times the reference's, correlation {:.2f}){}",
-        verdict.ratio, verdict.a, verdict.b, verdict.correlation,
-        likely_cause(verdict, active > 0 ? sum / active / reference.settings.batch : 0));
+    const std::string cause = likely_cause(verdict, mean_batches(reference));
+    if (!cause.empty()) verdict.sentence += "; " + cause;
   } else if (std::abs(verdict.b - 1) > 0.04 && std::abs(verdict.b - verdict.ratio) < 0.04) {
     verdict.sentence = fmt::format(
         "right; every pixel takes {:.2f} times the samples that the reference takes, as where one "

@@ -44,10 +44,11 @@ std::string channel_of(int plane) {
 const Complaint* off_everywhere(const std::vector<Complaint>& all, const Complaint& part) {
   const Complaint* best = nullptr;
   for (const Complaint& one : all) {
-    if (one.cell.scale != Scale::sum || one.cell.plane != part.cell.plane) continue;
     const bool alike =
         one.off_by * part.off_by > 0 && std::abs(one.off_by) >= 0.5 * std::abs(part.off_by);
-    if (alike && (!best || (best->cell.weighted && !one.cell.weighted))) best = &one;
+    const bool plane = one.cell.plane == kLuminance || one.cell.plane == part.cell.plane;
+    if (one.cell.scale != Scale::sum || !alike || !plane) continue;
+    if (!best || says_more(one, *best)) best = &one;
   }
   return best;
 }
