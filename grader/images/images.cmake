@@ -1,6 +1,8 @@
 # The verdicts on pictures and sample maps: numbers in, a verdict out.
-firstlight_library(grader_images
-  images/cells.cpp images/contradictions.cpp images/golden.cpp images/guards.cpp
-  images/image_verdict.cpp images/sample_map_reference.cpp images/sample_map_verdict.cpp
-  images/sentences.cpp)
+include_guard(GLOBAL)
+set(sources
+  cells.cpp contradictions.cpp golden.cpp guards.cpp
+  image_verdict.cpp sample_map_reference.cpp sample_map_verdict.cpp sentences.cpp)
+list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
+firstlight_library(grader_images ${sources})
 target_link_libraries(grader_images PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
