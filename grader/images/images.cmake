@@ -1,3 +1,4 @@
+include_guard(GLOBAL)
 # The verdicts on pictures and sample maps: numbers in, a verdict out. The benchmarks use it too.
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)

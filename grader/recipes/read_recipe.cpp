@@ -1,17 +1,9 @@
 #include "grader/recipes/read_recipe.h"
 
-#include "pt/error.h"
+#include "grader/recipes/fields.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <map>
-#include <set>
-#include <string_view>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 namespace grader {
 
@@ -28,104 +20,6 @@ const std::map<std::string, pt::Framing> kFramings{
 const std::map<std::string, pt::PathSettings::Direct> kDirect{
     {"hemisphere", pt::PathSettings::Direct::hemisphere},
     {"lights", pt::PathSettings::Direct::lights}};
-
-// Takes the fields of one JSON object, each at most once, and says where and what is wrong.
-class Fields {
- public:
-  Fields(const json& object, std::string where) : object_(object), where_(std::move(where)) {
-    if (!object.is_object()) throw pt::Error(where_ + ": write an object, {...}");
-  }
-
-  [[noreturn]] void fail(const std::string& what) const { throw pt::Error(where_ + ": " + what); }
-
-  bool has(const std::string& key) const { return object_.contains(key); }
-
-  const json& required(const std::string& key) {
-    if (!has(key)) fail(fmt::format("'{}' is missing; add it", key));
-    return take(key);
-  }
-
-  std::string text(const std::string& key) {
-    const json& value = required(key);
-    if (!value.is_string() || value.get<std::string>().empty()) {
-      fail(fmt::format("'{}' is a text; write it in quotes", key));
-    }
-    return value;
-  }
-
-  bool flag(const std::string& key) {
-    if (!has(key)) return false;
-    const json& value = take(key);
-    if (!value.is_boolean()) fail(fmt::format("'{}' is true or false", key));
-    return value;
-  }
-
-  int whole(const std::string& key, int low, int high) {
-    return whole(required(key), key, low, high);
-  }
-
-  int whole(const json& value, const std::string& key, int low, int high) const {
-    const auto is_right = [&] {
-      return value.is_number_integer() && value >= low && value <= high;
-    };
-    if (!is_right()) {
-      fail(fmt::format("'{}' takes whole numbers from {} to {}, not {}", key, low, high,
-                       value.dump()));
-    }
-    return value;
-  }
-
-  // Between low, itself left out, and high.
-  double number(const std::string& key, double low, double high) {
-    const json& value = required(key);
-    if (!value.is_number() || !(value > low) || !(value <= high)) {
-      fail(fmt::format("'{}' is a number above {} and up to {}, not {}", key, low, high,
-                       value.dump()));
-    }
-    return value;
-  }
-
-  const json& list(const std::string& key, std::size_t length) {
-    const json& value = required(key);
-    if (!value.is_array() || value.size() != length) {
-      fail(fmt::format("'{}' is a list of {} numbers, not {}", key, length, value.dump()));
-    }
-    return value;
-  }
-
-  template <class Meaning>
-  Meaning choice(const std::string& key, const std::map<std::string, Meaning>& choices,
-                 Meaning otherwise) {
-    if (!has(key)) return otherwise;
-    const json& value = take(key);
-    if (const auto found = choices.find(value.is_string() ? value.get<std::string>() : "");
-        found != choices.end()) {
-      return found->second;
-    }
-    std::vector<std::string> names;
-    for (const auto& [name, meaning] : choices) names.push_back(name);
-    fail(fmt::format("'{}' is one of {}, not {}", key, fmt::join(names, ", "), value.dump()));
-  }
-
-  // To be called when all that is known has been taken.
-  void require_no_more() const {
-    for (const auto& [key, value] : object_.items()) {
-      if (!taken_.contains(key)) {
-        fail(fmt::format("nothing here is called '{}'; mend or remove it", key));
-      }
-    }
-  }
-
- private:
-  const json& take(const std::string& key) {
-    taken_.insert(key);
-    return object_.at(key);
-  }
-
-  const json& object_;
-  std::string where_;
-  std::set<std::string> taken_;
-};
 
 std::string read_name(Fields& fields) {
   std::string name = fields.text("name");

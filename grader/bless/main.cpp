@@ -1,0 +1,194 @@
+// bless: renders the goldens that submissions are judged by, with the tasks that are linked. Exit
+// status 1 if a golden is wrong, missing or contradicts the one it would replace, 2 for a call that
+// cannot be used.
+#include "grader/bless/check.h"
+#include "grader/bless/golden.h"
+#include "grader/bless/provenance.h"
+#include "grader/bless/sheet.h"
+#include "grader/images/image_verdict.h"
+#include "grader/images/sample_map_verdict.h"
+#include "grader/recipes/seeds.h"
+#include "pt/error.h"
+#include "pt/image/image_io.h"
+#include "pt/render/progress.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+struct Options {
+  std::vector<std::string> names;
+  std::string because;
+  bool check = false;
+  bool table = false;
+  fs::path recipes = "scenes/recipes.json";
+  fs::path folder = "golden";
+  fs::path work = "build/bless";
+  std::string commit = "unknown";
+  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int samples = 0;  // a pixel, or runs; 0 for as many as a golden needs
+};
+
+Effort effort_of(const Recipe& recipe, const Options& options) {
+  if (options.samples == 0) return usual_effort(recipe);
+  return recipe.adaptive ? Effort{options.samples, 1} : Effort{2, options.samples / 2};
+}
+
+// The shortest that makes this golden again.
+std::string command_for(const Recipe& recipe, const Options& options) {
+  const std::string samples =
+      options.samples == 0 ? "" : fmt::format(" --samples {}", options.samples);
+  return fmt::format("./run bless {}{}", recipe.name, samples);
+}
+
+Provenance provenance_of(const Recipe& recipe, const GoldenState& state, const Options& options) {
+  return {recipe.name,
+          command_for(recipe, options),
+          options.commit,
+          golden_seed(recipe, 0),
+          state.parts,
+          state.parts * state.samples,
+          state.cpu_seconds,
+          options.because,
+          recipe_settings(recipe),
+          state.hash};
+}
+
+bool is_finished(const Recipe& recipe, const Effort& effort, const fs::path& folder) {
+  const GoldenFiles files = golden_files(folder, recipe.name);
+  if (!fs::exists(files.film) || !fs::exists(files.provenance)) return false;
+  if (recipe.adaptive && !fs::exists(files.rates)) return false;
+  const Provenance provenance = read_provenance(files.provenance);
+  return provenance.sha256 == picture_hash(recipe) &&
+         provenance.first_seed == golden_seed(recipe, 0) &&
+         provenance.samples >= effort.parts * effort.samples;
+}
+
+// Why the old golden cannot be right if the new one is; empty if there is none or they agree.
+std::string contradiction(const Recipe& recipe, const pt::Film& film, const fs::path& folder) {
+  const fs::path file = golden_files(folder, recipe.name).film;
+  if (!fs::exists(file)) return {};
+  const pt::Film older = pt::read_exr(file);
+  if (older.width != film.width || older.height != film.height) {
+    return fmt::format("it was {} x {} and is {} x {} now", older.width, older.height, film.width,
+                       film.height);
+  }
+  const std::vector<FailingCell> cells = contradictions(older, film);
+  if (cells.empty()) return {};
+  const FailingCell& worst = cells.front();
+  return fmt::format("the {} x {} pixels at ({}, {}) from the top left are {:.2f} % {} in {}",
+                     worst.width, worst.height, worst.x, worst.y, 100 * std::abs(worst.off_by),
+                     worst.off_by < 0 ? "darker" : "brighter", worst.channel);
+}
+
+// Whether the golden is now in the folder.
+bool bless(const Recipe& recipe, const Options& options) {
+  const Effort effort = effort_of(recipe, options);
+  if (is_finished(recipe, effort, options.folder)) {
+    fmt::print("{}: is up to date\n", recipe.name);
+    return true;
+  }
+  const fs::path partial = options.work / (recipe.name + ".partial");
+  pt::Progress progress;
+  const GoldenState state = render_golden(recipe, effort, options.threads, partial,
+                                          [&](double part) { progress.show(part); });
+  progress.clear();
+  const pt::Film film = film_of(recipe, state);
+  if (recipe.uniform) {
+    const std::vector<std::string> errors = against_closed_form(film, *recipe.uniform);
+    for (const std::string& each : errors) fmt::print(stderr, "{}: {}\n", recipe.name, each);
+    if (!errors.empty()) return false;
+  }
+  const std::string why = contradiction(recipe, film, options.folder);
+  if (!why.empty() && options.because.empty()) {
+    fmt::print(stderr,
+               "{}: the new golden contradicts the old one, which stays: {}. If the old one is "
+               "wrong, say so: ./run bless {} --because \"...\"\n",
+               recipe.name, why, recipe.name);
+    return false;
+  }
+  Provenance provenance = provenance_of(recipe, state, options);
+  if (why.empty()) provenance.because.clear();
+  const GoldenFiles files = golden_files(options.folder, recipe.name);
+  // The film first: without a provenance that fits, it is made again.
+  pt::write_exr(files.film, film);
+  if (recipe.adaptive) {
+    write_reference(files.rates, reference_of(maps_of(recipe, state), film, *recipe.adaptive));
+  }
+  write_provenance(files.provenance, provenance);
+  fs::remove(partial);
+  fmt::print("{}: {} samples a pixel in {:.0f} CPU seconds\n", recipe.name, provenance.samples,
+             provenance.cpu_seconds);
+  return true;
+}
+
+int run(const Options& options) {
+  const std::vector<Recipe> all = load_recipes(options.recipes);
+  if (options.check) {
+    const std::vector<std::string> found = check_goldens(all, options.folder);
+    for (const std::string& each : found) fmt::print(stderr, "{}\n", each);
+    if (found.empty()) fmt::print("{} goldens are as their recipes say\n", all.size());
+    return found.empty() ? 0 : 1;
+  }
+  if (options.table) {
+    fmt::print("{}", golden_table(all, options.folder));
+    return 0;
+  }
+  std::vector<Recipe> asked;
+  for (const std::string& name : options.names) asked.push_back(find(all, name));
+  fs::create_directories(options.folder);
+  fs::create_directories(options.work);
+  bool all_blessed = true;
+  for (const Recipe& recipe : asked.empty() ? all : asked) {
+    all_blessed = bless(recipe, options) && all_blessed;
+    std::fflush(stdout);
+  }
+  pt::write_png(options.folder / kSheetName, contact_sheet(all, options.folder));
+  return all_blessed ? 0 : 1;
+}
+
+void describe(CLI::App& app, Options& options) {
+  app.add_option("recipe", options.names, "Recipes; default: all whose golden is out of date");
+  app.add_option("--because", options.because,
+                 "Why a golden may replace one that it contradicts; kept beside it");
+  app.add_flag("--check", options.check,
+               "Render nothing; say which goldens are missing, out of date or wrong");
+  app.add_flag("--table", options.table, "Render nothing; print the table of docs/recipes.md");
+  app.add_option("-t,--threads", options.threads, "Default: one a processor")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--samples", options.samples, "Samples a pixel, or runs: too few, for a test")
+      ->check(CLI::Range(8, 1 << 20));
+  app.add_option("--recipes", options.recipes, "The file of recipes");
+  app.add_option("--golden", options.folder, "Where goldens are");
+  app.add_option("--work", options.work, "Where what is half done is kept");
+  app.add_option("--commit", options.commit, "Of what is rendered with");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Makes the goldens that submissions are judged by.", "./run bless");
+  describe(app, options);
+  try {
+    app.parse(argc, argv);
+    return run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}
