@@ -264,5 +264,20 @@ TEST_F(Writers, all_files_are_written_or_none) {
   EXPECT_THROW(check_targets(files), pt::Error);
 }
 
+TEST_F(Writers, a_run_leaves_the_page_of_its_end) {
+  ReportFiles files;
+  files.html = folder.path() + "/a.html";
+  files.csv = folder.path() + "/a.csv";
+  ProgressReports reports(files);
+  Results so_far = stopped();
+  reports.write(so_far);
+  EXPECT_THAT(pt::read_file(files.html, 1 << 24), HasSubstr(kStopped));
+  so_far.tasks.resize(1);
+  reports.write(so_far);
+  EXPECT_EQ(pt::read_file(files.csv, 1 << 24), to_csv(so_far));
+  reports.write(run);
+  EXPECT_THAT(pt::read_file(files.html, 1 << 24), Not(HasSubstr(kStopped)));
+}
+
 }  // namespace
 }  // namespace grader

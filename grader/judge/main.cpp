@@ -54,8 +54,9 @@ int run(const Options& options) {
   for (const TaskConfig& task : config.tasks) {
     if (options.what.empty() || asked.contains(task.slug)) request.asked.push_back(task.slug);
   }
+  ProgressReports reports(options.files);
   const Results results =
-      grade(config, request, [&](const Results& so_far) { write_reports(so_far, options.files); });
+      grade(config, request, [&](const Results& so_far) { reports.write(so_far); });
   remember_failures(config.work, results);
   return show(results, options);
 }
