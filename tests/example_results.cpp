@@ -43,7 +43,8 @@ pt::Film film(const Bias& bias, unsigned seed) {
 pt::SampleMap counts(double factor) {
   pt::SampleMap map{kWidth, kHeight, {}, 0};
   for (int i = 0; i < kWidth * kHeight; ++i) {
-    const double wave = 0.5 + 0.5 * std::sin(0.1 * (i % kWidth)) * std::cos(0.07 * (i / kWidth));
+    const int row = i / kWidth;
+    const double wave = 0.5 + 0.5 * std::sin(0.1 * (i % kWidth)) * std::cos(0.07 * row);
     map.counts.push_back(64 * std::max(1, static_cast<int>(factor * 32 * wave)));
   }
   return map;

@@ -107,8 +107,9 @@ int run(Words words) {
   }
   const GradeRequest request = request_for(config, options);
   if (request.pictures) unfinished.begin(words);
+  ProgressReports reports(options.files);
   const Results results =
-      grade(config, request, [&](const Results& so_far) { write_reports(so_far, options.files); });
+      grade(config, request, [&](const Results& so_far) { reports.write(so_far); });
   if (request.pictures) unfinished.end();
   remember_failures(config.work, results);
   return show(results, options);

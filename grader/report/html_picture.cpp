@@ -120,9 +120,7 @@ data film_view(const PictureResult& picture) {
   out.set("golden_data", embedded_pixels(golden));
   out.set("noise_data", embedded_noise(render, golden));
   out.set("compare_name", "Render over golden");
-  out.set("compare_text",
-          exposure == 1 ? ""
-                        : fmt::format("both at exposure {:g}, so that they can be seen", exposure));
+  out.set("compare_text", exposure == 1 ? "" : fmt::format("at exposure {:g}", exposure));
   out.set("maps", film_maps(picture, a, b));
   out.set("has_cells", !picture.cells.empty());
   out.set("cells", cells_data(picture));

@@ -105,11 +105,11 @@ std::string promise_text(const TaskResult& task, const PromiseResult& promise,
 std::string picture_text(const TaskResult& task, const PictureResult& picture,
                          const TerminalStyle& style) {
   std::string text = "\n";
-  const std::string title = picture.title.empty() ? "" : ", " + picture.title;
-  const std::string points = fmt::format(" ({}, {} of {} points)", words(picture.state),
-                                         picture.points, picture.max_points);
-  for (const std::string& line :
-       wrap(task.slug + ": picture " + picture.recipe + title + points, kWidth)) {
+  const std::string head =
+      fmt::format("{}: picture {}{}{} ({}, {} of {} points)", task.slug, picture.recipe,
+                  picture.title.empty() ? "" : ", ", picture.title, words(picture.state),
+                  picture.points, picture.max_points);
+  for (const std::string& line : wrap(head, kWidth)) {
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";

@@ -25,4 +25,15 @@ void write_reports(const Results& results, const ReportFiles& files) {
   if (!files.html.empty()) pt::write_file(files.html, to_html(results));
 }
 
+void ProgressReports::write(const Results& results) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const bool with_page = results.complete || start >= next_page_;
+  ReportFiles files = files_;
+  if (!with_page) files.html.clear();
+  write_reports(results, files);
+  const auto end = Clock::now();
+  if (with_page) next_page_ = end + 9 * (end - start);
+}
+
 }  // namespace grader
