@@ -1,5 +1,6 @@
 #include "grader/judge/builder.h"
 
+#include "grader/judge/audit.h"
 #include "grader/judge/sha256.h"
 #include "grader/process/printable.h"
 #include "grader/process/run_command.h"
@@ -109,6 +110,12 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   if (!object.present || !object.rejected.empty()) {
     return {"", key, "", "what it compiles to is not accepted: " + object.rejected};
   }
+  std::set<std::string> contract;
+  for (const std::string& reference : task.reference) {
+    contract.merge(functions_in(read_file(reference)));
+  }
+  const std::string reason = audit(object.text, contract);
+  if (!reason.empty()) return {"", key, "", reason};
   write_file(path, object.text);
   return {path, key, "", ""};
 }

@@ -4,8 +4,8 @@ firstlight_library(grader_report
   report/results.cpp report/json.cpp report/read_json.cpp report/terminal.cpp)
 target_link_libraries(grader_report PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 firstlight_library(grader_judge
-  judge/builder.cpp judge/config.cpp judge/files.cpp judge/findings.cpp judge/grade.cpp
-  judge/integration.cpp judge/isolation.cpp judge/promises.cpp judge/sha256.cpp judge/staging.cpp)
+  judge/audit.cpp judge/builder.cpp judge/c_functions.cpp judge/config.cpp judge/files.cpp judge/findings.cpp judge/grade.cpp
+  judge/integration.cpp judge/isolation.cpp judge/object_file.cpp judge/promises.cpp judge/sha256.cpp judge/staging.cpp)
 target_link_libraries(grader_judge PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 
 firstlight_library(grader_hints hints/hints.cpp hints/memory.cpp)

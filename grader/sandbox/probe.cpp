@@ -40,7 +40,9 @@ struct Scratch {
 
 std::string words_of(Tier tier, const std::set<std::string>& holds) {
   std::vector<std::string> parts;
-  if (tier == Tier::restricted && holds.contains("user")) parts.emplace_back("another user");
+  if (tier == Tier::restricted) {
+    parts.emplace_back(holds.contains("user") ? "another user" : "the same user");
+  }
   if (holds.contains("sockets")) parts.emplace_back("seccomp");
   if (holds.contains("files")) parts.emplace_back("Landlock");
   std::string list = fmt::format("{}", fmt::join(parts, ", "));
