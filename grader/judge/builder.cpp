@@ -71,8 +71,9 @@ Builder::Builder(const Config& config, Tier tier, int seconds)
       cache_(config.work + "/cache"),
       headers_(public_headers(config.root)) {
   fs::create_directories(cache_);
-  // What was compiled where more can be read is no object of this tier.
-  std::string tools = stamp(config.compiler) + letter(tier);
+  // What was compiled where more can be read, or audited by another judge, is no object of ours.
+  std::string tools =
+      stamp(config.compiler) + stamp(fs::read_symlink("/proc/self/exe")) + letter(tier);
   for (const auto* flags : {&config.compile_flags, &config.link_flags, &config.recording_flags}) {
     for (const std::string& flag : *flags) tools += flag + '\0';
   }

@@ -55,11 +55,17 @@ TEST(hostile, only_plain_files_of_moderate_size_are_taken) {
   fs::remove(submission / "1_rays/hit_triangle.cpp");
   ASSERT_EQ(mkfifo((submission / "1_rays/hit_triangle.cpp").c_str(), 0600), 0);
   std::ofstream(submission / "2_bvh/hit_box.cpp", std::ios::app) << std::string(1 << 20, ' ');
-  const Outcome outcome = submission.grade({"hit_sphere", "camera_ray", "hit_triangle", "hit_box"});
+  fs::rename(submission / "3_direct", submission / "elsewhere");
+  fs::create_directory_symlink("elsewhere", submission / "3_direct");
+  fs::create_hard_link(submission / "2_bvh/build_bvh.cpp", submission / "another name");
+  const Outcome outcome = submission.grade(
+      {"hit_sphere", "camera_ray", "hit_triangle", "hit_box", "diffuse_bsdf", "build_bvh"});
   EXPECT_EQ(outcome.exit_status, 1);
   EXPECT_EQ(outcome.state("hit_sphere"), "rejected");
   EXPECT_EQ(outcome.state("hit_triangle"), "rejected");
   EXPECT_EQ(outcome.state("hit_box"), "rejected");
+  EXPECT_EQ(outcome.state("diffuse_bsdf"), "rejected");
+  EXPECT_EQ(outcome.state("build_bvh"), "pass");
   EXPECT_EQ(outcome.state("camera_ray"), "not_attempted");
 }
 
