@@ -1,5 +1,6 @@
 #include "grader/judge/builder.h"
 
+#include "grader/judge/audit.h"
 #include "grader/judge/sha256.h"
 #include "grader/process/printable.h"
 #include "grader/process/run_command.h"
@@ -30,7 +31,7 @@ constexpr std::size_t kMaxErrorLines = 12;
 constexpr std::size_t kMaxObject = std::size_t{16} << 20;
 
 bool starts_error(const std::string& line) {
-  for (const char* sign : {"error:", "undefined reference to", "multiple definition of"}) {
+  for (const char* sign : {"error:", "Error:", "undefined reference to", "multiple definition of"}) {
     if (line.find(sign) != std::string::npos) return true;
   }
   return false;
@@ -70,8 +71,9 @@ Builder::Builder(const Config& config, Tier tier, int seconds)
       cache_(config.work + "/cache"),
       headers_(public_headers(config.root)) {
   fs::create_directories(cache_);
-  // What was compiled where more can be read is no object of this tier.
-  std::string tools = stamp(config.compiler) + letter(tier);
+  // What was compiled where more can be read, or audited by another judge, is no object of ours.
+  std::string tools =
+      stamp(config.compiler) + stamp(fs::read_symlink("/proc/self/exe")) + letter(tier);
   for (const auto* flags : {&config.compile_flags, &config.link_flags, &config.recording_flags}) {
     for (const std::string& flag : *flags) tools += flag + '\0';
   }
@@ -109,6 +111,12 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   if (!object.present || !object.rejected.empty()) {
     return {"", key, "", "what it compiles to is not accepted: " + object.rejected};
   }
+  std::set<std::string> contract;
+  for (const std::string& reference : task.reference) {
+    contract.merge(functions_in(read_file(reference)));
+  }
+  const std::string reason = audit(object.text, contract);
+  if (!reason.empty()) return {"", key, "", reason};
   write_file(path, object.text);
   return {path, key, "", ""};
 }

@@ -73,7 +73,7 @@ struct Tests {
 struct ReplyHead {
   std::uint64_t code = 0;    // of the signature
   std::uint32_t todo = 0;    // bit i: task i of kTasks has called todo()
-  std::int64_t closest = 0;  // rays traced in this call
+  std::int64_t closest = 0;  // rays traced in this call, says the worker: no promise counts on them
   std::int64_t occluded = 0;
   Tests tests;
 };

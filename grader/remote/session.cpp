@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxKnown = 256;                         // objects
 constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
+constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // in a call; sums do not overflow
 constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
 
 std::unique_ptr<Session> the_session;
@@ -161,7 +162,9 @@ std::string Session::converse(const Writer& call) {
 void Session::take_head(Reader& reply, std::uint64_t code) {
   const auto head = get<ReplyHead>(reply);
   if (head.code != code) throw BadMessage("the reply is of another type");
-  if (head.closest < 0 || head.occluded < 0) throw BadMessage("a count is negative");
+  for (const std::int64_t count : {head.closest, head.occluded}) {
+    if (count < 0 || count > kMaxRays) throw BadMessage("a count of rays that cannot be");
+  }
   for (std::size_t i = 0; i < kTasks.size(); ++i) {
     if (head.todo >> i & 1) record_.todo.emplace(kTasks[i]);
   }

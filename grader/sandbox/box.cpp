@@ -85,10 +85,8 @@ Words bubblewrap(const Box& box, const Words& visible) {
                       "ALL",       "--die-with-parent", "--new-session",  "--as-pid-1"} +
                 disable_userns() + root_folders();
   for (const std::string& path : visible) words = words + Words{"--ro-bind", path, path};
-  for (const char* device : {"/dev/null", "/dev/zero", "/dev/urandom"}) {
-    words = words + Words{"--dev-bind", device, device};
-  }
-  words = words + Words{"--ro-bind", launcher_path(), launcher_path()};
+  words = words + Words{"--dev-bind", "/dev/null", "/dev/null"} +
+          Words{"--ro-bind", launcher_path(), launcher_path()};
   if (!box.folder.empty()) words = words + Words{"--bind", box.folder, box.folder};
   words = words + Words{"--remount-ro", "/", "--chdir", "/", "--"};
   return words + launcher(box, visible, true);

@@ -40,16 +40,18 @@ struct Scratch {
 
 std::string words_of(Tier tier, const std::set<std::string>& holds) {
   std::vector<std::string> parts;
-  if (tier == Tier::restricted && holds.contains("user")) parts.emplace_back("another user");
+  if (tier == Tier::restricted) {
+    parts.emplace_back(holds.contains("user") ? "another user" : "the same user");
+  }
   if (holds.contains("sockets")) parts.emplace_back("seccomp");
-  if (holds.contains("files")) parts.emplace_back("Landlock");
+  if (tier == Tier::restricted && holds.contains("files")) parts.emplace_back("Landlock");
   std::string list = fmt::format("{}", fmt::join(parts, ", "));
   if (const std::size_t last = list.rfind(", "); last != list.npos) list.replace(last, 1, " and");
   if (tier == Tier::bubblewrap) {
     return "A: bubblewrap" + (list.empty() ? "" : " with " + list + " in it");
   }
   if (!holds.contains("sockets")) list += "; the network is open";
-  if (!holds.contains("files")) list += "; files that everyone may read are open";
+  if (!holds.contains("files")) list += "; other files that everyone may read are open";
   return "B: " + list;
 }
 
@@ -83,7 +85,8 @@ Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
       return {"", printable(result.output.substr(0, result.output.find('\n')), 200)};
     }
     const std::set<std::string> now = what_holds(result);
-    if (!now.contains("root")) return {"", "a program in it can read " + root};
+    if (!now.contains("root"))
+      return {"", "there is no Landlock, and everybody may enter " + root + " (chmod 700 it)"};
     if (!folder.empty() && !now.contains("write")) return {"", "it cannot write in a folder"};
     if (folder.empty()) holds = now;
   }

@@ -7,8 +7,8 @@
 
 namespace grader {
 
-// How submissions are kept away from the machine, and in words for every report: "A: bubblewrap,
-// and seccomp and Landlock inside it".
+// How submissions are kept away from the machine, and in words for every report: "A:
+// bubblewrap with seccomp in it".
 struct Isolation {
   Tier tier = Tier::limits;
   std::string words;

@@ -1,16 +1,11 @@
 // What a submission does to the grader must cost no more than the task it does it in.
-#include "grader/process/run_command.h"
+#include "grader/self_check/hostile_submission.h"
 
-#include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <map>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace grader {
 namespace {
@@ -18,58 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-struct Outcome {
-  int exit_status = -1;
-  double seconds = 0;
-  json results;
-
-  const json& task(const std::string& slug) const {
-    for (const json& each : results.at("tasks")) {
-      if (each.at("slug") == slug) return each;
-    }
-    static const json none;
-    return none;
-  }
-  std::string state(const std::string& slug) const {
-    return task(slug).is_null() ? "missing" : task(slug).at("state").get<std::string>();
-  }
-};
-
-// A submission: the reference, with other files put over it.
-class Submission {
- public:
-  explicit Submission(const std::string& name)
-      : folder_(fs::path(testing::TempDir()) / ("firstlight_" + name + std::to_string(getpid()))) {
-    fs::copy(FIRSTLIGHT_ROOT "/reference", folder_, fs::copy_options::recursive);
-  }
-  ~Submission() { fs::remove_all(folder_); }
-
-  fs::path operator/(const std::string& path) const { return folder_ / path; }
-
-  Outcome grade(std::vector<std::string> words = {}) const {
-    const std::string json_path = folder_ / "results.json";
-    std::vector<std::string> command{FIRSTLIGHT_GRADE, "--submission", folder_, "--json",
-                                     json_path,        "--call-limit", "300"};
-    command.insert(command.end(), words.begin(), words.end());
-    const CommandResult run =
-        run_command({command, {"PATH=/usr/bin:/bin"}, {}, "", {}}, std::chrono::seconds(120));
-    EXPECT_FALSE(run.timed_out);
-    EXPECT_TRUE(WIFEXITED(run.status)) << describe_status(run.status);
-    Outcome outcome{WEXITSTATUS(run.status), run.seconds, {}};
-    std::ifstream file(json_path);
-    EXPECT_TRUE(file) << run.output;
-    if (file) outcome.results = json::parse(file);
-    return outcome;
-  }
-
- private:
-  fs::path folder_;
-};
-
 TEST(hostile, costs_its_own_task_only) {
-  const Submission submission("hostile");
-  fs::copy(FIRSTLIGHT_ROOT "/grader/self_check/hostile", submission / "",
-           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  Submission submission("hostile");
+  submission.put("plain");
   const Outcome outcome = submission.grade();
   EXPECT_EQ(outcome.exit_status, 1);
   const std::map<std::string, std::string> expected{
@@ -109,11 +55,17 @@ TEST(hostile, only_plain_files_of_moderate_size_are_taken) {
   fs::remove(submission / "1_rays/hit_triangle.cpp");
   ASSERT_EQ(mkfifo((submission / "1_rays/hit_triangle.cpp").c_str(), 0600), 0);
   std::ofstream(submission / "2_bvh/hit_box.cpp", std::ios::app) << std::string(1 << 20, ' ');
-  const Outcome outcome = submission.grade({"hit_sphere", "camera_ray", "hit_triangle", "hit_box"});
+  fs::rename(submission / "3_direct", submission / "elsewhere");
+  fs::create_directory_symlink("elsewhere", submission / "3_direct");
+  fs::create_hard_link(submission / "2_bvh/build_bvh.cpp", submission / "another name");
+  const Outcome outcome = submission.grade(
+      {"hit_sphere", "camera_ray", "hit_triangle", "hit_box", "diffuse_bsdf", "build_bvh"});
   EXPECT_EQ(outcome.exit_status, 1);
   EXPECT_EQ(outcome.state("hit_sphere"), "rejected");
   EXPECT_EQ(outcome.state("hit_triangle"), "rejected");
   EXPECT_EQ(outcome.state("hit_box"), "rejected");
+  EXPECT_EQ(outcome.state("diffuse_bsdf"), "rejected");
+  EXPECT_EQ(outcome.state("build_bvh"), "pass");
   EXPECT_EQ(outcome.state("camera_ray"), "not_attempted");
 }
 
@@ -130,11 +82,7 @@ TEST(grade, names_the_line_that_does_not_compile) {
 // camera_ray is right for as many calls as its own properties make, and wrong soon after.
 TEST(grade, blames_the_task_whose_exchange_mends_another) {
   const Submission submission("blame");
-  std::string text;
-  {
-    std::ifstream file(FIRSTLIGHT_ROOT "/reference/1_rays/camera_ray.cpp");
-    text.assign(std::istreambuf_iterator<char>(file), {});
-  }
+  std::string text = text_of(FIRSTLIGHT_ROOT "/reference/1_rays/camera_ray.cpp");
   const std::size_t body = text.find("Ray camera_ray(");
   ASSERT_NE(body, std::string::npos);
   const std::size_t brace = text.find('{', body) + 1;

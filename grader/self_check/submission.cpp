@@ -1,5 +1,7 @@
 #include "grader/self_check/submission.h"
 
+#include "grader/judge/audit.h"
+
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -28,6 +30,14 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
+// What the reference defines.
+std::set<std::string> contract_of(const std::string& slug) {
+  std::ifstream names(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".contract"));
+  std::set<std::string> functions;
+  for (std::string path; std::getline(names, path);) functions.merge(functions_in(text_of(path)));
+  return functions;
+}
+
 // Through the shell; both streams go to `log`.
 int run(const std::string& command, const fs::path& log) {
   return std::system(fmt::format("{} > {} 2>&1", command, quoted(log)).c_str());
@@ -49,6 +59,7 @@ Verdict judge(const std::string& slug, const fs::path& file, const std::string& 
       fmt::format("{} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, quoted(object),
                   quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
   verdict.compiled = run(compile, log) == 0 && run(link, log) == 0;
+  if (verdict.compiled) verdict.audit = audit(text_of(object), contract_of(slug));
   if (verdict.compiled) {
     // A shell of its own, which prints "Segmentation fault" into the log and not on our terminal.
     const std::string properties = fmt::format(

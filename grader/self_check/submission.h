@@ -11,6 +11,7 @@ struct Verdict {
   bool passed = false;   // all selected properties held, and at least one was selected
   bool crashed = false;  // by a signal, or killed by a limit
   std::string output;    // of the compiler, or of the properties
+  std::string audit;     // why `grade` would reject it; empty if it would not
 };
 
 // Compiles the file as a submission of the task, links it to the task's properties, with the

@@ -147,6 +147,10 @@ TEST(SelfCheck, compiles_every_solution) {
   }
 }
 
+TEST(SelfCheck, audits_no_solution_away) {
+  for (const Submission& s : submissions()) EXPECT_EQ(s.verdict.audit, "") << s.file;
+}
+
 TEST(SelfCheck, rejects_every_wrong_solution_for_the_promise_it_names) {
   for (const Submission& s : submissions()) {
     if (s.kind != Kind::wrong) continue;

@@ -68,9 +68,6 @@ Descriptor file_rules(const Options& options) {
   if (!rules.is_open()) throw pt::Error(std::string("no Landlock: ") + std::strerror(errno));
   for (const std::string& path : options.visible) allow(rules, path, kReadFolder);
   allow(rules, "/dev/null", kUseDevice);
-  for (const char* path : {"/dev/zero", "/dev/urandom"}) {
-    allow(rules, path, LANDLOCK_ACCESS_FS_READ_FILE);
-  }
   if (!options.folder.empty()) allow(rules, options.folder, kWrite & all.files);
   return rules;
 }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace grader {
+
+// The functions that an object of ours defines for others: those of a contract, if it is the
+// reference's. Throws pt::Error if it is no object.
+std::set<std::string> functions_in(std::string_view object);
+
+// Why an object compiled from a submission is not linked, in one sentence; empty if it is. It may
+// define the functions of its contract, and what the linker merges with the same in other objects
+// (inline functions, templates); it may ask for C++, for functions of C that compute or print, and
+// for pt. Nothing in it may speak to the linker. This keeps the parts of a worker apart from each
+// other, and tells a learner of a name in the wrong place; what holds a worker is the box.
+std::string audit(std::string_view object, const std::set<std::string>& contract);
+
+}  // namespace grader

@@ -1,0 +1,103 @@
+#include "grader/judge/object_file.h"
+
+#include "pt/error.h"
+
+#include <bit>
+#include <cstring>
+
+#include <elf.h>
+
+namespace grader {
+
+namespace {
+
+class Bytes {
+ public:
+  explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
+
+  Bytes part(std::uint64_t offset, std::uint64_t size) const {
+    if (offset > bytes_.size() || size > bytes_.size() - offset) {
+      throw pt::Error("it is no complete object file");
+    }
+    return Bytes(bytes_.substr(offset, size));
+  }
+
+  template <class Struct>
+  Struct at(std::uint64_t index) const {
+    if (index > bytes_.size() / sizeof(Struct)) throw pt::Error("it is no complete object file");
+    Struct value;
+    std::memcpy(&value, part(index * sizeof(Struct), sizeof(Struct)).bytes_.data(), sizeof value);
+    return value;
+  }
+  template <class Struct>
+  std::uint64_t count() const {
+    return bytes_.size() / sizeof(Struct);
+  }
+
+  // Up to the zero that must be there.
+  std::string text(std::uint64_t offset) const {
+    const std::size_t end = offset < bytes_.size() ? bytes_.find('\0', offset) : bytes_.npos;
+    if (end == bytes_.npos) throw pt::Error("a name in it has no end");
+    return std::string(bytes_.substr(offset, end - offset));
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+Elf64_Ehdr header_of(const Bytes& file) {
+  const auto header = file.at<Elf64_Ehdr>(0);
+  constexpr int kOrder = std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB;
+  if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64 ||
+      header.e_ident[EI_DATA] != kOrder || header.e_type != ET_REL ||
+      header.e_shentsize != sizeof(Elf64_Shdr)) {
+    throw pt::Error("it is no object file of this machine");
+  }
+  return header;
+}
+
+// The content of section `index`; nothing where it has none.
+Bytes content(const Bytes& file, const std::vector<Elf64_Shdr>& headers, std::uint64_t index) {
+  if (index >= headers.size()) throw pt::Error("it names a section that it does not have");
+  const Elf64_Shdr& header = headers[index];
+  if (header.sh_type == SHT_NOBITS) return Bytes({});
+  return file.part(header.sh_offset, header.sh_size);
+}
+
+std::vector<ObjectSymbol> symbols_of(const Bytes& file, const std::vector<Elf64_Shdr>& headers) {
+  std::vector<ObjectSymbol> symbols;
+  for (std::uint64_t i = 0; i < headers.size(); ++i) {
+    if (headers[i].sh_type != SHT_SYMTAB) continue;
+    const Bytes table = content(file, headers, i);
+    const Bytes names = content(file, headers, headers[i].sh_link);
+    for (std::uint64_t each = 0; each < table.count<Elf64_Sym>(); ++each) {
+      const auto symbol = table.at<Elf64_Sym>(each);
+      if (ELF64_ST_BIND(symbol.st_info) == STB_LOCAL) continue;
+      const bool grouped =
+          symbol.st_shndx < headers.size() && (headers[symbol.st_shndx].sh_flags & SHF_GROUP) != 0;
+      symbols.push_back({names.text(symbol.st_name), ELF64_ST_BIND(symbol.st_info),
+                         ELF64_ST_TYPE(symbol.st_info), symbol.st_shndx, grouped});
+    }
+  }
+  return symbols;
+}
+
+}  // namespace
+
+ObjectFile read_object(std::string_view bytes) {
+  const Bytes file(bytes);
+  const Elf64_Ehdr header = header_of(file);
+  const Bytes table = file.part(header.e_shoff, std::uint64_t{header.e_shnum} * sizeof(Elf64_Shdr));
+  std::vector<Elf64_Shdr> headers;
+  for (std::uint64_t i = 0; i < header.e_shnum; ++i) headers.push_back(table.at<Elf64_Shdr>(i));
+
+  ObjectFile object{header.e_machine, {}, {}};
+  const Bytes names = content(file, headers, header.e_shstrndx);
+  for (const Elf64_Shdr& each : headers) {
+    object.sections.push_back({names.text(each.sh_name), each.sh_type, each.sh_size});
+  }
+  object.symbols = symbols_of(file, headers);
+  return object;
+}
+
+}  // namespace grader

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader {
+
+// What a relocatable ELF object says about itself. Numbers are those of <elf.h>.
+struct ObjectSection {
+  std::string name;
+  std::uint32_t type = 0;  // SHT_...
+  std::uint64_t size = 0;  // in bytes
+};
+
+struct ObjectSymbol {
+  std::string name;
+  int binding = 0;        // STB_...
+  int type = 0;           // STT_...
+  unsigned section = 0;   // SHN_...; else the number of one of the sections
+  bool in_group = false;  // that the linker takes once, however many objects have it (COMDAT)
+};
+
+struct ObjectFile {
+  int machine = 0;  // EM_...
+  std::vector<ObjectSection> sections;
+  std::vector<ObjectSymbol> symbols;  // but the local ones
+};
+
+// Reads what may be anything. Our own, as the texts of nm and readelf can be forged by names with
+// blanks in them, and a program in a box costs more than all of this. Throws pt::Error with one
+// sentence if the bytes are no 64-bit relocatable object of this machine's byte order.
+ObjectFile read_object(std::string_view bytes);
+
+}  // namespace grader

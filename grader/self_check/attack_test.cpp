@@ -1,0 +1,177 @@
+// Submissions that attack the judge, each in every tier that isolates: they earn nothing, see
+// nothing, and leave nothing behind. An attack says "BROKE OUT" where it gets somewhere.
+#include "grader/self_check/hostile_submission.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// Programs of the work folder that still run, and files where attacks try to leave some.
+std::vector<std::string> left_behind(const Submission& submission) {
+  std::vector<std::string> left;
+  std::error_code error;
+  for (const auto& process : fs::directory_iterator("/proc")) {
+    const std::string program = fs::read_symlink(process.path() / "exe", error);
+    if (!error && program.starts_with(submission.work().string())) left.push_back(program);
+  }
+  for (const char* folder : {"/", "/tmp", "/var/tmp", "/dev/shm", "/usr/lib", FIRSTLIGHT_ROOT}) {
+    for (const char* name : {"left", "firstlight_left", "firstlight_left_folder"}) {
+      if (fs::exists(fs::path(folder) / name)) left.push_back(fs::path(folder) / name);
+    }
+  }
+  for (const fs::path& folder : {submission.work(), submission.work() / "cache"}) {
+    for (const auto& file : fs::directory_iterator(folder)) {
+      const std::set<std::string> ours{".json", ".o", ".worker", ""};
+      const bool known = ours.contains(file.path().extension()) && file.path().filename() != "left";
+      if (!known) left.push_back(file.path());
+    }
+  }
+  return left;
+}
+
+// What is killed takes a moment to be gone.
+std::vector<std::string> left_after_a_while(const Submission& submission) {
+  std::vector<std::string> left = left_behind(submission);
+  for (int i = 0; i < 200 && !left.empty(); ++i) {
+    usleep(10000);
+    left = left_behind(submission);
+  }
+  return left;
+}
+
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> texts;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const bool ours = entry.path().filename() == "results.json";
+    if (entry.is_regular_file() && !ours) texts[entry.path()] = text_of(entry.path());
+  }
+  return texts;
+}
+
+class Attack : public testing::TestWithParam<std::string> {
+ protected:
+  // Grades the batch in this tier, and demands what holds for all attacks.
+  Outcome attack(const std::string& batch, std::vector<std::string> options = {}) {
+    Submission submission(batch + GetParam());
+    const std::vector<std::string> slugs = submission.put(batch);
+    const auto before = contents(submission / "");
+    options.insert(options.end(), {"--isolation", GetParam()});
+    options.insert(options.end(), slugs.begin(), slugs.end());
+    Outcome outcome = submission.grade_afresh(options);
+    EXPECT_EQ(left_after_a_while(submission), std::vector<std::string>{});
+    EXPECT_EQ(contents(submission / ""), before);
+    EXPECT_EQ(outcome.output.find("BROKE OUT"), std::string::npos) << outcome.output;
+    if (outcome.exit_status == 2) return outcome;
+    EXPECT_EQ(outcome.exit_status, 1) << outcome.output;
+    for (const std::string& slug : slugs) {
+      const json& task = outcome.task(slug);
+      const std::string text =
+          slug + " " + task.dump(1, ' ', false, json::error_handler_t::replace).substr(0, 3000);
+      EXPECT_FALSE(task.is_null()) << slug;
+      EXPECT_NE(outcome.state(slug), "pass") << text;
+      EXPECT_EQ(task.value("points", -1), 0) << text;
+      EXPECT_EQ(task.value("bonus_points", -1), 0) << text;
+      EXPECT_EQ(task.dump(-1, ' ', false, json::error_handler_t::replace).find("BROKE OUT"),
+                std::string::npos)
+          << text;
+    }
+    return outcome;
+  }
+};
+
+#define SKIP_WHERE_THE_TIER_DOES_NOT_WORK(outcome)                                              \
+  if ((outcome).exit_status == 2 && (outcome).output.find("isolation does not work here") == 0) \
+  GTEST_SKIP() << "NOT TESTED in tier " << GetParam() << ": " << (outcome).output
+
+// Everything that a worker could reach for.
+TEST_P(Attack, gets_nowhere_at_run_time) {
+  const Outcome outcome = attack("reach");
+  SKIP_WHERE_THE_TIER_DOES_NOT_WORK(outcome);
+  for (const json& task : outcome.results.at("tasks")) {
+    const std::string slug = task.at("slug");
+    const bool answers = slug == "adaptive_pixel" || slug == "estimate_pixel";
+    EXPECT_EQ(task.at("state"), answers ? "fail" : "crash") << task.dump(1).substr(0, 2000);
+  }
+  EXPECT_EQ(outcome.results.at("isolation").get<std::string>().substr(0, 2), GetParam() + ":");
+}
+
+// Other people's names, other people's files, and ends that look like success.
+TEST_P(Attack, gets_nowhere_by_names_and_files) {
+  const Outcome outcome = attack("names");
+  SKIP_WHERE_THE_TIER_DOES_NOT_WORK(outcome);
+  const std::map<std::string, std::string> rejected{{"camera_ray", "memcmp"},
+                                                    {"hit_triangle", "malloc"},
+                                                    {"hit_sphere", "operator new"},
+                                                    {"build_bvh", "pt::todo_reached"},
+                                                    {"hit_box", "grader::worker::serve"},
+                                                    {"adaptive_pixel", "dlopen"}};
+  for (const auto& [slug, word] : rejected) {
+    EXPECT_EQ(outcome.state(slug), "rejected");
+    const std::string reason = outcome.task(slug).at("reason");
+    EXPECT_NE(reason.find(word), std::string::npos) << slug << ": " << reason;
+  }
+  for (const char* slug : {"estimate_pixel", "hit_bvh", "diffuse_bsdf"}) {
+    EXPECT_EQ(outcome.state(slug), "crash") << slug;
+  }
+  for (const char* slug : {"direct_hemisphere", "direct_lights", "trace_path"}) {
+    EXPECT_EQ(outcome.state(slug), "fail") << slug;
+    EXPECT_EQ(outcome.task(slug).at("reason"), "it does not compile") << slug;
+    const std::string text = outcome.task(slug).at("compiler_output");
+    EXPECT_EQ(text.find("cmake_minimum_required"), std::string::npos) << text;
+    EXPECT_NE(text.find(FIRSTLIGHT_ROOT), std::string::npos) << text;
+  }
+}
+
+TEST_P(Attack, gets_nowhere_by_compiling_for_ever) {
+  const Outcome outcome = attack("bombs", {"--compile-limit", "4"});
+  SKIP_WHERE_THE_TIER_DOES_NOT_WORK(outcome);
+  for (const json& task : outcome.results.at("tasks")) {
+    EXPECT_EQ(task.at("state"), "fail");
+    EXPECT_EQ(task.at("reason"), "it does not compile") << task.at("slug");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(tier, Attack, testing::Values("A", "B"),
+                         [](const auto& tier) { return tier.param; });
+
+// That these attacks are able to get somewhere: here nothing holds them but limits.
+TEST(attack, gets_somewhere_where_nothing_is_isolated) {
+  Submission submission("open");
+  submission.put("reach");
+  std::ofstream(submission / "1_rays/hit_sphere.cpp")
+      << "#include \"" FIRSTLIGHT_ROOT "/CMakeLists.txt\"\n";
+  const std::vector<std::string> slugs{"camera_ray", "hit_triangle", "hit_bvh"};
+  std::vector<std::string> words{"--isolation", "C", "hit_sphere"};
+  words.insert(words.end(), slugs.begin(), slugs.end());
+  const Outcome outcome = submission.grade_afresh(words);
+  EXPECT_EQ(outcome.results.at("isolation"), "C: rlimits only, not isolated");
+  for (const std::string& slug : slugs) {
+    const std::string printed = outcome.task(slug).at("printed");
+    EXPECT_NE(printed.find("BROKE OUT"), std::string::npos) << slug << ": " << printed;
+  }
+  const std::string shown = outcome.task("hit_sphere").at("compiler_output");
+  EXPECT_NE(shown.find("cmake_minimum_required"), std::string::npos) << shown;
+}
+
+TEST(attack, is_not_even_tried_where_isolation_is_required_and_there_is_none) {
+  const Submission submission("required");
+  const Outcome outcome =
+      submission.grade({"--require-isolation", "--isolation", "C", "camera_ray"});
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_TRUE(outcome.results.is_null());
+  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+  EXPECT_NE(outcome.output.find("--require-isolation"), std::string::npos) << outcome.output;
+}
+
+}  // namespace
+}  // namespace grader

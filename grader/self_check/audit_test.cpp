@@ -1,0 +1,179 @@
+// What may be linked: objects made by the compiler from a few lines, and damaged ones.
+#include "grader/judge/audit.h"
+
+#include "grader/judge/files.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The object of these lines, as the compiler of this build makes it.
+std::string compiled(const std::string& text) {
+  const fs::path folder =
+      fs::path(testing::TempDir()) / fmt::format("firstlight_audit{}", getpid());
+  fs::create_directories(folder);
+  write_file(folder / "task.cpp", text);
+  const std::string command =
+      fmt::format("{} -std=c++20 -O1 -w -c '{}' -o '{}'", FIRSTLIGHT_CXX,
+                  (folder / "task.cpp").string(), (folder / "task.o").string());
+  EXPECT_EQ(std::system(command.c_str()), 0) << text;
+  const std::string object = read_file(folder / "task.o");
+  fs::remove_all(folder);
+  return object;
+}
+
+const std::string kTask = "namespace pt { int task(int x) { return x; } }\n";
+
+std::string verdict(const std::string& text) {
+  static const std::set<std::string> contract = functions_in(compiled(kTask));
+  return audit(compiled(text), contract);
+}
+
+TEST(audit, knows_a_contract_by_its_object) {
+  EXPECT_EQ(functions_in(compiled(kTask)), std::set<std::string>{"_ZN2pt4taskEi"});
+}
+
+// What a learner may write, all at once.
+TEST(audit, accepts_a_task_and_its_helpers) {
+  EXPECT_EQ(verdict(R"(
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+namespace pt {
+int elsewhere(int);
+struct Shape { virtual ~Shape() = default; virtual double area() const = 0; };
+struct Square : Shape { double a = 2; double area() const override { return a * a; } };
+template <class T> T twice(T x) { static T last = 0; return last = x + x; }
+inline int counter = 0;
+inline thread_local int of_this_thread = 3;
+namespace {
+int helper(int x) { static std::vector<int> seen; seen.push_back(x); return int(seen.size()); }
+std::map<std::string, double> table{{"a", 1.5}};
+}
+static double sum(const std::vector<double>& all) { double s = 0; for (double x : all) s += x; return s; }
+int task(int x) {
+  std::unique_ptr<Shape> shape = std::make_unique<Square>();
+  std::function<double(double)> f = [=](double y) { return std::sin(y) + std::pow(y, x); };
+  std::mt19937 random(1);
+  std::vector<double> v{f(1), std::uniform_real_distribution<double>()(random), std::lgamma(x)};
+  std::sort(v.begin(), v.end());
+  std::unordered_map<int, std::string> names{{1, "one"}};
+  std::ostringstream text;
+  text << shape->area() << sum(v) << twice(2.5) << ++counter << of_this_thread;
+  std::cout << text.str() << std::endl;
+  std::printf("%d %s\n", helper(x), names.at(1).c_str());
+  assert(x > 0);
+  if (x == 17) throw std::runtime_error("17");
+  const auto now = std::chrono::steady_clock::now();
+  __int128 wide = x; wide = wide * wide / 7;
+  return elsewhere(x) + int(wide) + int(now.time_since_epoch().count());
+}
+})"),
+            "");
+}
+
+struct Attempt {
+  const char* text;     // beside the task
+  const char* because;  // a part of the sentence
+};
+
+TEST(audit, rejects_what_reaches_beyond_the_task) {
+  const Attempt attempts[] = {
+      {"namespace pt { int helper(int x) { return x; } }", "pt::helper(int)"},
+      {"namespace pt { int table[3]{1, 2, 3}; }", "pt::table"},
+      {"extern \"C\" int memcmp(const void*, const void*, unsigned long) { return 0; }", "memcmp"},
+      {"extern \"C\" __attribute__((weak)) int memcmp(const void*, const void*, unsigned long) "
+       "{ return 0; }",
+       "memcmp"},
+      {"extern \"C\" void* malloc(unsigned long) { return nullptr; }", "malloc"},
+      {"void* operator new(unsigned long) { return nullptr; }", "operator new"},
+      {"void operator delete(void*) noexcept {}", "operator delete"},
+      {"namespace grader::worker { void send(int) {} }", "grader::worker::send"},
+      {"namespace grader::worker { __attribute__((weak)) void send(int) {} }",
+       "grader::worker::send"},
+      {"namespace grader { inline void send(int) {} void (*use)(int) = send; }", "grader::send"},
+      {"namespace grader { void send(int); void use() { send(1); } }", "grader::"},
+      {"int main() { return 0; }", "main"},
+      {"extern \"C\" int fork(); static int x = fork();", "fork"},
+      {"extern \"C\" long syscall(long, ...); static long x = syscall(57);", "syscall"},
+      {"extern \"C\" int system(const char*); static int x = system(\"ls\");", "system"},
+      {"extern \"C\" void* dlopen(const char*, int); static void* x = dlopen(\"x\", 1);", "dlopen"},
+      {"extern \"C\" int socket(int, int, int); static int x = socket(2, 1, 0);", "socket"},
+      {"static long (*f)() ; extern \"C\" long ptrace(int); static long x = ptrace(0);", "ptrace"},
+      {"int f(int x) __attribute__((weak, alias(\"_ZN2pt4taskEi\")));", "defines f(int)"},
+      {"asm(\".comm shared, 8\");", "shared"},
+      {"asm(\".globl number\\n.set number, 5\");", "number"},
+      {"extern \"C\" { static int (*pick())(int) { return nullptr; } "
+       "int chosen(int) __attribute__((ifunc(\"pick\"))); }",
+       "chosen"},
+      {"asm(\".section .gnu.lto_.x\\n.byte 1\\n.text\");", ".gnu.lto_.x"},
+      {"asm(\".section .gnu.warning.x\\n.ascii \\\"x\\\"\\n.text\");", ".gnu.warning.x"},
+      {"asm(\".section .interp,\\\"a\\\"\\n.asciz \\\"/x\\\"\\n.text\");", ".interp"},
+      {"asm(\".section .preinit_array,\\\"aw\\\"\\n.quad 0\\n.text\");", ".preinit_array"},
+      {"asm(\".section .init,\\\"ax\\\"\\nnop\\n.text\");", ".init'"},
+      {"asm(\".section .deplibs,\\\"MS\\\",@0x6fff4c04,1\\n.asciz \\\"x\\\"\\n.text\");",
+       ".deplibs"},
+  };
+  for (const Attempt& attempt : attempts) {
+    const std::string reason = verdict(kTask + attempt.text + "\n");
+    EXPECT_NE(reason.find(attempt.because), std::string::npos) << attempt.text << "\n" << reason;
+  }
+}
+
+// Names may hold anything; the report takes them as text.
+TEST(audit, shows_names_without_control_characters) {
+  const std::string reason =
+      verdict(kTask + "asm(\".globl \\\"a\\033[2Jb\\\"\\n\\\"a\\033[2Jb\\\":\");");
+  EXPECT_NE(reason.find("it defines a [2Jb"), std::string::npos) << reason;
+}
+
+TEST(audit, rejects_what_is_no_object) {
+  EXPECT_NE(audit("", {}), "");
+  EXPECT_NE(audit("INPUT(/etc/passwd)", {}), "");
+  EXPECT_NE(audit("!<arch>\n", {}), "");
+  std::string program = compiled(kTask);
+  program[16] = 2;  // a program, not an object
+  EXPECT_NE(audit(program, {}), "");
+}
+
+// Sizes and offsets that lead nowhere are noticed; the sanitisers watch that nothing else is read.
+TEST(audit, survives_damaged_objects) {
+  const std::string object = compiled(kTask);
+  const std::set<std::string> contract = functions_in(object);
+  std::mt19937 random(20);
+  int rejected = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string damaged = object;
+    for (int change = 0; change <= i % 4; ++change) {
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+    }
+    if (i % 5 == 0) damaged.resize(random() % damaged.size());
+    rejected += audit(damaged, contract).empty() ? 0 : 1;
+  }
+  EXPECT_GT(rejected, 4000) << "all that were cut";
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,101 @@
+#include "grader/self_check/hostile_submission.h"
+
+#include "grader/process/run_command.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace grader {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+void replace_all(std::string& text, const std::string& word, const std::string& by) {
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + by.size())) {
+    text.replace(at, word.size(), by);
+  }
+}
+
+}  // namespace
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  EXPECT_TRUE(file) << path;
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+const json& Outcome::task(const std::string& slug) const {
+  static const json none;
+  if (results.is_null()) return none;
+  for (const json& each : results.at("tasks")) {
+    if (each.at("slug") == slug) return each;
+  }
+  return none;
+}
+
+std::string Outcome::state(const std::string& slug) const {
+  return task(slug).is_null() ? "missing" : task(slug).at("state").get<std::string>();
+}
+
+Submission::Submission(const std::string& name)
+    : folder_(fs::path(testing::TempDir()) / ("firstlight_" + name + std::to_string(getpid()))) {
+  fs::copy(FIRSTLIGHT_ROOT "/reference", folder_, fs::copy_options::recursive);
+}
+
+Submission::~Submission() {
+  fs::remove_all(folder_);
+  fs::remove_all(work());
+}
+
+std::vector<std::string> Submission::put(const std::string& batch) {
+  const fs::path hostile = FIRSTLIGHT_ROOT "/grader/self_check/hostile";
+  std::vector<std::string> slugs;
+  for (const auto& entry : fs::recursive_directory_iterator(hostile / batch)) {
+    if (!entry.is_regular_file()) continue;
+    fs::path file = fs::relative(entry.path(), hostile / batch);
+    if (file.extension() == ".in") file.replace_extension();
+    std::string text = text_of(entry.path());
+    replace_all(text, "@RAW@\n", text_of(hostile / "raw.h"));
+    replace_all(text, "@ROOT@", FIRSTLIGHT_ROOT);
+    replace_all(text, "@SUBMISSION@", folder_);
+    replace_all(text, "@WORK@", work());
+    std::ofstream(folder_ / file) << text;
+    slugs.push_back(file.stem());
+  }
+  std::sort(slugs.begin(), slugs.end());
+  return slugs;
+}
+
+Outcome Submission::grade(std::vector<std::string> words) const {
+  const fs::path json_path = folder_ / "results.json";
+  fs::remove(json_path);
+  std::vector<std::string> command{FIRSTLIGHT_GRADE, "--submission", folder_, "--json",
+                                   json_path,        "--call-limit", "300"};
+  command.insert(command.end(), words.begin(), words.end());
+  const CommandResult run =
+      run_command({command, {"PATH=/usr/bin:/bin", "FIRSTLIGHT_SECRET=1"}, {}, "", {}},
+                  std::chrono::seconds(120));
+  EXPECT_FALSE(run.timed_out);
+  EXPECT_TRUE(WIFEXITED(run.status)) << describe_status(run.status);
+  Outcome outcome{WEXITSTATUS(run.status), run.output, {}};
+  if (fs::exists(json_path)) outcome.results = json::parse(text_of(json_path));
+  return outcome;
+}
+
+Outcome Submission::grade_afresh(std::vector<std::string> words) const {
+  fs::remove_all(work());
+  fs::create_directories(work());
+  json config = json::parse(text_of(fs::path(FIRSTLIGHT_GRADE).parent_path() / "grade.json"));
+  config["work"] = work();
+  std::ofstream(work() / "grade.json") << config;
+  words.insert(words.end(), {"--config", work() / "grade.json"});
+  return grade(std::move(words));
+}
+
+}  // namespace grader
