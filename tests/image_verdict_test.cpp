@@ -3,6 +3,7 @@
 #include "grader/images/image_verdict.h"
 
 #include "grader/images/cells.h"
+#include "grader/images/name_mistake.h"
 #include "grader/images/normal.h"
 #include "pt/error.h"
 #include "tests/synthetic_pictures.h"
@@ -83,7 +84,7 @@ TEST(image_verdict, cells_cover_the_picture_with_ragged_borders) {
 
 // A right picture: the first stage complains at most as often as its level, and never do all three.
 TEST(image_verdict, right_pictures_pass) {
-  constexpr int kGoldens = 8, kPictures = 75;
+  constexpr int kGoldens = 6, kPictures = 75;
   for (const Spread spread : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
     int complaints = 0;
@@ -105,7 +106,7 @@ TEST(image_verdict, right_pictures_pass) {
 
 // The later stages see 16 cells that somebody complained of: here, of any cells at random.
 TEST(image_verdict, later_stages_repeat_no_false_complaint) {
-  constexpr int kGoldens = 6, kPictures = 100;
+  constexpr int kGoldens = 5, kPictures = 60;
   for (const Spread spread : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
     const int samples = stages_of(noise_of(spread))[1].samples;
@@ -358,6 +359,26 @@ TEST_F(Judged, adaptive_pictures_are_judged_run_by_run) {
   }
   for (const SyntheticError& error : synthetic_errors()) {
     EXPECT_EQ(judged(with(scene_, error), 7).outcome, Outcome::wrong) << error.name;
+  }
+}
+
+TEST_F(Judged, a_known_mistake_is_named_and_no_other) {
+  std::vector<KnownMistake> known;
+  for (const SyntheticError& error : synthetic_errors()) {
+    known.push_back({error.name, Draw(known.size()).golden(with(scene_, error), 8192)});
+  }
+  const auto named = [&](const SyntheticScene& scene, std::uint64_t seed) {
+    return name_mistake(golden_, submission(scene, seed)(3, 16, 16), known);
+  };
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (const SyntheticError& error : synthetic_errors()) {
+      EXPECT_EQ(named(with(scene_, error), seed), error.name);
+    }
+    EXPECT_EQ(named(scene_, seed), std::nullopt);
+    const SyntheticError other{"", [](SyntheticScene& scene) {
+                                 for (SyntheticPixel& pixel : scene.pixels) pixel.direct *= 1.05;
+                               }};
+    EXPECT_EQ(named(with(scene_, other), seed), std::nullopt);
   }
 }
 
