@@ -304,6 +304,13 @@ TEST_F(Judged, a_constant_that_changes_once_may_be_luck) {
             Outcome::wrong);
 }
 
+TEST_F(Judged, a_wrong_constant_must_be_the_same_pixel_each_time) {
+  const auto verdict = judge(
+      changed([](pt::Image& image, int, int stage) { image.at(1 + stage, 1) = pt::gray(0.5); }));
+  EXPECT_EQ(verdict.outcome, Outcome::pass);
+  EXPECT_EQ(verdict.stages, 2);
+}
+
 TEST_F(Judged, pixels_that_vary_together_are_found) {
   const auto verdict = judge(changed([](pt::Image& image, int b, int stage) {
     const double factor = 1 + 0.02 * std::sin(7.0 * b + stage);
