@@ -401,6 +401,18 @@ TEST(contradictions, right_goldens_agree) {
   }
 }
 
+// The shorter of two goldens never sees the light in one pixel of eight.
+TEST(contradictions, a_rare_light_is_none) {
+  SyntheticScene scene = synthetic_scene(Spread::mostly_zero, kWidth, kHeight);
+  for (SyntheticPixel& pixel : scene.pixels) {
+    pixel.hit = 5e-4;
+    pixel.indirect = {};
+  }
+  const pt::Film older = Draw(1).golden(scene, 4096), newer = Draw(2).golden(scene, 1 << 18);
+  EXPECT_TRUE(contradictions(older, newer).empty());
+  EXPECT_TRUE(contradictions(newer, older).empty());
+}
+
 TEST(contradictions, wrong_goldens_are_told_apart) {
   const SyntheticScene scene = synthetic_scene(Spread::diffuse, kWidth, kHeight);
   const pt::Film older = Draw(1).golden(scene, 16384);
