@@ -3,6 +3,7 @@
 #include "grader/images/image_verdict.h"
 
 #include "grader/images/cells.h"
+#include "grader/images/name_mistake.h"
 #include "grader/images/normal.h"
 #include "pt/error.h"
 #include "tests/synthetic_pictures.h"
@@ -83,7 +84,7 @@ TEST(image_verdict, cells_cover_the_picture_with_ragged_borders) {
 
 // A right picture: the first stage complains at most as often as its level, and never do all three.
 TEST(image_verdict, right_pictures_pass) {
-  constexpr int kGoldens = 8, kPictures = 75;
+  constexpr int kGoldens = 6, kPictures = 75;
   for (const Spread spread : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
     int complaints = 0;
@@ -105,7 +106,7 @@ TEST(image_verdict, right_pictures_pass) {
 
 // The later stages see 16 cells that somebody complained of: here, of any cells at random.
 TEST(image_verdict, later_stages_repeat_no_false_complaint) {
-  constexpr int kGoldens = 6, kPictures = 100;
+  constexpr int kGoldens = 5, kPictures = 60;
   for (const Spread spread : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
     const int samples = stages_of(noise_of(spread))[1].samples;
@@ -303,6 +304,13 @@ TEST_F(Judged, a_constant_that_changes_once_may_be_luck) {
             Outcome::wrong);
 }
 
+TEST_F(Judged, a_wrong_constant_must_be_the_same_pixel_each_time) {
+  const auto verdict = judge(
+      changed([](pt::Image& image, int, int stage) { image.at(1 + stage, 1) = pt::gray(0.5); }));
+  EXPECT_EQ(verdict.outcome, Outcome::pass);
+  EXPECT_EQ(verdict.stages, 2);
+}
+
 TEST_F(Judged, pixels_that_vary_together_are_found) {
   const auto verdict = judge(changed([](pt::Image& image, int b, int stage) {
     const double factor = 1 + 0.02 * std::sin(7.0 * b + stage);
@@ -361,6 +369,26 @@ TEST_F(Judged, adaptive_pictures_are_judged_run_by_run) {
   }
 }
 
+TEST_F(Judged, a_known_mistake_is_named_and_no_other) {
+  std::vector<KnownMistake> known;
+  for (const SyntheticError& error : synthetic_errors()) {
+    known.push_back({error.name, Draw(known.size()).golden(with(scene_, error), 8192)});
+  }
+  const auto named = [&](const SyntheticScene& scene, std::uint64_t seed) {
+    return name_mistake(golden_, submission(scene, seed)(3, 16, 16), known);
+  };
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (const SyntheticError& error : synthetic_errors()) {
+      EXPECT_EQ(named(with(scene_, error), seed), error.name);
+    }
+    EXPECT_EQ(named(scene_, seed), std::nullopt);
+    const SyntheticError other{"", [](SyntheticScene& scene) {
+                                 for (SyntheticPixel& pixel : scene.pixels) pixel.direct *= 1.05;
+                               }};
+    EXPECT_EQ(named(with(scene_, other), seed), std::nullopt);
+  }
+}
+
 TEST(contradictions, right_goldens_agree) {
   for (const Spread spread : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
@@ -371,6 +399,18 @@ TEST(contradictions, right_goldens_agree) {
       EXPECT_TRUE(contradictions(newer, older).empty()) << seed;
     }
   }
+}
+
+// The shorter of two goldens never sees the light in one pixel of eight.
+TEST(contradictions, a_rare_light_is_none) {
+  SyntheticScene scene = synthetic_scene(Spread::mostly_zero, kWidth, kHeight);
+  for (SyntheticPixel& pixel : scene.pixels) {
+    pixel.hit = 5e-4;
+    pixel.indirect = {};
+  }
+  const pt::Film older = Draw(1).golden(scene, 4096), newer = Draw(2).golden(scene, 1 << 18);
+  EXPECT_TRUE(contradictions(older, newer).empty());
+  EXPECT_TRUE(contradictions(newer, older).empty());
 }
 
 TEST(contradictions, wrong_goldens_are_told_apart) {

@@ -31,7 +31,7 @@ pt::SampleMap map_of(StoppingRule rule, double variance = 1, std::uint64_t seed 
 }
 
 SampleMapVerdict judge(StoppingRule rule, double variance = 1, std::uint64_t seed = 1000) {
-  const SampleMapVerdict verdict = judge_sample_map(reference(), map_of(rule, variance, seed));
+  SampleMapVerdict verdict = judge_sample_map(reference(), map_of(rule, variance, seed));
   std::printf("rule %d, variance %.2f: ratio %.2f, a %.2f, b %.2f, correlation %.2f, %s %s\n",
               static_cast<int>(rule), variance, verdict.ratio, verdict.a, verdict.b,
               verdict.correlation, verdict.pass ? "pass" : "fail", verdict.sentence.c_str());
@@ -154,10 +154,10 @@ TEST_F(ReferenceFile, what_is_written_comes_back) {
 TEST_F(ReferenceFile, what_is_none_is_refused_by_name) {
   write_reference(path_, reference());
   const std::string text = pt::read_file(path_, 1 << 24);
-  for (std::string bad : {std::string("{}"), text.substr(0, text.size() / 2),
-                          std::string(text).replace(text.find("48"), 2, "47"),
-                          std::string(text).replace(text.find("48"), 2, "-1"),
-                          std::string(text).replace(text.find("0.1"), 3, "0.0")}) {
+  for (const std::string& bad : {std::string("{}"), text.substr(0, text.size() / 2),
+                                 std::string(text).replace(text.find("48"), 2, "47"),
+                                 std::string(text).replace(text.find("48"), 2, "-1"),
+                                 std::string(text).replace(text.find("0.1"), 3, "0.0")}) {
     pt::write_file(path_, bad);
     EXPECT_THROW(
         {
