@@ -66,6 +66,17 @@ TEST(image_verdict, thresholds_are_those_of_the_design) {
   EXPECT_NEAR(repeated(off, kept, 2e-3)[0].threshold, 3.66, 0.005);
 }
 
+// Else a golden's error would choose how much it counts, and the sum would be off for every picture.
+TEST(image_verdict, a_pixel_does_not_choose_its_own_weight) {
+  pt::Film film = Draw(1).golden(synthetic_scene(Spread::diffuse, kWidth, kHeight), 1024);
+  const Golden before = prepare(film);
+  const std::size_t i = 20 * kWidth + 30;
+  film.pixels[i].mean *= 1.1;
+  const Golden after = prepare(film);
+  EXPECT_EQ(after.weighted[i], before.weighted[i]);
+  EXPECT_GT(after.weighted[i + 1], before.weighted[i + 1]);
+}
+
 TEST(image_verdict, cells_cover_the_picture_with_ragged_borders) {
   SyntheticScene scene = synthetic_scene(Spread::diffuse, 50, 30);
   for (SyntheticPixel& pixel : scene.pixels) pixel = scene.pixels.back();
