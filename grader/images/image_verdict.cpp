@@ -78,7 +78,8 @@ void Judge::refuse(const Unusable& what, const Batches& batches) {
   verdict_.cells.clear();
   std::vector<pt::Image> images = batches.images;
   const bool sized = images.size() >= 2 && std::all_of(images.begin(), images.end(), [&](auto& i) {
-                       return i.width == golden_.width && i.height == golden_.height;
+                       return i.width == golden_.width && i.height == golden_.height &&
+                              i.pixels.size() == golden_.samples.size();
                      });
   if (!sized) return;
   for (pt::Image& image : images) {
