@@ -1,6 +1,7 @@
 // The guards of the verdict on a picture: each sees what it is for, and nothing else.
 #include "tests/judged_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -115,6 +116,30 @@ TEST_F(Judged, noise_is_a_verdict_of_its_own) {
   const auto dark = judge(submission(noisy, 4));
   EXPECT_EQ(dark.outcome, Outcome::wrong);
   EXPECT_NE(dark.sentence.find("too dark"), std::string::npos) << dark.sentence;
+}
+
+// Where edges have moved, samples vary where the golden's hardly do: that is not noise.
+TEST(image_guards, a_picture_of_something_else_is_wrong_not_noisy) {
+  constexpr int kWidth = 48, kHeight = 36;
+  SyntheticScene right{kWidth, kHeight, Spread::diffuse, {}};
+  right.pixels.resize(kWidth * kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      SyntheticPixel& pixel = right.pixels[y * kWidth + x];
+      const bool left = x < kWidth / 2;
+      pixel.direct = pt::gray(left ? 1 : 0.5);
+      pixel.shape = left ? 1e4 : 1;
+    }
+  }
+  SyntheticScene mirrored = right;
+  for (int y = 0; y < kHeight; ++y) {
+    std::reverse(mirrored.pixels.begin() + y * kWidth, mirrored.pixels.begin() + (y + 1) * kWidth);
+  }
+  const ImageVerdict verdict =
+      judge_image(Draw(41).golden(right, 4096), NoiseClass::ordinary, submission(mirrored, 42));
+  EXPECT_GT(verdict.noise, 3);
+  EXPECT_EQ(verdict.outcome, Outcome::wrong) << verdict.sentence;
+  EXPECT_FALSE(verdict.cells.empty());
 }
 
 }  // namespace
