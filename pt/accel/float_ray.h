@@ -53,14 +53,16 @@ PT_INLINE double smaller(double a, double b) {
 #endif
 }
 
-// Vectors have x, y and z in their first three lanes.
-struct FloatRay {
-  Floats4 origin;
-  Floats4 direction;
-  Floats4 inverse;
-  Floats4 enter;   // b inverse + enter: no later than the ray crosses the plane b
-  Floats4 leave;   // and no earlier
-  Ints4 near_row;  // the row of a node's bounds that the ray meets first on each axis
+// Arrays hold x, y, z and padding: a test takes its numbers from memory one at a time, for all
+// lanes.
+struct alignas(16) FloatRay {
+  float origin[4];
+  float direction[4];
+  float inverse[4];
+  float enter[4];         // b inverse + enter: no later than the ray crosses the plane b
+  float leave[4];         // and no earlier
+  std::int32_t first[4];  // which row of a node's bounds the ray meets first on each axis
+  std::int32_t last[4];
   float t_min;
   float t_max;
   float reach;
@@ -130,8 +132,8 @@ static bool prepare_any(const WideView& view, const Ray& ray, FloatRay& r) {
   for (int axis = 0; axis < 3; ++axis) clip(o[axis], d[axis], side, begin, end);
   if (!(begin <= end)) return false;
   o = o + begin * d;
-  r.origin = __builtin_convertvector(o, Floats4);
-  r.direction = __builtin_convertvector(d, Floats4);
+  store<4>(r.origin, __builtin_convertvector(o, Floats4));
+  store<4>(r.direction, __builtin_convertvector(d, Floats4));
   r.reach = static_cast<float>(1.0001 + largest(o) + size * 0x1p-20);
   r.t_shift = begin;
   r.t_slack = r.reach * kUnit;
@@ -144,13 +146,13 @@ PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
   static_assert(offsetof(Ray, direction) == 24 && offsetof(Ray, t_min) == 48);
   const Doubles4 o = (load3(&ray.origin.x) - load3(view.center)) * view.scale;
   const Doubles4 d = load3(&ray.direction.x) * view.scale;
-  r.origin = __builtin_convertvector(o, Floats4);
-  r.direction = __builtin_convertvector(d, Floats4);
-  const Floats4 away = magnitude<4>(r.origin), length = magnitude<4>(r.direction);
+  Floats4 origin = __builtin_convertvector(o, Floats4);
+  Floats4 direction = __builtin_convertvector(d, Floats4);
+  Floats4 length = magnitude<4>(direction);
+  const Floats4 away = magnitude<4>(origin);
   const std::uint32_t usual =
       less_equal<4>(away, splat<4>(kNear)) & less_equal<4>(length, splat<4>(kLong));
   const std::uint32_t long_enough = less_equal<4>(splat<4>(kShort), length);
-  float longest = largest(length);
   if (((usual & 7) == 7) & ((long_enough & 7) != 0) & (ray.t_min >= 0) & (ray.t_min <= ray.t_max)) {
     r.t_scale = 1;
     r.t_shift = 0;
@@ -160,18 +162,25 @@ PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
     r.t_max = static_cast<float>(smaller(ray.t_max, kEndless)) * (1 + 4 * kUnit);
   } else {
     if (!prepare_any(view, ray, r)) return false;
-    longest = largest(magnitude<4>(r.direction));
+    origin = load<4>(r.origin);
+    direction = load<4>(r.direction);
+    length = magnitude<4>(direction);
   }
   const auto left = static_cast<std::uint32_t>(ray.leaves);
   r.leaves = left < view.triangle_count ? left : kNothing;
   r.plane_error = kVolume * r.reach;
-  r.edge_error = r.plane_error * longest;
-  const Floats4 abs_inverse = 1 / max<4>(magnitude<4>(r.direction), splat<4>(kFlat));
-  r.inverse = flip<4>(abs_inverse, sign_of<4>(r.direction));
-  r.near_row = (((Ints4)r.direction >> 31) & 3) + Ints4{0, 1, 2, 0};
+  r.edge_error = r.plane_error * largest(length);
+  store<4>(r.origin, origin);
+  store<4>(r.direction, direction);
+  const Floats4 abs_inverse = 1 / max<4>(length, splat<4>(kFlat));
+  const Floats4 inverse = flip<4>(abs_inverse, sign_of<4>(direction));
   const Floats4 slack = (kSlab * r.reach) * abs_inverse;
-  r.enter = multiply_add<4>(-r.origin, r.inverse, -slack);
-  r.leave = multiply_add<4>(-r.origin, r.inverse, slack);
+  store<4>(r.inverse, inverse);
+  store<4>(r.enter, multiply_add<4>(-origin, inverse, -slack));
+  store<4>(r.leave, multiply_add<4>(-origin, inverse, slack));
+  const Ints4 rows{0, 1, 2, 0}, down = ((Ints4)direction >> 31) & 3;
+  store<4>(r.first, rows + down);
+  store<4>(r.last, rows + (3 - down));
   return true;
 }
 

@@ -26,8 +26,8 @@ PT_INLINE Entered enter_children(const Node& node, const FloatRay& r, float t_ma
   NodeFloats enter[3], leave[3];
   for (int a = 0; a < 3; ++a) {
     const NodeFloats inverse = splat<kWidth>(r.inverse[a]);
-    const NodeFloats near = load<kWidth>(node.bounds[r.near_row[a]]);
-    const NodeFloats far = load<kWidth>(node.bounds[2 * a + 3 - r.near_row[a]]);
+    const NodeFloats near = load<kWidth>(node.bounds[r.first[a]]);
+    const NodeFloats far = load<kWidth>(node.bounds[r.last[a]]);
     enter[a] = multiply_add<kWidth>(near, inverse, splat<kWidth>(r.enter[a]));
     leave[a] = multiply_add<kWidth>(far, inverse, splat<kWidth>(r.leave[a]));
   }

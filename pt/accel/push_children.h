@@ -48,44 +48,61 @@ PT_INLINE WideRef push_many(const Node& node, const float* enter, std::uint32_t 
 
 #if defined(__AVX512F__)
 
-// One layer of a sorting network: lanes exchange with those that `order` names, and those of
-// `upper` take the smaller.
-template <int order, int upper>
-PT_INLINE __m128i sort_layer(__m128i a) {
-  const __m128i b = _mm_shuffle_epi32(a, order);
+// One layer of a sorting network: lanes exchange with those of `b`, and those of `upper` take the
+// smaller.
+template <int upper>
+PT_INLINE __m128i exchange(__m128i a, __m128i b) {
   return _mm_blend_epi32(_mm_max_epi32(a, b), _mm_min_epi32(a, b), upper);
 }
+template <int upper>
+PT_INLINE __m256i exchange(__m256i a, __m256i b) {
+  return _mm256_blend_epi32(_mm256_max_epi32(a, b), _mm256_min_epi32(a, b), upper);
+}
 
-// Up to four children: the distance's last four bits give way to the slot while a network sorts,
-// the farthest first.
-PT_INLINE WideRef push_few(const Node& node, __m512 enter, std::uint32_t mask, Stack& stack) {
+// The largest first.
+PT_INLINE __m128i sorted(__m128i a) {
+  a = exchange<0xa>(a, _mm_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+  a = exchange<0xc>(a, _mm_shuffle_epi32(a, _MM_SHUFFLE(0, 1, 2, 3)));
+  return exchange<0xa>(a, _mm_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+}
+PT_INLINE __m256i sorted(__m256i a) {
+  a = exchange<0xaa>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+  a = exchange<0xcc>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(0, 1, 2, 3)));
+  a = exchange<0xaa>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+  a = exchange<0xf0>(a, _mm256_permutevar8x32_epi32(a, _mm256_setr_epi32(7, 6, 5, 4, 3, 2, 1, 0)));
+  a = exchange<0xcc>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(1, 0, 3, 2)));
+  return exchange<0xaa>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+}
+
+// Up to eight children: the distance's last four bits give way to the slot while a network sorts.
+PT_INLINE WideRef push_few(const Node& node, __m512 enter, std::uint32_t mask, int count,
+                           Stack& stack) {
   const __m512i slots = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-  const __m512i bits = _mm512_castps_si512(enter);
-  // (bits & ~15) | slots
-  const __m512i keys = _mm512_ternarylogic_epi32(bits, _mm512_set1_epi32(15), slots, 0xba);
-  __m128i four =
-      _mm512_castsi512_si128(_mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), keys));
-  four = sort_layer<_MM_SHUFFLE(2, 3, 0, 1), 0b1010>(four);
-  four = sort_layer<_MM_SHUFFLE(0, 1, 2, 3), 0b1100>(four);
-  four = sort_layer<_MM_SHUFFLE(2, 3, 0, 1), 0b1010>(four);
-  const __m512i refs = _mm512_maskz_permutexvar_epi32(0xffff, _mm512_castsi128_si512(four),
+  const __m512i last = _mm512_set1_epi32(15);
+  const __m512i keys = _mm512_ternarylogic_epi32(  // (enter & ~last) | slots
+      _mm512_castps_si512(enter), last, slots, 0xba);
+  const __m512i packed = _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), keys);
+  const __m256i order = count <= 4 ? _mm256_castsi128_si256(sorted(_mm512_castsi512_si128(packed)))
+                                   : sorted(_mm512_castsi512_si256(packed));
+  const __m512i refs = _mm512_maskz_permutexvar_epi32(0xffff, _mm512_castsi256_si512(order),
                                                       _mm512_load_si512(node.child));
-  four = _mm_andnot_si128(_mm_set1_epi32(15), four);
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(stack.enter + stack.size), four);
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(stack.ref + stack.size),
-                   _mm512_castsi512_si128(refs));
-  stack.size += __builtin_popcount(mask) - 1;
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack.enter + stack.size),
+                      _mm256_andnot_si256(_mm512_castsi512_si256(last), order));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack.ref + stack.size),
+                      _mm512_castsi512_si256(refs));
+  stack.size += count - 1;
   return stack.ref[stack.size];
 }
 
 #endif
 
 // Pushes all children but the nearest, the farther the deeper, and returns the nearest.
-PT_INLINE WideRef push_children(const Node& node, Floats<kWidth> enter, std::uint32_t mask,
+PT_INLINE WideRef push_children(const Node& node, NodeFloats enter, std::uint32_t mask,
                                 Stack& stack) {
   if ((mask & (mask - 1)) == 0) return node.child[__builtin_ctz(mask)];
 #if defined(__AVX512F__)
-  if (__builtin_popcount(mask) <= 4) return push_few(node, (__m512)enter, mask, stack);
+  const int count = __builtin_popcount(mask);
+  if (count <= 8) return push_few(node, (__m512)enter, mask, count, stack);
 #endif
   alignas(4 * kWidth) float t[kWidth];
   store<kWidth>(t, enter);

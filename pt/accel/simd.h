@@ -36,6 +36,10 @@ PT_INLINE void store(float* p, Floats<W> a) {
   __builtin_memcpy(__builtin_assume_aligned(p, 4 * W), &a, sizeof a);
 }
 template <int W>
+PT_INLINE void store(std::int32_t* p, Ints<W> a) {
+  __builtin_memcpy(__builtin_assume_aligned(p, 4 * W), &a, sizeof a);
+}
+template <int W>
 PT_INLINE Floats<W> splat(float a) {
   return a - Floats<W>{};
 }
