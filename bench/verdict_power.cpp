@@ -1,0 +1,192 @@
+// How often the verdict on a picture fails right pictures, and how often it finds known mistakes,
+// against the samples spent: on pictures drawn from known distributions
+// (tests/synthetic_pictures.h), 96 x 72. Writes verdict_power.csv, which verdict_power.gp draws,
+// and prints docs/verdicts.md's tables.
+#include "bench/report.h"
+#include "grader/images/cells.h"
+#include "pt/error.h"
+#include "tests/synthetic_maps.h"
+#include "tests/synthetic_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace grader {
+namespace {
+
+using Outcome = ImageVerdict::Outcome;
+
+constexpr int kWidth = 96, kHeight = 72;
+constexpr std::array<std::pair<Spread, const char*>, 3> kSpreads{
+    {{Spread::diffuse, "diffuse"},
+     {Spread::fireflies, "fireflies"},
+     {Spread::mostly_zero, "mostly zero"}}};
+
+NoiseClass noise_of(Spread spread) {
+  return spread == Spread::diffuse ? NoiseClass::ordinary : NoiseClass::noisy;
+}
+
+// 16 times the samples of the last stage, as a golden must have.
+int golden_samples(const std::array<Stage, 3>& stages) { return 16 * 16 * stages[2].samples; }
+
+struct Tally {
+  std::array<int, 3> complaints{};  // pictures that stage 1, 2, 3 still complained of
+  int wrong = 0;
+  int too_noisy = 0;
+  double noisiest = 0;
+};
+
+Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted, NoiseClass noise,
+                 const std::array<Stage, 3>& stages, int pictures, std::uint64_t seed) {
+  constexpr int kPicturesAGolden = 50;
+  Tally tally;
+  pt::Film golden;
+  for (int i = 0; i < pictures; ++i) {
+    const std::uint64_t own = seed + static_cast<std::uint64_t>(i);
+    if (i % kPicturesAGolden == 0) {
+      golden = Draw(~own).golden(right, golden_samples(stages));
+    }
+    const auto verdict = judge_image(golden, noise, submission(submitted, own), 3, stages);
+    const bool passed = verdict.outcome == Outcome::pass;
+    const int complained = passed ? verdict.stages - 1 : verdict.stages;
+    for (int stage = 0; stage < complained; ++stage) ++tally.complaints[stage];
+    if (verdict.outcome == Outcome::too_noisy) {
+      ++tally.too_noisy;
+    } else if (!passed) {
+      ++tally.wrong;
+    }
+    tally.noisiest = std::max(tally.noisiest, verdict.noise);
+  }
+  return tally;
+}
+
+void print_false_failures(int pictures) {
+  fmt::print("Right pictures: of {}, how many each stage complains of\n", pictures);
+  fmt::print("{:<34}{:>9}{:>9}{:>9}{:>11}{:>16}\n", "", "stage 1", "stage 2", "stage 3",
+             "too noisy", "largest noise");
+  for (const auto& [spread, name] : kSpreads) {
+    const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
+    for (const double variance : {1.0, 2.0, 0.5}) {
+      SyntheticScene submitted = scene;
+      for (SyntheticPixel& pixel : submitted.pixels) pixel.shape /= variance;
+      const auto stages = stages_of(noise_of(spread));
+      const Tally tally =
+          judge_many(scene, submitted, noise_of(spread), stages, pictures, 1'000'000);
+      const std::string what =
+          variance == 1 ? name : fmt::format("{}, variance x {}", name, variance);
+      fmt::print("{:<34}{:>9}{:>9}{:>9}{:>11}{:>16.2f}\n", what, tally.complaints[0],
+                 tally.complaints[1], tally.complaints[2], tally.too_noisy, tally.noisiest);
+      std::fflush(stdout);
+    }
+  }
+}
+
+// The later stages by themselves: 16 cells chosen at random, each with a sign.
+void print_later_stages(int pictures) {
+  fmt::print("\nStage 2 on 16 cells at random: of {} right pictures, level 0.002\n", pictures);
+  for (const auto& [spread, name] : kSpreads) {
+    const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
+    const auto stages = stages_of(noise_of(spread));
+    const Golden golden = prepare(Draw(5).golden(scene, golden_samples(stages)));
+    const std::vector<Cell> cells = cells_of(golden);
+    Draw draw(6);
+    int complaints = 0;
+    for (int i = 0; i < pictures; ++i) {
+      std::vector<Complaint> kept;
+      while (kept.size() < 16) {
+        kept.push_back(
+            {cells[draw.random()() % cells.size()], draw.random()() % 2 == 0 ? 9.0 : -9.0, 1, 0});
+      }
+      const int samples = stages[1].samples;
+      const Moments stage = moments(draw.batches(scene, 16, samples).images, samples);
+      if (!repeated(compare(golden, stage), kept, 2e-3).empty()) ++complaints;
+    }
+    fmt::print("{:<34}{:>9}\n", name, complaints);
+    std::fflush(stdout);
+  }
+}
+
+void measure_power(const std::string& folder, int pictures) {
+  pt::Csv csv(folder + "/verdict_power.csv", "spread,error,samples,found");
+  constexpr std::array<int, 6> kSamples{16, 32, 64, 128, 256, 512};
+  fmt::print("\nFound of {} wrong pictures, against the samples a pixel of stage 1\n", pictures);
+  fmt::print("{:<46}", "");
+  for (const int samples : kSamples) fmt::print("{:>7}", samples);
+  fmt::print("\n");
+  for (const auto& [spread, name] : kSpreads) {
+    const SyntheticScene right = synthetic_scene(spread, kWidth, kHeight);
+    for (const SyntheticError& error : synthetic_errors()) {
+      fmt::print("{:<46}", fmt::format("{}: {}", name, error.name));
+      for (const int samples : kSamples) {
+        const int one = samples / 16;
+        const std::array<Stage, 3> stages{{{16, one}, {16, 2 * one}, {16, 4 * one}}};
+        const Tally tally =
+            judge_many(right, with(right, error), noise_of(spread), stages, pictures, 2'000'000);
+        csv.row(fmt::format("{},{},{},{}", name, error.name, samples,
+                            static_cast<double>(tally.wrong) / pictures));
+        fmt::print("{:>6.0f}%", 100.0 * tally.wrong / pictures);
+        std::fflush(stdout);
+      }
+      fmt::print("\n");
+    }
+  }
+}
+
+// Right sample maps: the figures that are judged, and how far the limits are.
+void print_sample_maps(int maps) {
+  const AdaptiveScene scene = adaptive_scene(kWidth, kHeight);
+  fmt::print("\n{} right sample maps: mean and deviation of each figure, failures\n", maps);
+  for (const auto& [max, batch, tolerance] :
+       {std::tuple{2048, 64, 0.05}, std::tuple{512, 16, 0.1}}) {
+    const pt::AdaptiveSettings settings{max, batch, tolerance};
+    const SampleMapReference reference = synthetic_reference(scene, settings);
+    std::array<std::vector<double>, 4> figures;
+    int failures = 0;
+    for (int i = 0; i < maps; ++i) {
+      const auto run = run_adaptive(scene, settings, StoppingRule::right, 1, 1000 + i);
+      const SampleMapVerdict verdict = judge_sample_map(reference, run.map);
+      if (!verdict.pass) ++failures;
+      const double values[] = {verdict.ratio, verdict.a, verdict.b, verdict.correlation};
+      for (int k = 0; k < 4; ++k) figures[k].push_back(values[k]);
+    }
+    fmt::print("{}/{}/{}:", max, batch, tolerance);
+    const char* names[] = {"ratio", "a", "b", "correlation"};
+    for (int k = 0; k < 4; ++k) {
+      double mean = 0, squares = 0;
+      for (const double x : figures[k]) mean += x / maps;
+      for (const double x : figures[k]) squares += (x - mean) * (x - mean) / (maps - 1);
+      fmt::print("  {} {:.3f} +- {:.4f}", names[k], mean, std::sqrt(squares));
+    }
+    fmt::print("  failures {}\n", failures);
+  }
+}
+
+}  // namespace
+}  // namespace grader
+
+int main(int count, char** arguments) {
+  CLI::App app("How often the verdict on a picture is wrong", "verdict_power");
+  std::string folder = ".";
+  int pictures = 200, wrong = 20;
+  app.add_option("--out", folder, "folder of verdict_power.csv")->check(CLI::ExistingDirectory);
+  app.add_option("--pictures", pictures, "right pictures of each kind")
+      ->check(CLI::Range(2, 1000000));
+  app.add_option("--wrong", wrong, "wrong pictures of each kind")->check(CLI::Range(1, 100000));
+  CLI11_PARSE(app, count, arguments);
+  try {
+    grader::print_sample_maps(std::min(pictures, 400));
+    grader::measure_power(folder, wrong);
+    grader::print_false_failures(pictures);
+    grader::print_later_stages(pictures);
+  } catch (const pt::Error& error) {
+    fmt::print(stderr, "verdict_power: {}\n", error.what());
+    return 2;
+  }
+}

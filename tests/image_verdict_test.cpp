@@ -1,0 +1,158 @@
+// The verdict on a picture, on pictures drawn from known distributions: how often right ones fail,
+// and whether wrong ones do.
+#include "grader/images/image_verdict.h"
+
+#include "grader/images/cells.h"
+#include "grader/images/normal.h"
+#include "tests/synthetic_pictures.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+using Outcome = ImageVerdict::Outcome;
+
+constexpr int kWidth = 48, kHeight = 36;
+constexpr Spread kSpreads[] = {Spread::diffuse, Spread::fireflies, Spread::mostly_zero};
+
+NoiseClass noise_of(Spread spread) {
+  return spread == Spread::diffuse ? NoiseClass::ordinary : NoiseClass::noisy;
+}
+
+int golden_samples(Spread spread) { return spread == Spread::diffuse ? 4096 : 16384; }
+
+// The least count that a binomial number exceeds less than once in a million.
+int binomial_bound(int n, double p) {
+  double term = std::exp(n * std::log1p(-p)), sum = term;
+  int k = 0;
+  while (1 - sum > 1e-6) {
+    term *= (n - k) * p / (1 - p) / (k + 1);
+    sum += term;
+    ++k;
+  }
+  return k;
+}
+
+TEST(normal, quantiles_are_those_of_the_tables) {
+  EXPECT_NEAR(normal_quantile_above(0.5), 0, 1e-9);
+  EXPECT_NEAR(normal_quantile_above(0.025), 1.959964, 1e-6);
+  EXPECT_NEAR(normal_quantile_above(1e-9), 5.997807, 1e-6);
+}
+
+// A picture of 96 x 72 in luminance alone: 6912 pixels, 432, 108 and 12 blocks, two sums.
+TEST(image_verdict, thresholds_are_those_of_the_design) {
+  const std::pair<int, double> scales[] = {
+      {6912, 5.13}, {432, 4.58}, {108, 4.28}, {12, 3.77}, {2, 3.29}};
+  for (const auto& [count, threshold] : scales) {
+    EXPECT_NEAR(normal_quantile_above(1e-2 / 5 / count / 2), threshold, 0.006);
+  }
+  const Golden golden =
+      prepare(Draw(1).golden(synthetic_scene(Spread::diffuse, kWidth, kHeight), 64));
+  const Moments same{16, 4, golden.mean, golden.variance};
+  const Comparison pictures = compare(golden, same);
+  const std::vector<Complaint> kept(16, Complaint{cells_of(golden)[0], 9, 1, 0});
+  // Equal pictures repeat nothing; the threshold shows where they differ a lot.
+  EXPECT_TRUE(repeated(pictures, kept, 2e-3).empty());
+  Comparison off = pictures;
+  for (double& difference : off.difference[kLuminance]) difference = 1e3;
+  ASSERT_EQ(repeated(off, kept, 2e-3).size(), 16u);
+  EXPECT_NEAR(repeated(off, kept, 2e-3)[0].threshold, 3.66, 0.005);
+}
+
+// Else a golden's error would choose how much it counts, and the sum would be off for every
+// picture.
+TEST(image_verdict, a_pixel_does_not_choose_its_own_weight) {
+  pt::Film film = Draw(1).golden(synthetic_scene(Spread::diffuse, kWidth, kHeight), 1024);
+  const Golden before = prepare(film);
+  const std::size_t i = 20 * kWidth + 30;
+  film.pixels[i].mean *= 1.1;
+  const Golden after = prepare(film);
+  EXPECT_EQ(after.weighted[i], before.weighted[i]);
+  EXPECT_GT(after.weighted[i + 1], before.weighted[i + 1]);
+}
+
+TEST(image_verdict, cells_cover_the_picture_with_ragged_borders) {
+  SyntheticScene scene = synthetic_scene(Spread::diffuse, 50, 30);
+  for (SyntheticPixel& pixel : scene.pixels) pixel = scene.pixels.back();
+  int area[kScales] = {}, count[kScales] = {};
+  for (const Cell& cell : cells_of(prepare(Draw(1).golden(scene, 64)))) {
+    if (cell.plane != kLuminance || cell.weighted) continue;
+    area[static_cast<int>(cell.scale)] += cell.width * cell.height;
+    ++count[static_cast<int>(cell.scale)];
+  }
+  const int counts[kScales] = {1500, 13 * 8, 7 * 4, 3 * 2, 1};
+  for (int scale = 0; scale < kScales; ++scale) {
+    EXPECT_EQ(area[scale], 1500);
+    EXPECT_EQ(count[scale], counts[scale]);
+  }
+}
+
+// A right picture: the first stage complains at most as often as its level, and never do all three.
+TEST(image_verdict, right_pictures_pass) {
+  constexpr int kGoldens = 6, kPictures = 75;
+  for (const Spread spread : kSpreads) {
+    const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
+    int complaints = 0;
+    for (std::uint64_t i = 0; i < kGoldens; ++i) {
+      const pt::Film golden = Draw(1000 + i).golden(scene, golden_samples(spread));
+      for (std::uint64_t j = 0; j < kPictures; ++j) {
+        const auto verdict =
+            judge_image(golden, noise_of(spread), submission(scene, 10000 + i * kPictures + j));
+        EXPECT_EQ(verdict.outcome, Outcome::pass) << verdict.sentence;
+        EXPECT_EQ(verdict.sentence, "");
+        EXPECT_TRUE(verdict.cells.empty());
+        if (verdict.stages > 1) ++complaints;
+      }
+    }
+    std::printf("stage 1 complains of %d in %d right pictures\n", complaints, kGoldens * kPictures);
+    EXPECT_LE(complaints, binomial_bound(kGoldens * kPictures, 1e-2)) << static_cast<int>(spread);
+  }
+}
+
+// The later stages see 16 cells that somebody complained of: here, of any cells at random.
+TEST(image_verdict, later_stages_repeat_no_false_complaint) {
+  constexpr int kGoldens = 5, kPictures = 60;
+  for (const Spread spread : kSpreads) {
+    const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
+    const int samples = stages_of(noise_of(spread))[1].samples;
+    int complaints = 0;
+    for (std::uint64_t i = 0; i < kGoldens; ++i) {
+      const Golden golden = prepare(Draw(2000 + i).golden(scene, golden_samples(spread)));
+      const std::vector<Cell> cells = cells_of(golden);
+      Draw draw(3000 + i);
+      for (int j = 0; j < kPictures; ++j) {
+        std::vector<Complaint> kept;
+        while (kept.size() < 16) {
+          kept.push_back(
+              {cells[draw.random()() % cells.size()], draw.random()() % 2 == 0 ? 9.0 : -9.0, 1, 0});
+        }
+        const Moments stage = moments(draw.batches(scene, 16, samples).images, samples);
+        if (!repeated(compare(golden, stage), kept, 2e-3).empty()) ++complaints;
+      }
+    }
+    EXPECT_LE(complaints, binomial_bound(kGoldens * kPictures, 2e-3)) << static_cast<int>(spread);
+  }
+}
+
+// Each error is found in every one of several pictures of the size and the samples that are graded.
+TEST(image_verdict, errors_are_found) {
+  for (const SyntheticError& error : synthetic_errors()) {
+    const SyntheticScene right = synthetic_scene(Spread::diffuse, 96, 72);
+    const SyntheticScene wrong = with(right, error);
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const pt::Film golden = Draw(500 + seed).golden(right, 16384);
+      const auto verdict = judge_image(golden, NoiseClass::ordinary, submission(wrong, 600 + seed));
+      EXPECT_EQ(verdict.outcome, Outcome::wrong) << error.name;
+      EXPECT_EQ(verdict.stages, 3);
+      EXPECT_EQ(verdict.samples, 64 + 128 + 256);
+      EXPECT_FALSE(verdict.cells.empty());
+      std::printf("%s: %s\n", error.name.c_str(), verdict.sentence.c_str());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace grader
