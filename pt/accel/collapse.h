@@ -20,7 +20,7 @@ struct WideFrame {
 template <int W>
 struct WideTree {
   std::vector<WideNode<W>> nodes;
-  std::vector<WideBlock> blocks;
+  std::vector<WideBlock<W>> blocks;
   WideRef root = kNothing;
 };
 
