@@ -116,6 +116,23 @@ GoldenState render_golden(const Recipe& recipe, const Effort& effort, int thread
   return state;
 }
 
+std::vector<char> dark_starts(const Recipe& recipe, int runs, int threads) {
+  const RecipeScene scene = load_scene(recipe, pt::Engine::wide);
+  const pt::View picture = view(recipe, scene);
+  // A run that may take one batch only takes the same samples as the first of the whole run.
+  pt::AdaptiveSettings first = *recipe.adaptive;
+  first.max_samples = first.batch;
+  std::vector<char> dark(static_cast<std::size_t>(recipe.width) * recipe.height);
+  for (int run = 0; run < runs; ++run) {
+    const std::uint64_t seed = golden_seed(recipe, static_cast<std::uint32_t>(run));
+    const pt::RenderResult batch = render_film(picture, {1, first, seed, threads});
+    for (std::size_t i = 0; i < dark.size(); ++i) {
+      if (is_black(batch.film.pixels[i].mean)) dark[i] = 1;
+    }
+  }
+  return dark;
+}
+
 pt::Film film_of(const Recipe& recipe, const GoldenState& state) {
   pt::Film film(recipe.width, recipe.height);
   assert(film.pixels.size() == state.pixels.size());

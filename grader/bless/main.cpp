@@ -99,10 +99,12 @@ std::string contradiction(const Recipe& recipe, const pt::Film& film, const fs::
 
 // The film before its provenance: a film without one that fits is made again.
 void write_golden(const Recipe& recipe, const GoldenState& state, const pt::Film& film,
-                  const Provenance& provenance, const fs::path& folder) {
-  const GoldenFiles files = golden_files(folder, recipe.name);
+                  const Provenance& provenance, const Options& options) {
+  const GoldenFiles files = golden_files(options.folder, recipe.name);
   if (recipe.adaptive) {
-    write_reference(files.rates, reference_of(maps_of(recipe, state), film, *recipe.adaptive));
+    auto reference = reference_of(maps_of(recipe, state), film, *recipe.adaptive);
+    reference.dark_start = dark_starts(recipe, reference.runs, options.threads);
+    write_reference(files.rates, reference);
   }
   fs::remove(files.provenance);
   pt::write_exr(files.film, film);
@@ -145,7 +147,7 @@ bool bless(const Recipe& recipe, const Options& options) {
   }
   Provenance provenance = provenance_of(recipe, state, options);
   if (!why.empty()) provenance.because = options.because;  // a reason that was not needed is none
-  write_golden(recipe, state, film, provenance, options.folder);
+  write_golden(recipe, state, film, provenance, options);
   fs::remove(partial);
   fmt::print("{}: {} samples a pixel in {:.0f} CPU seconds\n", recipe.name, provenance.samples,
              provenance.cpu_seconds);

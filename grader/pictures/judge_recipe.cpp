@@ -83,6 +83,20 @@ pt::SampleMap usual_counts(const SampleMapReference& reference) {
   return map;
 }
 
+// Where a first batch may be all zero, a right program may stop there or go on: such pixels are not
+// judged.
+void blacken(const std::vector<char>& where, pt::Image& image) {
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    if (where[i] != 0) image.pixels[i] = {};
+  }
+}
+
+void blacken(const std::vector<char>& where, pt::Film& film) {
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    if (where[i] != 0) film.pixels[i] = {{}, {}, 0, film.pixels[i].samples};
+  }
+}
+
 // First how many samples a run takes where; then its picture, runs as samples.
 void judge_adaptive(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
                     const PictureFiles& files, PictureResult& result) {
@@ -96,14 +110,22 @@ void judge_adaptive(const Recipe& recipe, const pt::View& view, const Rendering&
     result.counts = files.counts;
   }
   const SampleMapVerdict map = judge_sample_map(reference, run.counts);
-  const ImageVerdict verdict = judge_image(
-      read_golden(files.golden, recipe), NoiseClass::ordinary,
+  const pt::Film whole = read_golden(files.golden, recipe);
+  pt::Film golden = whole;
+  blacken(reference.dark_start, golden);
+  ImageVerdict verdict = judge_image(
+      golden, NoiseClass::ordinary,
       [&](int stage, int batches, int samples) {
-        return render_stage(recipe, view, rendering.rows, rendering.source, stage, batches,
-                            samples);
+        Batches all =
+            render_stage(recipe, view, rendering.rows, rendering.source, stage, batches, samples);
+        for (pt::Image& image : all.images) blacken(reference.dark_start, image);
+        return all;
       },
       rendering.max_stages, kAdaptiveStages);
   enter(verdict, result);
+  for (std::size_t i = 0; i < verdict.render.pixels.size(); ++i) {
+    if (reference.dark_start[i] != 0) verdict.render.pixels[i] = whole.pixels[i];
+  }
   keep(verdict, files, result);
   if (!map.pass) {
     result.state = State::fail;

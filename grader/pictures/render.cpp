@@ -1,6 +1,7 @@
 #include "grader/pictures/render.h"
 
 #include "grader/judge/sha256.h"
+#include "grader/recipes/seeds.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ constexpr int kRows = 8;
 std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch) {
   const std::string hash =
       sha256(fmt::format("{} {} {} {} {}", source.content, source.seed, recipe.name, stage, batch));
-  return std::stoull(hash.substr(0, 16), nullptr, 16);
+  return judged_seed(std::stoull(hash.substr(0, 16), nullptr, 16));
 }
 
 Rendered render(const Recipe& recipe, const pt::View& view, const RowRenderer& render_rows,

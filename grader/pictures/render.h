@@ -31,8 +31,7 @@ struct SeedSource {
   std::uint64_t seed = 1;  // of the run
 };
 
-// The seed of one batch of a stage. As it is a hash, it is none of the small numbers that goldens
-// are made with.
+// The seed of one batch of a stage; never a golden's (grader/recipes/seeds.h).
 std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch);
 
 struct Rendered {
