@@ -37,15 +37,15 @@ function(firstlight_add_counted slug name source)
   endif()
 endfunction()
 
-# Object libraries <slug>.<name> for every task file that the tree at `root` has. The learners'
-# edition comes without reference/: what is missing is left out.
+# Object libraries <slug>.<name> for every task file that the tree at `root` has: what is missing is
+# left out.
 function(firstlight_add_implementation name root)
   foreach(task IN LISTS FIRSTLIGHT_TASKS)
     get_filename_component(slug ${task} NAME)
     if(EXISTS ${root}/${task}.cpp)
       add_library(${slug}.${name} OBJECT ${root}/${task}.cpp)
       target_link_libraries(${slug}.${name} PRIVATE firstlight_options)
-      if(NOT name STREQUAL "student")
+      if(root MATCHES "/reference$")
         target_link_libraries(${slug}.${name} PRIVATE firstlight_warnings)
       endif()
       firstlight_add_counted(${slug} ${name} ${root}/${task}.cpp)

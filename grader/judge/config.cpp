@@ -43,6 +43,7 @@ Config load_config(const std::string& path) {
   json.at("callbacks").get_to(config.callbacks);
   json.at("picture").get_to(config.picture);
   json.at("compiler_version").get_to(config.compiler_version);
+  json.at("no_reference").get_to(config.no_reference);
   for (const auto& task : json.at("tasks")) {
     config.tasks.push_back({task.at("part"), task.at("number"), task.at("slug"), task.at("graded"),
                             task.at("reference")});

@@ -33,6 +33,7 @@ struct Config {
   std::map<std::string, Paths> callbacks;    // by slug or "radiance": objects
   std::string picture;                       // the program graded_picture
   std::string compiler_version;              // "g++ 12.2.0"
+  std::string no_reference;                  // why what is called so are stubs; empty: it is none
   std::vector<TaskConfig> tasks;             // in the order of the course
 };
 

@@ -5,17 +5,22 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <sstream>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 namespace grader {
+
+namespace fs = std::filesystem;
 
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -75,17 +80,47 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
   return {true, "", text};
 }
 
+namespace {
+
+// The file at the end of a way through folders.
+Submitted read_along(int top, std::span<const std::string> way, const std::string& name) {
+  if (way.empty()) return read_plain_file(top, name, kMaxFile);
+  const Descriptor inner(
+      openat(top, way[0].c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (inner.is_open()) return read_along(inner.number(), way.subspan(1), name);
+  if (errno == ENOENT) return {};
+  return {true, way[0] + " is no plain folder", ""};
+}
+
+bool starts_tree(const std::string& name) {
+  return name == "student" || (name.size() > 1 && std::isdigit(name[0]) != 0 && name[1] == '_');
+}
+
+}  // namespace
+
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug) {
   const Descriptor top(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!top.is_open()) throw pt::Error(folder + " is no folder; name one with --submission");
-  const Descriptor inner(
-      openat(top.number(), part.c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-  if (!inner.is_open()) {
-    if (errno == ENOENT) return {};
-    return {true, part + " is no plain folder", ""};
+  const std::vector<std::string> ways[] = {{part}, {"student", part}, {}, {"student"}};
+  for (const std::vector<std::string>& way : ways) {
+    const Submitted found = read_along(top.number(), way, slug + ".cpp");
+    if (found.present) return found;
   }
-  return read_plain_file(inner.number(), slug + ".cpp", kMaxFile);
+  return {};
+}
+
+std::string submission_root(const std::string& folder) {
+  std::string root = folder;
+  for (int depth = 0; depth < 4; ++depth) {
+    std::vector<fs::directory_entry> inside;
+    for (const auto& entry : fs::directory_iterator(root)) inside.push_back(entry);
+    if (inside.size() != 1) break;
+    const bool plain = inside[0].is_directory() && !inside[0].is_symlink();
+    if (!plain || starts_tree(inside[0].path().filename())) break;
+    root = inside[0].path();
+  }
+  return root;
 }
 
 }  // namespace grader

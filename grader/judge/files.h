@@ -30,9 +30,14 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
 
 inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
 
-// Reads <folder>/<part>/<slug>.cpp without following a link below the folder: what is no regular
-// file, or larger than kMaxFile, is rejected.
+// Reads the file of a task, without following a link below the folder: what is no regular file, or
+// larger than kMaxFile, is rejected. It is the first there is of <part>/<slug>.cpp,
+// student/<part>/<slug>.cpp, <slug>.cpp and student/<slug>.cpp.
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
+
+// Where the tree of a submission starts: the folder, or what is in it as long as that is one folder
+// and nothing else, as archives unpack. The folders of a tree (student, 1_rays) are never entered.
+std::string submission_root(const std::string& folder);
 
 }  // namespace grader

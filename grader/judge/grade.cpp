@@ -2,6 +2,7 @@
 
 #include "grader/judge/integration.h"
 #include "grader/judge/isolation.h"
+#include "grader/judge/no_reference.h"
 #include "grader/judge/pictures.h"
 #include "grader/judge/points.h"
 #include "grader/process/run_command.h"
@@ -17,7 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The tasks asked for and all that they need, in the order of the course.
+// The tasks asked for and all that they need, in the order of the course. Without a reference, a
+// picture needs all tasks.
 std::vector<const TaskConfig*> to_judge(const Config& config, const GradeRequest& request) {
   std::set<std::string> wanted(request.asked.begin(), request.asked.end());
   for (const std::string& slug : request.asked) {
@@ -25,7 +27,7 @@ std::vector<const TaskConfig*> to_judge(const Config& config, const GradeRequest
   }
   std::vector<const TaskConfig*> tasks;
   for (const TaskConfig& task : config.tasks) {
-    if (wanted.contains(task.slug)) tasks.push_back(&task);
+    if (wanted.contains(task.slug) || !config.no_reference.empty()) tasks.push_back(&task);
   }
   return tasks;
 }
@@ -54,6 +56,10 @@ class Run {
     results_.submission = request.submission;
     results_.seed = request.seed;
     results_.isolation = request.isolation.words;
+    if (!config.no_reference.empty()) {
+      results_.isolation +=
+          "; each task is judged with your own other tasks only, as " + config.no_reference;
+    }
     results_.versions = versions(config);
     results_.command = request.command;
     for (const TaskConfig* task : to_judge(config, request)) {
@@ -71,7 +77,10 @@ class Run {
   Results judge(const std::function<void(const Results&)>& progress) {
     const Builder builder(config_, request_.isolation.tier, request_.compile_limit);
     phase("properties", [&] {
+      compile_all(config_, builder, request_, judged_);
+      if (!config_.no_reference.empty()) config_ = with_own_tasks(config_, judged_);
       judge_alone(config_, builder, request_, judged_);
+      if (!config_.no_reference.empty()) block_by_own_tasks(judged_);
       progress(summary());
       judge_together(config_, builder, request_, judged_);
     });
@@ -114,7 +123,7 @@ class Run {
     return results;
   }
 
-  const Config& config_;
+  Config config_;  // with what stands elsewhere in this run
   const GradeRequest& request_;
   const Clock::time_point start_ = Clock::now();
   const Points points_;

@@ -42,8 +42,8 @@ std::string in_folder(std::string text, const TaskConfig& task, const std::strin
   return text;
 }
 
-void judge_one(const Config& config, const Builder& builder, const GradeRequest& request,
-               Judged& judged) {
+void compile_one(const Config& config, const Builder& builder, const GradeRequest& request,
+                 Judged& judged) {
   const TaskConfig& task = *judged.config;
   TaskResult& result = judged.result;
   result.part = task.part;
@@ -63,6 +63,13 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
     return refuse(result, State::fail, "it does not compile",
                   in_folder(judged.object.error, task, request.submission));
   }
+}
+
+void judge_one(const Config& config, const Builder& builder, const GradeRequest& request,
+               Judged& judged) {
+  if (!judged.object.ok()) return;
+  const TaskConfig& task = *judged.config;
+  TaskResult& result = judged.result;
   const Built worker = link_alone(config, builder, judged, Elsewhere::answers);
   if (!worker.ok()) return refuse(result, State::fail, "it does not link", worker.error);
   const Findings findings = try_worker(builder, {task, worker, false, request, {}});
@@ -143,6 +150,12 @@ Built link_alone(const Config& config, const Builder& builder, const Judged& jud
   // Last: where inline functions are in several objects, the linker takes the first.
   objects.push_back(judged.object.path);
   return builder.link(objects, key, false);
+}
+
+void compile_all(const Config& config, const Builder& builder, const GradeRequest& request,
+                 std::vector<Judged>& judged) {
+  for_each(judged.size(), request.threads,
+           [&](std::size_t i) { compile_one(config, builder, request, judged[i]); });
 }
 
 void judge_alone(const Config& config, const Builder& builder, const GradeRequest& request,

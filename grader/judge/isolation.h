@@ -14,6 +14,10 @@ struct Judged {
   TaskResult result;
 };
 
+// Reads and compiles the file of each task. Leaves an object, or a state that says why there is none.
+void compile_all(const Config& config, const Builder& builder, const GradeRequest& request,
+                 std::vector<Judged>& judged);
+
 // Judges each task by itself: the submission's task, the judge's answers or the reference in all
 // other places. Leaves a state for each; what passes here is right by itself.
 void judge_alone(const Config& config, const Builder& builder, const GradeRequest& request,

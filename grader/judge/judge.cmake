@@ -3,7 +3,7 @@
 include(${CMAKE_CURRENT_SOURCE_DIR}/report/report.cmake)
 firstlight_library(grader_judge
   judge/audit.cpp judge/builder.cpp judge/c_functions.cpp judge/config.cpp judge/files.cpp
-  judge/findings.cpp judge/grade.cpp judge/integration.cpp judge/isolation.cpp judge/object_file.cpp
+  judge/findings.cpp judge/grade.cpp judge/integration.cpp judge/isolation.cpp judge/no_reference.cpp judge/object_file.cpp
   judge/picture_trial.cpp judge/pictures.cpp judge/points.cpp judge/promises.cpp judge/sha256.cpp
   judge/staging.cpp)
 target_link_libraries(grader_judge PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
@@ -20,6 +20,16 @@ add_dependencies(grade box box_probe)
 target_link_libraries(grade PRIVATE
   grader_hints grader_judge grader_recipes grader_sandbox grader_writers grader_report
   grader_process pt_image pt_base CLI11::CLI11 firstlight_warnings)
+
+# Instructors only: the learners' edition comes without.
+if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/class)
+  firstlight_library(grader_class class/class.cpp)
+  target_link_libraries(grader_class PUBLIC fmt::fmt)
+  add_executable(grade_class class/main.cpp)
+  target_link_libraries(grade_class PRIVATE
+    grader_class grader_judge grader_recipes grader_sandbox grader_writers grader_report
+    grader_process pt_image pt_base CLI11::CLI11 firstlight_warnings)
+endif()
 
 firstlight_library(grader_watch
   watch/files.cpp watch/raw_terminal.cpp watch/running.cpp watch/session.cpp watch/verdicts.cpp)
@@ -106,6 +116,7 @@ file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/grade.json CONTENT "{
  \"compiler_version\": \"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\",
  \"callbacks\": {
   ${callbacks}},
+ \"no_reference\": \"${FIRSTLIGHT_NO_REFERENCE}\",
  \"tasks\": [
   ${tasks}]
 }

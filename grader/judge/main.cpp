@@ -78,10 +78,11 @@ class Unfinished {
 
 GradeRequest request_for(const Config& config, const GradeOptions& options) {
   GradeRequest request;
-  request.submission = options.submission;
+  request.submission = submission_root(options.submission);
   request.seed = options.seed;
   request.call_limit = options.call_limit;
   request.compile_limit = options.compile_limit;
+  request.threads = options.threads;
   request.isolation = isolation(config, options);
   request.pictures = !options.no_pictures;
   request.command = command(options);

@@ -31,6 +31,8 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
       ->check(CLI::PositiveNumber);
   app.add_option("--compile-limit", options.compile_limit, "seconds that compiling a file may take")
       ->check(CLI::PositiveNumber);
+  app.add_option("--threads", options.threads, "how much is done at the same time")
+      ->check(CLI::Range(1, 256));
   app.add_option("--isolation", options.isolation,
                  "A (bubblewrap), B (another user) or C (none); default: the best that works here");
   app.add_flag("--require-isolation", options.require_isolation, "refuse to grade in C");

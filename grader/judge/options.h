@@ -18,6 +18,7 @@ struct GradeOptions {
   std::uint64_t seed = 1;
   int call_limit = 2000;
   int compile_limit = 60;
+  int threads = 2;
   std::string isolation;
   bool require_isolation = false;
   bool all = false;

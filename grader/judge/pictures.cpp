@@ -1,6 +1,7 @@
 #include "grader/judge/pictures.h"
 
 #include "grader/judge/integration.h"
+#include "grader/judge/no_reference.h"
 #include "grader/judge/parallel.h"
 #include "grader/judge/picture_trial.h"
 
@@ -94,7 +95,20 @@ class Gallery {
     }
   }
 
+  // Without a reference, what is not right spoils the pictures of all others.
+  bool waits(const Exhibit& exhibit) {
+    if (config_.no_reference.empty()) return false;
+    const std::vector<std::string> missing = missing_for(exhibit.recipe->tasks, judged_);
+    if (missing.empty()) return false;
+    PictureResult result = blank(*exhibit.recipe);
+    result.text = fmt::format("not rendered: without the reference it waits for {}",
+                              fmt::join(missing, ", "));
+    for (Judged* task : exhibit.tasks) put(*task, result);
+    return true;
+  }
+
   void judge(const Exhibit& exhibit) {
+    if (waits(exhibit)) return;
     std::vector<Judged*> right;
     for (Judged* task : exhibit.tasks) {
       if (!attempted(*task)) continue;

@@ -7,24 +7,20 @@
 
 namespace grader {
 
-namespace {
-
-std::string field(const std::string& text) {
+std::string csv_field(const std::string& text) {
   const bool formula = !text.empty() && std::string("=+-@\t").find(text[0]) != std::string::npos;
   std::string escaped = formula ? "'" : "";
   for (const char c : text) escaped += c == '"' ? std::string("\"\"") : std::string(1, c);
   return escaped.find_first_of(",\"\n") == std::string::npos ? escaped : '"' + escaped + '"';
 }
 
-}  // namespace
-
 std::string to_csv(const Results& raw) {
   const Results results = presentable(raw);
   std::string text =
       "submission,number,task,state,points,max_points,bonus_points,seconds,complete\r\n";
   for (const TaskResult& task : results.tasks) {
-    text += fmt::format("{},{},{},{},{},{},{},{:.2f},{}\r\n", field(results.submission),
-                        field(task.number), field(task.slug), name(task.state), task.points,
+    text += fmt::format("{},{},{},{},{},{},{},{:.2f},{}\r\n", csv_field(results.submission),
+                        csv_field(task.number), csv_field(task.slug), name(task.state), task.points,
                         task.max_points, task.bonus_points, seconds(task), results.complete);
   }
   return text;

@@ -11,4 +11,7 @@ namespace grader {
 // a spreadsheet would take for a formula has an apostrophe before it.
 std::string to_csv(const Results& results);
 
+// A text as a field of such a table.
+std::string csv_field(const std::string& text);
+
 }  // namespace grader

@@ -1,0 +1,20 @@
+# shellcheck shell=bash
+# Which files copies of the project for others consist of, and how such a copy is made.
+
+# edition_files PATTERN: the files that every edition has, but those that match; in a working copy, only
+# those that git knows.
+edition_files() {
+  local parts=(run README.md LICENSE CMakeLists.txt CMakePresets.json .clang-format .gitignore
+    cmake docs golden grader pt scenes student)
+  {
+    git ls-files -- "${parts[@]}" 2>/dev/null | grep . ||
+      find "${parts[@]}" -type f 2>/dev/null
+  } | grep -vE "$1"
+}
+
+# What only those need who teach or work on the project, and the solutions of tasks.
+# shellcheck disable=SC2034
+not_for_learners='^grader/(bless|class|editions|self_check)/|^grader/tasks/[a-z_]+/(wrong|right)/|^docs/(decisions/|instructors|box_spheres)|^README'
+
+# copy_files FOLDER: those on standard input.
+copy_files() { tar -c -f - -T - | tar -x -f - -C "$1"; }

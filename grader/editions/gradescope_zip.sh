@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# gradescope_zip.sh FILE: the archive that Gradescope makes an autograder from. It holds the sources of the
+# reference: it is for instructors only. Runs in the root of the project; `./run gradescope-zip` calls it.
+set -euo pipefail
+# shellcheck source=grader/editions/files.sh
+. grader/editions/files.sh
+file=$(realpath -m "$1")
+mkdir -p "$(dirname "$file")"
+half=$(mktemp -d)
+trap 'rm -rf "$half" "$file.half"' EXIT
+edition_files '^grader/(bless|editions|self_check)/|^grader/tasks/[a-z_]+/(wrong|right)/|\.png$' |
+  copy_files "$half"
+{ git ls-files reference 2>/dev/null | grep . || find reference -type f; } | copy_files "$half"
+cp grader/editions/gradescope/setup.sh grader/editions/gradescope/run_autograder "$half"
+chmod 755 "$half/setup.sh" "$half/run_autograder"
+(cd "$half" && find . -mindepth 1 -maxdepth 1 -printf '%f\n' | sort | xargs cmake -E tar cf "$file.half" --format=zip --)
+mv "$file.half" "$file"
+echo "$file: $(du -h "$file" | cut -f1). It holds the reference: do not pass it on to learners."

@@ -1,0 +1,56 @@
+#include "grader/judge/no_reference.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace grader {
+
+namespace {
+
+bool contains(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+}  // namespace
+
+Config with_own_tasks(Config config, const std::vector<Judged>& judged) {
+  for (TaskConfig& task : config.tasks) {
+    for (const Judged& each : judged) {
+      const bool own = each.config->slug == task.slug && each.object.ok();
+      if (own) task.reference = {each.object.path};
+    }
+  }
+  return config;
+}
+
+void block_by_own_tasks(std::vector<Judged>& judged) {
+  for (Judged& each : judged) {
+    TaskResult& result = each.result;
+    const bool ran = each.object.ok() && result.compiler_output.empty();
+    if (!ran || result.state == State::pass || result.state == State::not_attempted) continue;
+    std::vector<std::string> by;
+    for (const Judged& other : judged) {
+      const std::string& slug = other.config->slug;
+      if (contains(needs(result.slug), slug) && !other.right_alone) by.push_back(slug);
+    }
+    if (by.empty()) continue;
+    result.state = State::blocked;
+    result.blocked_by = by;
+    result.reason = fmt::format("without the reference it is judged when {} {}",
+                                fmt::join(by, ", "), by.size() == 1 ? "passes" : "pass");
+  }
+}
+
+std::vector<std::string> missing_for(const std::vector<std::string>& slugs,
+                                     const std::vector<Judged>& judged) {
+  std::vector<std::string> missing, before;
+  for (const Judged& each : judged) {
+    if (!each.right_alone) before.push_back(each.config->slug);
+    if (contains(slugs, each.config->slug)) missing = before;
+  }
+  return missing;
+}
+
+}  // namespace grader

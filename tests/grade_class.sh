@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# A class: submissions as learners hand them in, one that cannot be judged, and a second call, which
+# judges only what has changed.
+# grade_class.sh GRADE_CLASS: the program.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+complain() {
+  printf '%s\n' "$*"
+  exit 1
+}
+
+# says STATUS WORDS...: calls it; each of the words is a line of its output, or part of one.
+says() {
+  local status=$1 words output got=0
+  shift
+  output=$("$program" "$folder/class" --not-isolated -- hit_triangle hit_sphere --no-pictures 2>&1) || got=$?
+  [ "$got" -eq "$status" ] || complain "it ended with $got, not $status: $output"
+  for words in "$@"; do
+    grep -qF -- "$words" <<<"$output" || complain "it does not say '$words': $output"
+  done
+}
+
+# row EXPRESSION: of Python, `row` has the lines of the table by submission.
+row() {
+  python3 - "$folder/class-graded/class.csv" "$1" <<'END' || complain "not so: $1"
+import csv, sys
+row = {line["submission"]: line for line in csv.DictReader(open(sys.argv[1], newline=""))}
+assert eval(sys.argv[2]), row
+END
+}
+
+mkdir -p "$folder/class/a, flat" "$folder/class/nested/unpacked" "$folder/class/wrong"
+cp reference/1_rays/hit_*.cpp "$folder/class/a, flat"
+cp -r student "$folder/class/nested/unpacked"
+cp reference/1_rays/hit_sphere.cpp "$folder/class/nested/unpacked/student/1_rays"
+mkdir "$folder/class/wrong/1_rays"
+cp grader/tasks/hit_triangle/wrong/absolute_offset.cpp "$folder/class/wrong/1_rays/hit_triangle.cpp"
+ln -s "$PWD/reference/1_rays/hit_sphere.cpp" "$folder/class/wrong/1_rays/hit_sphere.cpp"
+
+says 0 '1/3 a, flat: 2 of 2 tasks pass' '2/3 nested: 1 of 2' '3/3 wrong: 0 of 2'
+row 'row["a, flat"]["hit_triangle"] == row["nested"]["hit_sphere"] == "pass"'
+row 'int(row["a, flat"]["points"]) == int(row["a, flat"]["max_points"]) > 0'
+row 'row["nested"]["hit_triangle"] == "not attempted" and row["nested"]["hit_triangle_points"] == "0"'
+row 'row["wrong"]["hit_triangle"] == "fail" and row["wrong"]["hit_sphere"] == "rejected"'
+row 'row["wrong"]["camera_ray"] == "" and len(row) == 3'
+grep -q 'hit_sphere' "$folder/class-graded/nested.html" || complain "there is no page"
+
+cp reference/1_rays/hit_triangle.cpp "$folder/class/wrong/1_rays/"
+mkdir "$folder/class/zoe" "$folder/class-graded/zoe.json"
+says 2 'a, flat: 2 of 2 tasks pass. '"$(python3 - "$folder/class-graded/class.csv" <<'END'
+import csv, sys
+line = next(csv.DictReader(open(sys.argv[1], newline="")))
+print(f'{line["points"]} of {line["max_points"]} points')
+END
+)" '(as before)' '3/4 wrong: 1 of 2' '4/4 zoe: '
+row 'row["wrong"]["hit_triangle"] == "pass" and row["zoe"]["problem"] != "" and row["zoe"]["points"] == ""'
+rmdir "$folder/class-graded/zoe.json"
+says 0 '3/4 wrong: 1 of 2 tasks pass' '4/4 zoe: 0 of 2 tasks pass'
+rm -rf "$folder/class/"*
+says 2 'has no folders in it'

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# The archive for Gradescope, unpacked and run as Gradescope does, in a folder of its own: the reference
+# gets its points, flat files too, a stub none, and a run that is stopped leaves valid results.
+# gradescope_archive.sh BUILD: where the folder is made. Skipped (77) where this is not root.
+set -euo pipefail
+[ "$(id -u)" -eq 0 ] || { echo "SKIPPED, the autograder was not tried: it runs as root"; exit 77; }
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export FIRSTLIGHT_AUTOGRADER=$1/autograder
+autograder=$FIRSTLIGHT_AUTOGRADER
+export CCACHE_BASEDIR=$autograder/source CCACHE_NOHASHDIR=1
+
+complain() {
+  printf '%s\n' "$*"
+  exit 1
+}
+
+# judges EXPRESSION [OPTION ...]: runs it; the expression is of Python, `r` is what results.json says.
+judges() {
+  local expression=$1
+  shift
+  rm -rf "$autograder/results"
+  "$autograder/source/run_autograder" "$@" >"$autograder/log" 2>&1 || complain "run_autograder: $?"
+  python3 - "$autograder/results/results.json" "$expression" <<'END' ||
+import json, sys
+r = json.load(open(sys.argv[1]))
+for test in r.get("tests", []):
+    assert set(test) >= {"score", "max_score", "status", "name", "output"}, test
+task = {test["name"]: test for test in r.get("tests", [])}
+assert eval(sys.argv[2]), r
+END
+    complain "not so: $expression" "$(cat "$autograder/log")"
+}
+
+rm -rf "$autograder"
+mkdir -p "$autograder/source" "$autograder/submission"
+grader/editions/gradescope_zip.sh "$autograder/autograder.zip"
+(cd "$autograder/source" && cmake -E tar xf ../autograder.zip)
+bash "$autograder/source/setup.sh" >"$autograder/log" 2>&1 ||
+  complain "setup.sh failed:" "$(cat "$autograder/log")"
+
+for tier in A B; do
+  cp reference/*/hit_*.cpp "$autograder/submission"
+  judges 'r["score"] > 0 and task["hit_bvh"]["status"] == "passed"
+    and task["hit_triangle"]["score"] >= task["hit_triangle"]["max_score"] > 0
+    and task["trace_path"]["score"] == 0' --no-pictures --isolation $tier
+  rm "$autograder/submission/"*
+done
+mkdir "$autograder/submission/handed_in"
+cp -r student "$autograder/submission/handed_in"
+judges 'r["score"] == 0 and len(task) == 12' --no-pictures
+cp -r reference/1_rays "$autograder/submission/handed_in/student"
+judges 'task["hit_triangle"]["status"] == "passed"' --no-pictures
+judges 'r["score"] >= 0 and r["output"]' --time-limit 0.3 --no-pictures --seed 2
+judges 'r["score"] == 0 and "could not be judged" in r["output"]' --no-such-option
+rm -rf "$autograder"

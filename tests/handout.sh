@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# The learners' edition: it has no line of a solution, builds from nothing, grades with the compiled
+# reference, and says so where that does not fit.
+# handout.sh BUILD: whose objects of the reference it gets.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+root=$PWD build=$1 folder=$1/handout
+# Always in one place, and by paths that do not name it: then ccache knows what it has compiled before.
+export CCACHE_BASEDIR=$folder CCACHE_NOHASHDIR=1
+
+complain() {
+  printf '%s\n' "$*"
+  exit 1
+}
+
+# grades STATUS WORDS [OPTION ...]: what ./run grade does there.
+grades() {
+  local status=$1 words=$2 output got=0
+  shift 2
+  output=$("$folder/run" grade --no-pictures "$@" 2>&1) || got=$?
+  { [ "$got" -eq "$status" ] && grep -qF -- "$words" <<<"$output"; } ||
+    complain "grade $* ended with $got, and without '$words':" "$output"
+}
+
+rm -rf "$folder"
+grader/editions/handout.sh "$build" "$folder"
+if grader/editions/handout.sh "$build" "$folder" 2>/dev/null; then
+  complain "a second handout has been made over the first"
+fi
+grep -q 'todo(' "$folder/student/1_rays/hit_triangle.cpp" || complain "there are no stubs"
+for gone in .git reference tests bench grader/self_check grader/bless grader/class \
+  grader/tasks/hit_box/wrong grader/tasks/hit_box/right; do
+  [ ! -e "$folder/$gone" ] || complain "$gone is in it"
+done
+
+# Long lines of the reference that stand nowhere in what learners are to have.
+lines=$(mktemp)
+trap 'rm -f "$lines"' EXIT
+trimmed() { cat "$@" | sed 's/^ *//; s/ *$//' | sort -u; }
+mapfile -t open < <(find student pt -name '*.cpp' -o -name '*.h' -o -name '*.md')
+comm -23 <(trimmed reference/*/*.cpp) <(trimmed "${open[@]}") | grep -E '.{41}' >"$lines"
+[ "$(wc -l <"$lines")" -gt 100 ] || complain "the reference has hardly any lines: this looks for nothing"
+if grep -raFf "$lines" "$folder"; then complain "it has lines of the reference"; fi
+if nm "$folder"/reference-objects/*.o | grep -i ' [tbdr] .*_GLOBAL__N_'; then
+  complain "the objects name what is local to the reference"
+fi
+
+grades 1 'not attempted' hit_triangle
+cp reference/1_rays/hit_triangle.cpp "$folder/student/1_rays/"
+grades 0 'pass' hit_triangle
+cp reference/4_global/trace_path.cpp "$folder/student/4_global/"
+grades 1 'right by itself' trace_path
+
+# Another machine.
+sed -i 's/^machine .*/machine Linux other/' "$folder/reference-objects/stamp"
+grades 0 'as the reference was compiled for another machine' hit_triangle
+grades 1 'without the reference it is judged when' trace_path
+cp -r reference/* "$folder/student/"
+grades 0 '12 of 12 tasks pass'
+cd "$folder"
+if ./run render scenes/spheres.dae -f none.png --from reference 2>errors; then
+  complain "stubs have been rendered as the reference"
+fi
+grep -q 'there is no reference on this machine' errors || complain "$(cat errors)"
+cd "$root"
+rm -rf "$folder"
