@@ -1,5 +1,6 @@
 #include "grader/judge/grade.h"
 
+#include "grader/judge/cache.h"
 #include "grader/judge/integration.h"
 #include "grader/judge/isolation.h"
 #include "grader/judge/pictures.h"
@@ -70,6 +71,7 @@ class Run {
 
   Results judge(const std::function<void(const Results&)>& progress) {
     const Builder builder(config_, request_.isolation.tier, request_.compile_limit);
+    trim_cache(builder.cache());
     phase("properties", [&] {
       judge_alone(config_, builder, request_, judged_);
       progress(summary());
