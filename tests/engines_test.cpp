@@ -43,7 +43,7 @@ grader::ImageVerdict judge_wide_by_task(const char* file, bool broken) {
   const auto stage = [&](int number, int batches, int samples) {
     grader::Batches result{samples, {}};
     for (int i = 0; i < batches; ++i) {
-      const auto seed = static_cast<std::uint64_t>(1000 * number + i);
+      const std::uint64_t seed = 1000u * static_cast<unsigned>(number) + static_cast<unsigned>(i);
       result.images.push_back(mean(render(loaded, samples, seed)));
     }
     return result;
