@@ -73,7 +73,9 @@ stops_in one_edge_unchecked
 solution grader/tasks/hit_triangle/right/cramers_rule.cpp
 debug=(grader/property/debug.sh --batch "$folder/check" hit_triangle)
 "${debug[@]}" 'hits where it is aimed' >"$folder/gdb" 2>&1
-grep -q '^Every promise held' "$folder/gdb" || complain "a right solution: $(cat "$folder/gdb")"
+grep -q '^Nothing failed' "$folder/gdb" || complain "a right solution: $(cat "$folder/gdb")"
+grep -q ' fails: hits where it is aimed, seed 1$' "$folder/gdb" ||
+  complain "it does not say what it looks for: $(head -1 "$folder/gdb")"
 
 status=0
 "${debug[@]}" 'walks on water' >"$folder/gdb" 2>&1 || status=$?

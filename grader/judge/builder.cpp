@@ -32,7 +32,8 @@ constexpr std::size_t kMaxErrorLines = 12;
 constexpr std::size_t kMaxObject = std::size_t{16} << 20;
 
 bool starts_error(const std::string& line) {
-  for (const char* sign : {"error:", "Error:", "undefined reference to", "multiple definition of"}) {
+  for (const char* sign :
+       {"error:", "Error:", "undefined reference to", "multiple definition of"}) {
     if (line.find(sign) != std::string::npos) return true;
   }
   return false;

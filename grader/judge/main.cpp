@@ -28,7 +28,7 @@ Config config_for(const GradeOptions& options) {
 Isolation isolation(const Config& config, const GradeOptions& options) {
   std::optional<Tier> forced;
   if (!options.isolation.empty()) forced = tier_of(options.isolation);
-  const Isolation found = probe_isolation(config.root, config.work, forced);
+  Isolation found = probe_isolation(config.root, config.work, forced);
   if (options.require_isolation && found.tier == Tier::limits) {
     throw pt::Error("--require-isolation refuses to grade in C" +
                     (forced ? ", which was asked for" : ": " + found.why_not_better));

@@ -22,7 +22,7 @@ int read_number(const json& from, const std::string& where) {
 std::map<std::string, int> read_numbers(const json& from, const std::string& where) {
   std::map<std::string, int> numbers;
   for (const auto& [name, value] : from.items()) {
-    numbers[name] = read_number(value, where + "." + name);
+    numbers[name] = read_number(value, fmt::format("{}.{}", where, name));
   }
   return numbers;
 }
@@ -30,7 +30,7 @@ std::map<std::string, int> read_numbers(const json& from, const std::string& whe
 TaskPoints read_task(const json& from, TaskPoints points, const std::string& where) {
   if (!from.is_object()) throw pt::Error(where + " is no object");
   for (const auto& [name, value] : from.items()) {
-    const std::string place = where + "." + name;
+    const std::string place = fmt::format("{}.{}", where, name);
     if (name == "promise") {
       points.promise = read_number(value, place);
     } else if (name == "picture") {

@@ -23,7 +23,7 @@ std::vector<std::string> items(const std::string& header) {
     } else if (inside && line.starts_with(kItem)) {
       found.push_back(line.substr(kItem.size()));
     } else if (inside && !found.empty()) {
-      const std::size_t start = line.find_first_not_of(" ", 2);
+      const std::size_t start = line.find_first_not_of(' ', 2);
       if (start != std::string::npos) found.back() += " " + line.substr(start);
     }
   }

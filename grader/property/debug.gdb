@@ -21,7 +21,7 @@ if $failed == 1
   info args
 else
   if $_isvoid($_exitcode) == 0
-    echo \nEvery promise held, in one process and with the reference for all other tasks.\n
+    echo \nNothing failed, in one process and with the reference for all other tasks.\n
     quit
   else
     echo \nThe program stopped by itself; bt shows where.\n

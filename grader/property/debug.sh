@@ -20,6 +20,9 @@ functions=()
 for function in $(sed -n 's/^[A-Za-z][^(]* \([a-z_]*\)(.*/\1/p' "$root/pt/tasks/$task.h"); do
   functions+=(-ex "break pt::$function")
 done
+promise=${promise//_/ }
+echo "Looking for the smallest input on which $task fails: ${promise:-every promise}," \
+  "seed ${FIRSTLIGHT_SEED:-1}"
 export FIRSTLIGHT_REPLAY=1
 exec gdb -q ${batch[@]+"${batch[@]}"} -ex 'set debuginfod enabled off' \
   -ex 'break grader::at_smallest_failure' \

@@ -126,6 +126,7 @@ Stage& Stage::rectangle(const Rectangle& shape, Rgb radiance, Body body, double 
 Stage& Stage::mesh(const Rectangle& shape, Rgb radiance, Body body) {
   const std::vector<Vec3> c = shape.corners();
   std::vector<Vec3> q;
+  q.reserve(c.size());
   for (const Vec3 corner : c) q.push_back(pose_.point(corner));
   scene_.lights.emplace_back(
       pt::make_mesh_light({{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}, radiance));

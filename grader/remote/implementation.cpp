@@ -1,8 +1,11 @@
 // The implementation `remote` of one task, FIRSTLIGHT_TASK: compiled once for each.
 #include "grader/remote/call.h"
 
+// The names come in parentheses: those of the call.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define FIRSTLIGHT_DEFINE(result, function, parameters, names) \
   result function parameters { return grader::remote::call<&pt::function> names; }
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace pt {
 

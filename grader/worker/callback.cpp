@@ -25,8 +25,11 @@ auto ask(Arguments&... arguments) {
 
 }  // namespace grader::worker
 
+// The names come in parentheses: those of the call.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define FIRSTLIGHT_DEFINE(result, function, parameters, names) \
   result function parameters { return grader::worker::ask<&pt::function> names; }
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace pt {
 

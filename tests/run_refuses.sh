@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Whether ./run refuses what cannot be meant before it builds anything: status 2, and one sentence.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+failures=0
+# refuses SENTENCE WORD ...: the sentence is a part of what ./run WORD ... says.
+refuses() {
+  local sentence=$1 said status=0
+  shift
+  said=$(timeout 20 ./run "$@" 2>&1 >/dev/null </dev/null) || status=$?
+  case $status:$said in
+    2:*"$sentence"*) [ "$(wc -l <<<"$said")" -eq 1 ] && return ;;
+  esac
+  printf './run %s: status %s, and says: %s\n' "$*" "$status" "$said"
+  failures=$((failures + 1))
+}
+
+refuses "'hit_me 7': write tasks like hit_triangle" grade hit_me 7 --from student
+refuses "'1.3 7': write tasks like hit_triangle" grade 1.3 7 --from=reference
+refuses "--from takes student or reference" grade hit_triangle --from
+refuses "--from takes student or reference" grade --from theirs hit_triangle
+refuses "--seed takes a whole number" grade hit_triangle --from student --seed one
+refuses "--html does not go with --from" grade hit_triangle --from student --html page.html
+refuses "say which task" debug
+refuses "'hit_me' is no task" debug hit_me
+
+echo "$failures complaints"
+[ "$failures" -eq 0 ]
