@@ -1,10 +1,12 @@
 // Single rays: ours against Embree's, for generated meshes of 10^3 to 10^6 triangles and for scene
 // files given on the command line.
 #include "bench/embree.h"
+#include "bench/precision_tree.h"
 #include "bench/ray_sets.h"
 #include "bench/report.h"
 #include "pt/accel/wide_bvh.h"
 #include "pt/error.h"
+#include "pt/tasks/build_bvh.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -76,6 +78,46 @@ struct Ours {
   }
 };
 
+// Float against double, in a binary tree: the bounce rays.
+template <class Real>
+struct BinaryRays {
+  PrecisionTree<Real> tree;
+  std::vector<typename PrecisionTree<Real>::Line> lines;
+
+  BinaryRays(const Bvh& bvh, const Primitives& primitives, const std::vector<Ray>& rays)
+      : tree(bvh, primitives) {
+    const double margin = 0x1p-16 * max_abs(bounds(primitives).extent());
+    for (const Ray& ray : rays) lines.push_back(tree.convert(ray, margin));
+  }
+  void closest() const {
+    long long hits = 0;
+    for (const auto& line : lines) hits += tree.closest(line) < line.t_max;
+    sink = hits;
+  }
+};
+
+void compare_precisions(const TestScene& test, const RaySets& rays, Csv& csv) {
+  const Primitives& primitives = test.scene.primitives;
+  if (!primitives.spheres.empty() || rays.bounce.empty()) return;
+  std::vector<Box> boxes;
+  for (int i = 0; i < primitives.size(); ++i) boxes.push_back(bounds(primitives, i));
+  const Bvh bvh = build_bvh(boxes, 4);
+  const BinaryRays<double> in_double(bvh, primitives, rays.bounce);
+  const BinaryRays<float> in_float(bvh, primitives, rays.bounce);
+  const auto seconds =
+      interleave({[&] { in_double.closest(); }, [&] { in_float.closest(); }}, kRounds);
+  const double million = 1e-6 * static_cast<double>(rays.bounce.size());
+  const double slow = median(seconds[0]), fast = median(seconds[1]);
+  const double times = ratio(seconds[0], seconds[1]);
+  std::printf("  bounce, binary tree: double %.2f M/s, float %.2f M/s, ratio %.2f\n",
+              million / slow, million / fast, times);
+  char row[300];
+  std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,,,,", test.name.c_str(),
+                primitives.size(), "binary float (and double)", 1e3 * fast / million,
+                1e3 * slow / million, times);
+  csv.row(row);
+}
+
 struct Line {
   const char* kind;
   double ours;  // seconds, medians
@@ -129,6 +171,7 @@ void compare(TestScene& test, Csv& csv) {
                   l.ratio, 1e3 * build_ours, 1e3 * build_embree, bytes, bytes_embree);
     csv.row(row);
   }
+  compare_precisions(test, rays, csv);
 }
 
 int run(int count, char** arguments) {

@@ -21,7 +21,8 @@ constexpr int kRounds = 5;
 
 struct Picture {
   Rgb mean;
-  double seconds = 0;  // of the wall clock
+  double seconds = 0;      // of the wall clock
+  double cpu_seconds = 0;  // of all threads
   double rays = 0;
 };
 
@@ -34,7 +35,9 @@ Picture render(const View& view, int samples, int threads) {
   std::vector<Rgb> rows(static_cast<std::size_t>(view.height));
   std::atomic<int> next{0};
   std::atomic<long long> rays{0};
+  std::atomic<double> cpu{0};
   const auto work = [&] {
+    const double begin = cpu_seconds();
     const RayCount before = rays_traced();
     for (int y = next++; y < view.height; y = next++) {
       for (int x = 0; x < view.width; ++x) {
@@ -44,15 +47,37 @@ Picture render(const View& view, int samples, int threads) {
     }
     const RayCount after = rays_traced();
     rays += after.closest - before.closest + after.occluded - before.occluded;
+    cpu += cpu_seconds() - begin;
   };
   const double start = wall_seconds();
   std::vector<std::thread> others;
   for (int i = 1; i < threads; ++i) others.emplace_back(work);
   work();
   for (std::thread& thread : others) thread.join();
-  Picture picture{{}, wall_seconds() - start, static_cast<double>(rays)};
+  Picture picture{{}, wall_seconds() - start, cpu, static_cast<double>(rays)};
   for (const Rgb& row : rows) picture.mean += row / (view.width * view.height);
   return picture;
+}
+
+// By the wall clock, and by the CPU time that the threads took together: the second shows what they
+// cost each other also where other programs keep the processors busy.
+void compare_threads(const std::string& name, const View& view, int samples, Csv& csv) {
+  render_tracing = {nullptr, true};
+  const int most = static_cast<int>(std::thread::hardware_concurrency());
+  for (int threads = 2; threads <= most; threads *= 2) {
+    std::vector<double> wall, cpu;
+    for (int i = 0; i < kRounds; ++i) {
+      const Picture one = render(view, samples, 1), more = render(view, samples, threads);
+      wall.push_back(one.seconds / (threads * more.seconds));
+      cpu.push_back(one.cpu_seconds / more.cpu_seconds);
+    }
+    std::printf("  %d threads: efficiency %.2f by the wall clock, %.2f by CPU time\n", threads,
+                median(wall), median(cpu));
+    char row[200];
+    std::snprintf(row, sizeof row, "%s,%d threads: efficiency (wall; CPU),%.3f,%.3f,,",
+                  name.c_str(), threads, median(wall), median(cpu));
+    csv.row(row);
+  }
 }
 
 void compare(const std::string& argument, int width, int samples, Csv& csv) {
@@ -93,13 +118,7 @@ void compare(const std::string& argument, int width, int samples, Csv& csv) {
     csv.row(row);
   }
 
-  render_tracing = {};
-  std::vector<double> efficiency;
-  for (int i = 0; i < kRounds; ++i) {
-    const double one = render(ours, samples, 1).seconds;
-    efficiency.push_back(one / (2 * render(ours, samples, 2).seconds));
-  }
-  std::printf("  two threads: efficiency %.2f by the wall clock\n", median(efficiency));
+  compare_threads(test.name, ours, samples, csv);
 }
 
 int run(int count, char** arguments) {

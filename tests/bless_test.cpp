@@ -103,7 +103,8 @@ TEST(ClosedForm, holds_of_a_right_film_and_finds_small_errors) {
   EXPECT_THAT(against_closed_form(film, {1, 2, 3}), testing::IsEmpty());
   const auto of_green = against_closed_form(film, {1, 2.001, 3});
   ASSERT_EQ(of_green.size(), 1u);
-  EXPECT_THAT(of_green[0], HasSubstr("every pixel's g should be 2.001, but their mean is 1.99993, -11.4"));
+  EXPECT_THAT(of_green[0],
+              HasSubstr("every pixel's g should be 2.001, but their mean is 1.99993, -11.4"));
   film.pixels[100].mean.b += .06;
   EXPECT_THAT(against_closed_form(film, {1, 2, 3}),
               testing::ElementsAre(HasSubstr("every pixel's b should be 3, but one is")));
@@ -144,10 +145,10 @@ class Bless : public ::testing::Test {
 
   // Runs the program in the folder; returns its exit status, and what it said in said_.
   int bless(const std::string& arguments) {
-    const std::string command =
-        "cd '" + folder_.string() + "' && " + BLESS_PROGRAM +
-        " --recipes recipes.json --work work --commit abc -t 2 --samples 64 " + arguments +
-        " >said 2>&1";
+    const bool has_commit = arguments.find("--commit") != std::string::npos;
+    const std::string command = "cd '" + folder_.string() + "' && " + BLESS_PROGRAM +
+                                " --recipes recipes.json --work work -t 2 --samples 64 " +
+                                arguments + (has_commit ? "" : " --commit abc") + " >said 2>&1";
     const int status = std::system(command.c_str());
     said_ = text("said");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -188,6 +189,17 @@ TEST_F(Bless, leaves_a_golden_that_is_up_to_date) {
   ASSERT_EQ(bless(""), 0) << said_;
   EXPECT_EQ(said_, "box: is up to date\n");
   EXPECT_EQ(fs::last_write_time(folder_ / "golden/box.exr"), time);
+}
+
+TEST_F(Bless, makes_a_golden_again_when_told_to) {
+  ASSERT_EQ(bless("box"), 0) << said_;
+  const std::string film = text("golden/box.exr");
+  pt::write_file(folder_ / "golden/box.json", "{}");
+  ASSERT_EQ(bless("box"), 0) << said_;  // nobody knows where the film came from
+  EXPECT_EQ(read_provenance(folder_ / "golden/box.json").commit, "abc");
+  ASSERT_EQ(bless("box --again --commit def"), 0) << said_;
+  EXPECT_EQ(read_provenance(folder_ / "golden/box.json").commit, "def");
+  EXPECT_TRUE(text("golden/box.exr") == film);
 }
 
 TEST_F(Bless, goes_on_where_it_was_stopped) {

@@ -1,6 +1,7 @@
 #include "grader/bless/golden.h"
 
 #include "grader/bless/provenance.h"
+#include "grader/judge/sha256.h"
 #include "grader/recipes/seeds.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -19,6 +20,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+
+// What another build of the reference began may be another picture.
+std::string program_hash() { return sha256(pt::read_file("/proc/self/exe", kMaxBytes)); }
 
 // CBOR keeps every bit of a number: a golden made in two sittings is the golden made in one.
 void save(const std::filesystem::path& file, const GoldenState& state) {
@@ -90,7 +94,7 @@ Effort usual_effort(const Recipe& recipe) {
 GoldenState render_golden(const Recipe& recipe, const Effort& effort, int threads,
                           const std::filesystem::path& partial,
                           const std::function<void(double)>& progress) {
-  GoldenState fresh{picture_hash(recipe), effort.samples, 0, 0, {}, {}};
+  GoldenState fresh{picture_hash(recipe) + program_hash(), effort.samples, 0, 0, {}, {}};
   fresh.pixels.resize(static_cast<std::size_t>(recipe.width) * recipe.height);
   GoldenState state = load(partial, fresh, effort.parts).value_or(fresh);
   const RecipeScene scene = load_scene(recipe, pt::Engine::wide);
@@ -110,6 +114,23 @@ GoldenState render_golden(const Recipe& recipe, const Effort& effort, int thread
     progress(static_cast<double>(state.parts) / effort.parts);
   }
   return state;
+}
+
+std::vector<char> dark_starts(const Recipe& recipe, int runs, int threads) {
+  const RecipeScene scene = load_scene(recipe, pt::Engine::wide);
+  const pt::View picture = view(recipe, scene);
+  // A run that may take one batch only takes the same samples as the first of the whole run.
+  pt::AdaptiveSettings first = *recipe.adaptive;
+  first.max_samples = first.batch;
+  std::vector<char> dark(static_cast<std::size_t>(recipe.width) * recipe.height);
+  for (int run = 0; run < runs; ++run) {
+    const std::uint64_t seed = golden_seed(recipe, static_cast<std::uint32_t>(run));
+    const pt::RenderResult batch = render_film(picture, {1, first, seed, threads});
+    for (std::size_t i = 0; i < dark.size(); ++i) {
+      if (is_black(batch.film.pixels[i].mean)) dark[i] = 1;
+    }
+  }
+  return dark;
 }
 
 pt::Film film_of(const Recipe& recipe, const GoldenState& state) {

@@ -27,7 +27,7 @@ Effort usual_effort(const Recipe& recipe);
 
 // What has been rendered so far.
 struct GoldenState {
-  std::string hash;  // picture_hash() of the recipe
+  std::string hash;  // of the recipe's picture, and of the program that renders it
   int samples = 0;   // a part
   int parts = 0;     // that are in it
   double cpu_seconds = 0;
@@ -35,11 +35,15 @@ struct GoldenState {
   std::vector<std::vector<int>> counts;  // of an adaptive recipe, for each run; as `pixels`
 };
 
-// Goes on from what `partial` holds, if it is of the same picture and effort, and saves there after
-// every part. `progress` gets the part done, in [0, 1]. Throws pt::Error if a sample is not finite.
+// Goes on from what `partial` holds, if it is of the same picture, effort and program, and saves
+// there after every part. `progress` gets the part done, in [0, 1]. Throws pt::Error if a sample is
+// not finite.
 GoldenState render_golden(const Recipe& recipe, const Effort& effort, int threads,
                           const std::filesystem::path& partial,
                           const std::function<void(double)>& progress);
+
+// Of an adaptive recipe: 1 for each pixel whose first batch was all zero in one of the runs.
+std::vector<char> dark_starts(const Recipe& recipe, int runs, int threads);
 
 pt::Film film_of(const Recipe& recipe, const GoldenState& state);
 std::vector<pt::SampleMap> maps_of(const Recipe& recipe, const GoldenState& state);

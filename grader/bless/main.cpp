@@ -32,6 +32,7 @@ struct Options {
   std::vector<std::string> names;
   std::string because;
   bool check = false;
+  bool again = false;
   bool table = false;
   fs::path recipes = "scenes/recipes.json";
   fs::path folder = "golden";
@@ -61,19 +62,22 @@ Provenance provenance_of(const Recipe& recipe, const GoldenState& state, const O
           state.parts,
           state.parts * state.samples,
           state.cpu_seconds,
-          options.because,
+          {},
           recipe_settings(recipe),
-          state.hash};
+          picture_hash(recipe)};
 }
 
-bool is_finished(const Recipe& recipe, const Effort& effort, const fs::path& folder) {
+bool is_up_to_date(const Recipe& recipe, const Effort& effort, const fs::path& folder) {
   const GoldenFiles files = golden_files(folder, recipe.name);
-  if (!fs::exists(files.film) || !fs::exists(files.provenance)) return false;
-  if (recipe.adaptive && !fs::exists(files.rates)) return false;
-  const Provenance provenance = read_provenance(files.provenance);
-  return provenance.sha256 == picture_hash(recipe) &&
-         provenance.first_seed == golden_seed(recipe, 0) &&
-         provenance.samples >= effort.parts * effort.samples;
+  if (!fs::exists(files.film) || (recipe.adaptive && !fs::exists(files.rates))) return false;
+  try {
+    const Provenance provenance = read_provenance(files.provenance);
+    return provenance.sha256 == picture_hash(recipe) &&
+           provenance.first_seed == golden_seed(recipe, 0) &&
+           provenance.samples >= effort.parts * effort.samples;
+  } catch (const pt::Error&) {
+    return false;  // missing, or broken: to be made again
+  }
 }
 
 // Why the old golden cannot be right if the new one is; empty if there is none or they agree.
@@ -93,10 +97,39 @@ std::string contradiction(const Recipe& recipe, const pt::Film& film, const fs::
                      worst.off_by < 0 ? "darker" : "brighter", worst.channel);
 }
 
+// The film before its provenance: a film without one that fits is made again.
+void write_golden(const Recipe& recipe, const GoldenState& state, const pt::Film& film,
+                  const Provenance& provenance, const Options& options) {
+  const GoldenFiles files = golden_files(options.folder, recipe.name);
+  if (recipe.adaptive) {
+    auto reference = reference_of(maps_of(recipe, state), film, *recipe.adaptive);
+    reference.dark_start = dark_starts(recipe, reference.runs, options.threads);
+    write_reference(files.rates, reference);
+  }
+  fs::remove(files.provenance);
+  pt::write_exr(files.film, film);
+  write_provenance(files.provenance, provenance);
+}
+
+bool agrees_with_theory(const Recipe& recipe, const pt::Film& film) {
+  if (!recipe.uniform) return true;
+  const std::vector<std::string> errors = against_closed_form(film, *recipe.uniform);
+  for (const std::string& each : errors) fmt::print(stderr, "{}: {}\n", recipe.name, each);
+  return errors.empty();
+}
+
+void refuse(const Recipe& recipe, const std::string& why) {
+  fmt::print(
+      stderr,
+      "{}: the new golden contradicts the old one, which stays: {}. If the old one is wrong, "
+      "say so: ./run bless {} --because \"...\"\n",
+      recipe.name, why, recipe.name);
+}
+
 // Whether the golden is now in the folder.
 bool bless(const Recipe& recipe, const Options& options) {
   const Effort effort = effort_of(recipe, options);
-  if (is_finished(recipe, effort, options.folder)) {
+  if (!options.again && is_up_to_date(recipe, effort, options.folder)) {
     fmt::print("{}: is up to date\n", recipe.name);
     return true;
   }
@@ -106,28 +139,15 @@ bool bless(const Recipe& recipe, const Options& options) {
                                           [&](double part) { progress.show(part); });
   progress.clear();
   const pt::Film film = film_of(recipe, state);
-  if (recipe.uniform) {
-    const std::vector<std::string> errors = against_closed_form(film, *recipe.uniform);
-    for (const std::string& each : errors) fmt::print(stderr, "{}: {}\n", recipe.name, each);
-    if (!errors.empty()) return false;
-  }
+  if (!agrees_with_theory(recipe, film)) return false;
   const std::string why = contradiction(recipe, film, options.folder);
   if (!why.empty() && options.because.empty()) {
-    fmt::print(stderr,
-               "{}: the new golden contradicts the old one, which stays: {}. If the old one is "
-               "wrong, say so: ./run bless {} --because \"...\"\n",
-               recipe.name, why, recipe.name);
+    refuse(recipe, why);
     return false;
   }
   Provenance provenance = provenance_of(recipe, state, options);
-  if (why.empty()) provenance.because.clear();
-  const GoldenFiles files = golden_files(options.folder, recipe.name);
-  // The film first: without a provenance that fits, it is made again.
-  pt::write_exr(files.film, film);
-  if (recipe.adaptive) {
-    write_reference(files.rates, reference_of(maps_of(recipe, state), film, *recipe.adaptive));
-  }
-  write_provenance(files.provenance, provenance);
+  if (!why.empty()) provenance.because = options.because;  // a reason that was not needed is none
+  write_golden(recipe, state, film, provenance, options);
   fs::remove(partial);
   fmt::print("{}: {} samples a pixel in {:.0f} CPU seconds\n", recipe.name, provenance.samples,
              provenance.cpu_seconds);
@@ -163,6 +183,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("recipe", options.names, "Recipes; default: all whose golden is out of date");
   app.add_option("--because", options.because,
                  "Why a golden may replace one that it contradicts; kept beside it");
+  app.add_flag("--again", options.again, "Also goldens that are up to date: the reference changed");
   app.add_flag("--check", options.check,
                "Render nothing; say which goldens are missing, out of date or wrong");
   app.add_flag("--table", options.table, "Render nothing; print the table of docs/recipes.md");

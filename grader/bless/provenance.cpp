@@ -4,6 +4,9 @@
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <cmath>
+#include <string>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -13,6 +13,8 @@ constexpr double kConstantDeviation = 1e-4;
 // brightness, so that a rounding error is no light.
 constexpr double kBlackChannel = 1e-3;
 
+constexpr int kReach = 2;  // pixels, to each side
+
 double median(Plane values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -29,6 +31,24 @@ bool is_constant(const Golden& golden, std::size_t i) {
   return true;
 }
 
+// The average of a plane over the pixels around one, without itself and without constant pixels; 0
+// if there are none.
+double around(const Golden& golden, const Plane& plane, int x, int y) {
+  double sum = 0, count = 0;
+  for (int v = std::max(0, y - kReach); v <= std::min(golden.height - 1, y + kReach); ++v) {
+    for (int u = std::max(0, x - kReach); u <= std::min(golden.width - 1, x + kReach); ++u) {
+      const std::size_t i = static_cast<std::size_t>(v) * golden.width + u;
+      if ((u == x && v == y) || golden.constant[i]) continue;
+      sum += plane[i];
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+// Mean over variance, both of the neighbours: by its own, a pixel in which the golden has a firefly
+// too many would weigh less, one with too few more, and the sum would be too dark however many
+// pixels it has.
 void choose_weights(Golden& golden) {
   const std::size_t count = golden.samples.size();
   Plane variances;
@@ -38,11 +58,15 @@ void choose_weights(Golden& golden) {
   const double softening = 0.05 * median(variances);
   golden.plain.assign(count, 0);
   golden.weighted.assign(count, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (golden.constant[i]) continue;
-    golden.plain[i] = 1;
-    const double spread = golden.variance[kLuminance][i] + softening;
-    if (spread > 0) golden.weighted[i] = std::max(0.0, golden.mean[kLuminance][i]) / spread;
+  for (int y = 0; y < golden.height; ++y) {
+    for (int x = 0; x < golden.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * golden.width + x;
+      if (golden.constant[i]) continue;
+      golden.plain[i] = 1;
+      const double mean = around(golden, golden.mean[kLuminance], x, y);
+      const double spread = around(golden, golden.variance[kLuminance], x, y) + softening;
+      if (spread > 0) golden.weighted[i] = std::max(0.0, mean) / spread;
+    }
   }
 }
 

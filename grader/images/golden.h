@@ -31,7 +31,7 @@ struct Golden {
   std::array<double, kPlanes> scale{};  // what counts as bright: the mean over all pixels
   std::vector<char> constant;           // pixels whose samples are all alike
   Plane plain;                          // weights: 1, and 0 for constant pixels
-  Plane weighted;                       // weights that favour the pixels known best; 0 as above
+  Plane weighted;  // weights that favour the pixels known best, by their neighbours; 0 as above
 };
 
 Golden prepare(const pt::Film& film);

@@ -18,6 +18,10 @@ constexpr std::array<double, 3> kLevels{1e-2, 2e-3, 2e-3};
 constexpr std::size_t kKept = 16;
 constexpr double kMostCorrelated = 3;
 
+// A block that is so far off is wrong however noisy the picture is: noise that hides as much would
+// show in the whole picture's energy.
+constexpr double kBlatant = 0.2;
+
 double most_noise(NoiseClass noise) { return noise == NoiseClass::noisy ? 6 : 3; }
 
 // What the stages so far have all complained of.
@@ -26,7 +30,8 @@ struct Suspicion {
   std::vector<WrongConstant> constants;
   bool correlated = false;
   bool noisy = false;
-  double energy_off = 0;  // of a noisy picture; 0: as it should be
+  double energy_off = 0;           // of a noisy picture; 0: as it should be
+  std::vector<Complaint> blatant;  // of a noisy picture: blocks that no noise explains
 
   bool any() const { return !cells.empty() || !constants.empty() || correlated || noisy; }
 };
@@ -39,6 +44,16 @@ std::vector<WrongConstant> also_before(const std::vector<WrongConstant>& now,
                        [&](const WrongConstant& other) { return other.pixel == one.pixel; });
   });
   return both;
+}
+
+std::vector<Complaint> blatant(const std::vector<Complaint>& complaints) {
+  std::vector<Complaint> found;
+  std::copy_if(
+      complaints.begin(), complaints.end(), std::back_inserter(found), [](const Complaint& one) {
+        const bool block = one.cell.scale == Scale::block8 || one.cell.scale == Scale::block24;
+        return block && std::abs(one.off_by) > kBlatant;
+      });
+  return found;
 }
 
 // Two stages' complaints about the energy of a noisy picture are one if they agree on the sign.
@@ -78,7 +93,8 @@ void Judge::refuse(const Unusable& what, const Batches& batches) {
   verdict_.cells.clear();
   std::vector<pt::Image> images = batches.images;
   const bool sized = images.size() >= 2 && std::all_of(images.begin(), images.end(), [&](auto& i) {
-                       return i.width == golden_.width && i.height == golden_.height;
+                       return i.width == golden_.width && i.height == golden_.height &&
+                              i.pixels.size() == golden_.samples.size();
                      });
   if (!sized) return;
   for (pt::Image& image : images) {
@@ -114,11 +130,13 @@ bool Judge::judge(const Batches& batches) {
   }
   if (number == 0) {
     now.cells = exceeding(measured, kKept);
+    if (now.noisy) now.blatant = exceeding(blatant(measured), kKept);
   } else {
     now.cells = repeated(pictures, suspicion_.cells, kLevels[number]);
     now.constants = also_before(now.constants, suspicion_.constants);
     now.correlated = now.correlated && suspicion_.correlated;
     now.noisy = now.noisy && suspicion_.noisy;
+    now.blatant = blatant(repeated(pictures, suspicion_.blatant, kLevels[number]));
     now.energy_off = agreed(now.energy_off, suspicion_.energy_off);
   }
   suspicion_ = now;
@@ -135,8 +153,9 @@ void Judge::decide() {
   const int stages = verdict_.stages;
   if (!suspicion_.any()) return;
   verdict_.outcome = Outcome::wrong;
-  if (suspicion_.noisy) {
-    // Beside much noise no part of the picture can be told from it, only the whole.
+  const bool wrong_anyway = !suspicion_.constants.empty() || !suspicion_.blatant.empty();
+  if (suspicion_.noisy && !wrong_anyway) {
+    // Beside much noise small errors of a part cannot be told from it, only those of the whole.
     if (suspicion_.energy_off == 0) {
       verdict_.outcome = Outcome::too_noisy;
       verdict_.sentence = too_noisy_sentence(verdict_.noise);
@@ -153,6 +172,7 @@ void Judge::decide() {
                                            1,
                                            one.off_by}));
   }
+  if (suspicion_.noisy) suspicion_.cells = suspicion_.blatant;
   const std::vector<Complaint> parts = smallest(suspicion_.cells);
   for (const Complaint& one : parts) verdict_.cells.push_back(failing_cell(one));
   std::stable_sort(verdict_.cells.begin(), verdict_.cells.end(),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -35,8 +36,8 @@ CountMoments moments(std::span<const pt::SampleMap> runs, std::size_t pixel) {
 // One letter a pixel: a fact that the others need not repeat.
 char flags(const SampleMapReference& reference, std::size_t i) {
   const int bits = (reference.always_one_batch[i] ? 1 : 0) + (reference.constant[i] ? 2 : 0) +
-                   (reference.all_zero[i] ? 4 : 0);
-  return static_cast<char>('0' + bits);
+                   (reference.all_zero[i] ? 4 : 0) + (reference.dark_start[i] ? 8 : 0);
+  return "0123456789abcdef"[bits];
 }
 
 template <class Show>
@@ -74,6 +75,7 @@ SampleMapReference reference_of(std::span<const pt::SampleMap> runs, const pt::F
       throw pt::Error("the runs of a sample map and their picture differ in size");
     }
   }
+  reference.dark_start.resize(picture.pixels.size());
   int active = 0;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const auto [mean, deviation] = moments(runs, i);
@@ -134,11 +136,12 @@ SampleMapReference parse(const nlohmann::json& json) {
   }
   for (const auto& row : json.at("flags")) {
     for (const char letter : row.get<std::string>()) {
-      if (letter < '0' || letter > '7') throw pt::Error("its flags are not 0 to 7");
-      const int bits = letter - '0';
+      const std::size_t bits = std::string_view("0123456789abcdef").find(letter);
+      if (bits > 15) throw pt::Error("its flags are not 0 to f");
       reference.always_one_batch.push_back((bits & 1) != 0 ? 1 : 0);
       reference.constant.push_back((bits & 2) != 0 ? 1 : 0);
       reference.all_zero.push_back((bits & 4) != 0 ? 1 : 0);
+      reference.dark_start.push_back((bits & 8) != 0 ? 1 : 0);
     }
   }
   const auto pixels = static_cast<std::size_t>(reference.width) * reference.height;

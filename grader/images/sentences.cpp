@@ -12,7 +12,7 @@ namespace {
 std::string too_much(double off_by) {
   const char* way = off_by > 0 ? "bright" : "dark";
   const double size = std::abs(off_by);
-  if (size >= 10) return fmt::format("more than {} times as bright as it should be", 10);
+  if (size >= 10) return "more than 10 times as bright as it should be";
   return fmt::format("{:.{}f} % too {}", 100 * size,
                      size >= 0.0995    ? 0
                      : size >= 0.00095 ? 1
@@ -73,7 +73,7 @@ std::string sentence(const std::vector<WrongConstant>& constants, const Golden& 
   const int y = static_cast<int>(worst.pixel) / golden.width;
   const double right = golden.mean[worst.plane][worst.pixel];
   const std::string others =
-      constants.size() > 1 ? fmt::format(", and {} more", constants.size() - 1) : "";
+      constants.size() > 1 ? fmt::format(", and {} more,", constants.size() - 1) : "";
   return fmt::format(
       "{}pixel ({}, {}){} should always be {:.4g} (the background, or a light that "
       "is seen straight), and was {:.4g}{}",

@@ -1,6 +1,7 @@
 #include "grader/judge/builder.h"
 
 #include "grader/judge/audit.h"
+#include "grader/judge/cache.h"
 #include "grader/judge/sha256.h"
 #include "grader/process/printable.h"
 #include "grader/process/run_command.h"
@@ -89,7 +90,10 @@ Builder::Builder(const Config& config, Tier tier, int seconds)
 Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   const std::string key = sha256(toolchain_ + task.file() + '\0' + text);
   const std::string path = cache_ + "/" + key + ".o";
-  if (fs::exists(path)) return {path, key, "", ""};
+  if (fs::exists(path)) {
+    mark_used(path);
+    return {path, key, "", ""};
+  }
   const Stage stage(temporary_name(cache_ + "/" + key + ".tree"), headers_, task.file(), text);
   Box box{{config_.compiler},
           {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=."},
@@ -126,7 +130,10 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
 Built Builder::link(const Paths& objects, const std::string& key, bool integrated) const {
   const std::string whole = sha256(framework_ + toolchain_ + key + (integrated ? "i" : "s"));
   const std::string path = cache_ + "/" + whole + ".worker";
-  if (fs::exists(path)) return {path, whole, "", ""};
+  if (fs::exists(path)) {
+    mark_used(path);
+    return {path, whole, "", ""};
+  }
   const std::string temporary = temporary_name(path);
   Child child{{config_.compiler},
               {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + config_.work},

@@ -1,5 +1,6 @@
 #include "grader/judge/findings.h"
 
+#include "grader/judge/cache.h"
 #include "grader/judge/files.h"
 #include "grader/judge/sha256.h"
 #include "grader/process/printable.h"
@@ -91,7 +92,10 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
   std::string key = stamp(trial.task.graded) + trial.worker.key;
   for (const std::string& word : command(trial, "")) key += '\0' + word;
   const std::string path = builder.cache() + "/" + sha256(key) + ".json";
-  if (std::filesystem::exists(path)) return parse(read_file(path), trial.integrated);
+  if (std::filesystem::exists(path)) {
+    mark_used(path);
+    return parse(read_file(path), trial.integrated);
+  }
 
   const std::string report = temporary_name(path);
   const CommandResult result = run_command(

@@ -1,5 +1,6 @@
 #include "grader/judge/grade.h"
 
+#include "grader/judge/cache.h"
 #include "grader/judge/integration.h"
 #include "grader/judge/isolation.h"
 #include "grader/judge/no_reference.h"
@@ -76,6 +77,7 @@ class Run {
 
   Results judge(const std::function<void(const Results&)>& progress) {
     const Builder builder(config_, request_.isolation.tier, request_.compile_limit);
+    trim_cache(builder.cache());
     phase("properties", [&] {
       compile_all(config_, builder, request_, judged_);
       if (!config_.no_reference.empty()) config_ = with_own_tasks(config_, judged_);

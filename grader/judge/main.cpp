@@ -30,8 +30,8 @@ Isolation isolation(const Config& config, const GradeOptions& options) {
   if (!options.isolation.empty()) forced = tier_of(options.isolation);
   const Isolation found = probe_isolation(config.root, config.work, forced);
   if (options.require_isolation && found.tier == Tier::limits) {
-    throw pt::Error("submissions cannot be isolated here (" + found.why_not_better +
-                    "): mend that, or leave out --require-isolation");
+    throw pt::Error("--require-isolation refuses to grade in C" +
+                    (forced ? ", which was asked for" : ": " + found.why_not_better));
   }
   return found;
 }

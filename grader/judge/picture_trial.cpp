@@ -1,5 +1,6 @@
 #include "grader/judge/picture_trial.h"
 
+#include "grader/judge/cache.h"
 #include "grader/judge/files.h"
 #include "grader/judge/sha256.h"
 #include "grader/process/printable.h"
@@ -80,6 +81,7 @@ PictureResult try_picture(const Config& config, const Builder& builder, const Gr
                                   printable(run.output, 1000, true)));
     }
   }
+  mark_used(path);
   PictureResult result = read_picture(path);
   result.replay = fmt::format("./run grade {} --seed {}", trial.task.slug, request.seed);
   if (request.submission != "student") result.replay += " --submission " + request.submission;

@@ -68,7 +68,7 @@ pt::Film film_of(const pt::Image& image) {
 }
 
 void keep(const ImageVerdict& verdict, const PictureFiles& files, PictureResult& result) {
-  if (verdict.render.width == 0) return;
+  if (verdict.render.width == 0 || files.render.empty()) return;
   pt::write_image(files.render, verdict.render);
   pt::write_image(files.evidence, film_of(verdict.evidence));
   result.render = files.render;
@@ -83,23 +83,49 @@ pt::SampleMap usual_counts(const SampleMapReference& reference) {
   return map;
 }
 
+// Where a first batch may be all zero, a right program may stop there or go on: such pixels are not
+// judged.
+void blacken(const std::vector<char>& where, pt::Image& image) {
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    if (where[i] != 0) image.pixels[i] = {};
+  }
+}
+
+void blacken(const std::vector<char>& where, pt::Film& film) {
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    if (where[i] != 0) film.pixels[i] = {{}, {}, 0, film.pixels[i].samples};
+  }
+}
+
 // First how many samples a run takes where; then its picture, runs as samples.
-void judge_adaptive(const Recipe& recipe, const pt::View& view, const SeedSource& source,
-                    int max_stages, const PictureFiles& files, PictureResult& result) {
+void judge_adaptive(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
+                    const PictureFiles& files, PictureResult& result) {
   const SampleMapReference reference = read_reference(files.rates);
-  const Rendered run = render(recipe, view, 1, batch_seed(source, recipe, 0, 0));
-  pt::write_counts(files.counts, run.counts);
-  pt::write_counts(files.golden_counts, usual_counts(reference));
-  result.golden_counts = files.golden_counts;
-  result.counts = files.counts;
+  const Rendered run =
+      render(recipe, view, rendering.rows, 1, batch_seed(rendering.source, recipe, 0, 0));
+  if (!files.counts.empty()) {
+    pt::write_counts(files.counts, run.counts);
+    pt::write_counts(files.golden_counts, usual_counts(reference));
+    result.golden_counts = files.golden_counts;
+    result.counts = files.counts;
+  }
   const SampleMapVerdict map = judge_sample_map(reference, run.counts);
-  const ImageVerdict verdict = judge_image(
-      read_golden(files.golden, recipe), NoiseClass::ordinary,
+  const pt::Film whole = read_golden(files.golden, recipe);
+  pt::Film golden = whole;
+  blacken(reference.dark_start, golden);
+  ImageVerdict verdict = judge_image(
+      golden, NoiseClass::ordinary,
       [&](int stage, int batches, int samples) {
-        return render_stage(recipe, view, source, stage, batches, samples);
+        Batches all =
+            render_stage(recipe, view, rendering.rows, rendering.source, stage, batches, samples);
+        for (pt::Image& image : all.images) blacken(reference.dark_start, image);
+        return all;
       },
-      max_stages, kAdaptiveStages);
+      rendering.max_stages, kAdaptiveStages);
   enter(verdict, result);
+  for (std::size_t i = 0; i < verdict.render.pixels.size(); ++i) {
+    if (reference.dark_start[i] != 0) verdict.render.pixels[i] = whole.pixels[i];
+  }
   keep(verdict, files, result);
   if (!map.pass) {
     result.state = State::fail;
@@ -107,25 +133,26 @@ void judge_adaptive(const Recipe& recipe, const pt::View& view, const SeedSource
   }
 }
 
-void judge(const Recipe& recipe, const pt::View& view, const SeedSource& source, int max_stages,
+void judge(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
            const PictureFiles& files, PictureResult& result) {
   if (recipe.adaptive) {
-    return judge_adaptive(recipe, view, source, max_stages, files, result);
+    return judge_adaptive(recipe, view, rendering, files, result);
   }
   const ImageVerdict verdict = judge_image(
       read_golden(files.golden, recipe), recipe.noisy ? NoiseClass::noisy : NoiseClass::ordinary,
       [&](int stage, int batches, int samples) {
-        return render_stage(recipe, view, source, stage, batches, samples);
+        return render_stage(recipe, view, rendering.rows, rendering.source, stage, batches,
+                            samples);
       },
-      max_stages);
+      rendering.max_stages);
   enter(verdict, result);
   keep(verdict, files, result);
 }
 
 }  // namespace
 
-PictureResult judge_recipe(const Recipe& recipe, pt::Engine engine, const SeedSource& source,
-                           int max_stages, const PictureFiles& files) {
+PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
+                           const PictureFiles& files) {
   const auto start = std::chrono::steady_clock::now();
   PictureResult result;
   result.recipe = recipe.name;
@@ -133,9 +160,9 @@ PictureResult judge_recipe(const Recipe& recipe, pt::Engine engine, const SeedSo
   result.width = recipe.width;
   result.height = recipe.height;
   result.golden = files.golden;
-  const RecipeScene scene = load_scene(recipe, engine);
+  const RecipeScene scene = load_scene(recipe, rendering.engine);
   try {
-    judge(recipe, view(recipe, scene), source, max_stages, files, result);
+    judge(recipe, view(recipe, scene), rendering, files, result);
   } catch (const NoPicture& none) {
     result.state = state_of(none.cause);
     result.text = none.text;

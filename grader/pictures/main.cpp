@@ -2,6 +2,7 @@
 // here. Writes what it found as a results.json with this one picture, and the picture next to it.
 // The exit status is 0 if the picture is right, 1 if not, 2 if nothing could be judged.
 #include "grader/pictures/judge_recipe.h"
+#include "grader/pictures/worker_rows.h"
 #include "grader/process/spawn.h"
 #include "grader/remote/session.h"
 #include "grader/report/json.h"
@@ -41,10 +42,10 @@ int run(const Options& options) {
   const std::string golden = options.goldens + "/" + recipe.name;
   const std::string beside = std::filesystem::path(options.report).replace_extension();
   remote::open_session(options.session);
-  PictureResult result =
-      judge_recipe(recipe, engine_for(options.session.task), options.source, options.stages,
-                   {golden + ".exr", golden + "_rates.json", beside + ".exr",
-                    beside + ".evidence.exr", beside + ".csv", beside + ".usual.csv"});
+  PictureResult result = judge_recipe(
+      recipe, {worker_rows, engine_for(options.session.task), options.source, options.stages},
+      {golden + ".exr", golden + "_rates.json", beside + ".exr", beside + ".evidence.exr",
+       beside + ".csv", beside + ".usual.csv"});
   result.integrated = options.session.integrated;
   Results results;
   results.complete = true;

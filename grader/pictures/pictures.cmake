@@ -1,7 +1,7 @@
 # graded_picture: one recipe on one worker, judged.
 firstlight_library(grader_pictures pictures/render.cpp pictures/judge_recipe.cpp)
-target_link_libraries(grader_pictures PUBLIC grader_remote grader_images grader_recipes)
-add_executable(graded_picture pictures/main.cpp)
+target_link_libraries(grader_pictures PUBLIC grader_images grader_recipes grader_property)
+add_executable(graded_picture pictures/main.cpp pictures/worker_rows.cpp)
 add_dependencies(graded_picture box)
 target_link_libraries(graded_picture PRIVATE
   grader_pictures grader_images grader_recipes grader_recipe_scenes grader_remote grader_property grader_counting

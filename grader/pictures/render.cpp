@@ -1,8 +1,7 @@
 #include "grader/pictures/render.h"
 
 #include "grader/judge/sha256.h"
-#include "grader/remote/call.h"
-#include "pt/render/render_rows.h"
+#include "grader/recipes/seeds.h"
 
 #include <fmt/format.h>
 
@@ -13,31 +12,16 @@ namespace {
 // In one call: few enough that the limit of a call is one for a slow machine too.
 constexpr int kRows = 8;
 
-pt::PictureRows ask_worker(const pt::View& view, const pt::RowsRequest& request) {
-  using namespace remote;
-  using Signature = SignatureOf<&pt::render_rows>;
-  Writer out;
-  session().begin();
-  Signature::put(out, session(), view, request);
-  const std::string_view reply =
-      session().call(kFunction<&pt::render_rows>, Signature::code(), Repetition{}, out);
-  auto rows = read_reply<pt::PictureRows>(reply, get<pt::PictureRows>);
-  const std::size_t pixels = static_cast<std::size_t>(view.width) * request.rows;
-  if (rows.mean.size() != pixels || rows.counts.size() != (request.adaptive ? pixels : 0)) {
-    session().reject("rows of another size than the picture's");
-  }
-  return rows;
-}
-
 }  // namespace
 
 std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch) {
   const std::string hash =
       sha256(fmt::format("{} {} {} {} {}", source.content, source.seed, recipe.name, stage, batch));
-  return std::stoull(hash.substr(0, 16), nullptr, 16);
+  return judged_seed(std::stoull(hash.substr(0, 16), nullptr, 16));
 }
 
-Rendered render(const Recipe& recipe, const pt::View& view, int samples, std::uint64_t seed) {
+Rendered render(const Recipe& recipe, const pt::View& view, const RowRenderer& render_rows,
+                int samples, std::uint64_t seed) {
   Rendered picture{pt::Image(view.width, view.height), {}};
   if (recipe.adaptive) {
     picture.counts = {view.width, view.height, {}, recipe.adaptive->max_samples};
@@ -45,7 +29,7 @@ Rendered render(const Recipe& recipe, const pt::View& view, int samples, std::ui
   }
   for (int first = 0; first < view.height; first += kRows) {
     const int rows = std::min(kRows, view.height - first);
-    const pt::PictureRows some = ask_worker(view, {first, rows, samples, recipe.adaptive, seed});
+    const pt::PictureRows some = render_rows(view, {first, rows, samples, recipe.adaptive, seed});
     for (int i = 0; i < rows * view.width; ++i) {
       // Tasks count rows from the bottom, pictures from the top.
       const int y = view.height - 1 - (first + i / view.width);
@@ -57,12 +41,12 @@ Rendered render(const Recipe& recipe, const pt::View& view, int samples, std::ui
   return picture;
 }
 
-Batches render_stage(const Recipe& recipe, const pt::View& view, const SeedSource& source,
-                     int stage, int batches, int samples) {
+Batches render_stage(const Recipe& recipe, const pt::View& view, const RowRenderer& rows,
+                     const SeedSource& source, int stage, int batches, int samples) {
   Batches all{samples, {}};
   for (int batch = 0; batch < batches; ++batch) {
     const std::uint64_t seed = batch_seed(source, recipe, stage, batch);
-    all.images.push_back(render(recipe, view, samples, seed).mean);
+    all.images.push_back(render(recipe, view, rows, samples, seed).mean);
   }
   return all;
 }

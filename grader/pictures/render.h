@@ -4,15 +4,21 @@
 #include "grader/property/property.h"
 #include "grader/recipes/recipes.h"
 #include "pt/image/sample_map.h"
+#include "pt/render/render_rows.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
-// Pictures of a recipe, made by the worker of this program's session.
+// Pictures of a recipe, whoever renders their rows.
 
 namespace grader {
 
-// The worker made no picture. The text says what it did instead, for a person to read.
+// Renders the rows that are asked for: in a worker (worker_rows.h), or pt::render_rows with the
+// tasks that this program links.
+using RowRenderer = std::function<pt::PictureRows(const pt::View&, const pt::RowsRequest&)>;
+
+// A worker made no picture. The text says what it did instead, for a person to read.
 struct NoPicture {
   Cause cause = Cause::crash;
   std::string text;
@@ -25,8 +31,7 @@ struct SeedSource {
   std::uint64_t seed = 1;  // of the run
 };
 
-// The seed of one batch of a stage. As it is a hash, it is none of the small numbers that goldens
-// are made with.
+// The seed of one batch of a stage; never a golden's (grader/recipes/seeds.h).
 std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch);
 
 struct Rendered {
@@ -34,11 +39,11 @@ struct Rendered {
   pt::SampleMap counts;  // of an adaptive recipe; else empty
 };
 
-// Throws NoPicture.
-Rendered render(const Recipe& recipe, const pt::View& view, int samples, std::uint64_t seed);
+Rendered render(const Recipe& recipe, const pt::View& view, const RowRenderer& rows, int samples,
+                std::uint64_t seed);
 
 // The batches of one stage; of an adaptive recipe each is one run.
-Batches render_stage(const Recipe& recipe, const pt::View& view, const SeedSource& source,
-                     int stage, int batches, int samples);
+Batches render_stage(const Recipe& recipe, const pt::View& view, const RowRenderer& rows,
+                     const SeedSource& source, int stage, int batches, int samples);
 
 }  // namespace grader

@@ -23,7 +23,7 @@ Rgb any_albedo_of_a_shade() { return {0.2, 0.5, 0.7}; }
 }  // namespace
 
 pt::Scene ready(pt::Scene scene) {
-  scene.tracer = pt::Tracer(pt::Engine::linear, scene.primitives);
+  scene.tracer = pt::Tracer(pt::Engine::wide, scene.primitives);
   return scene;
 }
 

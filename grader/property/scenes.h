@@ -15,7 +15,9 @@
 
 namespace grader {
 
-// A complete scene, made so that it answers rays. The one place where the engine is chosen.
+// A complete scene, made so that it answers rays. The one place where the engine is chosen: the
+// fast one, which calls no task, so only for tasks of parts 3 to 5. A worker with all of a
+// learner's tasks traces the scene by them instead.
 pt::Scene ready(pt::Scene scene);
 
 // Turned, moved and scaled: from the coordinates a scene is thought out in to the world's.

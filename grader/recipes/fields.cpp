@@ -26,7 +26,7 @@ const json& Fields::required(const std::string& key) {
 
 std::string Fields::text(const std::string& key) {
   const json& value = required(key);
-  if (!value.is_string() || value == "") {
+  if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
     fail(fmt::format("'{}' is a text; write it in quotes", key));
   }
   return value;

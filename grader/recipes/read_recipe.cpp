@@ -31,7 +31,7 @@ std::string read_name(Fields& fields) {
 
 std::filesystem::path read_scene(Fields& fields, const std::filesystem::path& file) {
   const std::string name = fields.text("scene");
-  const std::filesystem::path path = file.parent_path() / name;
+  std::filesystem::path path = file.parent_path() / name;
   if (!std::filesystem::is_regular_file(path)) {
     fields.fail(fmt::format("there is no scene '{}'; scenes are named relative to the recipes",
                             path.string()));

@@ -38,7 +38,7 @@ concept HasFields = requires(T& value) {
 FIRSTLIGHT_FIELDS(pt::Vec3, x, y, z);
 FIRSTLIGHT_FIELDS(pt::Rgb, r, g, b);
 FIRSTLIGHT_FIELDS(pt::Frame, x, y, z);
-FIRSTLIGHT_FIELDS(pt::Ray, origin, direction, t_min, t_max);
+FIRSTLIGHT_FIELDS(pt::Ray, origin, direction, t_min, t_max, leaves);
 FIRSTLIGHT_FIELDS(pt::Interval, min, max);
 FIRSTLIGHT_FIELDS(pt::Triangle, p0, p1, p2, n0, n1, n2);
 FIRSTLIGHT_FIELDS(pt::Sphere, center, radius);
@@ -48,7 +48,8 @@ FIRSTLIGHT_FIELDS(pt::Hit, t, n, primitive);
 FIRSTLIGHT_FIELDS(pt::BvhNode, box, left, right, first, count);
 FIRSTLIGHT_FIELDS(pt::Bvh, nodes, order);
 FIRSTLIGHT_FIELDS(pt::Primitives, triangles, spheres);
-FIRSTLIGHT_FIELDS(pt::SurfacePoint, p, n, geometric_normal, frame, wo, albedo, emission, scale);
+FIRSTLIGHT_FIELDS(pt::SurfacePoint, p, n, geometric_normal, frame, wo, albedo, emission, triangle,
+                  scale);
 FIRSTLIGHT_FIELDS(pt::Camera, position, camera_to_world, hfov_deg, vfov_deg, near_clip, far_clip);
 FIRSTLIGHT_FIELDS(pt::Material, name, albedo, emission, unsupported);
 FIRSTLIGHT_FIELDS(pt::RectangleLight, center, u, v, n, radiance);

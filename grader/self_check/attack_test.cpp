@@ -1,13 +1,16 @@
 // Submissions that attack the judge, each in every tier that isolates: they earn nothing, see
 // nothing, and leave nothing behind. An attack says "BROKE OUT" where it gets somewhere.
+#include "grader/process/spawn.h"
 #include "grader/self_check/hostile_submission.h"
 
 #include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <map>
 #include <set>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace grader {
@@ -16,14 +19,20 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// Programs of the work folder that still run, and files where attacks try to leave some.
-std::vector<std::string> left_behind(const Submission& submission) {
-  std::vector<std::string> left;
+// Programs from the work folder that run: workers.
+std::vector<std::string> running(const Submission& submission) {
+  std::vector<std::string> programs;
   std::error_code error;
   for (const auto& process : fs::directory_iterator("/proc")) {
     const std::string program = fs::read_symlink(process.path() / "exe", error);
-    if (!error && program.starts_with(submission.work().string())) left.push_back(program);
+    if (!error && program.starts_with(submission.work().string())) programs.push_back(program);
   }
+  return programs;
+}
+
+// What still runs, and files where attacks try to leave some.
+std::vector<std::string> left_behind(const Submission& submission) {
+  std::vector<std::string> left = running(submission);
   for (const char* folder : {"/", "/tmp", "/var/tmp", "/dev/shm", "/usr/lib", FIRSTLIGHT_ROOT}) {
     for (const char* name : {"left", "firstlight_left", "firstlight_left_folder"}) {
       if (fs::exists(fs::path(folder) / name)) left.push_back(fs::path(folder) / name);
@@ -139,6 +148,36 @@ TEST_P(Attack, gets_nowhere_by_compiling_for_ever) {
     EXPECT_EQ(task.at("state"), "fail");
     EXPECT_EQ(task.at("reason"), "it does not compile") << task.at("slug");
   }
+}
+
+// Whoever kills the judge, with no time to clean up, ends everything.
+TEST_P(Attack, ends_with_the_judge) {
+  Submission submission("killed" + GetParam());
+  std::ofstream(submission / "2_bvh/hit_box.cpp")
+      << "#include \"pt/tasks/hit_box.h\"\nnamespace pt {\n"
+         "std::optional<Interval> hit_box(const Box&, const Ray&) {\n"
+         "  for (volatile int i = 0;; i = i + 1) {}\n}\n}\n";
+  Child judge{submission.command({"--isolation", GetParam(), "--call-limit", "60000", "hit_box"}),
+              {"PATH=/usr/bin:/bin"},
+              {},
+              "",
+              {}};
+  const pid_t pid = spawn(judge);
+  int status = 0;
+  bool ended = false, started = false;
+  for (int i = 0; i < 6000 && !ended && !started; ++i) {
+    usleep(10000);
+    ended = waitpid(pid, &status, WNOHANG) == pid;
+    started = !running(submission).empty();
+  }
+  if (ended && WEXITSTATUS(status) == 2) GTEST_SKIP() << "NOT TESTED in tier " << GetParam();
+  EXPECT_TRUE(started);
+  if (!ended) {
+    kill(pid, SIGKILL);
+    waitpid(pid, &status, 0);
+  }
+  for (int i = 0; i < 200 && !running(submission).empty(); ++i) usleep(10000);
+  EXPECT_EQ(running(submission), std::vector<std::string>{});
 }
 
 INSTANTIATE_TEST_SUITE_P(tier, Attack, testing::Values("A", "B"),

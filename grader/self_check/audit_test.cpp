@@ -26,7 +26,7 @@ std::string compiled(const std::string& text) {
       fmt::format("{} -std=c++20 -O1 -w -c '{}' -o '{}'", FIRSTLIGHT_CXX,
                   (folder / "task.cpp").string(), (folder / "task.o").string());
   EXPECT_EQ(std::system(command.c_str()), 0) << text;
-  const std::string object = read_file(folder / "task.o");
+  std::string object = read_file(folder / "task.o");
   fs::remove_all(folder);
   return object;
 }

@@ -72,12 +72,9 @@ std::vector<std::string> Submission::put(const std::string& batch) {
   return slugs;
 }
 
-Outcome Submission::grade(std::vector<std::string> words) const {
+Outcome Submission::run(const std::vector<std::string>& command) const {
   const fs::path json_path = folder_ / "results.json";
   fs::remove(json_path);
-  std::vector<std::string> command{FIRSTLIGHT_GRADE, "--submission", folder_, "--json",
-                                   json_path,        "--call-limit", "300"};
-  command.insert(command.end(), words.begin(), words.end());
   const CommandResult run =
       run_command({command, {"PATH=/usr/bin:/bin", "FIRSTLIGHT_SECRET=1"}, {}, "", {}},
                   std::chrono::seconds(120));
@@ -88,14 +85,26 @@ Outcome Submission::grade(std::vector<std::string> words) const {
   return outcome;
 }
 
-Outcome Submission::grade_afresh(std::vector<std::string> words) const {
+Outcome Submission::grade(std::vector<std::string> words) const {
+  words.insert(words.begin(), {FIRSTLIGHT_GRADE, "--submission", folder_, "--json",
+                               folder_ / "results.json", "--call-limit", "300"});
+  return run(words);
+}
+
+std::vector<std::string> Submission::command(std::vector<std::string> words) const {
   fs::remove_all(work());
   fs::create_directories(work());
   json config = json::parse(text_of(fs::path(FIRSTLIGHT_GRADE).parent_path() / "grade.json"));
   config["work"] = work();
   std::ofstream(work() / "grade.json") << config;
-  words.insert(words.end(), {"--config", work() / "grade.json"});
-  return grade(std::move(words));
+  words.insert(words.begin(), {FIRSTLIGHT_GRADE, "--submission", folder_, "--json",
+                               folder_ / "results.json", "--config", work() / "grade.json"});
+  return words;
+}
+
+Outcome Submission::grade_afresh(std::vector<std::string> words) const {
+  words.insert(words.begin(), {"--call-limit", "300"});
+  return run(command(std::move(words)));
 }
 
 }  // namespace grader

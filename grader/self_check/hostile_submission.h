@@ -39,9 +39,13 @@ class Submission {
 
   // The same with a folder of its own for what the judge builds and knows, new and empty.
   Outcome grade_afresh(std::vector<std::string> words) const;
+  // The command for that, not run.
+  std::vector<std::string> command(std::vector<std::string> words) const;
   std::filesystem::path work() const { return folder_.string() + ".work"; }
 
  private:
+  Outcome run(const std::vector<std::string>& command) const;
+
   std::filesystem::path folder_;
 };
 

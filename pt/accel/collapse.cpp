@@ -11,54 +11,66 @@ namespace {
 // For triangles smaller still, products of single precision may underflow; with this size the error
 // bounds are larger than what is lost then.
 constexpr float kSmallest = 0x1p-40f;
+constexpr float kSmallestArea = kSmallest * kSmallest;
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 double sum_abs(Vec3 a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); }
 
-void put(float (&rows)[3][kBlock], int slot, Vec3 a) {
+template <int W>
+void put(float (&rows)[3][W], int slot, Vec3 a) {
   for (int axis = 0; axis < 3; ++axis) rows[axis][slot] = static_cast<float>(a[axis]);
 }
 
 // The differences are taken before they are scaled: of corners far from the centre, nothing is
 // lost.
-void put(WideBlock& block, int slot, const Triangle& triangle, const WideFrame& frame) {
+template <int W>
+void put(WideBlock<W>& block, int slot, const Triangle& triangle, const WideFrame& frame) {
   const Vec3 e1 = (triangle.p0 - triangle.p1) * frame.scale;
   const Vec3 e2 = (triangle.p2 - triangle.p0) * frame.scale;
   const double longer = std::max(sum_abs(e1), sum_abs(e2));
   put(block.p0, slot, frame(triangle.p0));
   put(block.e1, slot, e1);
   put(block.e2, slot, e2);
-  put(block.n, slot, cross(e1, e2));
+  const Vec3 n = cross(e1, e2);
+  put(block.n, slot, n);
   block.size[slot] = std::max(kSmallest, static_cast<float>(longer + longer * longer / 6));
+  // Of a sliver, rounding moves n by more than its length.
+  const double area = length(n) + 0x1p-24 * longer * longer;
+  block.area[slot] = std::max(kSmallestArea, static_cast<float>(1.0001 * area));
 }
 
-WideBlock empty_block() {
-  WideBlock block;
-  for (int slot = 0; slot < kBlock; ++slot) {
+template <int W>
+WideBlock<W> empty_block() {
+  WideBlock<W> block;
+  for (int slot = 0; slot < W; ++slot) {
     const Vec3 none{kNone, kNone, kNone};
     put(block.p0, slot, none);
     put(block.e1, slot, none);
     put(block.e2, slot, none);
     put(block.n, slot, none);
     block.size[slot] = kNone;
+    block.area[slot] = kNone;
     block.primitive[slot] = kNothing;
   }
   return block;
 }
 
 // A slot that every ray has to ask: see WideBlock.
-void put_sphere(WideBlock& block, int slot) {
+template <int W>
+void put_sphere(WideBlock<W>& block, int slot) {
   put(block.p0, slot, {});
   put(block.e1, slot, {});
   put(block.e2, slot, {});
   put(block.n, slot, {});
   block.size[slot] = std::numeric_limits<float>::infinity();
+  block.area[slot] = std::numeric_limits<float>::infinity();
 }
 
-WideBlock make_block(const BinaryTree& binary, const BinaryNode& leaf, const Primitives& primitives,
-                     const WideFrame& frame) {
-  WideBlock block = empty_block();
+template <int W>
+WideBlock<W> make_block(const BinaryTree& binary, const BinaryNode& leaf,
+                        const Primitives& primitives, const WideFrame& frame) {
+  WideBlock<W> block = empty_block<W>();
   for (int slot = 0; slot < static_cast<int>(leaf.count); ++slot) {
     const std::uint32_t primitive = binary.primitives[leaf.first + slot].primitive;
     block.primitive[slot] = primitive;
@@ -108,7 +120,7 @@ struct Collapsing {
   WideTree<W> wide;
 
   WideRef add_block(const BinaryNode& leaf) {
-    wide.blocks.push_back(make_block(binary, leaf, primitives, frame));
+    wide.blocks.push_back(make_block<W>(binary, leaf, primitives, frame));
     return kLeaf | static_cast<WideRef>(wide.blocks.size() - 1);
   }
 

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "pt/accel/binary_tree.h"
+#include "pt/accel/huge_pages.h"
 #include "pt/accel/wide_tree.h"
 #include "pt/geometry/primitives.h"
-
-#include <vector>
 
 namespace pt {
 
@@ -19,8 +18,8 @@ struct WideFrame {
 // A wide tree as it is built.
 template <int W>
 struct WideTree {
-  std::vector<WideNode<W>> nodes;
-  std::vector<WideBlock> blocks;
+  HugeVector<WideNode<W>> nodes;
+  HugeVector<WideBlock<W>> blocks;
   WideRef root = kNothing;
 };
 

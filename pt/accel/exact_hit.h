@@ -39,15 +39,16 @@ struct Shear {
   double inverse;  // 1 / the direction's largest component; 0 where that is infinite
 };
 
+// No branch depends on the axis or on a sign: a processor could not foresee it.
 static inline Shear shear_of(const Vec3& d) {
   const double x = __builtin_fabs(d.x), y = __builtin_fabs(d.y), z = __builtin_fabs(d.z);
-  const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-  const int next = axis == 2 ? 0 : axis + 1, last = 3 - axis - next;
-  const double along = axis == 0 ? d.x : axis == 1 ? d.y : d.z;
-  const double d_next = axis == 0 ? d.y : axis == 1 ? d.z : d.x;
-  const double d_last = axis == 0 ? d.z : axis == 1 ? d.x : d.y;
-  const double inverse = 1 / along;
-  return {axis, next, last, d_next * inverse, d_last * inverse, inverse};
+  const int not_x = !((x >= y) & (x >= z)), not_y = !(y >= z);
+  const int axis = not_x + (not_x & not_y);
+  constexpr int kNext[] = {1, 2, 0}, kLast[] = {2, 0, 1};
+  const int next = kNext[axis], last = kLast[axis];
+  const double components[] = {d.x, d.y, d.z};
+  const double inverse = 1 / components[axis];
+  return {axis, next, last, components[next] * inverse, components[last] * inverse, inverse};
 }
 
 // The weights of the corners p0, p1 and p2, before they are divided by their sum, and the corners'
@@ -117,8 +118,8 @@ static inline Weights weights(const Triangle& triangle, const Ray& ray, const Sh
   const __m256d zero = _mm256_setzero_pd();
   const int positive = _mm256_movemask_pd(_mm256_cmp_pd(w, zero, _CMP_GE_OQ)) & 7;
   const int negative = _mm256_movemask_pd(_mm256_cmp_pd(w, zero, _CMP_LE_OQ)) & 7;
-  if (positive != 7 && negative != 7) return {};
-  return {true, {w[0], w[1], w[2]}, {z[0], z[1], z[2]}};
+  const bool inside = (positive == 7) | (negative == 7);
+  return {inside, {w[0], w[1], w[2]}, {z[0], z[1], z[2]}};
 }
 
 #else
@@ -166,7 +167,7 @@ static inline Weights weights(const Triangle& triangle, const Ray& ray, const Sh
   const double u = difference_of_products(c.x, b.y, c.y, b.x);
   const double v = difference_of_products(a.x, c.y, a.y, c.x);
   const double w = difference_of_products(b.x, a.y, b.y, a.x);
-  const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+  const bool inside = ((u >= 0) & (v >= 0) & (w >= 0)) | ((u <= 0) & (v <= 0) & (w <= 0));
   return {inside, {u, v, w}, {a.z, b.z, c.z}};
 }
 
@@ -193,6 +194,20 @@ static inline bool is_degenerate(const Triangle& triangle) {
   return ay * bz - az * by == 0 && az * bx - ax * bz == 0 && ax * by - ay * bx == 0;
 }
 
+// The answer for a triangle that has an area and whose plane is not clearly_outside.
+static inline ExactHit meet(const Triangle& triangle, const Ray& ray) {
+  const Shear shear = shear_of(ray.direction);
+  const Weights q = weights(triangle, ray, shear);
+  if (!(q.inside && shear.inverse != 0)) return {};
+  const double sum = q.w[0] + q.w[1] + q.w[2];
+  if (!(sum != 0)) return {};
+  const double inverse = 1 / sum;
+  const double b0 = q.w[0] * inverse, b1 = q.w[1] * inverse, b2 = q.w[2] * inverse;
+  const double t = (b0 * q.along[0] + b1 * q.along[1] + b2 * q.along[2]) * shear.inverse;
+  if (!in_range(t, ray)) return {};
+  return {true, t, b0, b1, b2};
+}
+
 }  // namespace exact
 
 // Woop, Benthin and Wald 2013 (Watertight Ray/Triangle Intersection, JCGT 2(1)): in the sheared
@@ -207,17 +222,8 @@ static inline bool is_degenerate(const Triangle& triangle) {
 // however flat the ray meets it. The engine's bounds are made for that.
 static inline ExactHit exact_hit(const Triangle& triangle, const Ray& ray) {
   if (exact::is_clearly_outside(triangle, ray)) return {};
-  const exact::Shear shear = exact::shear_of(ray.direction);
-  const exact::Weights q = exact::weights(triangle, ray, shear);
-  if (!(q.inside && shear.inverse != 0)) return {};
-  const double sum = q.w[0] + q.w[1] + q.w[2];
-  if (!(sum != 0)) return {};
-  const double inverse = 1 / sum;
-  const double b0 = q.w[0] * inverse, b1 = q.w[1] * inverse, b2 = q.w[2] * inverse;
-  const double t = (b0 * q.along[0] + b1 * q.along[1] + b2 * q.along[2]) * shear.inverse;
-  if (!exact::in_range(t, ray)) return {};
-  if (exact::is_degenerate(triangle)) return {};
-  return {true, t, b0, b1, b2};
+  const ExactHit hit = exact::meet(triangle, ray);
+  return hit.hit && !exact::is_degenerate(triangle) ? hit : ExactHit{};
 }
 
 // The quadratic with the distance of the centre from the ray as discriminant, and the root that

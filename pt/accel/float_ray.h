@@ -12,16 +12,16 @@ namespace pt {
 namespace {
 
 // Error bounds. Let u = 2^-24, and all lengths be those of the tree's frame, in which boxes and
-// corners lie in [-1, 1] and the direction's largest component is D in [1, 2). Let C = 1 + |o|, the
+// corners lie in [-1, 1]. Let D be the direction's largest component, and C = 1 + |o| with |o| the
 // largest component of the origin, so that no corner is farther than C from it, and t <= 2 C / D.
 //
 //   A slab plane's distance, (b - o) / d: b is off by u, o by u |o|, 1/d by 3 u of itself, and the
 //   products and sums round by u each; together at most 8 u C / d. kSlab doubles that.
 //   An edge's volume, (d x c) . e with c = p0 - o off by 2 u C: at most 18 u C D E with E as in
 //   WideBlock::size; the third, det - U - V, 42 u C D E + 7 u D E^2, at most 42 u C D size.
-//   The plane's, T = n . c, against t det: 6 u C N and 22 u C N with N <= size^2 the length of n,
-//   also where det is so small that its sign is wrong; for a bound on t that was itself rounded
-//   by 4 u t + u C another 18 u C N. kVolume covers these.
+//   The plane's, T = n . c, against t det: 6 u C N and 22 u C N with N as in WideBlock::area, also
+//   where det is so small that its sign is wrong; for a bound on t that was itself rounded by
+//   4 u t + u C / D another 18 u C N. kVolume covers these.
 //
 // What is left over in both (a sixteenth at least) exceeds all that is not of first order, and the
 // 16 rounding errors in double by which exact_hit may move a corner. Far away these are no longer
@@ -29,43 +29,58 @@ namespace {
 constexpr float kUnit = 0x1p-24f;
 constexpr float kSlab = 16 * kUnit;
 constexpr float kVolume = 50 * kUnit;
-constexpr double kFar = 6;  // farther origins are moved along the ray to where the tree begins
+
+// What is prepared without further thought: origins up to kNear away, farther ones are moved along
+// the ray to where the tree begins; directions with a largest component between kShort and kLong,
+// others are scaled. A component of less than kFlat does not leave the plane within reach, so it
+// may as well be that: then nothing is infinite. No t of such rays is as large as kEndless.
+constexpr float kNear = 6;
+constexpr float kShort = 0x1p-40f;
+constexpr float kLong = 0x1p40f;
+constexpr float kFlat = 0x1p-100f;
+constexpr float kEndless = 0x1p60f;
 
 typedef double Doubles4 __attribute__((vector_size(32)));
-typedef float Floats4 __attribute__((vector_size(16)));
-typedef std::int32_t Ints4 __attribute__((vector_size(16)));
+using Floats4 = Floats<4>;
+using Ints4 = Ints<4>;
 
-// Vectors have x, y and z in their first three lanes.
-struct FloatRay {
-  Floats4 origin;
-  Floats4 direction;
-  Floats4 inverse;
-  Floats4 enter;  // b inverse + enter: no later than the ray crosses the plane b
-  Floats4 leave;  // and no earlier
+PT_INLINE double larger(double a, double b) { return a > b ? a : b; }
+PT_INLINE double smaller(double a, double b) {
+#if defined(__SSE2__)
+  return _mm_cvtsd_f64(_mm_min_sd(_mm_set_sd(a), _mm_set_sd(b)));  // never a branch
+#else
+  return a < b ? a : b;
+#endif
+}
+
+// Arrays hold x, y, z and padding: a test takes its numbers from memory one at a time, for all
+// lanes.
+struct alignas(16) FloatRay {
+  float origin[4];
+  float direction[4];
+  float inverse[4];
+  float enter[4];         // b inverse + enter: no later than the ray crosses the plane b
+  float leave[4];         // and no earlier
+  std::int32_t first[4];  // which row of a node's bounds the ray meets first on each axis
+  std::int32_t last[4];
   float t_min;
   float t_max;
   float reach;
-  float volume_error;  // kVolume reach D
-  double t_scale;      // t here = t of the ray * t_scale - t_shift, in double
+  float edge_error;   // kVolume reach D
+  float plane_error;  // kVolume reach
+  float t_slack;      // u C / D where t was shifted
+  double t_scale;     // t here = t of the ray * t_scale - t_shift, in double
   double t_shift;
+  std::uint32_t leaves;  // the triangle that need not be asked
 
-  // Bounds of a range of t: rounded outwards, by no more than kVolume allows for.
-  float lower(double t) const {
-    if (t == 0 && t_shift == 0) return 0;
-    const float bound = here(t) * (1 - 4 * kUnit) - reach * kUnit;
-    return bound > 0 ? bound : 0;
-  }
-  float upper(double t) const { return here(t) * (1 + 4 * kUnit) + reach * kUnit; }
+  // A bound of t from above, rounded by no more than kVolume allows for.
+  float upper(double t) const { return here(t) * (1 + 4 * kUnit) + t_slack; }
 
  private:
-  // Nothing is as far as 64 reach.
   float here(double t) const {
-    const double t_here = t * t_scale - t_shift;
-    return static_cast<float>(t_here < 64 * reach ? t_here : 64 * reach);
+    return static_cast<float>(smaller(t * t_scale - t_shift, kEndless));
   }
 };
-
-PT_INLINE double larger(double a, double b) { return a > b ? a : b; }
 
 // The bits of the exponent of a > 0, and the power of two with such an exponent.
 PT_INLINE std::uint64_t exponent_of(double a) { return __builtin_bit_cast(std::uint64_t, a) >> 52; }
@@ -86,19 +101,6 @@ PT_INLINE void clip(double o, double d, double side, double& begin, double& end)
   end = end < far ? end : far;
 }
 
-// What of the ray can meet the tree at all, for origins far from it and ranges that begin behind
-// the origin: moves the origin there. False where nothing can.
-static bool move_to_tree(Doubles4& o, const Doubles4& d, double& begin, double& end) {
-  // Half a unit beyond the boxes, or more where double precision is that coarse.
-  const double size =
-      larger(larger(__builtin_fabs(o[0]), __builtin_fabs(o[1])), __builtin_fabs(o[2]));
-  const double side = 1.5 + size * 0x1p-44;
-  for (int axis = 0; axis < 3; ++axis) clip(o[axis], d[axis], side, begin, end);
-  if (!(begin <= end)) return false;
-  o = o + begin * d;
-  return true;
-}
-
 PT_INLINE Doubles4 load3(const double* p) {
   Doubles4 a;  // the fourth lane is whatever follows
   __builtin_memcpy(&a, p, sizeof a);
@@ -109,45 +111,76 @@ PT_INLINE double largest(Doubles4 a) {
   a = (Doubles4)((Longs4)a & std::int64_t(0x7fffffffffffffff));
   return larger(larger(a[0], a[1]), a[2]);
 }
+PT_INLINE float largest(Floats4 a) { return max<4>(max<4>(a, splat<4>(a[1])), splat<4>(a[2]))[0]; }
 
-PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
-  static_assert(offsetof(Ray, direction) == 24 && sizeof(Ray) == 64);
+// Any ray: the direction is scaled until its largest component is in [1, 2), the origin moved along
+// the ray to where the tree begins. False where nothing can be met.
+static bool prepare_any(const WideView& view, const Ray& ray, FloatRay& r) {
   Doubles4 o = load3(&ray.origin.x), d = load3(&ray.direction.x);
   // NaN times zero is not zero, and neither is infinity.
   const Doubles4 zero = (o + d) * 0.0;
   const double longest = largest(d);
   if (!(zero[0] + zero[1] + zero[2] == 0 && longest > 0 && ray.t_min <= ray.t_max)) return false;
   const std::uint64_t exponent = exponent_of(longest);
-  const double unit = power_of_two(2046 - exponent);  // brings `longest` into [1, 2)
   o = (o - load3(view.center)) * view.scale;
-  d = d * unit;
-  const double size = largest(o);
+  d = d * power_of_two(2046 - exponent);
   r.t_scale = power_of_two(exponent) * view.scale;
-  r.t_shift = 0;
-  double near_size = size;
-  if (!(size <= kFar && ray.t_min >= 0)) {
-    double begin = ray.t_min * r.t_scale, end = ray.t_max * r.t_scale;
-    if (!move_to_tree(o, d, begin, end)) return false;
-    r.t_shift = begin;
-    near_size = largest(o);
-  }
-  r.reach = static_cast<float>(1.0001 + near_size + size * 0x1p-20);
-  r.volume_error = kVolume * r.reach * static_cast<float>(longest * unit);
-  r.t_min = r.t_shift == 0 ? r.lower(ray.t_min) : 0;
+  double begin = ray.t_min * r.t_scale, end = ray.t_max * r.t_scale;
+  // To half a unit beyond the boxes, or more where double precision is that coarse.
+  const double size = largest(o);
+  const double side = 1.5 + size * 0x1p-44;
+  for (int axis = 0; axis < 3; ++axis) clip(o[axis], d[axis], side, begin, end);
+  if (!(begin <= end)) return false;
+  o = o + begin * d;
+  store<4>(r.origin, __builtin_convertvector(o, Floats4));
+  store<4>(r.direction, __builtin_convertvector(d, Floats4));
+  r.reach = static_cast<float>(1.0001 + largest(o) + size * 0x1p-20);
+  r.t_shift = begin;
+  r.t_slack = r.reach * kUnit;
+  r.t_min = 0;
   r.t_max = r.upper(ray.t_max);
-  r.origin = __builtin_convertvector(o, Floats4);
-  r.direction = __builtin_convertvector(d, Floats4);
-  // A component so small that the ray does not leave the plane within reach may as well be a little
-  // larger: then nothing is infinite.
-  const Ints4 sign = (Ints4)r.direction & std::int32_t(0x80000000);
-  const Floats4 length = (Floats4)((Ints4)r.direction ^ sign);
-  const Floats4 small = 0x1p-60f - Floats4{};
-  const Floats4 abs_inverse = 1 / (length > small ? length : small);
-  r.inverse = (Floats4)((Ints4)abs_inverse | sign);
-  const Floats4 slack = kSlab * r.reach * abs_inverse;
-  const Floats4 at = -(r.origin * r.inverse);
-  r.enter = at - slack;
-  r.leave = at + slack;
+  return true;
+}
+
+PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
+  static_assert(offsetof(Ray, direction) == 24 && offsetof(Ray, t_min) == 48);
+  const Doubles4 o = (load3(&ray.origin.x) - load3(view.center)) * view.scale;
+  const Doubles4 d = load3(&ray.direction.x) * view.scale;
+  Floats4 origin = __builtin_convertvector(o, Floats4);
+  Floats4 direction = __builtin_convertvector(d, Floats4);
+  Floats4 length = magnitude<4>(direction);
+  const Floats4 away = magnitude<4>(origin);
+  const std::uint32_t usual =
+      less_equal<4>(away, splat<4>(kNear)) & less_equal<4>(length, splat<4>(kLong));
+  const std::uint32_t long_enough = less_equal<4>(splat<4>(kShort), length);
+  if (((usual & 7) == 7) & ((long_enough & 7) != 0) & (ray.t_min >= 0) & (ray.t_min <= ray.t_max)) {
+    r.t_scale = 1;
+    r.t_shift = 0;
+    r.t_slack = 0;
+    r.reach = 1.0001f + largest(away);
+    r.t_min = static_cast<float>(smaller(ray.t_min, kEndless)) * (1 - 4 * kUnit);
+    r.t_max = static_cast<float>(smaller(ray.t_max, kEndless)) * (1 + 4 * kUnit);
+  } else {
+    if (!prepare_any(view, ray, r)) return false;
+    origin = load<4>(r.origin);
+    direction = load<4>(r.direction);
+    length = magnitude<4>(direction);
+  }
+  const auto left = static_cast<std::uint32_t>(ray.leaves);
+  r.leaves = left < view.triangle_count ? left : kNothing;
+  r.plane_error = kVolume * r.reach;
+  r.edge_error = r.plane_error * largest(length);
+  store<4>(r.origin, origin);
+  store<4>(r.direction, direction);
+  const Floats4 abs_inverse = 1 / max<4>(length, splat<4>(kFlat));
+  const Floats4 inverse = flip<4>(abs_inverse, sign_of<4>(direction));
+  const Floats4 slack = (kSlab * r.reach) * abs_inverse;
+  store<4>(r.inverse, inverse);
+  store<4>(r.enter, multiply_add<4>(-origin, inverse, -slack));
+  store<4>(r.leave, multiply_add<4>(-origin, inverse, slack));
+  const Ints4 rows{0, 1, 2, 0}, down = ((Ints4)direction >> 31) & 3;
+  store<4>(r.first, rows + down);
+  store<4>(r.last, rows + (3 - down));
   return true;
 }
 

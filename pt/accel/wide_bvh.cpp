@@ -106,7 +106,7 @@ WideBvh WideBvh::build(const Primitives& primitives, const Kernel& kernel) {
       boxed.push_back({to_frame(box, tree->frame), index});
     }
   }
-  const BinaryTree binary = build_binary_tree(std::move(boxed), kBlock);
+  const BinaryTree binary = build_binary_tree(std::move(boxed), kernel.width);
   if (kernel.width == 16) {
     const auto& wide = tree->wide.emplace<1>(collapse<16>(binary, primitives, tree->frame));
     tree->view = view_of(wide, tree->frame);

@@ -14,7 +14,7 @@
 namespace pt {
 
 // The fast engine. A binary tree is collapsed until a node has 8 or 16 children, so that one ray is
-// tested against all their boxes at once, and a leaf is a block of up to 8 triangles that are
+// tested against all their boxes at once, and a leaf is a block of as many triangles that are
 // tested at once too:
 //
 //          binary                        wide                    a node in memory
@@ -24,10 +24,11 @@ namespace pt {
 //     a b c d e f g h                                        max z | a b c d e f g h |
 //
 // All this happens in single precision, with bounds that err on the safe side only: it finds
-// candidates. Whether one is hit, and where, is decided in double precision by exact_hit.h from the
-// primitive itself. So the answers are those of asking every primitive in turn with exact_hit:
-// the smallest t in the ray's range, of several at the same t the primitive with the smallest
-// index, and the same bits on every machine and for every kernel.
+// candidates, and tells those that are hit for certain. Where the nearest is hit, and whether one
+// that is not certain is, is decided in double precision by exact_hit.h from the primitive itself.
+// The triangle that a ray says it leaves is not asked. So the answers are those of asking every
+// primitive in turn with exact_hit: the smallest t in the ray's range, of several at the same t the
+// primitive with the smallest index, and the same bits on every machine and for every kernel.
 //
 // Any ray will do: of any range and origin, with a direction of any length but zero. Surfaces that
 // are not finite are never hit. Queries are const and safe from any thread; each is handed the same

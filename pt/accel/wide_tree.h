@@ -13,7 +13,6 @@ namespace pt {
 using WideRef = std::uint32_t;
 inline constexpr WideRef kLeaf = 0x80000000u;
 inline constexpr WideRef kNothing = 0xffffffffu;
-inline constexpr int kBlock = 8;
 inline constexpr int kMaxTreeDepth = 80;
 
 // The boxes of up to W children, each bound in a row of its own. Empty slots have min > max.
@@ -23,24 +22,26 @@ struct alignas(4 * W) WideNode {
   WideRef child[W];
 };
 
-// Up to 8 triangles. The third edge and all else follows from e1 = p0 - p1 and e2 = p2 - p0.
-// Empty slots are NaN, which no test accepts. A slot with an infinite `size` is accepted by every
-// test and left to the decision in double precision: spheres.
-struct alignas(32) WideBlock {
-  float p0[3][kBlock];
-  float e1[3][kBlock];
-  float e2[3][kBlock];
-  float n[3][kBlock];  // e1 x e2
-  float size[kBlock];  // what the triangle's error bounds grow with: E + E^2 / 6, where E is the
-                       // longer edge, its components added up
-  std::uint32_t primitive[kBlock];
+// Up to W triangles. The third edge and all else follows from e1 = p0 - p1 and e2 = p2 - p0.
+// Empty slots are NaN, which no test accepts. A slot with infinite `size` and `area` is accepted by
+// every test and left to the decision in double precision: spheres.
+template <int W>
+struct alignas(4 * W) WideBlock {
+  float p0[3][W];
+  float e1[3][W];
+  float e2[3][W];
+  float n[3][W];  // e1 x e2
+  float size[W];  // what the errors of edges grow with: E + E^2 / 6, where E is the longer
+                  // edge, its components added up
+  float area[W];  // what those of the plane grow with: the length of n, or a little more
+  std::uint32_t primitive[W];
 };
 
 // The tree as a query sees it. Its coordinates are (p - center) * scale, all of them in [-1, 1], so
 // that single precision is as good at every scale and anywhere in space.
 struct WideView {
-  const void* nodes;  // WideNode<width of the kernel>
-  const WideBlock* blocks;
+  const void* nodes;            // WideNode<width of the kernel>
+  const void* blocks;           // WideBlock of the same width
   WideRef root;                 // kNothing where nothing is in the tree
   double center[4];             // x, y, z, and 0
   double scale;                 // a power of two

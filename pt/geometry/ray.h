@@ -19,6 +19,8 @@ struct Ray {
   Vec3 direction;
   double t_min = 0;
   double t_max = kInfinity;
+  int leaves = -1;  // the triangle that the ray starts on and moves away from, if that is known:
+                    // an engine need not ask it. No task has to look at it
 
   Vec3 at(double t) const { return origin + t * direction; }
 };

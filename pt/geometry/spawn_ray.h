@@ -21,7 +21,7 @@ inline Vec3 offset_point(const SurfacePoint& point, Vec3 direction) {
 // A ray from the surface along the unit `direction` (world space) that does not meet the surface it
 // starts on.
 inline Ray spawn_ray(const SurfacePoint& point, Vec3 direction) {
-  return {offset_point(point, direction), direction, 0, kInfinity};
+  return {offset_point(point, direction), direction, 0, kInfinity, point.triangle};
 }
 
 // A ray that asks whether anything stands between the point and a light at `distance` along the
@@ -29,12 +29,12 @@ inline Ray spawn_ray(const SurfacePoint& point, Vec3 direction) {
 // little before the light, which may be a surface of the scene itself. To a light at a finite
 // distance its direction is the whole way there, so that t runs from 0 to almost 1.
 inline Ray shadow_ray(const SurfacePoint& point, Vec3 wi, double distance) {
-  constexpr double kShorten = 1 - 0x1p-20;
+  constexpr double kShorten = 1 - 0x1p-14;
   const Vec3 origin = offset_point(point, wi);
-  if (!(distance < kInfinity)) return {origin, wi, 0, kInfinity};
+  if (!(distance < kInfinity)) return {origin, wi, 0, kInfinity, point.triangle};
   // Aimed at the light from where it starts: far from the world's origin the offset is larger than
   // what is cut off, and a ray along wi would end behind the light.
-  return {origin, distance * wi - (origin - point.p), 0, kShorten};
+  return {origin, distance * wi - (origin - point.p), 0, kShorten, point.triangle};
 }
 
 }  // namespace pt

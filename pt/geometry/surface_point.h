@@ -16,6 +16,7 @@ struct SurfacePoint {
   Vec3 wo;                // unit, pointing away from the surface, to where the ray came from
   Rgb albedo;             // in [0, 1]
   Rgb emission;           // radiance that leaves p along wo by itself
+  int triangle = -1;      // of the scene's primitives, the one that p is on; -1: it is a sphere's
   double scale = 1;  // the size of the numbers that p was computed from, for its rounding error
 };
 

@@ -55,6 +55,7 @@ SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
   point.frame = frame_from_normal(point.n);
   point.albedo = material.albedo;
   if (dot(point.geometric_normal, point.wo) > 0) point.emission = material.emission;
+  if (scene.primitives.is_triangle(hit.primitive)) point.triangle = hit.primitive;
   point.scale = error_scale(scene.primitives, ray, hit, point.p);
   return point;
 }

@@ -1,0 +1,115 @@
+// Judges the reference's own pictures, with one seed after the other: how often does a right
+// submission fail? Each verdict is a line of a CSV, and what is there already is not judged again,
+// so that it may be stopped and started as one likes. Exit status 1 if a picture failed.
+#include "grader/pictures/judge_recipe.h"
+#include "pt/error.h"
+
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using namespace grader;
+
+struct Options {
+  std::string root = FIRSTLIGHT_ROOT;
+  std::string out = "build/verdict_seeds.csv";
+  std::vector<std::string> names;
+  int seeds = 200;
+  int threads = 2;
+};
+
+struct Job {
+  const Recipe* recipe;
+  int seed;
+};
+
+// "recipe,seed" of every line that ends.
+std::set<std::string> done(const std::string& path) {
+  std::set<std::string> all;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line) && !file.eof();) {
+    const std::size_t comma = line.find(',');
+    if (comma != std::string::npos) all.insert(line.substr(0, line.find(',', comma + 1)));
+  }
+  return all;
+}
+
+PictureResult judge(const Job& job, const Options& options) {
+  const std::string golden = options.root + "/golden/" + job.recipe->name;
+  Rendering rendering;
+  rendering.rows = pt::render_rows;
+  rendering.source = {"the reference", static_cast<std::uint64_t>(job.seed)};
+  return judge_recipe(*job.recipe, rendering,
+                      {golden + ".exr", golden + "_rates.json", "", "", "", ""});
+}
+
+int run(const Options& options) {
+  const std::vector<Recipe> recipes = load_recipes(options.root + "/scenes/recipes.json");
+  for (const std::string& name : options.names) find(recipes, name);
+  const std::set<std::string> known = done(options.out);
+  std::vector<Job> jobs;
+  for (int seed = 1; seed <= options.seeds; ++seed) {
+    for (const Recipe& recipe : recipes) {
+      const bool asked = options.names.empty() ||
+                         std::count(options.names.begin(), options.names.end(), recipe.name) > 0;
+      if (asked && !known.contains(fmt::format("{},{}", recipe.name, seed))) {
+        jobs.push_back({&recipe, seed});
+      }
+    }
+  }
+  std::ofstream csv(options.out, std::ios::app);
+  if (!csv) throw pt::Error(options.out + ": cannot be written; choose another --out");
+  std::atomic<std::size_t> next{0}, ended{0}, failed{0}, later{0};
+  std::mutex writing;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      const PictureResult result = judge(jobs[i], options);
+      const std::lock_guard lock(writing);
+      failed += result.state == State::pass ? 0 : 1;
+      later += result.stages > 1 ? 1 : 0;
+      csv << fmt::format("{},{},{},{},{:.3f},{:.3f},\"{}\"\n", jobs[i].recipe->name, jobs[i].seed,
+                         name(result.state), result.stages, result.noise, result.seconds,
+                         result.text)
+          << std::flush;
+      std::fprintf(stderr, "\r%zu of %zu, %zu asked for a second stage, %zu failed", ++ended,
+                   jobs.size(), later.load(), failed.load());
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < options.threads; ++i) threads.emplace_back(work);
+  }
+  fmt::print("\n{} verdicts new, {} known before: {} failed, {} asked for a second stage\n",
+             jobs.size(), known.size(), failed.load(), later.load());
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Judges the reference's pictures with many seeds"};
+  app.add_option("recipe", options.names, "Recipes; default: all");
+  app.add_option("--seeds", options.seeds, "Seeds 1 to this")->check(CLI::PositiveNumber);
+  app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
+  app.add_option("--out", options.out,
+                 "The CSV: recipe, seed, state, stages, noise, seconds, text");
+  try {
+    app.parse(argc, argv);
+    return run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+// The folder in which the judge keeps what it has built and found out, so that nothing is done
+// twice. Its files are named by hashes: <key>.o, <key>.picture.json ...; those of one key are one
+// entry.
+namespace grader {
+
+// A cache that is larger than this when the judge starts is trimmed to less than half of it.
+inline constexpr std::uintmax_t kMostCached = std::uintmax_t{1} << 30;
+
+// For so long after its last use another judge may still count on an entry, and a temporary file or
+// folder may still be written. Longer than any run takes.
+inline constexpr std::chrono::hours kInUse{1};
+
+// Marks an entry's file as used now. Does nothing if the file is not there.
+void mark_used(const std::string& path);
+
+// Removes temporary files and folders that killed runs left, and, if the folder holds more than
+// `most` bytes, the entries least recently used, until it holds less than half. Nothing that was
+// used within kInUse goes. A file that cannot be removed, or is gone already, is no error.
+void trim_cache(const std::string& folder, std::uintmax_t most = kMostCached);
+
+}  // namespace grader

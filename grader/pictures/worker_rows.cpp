@@ -1,0 +1,23 @@
+#include "grader/pictures/worker_rows.h"
+
+#include "grader/remote/call.h"
+
+namespace grader {
+
+pt::PictureRows worker_rows(const pt::View& view, const pt::RowsRequest& request) {
+  using namespace remote;
+  using Signature = SignatureOf<&pt::render_rows>;
+  Writer out;
+  session().begin();
+  Signature::put(out, session(), view, request);
+  const std::string_view reply =
+      session().call(kFunction<&pt::render_rows>, Signature::code(), Repetition{}, out);
+  auto rows = read_reply<pt::PictureRows>(reply, get<pt::PictureRows>);
+  const std::size_t pixels = static_cast<std::size_t>(view.width) * request.rows;
+  if (rows.mean.size() != pixels || rows.counts.size() != (request.adaptive ? pixels : 0)) {
+    session().reject("rows of another size than the picture's");
+  }
+  return rows;
+}
+
+}  // namespace grader

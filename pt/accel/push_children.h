@@ -1,0 +1,113 @@
+// What the queries have still to visit. Internal like simd.h.
+#pragma once
+
+#include "pt/accel/node_test.h"
+
+namespace pt {
+namespace {
+
+// A node that is left leaves all its children but one behind; whole vectors are written at the top.
+constexpr int kStack = kMaxTreeDepth * (kWidth - 1) + 1 + kWidth;
+
+struct Stack {
+  int size = 0;
+  float enter[kStack];  // no later than the ray enters the box
+  WideRef ref[kStack];
+};
+
+// Pushes the children of `mask`, in any order, and returns how many.
+PT_INLINE int push_others(const Node& node, std::uint32_t mask, WideRef* top) {
+#if defined(__AVX512F__)
+  const __m512i child = _mm512_load_si512(node.child);
+  _mm512_storeu_si512(top, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), child));
+  return __builtin_popcount(mask);
+#else
+  int count = 0;
+  for (; mask != 0; mask &= mask - 1) top[count++] = node.child[__builtin_ctz(mask)];
+  return count;
+#endif
+}
+
+// Any number of children, by insertion.
+PT_INLINE WideRef push_many(const Node& node, const float* enter, std::uint32_t mask,
+                            Stack& stack) {
+  const int base = stack.size;
+  for (; mask != 0; mask &= mask - 1) {
+    const int i = __builtin_ctz(mask);
+    const float t = enter[i];
+    int at = stack.size++;
+    for (; at > base && stack.enter[at - 1] < t; --at) {
+      stack.enter[at] = stack.enter[at - 1];
+      stack.ref[at] = stack.ref[at - 1];
+    }
+    stack.enter[at] = t;
+    stack.ref[at] = node.child[i];
+  }
+  return stack.ref[--stack.size];
+}
+
+#if defined(__AVX512F__)
+
+// One layer of a sorting network: lanes exchange with those of `b`, and those of `upper` take the
+// smaller.
+template <int upper>
+PT_INLINE __m128i exchange(__m128i a, __m128i b) {
+  return _mm_blend_epi32(_mm_max_epi32(a, b), _mm_min_epi32(a, b), upper);
+}
+template <int upper>
+PT_INLINE __m256i exchange(__m256i a, __m256i b) {
+  return _mm256_blend_epi32(_mm256_max_epi32(a, b), _mm256_min_epi32(a, b), upper);
+}
+
+// The largest first.
+PT_INLINE __m128i sorted(__m128i a) {
+  a = exchange<0xa>(a, _mm_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+  a = exchange<0xc>(a, _mm_shuffle_epi32(a, _MM_SHUFFLE(0, 1, 2, 3)));
+  return exchange<0xa>(a, _mm_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+}
+PT_INLINE __m256i sorted(__m256i a) {
+  a = exchange<0xaa>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+  a = exchange<0xcc>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(0, 1, 2, 3)));
+  a = exchange<0xaa>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+  a = exchange<0xf0>(a, _mm256_permutevar8x32_epi32(a, _mm256_setr_epi32(7, 6, 5, 4, 3, 2, 1, 0)));
+  a = exchange<0xcc>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(1, 0, 3, 2)));
+  return exchange<0xaa>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
+}
+
+// Up to eight children: the distance's last four bits give way to the slot while a network sorts.
+PT_INLINE WideRef push_few(const Node& node, __m512 enter, std::uint32_t mask, int count,
+                           Stack& stack) {
+  const __m512i slots = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+  const __m512i last = _mm512_set1_epi32(15);
+  const __m512i keys = _mm512_ternarylogic_epi32(  // (enter & ~last) | slots
+      _mm512_castps_si512(enter), last, slots, 0xba);
+  const __m512i packed = _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), keys);
+  const __m256i order = count <= 4 ? _mm256_castsi128_si256(sorted(_mm512_castsi512_si128(packed)))
+                                   : sorted(_mm512_castsi512_si256(packed));
+  const __m512i refs = _mm512_maskz_permutexvar_epi32(0xffff, _mm512_castsi256_si512(order),
+                                                      _mm512_load_si512(node.child));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack.enter + stack.size),
+                      _mm256_andnot_si256(_mm512_castsi512_si256(last), order));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack.ref + stack.size),
+                      _mm512_castsi512_si256(refs));
+  stack.size += count - 1;
+  return stack.ref[stack.size];
+}
+
+#endif
+
+// Pushes all children but the nearest, the farther the deeper, and returns the nearest.
+PT_INLINE WideRef push_children(const Node& node, NodeFloats enter, std::uint32_t mask,
+                                Stack& stack) {
+  if ((mask & (mask - 1)) == 0) return node.child[__builtin_ctz(mask)];
+#if defined(__AVX512F__)
+  const int count = __builtin_popcount(mask);
+  if (count <= 8) return push_few(node, (__m512)enter, mask, count, stack);
+#endif
+  alignas(4 * kWidth) float t[kWidth];
+  store<kWidth>(t, enter);
+  return push_many(node, t, mask, stack);
+}
+
+}  // namespace
+}  // namespace pt

@@ -1,0 +1,113 @@
+// What the judge forgets when its cache has grown too large, and what it must not forget.
+#include "grader/judge/cache.h"
+
+#include "grader/judge/files.h"
+#include "tests/temporary_folder.h"
+
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::hours;
+using std::chrono::minutes;
+
+class Cache : public testing::Test {
+ protected:
+  // A file of so many bytes, last used so long ago.
+  void add(const std::string& name, std::size_t bytes, minutes ago) const {
+    write_file(path(name), std::string(bytes, 'x'));
+    age(name, ago);
+  }
+
+  void age(const std::string& name, minutes ago) const {
+    fs::last_write_time(path(name), fs::file_time_type::clock::now() - ago);
+  }
+
+  std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
+
+  std::set<std::string> names() const {
+    std::set<std::string> all;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      all.insert(entry.path().filename());
+    }
+    return all;
+  }
+
+  const std::string& folder() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+using Names = std::set<std::string>;
+
+TEST_F(Cache, keeps_all_while_it_is_small_enough) {
+  add("a.o", 600, hours(100));
+  add("b.worker", 400, hours(200));
+  trim_cache(folder(), 1000);
+  EXPECT_EQ(names(), (Names{"a.o", "b.worker"}));
+}
+
+// 1200 bytes; 500 and more are too many. Without the two oldest, 600 are left; without three, 300.
+TEST_F(Cache, forgets_what_was_used_longest_ago_until_less_than_half_is_left) {
+  add("a.o", 300, hours(3));
+  add("b.o", 300, hours(5));
+  add("c.o", 300, hours(2));
+  add("d.o", 300, hours(4));
+  trim_cache(folder(), 1000);
+  EXPECT_EQ(names(), (Names{"c.o"}));
+}
+
+TEST_F(Cache, an_entry_is_as_old_as_the_youngest_of_its_files_and_goes_as_a_whole) {
+  add("a.picture.json", 100, hours(2));
+  add("a.picture.exr", 100, hours(9));
+  add("a.picture.evidence.exr", 100, hours(9));
+  add("b.picture.json", 100, hours(3));
+  add("b.picture.exr", 700, hours(4));
+  trim_cache(folder(), 1000);
+  EXPECT_EQ(names(), (Names{"a.picture.evidence.exr", "a.picture.exr", "a.picture.json"}));
+}
+
+TEST_F(Cache, what_is_used_is_not_forgotten) {
+  add("a.o", 600, hours(9));
+  add("b.o", 400, hours(2));
+  add("c.o", 400, hours(3));
+  mark_used(path("a.o"));
+  trim_cache(folder(), 1000);
+  EXPECT_EQ(names(), (Names{"a.o"}));
+}
+
+TEST_F(Cache, another_judge_finds_what_it_used_within_the_hour) {
+  add("a.o", 900, minutes(59));
+  add("b.o", 900, minutes(1));
+  add("c.o", 10, minutes(61));
+  trim_cache(folder(), 1000);
+  EXPECT_EQ(names(), (Names{"a.o", "b.o"}));
+}
+
+TEST_F(Cache, what_killed_runs_left_goes_after_an_hour) {
+  add("a.o", 10, hours(9));
+  add("a.o.4711.1", 10, minutes(61));
+  add("b.worker.4711.2", 10, minutes(59));
+  for (const std::string name : {"c.tree.4711.3", "d.tree.4711.4"}) {
+    fs::create_directories(path(name) + "/pt/math");
+    write_file(path(name) + "/pt/math/vec3.h", "");
+  }
+  age("c.tree.4711.3", minutes(61));
+  trim_cache(folder(), 1000);
+  EXPECT_EQ(names(), (Names{"a.o", "b.worker.4711.2", "d.tree.4711.4"}));
+}
+
+TEST_F(Cache, nothing_there_is_no_error) {
+  EXPECT_NO_THROW(mark_used(path("a.o")));
+  EXPECT_NO_THROW(trim_cache(path("none"), 0));
+  EXPECT_EQ(names(), Names{});
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "grader/images/image_verdict.h"
+#include "tests/synthetic_pictures.h"
+
+#include <gtest/gtest.h>
+
+namespace grader {
+
+// One picture, 48 x 36 and diffuse, and submissions of it.
+class Judged : public testing::Test {
+ protected:
+  static constexpr int kWidth = 48, kHeight = 36;
+  ImageVerdict judge(const RenderStage& render, int max_stages = 3) const {
+    return judge_image(golden_, NoiseClass::ordinary, render, max_stages);
+  }
+  // A right submission whose images are changed before they are handed in.
+  template <class Change>
+  RenderStage changed(Change change) const {
+    return [this, change](int stage, int batches, int samples) {
+      Batches result = submission(scene_, 77)(stage, batches, samples);
+      for (std::size_t b = 0; b < result.images.size(); ++b) {
+        change(result.images[b], static_cast<int>(b), stage);
+      }
+      return result;
+    };
+  }
+
+  SyntheticScene scene_ = synthetic_scene(Spread::diffuse, kWidth, kHeight);
+  pt::Film golden_ = Draw(42).golden(scene_, 16384);
+};
+
+}  // namespace grader
