@@ -104,7 +104,7 @@ Submitted read_submitted(const std::string& folder, const std::string& part,
   if (!top.is_open()) throw pt::Error(folder + " is no folder; name one with --submission");
   const std::vector<std::string> ways[] = {{part}, {"student", part}, {}, {"student"}};
   for (const std::vector<std::string>& way : ways) {
-    const Submitted found = read_along(top.number(), way, slug + ".cpp");
+    Submitted found = read_along(top.number(), way, slug + ".cpp");
     if (found.present) return found;
   }
   return {};
