@@ -21,7 +21,7 @@ class GraderFolder {
         config(),
         fmt::format(R"({{"root": "{}", "work": "{}/work",
       "compiler": "", "compile_flags": [], "link_flags": [], "recording_flags": [],
-      "framework": [], "recording": [], "radiance": [], "picture": "",
+      "framework": [], "recording": [], "radiance": [], "picture": "", "no_reference": "",
       "compiler_version": "", "callbacks": {{}}, "tasks": [{},{},{}]}})",
                     FIRSTLIGHT_SOURCE_DIR, path_, task("1_rays", "1.3", "hit_triangle"),
                     task("1_rays", "1.4", "hit_sphere"), task("2_bvh", "2.1", "build_bvh")));
