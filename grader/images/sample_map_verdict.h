@@ -26,8 +26,8 @@ struct SampleMapReference {
   std::vector<char> always_one_batch;  // pixels that took one batch in every run
   std::vector<char> constant;          // whose value was the same in every run,
   std::vector<char> all_zero;          // and was 0
-  // Whose first batch was all zero in a run: there < and <= part ways, and both are right. Not known
-  // to reference_of; all 0 until somebody sets it.
+  // Whose first batch was all zero in a run: there < and <= part ways, and both are right. Not
+  // known to reference_of; all 0 until somebody sets it.
   std::vector<char> dark_start;
 };
 

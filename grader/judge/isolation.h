@@ -14,7 +14,8 @@ struct Judged {
   TaskResult result;
 };
 
-// Reads and compiles the file of each task. Leaves an object, or a state that says why there is none.
+// Reads and compiles the file of each task. Leaves an object, or a state that says why there is
+// none.
 void compile_all(const Config& config, const Builder& builder, const GradeRequest& request,
                  std::vector<Judged>& judged);
 

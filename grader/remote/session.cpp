@@ -110,9 +110,9 @@ void Session::expect_attempted() const {
 
 void Session::expect_time_left() const {
   if (lost_ > settings_.lost_limit) {
-    settings_.give_up(last_cause_,
-                      fmt::format("not asked any more: {:.1f} s went on calls that failed",
-                                  seconds(lost_)));
+    settings_.give_up(
+        last_cause_,
+        fmt::format("not asked any more: {:.1f} s went on calls that failed", seconds(lost_)));
   }
   if (waited_ > settings_.total_limit) {
     settings_.give_up(

@@ -9,7 +9,7 @@
 namespace pt {
 namespace {
 
-constexpr double kDark = 0.01;      // keeps relative errors of dark pixels in bounds
+constexpr double kDark = 0.01;  // keeps relative errors of dark pixels in bounds
 
 // Blue and orange: red and green look alike to some. Both ends are equally bright.
 constexpr std::array<Color8, 5> kStops{

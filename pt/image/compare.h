@@ -48,8 +48,8 @@ double relative_difference(double a, double b);
 // black for NaN.
 Color8 difference_color(double relative, double full = 0.2);
 
-// The relative difference of the luminances in these colours; difference_picture adds a legend. They
-// throw pt::Error if the sizes differ.
+// The relative difference of the luminances in these colours; difference_picture adds a legend.
+// They throw pt::Error if the sizes differ.
 Picture difference_map(const Image& a, const Image& b);
 Picture difference_picture(const Image& a, const Image& b);
 
