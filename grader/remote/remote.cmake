@@ -1,7 +1,7 @@
 # The border between judge and submission: <slug>.remote for the property programs, workers to answer
 # them, and callbacks from a worker to the judge.
 firstlight_library(grader_process
-  process/limits.cpp process/spawn.cpp process/run_command.cpp)
+  process/limits.cpp process/spawn.cpp process/run_command.cpp process/starved.cpp)
 target_link_libraries(grader_process PUBLIC fmt::fmt)
 
 firstlight_library(grader_remote

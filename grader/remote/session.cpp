@@ -82,6 +82,7 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
   drop_known_definitions();
   record_.calls += std::max(1, repetition.count);
   const auto start = Clock::now();
+  const auto forgiven_before = forgiven();
   try {
     reply_ = converse(message(function, code, repetition, arguments));
     waited_ += Clock::now() - start;
@@ -95,11 +96,15 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
     return reply.raw(reply.left());
   } catch (const WorkerFailed& failure) {
     waited_ += Clock::now() - start;
-    lost_ += Clock::now() - start;
+    lost_ += Clock::now() - start - (forgiven() - forgiven_before);
     fail(failure);
   } catch (const BadMessage& bad) {
     reject(bad.what());
   }
+}
+
+std::chrono::nanoseconds Session::forgiven() const {
+  return worker_ ? worker_->forgiven() : std::chrono::nanoseconds(0);
 }
 
 void Session::expect_attempted() const {
@@ -108,16 +113,18 @@ void Session::expect_attempted() const {
   }
 }
 
-void Session::expect_time_left() const {
+void Session::expect_time_left() {
   if (lost_ > settings_.lost_limit) {
     settings_.give_up(
         last_cause_,
         fmt::format("not asked any more: {:.1f} s went on calls that failed", seconds(lost_)));
   }
-  if (waited_ > settings_.total_limit) {
+  if (waited_ <= settings_.total_limit) return;
+  const auto took = waited_ - starved_ - (worker_ ? worker_->starved() : Clock::duration::zero());
+  if (took > settings_.total_limit) {
     settings_.give_up(
         Cause::timeout,
-        fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(waited_)));
+        fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(took)));
   }
 }
 
@@ -143,19 +150,19 @@ Writer Session::message(Function function, std::uint64_t code, const Repetition&
 }
 
 std::string Session::converse(const Writer& call) {
-  const auto deadline = Clock::now() + settings_.call_limit;
   if (!worker_)
     worker_ = std::make_unique<WorkerProcess>(settings_.program, settings_.tier, kMaxPrinted);
-  worker_->send(Kind::call, ++sequence_, call.bytes(), deadline);
+  worker_->allow(settings_.call_limit);
+  worker_->send(Kind::call, ++sequence_, call.bytes());
   while (true) {
-    Message message = worker_->receive(sequence_, deadline);
+    Message message = worker_->receive(sequence_);
     if (message.kind == Kind::reply) return std::move(message.payload);
     if (message.kind == Kind::threw) {
       throw WorkerFailed{Cause::crash, "it threw: " + printable(message.payload, 200), true};
     }
     if (!settings_.answers) throw BadMessage("it asked the judge, who has nothing to say");
     const Writer reply = answer(settings_.task, message.payload, *this);
-    worker_->send(Kind::answer, sequence_, reply.bytes(), deadline);
+    worker_->send(Kind::answer, sequence_, reply.bytes());
   }
 }
 
@@ -183,6 +190,7 @@ void Session::fail(const WorkerFailed& failure) {
   last_cause_ = failure.cause;
   if (!failure.alive) {
     if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
+    if (worker_) starved_ += worker_->starved();
     worker_.reset();
     ++record_.restarts;
   }

@@ -19,9 +19,10 @@ struct SessionSettings {
   bool answers = true;      // the worker may ask back
   // What to do when a call comes to nothing; does not return.
   std::function<void(Cause, const std::string&)> give_up = fail_call;
+  // What the worker waits for a processor counts in none of them.
   std::chrono::milliseconds call_limit{2000};    // of one call, and of kBatch repetitions
   std::chrono::milliseconds lost_limit{6000};    // that calls without an answer may cost in all
-  std::chrono::milliseconds total_limit{30000};  // that all calls together may wait
+  std::chrono::milliseconds total_limit{30000};  // that all calls together may take
 };
 
 // What happened in a session, for the report.
@@ -65,7 +66,8 @@ class Session {
   Handle define(ObjectKind kind, std::string_view bytes);
   const pt::Scene& scene(Handle handle) const;
   void expect_attempted() const;
-  void expect_time_left() const;
+  void expect_time_left();
+  std::chrono::nanoseconds forgiven() const;  // to the worker that runs
   void drop_known_definitions();
   Writer message(Function function, std::uint64_t code, const Repetition& repetition,
                  const Writer& arguments);
@@ -83,7 +85,8 @@ class Session {
   std::vector<Definition> definitions_;        // that this call needs
   std::map<Handle, const pt::Scene*> scenes_;  // of this call
   std::string reply_;
-  std::chrono::nanoseconds lost_{0}, waited_{0};
+  // By the clock; and what workers that ended had to wait for a processor.
+  std::chrono::nanoseconds lost_{0}, waited_{0}, starved_{0};
   Cause last_cause_ = Cause::timeout;
 };
 

@@ -1,5 +1,7 @@
 #include "grader/remote/worker_process.h"
 
+#include "grader/process/starved.h"
+
 #include <cerrno>
 
 #include <fcntl.h>
@@ -49,8 +51,12 @@ WorkerProcess::~WorkerProcess() {
   if (pid_ > 0) kill_child(pid_);
 }
 
-void WorkerProcess::send(Kind kind, std::uint64_t sequence, std::string_view payload,
-                         Clock::time_point deadline) {
+std::chrono::nanoseconds WorkerProcess::starved() {
+  if (pid_ > 0) starved_ = std::max(starved_, grader::starved(pid_));
+  return starved_;
+}
+
+void WorkerProcess::send(Kind kind, std::uint64_t sequence, std::string_view payload) {
   const Header header{kMagic, kind, sequence, payload.size()};
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
   bytes.append(payload);
@@ -59,15 +65,15 @@ void WorkerProcess::send(Kind kind, std::uint64_t sequence, std::string_view pay
     if (count > 0) {
       sent += static_cast<std::size_t>(count);
     } else if (errno == EAGAIN) {
-      wait(to_worker_, POLLOUT, deadline);
+      wait(to_worker_, POLLOUT);
     } else if (errno != EINTR) {
       ended();
     }
   }
 }
 
-Message WorkerProcess::receive(std::uint64_t sequence, Clock::time_point deadline) {
-  fill(sizeof(Header), deadline);
+Message WorkerProcess::receive(std::uint64_t sequence) {
+  fill(sizeof(Header));
   Header header;
   std::memcpy(&header, buffer_.data(), sizeof header);
   const bool known =
@@ -78,16 +84,16 @@ Message WorkerProcess::receive(std::uint64_t sequence, Clock::time_point deadlin
   if (header.length > kMaxPayload) {
     throw WorkerFailed{Cause::bad_reply, fmt::format("a reply of {} bytes", header.length)};
   }
-  fill(sizeof header + header.length, deadline);
+  fill(sizeof header + header.length);
   Message message{header.kind, buffer_.substr(sizeof header, header.length)};
   buffer_.erase(0, sizeof header + header.length);
   return message;
 }
 
-void WorkerProcess::fill(std::size_t size, Clock::time_point deadline) {
+void WorkerProcess::fill(std::size_t size) {
   char chunk[1 << 16];
   while (buffer_.size() < size) {
-    wait(from_worker_, POLLIN, deadline);
+    wait(from_worker_, POLLIN);
     const ssize_t count = read(from_worker_.number(), chunk, sizeof chunk);
     if (count > 0) {
       buffer_.append(chunk, static_cast<std::size_t>(count));
@@ -97,15 +103,26 @@ void WorkerProcess::fill(std::size_t size, Clock::time_point deadline) {
   }
 }
 
-void WorkerProcess::wait(const Descriptor& descriptor, short event, Clock::time_point deadline) {
+void WorkerProcess::wait(const Descriptor& descriptor, short event) {
   while (true) {
     pollfd waiting[] = {{descriptor.number(), event, 0}, {output_.number(), POLLIN, 0}};
-    const int left = milliseconds_until(deadline);
+    const int left = milliseconds_until(deadline_);
     const int ready = poll(waiting, 2, left);  // a closed output_ is -1, which poll ignores
     if (ready > 0 && waiting[1].revents != 0) take_output();
     if (ready > 0 && waiting[0].revents != 0) return;
-    if (left == 0) throw WorkerFailed{Cause::timeout, "no answer within the limit"};
+    if (left == 0) put_off_deadline();
   }
+}
+
+// Asking the kernel takes as long as two calls: it is done when the time is over, and then for all
+// that was not forgiven yet, even if some of it belongs to earlier calls.
+void WorkerProcess::put_off_deadline() {
+  const std::chrono::nanoseconds more = starved() - forgiven_;
+  if (more < std::chrono::milliseconds(1)) {
+    throw WorkerFailed{Cause::timeout, "no answer within the limit"};
+  }
+  deadline_ += more;
+  forgiven_ += more;
 }
 
 // What is printed after the limit goes to a pipe that nobody reads: the worker's writes fail.

@@ -77,7 +77,7 @@ Outcome Submission::run(const std::vector<std::string>& command) const {
   fs::remove(json_path);
   const CommandResult run =
       run_command({command, {"PATH=/usr/bin:/bin", "FIRSTLIGHT_SECRET=1"}, {}, "", {}},
-                  std::chrono::seconds(120));
+                  std::chrono::seconds(900));
   EXPECT_FALSE(run.timed_out);
   EXPECT_TRUE(WIFEXITED(run.status)) << describe_status(run.status);
   Outcome outcome{WEXITSTATUS(run.status), run.output, {}};
