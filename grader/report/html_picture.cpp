@@ -184,14 +184,32 @@ const char* tone(State state) {
   return is_fault(state) ? "fault" : "quiet";
 }
 
-data picture_data(const PictureResult& picture) {
+std::string Places::taken(const PictureResult& picture, const std::string& place) {
+  std::string shown;
+  for (const std::string* path : {&picture.render, &picture.golden, &picture.evidence,
+                                  &picture.counts, &picture.golden_counts}) {
+    shown += *path + '\0';
+  }
+  for (const FailingCell& cell : picture.cells) {
+    shown += fmt::format("{} {} {} {} {} {} {}\n", cell.x, cell.y, cell.width, cell.height,
+                         cell.channel, cell.off_by, cell.evidence);
+  }
+  const auto [entry, is_new] = places_.try_emplace(shown, place);
+  return is_new ? "" : entry->second;
+}
+
+data picture_data(const PictureResult& picture, const std::string& slug, Places& places) {
+  const bool has_views = !picture.render.empty() || !picture.counts.empty();
+  const std::string place =
+      has_views ? places.taken(picture, slug + "." + picture.recipe) : std::string();
   data out;
   out.set("recipe", picture.recipe);
   out.set("title", picture.title);
   out.set("picture_tone", tone(picture.state));
   out.set("picture_symbol", symbol(picture.state));
   out.set("picture_words", words(picture.state));
-  out.set("picture_open", is_fault(picture.state));
+  out.set("picture_open", is_fault(picture.state) && place.empty());
+  out.set("same", place.empty() ? data(false) : data(place));
   out.set("picture_points", std::to_string(picture.points));
   out.set("picture_max", std::to_string(picture.max_points));
   out.set("has_sentence", !picture.text.empty());
@@ -208,8 +226,8 @@ data picture_data(const PictureResult& picture) {
       problem += fmt::format("{}It cannot be shown. {}", problem.empty() ? "" : " ", error.what());
     }
   };
-  if (!picture.render.empty()) add(film_view);
-  if (!picture.counts.empty()) add(counts_view);
+  if (place.empty() && !picture.render.empty()) add(film_view);
+  if (place.empty() && !picture.counts.empty()) add(counts_view);
   out.set("views", views);
   out.set("problem", problem.empty() ? data(false) : data(problem));
   return out;

@@ -32,6 +32,7 @@ const char* color_of(State state) {
     case State::too_noisy:
       return "33";
     case State::not_attempted:
+    case State::not_judged:
       return "2";
   }
   return "0";

@@ -137,6 +137,23 @@ function bring_to_life(viewer) {
   compare.classList.add("live");
 }
 
+// A picture that judges several tasks is in the page once. With the others it is shown while they are open.
+function show_where_opened(reference) {
+  const fold = reference.closest("details");
+  const show = () => {
+    if (!fold.open || !reference.parentElement) return;
+    const original = document.getElementById(reference.dataset.place);
+    for (const viewer of original.querySelectorAll(".viewer")) {
+      const copy = viewer.cloneNode(true);
+      reference.before(copy);
+      bring_to_life(copy);
+    }
+    reference.remove();
+  };
+  fold.addEventListener("toggle", show);
+  show();
+}
+
 // A link to something folded away unfolds it.
 function unfold() {
   const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
@@ -148,5 +165,6 @@ function unfold() {
 
 document.documentElement.classList.add("scripted");
 document.querySelectorAll(".viewer").forEach(bring_to_life);
+document.querySelectorAll(".same").forEach(show_where_opened);
 window.addEventListener("hashchange", unfold);
 if (location.hash) unfold();
