@@ -126,6 +126,17 @@ TEST_F(Writers, the_terminal_shows_pictures) {
   EXPECT_THAT(to_text(stopped(), {}), HasSubstr(kStopped));
 }
 
+TEST_F(Writers, the_columns_of_the_terminal_are_as_wide_as_the_longest_name) {
+  Results results = run;
+  results.tasks[6].pictures[1].recipe = "the_penumbra_of_a_large_light";
+  const std::string text = table(results, {});
+  const std::size_t state = text.find("fail", text.find("the_penumbra_of"));
+  const std::size_t line = text.rfind('\n', state);
+  EXPECT_EQ(state - line, 1 + 7 + 2 + 29 + 1);
+  const std::size_t first = text.find("estimate_pixel");
+  EXPECT_EQ(text.find("pass", first) - text.rfind('\n', first), state - line);
+}
+
 TEST_F(Writers, the_terminal_shows_the_first_failure) {
   Results results = run;
   results.tasks.erase(results.tasks.begin(), results.tasks.begin() + 6);

@@ -39,8 +39,12 @@ data map_data(const Map& map) {
   return out;
 }
 
+// Where there should be no light, what is relative says no more.
+constexpr double kMostPercent = 1000;
+
 std::string percent(double ratio) {
   if (!std::isfinite(ratio)) return "not a number";
+  if (ratio > kMostPercent / 100) return fmt::format("> +{} %", kMostPercent);
   return fmt::format("{}{:.1f} %", ratio < 0 ? "\u2212" : "+", std::abs(100 * ratio));
 }
 
@@ -54,9 +58,9 @@ data cells_data(const PictureResult& picture) {
     out.set("h", std::to_string(cell.height));
     out.set("middle_x", std::to_string(cell.x + cell.width / 2));
     out.set("middle_y", std::to_string(cell.y + cell.height / 2));
-    out.set("channel", cell.channel == "Y" ? "luminance" : cell.channel);
+    out.set("channel", cell.channel);
     out.set("cell_off_by", percent(cell.off_by));
-    out.set("cell_evidence", fmt::format("{:.1f} \u00d7 threshold", cell.evidence));
+    out.set("cell_evidence", fmt::format("{:.{}f}", cell.evidence, cell.evidence < 100 ? 1 : 0));
     cells.push_back(out);
   }
   return cells;

@@ -31,6 +31,7 @@ function shown(value) {
 
 function percent(ratio) {
   if (!Number.isFinite(ratio)) return "\u2013";
+  if (ratio > 10) return "> +1000 %";
   return `${ratio < 0 ? "\u2212" : "+"}${(100 * Math.abs(ratio)).toFixed(1)} %`;
 }
 
