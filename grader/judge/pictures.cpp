@@ -145,6 +145,7 @@ class Gallery {
     }
     // None is entered before all are known: a report must not say meanwhile that it passes.
     std::vector<PictureResult> alone;
+    alone.reserve(tasks.size());
     for (const Judged* task : tasks) alone.push_back(judge_alone(recipe, *task, 3));
     const bool all_right = std::all_of(alone.begin(), alone.end(), [](const PictureResult& each) {
       return each.state == State::pass;
