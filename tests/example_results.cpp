@@ -218,9 +218,9 @@ Results example_results(const std::string& folder) {
   for (PromiseResult& promise : lit.promises) promise.held = true;
   lit.printed = kHostile;
   TaskResult adaptive = task("5_adaptive", "5.1", "adaptive_pixel", State::too_noisy);
-  adaptive.pictures = {adaptive_picture(folder)};
-  adaptive.points = 2;
-  adaptive.max_points += 3;
+  adaptive.pictures = {adaptive_picture(folder), lit.pictures[0]};  // one judges two tasks
+  adaptive.points = 5;
+  adaptive.max_points += 6;
   for (PromiseResult& promise : adaptive.promises) promise.held = true;
   TaskResult unwritten = task("4_global", "4.1", "trace_path", State::not_attempted);
   Results results;

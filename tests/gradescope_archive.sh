@@ -50,6 +50,7 @@ cp -r student "$autograder/submission/handed_in"
 judges 'r["score"] == 0 and len(task) == 12' --no-pictures
 cp -r reference/1_rays "$autograder/submission/handed_in/student"
 judges 'task["hit_triangle"]["status"] == "passed"' --no-pictures
-judges 'r["score"] >= 0 and r["output"]' --time-limit 0.3 --no-pictures --seed 2
+judges 'r["output"] and all(test["score"] == 0 and test["status"] == "failed" for test in task.values()
+    if test["extra_data"]["state"] == "not_judged")' --time-limit 0.3 --no-pictures --seed 2
 judges 'r["score"] == 0 and "could not be judged" in r["output"]' --no-such-option
 rm -rf "$autograder"

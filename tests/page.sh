@@ -147,6 +147,26 @@ expect 'a block in the list is found' <<E2
 return $viewer.querySelector('.where').textContent.startsWith('x 52, y 28 ');
 E2
 
+expect 'a picture of two tasks is shown with the other one too, once it is opened' <<'E2'
+location.hash = '#adaptive_pixel.two_lights';
+return document.querySelectorAll('[data-place]').length === 1;
+E2
+for _ in $(seq 100); do
+  [ "$(number <<<"return document.querySelectorAll('[data-place]').length")" -ne 0 ] || break
+  sleep 0.1
+done
+expect 'and there it lives' <<'E2'
+const copy = document.getElementById('adaptive_pixel.two_lights').querySelector('.viewer');
+const split = copy.querySelector('.split');
+split.value = 30;
+split.dispatchEvent(new Event('input'));
+copy.querySelector('.stage').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowLeft'}));
+const original = document.getElementById('direct_lights.two_lights').querySelector('.compare');
+return copy.checkVisibility() && copy.querySelector('.compare').style.getPropertyValue('--split') === '30%'
+  && original.style.getPropertyValue('--split') === '50%'
+  && copy.querySelector('.where').textContent.startsWith('x 47, y 36 ');
+E2
+
 console=$(post "$session/se/log" '{"type": "browser"}')
 [ "$console" = '{"value":[]}' ] || { echo "FAILED: the console says $console"; failed=1; }
 [ "$failed" -eq 0 ] && echo 'the page works'

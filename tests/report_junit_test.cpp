@@ -87,6 +87,7 @@ const tinyxml2::XMLElement* testcase(const tinyxml2::XMLDocument& document, cons
 TEST_F(JUnit, keeps_the_rules) {
   check_junit(to_junit(run));
   check_junit(to_junit(stopped()));
+  check_junit(to_junit(half_judged()));
   check_junit(to_junit(full_results()));
 }
 
@@ -103,7 +104,8 @@ TEST_F(JUnit, has_a_way_of_not_passing_for_every_state) {
     tinyxml2::XMLDocument document;
     document.Parse(text.c_str());
     const auto* root = document.RootElement();
-    const bool skips = state == State::not_attempted || state == State::blocked;
+    const bool skips =
+        state == State::not_attempted || state == State::blocked || state == State::not_judged;
     const bool fails = state == State::fail || state == State::too_noisy;
     const bool errs = state == State::crash || state == State::timeout || state == State::rejected;
     EXPECT_EQ(root->IntAttribute("skipped") > 0, skips) << name(state);
@@ -129,6 +131,23 @@ TEST_F(JUnit, holds_the_failure) {
   EXPECT_EQ(document.RootElement()->Attribute("name"), presentable(kHostile));
   EXPECT_THAT(to_junit(stopped()), HasSubstr(kStopped));
   EXPECT_THAT(text, Not(HasSubstr(kStopped)));
+}
+
+TEST_F(JUnit, skips_what_is_not_judged) {
+  tinyxml2::XMLDocument document;
+  document.Parse(to_junit(half_judged()).c_str());
+  const std::string promise = run.tasks[6].promises[0].name;
+  EXPECT_EQ(testcase(document, promise, "3_direct.direct_lights")->FirstChildElement(), nullptr);
+  for (const auto& [name, class_name] :
+       {std::pair<std::string, std::string>{"picture penumbra", "3_direct.direct_lights"},
+        {promise, "4_global.trace_path"},
+        {promise, "5_adaptive.adaptive_pixel"}}) {
+    const auto* skipped = testcase(document, name, class_name)->FirstChildElement();
+    ASSERT_NE(skipped, nullptr) << class_name;
+    EXPECT_STREQ(skipped->Name(), "skipped");
+    EXPECT_STREQ(skipped->Attribute("message"), "not judged");
+  }
+  EXPECT_STREQ(testcase(document, "ends", "run")->FirstChildElement()->Name(), "error");
 }
 
 TEST_F(JUnit, says_what_the_compiler_said) {

@@ -38,7 +38,7 @@ TEST_F(Writers, gradescope_gets_a_test_a_task) {
       EXPECT_FALSE(test.at("output").get<std::string>().empty());
     }
     EXPECT_EQ(whole.at("score"), score);
-    EXPECT_EQ(score, 2 + 1 + 1 + 1 + 1 + 0 + 2 + 6 + 0 + 2);  // with a bonus of 1
+    EXPECT_EQ(score, 2 + 1 + 1 + 1 + 1 + 0 + 2 + 6 + 0 + 5);  // with a bonus of 1
     EXPECT_EQ(whole.at("execution_time"), 27);
     EXPECT_EQ(whole.at("visibility"), "visible");
     EXPECT_EQ(whole.at("stdout_visibility"), "hidden");
@@ -60,6 +60,35 @@ TEST_F(Writers, gradescope_tells_of_failures) {
   for (const json& test : tests) {
     EXPECT_THAT(test.at("output").get<std::string>(), Not(HasSubstr("\x1b")));
   }
+}
+
+TEST_F(Writers, gradescope_gives_no_points_for_what_is_not_judged) {
+  const json whole = json::parse(to_gradescope(half_judged()));
+  const json &lit = whole.at("tests")[6], &unwritten = whole.at("tests")[7];
+  for (const json* test : {&lit, &unwritten}) {
+    EXPECT_EQ(test->at("status"), "failed");
+    EXPECT_EQ(test->at("extra_data").at("state"), "not_judged");
+    EXPECT_THAT(test->at("output").get<std::string>(), HasSubstr("? not judged\n"));
+  }
+  EXPECT_EQ(lit.at("score"), 5);
+  EXPECT_THAT(
+      lit.at("output").get<std::string>(),
+      HasSubstr("2 of 2 promises are kept; 1 of 5 pictures are right, 4 are not judged yet."));
+  EXPECT_EQ(unwritten.at("score"), 0);
+  EXPECT_THAT(unwritten.at("output").get<std::string>(),
+              HasSubstr("0 of 2 promises are kept, 2 are not judged yet."));
+  EXPECT_THAT(whole.at("output").get<std::string>(),
+              HasSubstr("1 of 9 tasks pass, 3 not judged yet. "));
+}
+
+TEST_F(Writers, what_is_not_judged_is_named_so) {
+  const Results results = half_judged();
+  EXPECT_THAT(to_csv(results), HasSubstr("direct_lights,not_judged,5,17,0,"));
+  EXPECT_THAT(to_csv(results), HasSubstr("adaptive_pixel,not_judged,0,8,0,"));
+  const std::string text = to_text(results, {false, true});
+  EXPECT_THAT(text, HasSubstr("direct_lights      not judged       5/17\n"));
+  EXPECT_THAT(text, HasSubstr("1 of 9 tasks pass, 3 not judged yet. "));
+  EXPECT_THAT(text, Not(HasSubstr("penumbra")));
 }
 
 TEST_F(Writers, csv_is_a_line_a_task) {
@@ -95,6 +124,17 @@ TEST_F(Writers, the_terminal_shows_pictures) {
               HasSubstr("27.0 s (properties 5.9 s, pictures 21.0 s). Isolation A: bubblewrap."));
   EXPECT_THAT(text, Not(HasSubstr(kStopped)));
   EXPECT_THAT(to_text(stopped(), {}), HasSubstr(kStopped));
+}
+
+TEST_F(Writers, the_columns_of_the_terminal_are_as_wide_as_the_longest_name) {
+  Results results = run;
+  results.tasks[6].pictures[1].recipe = "the_penumbra_of_a_large_light";
+  const std::string text = table(results, {});
+  const std::size_t state = text.find("fail", text.find("the_penumbra_of"));
+  const std::size_t line = text.rfind('\n', state);
+  EXPECT_EQ(state - line, 1 + 7 + 2 + 29 + 1);
+  const std::size_t first = text.find("estimate_pixel");
+  EXPECT_EQ(text.find("pass", first) - text.rfind('\n', first), state - line);
 }
 
 TEST_F(Writers, the_terminal_shows_the_first_failure) {

@@ -74,10 +74,10 @@ std::string sentence(const std::vector<WrongConstant>& constants, const Golden& 
   const double right = golden.mean[worst.plane][worst.pixel];
   const std::string others =
       constants.size() > 1 ? fmt::format(", and {} more,", constants.size() - 1) : "";
-  return fmt::format(
-      "{}pixel ({}, {}){} should always be {:.4g} (the background, or a light that "
-      "is seen straight), and was {:.4g}{}",
-      channel_of(worst.plane), x, y, others, right, right + worst.difference, times(renders));
+  return fmt::format("{}pixel ({}, {}){} should always be {:.4g} ({}), and was {:.4g}{}",
+                     channel_of(worst.plane), x, y, others, right,
+                     right == 0 ? "no light gets there" : "nothing is random there",
+                     right + worst.difference, times(renders));
 }
 
 std::string correlated_sentence(int renders) {

@@ -6,6 +6,7 @@
 #include "grader/judge/no_reference.h"
 #include "grader/judge/pictures.h"
 #include "grader/judge/points.h"
+#include "grader/judge/so_far.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
@@ -67,9 +68,9 @@ class Run {
       if (task->graded.empty()) {
         throw pt::Error(task->slug + " has no properties: nothing about it can be judged");
       }
-      Judged& judged = judged_.emplace_back();
-      judged.config = task;
+      judged_.push_back(not_judged(config, *task));
     }
+    if (request.pictures) list_pictures(config, request, judged_);
     for (const TaskConfig& task : config.tasks) {
       if (is_asked(task.slug)) results_.asked.push_back(task.slug);
     }
@@ -78,19 +79,18 @@ class Run {
   Results judge(const std::function<void(const Results&)>& progress) {
     const Builder builder(config_, request_.isolation.tier, request_.compile_limit);
     trim_cache(builder.cache());
+    const auto report = [&] { progress(summary()); };
+    report();
     phase("properties", [&] {
-      compile_all(config_, builder, request_, judged_);
+      compile_all(builder, request_, judged_);
       if (!config_.no_reference.empty()) config_ = with_own_tasks(config_, judged_);
-      judge_alone(config_, builder, request_, judged_);
+      judge_alone(config_, builder, request_, judged_, report);
       if (!config_.no_reference.empty()) block_by_own_tasks(judged_);
-      progress(summary());
-      judge_together(config_, builder, request_, judged_);
+      judge_together(config_, builder, request_, judged_, report);
     });
     if (request_.pictures) {
-      progress(summary());
-      phase("pictures", [&] {
-        judge_pictures(config_, builder, request_, judged_, [&] { progress(summary()); });
-      });
+      report();
+      phase("pictures", [&] { judge_pictures(config_, builder, request_, judged_, report); });
     }
     Results results = summary();
     results.complete = true;
@@ -118,7 +118,7 @@ class Run {
   Results summary() const {
     Results results = results_;
     for (const Judged& each : judged_) {
-      if (is_asked(each.config->slug)) results.tasks.push_back(each.result);
+      if (is_asked(each.config->slug)) results.tasks.push_back(so_far(each));
     }
     for (TaskResult& task : results.tasks) count_points(points_, task);
     results.seconds = seconds_since(start_);

@@ -24,7 +24,7 @@ struct GradeRequest {
 };
 
 // Judges the tasks asked for, each by itself and then together with the submission's other tasks.
-// `progress` gets what is known so far, now and then.
+// `progress` gets what is known so far: at first that nothing is, then after every verdict.
 Results grade(const Config& config, const GradeRequest& request,
               const std::function<void(const Results&)>& progress);
 

@@ -4,6 +4,7 @@
 #include "grader/judge/parallel.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,8 +23,12 @@ const Judged* right_alone(const std::vector<Judged>& judged, const std::string& 
 class Integration {
  public:
   Integration(const Config& config, const Builder& builder, const GradeRequest& request,
-              std::vector<Judged>& judged)
-      : config_(config), builder_(builder), request_(request), judged_(judged) {}
+              std::vector<Judged>& judged, const std::function<void()>& progress)
+      : config_(config),
+        builder_(builder),
+        request_(request),
+        judged_(judged),
+        progress_(progress) {}
 
   void run() {
     std::vector<Judged*> together;
@@ -32,16 +37,28 @@ class Integration {
         together.push_back(&each);
       }
     }
-    if (together.empty()) return;
+    if (!together.empty()) judge_all(together);
+    for (Judged& each : judged_) each.settled = true;
+  }
+
+ private:
+  void judge_all(std::vector<Judged*> together) {
     const Built worker = link_together(config_, builder_, judged_, Elsewhere::answers);
-    for_each(together.size(), request_.threads,
-             [&](std::size_t i) { judge(*together[i], worker); });
+    std::mutex mutex;
+    for_each(together.size(), request_.threads, [&](std::size_t i) {
+      Judged found = *together[i];  // the others report what they know of it meanwhile
+      judge(found, worker);
+      found.settled = found.result.state == State::pass;
+      const std::lock_guard lock(mutex);
+      *together[i] = std::move(found);
+      progress_();
+    });
     std::erase_if(together, [&](Judged* each) { return block_by_failed(*each, together); });
     for_each(together.size(), request_.threads, [&](std::size_t i) { blame(*together[i]); });
   }
 
- private:
   void block(Judged& judged, const std::vector<std::string>& by) const {
+    judged.settled = true;
     judged.result.state = State::blocked;
     judged.result.blocked_by = by;
     judged.result.reason = fmt::format("right by itself; judged with your own tasks when {} {}",
@@ -108,6 +125,7 @@ class Integration {
   const Builder& builder_;
   const GradeRequest& request_;
   std::vector<Judged>& judged_;
+  const std::function<void()>& progress_;
 };
 
 }  // namespace
@@ -139,8 +157,8 @@ Built link_together(const Config& config, const Builder& builder, const std::vec
 }
 
 void judge_together(const Config& config, const Builder& builder, const GradeRequest& request,
-                    std::vector<Judged>& judged) {
-  Integration(config, builder, request, judged).run();
+                    std::vector<Judged>& judged, const std::function<void()>& progress) {
+  Integration(config, builder, request, judged, progress).run();
 }
 
 }  // namespace grader

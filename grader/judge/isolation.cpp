@@ -6,6 +6,7 @@
 #include "grader/judge/sha256.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include <fmt/format.h>
 
@@ -42,15 +43,9 @@ std::string in_folder(std::string text, const TaskConfig& task, const std::strin
   return text;
 }
 
-void compile_one(const Config& config, const Builder& builder, const GradeRequest& request,
-                 Judged& judged) {
+void compile_one(const Builder& builder, const GradeRequest& request, Judged& judged) {
   const TaskConfig& task = *judged.config;
   TaskResult& result = judged.result;
-  result.part = task.part;
-  result.number = task.number;
-  result.slug = task.slug;
-  result.promises = promises_to_judge(config, task.slug);
-
   const Submitted file = read_submitted(request.submission, task.part, task.slug);
   if (!file.present) return refuse(result, State::not_attempted, "there is no " + task.file());
   if (!file.rejected.empty()) return refuse(result, State::rejected, file.rejected);
@@ -130,6 +125,16 @@ void enter(const Findings& findings, const GradeRequest& request, TaskResult& re
   result.state = state_of(result.promises);
 }
 
+Judged not_judged(const Config& config, const TaskConfig& task) {
+  Judged judged;
+  judged.config = &task;
+  judged.result.part = task.part;
+  judged.result.number = task.number;
+  judged.result.slug = task.slug;
+  judged.result.promises = promises_to_judge(config, task.slug);
+  return judged;
+}
+
 Built link_alone(const Config& config, const Builder& builder, const Judged& judged,
                  Elsewhere elsewhere) {
   Paths objects;
@@ -152,16 +157,24 @@ Built link_alone(const Config& config, const Builder& builder, const Judged& jud
   return builder.link(objects, key, false);
 }
 
-void compile_all(const Config& config, const Builder& builder, const GradeRequest& request,
-                 std::vector<Judged>& judged) {
+void compile_all(const Builder& builder, const GradeRequest& request, std::vector<Judged>& judged) {
   for_each(judged.size(), request.threads,
-           [&](std::size_t i) { compile_one(config, builder, request, judged[i]); });
+           [&](std::size_t i) { compile_one(builder, request, judged[i]); });
 }
 
 void judge_alone(const Config& config, const Builder& builder, const GradeRequest& request,
-                 std::vector<Judged>& judged) {
-  for_each(judged.size(), request.threads,
-           [&](std::size_t i) { judge_one(config, builder, request, judged[i]); });
+                 std::vector<Judged>& judged, const std::function<void()>& progress) {
+  std::mutex mutex;
+  for_each(judged.size(), request.threads, [&](std::size_t i) {
+    Judged found = judged[i];  // the others report what they know of it meanwhile
+    judge_one(config, builder, request, found);
+    // Without a reference, what fails may fail because another task does.
+    found.settled =
+        found.right_alone ? needs(found.config->slug).empty() : config.no_reference.empty();
+    const std::lock_guard lock(mutex);
+    judged[i] = std::move(found);
+    progress();
+  });
 }
 
 }  // namespace grader

@@ -28,6 +28,7 @@ Config with_own_tasks(Config config, const std::vector<Judged>& judged) {
 void block_by_own_tasks(std::vector<Judged>& judged) {
   for (Judged& each : judged) {
     TaskResult& result = each.result;
+    each.settled = each.settled || !each.right_alone;
     const bool ran = each.object.ok() && result.compiler_output.empty();
     if (!ran || result.state == State::pass || result.state == State::not_attempted) continue;
     std::vector<std::string> by;

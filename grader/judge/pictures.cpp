@@ -21,9 +21,41 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
 
 // One recipe and the tasks of the submission that it judges.
 struct Exhibit {
-  const Recipe* recipe;
+  Recipe recipe;
   std::vector<Judged*> tasks;
 };
+
+std::vector<Exhibit> exhibits(const Config& config, const GradeRequest& request,
+                              std::vector<Judged>& judged) {
+  std::vector<Exhibit> all;
+  for (const Recipe& recipe : load_recipes(config.root + "/scenes/recipes.json")) {
+    Exhibit exhibit{recipe, {}};
+    for (Judged& each : judged) {
+      const std::string& slug = each.config->slug;
+      if (contains(request.asked, slug) && contains(recipe.tasks, slug)) {
+        exhibit.tasks.push_back(&each);
+      }
+    }
+    if (!exhibit.tasks.empty()) all.push_back(exhibit);
+  }
+  return all;
+}
+
+PictureResult not_judged(const Recipe& recipe) {
+  PictureResult result;
+  result.recipe = recipe.name;
+  result.title = recipe.title;
+  result.width = recipe.width;
+  result.height = recipe.height;
+  return result;
+}
+
+PictureResult without_picture(const Recipe& recipe, State state, const std::string& why) {
+  PictureResult result = not_judged(recipe);
+  result.state = state;
+  result.text = why;
+  return result;
+}
 
 class Gallery {
  public:
@@ -33,22 +65,14 @@ class Gallery {
         builder_(builder),
         request_(request),
         judged_(judged),
-        recipes_(load_recipes(config.root + "/scenes/recipes.json")) {
-    for (const Recipe& recipe : recipes_) {
-      Exhibit exhibit{&recipe, {}};
-      for (Judged& each : judged_) {
-        const std::string& slug = each.config->slug;
-        if (contains(request.asked, slug) && contains(recipe.tasks, slug)) {
-          exhibit.tasks.push_back(&each);
-        }
-      }
-      if (!exhibit.tasks.empty()) exhibits_.push_back(exhibit);
-    }
-  }
+        exhibits_(exhibits(config, request, judged)) {}
 
   void run(const std::function<void()>& progress) {
     for (const Exhibit& exhibit : exhibits_) {
-      for (Judged* task : exhibit.tasks) task->result.pictures.push_back(blank(*exhibit.recipe));
+      for (Judged* task : exhibit.tasks) {
+        if (attempted(*task)) continue;
+        put(*task, without_picture(exhibit.recipe, State::not_attempted, "not rendered"));
+      }
     }
     link_workers();
     for_each(exhibits_.size(), request_.threads, [&](std::size_t i) {
@@ -56,20 +80,9 @@ class Gallery {
       const std::lock_guard lock(mutex_);
       progress();
     });
-    for (Judged& each : judged_) enter_state(each.result);
   }
 
  private:
-  PictureResult blank(const Recipe& recipe) const {
-    PictureResult result;
-    result.recipe = recipe.name;
-    result.title = recipe.title;
-    result.width = recipe.width;
-    result.height = recipe.height;
-    result.text = "not rendered";
-    return result;
-  }
-
   static bool attempted(const Judged& task) {
     return task.object.ok() && task.result.state != State::not_attempted;
   }
@@ -98,11 +111,12 @@ class Gallery {
   // Without a reference, what is not right spoils the pictures of all others.
   bool waits(const Exhibit& exhibit) {
     if (config_.no_reference.empty()) return false;
-    const std::vector<std::string> missing = missing_for(exhibit.recipe->tasks, judged_);
+    const std::vector<std::string> missing = missing_for(exhibit.recipe.tasks, judged_);
     if (missing.empty()) return false;
-    PictureResult result = blank(*exhibit.recipe);
-    result.text = fmt::format("not rendered: without the reference it waits for {}",
-                              fmt::join(missing, ", "));
+    const PictureResult result =
+        without_picture(exhibit.recipe, State::not_attempted,
+                        fmt::format("not rendered: without the reference it waits for {}",
+                                    fmt::join(missing, ", ")));
     for (Judged* task : exhibit.tasks) put(*task, result);
     return true;
   }
@@ -112,27 +126,34 @@ class Gallery {
     std::vector<Judged*> right;
     for (Judged* task : exhibit.tasks) {
       if (!attempted(*task)) continue;
-      const bool by_itself = exhibit.recipe->adaptive || !task->right_alone;
+      const bool by_itself = exhibit.recipe.adaptive || !task->right_alone;
       if (by_itself) {
-        put(*task, judge_alone(*exhibit.recipe, *task, task->right_alone ? 3 : 1));
+        put(*task, judge_alone(exhibit.recipe, *task, task->right_alone ? 3 : 1));
       } else {
         right.push_back(task);
       }
     }
-    if (!right.empty()) judge_together(*exhibit.recipe, right);
+    if (!right.empty()) judge_together(exhibit.recipe, right);
   }
 
   // All at once; and only if that fails, one after the other.
   void judge_together(const Recipe& recipe, const std::vector<Judged*>& tasks) {
     const PictureResult together = trial(recipe, *tasks[0], together_, content_, true, 3);
-    bool all_right = true;
-    for (Judged* task : tasks) {
-      const PictureResult result =
-          together.state == State::pass ? together : judge_alone(recipe, *task, 3);
-      put(*task, result);
-      all_right = all_right && result.state == State::pass;
+    if (together.state == State::pass) {
+      for (Judged* task : tasks) put(*task, together);
+      return;
     }
-    if (together.state == State::pass || !all_right) return;
+    // None is entered before all are known: a report must not say meanwhile that it passes.
+    std::vector<PictureResult> alone;
+    alone.reserve(tasks.size());
+    for (const Judged* task : tasks) alone.push_back(judge_alone(recipe, *task, 3));
+    const bool all_right = std::all_of(alone.begin(), alone.end(), [](const PictureResult& each) {
+      return each.state == State::pass;
+    });
+    if (!all_right) {
+      for (std::size_t i = 0; i < tasks.size(); ++i) put(*tasks[i], alone[i]);
+      return;
+    }
     PictureResult result = together;
     result.text = fmt::format("right with the reference elsewhere, not with your other tasks: {}",
                               together.text);
@@ -165,10 +186,7 @@ class Gallery {
   PictureResult trial(const Recipe& recipe, const Judged& task, const Built& worker,
                       const std::string& content, bool integrated, int stages) const {
     if (!worker.ok()) {
-      PictureResult result = blank(recipe);
-      result.state = State::fail;
-      result.text = "it does not link: " + worker.error;
-      return result;
+      return without_picture(recipe, State::fail, "it does not link: " + worker.error);
     }
     return try_picture(config_, builder_, request_,
                        {recipe, *task.config, worker, content, integrated, stages});
@@ -181,21 +199,10 @@ class Gallery {
     }
   }
 
-  static void enter_state(TaskResult& result) {
-    if (result.state != State::pass && result.state != State::blocked) return;
-    for (const State state : {State::crash, State::timeout, State::fail, State::too_noisy}) {
-      for (const PictureResult& picture : result.pictures) {
-        if (picture.state == state) result.state = state;
-        if (picture.state == state) return;
-      }
-    }
-  }
-
   const Config& config_;
   const Builder& builder_;
   const GradeRequest& request_;
   std::vector<Judged>& judged_;
-  std::vector<Recipe> recipes_;
   std::vector<Exhibit> exhibits_;
   Built together_;
   std::map<std::string, Built> alone_;  // by slug
@@ -204,6 +211,12 @@ class Gallery {
 };
 
 }  // namespace
+
+void list_pictures(const Config& config, const GradeRequest& request, std::vector<Judged>& judged) {
+  for (const Exhibit& exhibit : exhibits(config, request, judged)) {
+    for (Judged* task : exhibit.tasks) task->result.pictures.push_back(not_judged(exhibit.recipe));
+  }
+}
 
 void judge_pictures(const Config& config, const Builder& builder, const GradeRequest& request,
                     std::vector<Judged>& judged, const std::function<void()>& progress) {

@@ -5,7 +5,10 @@
 
 namespace grader {
 
-// Renders the recipes that show the tasks asked for, and enters the verdicts. What passes with all
+// Enters the recipes that show the tasks asked for into their results, not judged so far.
+void list_pictures(const Config& config, const GradeRequest& request, std::vector<Judged>& judged);
+
+// Renders the recipes that are listed, and enters the verdicts. What passes with all
 // tasks of the submission that are right by themselves passes for each of them; where it does not,
 // each task is rendered by itself, the reference elsewhere. A task that fails its promises already
 // is rendered by itself, one stage only. Sample maps are always judged by themselves.

@@ -16,6 +16,30 @@ namespace {
 
 using nlohmann::ordered_json;
 
+// "7 of 7 promises are kept, 2 of 3 pictures are right, 1 is not judged yet"
+std::string counts_of(const TaskResult& task) {
+  const auto not_judged = [](int count) {
+    return count == 0 ? ""
+                      : fmt::format(", {} {} not judged yet", count, count == 1 ? "is" : "are");
+  };
+  int kept = 0, right = 0, promises_left = 0, pictures_left = 0;
+  for (const PromiseResult& promise : task.promises) {
+    kept += promise.held ? 1 : 0;
+    promises_left += is_judged(task, promise) ? 0 : 1;
+  }
+  for (const PictureResult& picture : task.pictures) {
+    right += picture.state == State::pass ? 1 : 0;
+    pictures_left += picture.state == State::not_judged ? 1 : 0;
+  }
+  std::string text = fmt::format("{} of {} promises are kept{}", kept, task.promises.size(),
+                                 not_judged(promises_left));
+  if (!task.pictures.empty()) {
+    text += fmt::format("; {} of {} pictures are right{}", right, task.pictures.size(),
+                        not_judged(pictures_left));
+  }
+  return text;
+}
+
 std::string output_of(const TaskResult& task) {
   std::string text = fmt::format("{} {}\n", symbol(task.state), words(task.state));
   for (const FailureText& failure : failure_texts(task, {})) text += failure.text;
@@ -23,14 +47,10 @@ std::string output_of(const TaskResult& task) {
   if (task.state == State::blocked) {
     text += fmt::format("It waits for {}.\n", fmt::join(task.blocked_by, ", "));
   }
-  int kept = 0, right = 0;
-  for (const PromiseResult& promise : task.promises) kept += promise.held ? 1 : 0;
-  for (const PictureResult& picture : task.pictures) right += picture.state == State::pass ? 1 : 0;
-  text += fmt::format("\n{} of {} promises are kept", kept, task.promises.size());
-  if (!task.pictures.empty()) {
-    text += fmt::format(", {} of {} pictures are right", right, task.pictures.size());
+  if (task.state == State::not_judged) {
+    text += "What is not judged yet has no points, right or wrong.\n";
   }
-  return text + ".\n";
+  return text + "\n" + counts_of(task) + ".\n";
 }
 
 ordered_json test_of(const TaskResult& task) {

@@ -47,7 +47,13 @@ data failure_data(const FailureReport& failure) {
 // A bonus promise that is not kept is no fault; nor is one of a task that was not written.
 State state_of(const TaskResult& task, const PromiseResult& promise) {
   if (promise.held) return State::pass;
+  if (!is_judged(task, promise)) return State::not_judged;
   return promise.bonus || !is_fault(task.state) ? State::not_attempted : State::fail;
+}
+
+std::string why_no_failures(const TaskResult& task, State promise) {
+  if (!task.reason.empty()) return task.reason;
+  return promise == State::not_judged ? "It is not judged yet." : "There is no counterexample.";
 }
 
 data promise_data(const TaskResult& task, const PromiseResult& promise) {
@@ -61,19 +67,21 @@ data promise_data(const TaskResult& task, const PromiseResult& promise) {
   out.set("promise_open", state == State::fail && !promise.failures.empty());
   out.set("promise_tone", tone(state));
   out.set("promise_symbol", symbol(state));
-  out.set("promise_state", state == State::fail ? "not kept" : "not kept yet");
+  out.set("promise_state", state == State::fail         ? "not kept"
+                           : state == State::not_judged ? "not judged"
+                                                        : "not kept yet");
   out.set("failures", failures);
   out.set("no_failures",
-          promise.failures.empty()
-              ? data(task.reason.empty() ? "There is no counterexample." : task.reason)
-              : data(false));
+          promise.failures.empty() ? data(why_no_failures(task, state)) : data(false));
   return out;
 }
 
-data task_data(const TaskResult& task) {
+data task_data(const TaskResult& task, Places& places) {
   data out, promises{data::type::list}, pictures{data::type::list};
   for (const PromiseResult& each : task.promises) promises.push_back(promise_data(task, each));
-  for (const PictureResult& each : task.pictures) pictures.push_back(picture_data(each));
+  for (const PictureResult& each : task.pictures) {
+    pictures.push_back(picture_data(each, task.slug, places));
+  }
   out.set("number", task.number);
   out.set("slug", task.slug);
   out.set("tone", tone(task.state));
@@ -97,6 +105,7 @@ data task_data(const TaskResult& task) {
 }
 
 data parts_data(const std::vector<TaskResult>& tasks) {
+  Places places;
   data parts{data::type::list};
   for (std::size_t i = 0; i < tasks.size();) {
     std::vector<TaskResult> of_part;
@@ -104,7 +113,7 @@ data parts_data(const std::vector<TaskResult>& tasks) {
     const std::string& part = tasks[i].part;
     for (; i < tasks.size() && tasks[i].part == part; ++i) {
       of_part.push_back(tasks[i]);
-      list.push_back(task_data(tasks[i]));
+      list.push_back(task_data(tasks[i], places));
     }
     const Totals sum = totals(of_part);
     data out;
@@ -124,8 +133,7 @@ data page_data(const Results& results) {
   out.set("style", std::string(page_css));
   out.set("script", std::string(page_js));
   out.set("verdict", verdict(results));
-  out.set("passed", std::to_string(all.passed));
-  out.set("task_count", std::to_string(results.tasks.size()));
+  out.set("passed", passed(results));
   out.set("points", std::to_string(all.points));
   out.set("max_points", std::to_string(all.max_points));
   out.set("has_bonus", all.bonus_points > 0);

@@ -39,8 +39,12 @@ data map_data(const Map& map) {
   return out;
 }
 
+// Where there should be no light, what is relative says no more.
+constexpr double kMostPercent = 1000;
+
 std::string percent(double ratio) {
   if (!std::isfinite(ratio)) return "not a number";
+  if (ratio > kMostPercent / 100) return fmt::format("> +{} %", kMostPercent);
   return fmt::format("{}{:.1f} %", ratio < 0 ? "\u2212" : "+", std::abs(100 * ratio));
 }
 
@@ -54,9 +58,9 @@ data cells_data(const PictureResult& picture) {
     out.set("h", std::to_string(cell.height));
     out.set("middle_x", std::to_string(cell.x + cell.width / 2));
     out.set("middle_y", std::to_string(cell.y + cell.height / 2));
-    out.set("channel", cell.channel == "Y" ? "luminance" : cell.channel);
+    out.set("channel", cell.channel);
     out.set("cell_off_by", percent(cell.off_by));
-    out.set("cell_evidence", fmt::format("{:.1f} \u00d7 threshold", cell.evidence));
+    out.set("cell_evidence", fmt::format("{:.{}f}", cell.evidence, cell.evidence < 100 ? 1 : 0));
     cells.push_back(out);
   }
   return cells;
@@ -184,14 +188,32 @@ const char* tone(State state) {
   return is_fault(state) ? "fault" : "quiet";
 }
 
-data picture_data(const PictureResult& picture) {
+std::string Places::taken(const PictureResult& picture, const std::string& place) {
+  std::string shown;
+  for (const std::string* path : {&picture.render, &picture.golden, &picture.evidence,
+                                  &picture.counts, &picture.golden_counts}) {
+    shown += *path + '\0';
+  }
+  for (const FailingCell& cell : picture.cells) {
+    shown += fmt::format("{} {} {} {} {} {} {}\n", cell.x, cell.y, cell.width, cell.height,
+                         cell.channel, cell.off_by, cell.evidence);
+  }
+  const auto [entry, is_new] = places_.try_emplace(shown, place);
+  return is_new ? "" : entry->second;
+}
+
+data picture_data(const PictureResult& picture, const std::string& slug, Places& places) {
+  const bool has_views = !picture.render.empty() || !picture.counts.empty();
+  const std::string place =
+      has_views ? places.taken(picture, slug + "." + picture.recipe) : std::string();
   data out;
   out.set("recipe", picture.recipe);
   out.set("title", picture.title);
   out.set("picture_tone", tone(picture.state));
   out.set("picture_symbol", symbol(picture.state));
   out.set("picture_words", words(picture.state));
-  out.set("picture_open", is_fault(picture.state));
+  out.set("picture_open", is_fault(picture.state) && place.empty());
+  out.set("same", place.empty() ? data(false) : data(place));
   out.set("picture_points", std::to_string(picture.points));
   out.set("picture_max", std::to_string(picture.max_points));
   out.set("has_sentence", !picture.text.empty());
@@ -208,8 +230,8 @@ data picture_data(const PictureResult& picture) {
       problem += fmt::format("{}It cannot be shown. {}", problem.empty() ? "" : " ", error.what());
     }
   };
-  if (!picture.render.empty()) add(film_view);
-  if (!picture.counts.empty()) add(counts_view);
+  if (place.empty() && !picture.render.empty()) add(film_view);
+  if (place.empty() && !picture.counts.empty()) add(counts_view);
   out.set("views", views);
   out.set("problem", problem.empty() ? data(false) : data(problem));
   return out;

@@ -41,6 +41,7 @@ const char* element_of(State state) {
       return "error";
     case State::not_attempted:
     case State::blocked:
+    case State::not_judged:
       return "skipped";
   }
   return "error";
@@ -58,6 +59,9 @@ Case promise_case(const TaskResult& task, const PromiseResult& promise) {
   if (task.state == State::not_attempted || task.state == State::blocked) {
     result.element = "skipped";
     if (result.message.empty()) result.message = words(task.state);
+  } else if (!is_judged(task, promise)) {
+    result.element = "skipped";
+    result.message = words(task.state);
   } else if (!promise.held && promise.bonus) {
     result.element = "skipped";
     result.message = "a bonus promise that is not kept";

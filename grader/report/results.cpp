@@ -22,6 +22,8 @@ const char* name(State state) {
       return "too_noisy";
     case State::rejected:
       return "rejected";
+    case State::not_judged:
+      return "not_judged";
   }
   return "";
 }

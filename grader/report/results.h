@@ -21,11 +21,12 @@ enum class State {
   blocked,        // right by itself; not judged with the submission's other tasks, as one fails
   too_noisy,      // of a picture: too few samples to decide
   rejected,       // the file is not one that the judge accepts
+  not_judged,     // not yet: only in the results of a run that has not ended
 };
 
 inline constexpr std::array kStates{State::pass,      State::fail,          State::crash,
                                     State::timeout,   State::not_attempted, State::blocked,
-                                    State::too_noisy, State::rejected};
+                                    State::too_noisy, State::rejected,      State::not_judged};
 
 // "pass", "not_attempted": as it stands in JSON.
 const char* name(State state);
@@ -73,7 +74,7 @@ struct FailingCell {
 struct PictureResult {
   std::string recipe;  // its name in scenes/recipes.json
   std::string title;   // and what it shows, in words
-  State state = State::not_attempted;
+  State state = State::not_judged;
   std::string text;         // the one sentence; empty if it passes
   bool integrated = false;  // rendered with all tasks of the submission; else with this one only
   int samples = 0;          // a pixel, of all stages together
@@ -99,7 +100,7 @@ struct TaskResult {
   std::string part;    // "1_rays"
   std::string number;  // "1.3"
   std::string slug;
-  State state = State::not_attempted;
+  State state = State::not_judged;
   std::string reason;  // one sentence where the promises do not say it: why blocked, rejected, ...
   int points = 0;      // for promises kept and pictures that are right
   int max_points = 0;  // of the pictures, and of the promises that are no bonus

@@ -28,12 +28,15 @@ const char* symbol(State state) {
       return "\u2248";  // about equal
     case State::rejected:
       return "\u00d7";  // times
+    case State::not_judged:
+      return "?";
   }
   return "";
 }
 
 bool is_fault(State state) {
-  return state != State::pass && state != State::not_attempted && state != State::blocked;
+  return state != State::pass && state != State::not_attempted && state != State::blocked &&
+         state != State::not_judged;
 }
 
 Totals totals(const std::vector<TaskResult>& tasks) {
@@ -43,14 +46,25 @@ Totals totals(const std::vector<TaskResult>& tasks) {
     all.max_points += task.max_points;
     all.bonus_points += task.bonus_points;
     all.passed += task.state == State::pass ? 1 : 0;
+    all.not_judged += task.state == State::not_judged ? 1 : 0;
   }
   return all;
 }
 
+bool is_judged(const TaskResult& task, const PromiseResult& promise) {
+  return task.state != State::not_judged || promise.held || !promise.failures.empty();
+}
+
+std::string passed(const Results& results) {
+  const Totals all = totals(results.tasks);
+  std::string text = fmt::format("{} of {} tasks pass", all.passed, results.tasks.size());
+  if (all.not_judged > 0) text += fmt::format(", {} not judged yet", all.not_judged);
+  return text;
+}
+
 std::string verdict(const Results& results) {
   const Totals all = totals(results.tasks);
-  std::string text = fmt::format("{} of {} tasks pass. {} of {} points", all.passed,
-                                 results.tasks.size(), all.points, all.max_points);
+  std::string text = passed(results) + fmt::format(". {} of {} points", all.points, all.max_points);
   if (all.bonus_points > 0) text += fmt::format(" and {} bonus", all.bonus_points);
   return text + ".";
 }

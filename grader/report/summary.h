@@ -23,16 +23,24 @@ struct Totals {
   int points = 0;
   int max_points = 0;
   int bonus_points = 0;
-  int passed = 0;  // tasks
+  int passed = 0;      // tasks
+  int not_judged = 0;  // tasks
 };
 Totals totals(const std::vector<TaskResult>& tasks);
+
+// Whether there is a verdict on a promise of the task. Before the run has ended, the promises of a
+// task wait for their verdict together.
+bool is_judged(const TaskResult& task, const PromiseResult& promise);
+
+// "7 of 12 tasks pass", "2 of 12 tasks pass, 9 not judged yet"
+std::string passed(const Results& results);
 
 // "7 of 12 tasks pass. 61 of 97 points and 2 bonus."
 std::string verdict(const Results& results);
 
 // What the report of an unfinished run has to say.
 inline constexpr const char* kStopped =
-    "This run was stopped before it ended: what was not judged yet may still change.";
+    "This run was stopped before it ended: what is not judged yet has no points.";
 
 // "27.0 s (properties 5.9 s, pictures 21.0 s)"
 std::string times(const Results& results);

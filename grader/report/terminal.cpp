@@ -3,6 +3,7 @@
 #include "grader/report/summary.h"
 #include "grader/report/wrap.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -32,22 +33,39 @@ const char* color_of(State state) {
     case State::too_noisy:
       return "33";
     case State::not_attempted:
+    case State::not_judged:
       return "2";
   }
   return "0";
 }
 
-// A name, a state and points, in columns.
-std::string columns(const std::string& label, State state, int points, int max_points,
-                    const TerminalStyle& style) {
-  return fmt::format("{:<18} {} {:>6}", label,
+// The pictures of a task that have rows of their own, and what they are called there.
+bool has_row(const PictureResult& picture) { return is_fault(picture.state); }
+std::string label_of(const PictureResult& picture) { return "  " + picture.recipe; }
+
+// What the longest label needs, and all tasks of the course.
+std::size_t label_width(const Results& results) {
+  std::size_t width = 18;
+  for (const TaskResult& task : results.tasks) {
+    for (const PictureResult& picture : task.pictures) {
+      if (has_row(picture)) width = std::max(width, label_of(picture).size());
+    }
+  }
+  return width;
+}
+
+// A label, a state and points, in columns.
+std::string columns(const std::string& label, std::size_t width, State state, int points,
+                    int max_points, const TerminalStyle& style) {
+  return fmt::format("{:<{}} {} {:>6}", label, width,
                      paint(fmt::format("{:<14}", words(state)), color_of(state), style),
                      fmt::format("{}/{}", points, max_points));
 }
 
-std::string row(const TaskResult& task, const TerminalStyle& style) {
-  std::string line = fmt::format(
-      "  {}  {}", task.number, columns(task.slug, task.state, task.points, task.max_points, style));
+std::string row(const TaskResult& task, std::size_t width, const TerminalStyle& style) {
+  std::string line =
+      fmt::format("  {}  {}", task.number,
+                  columns(task.slug, width, task.state, task.points, task.max_points, style));
   if (task.bonus_points > 0) line += fmt::format("  + {} bonus", task.bonus_points);
   if (task.state == State::blocked)
     line += fmt::format("  by {}", fmt::join(task.blocked_by, ", "));
@@ -55,14 +73,12 @@ std::string row(const TaskResult& task, const TerminalStyle& style) {
 }
 
 // The pictures of a task that are not right, as rows below its own.
-std::string picture_rows(const TaskResult& task, const TerminalStyle& style) {
+std::string picture_rows(const TaskResult& task, std::size_t width, const TerminalStyle& style) {
   std::string text;
   for (const PictureResult& picture : task.pictures) {
-    if (!is_fault(picture.state)) continue;
-    text +=
-        "       " +
-        columns("  " + picture.recipe, picture.state, picture.points, picture.max_points, style) +
-        "  picture\n";
+    if (!has_row(picture)) continue;
+    text += fmt::format("       {}  picture\n", columns(label_of(picture), width, picture.state,
+                                                        picture.points, picture.max_points, style));
   }
   return text;
 }
@@ -137,13 +153,14 @@ std::string printed_text(const TaskResult& task) {
 }  // namespace
 
 std::string table(const Results& results, const TerminalStyle& style) {
+  const std::size_t width = label_width(results);
   std::string text, part;
   for (const TaskResult& task : results.tasks) {
     if (task.part != part) {
       text += fmt::format("\nPart {}  {}\n", part_number(task.part), part_name(task.part));
     }
     part = task.part;
-    text += row(task, style) + picture_rows(task, style);
+    text += row(task, width, style) + picture_rows(task, width, style);
   }
   return text + "\n" + verdict(results) + "\n";
 }

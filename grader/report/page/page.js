@@ -31,6 +31,7 @@ function shown(value) {
 
 function percent(ratio) {
   if (!Number.isFinite(ratio)) return "\u2013";
+  if (ratio > 10) return "> +1000 %";
   return `${ratio < 0 ? "\u2212" : "+"}${(100 * Math.abs(ratio)).toFixed(1)} %`;
 }
 
@@ -137,6 +138,23 @@ function bring_to_life(viewer) {
   compare.classList.add("live");
 }
 
+// A picture that judges several tasks is in the page once. With the others it is shown while they are open.
+function show_where_opened(reference) {
+  const fold = reference.closest("details");
+  const show = () => {
+    if (!fold.open || !reference.parentElement) return;
+    const original = document.getElementById(reference.dataset.place);
+    for (const viewer of original.querySelectorAll(".viewer")) {
+      const copy = viewer.cloneNode(true);
+      reference.before(copy);
+      bring_to_life(copy);
+    }
+    reference.remove();
+  };
+  fold.addEventListener("toggle", show);
+  show();
+}
+
 // A link to something folded away unfolds it.
 function unfold() {
   const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
@@ -148,5 +166,6 @@ function unfold() {
 
 document.documentElement.classList.add("scripted");
 document.querySelectorAll(".viewer").forEach(bring_to_life);
+document.querySelectorAll(".same").forEach(show_where_opened);
 window.addEventListener("hashchange", unfold);
 if (location.hash) unfold();

@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# A run that is killed leaves results that say what is not judged, and --resume ends as a run that was never
+# killed, without judging again what was judged.
+# resume.sh GRADER: the folder with grade and its grade.json.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+grader=$1
+folder=$(mktemp -d)
+running=
+end() {
+  [ -z "$running" ] || kill -9 "$running" 2>/dev/null || true
+  rm -rf "$folder"
+}
+trap end EXIT
+
+complain() {
+  printf '%s\n' "$*"
+  exit 1
+}
+
+# prepare NAME: a place to grade in with nothing in its cache. All programs that judge write a line into its
+# `log` for each call; the one for pictures stays there for ever at the recipe that `hold` names.
+prepare() {
+  mkdir "$folder/$1"
+  python3 - "$grader/grade.json" "$folder/$1" <<'END'
+import json, os, sys
+config = json.load(open(sys.argv[1]))
+here = sys.argv[2]
+
+def wrap(name, program):
+    path = f"{here}/{name}"
+    with open(path, "w") as script:
+        script.write(f'''#!/bin/bash
+name={name} recipe=
+for word; do
+  [ "$last" = --recipe ] && recipe=$word
+  [ "$word" = --integrated ] && [ {name} != picture ] && name={name}.together
+  last=$word
+done
+echo "$name $recipe" >>{here}/log
+[ -z "$recipe" ] || [ "$recipe" != "$(cat {here}/hold 2>/dev/null)" ] || exec sleep infinity
+exec {program} "$@"
+''')
+    os.chmod(path, 0o755)
+    return path
+
+config["work"] = here + "/work"
+config["picture"] = wrap("picture", config["picture"])
+for task in config["tasks"]:
+    task["graded"] = wrap(task["slug"], task["graded"])
+json.dump(config, open(here + "/grade.json", "w"))
+END
+}
+
+# grades NAME STATUS OPTIONS...
+grades() {
+  local name=$1 status=$2 got=0
+  shift 2
+  "$grader/grade" --config "$folder/$name/grade.json" "$@" >"$folder/said" 2>&1 || got=$?
+  [ "$got" -eq "$status" ] || complain "grade $* ended with $got, not $status:" "$(cat "$folder/said")"
+}
+
+asked=(camera_ray estimate_pixel --submission reference --threads 1)
+
+prepare killed
+echo rays_camera >"$folder/killed/hold"
+"$grader/grade" --config "$folder/killed/grade.json" "${asked[@]}" --json "$folder/killed.json" \
+  >"$folder/said" 2>&1 &
+running=$!
+until grep -qs 'picture rays_camera' "$folder/killed/log"; do
+  kill -0 "$running" 2>/dev/null || complain "grade ended before it was killed:" "$(cat "$folder/said")"
+  sleep 0.1
+done
+{ kill -9 "$running" && wait "$running" || true; } 2>/dev/null
+running=
+
+grades killed 1 --from-results "$folder/killed.json" --gradescope "$folder/gradescope.json"
+grep -q 'This run was stopped before it ended' "$folder/said" || complain "$(cat "$folder/said")"
+python3 - "$folder" <<'END' || complain "what the killed run left is not so"
+import json, sys
+results = json.load(open(sys.argv[1] + "/killed.json"))
+assert results["complete"] is False and results["passed"] is False
+assert {task["slug"] for task in results["tasks"]} == {"camera_ray", "estimate_pixel"}
+for task in results["tasks"]:
+    states = {picture["recipe"]: picture["state"] for picture in task["pictures"]}
+    assert states.pop("rays_star") == "pass" and len(states) == 2, states
+    assert set(states.values()) == {"not_judged"} and task["state"] == "not_judged", task
+    earned = sum(p["points"] for p in task["promises"] if p["held"] and not p["bonus"])
+    star = sum(p["points"] for p in task["pictures"] if p["recipe"] == "rays_star")
+    assert all(p["held"] for p in task["promises"]) and task["points"] == earned + star, task
+    assert 0 < task["points"] < task["max_points"], task
+graded = json.load(open(sys.argv[1] + "/gradescope.json"))
+assert graded["extra_data"]["complete"] is False
+assert all(test["status"] == "failed" for test in graded["tests"])
+assert graded["score"] == sum(t["points"] + t["bonus_points"] for t in results["tasks"])
+END
+
+rm "$folder/killed/hold"
+grades killed 0 --resume
+grades killed 2 --resume
+grep -q 'nothing to --resume' "$folder/said" || complain "$(cat "$folder/said")"
+prepare whole
+grades whole 0 "${asked[@]}" --json "$folder/whole.json"
+
+python3 - "$folder" <<'END' || complain "it did not go on as it had begun"
+import json, sys
+folder = sys.argv[1]
+FILES = ["golden", "render", "evidence", "golden_counts", "counts"]
+
+def content(path):
+    return open(path, "rb").read() if path else b""
+
+# All but how long it took and where its files lie; instead of a file's path what is in it.
+def found(value):
+    if isinstance(value, list):
+        return [found(each) for each in value]
+    if not isinstance(value, dict):
+        return value
+    return {name: content(each) if name in FILES else found(each)
+            for name, each in value.items() if name not in ("seconds", "phases")}
+
+killed, whole = ([json.load(open(f"{folder}/{name}.json")) for name in ("killed", "whole")])
+assert whole["complete"] and whole["passed"] and found(killed) == found(whole)
+
+# The one call that was killed is made again, and no other.
+log = {name: open(f"{folder}/{name}/log").read().splitlines() for name in ("killed", "whole")}
+assert sorted(log["whole"]) == sorted(set(log["whole"])) and len(log["whole"]) == 7, log
+assert sorted(log["killed"]) == sorted(log["whole"] + ["picture rays_camera"]), log
+END
+echo 'a killed run goes on where it was'
