@@ -15,6 +15,9 @@ namespace grader {
 
 namespace {
 
+// How often the limit of a call a few rows of a picture may take.
+constexpr int kPatience = 5;
+
 bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
@@ -114,7 +117,8 @@ class Gallery {
       if (!attempted(*task)) continue;
       const bool by_itself = exhibit.recipe->adaptive || !task->right_alone;
       if (by_itself) {
-        put(*task, judge_alone(*exhibit.recipe, *task, task->right_alone ? 3 : 1));
+        put(*task, task->right_alone ? judge_alone(*exhibit.recipe, *task)
+                                     : look_at(*exhibit.recipe, *task));
       } else {
         right.push_back(task);
       }
@@ -124,11 +128,11 @@ class Gallery {
 
   // All at once; and only if that fails, one after the other.
   void judge_together(const Recipe& recipe, const std::vector<Judged*>& tasks) {
-    const PictureResult together = trial(recipe, *tasks[0], together_, content_, true, 3);
+    const PictureResult together = trial(recipe, *tasks[0], together_, content_, true);
     bool all_right = true;
     for (Judged* task : tasks) {
       const PictureResult result =
-          together.state == State::pass ? together : judge_alone(recipe, *task, 3);
+          together.state == State::pass ? together : judge_alone(recipe, *task);
       put(*task, result);
       all_right = all_right && result.state == State::pass;
     }
@@ -152,18 +156,26 @@ class Gallery {
       if (!other.right_alone || known) continue;
       const std::string& slug = other.config->slug;
       const Built worker = link_together(config_, builder_, judged_, Elsewhere::reference, slug);
-      if (worker.ok() && trial(recipe, task, worker, content_ + slug, true, 3).state == State::pass)
+      if (worker.ok() && trial(recipe, task, worker, content_ + slug, true).state == State::pass)
         blamed.push_back(slug);
     }
     return blamed;
   }
 
-  PictureResult judge_alone(const Recipe& recipe, const Judged& task, int stages) const {
-    return trial(recipe, task, alone_.at(task.config->slug), task.content, false, stages);
+  PictureResult judge_alone(const Recipe& recipe, const Judged& task) const {
+    return trial(recipe, task, alone_.at(task.config->slug), task.content, false);
+  }
+
+  // A picture of a task that is wrong already: one stage, and little patience with one that does
+  // not answer, or a submission of endless loops would take ten minutes.
+  PictureResult look_at(const Recipe& recipe, const Judged& task) const {
+    return trial(recipe, task, alone_.at(task.config->slug), task.content, false, 1,
+                 task.result.state == State::timeout ? 1 : kPatience);
   }
 
   PictureResult trial(const Recipe& recipe, const Judged& task, const Built& worker,
-                      const std::string& content, bool integrated, int stages) const {
+                      const std::string& content, bool integrated, int stages = 3,
+                      int patience = kPatience) const {
     if (!worker.ok()) {
       PictureResult result = blank(recipe);
       result.state = State::fail;
@@ -171,7 +183,7 @@ class Gallery {
       return result;
     }
     return try_picture(config_, builder_, request_,
-                       {recipe, *task.config, worker, content, integrated, stages});
+                       {recipe, *task.config, worker, content, integrated, stages, patience});
   }
 
   void put(Judged& task, const PictureResult& found) {
