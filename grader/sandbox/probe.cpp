@@ -51,7 +51,7 @@ std::string words_of(Tier tier, const std::set<std::string>& holds) {
     return "A: bubblewrap" + (list.empty() ? "" : " with " + list + " in it");
   }
   if (!holds.contains("sockets")) list += "; the network is open";
-  if (!holds.contains("files")) list += "; other files that everyone may read are open";
+  if (!holds.contains("files")) list += "; other files are open to it as to everyone";
   return "B: " + list;
 }
 
