@@ -26,7 +26,7 @@ r = json.load(open(sys.argv[1]))
 for test in r.get("tests", []):
     assert set(test) >= {"score", "max_score", "status", "name", "output"}, test
 task = {test["name"]: test for test in r.get("tests", [])}
-assert eval(sys.argv[2]), r
+assert eval("(" + sys.argv[2] + ")"), r
 END
     complain "not so: $expression" "$(cat "$autograder/log")"
 }

@@ -42,7 +42,7 @@ std::vector<std::string> command(const Config& config, const GradeRequest& reque
                                  "--stages",
                                  std::to_string(trial.stages),
                                  "--call-limit",
-                                 std::to_string(5 * request.call_limit),
+                                 std::to_string(trial.patience * request.call_limit),
                                  "--isolation",
                                  std::string(1, letter(request.isolation.tier))};
   if (trial.integrated) words.push_back("--integrated");

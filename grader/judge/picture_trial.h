@@ -13,7 +13,8 @@ struct PictureTrial {
   const Built& worker;
   std::string content;  // stands for what of the submission is judged; the same on every machine
   bool integrated = false;
-  int stages = 3;  // at most
+  int stages = 3;    // at most
+  int patience = 1;  // how often the limit of a call a few rows may take
 };
 
 // Runs the program graded_picture, unless the same was run before. Safe from any thread. Throws

@@ -15,6 +15,9 @@ namespace grader {
 
 namespace {
 
+// How often the limit of a call a few rows of a picture may take.
+constexpr int kPatience = 5;
+
 bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
@@ -128,7 +131,8 @@ class Gallery {
       if (!attempted(*task)) continue;
       const bool by_itself = exhibit.recipe.adaptive || !task->right_alone;
       if (by_itself) {
-        put(*task, judge_alone(exhibit.recipe, *task, task->right_alone ? 3 : 1));
+        put(*task, task->right_alone ? judge_alone(exhibit.recipe, *task)
+                                     : look_at(exhibit.recipe, *task));
       } else {
         right.push_back(task);
       }
@@ -138,7 +142,7 @@ class Gallery {
 
   // All at once; and only if that fails, one after the other.
   void judge_together(const Recipe& recipe, const std::vector<Judged*>& tasks) {
-    const PictureResult together = trial(recipe, *tasks[0], together_, content_, true, 3);
+    const PictureResult together = trial(recipe, *tasks[0], together_, content_, true);
     if (together.state == State::pass) {
       for (Judged* task : tasks) put(*task, together);
       return;
@@ -146,7 +150,7 @@ class Gallery {
     // None is entered before all are known: a report must not say meanwhile that it passes.
     std::vector<PictureResult> alone;
     alone.reserve(tasks.size());
-    for (const Judged* task : tasks) alone.push_back(judge_alone(recipe, *task, 3));
+    for (const Judged* task : tasks) alone.push_back(judge_alone(recipe, *task));
     const bool all_right = std::all_of(alone.begin(), alone.end(), [](const PictureResult& each) {
       return each.state == State::pass;
     });
@@ -173,23 +177,31 @@ class Gallery {
       if (!other.right_alone || known) continue;
       const std::string& slug = other.config->slug;
       const Built worker = link_together(config_, builder_, judged_, Elsewhere::reference, slug);
-      if (worker.ok() && trial(recipe, task, worker, content_ + slug, true, 3).state == State::pass)
+      if (worker.ok() && trial(recipe, task, worker, content_ + slug, true).state == State::pass)
         blamed.push_back(slug);
     }
     return blamed;
   }
 
-  PictureResult judge_alone(const Recipe& recipe, const Judged& task, int stages) const {
-    return trial(recipe, task, alone_.at(task.config->slug), task.content, false, stages);
+  PictureResult judge_alone(const Recipe& recipe, const Judged& task) const {
+    return trial(recipe, task, alone_.at(task.config->slug), task.content, false);
+  }
+
+  // A picture of a task that is wrong already: one stage, and little patience with one that does
+  // not answer, or a submission of endless loops would take ten minutes.
+  PictureResult look_at(const Recipe& recipe, const Judged& task) const {
+    return trial(recipe, task, alone_.at(task.config->slug), task.content, false, 1,
+                 task.result.state == State::timeout ? 1 : kPatience);
   }
 
   PictureResult trial(const Recipe& recipe, const Judged& task, const Built& worker,
-                      const std::string& content, bool integrated, int stages) const {
+                      const std::string& content, bool integrated, int stages = 3,
+                      int patience = kPatience) const {
     if (!worker.ok()) {
       return without_picture(recipe, State::fail, "it does not link: " + worker.error);
     }
     return try_picture(config_, builder_, request_,
-                       {recipe, *task.config, worker, content, integrated, stages});
+                       {recipe, *task.config, worker, content, integrated, stages, patience});
   }
 
   void put(Judged& task, const PictureResult& found) {

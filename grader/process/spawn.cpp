@@ -52,13 +52,17 @@ void arrange(const int* descriptors, int count) {
   _exit(127);
 }
 
+// Whom spawn() has started leads a group in our session. Keepers of boxes (grader/sandbox) have
+// left the session, and what a compiler leaves is in the compiler's group.
+bool is_orphan(pid_t pid) { return getsid(pid) != getsid(0) || getpgid(pid) != pid; }
+
 // What our children leave behind comes to us, not to a first process that may not ask how it ended:
-// in a container, dead keepers of boxes (grader/sandbox) would pile up. They have left our session.
+// in a container, hundreds of dead processes would pile up.
 void reap_orphans() {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   siginfo_t ended{};
   while (waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid != 0 &&
-         getsid(ended.si_pid) != getsid(0)) {
+         is_orphan(ended.si_pid)) {
     waitpid(ended.si_pid, nullptr, WNOHANG);
     ended = {};
   }

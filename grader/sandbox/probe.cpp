@@ -51,7 +51,7 @@ std::string words_of(Tier tier, const std::set<std::string>& holds) {
     return "A: bubblewrap" + (list.empty() ? "" : " with " + list + " in it");
   }
   if (!holds.contains("sockets")) list += "; the network is open";
-  if (!holds.contains("files")) list += "; other files that everyone may read are open";
+  if (!holds.contains("files")) list += "; other files are open to it as to everyone";
   return "B: " + list;
 }
 
@@ -76,13 +76,19 @@ CommandResult run_probe(const std::string& root, const std::string& folder, Tier
   return run_command(boxed(box, tier), std::chrono::seconds(10));
 }
 
+// Bubblewrap goes on with where to read more.
+std::string first_sentence(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  return printable(line.substr(0, line.find(". ")), 200);
+}
+
 Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
   const Scratch scratch(work);
   std::set<std::string> holds;
   for (const std::string& folder : {std::string(), scratch.path}) {
     const CommandResult result = run_probe(root, folder, tier);
     if (!result.ok()) {
-      return {"", printable(result.output.substr(0, result.output.find('\n')), 200)};
+      return {"", first_sentence(result.output)};
     }
     const std::set<std::string> now = what_holds(result);
     if (!now.contains("root"))
@@ -124,6 +130,7 @@ Isolation probe_isolation(const std::string& root, const std::string& work,
   if (forced && *forced != Tier::limits) {
     throw pt::Error("isolation does not work here as asked: " + found.why_not_better);
   }
+  if (!found.why_not_better.empty()) found.words += " (" + found.why_not_better + ")";
   return found;
 }
 

@@ -8,7 +8,7 @@
 namespace grader {
 
 // How submissions are kept away from the machine, and in words for every report: "A:
-// bubblewrap with seccomp in it".
+// bubblewrap with seccomp in it". For C, the words say why nothing better works here.
 struct Isolation {
   Tier tier = Tier::limits;
   std::string words;

@@ -19,13 +19,23 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+// What a process runs. In a container root may not see that of other users, but how it was started.
+std::string program_of(const fs::path& process) {
+  std::error_code error;
+  const std::string program = fs::read_symlink(process / "exe", error);
+  if (!error) return program;
+  std::string word;
+  std::ifstream words(process / "cmdline");
+  std::getline(words, word, '\0');
+  return word;
+}
+
 // Programs from the work folder that run: workers.
 std::vector<std::string> running(const Submission& submission) {
   std::vector<std::string> programs;
-  std::error_code error;
   for (const auto& process : fs::directory_iterator("/proc")) {
-    const std::string program = fs::read_symlink(process.path() / "exe", error);
-    if (!error && program.starts_with(submission.work().string())) programs.push_back(program);
+    const std::string program = program_of(process.path());
+    if (program.starts_with(submission.work().string())) programs.push_back(program);
   }
   return programs;
 }
@@ -39,6 +49,7 @@ std::vector<std::string> left_behind(const Submission& submission) {
     }
   }
   for (const fs::path& folder : {submission.work(), submission.work() / "cache"}) {
+    if (!fs::exists(folder)) continue;  // nothing has been judged
     for (const auto& file : fs::directory_iterator(folder)) {
       const std::set<std::string> ours{".json", ".o", ".worker", ".exr", ".csv", ""};
       const bool known = ours.contains(file.path().extension()) && file.path().filename() != "left";

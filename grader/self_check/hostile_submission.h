@@ -42,10 +42,10 @@ class Submission {
   // The command for that, not run.
   std::vector<std::string> command(std::vector<std::string> words) const;
   std::filesystem::path work() const { return folder_.string() + ".work"; }
-
- private:
+  // Runs it, or the same with more words before it.
   Outcome run(const std::vector<std::string>& command) const;
 
+ private:
   std::filesystem::path folder_;
 };
 

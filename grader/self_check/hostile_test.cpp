@@ -27,6 +27,13 @@ TEST(hostile, costs_its_own_task_only) {
     EXPECT_EQ(task.at("state"), found == expected.end() ? "blocked" : found->second)
         << task.dump(1, ' ', false, json::error_handler_t::replace).substr(0, 2000);
   }
+  // Nobody waits longer for its pictures than for one of its calls: there are fifty.
+  for (const char* slug : {"hit_triangle", "hit_box"}) {
+    ASSERT_FALSE(outcome.task(slug).at("pictures").empty()) << slug;
+    for (const json& picture : outcome.task(slug).at("pictures")) {
+      EXPECT_EQ(picture.at("text"), "no answer within 1 s") << picture.at("recipe");
+    }
+  }
 }
 
 // The texts of a submission reach the report as one harmless line.

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include <fcntl.h>
 #include <grp.h>
 #include <poll.h>
 #include <pwd.h>
@@ -95,14 +96,25 @@ void become(const User& user) {
 void start_keeper(const std::optional<User>& user) {
   const pid_t self = getpid();
   const Descriptor program = open_process(self), judge = open_process(getppid());
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw pt::Error("no pipe");
+  const Descriptor ready(ends[0]);
+  Descriptor signal(ends[1]);
   const pid_t keeper = fork();
   if (keeper < 0) throw pt::Error(std::string("no process: ") + std::strerror(errno));
-  if (keeper > 0) return;
+  if (keeper > 0) {
+    // A program that ends at once would have its group killed, with a keeper that is still in it.
+    signal.close();
+    char byte = 0;
+    if (read(ready.number(), &byte, 1) != 1) throw pt::Error("no keeper");
+    return;
+  }
   setsid();
   prctl(PR_SET_PDEATHSIG, 0);
+  if (write(signal.number(), "x", 1) != 1) _exit(1);
   close_all_but({program.number(), judge.number(), user ? user->lock.number() : -1});
-  pollfd ends[] = {{program.number(), POLLIN, 0}, {judge.number(), POLLIN, 0}};
-  while (::poll(ends, 2, -1) < 0 && errno == EINTR) {
+  pollfd awaited[] = {{program.number(), POLLIN, 0}, {judge.number(), POLLIN, 0}};
+  while (::poll(awaited, 2, -1) < 0 && errno == EINTR) {
   }
   syscall(SYS_pidfd_send_signal, program.number(), SIGKILL, nullptr, 0);
   kill(-self, SIGKILL);

@@ -1,0 +1,36 @@
+// The judge's own processes.
+#include "grader/process/run_command.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace grader {
+namespace {
+
+// No child of this process waits to be asked how it ended.
+bool all_are_asked() {
+  siginfo_t ended{};
+  return waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid == 0;
+}
+
+void run(const char* script) {
+  run_command({{"/bin/sh", "-c", script}, {"PATH=/usr/bin:/bin"}, {}, "", {}},
+              std::chrono::seconds(60));
+}
+
+// In containers nobody else asks.
+TEST(orphans, are_asked_how_they_ended_whatever_their_session_and_group) {
+  for (int i = 0; i < 5; ++i) {
+    run("sleep 100 >/dev/null 2>&1 &");                   // killed with its group
+    run("sleep 100 >/dev/null 2>&1 & setsid sleep 0 &");  // before one of its own session
+  }
+  for (int i = 0; i < 500 && !all_are_asked(); ++i) {
+    usleep(10000);
+    run("exit");
+  }
+  EXPECT_TRUE(all_are_asked());
+}
+
+}  // namespace
+}  // namespace grader
