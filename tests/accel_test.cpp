@@ -92,6 +92,7 @@ std::vector<Triangle> many_sizes() {
 std::vector<Sphere> some_spheres(int count, double radius) {
   Sampler sampler(16);
   std::vector<Sphere> spheres;
+  spheres.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) spheres.push_back({uniform_in_cube(sampler), radius});
   return spheres;
 }
@@ -138,6 +139,7 @@ TEST_P(Wide, answers_like_asking_every_primitive_with_any_kernel) {
     Primitives primitives = mesh.primitives;
     place(primitives, scale, shift);
     std::vector<WideBvh> bvhs;
+    bvhs.reserve(all.size());
     for (const Kernel* kernel : all) bvhs.push_back(WideBvh::build(primitives, *kernel));
     int hits = 0;
     for (const Ray& ray : rays) {
