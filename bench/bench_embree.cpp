@@ -85,6 +85,7 @@ int run(int count, char** arguments) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // each line when it is known, also into a pipe
   try {
     return run(count, arguments);
   } catch (const pt::Error& error) {

@@ -96,6 +96,7 @@ void compare_precisions(const TestScene& test, const RaySets& rays, int rounds, 
   const Primitives& primitives = test.scene.primitives;
   if (!primitives.spheres.empty() || rays.bounce.empty()) return;
   std::vector<Box> boxes;
+  boxes.reserve(static_cast<std::size_t>(primitives.size()));
   for (int i = 0; i < primitives.size(); ++i) boxes.push_back(bounds(primitives, i));
   const Bvh bvh = build_bvh(boxes, 4);
   const BinaryRays<double> in_double(bvh, primitives, rays.bounce);
