@@ -1,5 +1,7 @@
 #include "pt/accel/collapse.h"
 
+#include "pt/accel/child_choice.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -84,39 +86,12 @@ WideBlock<W> make_block(const BinaryTree& binary, const BinaryNode& leaf,
   return block;
 }
 
-// The binary nodes that become the children of one wide node.
-template <int W>
-struct Children {
-  std::array<std::uint32_t, W> node{};
-  int count = 0;
-};
-
-template <int W>
-Children<W> gather(const BinaryTree& binary, const BinaryNode& parent) {
-  Children<W> children{{parent.first, parent.first + 1}, 2};
-  while (children.count < W) {
-    int largest = -1;
-    float area = -1;
-    for (int i = 0; i < children.count; ++i) {
-      const BinaryNode& child = binary.nodes[children.node[i]];
-      if (child.count == 0 && child.box.half_area() > area) {
-        largest = i;
-        area = child.box.half_area();
-      }
-    }
-    if (largest < 0) break;
-    const std::uint32_t first = binary.nodes[children.node[largest]].first;
-    children.node[largest] = first;
-    children.node[children.count++] = first + 1;
-  }
-  return children;
-}
-
 template <int W>
 struct Collapsing {
   const BinaryTree& binary;
   const Primitives& primitives;
   const WideFrame& frame;
+  ChildChoice<W> choice;
   WideTree<W> wide;
 
   WideRef add_block(const BinaryNode& leaf) {
@@ -125,9 +100,9 @@ struct Collapsing {
   }
 
   // The new node is reached by index, because its children's push_back may move it.
-  WideRef add(const BinaryNode& from) {
-    if (from.count > 0) return add_block(from);
-    const Children<W> children = gather<W>(binary, from);
+  WideRef add(std::uint32_t from) {
+    if (binary.nodes[from].count > 0) return add_block(binary.nodes[from]);
+    const auto children = choice.of(from);
     const auto index = static_cast<WideRef>(wide.nodes.size());
     wide.nodes.emplace_back();
     for (int i = 0; i < W; ++i) {
@@ -136,7 +111,7 @@ struct Collapsing {
         wide.nodes[index].bounds[axis][i] = box.min[axis];
         wide.nodes[index].bounds[axis + 3][i] = box.max[axis];
       }
-      const WideRef child = i < children.count ? add(binary.nodes[children.node[i]]) : kNothing;
+      const WideRef child = i < children.count ? add(children.node[i]) : kNothing;
       wide.nodes[index].child[i] = child;
     }
     return index;
@@ -148,8 +123,8 @@ struct Collapsing {
 template <int W>
 WideTree<W> collapse(const BinaryTree& binary, const Primitives& primitives,
                      const WideFrame& frame) {
-  Collapsing<W> collapsing{binary, primitives, frame, {}};
-  if (!binary.nodes.empty()) collapsing.wide.root = collapsing.add(binary.nodes[0]);
+  Collapsing<W> collapsing{binary, primitives, frame, ChildChoice<W>(binary), {}};
+  if (!binary.nodes.empty()) collapsing.wide.root = collapsing.add(0);
   collapsing.wide.nodes.shrink_to_fit();
   collapsing.wide.blocks.shrink_to_fit();
   return std::move(collapsing.wide);

@@ -23,9 +23,8 @@ struct WideTree {
   WideRef root = kNothing;
 };
 
-// Gives every node of the binary tree up to W children, by putting the children of the largest
-// inner child in its place as long as there is room, and copies the primitives into blocks. W is 8
-// or 16.
+// Gives every wide node up to W children, which child_choice.h chooses, and copies the primitives
+// into blocks. W is 8 or 16.
 template <int W>
 WideTree<W> collapse(const BinaryTree& binary, const Primitives& primitives,
                      const WideFrame& frame);

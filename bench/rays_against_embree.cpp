@@ -1,21 +1,17 @@
-// Single rays: ours against Embree's, for generated meshes of 10^3 to 10^6 triangles and for scene
-// files given on the command line.
+#include "bench/against_embree.h"
 #include "bench/embree.h"
 #include "bench/precision_tree.h"
 #include "bench/ray_sets.h"
 #include "bench/report.h"
 #include "pt/accel/wide_bvh.h"
-#include "pt/error.h"
 #include "pt/tasks/build_bvh.h"
 
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 namespace pt {
 namespace {
 
-constexpr int kRays = 100000;
-constexpr int kRounds = 7;
 volatile long long sink;  // keeps what is timed from being optimised away
 
 // Embree's rays are converted beforehand, and copied because a query writes into them.
@@ -96,16 +92,17 @@ struct BinaryRays {
   }
 };
 
-void compare_precisions(const TestScene& test, const RaySets& rays, Csv& csv) {
+void compare_precisions(const TestScene& test, const RaySets& rays, int rounds, Csv& csv) {
   const Primitives& primitives = test.scene.primitives;
   if (!primitives.spheres.empty() || rays.bounce.empty()) return;
   std::vector<Box> boxes;
+  boxes.reserve(static_cast<std::size_t>(primitives.size()));
   for (int i = 0; i < primitives.size(); ++i) boxes.push_back(bounds(primitives, i));
   const Bvh bvh = build_bvh(boxes, 4);
   const BinaryRays<double> in_double(bvh, primitives, rays.bounce);
   const BinaryRays<float> in_float(bvh, primitives, rays.bounce);
   const auto seconds =
-      interleave({[&] { in_double.closest(); }, [&] { in_float.closest(); }}, kRounds);
+      interleave({[&] { in_double.closest(); }, [&] { in_float.closest(); }}, rounds);
   const double million = 1e-6 * static_cast<double>(rays.bounce.size());
   const double slow = median(seconds[0]), fast = median(seconds[1]);
   const double times = ratio(seconds[0], seconds[1]);
@@ -129,7 +126,20 @@ Line line(const char* kind, const std::vector<double>& ours, const std::vector<d
   return {kind, median(ours), median(embree), ratio(embree, ours)};
 }
 
-void compare(TestScene& test, Csv& csv) {
+// Of one scene, what the goals ask for.
+struct Result {
+  struct Line {
+    std::string kind;
+    double nanoseconds;  // a ray
+    double ratio;        // times Embree
+  };
+  std::string scene;
+  int primitives;
+  double bytes;  // a primitive
+  std::vector<Line> lines;
+};
+
+Result compare(TestScene& test, const BenchSettings& settings, Csv& csv) {
   const Primitives& primitives = test.scene.primitives;
   double start = cpu_seconds();
   const WideBvh bvh = WideBvh::build(primitives);
@@ -144,7 +154,7 @@ void compare(TestScene& test, Csv& csv) {
               bytes_embree);
 
   test.scene.tracer = Tracer(Engine::wide, primitives);
-  const RaySets rays = make_rays(test, kRays);
+  const RaySets rays = make_rays(test, settings.rays);
   const EmbreeRays primary(embree, rays.primary), bounce(embree, rays.bounce);
   const EmbreeRays shadow(embree, rays.shadow);
   const Ours ours{primitives, bvh};
@@ -153,16 +163,18 @@ void compare(TestScene& test, Csv& csv) {
                   [&] { ours.closest(rays.bounce); }, [&] { bounce.closest(primitives); },
                   [&] { ours.occluded(rays.shadow); }, [&] { shadow.occluded(); },
                   [&] { ours.occluded_by_groups(rays.shadow); }},
-                 kRounds);
+                 settings.rounds);
   const std::size_t counts[] = {rays.primary.size(), rays.bounce.size(), rays.shadow.size(),
                                 rays.shadow.size()};
   const Line lines[] = {
       line("primary", seconds[0], seconds[1]), line("bounce", seconds[2], seconds[3]),
       line("shadow", seconds[4], seconds[5]), line("shadow x8", seconds[6], seconds[5])};
+  Result result{test.name, primitives.size(), bytes, {}};
   for (int i = 0; i < 4; ++i) {
     const Line& l = lines[i];
     const double million = 1e-6 * static_cast<double>(counts[i]);
     if (counts[i] == 0) continue;
+    result.lines.push_back({l.kind, 1e3 * l.ours / million, l.ratio});
     std::printf("  %-10s %6.2f M/s   Embree %6.2f M/s   ratio %.2f\n", l.kind, million / l.ours,
                 million / l.embree, l.ratio);
     char row[300];
@@ -171,31 +183,50 @@ void compare(TestScene& test, Csv& csv) {
                   l.ratio, 1e3 * build_ours, 1e3 * build_embree, bytes, bytes_embree);
     csv.row(row);
   }
-  compare_precisions(test, rays, csv);
+  compare_precisions(test, rays, settings.rounds, csv);
+  return result;
 }
 
-int run(int count, char** arguments) {
-  const char* folder = std::getenv("BENCH_OUT");
-  Csv csv(std::string(folder ? folder : ".") + "/bench_rays.csv",
-          "scene,primitives,rays,ns,ns_embree,ratio,build_ms,build_ms_embree,bytes,bytes_embree");
-  std::printf("kernel %s\n", best_kernel().name);
-  for (int i = 1; i < count; ++i) {
-    TestScene test = arguments[i][0] >= '0' && arguments[i][0] <= '9'
-                         ? blob_scene(std::atoi(arguments[i]))
-                         : file_scene(arguments[i], 480, 360);
-    compare(test, csv);
+// What the goals are about: bounce and single shadow rays.
+void add_goals(const Result& result, std::vector<Goal>& goals) {
+  const double wanted = result.primitives > 500000 ? 1.25 : 1.5;
+  for (const Result::Line& line : result.lines) {
+    if (line.kind == "primary") continue;
+    goals.push_back({result.scene + ", " + line.kind + " rays, times Embree", wanted, line.ratio});
   }
-  return 0;
+  goals.push_back({result.scene + ", bytes a triangle", 100, result.bytes, true});
+}
+
+// From the first blob to the last: by how much more a bounce ray's time grew than the logarithm of
+// the size.
+Goal growth(const Result& first, const Result& last) {
+  const double of_time = last.lines[1].nanoseconds / first.lines[1].nanoseconds;
+  const double of_log = std::log(last.primitives) / std::log(first.primitives);
+  return {"bounce, time over log N, " + first.scene + " to " + last.scene, 1, of_time / of_log,
+          true};
 }
 
 }  // namespace
-}  // namespace pt
 
-int main(int count, char** arguments) {
-  try {
-    return pt::run(count, arguments);
-  } catch (const pt::Error& error) {
-    std::fprintf(stderr, "bench_rays: %s\n", error.what());
-    return 2;
+std::vector<Goal> compare_rays(const BenchSettings& settings, const std::vector<int>& blobs,
+                               const std::vector<std::string>& files) {
+  Csv csv(settings.folder + "/rays.csv",
+          "scene,primitives,rays,ns,ns_embree,ratio,build_ms,build_ms_embree,bytes,bytes_embree");
+  std::vector<Goal> goals;
+  std::vector<Result> of_blobs;
+  for (const int triangles : blobs) {
+    TestScene test = blob_scene(triangles);
+    of_blobs.push_back(compare(test, settings, csv));
+    add_goals(of_blobs.back(), goals);
   }
+  for (const std::string& file : files) {
+    TestScene test = file_scene(file, 480, 360);
+    add_goals(compare(test, settings, csv), goals);
+  }
+  for (std::size_t i = 2; i < of_blobs.size(); ++i) {
+    goals.push_back(growth(of_blobs.front(), of_blobs[i]));
+  }
+  return goals;
 }
+
+}  // namespace pt

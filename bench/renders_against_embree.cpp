@@ -1,11 +1,10 @@
-// Whole pictures: the same path tracer with the same samples, its rays traced by us and by Embree.
-// Then ours with two threads.
+// The same path tracer with the same samples, its rays traced by us and by Embree. Then ours with
+// more threads.
+#include "bench/against_embree.h"
 #include "bench/embree.h"
 #include "bench/render_tracing.h"
 #include "bench/report.h"
 #include "bench/test_scenes.h"
-#include "pt/accel/kernel.h"
-#include "pt/error.h"
 #include "pt/tasks/estimate_pixel.h"
 
 #include <atomic>
@@ -16,8 +15,6 @@
 
 namespace pt {
 namespace {
-
-constexpr int kRounds = 5;
 
 struct Picture {
   Rgb mean;
@@ -61,13 +58,15 @@ Picture render(const View& view, int samples, int threads) {
 
 // By the wall clock, and by the CPU time that the threads took together: the second shows what they
 // cost each other also where other programs keep the processors busy.
-void compare_threads(const std::string& name, const View& view, int samples, Csv& csv) {
+void compare_threads(const std::string& name, const View& view, const BenchSettings& settings,
+                     Csv& csv, std::vector<Goal>& goals) {
   render_tracing = {nullptr, true};
   const int most = static_cast<int>(std::thread::hardware_concurrency());
   for (int threads = 2; threads <= most; threads *= 2) {
     std::vector<double> wall, cpu;
-    for (int i = 0; i < kRounds; ++i) {
-      const Picture one = render(view, samples, 1), more = render(view, samples, threads);
+    for (int i = 0; i < settings.rounds; ++i) {
+      const Picture one = render(view, settings.samples, 1);
+      const Picture more = render(view, settings.samples, threads);
       wall.push_back(one.seconds / (threads * more.seconds));
       cpu.push_back(one.cpu_seconds / more.cpu_seconds);
     }
@@ -77,36 +76,39 @@ void compare_threads(const std::string& name, const View& view, int samples, Csv
     std::snprintf(row, sizeof row, "%s,%d threads: efficiency (wall; CPU),%.3f,%.3f,,",
                   name.c_str(), threads, median(wall), median(cpu));
     csv.row(row);
+    goals.push_back(
+        {name + ", " + std::to_string(threads) + " threads: efficiency", 0.95, median(wall)});
   }
 }
 
-void compare(const std::string& argument, int width, int samples, Csv& csv) {
-  const int height = width * 3 / 4;
-  TestScene test = argument[0] >= '0' && argument[0] <= '9'
-                       ? blob_scene(std::atoi(argument.c_str()))
-                       : file_scene(argument, width, height);
+void compare(const std::string& argument, const BenchSettings& settings, Csv& csv,
+             std::vector<Goal>& goals) {
+  const bool is_blob = argument[0] >= '0' && argument[0] <= '9';
+  const int width = is_blob ? settings.width / 2 : settings.width, height = width * 3 / 4;
+  TestScene test =
+      is_blob ? blob_scene(std::atoi(argument.c_str())) : file_scene(argument, width, height);
   Scene wide = test.scene, task = std::move(test.scene);
   wide.tracer = Tracer(Engine::wide, wide.primitives);
   task.tracer = Tracer(Engine::task, task.primitives);
   const EmbreeScene embree(task.primitives);
-  PathSettings settings;
-  settings.light_samples = 8;
-  settings.to = 6;
-  const View ours{wide, test.camera, settings, width, height};
-  const View theirs{task, test.camera, settings, width, height};
+  PathSettings path;
+  path.light_samples = 8;
+  path.to = 6;
+  const View ours{wide, test.camera, path, width, height};
+  const View theirs{task, test.camera, path, width, height};
 
   Picture last[4];
   const auto run = [&](int which, const View& view, const EmbreeScene* by, bool groups) {
     return [&, which, by, groups] {
       render_tracing = {by, groups};
-      last[which] = render(view, samples, 1);
+      last[which] = render(view, settings.samples, 1);
     };
   };
   const auto seconds = interleave({run(0, ours, nullptr, false), run(1, ours, nullptr, true),
                                    run(2, theirs, &embree, false), run(3, theirs, &embree, true)},
-                                  kRounds);
+                                  settings.rounds);
   const char* names[] = {"wide", "wide groups", "Embree", "Embree packets"};
-  std::printf("%s, %d x %d, %d samples\n", test.name.c_str(), width, height, samples);
+  std::printf("%s, %d x %d, %d samples\n", test.name.c_str(), width, height, settings.samples);
   for (int i = 0; i < 4; ++i) {
     const double rays = last[0].rays, time = median(seconds[i]);
     std::printf("  %-14s %6.2f M rays/s   mean %.6f   %.2f x Embree, %.2f x packets\n", names[i],
@@ -118,29 +120,21 @@ void compare(const std::string& argument, int width, int samples, Csv& csv) {
     csv.row(row);
   }
 
-  compare_threads(test.name, ours, samples, csv);
-}
-
-int run(int count, char** arguments) {
-  const char* folder = std::getenv("BENCH_OUT");
-  Csv csv(std::string(folder ? folder : ".") + "/bench_renders.csv",
-          "scene,engine,seconds,million_rays_a_second,times_embree,times_packets");
-  std::printf("kernel %s\n", best_kernel().name);
-  if (count < 4) throw Error("usage: bench_renders WIDTH SAMPLES SCENE...");
-  for (int i = 3; i < count; ++i) {
-    compare(arguments[i], std::atoi(arguments[1]), std::atoi(arguments[2]), csv);
-  }
-  return 0;
+  if (is_blob) return;
+  goals.push_back({test.name + ", picture, times Embree", 1.5, ratio(seconds[2], seconds[1])});
+  goals.push_back({test.name + ", picture, times packets", 1.2, ratio(seconds[3], seconds[1])});
+  compare_threads(test.name, ours, settings, csv, goals);
 }
 
 }  // namespace
-}  // namespace pt
 
-int main(int count, char** arguments) {
-  try {
-    return pt::run(count, arguments);
-  } catch (const pt::Error& error) {
-    std::fprintf(stderr, "bench_renders: %s\n", error.what());
-    return 2;
-  }
+std::vector<Goal> compare_renders(const BenchSettings& settings,
+                                  const std::vector<std::string>& scenes) {
+  Csv csv(settings.folder + "/renders.csv",
+          "scene,engine,seconds,million_rays_a_second,times_embree,times_packets");
+  std::vector<Goal> goals;
+  for (const std::string& scene : scenes) compare(scene, settings, csv, goals);
+  return goals;
 }
+
+}  // namespace pt

@@ -1,0 +1,95 @@
+// The wide engine against Embree 3 in one run: rays, whole pictures, threads, and what of the goals
+// was reached. See docs/performance.md.
+#include "bench/against_embree.h"
+#include "pt/accel/kernel.h"
+#include "pt/error.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The course's scenes that are here.
+std::vector<std::string> scene_files(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const char* name : {"sky/CBbunny.dae", "sky/CBcoil.dae", "meshedit/maxplanck.dae"}) {
+    const fs::path file = folder / name;
+    if (fs::exists(file)) {
+      files.push_back(file.string());
+    } else {
+      std::printf("%s is not here (--scenes FOLDER says where)\n", file.string().c_str());
+    }
+  }
+  return files;
+}
+
+// bench/chart.gp reads rays.csv and writes rays.svg, both in the folder. Its commands go to
+// gnuplot's input, so no shell sees the folder's name.
+void draw_chart(const std::string& folder) {
+  std::string quoted;
+  for (const char c : folder) quoted += c == '\'' ? "''" : std::string(1, c);
+  std::FILE* gnuplot = popen("gnuplot", "w");
+  if (gnuplot == nullptr) return;
+  std::fprintf(gnuplot, "folder = '%s'\nload '%s/bench/chart.gp'\n", quoted.c_str(),
+               FIRSTLIGHT_ROOT);
+  if (pclose(gnuplot) != 0) std::printf("no chart: gnuplot did not draw it\n");
+}
+
+std::string default_scenes() {
+  const char* named = std::getenv("FIRSTLIGHT_COURSE_SCENES");
+  return named != nullptr ? named : FIRSTLIGHT_ROOT "/../shared/scenes";
+}
+
+int run(int count, char** arguments) {
+  CLI::App app(
+      "The wide engine against Embree 3: rays, whole pictures, threads, memory.\n"
+      "Writes rays.csv, rays.svg, renders.csv and goals.csv. About five minutes.");
+  pt::BenchSettings settings;
+  std::string scenes = default_scenes();
+  bool quick = false;
+  app.add_option("--out", settings.folder, "folder of what is written")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
+  app.add_option("--scenes", scenes, "folder of the course's scenes (sky/CBbunny.dae, ...)")
+      ->capture_default_str();
+  app.add_flag("--quick", quick, "a look in half a minute: fewer rounds and rays, small pictures");
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  std::vector<int> blobs{1000, 10000, 100000, 1000000};
+  if (quick) {
+    settings = {settings.folder, 3, 20000, 160, 4};
+    blobs.pop_back();
+  }
+  std::printf("kernel %s; times are CPU time, ratios medians of rounds\n", pt::best_kernel().name);
+
+  const std::vector<std::string> files = scene_files(scenes);
+  std::vector<pt::Goal> goals = pt::compare_rays(settings, blobs, files);
+  draw_chart(settings.folder);
+  std::vector<std::string> pictures{"10000"};
+  if (!files.empty()) pictures.insert(pictures.begin(), files.front());
+  const std::vector<pt::Goal> more = pt::compare_renders(settings, pictures);
+  goals.insert(goals.end(), more.begin(), more.end());
+  pt::Csv csv(settings.folder + "/goals.csv", "what,wanted,measured,verdict");
+  pt::print_goals(goals, csv);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // each line when it is known, also into a pipe
+  try {
+    return run(count, arguments);
+  } catch (const pt::Error& error) {
+    std::fprintf(stderr, "bench_embree: %s\n", error.what());
+    return 2;
+  }
+}
