@@ -23,6 +23,10 @@ endfunction()
 
 if(FIRSTLIGHT_SANITIZE)
   set(flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # What sanitisers add makes g++ warn of std::regex (its manual: -fsanitize and false warnings).
+    list(APPEND flags -Wno-maybe-uninitialized)
+  endif()
   target_compile_options(firstlight_options INTERFACE ${flags})
   target_link_options(firstlight_options INTERFACE ${flags})
 endif()

@@ -18,7 +18,6 @@ namespace grader {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 const std::string kTasks = FIRSTLIGHT_SOURCE_DIR "/grader/tasks";
 
@@ -26,7 +25,7 @@ TEST(hints, every_task_has_three_tiers_about_its_own_promises) {
   int tasks = 0;
   for (const auto& folder : std::filesystem::directory_iterator(kTasks)) {
     const std::string slug = folder.path().filename();
-    const std::string path = kTasks + "/" + slug + "/hints.md";
+    const std::string path = folder.path() / "hints.md";
     Hints hints;
     ASSERT_NO_THROW(hints = parse_hints(read_file(path), path)) << path;
     const auto promises = promises_of(read_file(FIRSTLIGHT_SOURCE_DIR "/pt/tasks/" + slug + ".h"));
