@@ -85,6 +85,7 @@ void expect_tree(const Bvh& bvh, const std::vector<Box>& boxes, int max_leaf) {
 
 std::vector<Box> boxes_of(const Primitives& primitives) {
   std::vector<Box> boxes;
+  boxes.reserve(static_cast<std::size_t>(primitives.size()));
   for (int i = 0; i < primitives.size(); ++i) boxes.push_back(bounds(primitives, i));
   return boxes;
 }
@@ -140,6 +141,7 @@ TEST(BuildBvh, ends_at_the_ends_of_the_numbers) {
                                {1.0, next},
                                {0.0, -0.0}}) {
       std::vector<Box> boxes;
+      boxes.reserve(7);
       for (int i = 0; i < 7; ++i) boxes.push_back(at(i % 3 == 0 ? a : b, axis));
       expect_tree(build_bvh(boxes, 1), boxes, 1);
     }
@@ -153,6 +155,7 @@ TEST(BuildBvh, stays_shallow_on_clustered_centroids) {
     for (const int n : {10, 200, 1000}) {
       for (const double base : {0.5, 0.9, 2.0}) {
         std::vector<Box> boxes;
+        boxes.reserve(static_cast<std::size_t>(n));
         for (int i = 0; i < n; ++i) boxes.push_back(at(std::pow(base, i), axis));
         const Bvh bvh = build_bvh(boxes, 1);
         expect_tree(bvh, boxes, 1);
