@@ -50,6 +50,14 @@ TEST_F(Judged, repeated_random_numbers_are_refused) {
   EXPECT_NE(verdict.sentence.find("identical"), std::string::npos);
 }
 
+TEST_F(Judged, a_black_picture_is_called_black) {
+  const auto verdict = judge(changed([](pt::Image& image, int, int) {
+    for (pt::Rgb& color : image.pixels) color = {};
+  }));
+  EXPECT_NE(verdict.outcome, Outcome::pass);
+  EXPECT_EQ(verdict.sentence, "the whole picture is black");
+}
+
 // Nothing in such a picture is random: all batches are alike, as they should be.
 TEST_F(Judged, a_picture_without_chance_may_repeat_itself) {
   for (SyntheticPixel& pixel : scene_.pixels) pixel.constant = true;

@@ -87,6 +87,14 @@ TEST(sample_map, every_mistake_of_the_table_fails) {
   }
 }
 
+TEST(sample_map, the_maximum_everywhere_is_said_to_be_that) {
+  pt::SampleMap map = map_of(StoppingRule::right);
+  for (int& count : map.counts) count = kSettings.max_samples;
+  const SampleMapVerdict verdict = judge_sample_map(reference(), map);
+  EXPECT_FALSE(verdict.pass);
+  EXPECT_THAT(verdict.sentence, HasSubstr("nearly every pixel takes the maximum"));
+}
+
 // < and <= differ where every sample is zero: such pixels are not judged.
 TEST(sample_map, black_pixels_may_stop_or_go_on) {
   for (const int count : {kSettings.batch, kSettings.max_samples}) {

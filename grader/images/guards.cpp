@@ -57,6 +57,11 @@ bool two_alike(const std::vector<pt::Image>& images) {
   return false;
 }
 
+bool is_black(const pt::Image& image) {
+  return std::all_of(image.pixels.begin(), image.pixels.end(),
+                     [](const pt::Rgb& color) { return color == pt::Rgb{}; });
+}
+
 double sum_of(const pt::Image& image, const Plane& weights) {
   double sum = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * luminance(image.pixels[i]);
@@ -102,6 +107,9 @@ std::optional<Unusable> unusable(const Golden& golden, const Batches& batches, i
     if (auto bad = bad_value(image)) return bad;
   }
   if (log_chance_alike(golden, batches.samples) < kLogChanceAlike && two_alike(batches.images)) {
+    if (std::all_of(batches.images.begin(), batches.images.end(), is_black)) {
+      return Unusable{"the whole picture is black", {}};
+    }
     return Unusable{
         "two batches of samples were identical: the random numbers are started again, or not used",
         {}};

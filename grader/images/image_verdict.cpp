@@ -59,6 +59,13 @@ std::vector<Complaint> blatant(const std::vector<Complaint>& complaints) {
 // Two stages' complaints about the energy of a noisy picture are one if they agree on the sign.
 double agreed(double now, double before) { return now * before > 0 ? now : 0; }
 
+// In pixels, as if no two overlapped.
+std::size_t area(const std::vector<Complaint>& parts) {
+  std::size_t sum = 0;
+  for (const Complaint& one : parts) sum += one.cell.width * one.cell.height;
+  return sum;
+}
+
 // Judges one stage after the other.
 class Judge {
  public:
@@ -179,7 +186,8 @@ void Judge::decide() {
                    [](const auto& a, const auto& b) { return a.evidence > b.evidence; });
   if (verdict_.cells.size() > kKept) verdict_.cells.resize(kKept);
 
-  if (!suspicion_.constants.empty()) {
+  // What covers more of the picture says more about it.
+  if (!suspicion_.constants.empty() && suspicion_.constants.size() >= area(parts)) {
     verdict_.sentence = sentence(suspicion_.constants, golden_, stages);
   } else if (!parts.empty()) {
     verdict_.sentence = sentence(suspicion_.cells, parts, stages);

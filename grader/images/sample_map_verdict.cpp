@@ -127,11 +127,14 @@ std::string broken_rule(const SampleMapVerdict& v, const SampleMapReference& ref
 
 // What the figures of docs/verdicts.md tell apart; empty for anything else, as a wrong hint is
 // worse than none.
-std::string likely_cause(const SampleMapVerdict& v, double mean_batches) {
+std::string likely_cause(const SampleMapVerdict& v, double mean_batches, double most_batches) {
   const bool flat = std::abs(v.b) < 0.05;
   const bool follows = v.correlation > kLeastCorrelation;
   if (flat && std::abs(v.a - 1) < 0.1 && mean_batches > 1.5) {
     return "nearly every pixel stops after its first batch";
+  }
+  if (flat && v.a > 0.95 * most_batches) {
+    return "nearly every pixel takes the maximum: can the condition ever be true?";
   }
   if (flat && std::abs(v.correlation) < 0.2) {
     return "the counts do not depend on the pixel: does each sample enter by itself, or the total "
@@ -163,7 +166,9 @@ SampleMapVerdict judge_sample_map(const SampleMapReference& reference,
   verdict.sentence = broken_rule(verdict, reference);
   verdict.pass = verdict.sentence.empty();
   if (!verdict.pass) {
-    const std::string cause = likely_cause(verdict, mean_batches(reference));
+    const std::string cause = likely_cause(
+        verdict, mean_batches(reference),
+        static_cast<double>(reference.settings.max_samples) / reference.settings.batch);
     if (!cause.empty()) verdict.sentence += "; " + cause;
   } else if (std::abs(verdict.b - 1) > 0.04 && std::abs(verdict.b - verdict.ratio) < 0.04) {
     verdict.sentence = fmt::format(

@@ -72,12 +72,14 @@ std::string sentence(const std::vector<WrongConstant>& constants, const Golden& 
   const int x = static_cast<int>(worst.pixel) % golden.width;
   const int y = static_cast<int>(worst.pixel) / golden.width;
   const double right = golden.mean[worst.plane][worst.pixel];
-  const std::string others =
-      constants.size() > 1 ? fmt::format(", and {} more,", constants.size() - 1) : "";
-  return fmt::format("{}pixel ({}, {}){} should always be {:.4g} ({}), and was {:.4g}{}",
-                     channel_of(worst.plane), x, y, others, right,
-                     right == 0 ? "no light gets there" : "nothing is random there",
-                     right + worst.difference, times(renders));
+  const std::string where = fmt::format("{}pixel ({}, {})", channel_of(worst.plane), x, y);
+  const std::string should =
+      fmt::format("should always be {:.4g}, and was {:.4g}", right, right + worst.difference);
+  if (constants.size() == 1) {
+    return fmt::format("{}, in which nothing is random, {}{}", where, should, times(renders));
+  }
+  return fmt::format("{} pixels in which nothing is random were wrong{}: {} {}", constants.size(),
+                     times(renders), where, should);
 }
 
 std::string correlated_sentence(int renders) {

@@ -131,7 +131,9 @@ rc::Gen<Room> glowing_room(const rc::Gen<Rgb>& albedo) {
     Stage stage(*pose());
     for (const Rectangle& wall : cube()) stage.surface(wall, of_walls, radiance);
     const Situation made = stage.patch(of_walls, *direction_above(), false, radiance).done();
-    Room room{made.scene, made.point, {{}}, made.text};
+    Room room{made.scene, made.point, {{}}, ""};
+    room.text = fmt::format("a closed room of {} surfaces, all of albedo {} and emission {}\n",
+                            made.scene.primitives.size(), show(of_walls), show(radiance));
     for (int k = 1; k <= kMostBounces; ++k) {
       room.bounce.push_back(radiance * power_sum(of_walls, k, k));
     }

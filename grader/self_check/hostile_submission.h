@@ -18,6 +18,9 @@ struct Outcome {
   std::string state(const std::string& slug) const;
 };
 
+// For what only hangs where the machine is busy, in milliseconds.
+inline constexpr int kCallLimit = 10000;
+
 // A submission in a folder of its own: the reference, with other files put over it. Everything goes
 // with this object.
 class Submission {
@@ -29,13 +32,16 @@ class Submission {
 
   std::filesystem::path operator/(const std::string& path) const { return folder_ / path; }
 
+  // Where the file of a task is.
+  std::filesystem::path file_of(const std::string& slug) const;
+
   // The files of hostile/<batch>, in which @ROOT@, @SUBMISSION@ and @WORK@ are the places where the
   // project, the submission and the judge's own files are, and @RAW@ is hostile/raw.h. Returns the
   // slugs.
   std::vector<std::string> put(const std::string& batch);
 
-  // `words` for grade: tasks and options. It is given two minutes.
-  Outcome grade(std::vector<std::string> words = {}) const;
+  // `words` for grade: tasks and options; milliseconds that a call may take.
+  Outcome grade(std::vector<std::string> words = {}, int call_limit = 1000) const;
 
   // The same with a folder of its own for what the judge builds and knows, new and empty.
   Outcome grade_afresh(std::vector<std::string> words) const;

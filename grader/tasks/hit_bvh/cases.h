@@ -24,6 +24,18 @@ struct Case {
   pt::Ray ray;
 };
 
+// What is in which: of a tree small enough to be drawn on paper.
+inline void show_nodes(const pt::Bvh& bvh, std::ostream& out) {
+  for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
+    const pt::BvhNode& node = bvh.nodes[i];
+    out << "\nnode " << i << ": ";
+    if (!node.is_leaf()) out << "left " << node.left << ", right " << node.right;
+    for (int k = 0; k < node.count; ++k) {
+      out << (k == 0 ? "leaf of primitive " : ", ") << bvh.order[node.first + k];
+    }
+  }
+}
+
 inline void showValue(const Case& c, std::ostream& out) {
   constexpr int kShown = 4;
   const auto leaves = std::ranges::count_if(c.bvh.nodes, &pt::BvhNode::is_leaf);
@@ -35,6 +47,7 @@ inline void showValue(const Case& c, std::ostream& out) {
     out << "\n" << (triangle ? show(c.primitives.triangle(i)) : show(c.primitives.sphere(i)));
   }
   if (c.primitives.size() > kShown) out << "\nand so on";
+  if (c.bvh.nodes.size() <= 7) show_nodes(c.bvh, out);
   out << "\n" << show(c.ray);
 }
 
@@ -119,12 +132,34 @@ struct Wanted {
   int max_leaf = 6;
 };
 
+// How many primitives, and the seed of all about them.
+struct Lot {
+  int n;
+  std::uint64_t seed;
+};
+
+// Fewer primitives are another scene, in which most mistakes are rarer than in a large one. So
+// shrinking tries several for each number, the smallest first.
+inline rc::Gen<Lot> some_lot(int least, int most) {
+  constexpr int kNumbers = 8, kSeeds = 40;
+  return rc::Gen<Lot>([=](const rc::Random& random, int size) {
+    const auto first = rc::gen::pair(whole(least, most), sampler_seed())(random, size).value();
+    return rc::shrinkable::shrinkRecur(Lot{first.first, first.second}, [=](const Lot& lot) {
+      std::vector<Lot> smaller;
+      for (int n = least; n < std::min(lot.n, least + kNumbers); ++n) {
+        for (int k = 0; k < kSeeds; ++k) smaller.push_back({n, lot.seed + k});
+      }
+      return rc::seq::fromContainer(smaller);
+    });
+  });
+}
+
 inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted = {}) {
   return rc::gen::exec([=] {
-    const int n = *whole(wanted.least, wanted.most);
+    const auto [n, seed] = *some_lot(wanted.least, wanted.most);
     const Shape shape = *rc::gen::elementOf(shapes);
-    const int max_leaf = *whole(1, wanted.max_leaf);
-    Many make(*sampler_seed());
+    Many make(seed);
+    const int max_leaf = make.whole(1, wanted.max_leaf);
     Case c;
     for (int i = 0; i < n; ++i) {
       const bool sphere = wanted.spheres && make.whole(0, 2) == 0;

@@ -116,7 +116,7 @@ PROMISE(trace_path, matches_the_furnace) {
   for_all(
       [] {
         Case c = *asked_of(glowing_room(gray(0.2, 0.8)), 1, 5, rc::gen::just(Direct::hemisphere));
-        c.settings.from = *whole(0, 1);
+        c.settings.from = draw("from bounce", whole(0, 1));
         expect_estimate(c);
       },
       kCases);

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "grader/self_check/hostile_submission.h"
+
+#include <array>
+#include <string>
+
+// Four bugs that a write-up of the course tells of, and its author found by looking at pictures.
+// docs/four_bugs.md shows what the report says of each.
+
+namespace grader {
+
+struct Bug {
+  const char* title;
+  const char* task;
+  const char* solution;  // in grader/tasks/<task>/wrong
+  const char* promise;   // that it breaks
+  const char* recipe;    // that shows it well
+};
+
+inline constexpr std::array<Bug, 4> kFourBugs{{
+    {"The box test overwrites the ray's range", "hit_bvh", "x3_range_overwritten",
+     "finds_the_nearest_hit", "bvh_coil"},
+    {"Children joined by a short-circuit", "hit_bvh", "v1_first_child_that_hits",
+     "finds_the_nearest_hit", "bvh_coil"},
+    {"The BSDF applied twice", "trace_path", "g20_bsdf_applied_twice", "matches_the_furnace",
+     "global_indirect"},
+    {"The running total taken for the sample", "adaptive_pixel", "a1_running_total_as_the_sample",
+     "stops_where_the_interval_is_narrow", "adaptive_fine"},
+}};
+
+// The reference with the bug in it.
+inline void put(const Bug& bug, const Submission& submission) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(FIRSTLIGHT_ROOT "/grader/tasks") / bug.task / "wrong";
+  fs::copy_file(folder / (std::string(bug.solution) + ".cpp"), submission.file_of(bug.task),
+                fs::copy_options::overwrite_existing);
+}
+
+}  // namespace grader

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "grader/self_check/map_figures.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the benchmark verdict_mistakes finds out: which pictures see which mistakes.
+
+namespace grader {
+
+// One solution of one task, judged by one recipe.
+struct MistakeRow {
+  std::string task;      // slug
+  std::string kind;      // the folder it is in: "wrong", "right", "noisy"
+  std::string solution;  // the file's name, without .cpp
+  std::string content;   // the beginning of its hash: a file that has changed is judged again
+  std::string recipe;
+  int most_stages = 0;  // that it was given
+  std::string state;    // of the picture: "pass", "fail", "too_noisy" ...
+  int stages = 0;       // more than one where the first complained; 0 where there was no picture
+  double noise = 0;
+  double seconds = 0;
+  std::optional<MapFigures> map;  // of an adaptive recipe
+  std::string text;
+
+  // What tells it from all others.
+  std::string key() const {
+    return task + ',' + kind + ',' + solution + ',' + content + ',' + recipe;
+  }
+};
+
+// A line without its end: the members in their order, those of the map empty where there is none.
+std::string to_line(const MistakeRow& row);
+
+// Those of every line that ends, of several with one key the last; none if there is no file. Throws
+// pt::Error for other lines.
+std::vector<MistakeRow> read_rows(const std::filesystem::path& path);
+
+// Markdown. Of each task: how many solutions were tried, how many a picture sees, and which none
+// does; and the solutions in right/ and noisy/ that did not pass everywhere.
+std::string table_of_mistakes(const std::vector<MistakeRow>& rows);
+
+// Markdown. A line for each sample map of a recipe.
+std::string table_of_maps(const std::vector<MistakeRow>& rows, const std::string& recipe);
+
+}  // namespace grader

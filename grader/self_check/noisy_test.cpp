@@ -1,0 +1,35 @@
+// A solution in grader/tasks/*/noisy/ keeps every promise, and the picture that its first line
+// names says that it is right on average and too noisy. No picture says that it is wrong.
+#include "grader/self_check/hostile_submission.h"
+#include "grader/self_check/task_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST(noisy, solutions_are_too_noisy_and_not_wrong) {
+  int tried = 0;
+  for (const auto& folder : fs::directory_iterator(FIRSTLIGHT_ROOT "/grader/tasks")) {
+    const std::string slug = folder.path().filename();
+    for (const fs::path& file : sources_in(folder.path() / "noisy")) {
+      SCOPED_TRACE(file);
+      ++tried;
+      const Submission submission("noisy");
+      fs::copy_file(file, submission.file_of(slug), fs::copy_options::overwrite_existing);
+      const Outcome outcome = submission.grade({slug}, kCallLimit);
+      EXPECT_EQ(outcome.state(slug), "too_noisy");
+      for (const json& picture : outcome.task(slug).at("pictures")) {
+        const bool named = picture.at("recipe") == first_line(file, "// noisy: ");
+        EXPECT_EQ(picture.at("state"), named ? "too_noisy" : "pass") << picture.at("recipe");
+      }
+    }
+  }
+  EXPECT_GT(tried, 0);
+}
+
+}  // namespace
+}  // namespace grader

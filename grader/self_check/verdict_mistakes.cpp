@@ -1,0 +1,226 @@
+// Which pictures see which mistakes: each solution in grader/tasks/*/{wrong,right,noisy}/, alone
+// among the reference's tasks, built and judged as a submission is, on the recipes that judge its
+// task. Each verdict is a line of a CSV, and what is there already is not judged again, so that it
+// may be stopped and started as one likes. The reference with other chances to survive is added on
+// an adaptive recipe: right, and drawn with another variance.
+#include "grader/judge/files.h"
+#include "grader/judge/isolation.h"
+#include "grader/judge/parallel.h"
+#include "grader/judge/picture_trial.h"
+#include "grader/judge/sha256.h"
+#include "grader/recipes/recipes.h"
+#include "grader/self_check/mistake_rows.h"
+#include "grader/self_check/task_folder.h"
+#include "pt/error.h"
+
+#include <cstdio>
+#include <fstream>
+#include <set>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using namespace grader;
+namespace fs = std::filesystem;
+
+constexpr int kStages = 3;
+// Milliseconds; twice what a submission has, as several are judged at a time.
+constexpr int kCallLimit = 4000;
+
+struct Options {
+  std::string out = "build/verdict_mistakes.csv";
+  std::vector<std::string> tasks;
+  int threads = 2;
+  int stages = kStages;
+  bool tables_only = false;
+};
+
+// One file, and what is to be found out about it.
+struct Job {
+  const TaskConfig* task;
+  std::string kind;
+  fs::path file;
+  std::string text;
+  std::vector<const Recipe*> recipes;
+};
+
+MistakeRow empty_row(const Job& job, const Recipe& recipe) {
+  MistakeRow row;
+  row.task = job.task->slug;
+  row.kind = job.kind;
+  row.solution = job.file.stem();
+  row.content = sha256(job.text).substr(0, 12);
+  row.recipe = recipe.name;
+  return row;
+}
+
+std::string golden_rates(const Config& config, const Recipe& recipe) {
+  return config.root + "/golden/" + recipe.name + "_rates.json";
+}
+
+// The solutions that are not known yet, with the recipes that are missing.
+std::vector<Job> find_jobs(const Config& config, const Options& options,
+                           const std::vector<Recipe>& recipes, const std::set<std::string>& known) {
+  std::vector<Job> jobs;
+  for (const TaskConfig& task : config.tasks) {
+    const bool asked = options.tasks.empty() ||
+                       std::count(options.tasks.begin(), options.tasks.end(), task.slug) > 0;
+    if (!asked) continue;
+    for (const char* kind : {"wrong", "right", "noisy"}) {
+      const fs::path folder = fs::path(config.root) / "grader/tasks" / task.slug / kind;
+      for (const fs::path& file : sources_in(folder)) {
+        Job job{&task, kind, file, read_file(file), {}};
+        for (const Recipe& recipe : recipes) {
+          const auto& judged = recipe.tasks;
+          if (std::count(judged.begin(), judged.end(), task.slug) > 0 &&
+              !known.contains(empty_row(job, recipe).key())) {
+            job.recipes.push_back(&recipe);
+          }
+        }
+        if (!job.recipes.empty()) jobs.push_back(job);
+      }
+    }
+  }
+  return jobs;
+}
+
+// The CSV, which several threads add to.
+class Book {
+ public:
+  explicit Book(const std::string& path) : file_(path, std::ios::app) {
+    if (!file_) throw pt::Error(path + ": cannot be written; choose another --out");
+  }
+
+  void add(const MistakeRow& row) {
+    const std::lock_guard lock(mutex_);
+    file_ << to_line(row) + '\n' << std::flush;
+  }
+
+  void ended(std::size_t all) {
+    const std::lock_guard lock(mutex_);
+    std::fprintf(stderr, "\r%zu of %zu solutions", ++ended_, all);
+  }
+
+ private:
+  std::ofstream file_;
+  std::mutex mutex_;
+  std::size_t ended_ = 0;
+};
+
+// In a folder of its own, which goes: three hundred workers fill a disk.
+void judge(Config config, const GradeRequest& request, int stages, const Job& job, Book& book) {
+  config.work += "/mistakes/" + job.task->slug + "." + job.kind + "." + job.file.stem().string();
+  const Builder builder(config, request.isolation.tier, request.compile_limit);
+  Judged judged;
+  judged.config = job.task;
+  judged.object = builder.compile(*job.task, job.text);
+  if (!judged.object.ok()) {
+    throw pt::Error(job.file.string() + " does not compile: " + judged.object.error +
+                    judged.object.rejected);
+  }
+  const Built worker = link_alone(config, builder, judged, Elsewhere::reference);
+  if (!worker.ok()) throw pt::Error(job.file.string() + " does not link: " + worker.error);
+  for (const Recipe* recipe : job.recipes) {
+    const PictureResult result = try_picture(
+        config, builder, request, {*recipe, *job.task, worker, sha256(job.text), false, stages});
+    MistakeRow row = empty_row(job, *recipe);
+    row.most_stages = stages;
+    row.state = name(result.state);
+    row.stages = result.stages;
+    row.noise = result.noise;
+    row.seconds = result.seconds;
+    if (!result.counts.empty()) {
+      row.map = figures_of(result.counts, golden_rates(config, *recipe));
+    }
+    row.text = result.text;
+    book.add(row);
+  }
+  fs::remove_all(config.work);
+}
+
+// The reference in this program, not in a worker, on the coarse adaptive recipe.
+void judge_survivals(const std::vector<Recipe>& recipes, const std::set<std::string>& known,
+                     Book& book) {
+  const std::vector<double> survivals{0.7, 0.65, 0.6, 0.5, 0.8};
+  std::vector<MistakeRow> rows;
+  for (const double survival : survivals) {
+    MistakeRow row;
+    row.task = "adaptive_pixel";
+    row.kind = "reference";
+    row.solution = fmt::format("survival_{:g}", survival);
+    row.recipe = "adaptive_coarse";
+    row.most_stages = kStages;
+    row.state = "none";  // only its map is judged
+    if (!known.contains(row.key())) rows.push_back(row);
+  }
+  if (rows.size() != survivals.size()) return;
+  const std::vector<MapFigures> maps =
+      figures_of_survivals(find(recipes, "adaptive_coarse"), survivals);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].map = maps[i];
+    book.add(rows[i]);
+  }
+}
+
+void print_tables(const Options& options, const std::vector<Recipe>& recipes) {
+  const std::vector<MistakeRow> rows = read_rows(options.out);
+  fmt::print("{}\n", table_of_mistakes(rows));
+  for (const Recipe& recipe : recipes) {
+    if (recipe.adaptive) fmt::print("{}\n", table_of_maps(rows, recipe.name));
+  }
+}
+
+int run(const Options& options) {
+  const Config config = load_config(default_config_path());
+  const std::vector<Recipe> recipes = load_recipes(config.root + "/scenes/recipes.json");
+  for (const std::string& task : options.tasks) tasks_meant(config, task);
+  if (!options.tables_only) {
+    std::set<std::string> known;
+    // What passes by the first stage passes.
+    for (const MistakeRow& row : read_rows(options.out)) {
+      if (row.state == "pass" || row.most_stages >= options.stages) known.insert(row.key());
+    }
+    GradeRequest request;
+    request.call_limit = kCallLimit;
+    request.isolation = probe_isolation(config.root, config.work);
+    const std::vector<Job> jobs = find_jobs(config, options, recipes, known);
+    Book book(options.out);
+    for_each(jobs.size(), options.threads, [&](std::size_t i) {
+      judge(config, request, options.stages, jobs[i], book);
+      book.ended(jobs.size());
+    });
+    if (options.tasks.empty()) judge_survivals(recipes, known, book);
+    std::fprintf(stderr, "\n");
+  }
+  print_tables(options, recipes);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Which pictures see which wrong solutions"};
+  app.add_option("task", options.tasks, "Tasks; default: all");
+  app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
+  app.add_option(
+      "--out", options.out,
+      "The CSV: task, kind, solution, content, recipe, most stages, state, stages, noise, "
+      "seconds; "
+      "of a sample map whether it passes, ratio, a, b, correlation; text");
+  app.add_option("--stages", options.stages,
+                 "At most; a later call with more goes on with what has complained")
+      ->check(CLI::Range(1, kStages));
+  app.add_flag("--tables", options.tables_only, "Judge nothing: print the tables of what is known");
+  try {
+    app.parse(argc, argv);
+    return run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}
