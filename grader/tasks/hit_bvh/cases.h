@@ -39,12 +39,13 @@ inline void show_nodes(const pt::Bvh& bvh, std::ostream& out) {
 inline void showValue(const Case& c, std::ostream& out) {
   constexpr int kShown = 4;
   const auto leaves = std::ranges::count_if(c.bvh.nodes, &pt::BvhNode::is_leaf);
-  out << "a tree of " << c.bvh.nodes.size() << " nodes, " << leaves << " of them leaves, over "
-      << c.primitives.triangles.size() << " triangles and " << c.primitives.spheres.size()
-      << " spheres";
+  out << "nodes of the tree: " << c.bvh.nodes.size() << ", leaves among them: " << leaves
+      << ", triangles: " << c.primitives.triangles.size()
+      << ", spheres: " << c.primitives.spheres.size();
   for (int i = 0; i < std::min(kShown, c.primitives.size()); ++i) {
     const bool triangle = c.primitives.is_triangle(i);
-    out << "\n" << (triangle ? show(c.primitives.triangle(i)) : show(c.primitives.sphere(i)));
+    out << "\nprimitive " << i << ": "
+        << (triangle ? show(c.primitives.triangle(i)) : show(c.primitives.sphere(i)));
   }
   if (c.primitives.size() > kShown) out << "\nand so on";
   if (c.bvh.nodes.size() <= 7) show_nodes(c.bvh, out);
