@@ -41,8 +41,8 @@ RaySets make_rays(const TestScene& test, int count) {
   for (int i = 0; i < 64 * count && !(full(sets.primary) && full(sets.bounce)); ++i) {
     const int pixel = static_cast<int>(static_cast<long long>(i) * pixels / count) % pixels;
     const Vec2 xi = sampler.next_2d();
-    Ray ray = camera_ray(test.camera, (pixel % kWidth + xi.x) / kWidth,
-                         (pixel / kWidth + xi.y) / kHeight);
+    const int x = pixel % kWidth, y = pixel / kWidth;
+    Ray ray = camera_ray(test.camera, (x + xi.x) / kWidth, (y + xi.y) / kHeight);
     if (!full(sets.primary)) sets.primary.push_back(ray);
     for (int bounce = 0; bounce < 2; ++bounce) {
       const std::optional<Hit> hit = scene.closest(ray);

@@ -86,6 +86,7 @@ int run(const Options& options) {
   };
   {
     std::vector<std::jthread> threads;
+    threads.reserve(static_cast<std::size_t>(options.threads));
     for (int i = 0; i < options.threads; ++i) threads.emplace_back(work);
   }
   fmt::print("\n{} verdicts new, {} known before: {} failed, {} asked for a second stage\n",
