@@ -142,7 +142,8 @@ std::string check(Counted& counted, const rc::detail::TestParams& params,
 void add_input(Failure& failure, const std::string& name, const std::string& value) {
   std::istringstream lines(value);
   for (std::string line; std::getline(lines, line);) {
-    failure.input.push_back(name.ends_with(':') ? name + " " + line : line);
+    if (name.ends_with(':')) line.insert(0, name + " ");
+    failure.input.push_back(line);
   }
 }
 

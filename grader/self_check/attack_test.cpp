@@ -22,7 +22,7 @@ using nlohmann::json;
 // What a process runs. In a container root may not see that of other users, but how it was started.
 std::string program_of(const fs::path& process) {
   std::error_code error;
-  const std::string program = fs::read_symlink(process / "exe", error);
+  std::string program = fs::read_symlink(process / "exe", error);
   if (!error) return program;
   std::string word;
   std::ifstream words(process / "cmdline");

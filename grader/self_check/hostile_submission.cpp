@@ -55,7 +55,7 @@ Submission::~Submission() {
 
 fs::path Submission::file_of(const std::string& slug) const {
   for (const auto& part : fs::directory_iterator(folder_)) {
-    const fs::path file = part.path() / (slug + ".cpp");
+    fs::path file = part.path() / (slug + ".cpp");
     if (fs::exists(file)) return file;
   }
   ADD_FAILURE() << slug << " is no task";

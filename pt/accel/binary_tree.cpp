@@ -71,7 +71,8 @@ class Builder {
 
  private:
   float leaf_cost(std::uint32_t count) const {
-    return static_cast<float>((count + block_ - 1) / block_);
+    const std::uint32_t blocks = (count + block_ - 1) / block_;
+    return static_cast<float>(blocks);
   }
 
   // The cheapest cut of one axis, seen from both sides: the boxes of all bins to the right of each

@@ -15,7 +15,7 @@ std::string node_name(std::size_t index) { return "node " + std::to_string(index
 // The tree, if all its indices point somewhere: what follows walks it. Children are larger than
 // their parents, so that a loop over the nodes needs no recursion and always ends.
 pt::Bvh build(const Input& input) {
-  const pt::Bvh bvh = pt::build_bvh(input.boxes, input.max_leaf);
+  pt::Bvh bvh = pt::build_bvh(input.boxes, input.max_leaf);
   const auto nodes = static_cast<int>(bvh.nodes.size()), n = static_cast<int>(bvh.order.size());
   for (int i = 0; i < nodes; ++i) {
     const pt::BvhNode& node = bvh.nodes[i];

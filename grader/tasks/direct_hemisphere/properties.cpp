@@ -43,7 +43,8 @@ std::vector<Rectangle> dome(int pieces) {
   for (const Rectangle& wall : cube()) {
     if (wall.center.z == 0) continue;
     for (int i = 0; i < pieces * pieces; ++i) {
-      const double a = i % pieces, b = i / pieces, width = 1.0 / pieces;
+      const int column = i % pieces, row = i / pieces;
+      const double a = column, b = row, width = 1.0 / pieces;
       cells.push_back(wall.part(a * width, (a + 1) * width, b * width, (b + 1) * width));
     }
   }

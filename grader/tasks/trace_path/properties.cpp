@@ -14,7 +14,6 @@ namespace {
 
 using pt::PathSettings;
 using pt::Rgb;
-using pt::Vec3;
 using Direct = PathSettings::Direct;
 
 constexpr int kCases = 12;
