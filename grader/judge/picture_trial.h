@@ -6,6 +6,9 @@
 
 namespace grader {
 
+// How often the limit of a call a few rows of a picture may take.
+inline constexpr int kPatience = 5;
+
 // One recipe on one worker.
 struct PictureTrial {
   const Recipe& recipe;
@@ -13,8 +16,8 @@ struct PictureTrial {
   const Built& worker;
   std::string content;  // stands for what of the submission is judged; the same on every machine
   bool integrated = false;
-  int stages = 3;    // at most
-  int patience = 1;  // how often the limit of a call a few rows may take
+  int stages = 3;  // at most
+  int patience = kPatience;
 };
 
 // Runs the program graded_picture, unless the same was run before. Safe from any thread. Throws

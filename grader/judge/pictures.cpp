@@ -15,9 +15,6 @@ namespace grader {
 
 namespace {
 
-// How often the limit of a call a few rows of a picture may take.
-constexpr int kPatience = 5;
-
 bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
