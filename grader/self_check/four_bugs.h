@@ -31,10 +31,8 @@ inline constexpr std::array<Bug, 4> kFourBugs{{
 
 // The reference with the bug in it.
 inline void put(const Bug& bug, const Submission& submission) {
-  namespace fs = std::filesystem;
-  const fs::path folder = fs::path(FIRSTLIGHT_ROOT "/grader/tasks") / bug.task / "wrong";
-  fs::copy_file(folder / (std::string(bug.solution) + ".cpp"), submission.file_of(bug.task),
-                fs::copy_options::overwrite_existing);
+  const auto folder = std::filesystem::path(FIRSTLIGHT_ROOT "/grader/tasks") / bug.task / "wrong";
+  submission.replace(bug.task, folder / (std::string(bug.solution) + ".cpp"));
 }
 
 }  // namespace grader

@@ -34,6 +34,8 @@ class Submission {
 
   // Where the file of a task is.
   std::filesystem::path file_of(const std::string& slug) const;
+  // Puts the solution, a file, in the place of the task's.
+  void replace(const std::string& slug, const std::filesystem::path& solution) const;
 
   // The files of hostile/<batch>, in which @ROOT@, @SUBMISSION@ and @WORK@ are the places where the
   // project, the submission and the judge's own files are, and @RAW@ is hostile/raw.h. Returns the
