@@ -78,6 +78,7 @@ struct Walk {
   Ray ray{};
   Vec3 lamp{};
   bool on_surface = false;
+  SurfacePoint point{};  // the last one met
 
   Ray next() {
     if (!on_surface) {
@@ -89,13 +90,25 @@ struct Walk {
       on_surface = false;
       return ray;
     }
-    const SurfacePoint point = surface_point(scene, ray, *hit);
+    point = surface_point(scene, ray, *hit);
     ray = spawn_ray(point, point.frame.to_world(uniform_hemisphere(sampler.next_2d())));
     if (sampler.next_1d() < 0.5) return ray;
     const Vec3 to_lamp = lamp - point.p;
     lamp = point.p;
     const double distance = length(to_lamp);
     return distance > 0 ? shadow_ray(point, to_lamp / distance, distance) : ray;
+  }
+
+  // From the point last met to eight points of a lamp, which lies about another point of the way.
+  std::vector<Ray> shadow_rays() {
+    const double size = std::pow(10, uniform(sampler, -3, 0));
+    const Vec3 u = size * uniform_direction(sampler), v = size * uniform_direction(sampler);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 to = lamp + sampler.next_1d() * u + sampler.next_1d() * v - point.p;
+      if (length(to) > 0) rays.push_back(shadow_ray(point, to / length(to), length(to)));
+    }
+    return rays;
   }
 };
 
@@ -104,7 +117,18 @@ int rays_of_each() {
   return asked != nullptr && *asked == '1' ? 1000000 : 4000;
 }
 
-// Rays [begin, end) of the mesh, half of them hard. Returns how many hit something.
+// Whether the group's answer is that of asking every primitive.
+::testing::AssertionResult group_agrees(const WideBvh& bvh, const Truth& truth,
+                                        const std::vector<Ray>& rays) {
+  std::uint32_t expected = 0;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    expected |= std::uint32_t{truth(rays[k]).primitive >= 0} << k;
+  }
+  return pt::group_agrees(bvh, truth.primitives, rays, expected);
+}
+
+// As many rays, half of them hard, and half as many again in groups. Returns how many of the first
+// hit something.
 int check(const Scene& scene, const WideBvh& bvh, const Truth& truth, int count,
           std::uint64_t seed) {
   Sampler sampler(seed);
@@ -114,7 +138,13 @@ int check(const Scene& scene, const WideBvh& bvh, const Truth& truth, int count,
     const Ray ray = i % 2 == 0 ? hard_ray(scene.primitives, sampler) : walk.next();
     const Brute expected = truth(ray);
     hits += expected.primitive >= 0;
-    const auto answer = agrees(bvh, scene.primitives, ray, expected);
+    auto answer = agrees(bvh, scene.primitives, ray, expected);
+    if (answer && i % 32 == 0) {
+      answer = group_agrees(bvh, truth, hard_group(scene.primitives, sampler));
+    }
+    if (answer && i % 32 == 16 && walk.on_surface) {
+      answer = group_agrees(bvh, truth, walk.shadow_rays());
+    }
     if (!answer) {
       ADD_FAILURE() << answer.message();
       return hits;

@@ -118,6 +118,12 @@ void place(Primitives& primitives, double scale, Vec3 shift) {
   for (Sphere& s : primitives.spheres) s = {scale * s.center + shift, scale * s.radius};
 }
 
+// A triangle that another ray hits, if this one does not: then it may say that it leaves it.
+std::int64_t if_missed(const Primitives& primitives, const Brute& hit, const Ray& ray) {
+  if (hit.primitive < 0 || !primitives.is_triangle(hit.primitive)) return -1;
+  return exact_hit(primitives.triangle(hit.primitive), ray).hit ? -1 : hit.primitive;
+}
+
 struct Placement {
   double scale;
   Vec3 shift;
@@ -147,6 +153,38 @@ TEST_P(Wide, answers_like_asking_every_primitive_with_any_kernel) {
       hits += expected.primitive >= 0;
       for (std::size_t k = 0; k < all.size(); ++k) {
         ASSERT_TRUE(agrees(bvhs[k], primitives, ray, expected))
+            << mesh.name << ", " << all[k]->name;
+      }
+    }
+    EXPECT_GT(hits, 100) << mesh.name;
+  }
+}
+
+TEST_P(Wide, answers_groups_from_one_point_like_asking_every_primitive) {
+  const auto [scale, shift] = GetParam();
+  const std::vector<const Kernel*> all = kernels();
+  std::uint64_t seed = 200;
+  for (const Mesh& mesh : meshes()) {
+    Sampler sampler(++seed);
+    Primitives primitives = mesh.primitives;
+    place(primitives, scale, shift);
+    std::vector<WideBvh> bvhs;
+    bvhs.reserve(all.size());
+    for (const Kernel* kernel : all) bvhs.push_back(WideBvh::build(primitives, *kernel));
+    int hits = 0;
+    for (int i = 0; i < 1500; ++i) {
+      std::vector<Ray> rays = hard_group(mesh.primitives, sampler);
+      std::uint32_t expected = 0;
+      for (std::size_t k = 0; k < rays.size(); ++k) {
+        rays[k].origin = scale * rays[k].origin + shift;
+        rays[k].direction *= scale;
+        const Brute hit = brute_force(primitives, rays[k]);
+        expected |= std::uint32_t{hit.primitive >= 0} << k;
+        if (i % 4 == 0 && k > 0) rays[k - 1].leaves = if_missed(primitives, hit, rays[k - 1]);
+      }
+      hits += std::popcount(expected);
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        ASSERT_TRUE(group_agrees(bvhs[k], primitives, rays, expected))
             << mesh.name << ", " << all[k]->name;
       }
     }

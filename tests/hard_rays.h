@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -83,6 +84,31 @@ inline Ray hard_ray(const Primitives& primitives, Sampler& sampler) {
   return ray;
 }
 
+// Three to eight rays from one point that differ in nothing but their direction, as shadow rays do:
+// towards targets anywhere, or about one of them, or along an edge. In three of eight groups
+// the last differs in something else too.
+inline std::vector<Ray> hard_group(const Primitives& primitives, Sampler& sampler) {
+  const Ray first = hard_ray(primitives, sampler);
+  const Vec3 to = first.origin + first.direction;
+  const int kind = static_cast<int>(4 * sampler.next_1d());
+  const double size = std::pow(10, uniform(sampler, -8, 0)) * length(first.direction);
+  const Vec3 edge = size * uniform_direction(sampler);
+  std::vector<Ray> rays(static_cast<std::size_t>(uniform(sampler, 3, 9)), first);
+  for (Ray& ray : rays) {
+    Vec3 there = target(primitives, sampler);
+    if (kind == 1) there = to + size * uniform_in_cube(sampler);
+    if (kind == 2) there = to + sampler.next_1d() * edge;
+    if (kind != 3 && !(there == ray.origin)) ray.direction = there - ray.origin;
+    if (kind == 0) ray.t_min = 0, ray.t_max = 1 - 0x1p-14;
+  }
+  Ray& last = rays.back();
+  const int unlike = static_cast<int>(8 * sampler.next_1d());
+  if (unlike == 0) last.t_max = sampler.next_1d();
+  if (unlike == 1) last.t_min = 2 * sampler.next_1d();
+  if (unlike == 2) last.origin = target(primitives, sampler);
+  return rays;
+}
+
 inline std::string text(const Ray& ray) {
   char line[400];
   std::snprintf(line, sizeof line, "{{%a,%a,%a},{%a,%a,%a},%a,%a}", ray.origin.x, ray.origin.y,
@@ -105,6 +131,18 @@ inline ::testing::AssertionResult agrees(const WideBvh& bvh, const Primitives& p
     return ::testing::AssertionFailure() << text(ray) << ": wrong answer of occluded";
   }
   return ::testing::AssertionSuccess();
+}
+
+// True where those rays of the group are blocked that the bits of `expected` say.
+inline ::testing::AssertionResult group_agrees(const WideBvh& bvh, const Primitives& primitives,
+                                               const std::vector<Ray>& rays,
+                                               std::uint32_t expected) {
+  const std::uint32_t blocked = bvh.occluded(primitives, rays);
+  if (blocked == expected) return ::testing::AssertionSuccess();
+  auto failure = ::testing::AssertionFailure();
+  failure << "of the rays";
+  for (const Ray& ray : rays) failure << ' ' << text(ray);
+  return failure << " those of " << blocked << " are blocked, expected " << expected;
 }
 
 }  // namespace pt

@@ -1,4 +1,5 @@
-// One ray against a block of triangles, in single precision. Internal like simd.h.
+// Rays against triangles, in single precision: one ray and a block of triangles, or one triangle
+// and a group of rays. Internal like simd.h.
 #pragma once
 
 #include "pt/accel/float_ray.h"
@@ -10,61 +11,78 @@ namespace pt {
 namespace {
 
 using Block = WideBlock<kWidth>;
-using BlockFloats = Floats<kWidth>;
 
-// What is known of a block's triangles: the ray meets none but those in `maybe`, and for certain
+// What is known of W pairs of a ray and a triangle: none meet but those in `maybe`, and for certain
 // those in `surely`. t lies in [(distance - error) / det, (distance + error) / det].
+template <int W>
 struct Verdict {
   std::uint32_t maybe;
-  BlockFloats inside;  // by how much, for `surely`: both have to be positive
-  BlockFloats in_range;
-  BlockFloats edge_error;
-  BlockFloats distance;
-  BlockFloats det;
-  BlockFloats error;
+  Floats<W> inside;  // by how much, for `surely`: both have to be positive
+  Floats<W> in_range;
+  Floats<W> edge_error;
+  Floats<W> distance;
+  Floats<W> det;
+  Floats<W> error;
 
   std::uint32_t surely() const {
-    return less_equal<kWidth>(BlockFloats{}, min<kWidth>(inside - edge_error, in_range - error));
+    return less_equal<W>(Floats<W>{}, min<W>(inside - edge_error, in_range - error));
   }
+};
+
+// Of W pairs: from the ray's origin to the corner p0, the ray's direction and range, the triangle
+// as in WideBlock, and how far the volumes over its edges and t times det may be off.
+template <int W>
+struct Pairs {
+  Lanes3<W> c;
+  Lanes3<W> d;
+  Floats<W> t_min;
+  Floats<W> t_max;
+  Lanes3<W> e1;
+  Lanes3<W> e2;
+  Lanes3<W> n;
+  Floats<W> edge_error;
+  Floats<W> error;
 };
 
 // Moeller and Trumbore 1997 with the normal stored, undivided, and with the error bounds of
 // float_ray.h. U, V and W are the volumes over the three edges: of one sign where the ray passes
 // between them.
-PT_INLINE Verdict test_block(const Block& b, const FloatRay& r, float t_max) {
-  const auto at = [](const float* p) __attribute__((always_inline)) { return load<kWidth>(p); };
-  const auto all = [](float a) __attribute__((always_inline)) { return splat<kWidth>(a); };
-  const BlockFloats dx = all(r.direction[0]), dy = all(r.direction[1]), dz = all(r.direction[2]);
-  const BlockFloats cx = at(b.p0[0]) - all(r.origin[0]);
-  const BlockFloats cy = at(b.p0[1]) - all(r.origin[1]);
-  const BlockFloats cz = at(b.p0[2]) - all(r.origin[2]);
-  const BlockFloats rx = multiply_subtract<kWidth>(dy, cz, dz * cy);
-  const BlockFloats ry = multiply_subtract<kWidth>(dz, cx, dx * cz);
-  const BlockFloats rz = multiply_subtract<kWidth>(dx, cy, dy * cx);
-  const auto dot3 = [&](BlockFloats x, BlockFloats y, BlockFloats z, const float(*m)[kWidth])
-      __attribute__((always_inline)) {
-    return multiply_add<kWidth>(z, at(m[2]), multiply_add<kWidth>(y, at(m[1]), x * at(m[0])));
-  };
-  const BlockFloats u = dot3(rx, ry, rz, b.e2);
-  const BlockFloats v = dot3(rx, ry, rz, b.e1);
-  const BlockFloats det = dot3(dx, dy, dz, b.n);
-  const BlockFloats volume = dot3(cx, cy, cz, b.n);
-  const BlockFloats w = det - u - v;
+template <int W>
+PT_INLINE Verdict<W> test_pairs(const Pairs<W>& pairs) {
+  const Lanes3<W> r = cross<W>(pairs.d, pairs.c);
+  const Floats<W> u = dot<W>(r, pairs.e2);
+  const Floats<W> v = dot<W>(r, pairs.e1);
+  const Floats<W> det = dot<W>(pairs.d, pairs.n);
+  const Floats<W> volume = dot<W>(pairs.c, pairs.n);
+  const Floats<W> w = det - u - v;
 
-  Verdict verdict;
-  verdict.edge_error = all(r.edge_error) * at(b.size);
-  verdict.error = all(r.plane_error) * at(b.area);
-  const BlockFloats least = min<kWidth>(min<kWidth>(u, v), w);
-  const BlockFloats most = max<kWidth>(max<kWidth>(u, v), w);
-  verdict.inside = max<kWidth>(least, -most);
-  const Ints<kWidth> sign = sign_of<kWidth>(det);
-  verdict.distance = flip<kWidth>(volume, sign);
-  verdict.det = flip<kWidth>(det, sign);
-  const BlockFloats after = multiply_add<kWidth>(verdict.det, all(-r.t_min), verdict.distance);
-  const BlockFloats before = multiply_subtract<kWidth>(verdict.det, all(t_max), verdict.distance);
-  verdict.in_range = min<kWidth>(after, before);
-  verdict.maybe = less_equal<kWidth>(BlockFloats{}, min<kWidth>(verdict.inside + verdict.edge_error,
-                                                                verdict.in_range + verdict.error));
+  Verdict<W> verdict;
+  verdict.edge_error = pairs.edge_error;
+  verdict.error = pairs.error;
+  const Floats<W> least = min<W>(min<W>(u, v), w);
+  const Floats<W> most = max<W>(max<W>(u, v), w);
+  verdict.inside = max<W>(least, -most);
+  const Ints<W> sign = sign_of<W>(det);
+  verdict.distance = flip<W>(volume, sign);
+  verdict.det = flip<W>(det, sign);
+  const Floats<W> after = multiply_add<W>(verdict.det, -pairs.t_min, verdict.distance);
+  const Floats<W> before = multiply_subtract<W>(verdict.det, pairs.t_max, verdict.distance);
+  verdict.in_range = min<W>(after, before);
+  verdict.maybe = less_equal<W>(
+      Floats<W>{}, min<W>(verdict.inside + verdict.edge_error, verdict.in_range + verdict.error));
+  return verdict;
+}
+
+PT_INLINE Lanes3<kWidth> rows(const float (&m)[3][kWidth]) {
+  return {load<kWidth>(m[0]), load<kWidth>(m[1]), load<kWidth>(m[2])};
+}
+
+// A ray and the triangles of a block.
+PT_INLINE Verdict<kWidth> test_block(const Block& b, const FloatRay& r, float t_max) {
+  Verdict<kWidth> verdict = test_pairs<kWidth>(
+      {rows(b.p0) - splat3<kWidth>(r.origin), splat3<kWidth>(r.direction), splat<kWidth>(r.t_min),
+       splat<kWidth>(t_max), rows(b.e1), rows(b.e2), rows(b.n), r.edge_error * load<kWidth>(b.size),
+       r.plane_error * load<kWidth>(b.area)});
   verdict.maybe &= not_equal<kWidth>(b.primitive, r.leaves);
   return verdict;
 }

@@ -44,11 +44,11 @@ PT_INLINE void ask(const WideQuery& query, const Ray& ray, const FloatRay& r,
 
 PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay& r,
                           const Block& block, Nearest& nearest) {
-  const Verdict verdict = test_block(block, r, nearest.t_max);
+  const Verdict<kWidth> verdict = test_block(block, r, nearest.t_max);
   if (verdict.maybe == 0) return;
   const std::uint32_t surely = verdict.surely();
   alignas(64) float low[kWidth], high[kWidth];
-  const BlockFloats inverse = 1 / verdict.det;
+  const Floats<kWidth> inverse = 1 / verdict.det;
   store<kWidth>(low, (verdict.distance - verdict.error) * inverse);
   store<kWidth>(high, (verdict.distance + verdict.error) * inverse);
   for (std::uint32_t mask = verdict.maybe; mask != 0; mask &= mask - 1) {

@@ -10,8 +10,11 @@
 
 namespace pt {
 
-// Memory in pages of 2 MB where the system has them and there is enough to fill one: a ray that
-// jumps about in a large tree spends a tenth of its time finding pages of 4 kB.
+inline constexpr std::size_t kSmallPage = 4096;
+
+// Memory that begins a page, and lies in pages of 2 MB where the system has them and there is
+// enough to fill one: a ray that jumps about in a large tree spends a tenth of its time finding
+// pages of 4 kB.
 template <class T>
 struct HugePages {
   using value_type = T;
@@ -22,7 +25,7 @@ struct HugePages {
 
   static constexpr std::size_t kPage = std::size_t{1} << 21;
   static std::align_val_t alignment(std::size_t bytes) {
-    return std::align_val_t{bytes < kPage ? alignof(T) : kPage};
+    return std::align_val_t{bytes < kPage ? kSmallPage : kPage};
   }
 
   T* allocate(std::size_t count) {

@@ -17,6 +17,12 @@ constexpr int kWidth = 8;
 using Node = WideNode<kWidth>;
 using NodeFloats = Floats<kWidth>;
 
+PT_INLINE Ints<kWidth> children(const Node& node) {
+  Ints<kWidth> child;
+  __builtin_memcpy(&child, node.child, sizeof child);
+  return child;
+}
+
 // The children whose boxes the ray enters, as bits, and where.
 struct Entered {
   std::uint32_t mask;

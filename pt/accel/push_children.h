@@ -17,15 +17,8 @@ struct Stack {
 
 // Pushes the children of `mask`, in any order, and returns how many.
 PT_INLINE int push_others(const Node& node, std::uint32_t mask, WideRef* top) {
-#if defined(__AVX512F__)
-  const __m512i child = _mm512_load_si512(node.child);
-  _mm512_storeu_si512(top, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), child));
+  copy_packed<kWidth>(node.child, mask, top);
   return __builtin_popcount(mask);
-#else
-  int count = 0;
-  for (; mask != 0; mask &= mask - 1) top[count++] = node.child[__builtin_ctz(mask)];
-  return count;
-#endif
 }
 
 // Any number of children, by insertion.
@@ -46,7 +39,7 @@ PT_INLINE WideRef push_many(const Node& node, const float* enter, std::uint32_t 
   return stack.ref[--stack.size];
 }
 
-#if defined(__AVX512F__)
+#if defined(__AVX2__) && defined(__BMI2__)
 
 // One layer of a sorting network: lanes exchange with those of `b`, and those of `upper` take the
 // smaller.
@@ -74,22 +67,38 @@ PT_INLINE __m256i sorted(__m256i a) {
   return exchange<0xaa>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
 }
 
-// Up to eight children: the distance's last four bits give way to the slot while a network sorts.
-PT_INLINE WideRef push_few(const Node& node, __m512 enter, std::uint32_t mask, int count,
+// Those lanes of a that bit i of the mask names, in order, then zeros; and lanes of the children.
+#if defined(__AVX512F__)
+PT_INLINE __m256i first_eight(NodeFloats a, std::uint32_t mask, int) {
+  return _mm512_castsi512_si256(
+      _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), (__m512i)a));
+}
+PT_INLINE __m256i pick(const Node& node, __m256i slots) {
+  return _mm512_castsi512_si256(_mm512_maskz_permutexvar_epi32(
+      0xffff, _mm512_castsi256_si512(slots), (__m512i)children(node)));
+}
+#else
+PT_INLINE __m256i first_eight(NodeFloats a, std::uint32_t mask, int count) {
+  return _mm256_and_si256(packed((__m256i)a, mask), (__m256i)lanes<8>((1u << count) - 1));
+}
+PT_INLINE __m256i pick(const Node& node, __m256i slots) {
+  return _mm256_permutevar8x32_epi32((__m256i)children(node), slots);
+}
+#endif
+
+// Up to eight children: the distance's last bits give way to the slot while a network sorts.
+PT_INLINE WideRef push_few(const Node& node, NodeFloats enter, std::uint32_t mask, int count,
                            Stack& stack) {
-  const __m512i slots = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-  const __m512i last = _mm512_set1_epi32(15);
-  const __m512i keys = _mm512_ternarylogic_epi32(  // (enter & ~last) | slots
-      _mm512_castps_si512(enter), last, slots, 0xba);
-  const __m512i packed = _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), keys);
-  const __m256i order = count <= 4 ? _mm256_castsi128_si256(sorted(_mm512_castsi512_si128(packed)))
-                                   : sorted(_mm512_castsi512_si256(packed));
-  const __m512i refs = _mm512_maskz_permutexvar_epi32(0xffff, _mm512_castsi256_si512(order),
-                                                      _mm512_load_si512(node.child));
+  constexpr int kSlot = kWidth - 1;
+  Ints<kWidth> slots;
+  for (int i = 0; i < kWidth; ++i) slots[i] = i;
+  const NodeFloats keys = (NodeFloats)(((Ints<kWidth>)enter & ~kSlot) | slots);
+  const __m256i those = first_eight(keys, mask, count);
+  const __m256i order =
+      count <= 4 ? _mm256_castsi128_si256(sorted(_mm256_castsi256_si128(those))) : sorted(those);
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack.enter + stack.size),
-                      _mm256_andnot_si256(_mm512_castsi512_si256(last), order));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack.ref + stack.size),
-                      _mm512_castsi512_si256(refs));
+                      _mm256_andnot_si256(_mm256_set1_epi32(kSlot), order));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack.ref + stack.size), pick(node, order));
   stack.size += count - 1;
   return stack.ref[stack.size];
 }
@@ -100,9 +109,9 @@ PT_INLINE WideRef push_few(const Node& node, __m512 enter, std::uint32_t mask, i
 PT_INLINE WideRef push_children(const Node& node, NodeFloats enter, std::uint32_t mask,
                                 Stack& stack) {
   if ((mask & (mask - 1)) == 0) return node.child[__builtin_ctz(mask)];
-#if defined(__AVX512F__)
+#if defined(__AVX2__) && defined(__BMI2__)
   const int count = __builtin_popcount(mask);
-  if (count <= 8) return push_few(node, (__m512)enter, mask, count, stack);
+  if (count <= 8) return push_few(node, enter, mask, count, stack);
 #endif
   alignas(4 * kWidth) float t[kWidth];
   store<kWidth>(t, enter);

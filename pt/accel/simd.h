@@ -44,6 +44,25 @@ PT_INLINE Floats<W> splat(float a) {
   return a - Floats<W>{};
 }
 
+#if !defined(__AVX__)
+// Eight lanes as twice four: g++ takes apart comparisons of more lanes than the machine has, one
+// lane at a time.
+template <class Eight, class Four>
+struct Halves {
+  Four low;
+  Four high;
+  explicit Halves(Eight a) { __builtin_memcpy(this, &a, sizeof a); }
+  Halves(Four first, Four second) : low(first), high(second) {}
+  operator Eight() const {
+    Eight a;
+    __builtin_memcpy(&a, this, sizeof a);
+    return a;
+  }
+};
+using FloatHalves = Halves<Floats<8>, Floats<4>>;
+using IntHalves = Halves<Ints<8>, Ints<4>>;
+#endif
+
 // a b + c, a b - c and c - a b: rounded once or twice, whichever is faster.
 template <int W>
 PT_INLINE Floats<W> multiply_add(Floats<W> a, Floats<W> b, Floats<W> c) {
@@ -71,6 +90,12 @@ PT_INLINE Floats<W> min(Floats<W> a, Floats<W> b) {
 #if defined(__AVX__)
   if constexpr (W == 8) return (Floats<W>)_mm256_min_ps((__m256)a, (__m256)b);
 #endif
+#if !defined(__AVX__)
+  if constexpr (W == 8) {
+    const FloatHalves x(a), y(b);
+    return FloatHalves(min<4>(x.low, y.low), min<4>(x.high, y.high));
+  }
+#endif
 #if defined(__SSE2__)
   if constexpr (W == 4) return (Floats<W>)_mm_min_ps((__m128)a, (__m128)b);
 #endif
@@ -83,6 +108,12 @@ PT_INLINE Floats<W> max(Floats<W> a, Floats<W> b) {
 #endif
 #if defined(__AVX__)
   if constexpr (W == 8) return (Floats<W>)_mm256_max_ps((__m256)a, (__m256)b);
+#endif
+#if !defined(__AVX__)
+  if constexpr (W == 8) {
+    const FloatHalves x(a), y(b);
+    return FloatHalves(max<4>(x.low, y.low), max<4>(x.high, y.high));
+  }
 #endif
 #if defined(__SSE2__)
   if constexpr (W == 4) return (Floats<W>)_mm_max_ps((__m128)a, (__m128)b);
@@ -104,25 +135,65 @@ PT_INLINE Floats<W> flip(Floats<W> a, Ints<W> sign) {
   return (Floats<W>)((Ints<W>)a ^ sign);
 }
 
-// Bit i is set where lane i of a comparison's result is true. Without a branch.
+// Bit i is the sign bit of lane i, so is set where a comparison is true. Without a branch.
 template <int W>
-PT_INLINE std::uint32_t bits(Ints<W> yes) {
+PT_INLINE std::uint32_t bits(Ints<W> a) {
+#if defined(__AVX512DQ__)
+  if constexpr (W == 16) return _mm512_movepi32_mask((__m512i)a);
+#endif
 #if defined(__AVX__)
-  if constexpr (W == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)yes));
+  if constexpr (W == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)a));
+#else
+  if constexpr (W == 8) return bits<4>(IntHalves(a).low) | bits<4>(IntHalves(a).high) << 4;
 #endif
 #if defined(__SSE2__)
-  if constexpr (W == 4) return static_cast<std::uint32_t>(_mm_movemask_ps((__m128)yes));
-#endif
-#if !defined(__AVX__) && defined(__SSE2__)
-  if constexpr (W == 8) {
-    __m128 half[2];
-    __builtin_memcpy(half, &yes, sizeof half);
-    return static_cast<std::uint32_t>(_mm_movemask_ps(half[0]) | _mm_movemask_ps(half[1]) << 4);
-  }
+  if constexpr (W == 4) return static_cast<std::uint32_t>(_mm_movemask_ps((__m128)a));
 #endif
   std::uint32_t result = 0;
-  for (int i = 0; i < W; ++i) result |= static_cast<std::uint32_t>(yes[i] & 1) << i;
+  for (int i = 0; i < W; ++i) result |= static_cast<std::uint32_t>(a[i]) >> 31 << i;
   return result;
+}
+
+// The other way round: all ones in lane i where bit i of `mask` is set.
+template <int W>
+PT_INLINE Ints<W> lanes(std::uint32_t mask) {
+#if !defined(__AVX__)
+  if constexpr (W == 8) return IntHalves(lanes<4>(mask), lanes<4>(mask >> 4));
+#endif
+  Ints<W> bit;
+  for (int i = 0; i < W; ++i) bit[i] = 1 << i;
+  return (bit & static_cast<std::int32_t>(mask)) != 0;
+}
+
+#if defined(__AVX2__) && defined(__BMI2__)
+// The lanes of `mask`, in order, then lane 0 again and again: a byte for each lane's number, of
+// which those of the mask are moved together.
+PT_INLINE __m256i packed(__m256i a, std::uint32_t mask) {
+  const std::uint64_t those = _pdep_u64(mask, 0x0101010101010101) * 0xff;
+  const std::uint64_t order = _pext_u64(0x0706050403020100, those);
+  const __m128i bytes = _mm_cvtsi64_si128(static_cast<long long>(order));
+  return _mm256_permutevar8x32_epi32(a, _mm256_cvtepu8_epi32(bytes));
+}
+#endif
+
+// Copies from[i] for every bit i of `mask`, in order; what follows them is overwritten too, up to W
+// in all. `from` is aligned to 4 W bytes.
+template <int W>
+PT_INLINE void copy_packed(const std::uint32_t* from, std::uint32_t mask, std::uint32_t* to) {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) {
+    const __m512i all = _mm512_load_si512(from);
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), all));
+    return;
+  }
+#endif
+#if defined(__AVX2__) && defined(__BMI2__)
+  if constexpr (W == 8) {
+    const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(from));
+    return _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), packed(all, mask));
+  }
+#endif
+  for (; mask != 0; mask &= mask - 1) *to++ = from[__builtin_ctz(mask)];
 }
 
 // Bit i is set where a <= b in lane i; not where either is NaN.
@@ -132,8 +203,50 @@ PT_INLINE std::uint32_t less_equal(Floats<W> a, Floats<W> b) {
   if constexpr (W == 16) return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LE_OQ);
   if constexpr (W == 8) return _mm256_cmp_ps_mask((__m256)a, (__m256)b, _CMP_LE_OQ);
 #endif
+#if !defined(__AVX__)
+  if constexpr (W == 8) {
+    const FloatHalves x(a), y(b);
+    return less_equal<4>(x.low, y.low) | less_equal<4>(x.high, y.high) << 4;
+  }
+#endif
   return bits<W>(a <= b);
 }
+
+// Points or directions, a row a component. `p` is x, y, z.
+template <int W>
+struct Lanes3 {
+  Floats<W> x;
+  Floats<W> y;
+  Floats<W> z;
+};
+template <int W>
+PT_INLINE Lanes3<W> splat3(const float* p) {
+  return {splat<W>(p[0]), splat<W>(p[1]), splat<W>(p[2])};
+}
+template <int W>
+PT_INLINE Lanes3<W> operator-(const Lanes3<W>& a, const Lanes3<W>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <int W>
+PT_INLINE Lanes3<W> magnitude(const Lanes3<W>& a) {
+  return {magnitude<W>(a.x), magnitude<W>(a.y), magnitude<W>(a.z)};
+}
+template <int W>
+PT_INLINE Floats<W> dot(const Lanes3<W>& a, const Lanes3<W>& b) {
+  return multiply_add<W>(a.z, b.z, multiply_add<W>(a.y, b.y, a.x * b.x));
+}
+template <int W>
+PT_INLINE Lanes3<W> cross(const Lanes3<W>& a, const Lanes3<W>& b) {
+  return {multiply_subtract<W>(a.y, b.z, a.z * b.y), multiply_subtract<W>(a.z, b.x, a.x * b.z),
+          multiply_subtract<W>(a.x, b.y, a.y * b.x)};
+}
+
+// The numbers from low to high.
+template <int W>
+struct Range {
+  Floats<W> low;
+  Floats<W> high;
+};
 
 // Bit i is set where p[i] != a. `p` is aligned to 4 W bytes.
 template <int W>
@@ -144,6 +257,9 @@ PT_INLINE std::uint32_t not_equal(const std::uint32_t* p, std::uint32_t a) {
   if constexpr (W == 8) {
     return _mm256_cmpneq_epi32_mask((__m256i)all, _mm256_set1_epi32(static_cast<int>(a)));
   }
+#endif
+#if !defined(__AVX__)
+  if constexpr (W == 8) return not_equal<4>(p, a) | not_equal<4>(p + 4, a) << 4;
 #endif
 #if defined(__AVX512VL__)
   if constexpr (W == 16) {

@@ -2,6 +2,7 @@
 // nothing here may have external linkage but the one object at the end.
 #include "pt/accel/any_hit.h"
 #include "pt/accel/closest_hit.h"
+#include "pt/accel/group_hit.h"
 #include "pt/accel/kernel.h"
 
 namespace pt {

@@ -1,0 +1,103 @@
+// The rays of a group as one: the pyramid around them. Internal like simd.h.
+#pragma once
+
+#include "pt/accel/block_test.h"
+#include "pt/accel/float_ray.h"
+
+namespace pt {
+namespace {
+
+// As many rays are traced together.
+constexpr int kGroup = 8;
+
+// Rays from one point: their directions are all within `spread` of `middle`.
+struct Pyramid {
+  float origin[4];
+  float middle[4];
+  float spread[4];
+  float t_max;
+  float edge_error;   // as in FloatRay: the largest
+  float plane_error;  // of all
+  std::uint32_t leaves;
+  Lanes3<kGroup> direction;  // of each ray; where there are less, of the first again
+};
+
+// Whether the rays differ in nothing but their direction.
+PT_INLINE bool are_alike(const FloatRay* r, int count) {
+  Ints4 other{};
+  bool alike = true;
+  for (int i = 1; i < count; ++i) {
+    other |= (Ints4)load<4>(r[i].origin) ^ (Ints4)load<4>(r[0].origin);
+    alike &= (r[i].t_min == r[0].t_min) & (r[i].t_max == r[0].t_max) & (r[i].reach == r[0].reach) &
+             (r[i].leaves == r[0].leaves);
+  }
+  return alike & ((other[0] | other[1] | other[2]) == 0);
+}
+
+// Of rays that are alike.
+PT_INLINE Pyramid pyramid_of(const FloatRay* r, int count) {
+  Floats4 low = load<4>(r[0].direction), high = low;
+  Pyramid pyramid;
+  pyramid.edge_error = r[0].edge_error;
+  for (int i = 0; i < kGroup; ++i) {
+    const FloatRay& ray = r[i < count ? i : 0];
+    low = min<4>(low, load<4>(ray.direction));
+    high = max<4>(high, load<4>(ray.direction));
+    if (ray.edge_error > pyramid.edge_error) pyramid.edge_error = ray.edge_error;
+    pyramid.direction.x[i] = ray.direction[0];
+    pyramid.direction.y[i] = ray.direction[1];
+    pyramid.direction.z[i] = ray.direction[2];
+  }
+  const Floats4 longest = max<4>(magnitude<4>(low), magnitude<4>(high));
+  store<4>(pyramid.origin, load<4>(r[0].origin));
+  store<4>(pyramid.middle, 0.5f * (low + high));
+  store<4>(pyramid.spread, 0.5f * (high - low) + 4 * kUnit * longest);
+  pyramid.t_max = r[0].t_max;
+  pyramid.plane_error = r[0].plane_error;
+  pyramid.leaves = r[0].leaves;
+  return pyramid;
+}
+
+// The triangles of the block that some ray of the pyramid may meet: test_block for all directions
+// within it, each volume a range. With g = c x e an edge's volume is g . d, so for a ray of the
+// pyramid it is g . middle, give or take |g| . spread. Twice the errors of float_ray.h cover what
+// the ranges round.
+PT_INLINE std::uint32_t test_block(const Block& b, const Pyramid& pyramid) {
+  constexpr int W = kWidth;
+  const Lanes3<W> middle = splat3<W>(pyramid.middle), spread = splat3<W>(pyramid.spread);
+  const auto range = [&](const Lanes3<W>& g) __attribute__((always_inline)) {
+    const Floats<W> center = dot<W>(g, middle), margin = dot<W>(magnitude<W>(g), spread);
+    return Range<W>{center - margin, center + margin};
+  };
+  const Lanes3<W> c = rows(b.p0) - splat3<W>(pyramid.origin), n = rows(b.n);
+  const Lanes3<W> over_e2 = cross<W>(c, rows(b.e2)), over_e1 = cross<W>(c, rows(b.e1));
+  const Range<W> u = range(over_e2), v = range(over_e1), w = range(n - over_e2 - over_e1);
+  const Range<W> det = range(n);
+  const Floats<W> volume = dot<W>(c, n);
+
+  const Floats<W> least = min<W>(min<W>(u.high, v.high), w.high);
+  const Floats<W> most = max<W>(max<W>(u.low, v.low), w.low);
+  const Floats<W> inside = max<W>(least, -most);
+  const Floats<W> above = max<W>(det.high, Floats<W>{}) * pyramid.t_max - volume;
+  const Floats<W> below = volume - min<W>(det.low, Floats<W>{}) * pyramid.t_max;
+  const Floats<W> edge_error = 2 * pyramid.edge_error * load<W>(b.size);
+  const Floats<W> error = 2 * pyramid.plane_error * load<W>(b.area);
+  return less_equal<W>(Floats<W>{}, min<W>(inside + edge_error, min<W>(above, below) + error)) &
+         not_equal<W>(b.primitive, pyramid.leaves);
+}
+
+// One of the block's triangles and all rays of the pyramid; they begin and end like `r`.
+PT_INLINE Verdict<kGroup> test_triangle(const Block& b, int slot, const Pyramid& pyramid,
+                                        const FloatRay& r) {
+  constexpr int W = kGroup;
+  const auto all = [&](const float(&m)[3][kWidth]) __attribute__((always_inline)) {
+    return Lanes3<W>{splat<W>(m[0][slot]), splat<W>(m[1][slot]), splat<W>(m[2][slot])};
+  };
+  return test_pairs<W>({all(b.p0) - splat3<W>(pyramid.origin), pyramid.direction, splat<W>(r.t_min),
+                        splat<W>(r.t_max), all(b.e1), all(b.e2), all(b.n),
+                        splat<W>(pyramid.edge_error * b.size[slot]),
+                        splat<W>(pyramid.plane_error * b.area[slot])});
+}
+
+}  // namespace
+}  // namespace pt
