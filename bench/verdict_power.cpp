@@ -4,7 +4,7 @@
 // and prints docs/verdicts.md's tables.
 #include "bench/report.h"
 #include "grader/images/cells.h"
-#include "pt/error.h"
+#include "pt/command_line.h"
 #include "tests/synthetic_maps.h"
 #include "tests/synthetic_pictures.h"
 
@@ -179,14 +179,11 @@ int main(int count, char** arguments) {
   app.add_option("--pictures", pictures, "right pictures of each kind")
       ->check(CLI::Range(2, 1000000));
   app.add_option("--wrong", wrong, "wrong pictures of each kind")->check(CLI::Range(1, 100000));
-  CLI11_PARSE(app, count, arguments);
-  try {
+  return pt::run_command_line(app, count, arguments, [&] {
     grader::print_sample_maps(std::min(pictures, 400));
     grader::measure_power(folder, wrong);
     grader::print_false_failures(pictures);
     grader::print_later_stages(pictures);
-  } catch (const pt::Error& error) {
-    fmt::print(stderr, "verdict_power: {}\n", error.what());
-    return 2;
-  }
+    return 0;
+  });
 }

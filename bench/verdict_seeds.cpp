@@ -2,6 +2,7 @@
 // submission fail? Each verdict is a line of a CSV, and what is there already is not judged again,
 // so that it may be stopped and started as one likes. Exit status 1 if a picture failed.
 #include "grader/pictures/judge_recipe.h"
+#include "pt/command_line.h"
 #include "pt/error.h"
 
 #include <atomic>
@@ -104,13 +105,5 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
   app.add_option("--out", options.out,
                  "The CSV: recipe, seed, state, stages, noise, seconds, text");
-  try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  }
+  return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

@@ -1,4 +1,4 @@
-#include "pt/error.h"
+#include "pt/command_line.h"
 #include "pt/file.h"
 #include "scenes/collada_text.h"
 #include "scenes/meshes.h"
@@ -63,12 +63,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(3, 12))
       ->capture_default_str();
   mesh->add_flag("-r,--room", request.room, "Put it into the Cornell box");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return pt::run_command_line(app, argc, argv, [&] {
     scenes::generate_mesh(request);
-  } catch (const pt::Error& error) {
-    std::cerr << "generate: " << error.what() << "\n";
-    return 2;
-  }
-  return 0;
+    return 0;
+  });
 }

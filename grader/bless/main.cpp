@@ -8,13 +8,13 @@
 #include "grader/images/image_verdict.h"
 #include "grader/images/sample_map_verdict.h"
 #include "grader/recipes/seeds.h"
+#include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 #include "pt/render/progress.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <optional>
 #include <string>
 #include <thread>
@@ -203,13 +203,5 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app("Makes the goldens that submissions are judged by.", "./run bless");
   describe(app, options);
-  try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  }
+  return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

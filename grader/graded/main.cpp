@@ -4,6 +4,7 @@
 #include "grader/graded/report.h"
 #include "grader/process/spawn.h"
 #include "grader/remote/session.h"
+#include "pt/command_line.h"
 #include "pt/error.h"
 
 #include <csignal>
@@ -60,18 +61,12 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--isolation", tier, "the tier of the worker's box: A, B or C");
   options.session.task = FIRSTLIGHT_TASK;
-  try {
-    app.parse(argc, argv);
+  return pt::run_command_line(app, argc, argv, [&] {
     options.session.program = std::filesystem::absolute(options.session.program);
     options.session.tier = grader::tier_of(tier);
     options.session.call_limit = std::chrono::milliseconds(call_limit);
     options.session.lost_limit = 3 * options.session.call_limit;
     options.session.total_limit = 15 * options.session.call_limit;
     return run(options, argv[0]);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const pt::Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  }
+  });
 }

@@ -5,6 +5,7 @@
 #include "grader/judge/files.h"
 #include "grader/judge/promises.h"
 #include "grader/report/wrap.h"
+#include "pt/command_line.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -98,13 +99,5 @@ int main(int argc, char** argv) {
                  "what the hint is about (default: what failed when the task was last graded)");
   app.add_flag("--first", options.first, "start again with the first hint");
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
-  try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  }
+  return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

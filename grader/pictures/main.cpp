@@ -6,7 +6,7 @@
 #include "grader/process/spawn.h"
 #include "grader/remote/session.h"
 #include "grader/report/json.h"
-#include "pt/error.h"
+#include "pt/command_line.h"
 
 #include <csignal>
 #include <cstdio>
@@ -83,8 +83,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Judges a picture that a worker renders"};
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return pt::run_command_line(app, argc, argv, [&] {
     options.session.program = std::filesystem::absolute(options.session.program);
     options.session.tier = tier_of(options.tier);
     options.session.answers = false;
@@ -95,10 +94,5 @@ int main(int argc, char** argv) {
     options.session.lost_limit = options.session.call_limit;
     options.session.total_limit = 9 * options.session.call_limit;
     return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  }
+  });
 }

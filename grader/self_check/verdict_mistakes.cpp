@@ -11,6 +11,7 @@
 #include "grader/recipes/recipes.h"
 #include "grader/self_check/mistake_rows.h"
 #include "grader/self_check/task_folder.h"
+#include "pt/command_line.h"
 #include "pt/error.h"
 
 #include <cstdio>
@@ -214,13 +215,5 @@ int main(int argc, char** argv) {
                  "At most; a later call with more goes on with what has complained")
       ->check(CLI::Range(1, kStages));
   app.add_flag("--tables", options.tables_only, "Judge nothing: print the tables of what is known");
-  try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  }
+  return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

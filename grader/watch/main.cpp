@@ -4,6 +4,7 @@
 #include "grader/report/terminal.h"
 #include "grader/watch/raw_terminal.h"
 #include "grader/watch/session.h"
+#include "pt/command_line.h"
 
 #include <csignal>
 #include <cstdio>
@@ -21,18 +22,12 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--config", options.config,
                  "what CMake wrote (grade.json); the programs grade and hint are next to it");
-  try {
-    app.parse(argc, argv);
+  return pt::run_command_line(app, argc, argv, [&] {
     if (options.config.empty()) options.config = default_config_path();
     options.programs = std::filesystem::absolute(options.config).parent_path();
     options.style.color = terminal_has_color();
     const Config config = load_config(options.config);
     RawTerminal terminal;
     return WatchSession(config, options).run(terminal);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  }
+  });
 }

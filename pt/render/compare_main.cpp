@@ -1,9 +1,8 @@
-#include "pt/error.h"
+#include "pt/command_line.h"
 #include "pt/image/compare.h"
 #include "pt/image/image_io.h"
 
 #include <cstdio>
-#include <exception>
 #include <optional>
 #include <string>
 
@@ -68,14 +67,8 @@ int main(int argc, char** argv) {
   app.add_option("A", a, "PNG, JPEG, BMP, HDR or EXR")->required();
   app.add_option("B", b, "the picture to compare with")->required();
   app.add_option("-o,--output", output, "write the signed relative difference to this PNG");
-  try {
-    app.parse(argc, argv);
+  return pt::run_command_line(app, argc, argv, [&] {
     run(a, b, output);
     return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "compare: %s\n", error.what());
-    return 2;
-  }
+  });
 }
