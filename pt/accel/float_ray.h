@@ -72,6 +72,7 @@ struct alignas(16) FloatRay {
   double t_scale;     // t here = t of the ray * t_scale - t_shift, in double
   double t_shift;
   std::uint32_t leaves;  // the triangle that need not be asked
+  bool is_usual;         // prepared without further thought
 
   // A bound of t from above, rounded by no more than kVolume allows for.
   float upper(double t) const { return here(t) * (1 + 4 * kUnit) + t_slack; }
@@ -142,35 +143,10 @@ static bool prepare_any(const WideView& view, const Ray& ray, FloatRay& r) {
   return true;
 }
 
-PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
-  static_assert(offsetof(Ray, direction) == 24 && offsetof(Ray, t_min) == 48);
-  const Doubles4 o = (load3(&ray.origin.x) - load3(view.center)) * view.scale;
-  const Doubles4 d = load3(&ray.direction.x) * view.scale;
-  Floats4 origin = __builtin_convertvector(o, Floats4);
-  Floats4 direction = __builtin_convertvector(d, Floats4);
-  Floats4 length = magnitude<4>(direction);
-  const Floats4 away = magnitude<4>(origin);
-  const std::uint32_t usual =
-      less_equal<4>(away, splat<4>(kNear)) & less_equal<4>(length, splat<4>(kLong));
-  const std::uint32_t long_enough = less_equal<4>(splat<4>(kShort), length);
-  if (((usual & 7) == 7) & ((long_enough & 7) != 0) & (ray.t_min >= 0) & (ray.t_min <= ray.t_max)) {
-    r.t_scale = 1;
-    r.t_shift = 0;
-    r.t_slack = 0;
-    r.reach = 1.0001f + largest(away);
-    r.t_min = static_cast<float>(smaller(ray.t_min, kEndless)) * (1 - 4 * kUnit);
-    r.t_max = static_cast<float>(smaller(ray.t_max, kEndless)) * (1 + 4 * kUnit);
-  } else {
-    if (!prepare_any(view, ray, r)) return false;
-    origin = load<4>(r.origin);
-    direction = load<4>(r.direction);
-    length = magnitude<4>(direction);
-  }
-  const auto left = static_cast<std::uint32_t>(ray.leaves);
-  r.leaves = left < view.triangle_count ? left : kNothing;
-  r.plane_error = kVolume * r.reach;
+// What follows from the direction, once the rest of r is known.
+PT_INLINE void set_direction(FloatRay& r, Floats4 direction, Floats4 length) {
+  const Floats4 origin = load<4>(r.origin);
   r.edge_error = r.plane_error * largest(length);
-  store<4>(r.origin, origin);
   store<4>(r.direction, direction);
   const Floats4 abs_inverse = 1 / max<4>(length, splat<4>(kFlat));
   const Floats4 inverse = flip<4>(abs_inverse, sign_of<4>(direction));
@@ -181,7 +157,58 @@ PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
   const Ints4 rows{0, 1, 2, 0}, down = ((Ints4)direction >> 31) & 3;
   store<4>(r.first, rows + down);
   store<4>(r.last, rows + (3 - down));
+}
+
+PT_INLINE bool is_usual(Floats4 length) {
+  return ((less_equal<4>(length, splat<4>(kLong)) & 7) == 7) &
+         ((less_equal<4>(splat<4>(kShort), length) & 7) != 0);
+}
+
+PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
+  static_assert(offsetof(Ray, direction) == 24 && offsetof(Ray, t_min) == 48);
+  const Doubles4 o = (load3(&ray.origin.x) - load3(view.center)) * view.scale;
+  const Doubles4 d = load3(&ray.direction.x) * view.scale;
+  const Floats4 origin = __builtin_convertvector(o, Floats4);
+  Floats4 direction = __builtin_convertvector(d, Floats4);
+  Floats4 length = magnitude<4>(direction);
+  const Floats4 away = magnitude<4>(origin);
+  const bool is_near = (less_equal<4>(away, splat<4>(kNear)) & 7) == 7;
+  r.is_usual = is_near & is_usual(length) & (ray.t_min >= 0) & (ray.t_min <= ray.t_max);
+  if (r.is_usual) {
+    r.t_scale = 1;
+    r.t_shift = 0;
+    r.t_slack = 0;
+    r.reach = 1.0001f + largest(away);
+    r.t_min = static_cast<float>(smaller(ray.t_min, kEndless)) * (1 - 4 * kUnit);
+    r.t_max = static_cast<float>(smaller(ray.t_max, kEndless)) * (1 + 4 * kUnit);
+    store<4>(r.origin, origin);
+  } else {
+    if (!prepare_any(view, ray, r)) return false;
+    direction = load<4>(r.direction);
+    length = magnitude<4>(direction);
+  }
+  const auto left = static_cast<std::uint32_t>(ray.leaves);
+  r.leaves = left < view.triangle_count ? left : kNothing;
+  r.plane_error = kVolume * r.reach;
+  set_direction(r, direction, length);
   return true;
+}
+
+// A ray that differs from one that was prepared, and is usual, in nothing but its direction. What
+// only its nearest hit would ask for is left out. False where the direction is not usual.
+PT_INLINE bool prepare_like(const FloatRay& usual, const WideView& view, const Ray& ray,
+                            FloatRay& r) {
+  const Doubles4 d = load3(&ray.direction.x) * view.scale;
+  const Floats4 direction = __builtin_convertvector(d, Floats4);
+  const Floats4 length = magnitude<4>(direction);
+  store<4>(r.origin, load<4>(usual.origin));
+  r.t_min = usual.t_min;
+  r.t_max = usual.t_max;
+  r.reach = usual.reach;
+  r.plane_error = usual.plane_error;
+  r.leaves = usual.leaves;
+  set_direction(r, direction, length);
+  return is_usual(length);
 }
 
 }  // namespace

@@ -95,9 +95,12 @@ PT_INLINE std::uint32_t enter_root(const WideQuery& query, const Ray* rays, int 
   }
   const Ints<kWidth> but_one = who & (who - 1), but_two = but_one & (but_one - 1);
   std::uint32_t crowded = leaf & bits<kWidth>(-but_two);  // by three rays or more
-  for (int i = 0; i < count; ++i) {
-    work.inner.add(root, entered[i] & ~leaf, i);
-    work.leaves.add(root, entered[i] & leaf & ~crowded, i);
+  const std::uint32_t entered_by_any = bits<kWidth>(-who);
+  if ((entered_by_any & ~leaf) != 0) {
+    for (int i = 0; i < count; ++i) work.inner.add(root, entered[i] & ~leaf, i);
+  }
+  if ((entered_by_any & leaf & ~crowded) != 0) {
+    for (int i = 0; i < count; ++i) work.leaves.add(root, entered[i] & leaf & ~crowded, i);
   }
   if (crowded == 0) return 0;
   const Pyramid pyramid = pyramid_of(work.r, count);
@@ -107,6 +110,38 @@ PT_INLINE std::uint32_t enter_root(const WideQuery& query, const Ray* rays, int 
   for (; crowded != 0; crowded &= crowded - 1) {
     const int child = __builtin_ctz(crowded);
     blocked |= meet_block(query, rays, pyramid, root.child[child], those[child] & ~blocked, work);
+  }
+  return blocked;
+}
+
+// Prepares rays that differ in nothing but their direction; false where they do not, or are not
+// usual.
+PT_INLINE bool prepare_alike(const WideView& view, const Ray* rays, int count, FloatRay* r) {
+  if (!are_alike(rays, count) || !prepare(view, rays[0], r[0]) || !r[0].is_usual) return false;
+  bool usual = true;
+  for (int i = 1; i < count; ++i) usual &= prepare_like(r[0], view, rays[i], r[i]);
+  return usual;
+}
+
+// Prepares rays of any kind, and begins with them at the root. Returns those that are blocked.
+PT_INLINE std::uint32_t enter_any(const WideQuery& query, const Ray* rays, int count,
+                                  GroupWork& work) {
+  const WideView& view = query.view;
+  std::uint32_t blocked = 0;
+  for (int i = 0; i < count; ++i) {
+    bool beside = false;
+    for (std::uint32_t k = 0; k < view.beside_count; ++k) {
+      beside = beside || decide(query, rays[i], view.beside[k]).hit;
+    }
+    if (beside) {
+      blocked |= 1u << i;
+    } else if (view.root != kNothing && prepare(view, rays[i], work.r[i])) {
+      if (view.root & kLeaf) {
+        work.leaves.add(view.root, i);
+      } else {
+        work.inner.add(view.root, i);
+      }
+    }
   }
   return blocked;
 }
@@ -146,29 +181,12 @@ PT_INLINE std::uint32_t finish(const WideQuery& query, const Ray* rays, std::uin
 // Bit i of the result says whether ray i is blocked.
 PT_INLINE std::uint32_t any_hits(const WideQuery& query, const Ray* rays, int count) {
   const WideView& view = query.view;
-  const std::uint32_t all = (1u << count) - 1;
   GroupWork work;
-  std::uint32_t blocked = 0, valid = 0;
-  for (int i = 0; i < count; ++i) {
-    valid |= static_cast<std::uint32_t>(prepare(view, rays[i], work.r[i])) << i;
-    for (std::uint32_t k = 0; k < view.beside_count; ++k) {
-      if (decide(query, rays[i], view.beside[k]).hit) blocked |= 1u << i;
-    }
-  }
-  valid &= ~blocked;
-  if (view.root == kNothing || valid == 0) return blocked;
-  if (valid == all && !(view.root & kLeaf) && are_alike(work.r, count)) {
-    blocked = enter_root(query, rays, count, work);
-  } else {
-    for (; valid != 0; valid &= valid - 1) {
-      const int i = __builtin_ctz(valid);
-      if (view.root & kLeaf) {
-        work.leaves.add(view.root, i);
-      } else {
-        work.inner.add(view.root, i);
-      }
-    }
-  }
+  // A root of kNothing is a leaf too.
+  const bool alike =
+      view.beside_count == 0 && !(view.root & kLeaf) && prepare_alike(view, rays, count, work.r);
+  const std::uint32_t blocked =
+      alike ? enter_root(query, rays, count, work) : enter_any(query, rays, count, work);
   return finish(query, rays, blocked, work);
 }
 

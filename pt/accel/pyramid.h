@@ -23,15 +23,19 @@ struct Pyramid {
 };
 
 // Whether the rays differ in nothing but their direction.
-PT_INLINE bool are_alike(const FloatRay* r, int count) {
-  Ints4 other{};
-  bool alike = true;
+PT_INLINE bool are_alike(const Ray* rays, int count) {
+  const auto differ = [](double a, double b) __attribute__((always_inline)) {
+    return __builtin_bit_cast(std::uint64_t, a) ^ __builtin_bit_cast(std::uint64_t, b);
+  };
+  const Ray& first = rays[0];
+  std::uint64_t other = 0;
   for (int i = 1; i < count; ++i) {
-    other |= (Ints4)load<4>(r[i].origin) ^ (Ints4)load<4>(r[0].origin);
-    alike &= (r[i].t_min == r[0].t_min) & (r[i].t_max == r[0].t_max) & (r[i].reach == r[0].reach) &
-             (r[i].leaves == r[0].leaves);
+    other |= differ(rays[i].origin.x, first.origin.x) | differ(rays[i].origin.y, first.origin.y) |
+             differ(rays[i].origin.z, first.origin.z) | differ(rays[i].t_min, first.t_min) |
+             differ(rays[i].t_max, first.t_max);
+    other |= static_cast<std::uint64_t>(rays[i].leaves ^ first.leaves);
   }
-  return alike & ((other[0] | other[1] | other[2]) == 0);
+  return other == 0;
 }
 
 // Of rays that are alike.
