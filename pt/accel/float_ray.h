@@ -159,9 +159,11 @@ PT_INLINE void set_direction(FloatRay& r, Floats4 direction, Floats4 length) {
   store<4>(r.last, rows + (3 - down));
 }
 
+// Of a direction, from the sizes of its components.
 PT_INLINE bool is_usual(Floats4 length) {
-  return ((less_equal<4>(length, splat<4>(kLong)) & 7) == 7) &
-         ((less_equal<4>(splat<4>(kShort), length) & 7) != 0);
+  const std::uint32_t not_too_long = less_equal<4>(length, splat<4>(kLong)) & 7;
+  const std::uint32_t long_enough = less_equal<4>(splat<4>(kShort), length) & 7;
+  return (not_too_long == 7) & (long_enough != 0);
 }
 
 PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
