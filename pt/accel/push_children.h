@@ -39,7 +39,7 @@ PT_INLINE WideRef push_many(const Node& node, const float* enter, std::uint32_t 
   return stack.ref[--stack.size];
 }
 
-#if defined(__AVX2__) && defined(__BMI2__)
+#if defined(__AVX2__)
 
 // One layer of a sorting network: lanes exchange with those of `b`, and those of `upper` take the
 // smaller.
@@ -109,7 +109,7 @@ PT_INLINE WideRef push_few(const Node& node, NodeFloats enter, std::uint32_t mas
 PT_INLINE WideRef push_children(const Node& node, NodeFloats enter, std::uint32_t mask,
                                 Stack& stack) {
   if ((mask & (mask - 1)) == 0) return node.child[__builtin_ctz(mask)];
-#if defined(__AVX2__) && defined(__BMI2__)
+#if defined(__AVX2__)
   const int count = __builtin_popcount(mask);
   if (count <= 8) return push_few(node, enter, mask, count, stack);
 #endif
