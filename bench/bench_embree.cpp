@@ -2,7 +2,7 @@
 // was reached. See docs/performance.md.
 #include "bench/against_embree.h"
 #include "pt/accel/kernel.h"
-#include "pt/error.h"
+#include "pt/command_line.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -45,24 +45,7 @@ std::string default_scenes() {
   return named != nullptr ? named : FIRSTLIGHT_ROOT "/../shared/scenes";
 }
 
-int run(int count, char** arguments) {
-  CLI::App app(
-      "The wide engine against Embree 3: rays, whole pictures, threads, memory.\n"
-      "Writes rays.csv, rays.svg, renders.csv and goals.csv. About five minutes.");
-  pt::BenchSettings settings;
-  std::string scenes = default_scenes();
-  bool quick = false;
-  app.add_option("--out", settings.folder, "folder of what is written")
-      ->check(CLI::ExistingDirectory)
-      ->capture_default_str();
-  app.add_option("--scenes", scenes, "folder of the course's scenes (sky/CBbunny.dae, ...)")
-      ->capture_default_str();
-  app.add_flag("--quick", quick, "a look in half a minute: fewer rounds and rays, small pictures");
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+int run(pt::BenchSettings settings, const std::string& scenes, bool quick) {
   std::vector<int> blobs{1000, 10000, 100000, 1000000};
   if (quick) {
     settings = {settings.folder, 3, 20000, 160, 4};
@@ -86,10 +69,17 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // each line when it is known, also into a pipe
-  try {
-    return run(count, arguments);
-  } catch (const pt::Error& error) {
-    std::fprintf(stderr, "bench_embree: %s\n", error.what());
-    return 2;
-  }
+  CLI::App app(
+      "The wide engine against Embree 3: rays, whole pictures, threads, memory.\n"
+      "Writes rays.csv, rays.svg, renders.csv and goals.csv. About five minutes.");
+  pt::BenchSettings settings;
+  std::string scenes = default_scenes();
+  bool quick = false;
+  app.add_option("--out", settings.folder, "folder of what is written")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
+  app.add_option("--scenes", scenes, "folder of the course's scenes (sky/CBbunny.dae, ...)")
+      ->capture_default_str();
+  app.add_flag("--quick", quick, "a look in half a minute: fewer rounds and rays, small pictures");
+  return pt::run_command_line(app, count, arguments, [&] { return run(settings, scenes, quick); });
 }

@@ -1,17 +1,16 @@
 // Judges the reference's own pictures, with one seed after the other: how often does a right
 // submission fail? Each verdict is a line of a CSV, and what is there already is not judged again,
 // so that it may be stopped and started as one likes. Exit status 1 if a picture failed.
+#include "grader/judge/parallel.h"
 #include "grader/pictures/judge_recipe.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <set>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -69,29 +68,21 @@ int run(const Options& options) {
   }
   std::ofstream csv(options.out, std::ios::app);
   if (!csv) throw pt::Error(options.out + ": cannot be written; choose another --out");
-  std::atomic<std::size_t> next{0}, ended{0}, failed{0}, later{0};
+  std::size_t ended = 0, failed = 0, later = 0;
   std::mutex writing;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < jobs.size(); i = next++) {
-      const PictureResult result = judge(jobs[i], options);
-      const std::lock_guard lock(writing);
-      failed += result.state == State::pass ? 0 : 1;
-      later += result.stages > 1 ? 1 : 0;
-      csv << fmt::format("{},{},{},{},{:.3f},{:.3f},\"{}\"\n", jobs[i].recipe->name, jobs[i].seed,
-                         name(result.state), result.stages, result.noise, result.seconds,
-                         result.text)
-          << std::flush;
-      std::fprintf(stderr, "\r%zu of %zu, %zu asked for a second stage, %zu failed", ++ended,
-                   jobs.size(), later.load(), failed.load());
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    threads.reserve(static_cast<std::size_t>(options.threads));
-    for (int i = 0; i < options.threads; ++i) threads.emplace_back(work);
-  }
+  for_each(jobs.size(), options.threads, [&](std::size_t i) {
+    const PictureResult result = judge(jobs[i], options);
+    const std::lock_guard lock(writing);
+    failed += result.state == State::pass ? 0 : 1;
+    later += result.stages > 1 ? 1 : 0;
+    csv << fmt::format("{},{},{},{},{:.3f},{:.3f},\"{}\"\n", jobs[i].recipe->name, jobs[i].seed,
+                       name(result.state), result.stages, result.noise, result.seconds, result.text)
+        << std::flush;
+    std::fprintf(stderr, "\r%zu of %zu, %zu asked for a second stage, %zu failed", ++ended,
+                 jobs.size(), later, failed);
+  });
   fmt::print("\n{} verdicts new, {} known before: {} failed, {} asked for a second stage\n",
-             jobs.size(), known.size(), failed.load(), later.load());
+             jobs.size(), known.size(), failed, later);
   return failed == 0 ? 0 : 1;
 }
 

@@ -118,6 +118,19 @@ void place(Primitives& primitives, double scale, Vec3 shift) {
   for (Sphere& s : primitives.spheres) s = {scale * s.center + shift, scale * s.radius};
 }
 
+void place(Ray& ray, double scale, Vec3 shift) {
+  ray.origin = scale * ray.origin + shift;
+  ray.direction *= scale;
+}
+
+std::vector<WideBvh> with_each(const std::vector<const Kernel*>& kernels,
+                               const Primitives& primitives) {
+  std::vector<WideBvh> bvhs;
+  bvhs.reserve(kernels.size());
+  for (const Kernel* kernel : kernels) bvhs.push_back(WideBvh::build(primitives, *kernel));
+  return bvhs;
+}
+
 // A triangle that another ray hits, if this one does not: then it may say that it leaves it.
 std::int64_t if_missed(const Primitives& primitives, const Brute& hit, const Ray& ray) {
   if (hit.primitive < 0 || !primitives.is_triangle(hit.primitive)) return -1;
@@ -139,14 +152,11 @@ TEST_P(Wide, answers_like_asking_every_primitive_with_any_kernel) {
     std::vector<Ray> rays;
     for (int i = 0; i < 10000; ++i) {
       rays.push_back(hard_ray(mesh.primitives, sampler));
-      rays.back().origin = scale * rays.back().origin + shift;
-      rays.back().direction *= scale;
+      place(rays.back(), scale, shift);
     }
     Primitives primitives = mesh.primitives;
     place(primitives, scale, shift);
-    std::vector<WideBvh> bvhs;
-    bvhs.reserve(all.size());
-    for (const Kernel* kernel : all) bvhs.push_back(WideBvh::build(primitives, *kernel));
+    const std::vector<WideBvh> bvhs = with_each(all, primitives);
     int hits = 0;
     for (const Ray& ray : rays) {
       const Brute expected = brute_force(primitives, ray);
@@ -168,16 +178,13 @@ TEST_P(Wide, answers_groups_from_one_point_like_asking_every_primitive) {
     Sampler sampler(++seed);
     Primitives primitives = mesh.primitives;
     place(primitives, scale, shift);
-    std::vector<WideBvh> bvhs;
-    bvhs.reserve(all.size());
-    for (const Kernel* kernel : all) bvhs.push_back(WideBvh::build(primitives, *kernel));
+    const std::vector<WideBvh> bvhs = with_each(all, primitives);
     int hits = 0;
     for (int i = 0; i < 1500; ++i) {
       std::vector<Ray> rays = hard_group(mesh.primitives, sampler);
       std::uint32_t expected = 0;
       for (std::size_t k = 0; k < rays.size(); ++k) {
-        rays[k].origin = scale * rays[k].origin + shift;
-        rays[k].direction *= scale;
+        place(rays[k], scale, shift);
         const Brute hit = brute_force(primitives, rays[k]);
         expected |= std::uint32_t{hit.primitive >= 0} << k;
         if (i % 4 == 0 && k > 0) rays[k - 1].leaves = if_missed(primitives, hit, rays[k - 1]);

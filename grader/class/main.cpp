@@ -2,7 +2,7 @@
 // could not, or nothing could.
 #include "grader/class/class.h"
 #include "grader/report/summary.h"
-#include "pt/error.h"
+#include "pt/command_line.h"
 #include "pt/file.h"
 
 #include <cstdio>
@@ -21,10 +21,8 @@ struct Options {
   bool not_isolated = false;
 };
 
-Options parse(int argc, char** argv) {
-  Options options;
+void describe(CLI::App& app, Options& options) {
   ClassRequest& request = options.request;
-  CLI::App app{"Grades every submission in a folder; what follows -- is for grade", "grade-class"};
   app.add_option("folder", request.folder, "a folder with a folder a submission")
       ->required()
       ->check(CLI::ExistingDirectory);
@@ -32,20 +30,15 @@ Options parse(int argc, char** argv) {
   app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
   app.prefix_command();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::exit(app.exit(error) == 0 ? 0 : 2);
-  }
-  request.words = app.remaining();
+}
+
+// `words`: what follows --.
+int run(Options options, const std::vector<std::string>& words) {
+  ClassRequest& request = options.request;
+  request.words = words;
   std::erase(request.words, "--");
   while (request.folder.size() > 1 && request.folder.back() == '/') request.folder.pop_back();
   if (request.out.empty()) request.out = request.folder + "-graded";
-  return options;
-}
-
-int run(Options options) {
-  ClassRequest& request = options.request;
   if (options.config.empty()) options.config = default_config_path();
   const Config config = load_config(options.config);
   request.grade = std::filesystem::path(options.config).parent_path() / "grade";
@@ -74,10 +67,8 @@ int run(Options options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(parse(argc, argv));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  }
+  Options options;
+  CLI::App app{"Grades every submission in a folder; what follows -- is for grade", "grade-class"};
+  describe(app, options);
+  return pt::run_command_line(app, argc, argv, [&] { return run(options, app.remaining()); });
 }

@@ -1,8 +1,8 @@
+#include "grader/judge/parallel.h"
 #include "grader/self_check/submission.h"
 #include "grader/self_check/task_folder.h"
 
 #include <algorithm>
-#include <atomic>
 #include <set>
 #include <thread>
 
@@ -85,18 +85,14 @@ std::vector<Submission> find_submissions(const std::vector<Task>& tasks) {
 }
 
 void judge_all(std::vector<Submission>& submissions) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < submissions.size(); i = next++) {
-      Submission& s = submissions[i];
-      const std::string filter = s.kind == Kind::wrong  ? s.slug + "." + s.label
-                                 : s.kind == Kind::stub ? "*"
-                                                        : "-*_bonus";
-      s.verdict = judge(s.slug, s.file, filter, std::to_string(i));
-    }
-  };
-  std::vector<std::jthread> threads(std::max(1u, std::thread::hardware_concurrency()));
-  for (std::jthread& thread : threads) thread = std::jthread(work);
+  const auto threads = static_cast<int>(std::thread::hardware_concurrency());
+  for_each(submissions.size(), threads, [&](std::size_t i) {
+    Submission& s = submissions[i];
+    const std::string filter = s.kind == Kind::wrong  ? s.slug + "." + s.label
+                               : s.kind == Kind::stub ? "*"
+                                                      : "-*_bonus";
+    s.verdict = judge(s.slug, s.file, filter, std::to_string(i));
+  });
 }
 
 const std::vector<Task>& tasks() {

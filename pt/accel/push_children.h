@@ -70,8 +70,7 @@ PT_INLINE __m256i sorted(__m256i a) {
 // Those lanes of a that bit i of the mask names, in order, then zeros; and lanes of the children.
 #if defined(__AVX512F__)
 PT_INLINE __m256i first_eight(NodeFloats a, std::uint32_t mask, int) {
-  return _mm512_castsi512_si256(
-      _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), (__m512i)a));
+  return _mm512_castsi512_si256(packed((__m512i)a, mask));
 }
 PT_INLINE __m256i pick(const Node& node, __m256i slots) {
   return _mm512_castsi512_si256(_mm512_maskz_permutexvar_epi32(

@@ -89,8 +89,7 @@ PT_INLINE Floats<W> min(Floats<W> a, Floats<W> b) {
 #endif
 #if defined(__AVX__)
   if constexpr (W == 8) return (Floats<W>)_mm256_min_ps((__m256)a, (__m256)b);
-#endif
-#if !defined(__AVX__)
+#else
   if constexpr (W == 8) {
     const FloatHalves x(a), y(b);
     return FloatHalves(min<4>(x.low, y.low), min<4>(x.high, y.high));
@@ -108,8 +107,7 @@ PT_INLINE Floats<W> max(Floats<W> a, Floats<W> b) {
 #endif
 #if defined(__AVX__)
   if constexpr (W == 8) return (Floats<W>)_mm256_max_ps((__m256)a, (__m256)b);
-#endif
-#if !defined(__AVX__)
+#else
   if constexpr (W == 8) {
     const FloatHalves x(a), y(b);
     return FloatHalves(max<4>(x.low, y.low), max<4>(x.high, y.high));
@@ -183,10 +181,15 @@ constexpr SetBits set_bits() {
 }
 constexpr SetBits kSetBits = set_bits();
 
-// The lanes of `mask`, in order, then lane 0 again and again.
+// The lanes of `mask`, in order; then any.
 PT_INLINE __m256i packed(__m256i a, std::uint32_t mask) {
   const __m128i bytes = _mm_cvtsi64_si128(static_cast<long long>(kSetBits.of[mask]));
   return _mm256_permutevar8x32_epi32(a, _mm256_cvtepu8_epi32(bytes));
+}
+#endif
+#if defined(__AVX512F__)
+PT_INLINE __m512i packed(__m512i a, std::uint32_t mask) {
+  return _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), a);  // then zeros
 }
 #endif
 
@@ -195,11 +198,7 @@ PT_INLINE __m256i packed(__m256i a, std::uint32_t mask) {
 template <int W>
 PT_INLINE void copy_packed(const std::uint32_t* from, std::uint32_t mask, std::uint32_t* to) {
 #if defined(__AVX512F__)
-  if constexpr (W == 16) {
-    const __m512i all = _mm512_load_si512(from);
-    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), all));
-    return;
-  }
+  if constexpr (W == 16) return _mm512_storeu_si512(to, packed(_mm512_load_si512(from), mask));
 #endif
 #if defined(__AVX2__)
   if constexpr (W == 8) {
