@@ -52,6 +52,27 @@ TEST(Transform, applies_the_right_factor_first) {
   EXPECT_EQ((stretch * move).point({1, 1, 1}), (Vec3{4, 6, 8}));
 }
 
+// The first outputs of xoshiro256++ from the state 1, 2, 3, 4, as the authors' C program prints
+// them (prng.di.unimi.it/xoshiro256plusplus.c). A number in [0, 1) is made of the upper 53 bits.
+TEST(Sampler, gives_the_published_outputs) {
+  Sampler sampler(Sampler::State{1, 2, 3, 4});
+  for (const std::uint64_t bits :
+       {std::uint64_t{41943041}, std::uint64_t{58720359}, std::uint64_t{3588806011781223},
+        std::uint64_t{3591011842654386}, std::uint64_t{9228616714210784205u},
+        std::uint64_t{9973669472204895162u}, std::uint64_t{14011001112246962877u},
+        std::uint64_t{12406186145184390807u}, std::uint64_t{15849039046786891736u},
+        std::uint64_t{10450023813501588000u}}) {
+    EXPECT_EQ(sampler.next_1d(), std::ldexp(static_cast<double>(bits >> 11), -53));
+  }
+}
+
+// SplitMix64 from the seed 1477776061723855037 (prng.di.unimi.it/splitmix64.c) fills the state.
+TEST(Sampler, fills_its_state_as_published) {
+  EXPECT_EQ(Sampler(1477776061723855037u).state(),
+            (Sampler::State{1985237415132408290u, 2979275885539914483u, 13511426838097143398u,
+                            8488337342461049707u}));
+}
+
 TEST(Sampler, goes_on_from_its_state) {
   Sampler a(7);
   a.next_2d();

@@ -1,3 +1,8 @@
+#include "pt/image/film.h"
+#include "pt/image/image_io.h"
+#include "pt/image/tone_map.h"
+#include "pt/math/vec3.h"
+
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -19,13 +24,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A lit floor, as small as a scene can be.
+// A lit floor, as small as a scene can be, and a camera that looks straight down at it.
 const char* const kScene = R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
  <asset><up_axis>Y_UP</up_axis></asset>
  <library_effects><effect id="e"><profile_COMMON/>%EFFECT%</effect></library_effects>
  <library_materials><material id="m" name="paint"><instance_effect url="#e"/></material></library_materials>
  <library_lights><light id="l"><technique_common><point><color>9 9 9</color></point></technique_common></light></library_lights>
+ <library_cameras><camera id="c"><optics><technique_common><perspective>
+  <xfov>40</xfov><aspect_ratio>1.3333333333333333</aspect_ratio><znear>.1</znear><zfar>100</zfar>
+ </perspective></technique_common></optics></camera></library_cameras>
  <library_geometries><geometry id="g"><mesh>
   <source id="p"><float_array id="a" count="9">-2 0 2 2 0 2 0 0 -2</float_array>
    <technique_common><accessor source="#a" count="3" stride="3"/></technique_common></source>
@@ -36,6 +44,7 @@ const char* const kScene = R"(<?xml version="1.0"?>
   <node><instance_geometry url="#g"><bind_material><technique_common>
    <instance_material symbol="s" target="#m"/></technique_common></bind_material></instance_geometry></node>
   <node><translate>0 3 0</translate><instance_light url="#l"/></node>
+  <node><translate>0 2 0</translate><rotate>1 0 0 -90</rotate><instance_camera url="#c"/></node>
  </visual_scene></library_visual_scenes>
  <scene><instance_visual_scene url="#s"/></scene>
 </COLLADA>
@@ -117,6 +126,78 @@ TEST_F(RenderProgram, shows_every_view) {
   for (const char* camera : {"course", "fit", "file"}) {
     EXPECT_EQ(run(std::string("scene.dae -s 2 -r 8 6 --camera ") + camera), 0) << said();
   }
+}
+
+// What the options mean, seen in the picture. The floor is diffuse with albedo .5, and the only
+// light a point light of intensity 9, 3 above its middle: a point of the floor at distance d sees
+// .5 / pi * 9 / d^2 * 3 / d, at most .5 / pi.
+class Options : public RenderProgram {
+ protected:
+  pt::Film rendered(const std::string& options, const std::string& scene = "scene.dae") {
+    EXPECT_EQ(run(scene + " --camera file -f a.exr -r 16 12 " + options), 0)
+        << options << ": " << said();
+    return pt::read_exr(folder_ / "a.exr");
+  }
+  static double brightest(const pt::Film& film) {
+    double most = 0;
+    for (const pt::FilmPixel& pixel : film.pixels) most = std::max(most, pixel.mean.g);
+    return most;
+  }
+  static double noise(const pt::Film& film) {
+    double sum = 0;
+    for (const pt::FilmPixel& pixel : film.pixels) sum += pixel.variance_y;
+    return sum;
+  }
+};
+
+TEST_F(Options, count_bounces_and_choose_those_shown) {
+  EXPECT_EQ(brightest(rendered("-s 1 -m 0")), 0);
+  const double direct = brightest(rendered("-s 1 -m 1"));
+  EXPECT_LE(direct, 0.5 / pt::kPi * (1 + 1e-6));
+  EXPECT_GE(direct, 0.8 * 0.5 / pt::kPi);
+  // A floor alone sees no other surface.
+  EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show direct")), direct);
+  EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show bounce --bounce 1")), direct);
+  EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show indirect")), 0);
+  EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show bounce --bounce 2")), 0);
+  // The floor's normal is (0, 1, 0), shown as (n + 1) / 2.
+  EXPECT_NEAR(brightest(rendered("-s 1 --show normals")), 1, 1e-6);
+}
+
+// Directions over the hemisphere never meet a point.
+TEST_F(Options, H_samples_the_hemisphere) { EXPECT_EQ(brightest(rendered("-s 4 -m 1 -H")), 0); }
+
+TEST_F(Options, exposure_multiplies_what_is_shown) {
+  const pt::Film film = rendered("-s 1 -m 1");
+  for (const double exposure : {1.0, 2.5}) {
+    ASSERT_EQ(run("scene.dae --camera file -f a.png -r 16 12 -s 1 -m 1 --exposure " +
+                  std::to_string(exposure)),
+              0);
+    const pt::Image shown = pt::read_image(folder_ / "a.png");
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+      const auto code = pt::encode(film.pixels[i].mean.g, exposure);
+      EXPECT_EQ(shown.pixels[i].g, pt::decode(code));
+    }
+  }
+}
+
+TEST_F(Options, a_seed_names_the_noise) {
+  const auto means = [&](const std::string& options) {
+    return pt::mean(rendered("-s 2 " + options)).pixels;
+  };
+  const auto one = means("--seed 1");
+  EXPECT_TRUE(means("--seed 1 -t 2") == one);
+  EXPECT_TRUE(means("--seed 2") != one);
+}
+
+// One light of an area: the variance of direct light falls with the number of its samples, but for
+// the part that the place in the pixel makes.
+TEST_F(Options, l_is_the_number_of_samples_of_an_area_light) {
+  const std::string scene = FIRSTLIGHT_SCENES "/box_spheres.dae";
+  const double one = noise(rendered("-s 64 -m 1 -l 1 --show direct", scene));
+  const double many = noise(rendered("-s 64 -m 1 -l 64 --show direct", scene));
+  EXPECT_LT(many, 0.8 * one);
+  EXPECT_GT(many, 0);
 }
 
 // One sentence and exit code 2, before anything is rendered, and no file.

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +94,51 @@ TEST(RenderFilm, leaves_out_samples_that_are_not_finite) {
     for (int x = 0; x < result.film.width; ++x) {
       EXPECT_TRUE(is_finite(result.film.at(x, y).mean));
     }
+  }
+}
+
+// A wall that reflects nothing and glows adds its radiance to every sample that meets it, and to no
+// other: a finite glow, far above all else, says how many samples of each pixel an infinite one
+// spoils, and what the others add up to.
+TEST(RenderFilm, counts_and_averages_around_samples_that_are_not_finite) {
+  constexpr double kGlow = 1e9;
+  constexpr int kSamples = 4;
+  const auto render = [](double glow, int threads) {
+    Scene scene = make_scene(gray(glow));
+    scene.materials[1].albedo = {};
+    // Its lowest corner is on the right: the pixel named is not among the first that are rendered.
+    scene.primitives.triangles[2] = flat_triangle({-4, 2, -4}, {4, 0, -4}, {0, 4, -4});
+    scene.tracer = Tracer(Engine::task, scene.primitives);
+    return render_film(make_view(scene), {kSamples, {}, 5, threads});
+  };
+  const RenderResult finite = render(kGlow, 2);
+  const RenderResult infinite = render(std::numeric_limits<double>::infinity(), 2);
+  ASSERT_EQ(finite.not_finite, 0);
+
+  long long spoiled_in_all = 0;
+  int some_are_left = 0;
+  std::optional<BadPixel> first;
+  for (int y = finite.film.height - 1; y >= 0; --y) {  // from the bottom row up
+    for (int x = 0; x < finite.film.width; ++x) {
+      const double sum = kSamples * finite.film.at(x, y).mean.r;
+      const int spoiled = static_cast<int>(std::floor(sum / kGlow));
+      const int left = kSamples - spoiled;
+      spoiled_in_all += spoiled;
+      if (spoiled > 0 && !first) first = BadPixel{x, finite.film.height - 1 - y};
+      const double others = sum - spoiled * kGlow;
+      const double mean = left > 0 ? others / left : 0;
+      EXPECT_NEAR(infinite.film.at(x, y).mean.r, mean, 1e-5) << x << " " << y;
+      some_are_left += spoiled > 0 && left > 0 && mean > 0.01 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(some_are_left, 0) << "no pixel shows what the mean is taken over";
+  EXPECT_EQ(infinite.not_finite, spoiled_in_all);
+  ASSERT_TRUE(first);
+  for (const int threads : {1, 2, 3, 4, 5, 6, 7}) {
+    const auto named = render(std::numeric_limits<double>::infinity(), threads).first_bad;
+    ASSERT_TRUE(named);
+    EXPECT_EQ(named->x, first->x);
+    EXPECT_EQ(named->y, first->y);
   }
 }
 
