@@ -79,7 +79,7 @@ inline std::string what_is_missing(const Points& points, const Cells& cells) {
     return fmt::format("only {} different points among {}", different.size(), n);
   }
   if (diagonal) return "all points on the diagonal: x and y are the same number";
-  if (low.x > 0.02 || low.y > 0.02 || high.x < 0.98 || high.y < 0.98) {
+  if (low.x > 0.06 || low.y > 0.06 || high.x < 0.94 || high.y < 0.94) {
     return fmt::format(
         "no points but from {:.2f} to {:.2f} of the width and {:.2f} to {:.2f} of "
         "the height",

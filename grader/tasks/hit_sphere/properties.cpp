@@ -10,6 +10,12 @@ namespace {
 
 using namespace hit_sphere_cases;
 
+// The same case after `change`, drawn as one value, so that a failure shows the ray that failed.
+template <class Case, class Change>
+rc::Gen<Case> changed(const rc::Gen<Case>& made, const Change& change) {
+  return rc::gen::exec([=] { return change(*made); });
+}
+
 pt::SurfaceHit expect_hit(const pt::Sphere& sphere, const pt::Ray& ray) {
   const auto hit = pt::hit_sphere(sphere, ray);
   expect(hit.has_value(), "a hit", "none");
@@ -47,20 +53,21 @@ PROMISE(hit_sphere, misses_beside_the_sphere) {
        {std::array{1e-3, 1e2, 100.0}, std::array{2 * kTouching, 1e-3, 500.0}}) {
     for_all([low = low, high = high, far = far] {
       const Passing c = *passing(low, high, far);
+      expect_miss(c.sphere, c.ray, "the ray passes beside the sphere");
       expect(pt::hit_sphere(c.sphere, c.through).has_value(),
              "a hit when the ray is turned to the sphere's centre", "none");
-      expect_miss(c.sphere, c.ray, "the ray passes beside the sphere");
     });
   }
 }
 
 PROMISE(hit_sphere, finds_the_near_side) {
   for_all([] {
-    Chord c = *chord(From::outside);
-    const double before = std::max(0.0, c.t_near - 3 * c.slack);
-    c.ray.t_min = before * draw("t_min as a part of the way", rc::gen::element(0.0, 0.5, 1.0));
-    c.ray.t_max = c.t_far + (3 * c.slack + c.length() * draw("chords from the far point to t_max",
-                                                             magnitude(1e-6, 1e6)));
+    const Chord c = *changed(chord(From::outside), [](Chord made) {
+      const double before = std::max(0.0, made.t_near - 3 * made.slack);
+      made.ray.t_min = before * *rc::gen::element(0.0, 0.5, 1.0);
+      made.ray.t_max = made.t_far + 3 * made.slack + made.length() * *magnitude(1e-6, 1e6);
+      return made;
+    });
     const double t = expect_hit(c.sphere, c.ray).t;
     expect(std::abs(t - c.t_near) < 0.5 * c.length(),
            "the nearer of the two points in the range, t about " + show(c.t_near),
@@ -77,17 +84,21 @@ PROMISE(hit_sphere, hits_from_inside) {
   });
   // The near point lies before t_min, which leaves the far one.
   for_all([] {
-    Chord c = *chord(From::outside);
-    const double part = draw("t_min as a part of the chord", rc::gen::element(0.0, 0.5, 1.0));
-    c.ray.t_min = c.t_near + 3 * c.slack + part * (c.length() - 6 * c.slack);
+    const Chord c = *changed(chord(From::outside), [](Chord made) {
+      const double part = *rc::gen::element(0.0, 0.5, 1.0);
+      made.ray.t_min = made.t_near + 3 * made.slack + part * (made.length() - 6 * made.slack);
+      return made;
+    });
     const auto hit = pt::hit_sphere(c.sphere, c.ray);
     expect(hit.has_value(), "a hit on the far side, since the near one is before t_min", "none");
     expect_near("t at the far side, since the near one is before t_min", hit->t, c.t_far, c.slack);
   });
   // From a point of the surface, which may count or not.
   for_all([] {
-    Chord c = *chord(From::inside);
-    c.ray.origin = c.ray.at(c.t_near);
+    const Chord c = *changed(chord(From::inside), [](Chord made) {
+      made.ray.origin = made.ray.at(made.t_near);
+      return made;
+    });
     const double t = expect_hit(c.sphere, c.ray).t;
     expect(t >= 0 && (t <= 2 * c.slack || std::abs(t - c.length()) <= 2 * c.slack),
            "t of the far side, " + show(c.length()) + ", or of the start itself", "t " + show(t));
@@ -120,9 +131,11 @@ PROMISE(hit_sphere, keeps_t_inside_the_ray) {
   }
   // A range that begins right before the near point and ends right beyond it has it inside.
   for_all([] {
-    Chord c = *chord(From::outside);
-    c.ray.t_min = c.t_near - 2 * c.slack;
-    c.ray.t_max = c.t_near + 2 * c.slack;
+    const Chord c = *changed(chord(From::outside), [](Chord made) {
+      made.ray.t_min = made.t_near - 2 * made.slack;
+      made.ray.t_max = made.t_near + 2 * made.slack;
+      return made;
+    });
     expect(pt::hit_sphere(c.sphere, c.ray).has_value(), "a hit in the range of t", "none");
   });
 }
@@ -147,8 +160,10 @@ PROMISE(hit_sphere, returns_the_outward_unit_normal) {
   // Seen from inside; that there is a hit is another promise.
   for (const From from : {From::inside, From::outside}) {
     for_all([=] {
-      Chord c = *chord(from, {.radius = 1e6});
-      if (from == From::outside) c.ray.t_min = 0.5 * (c.t_near + c.t_far);
+      const Chord c = *changed(chord(from, {.radius = 1e6}), [=](Chord made) {
+        if (from == From::outside) made.ray.t_min = 0.5 * (made.t_near + made.t_far);
+        return made;
+      });
       const auto hit = pt::hit_sphere(c.sphere, c.ray);
       if (hit) expect_outward_unit(c, *hit);
     });
@@ -157,35 +172,48 @@ PROMISE(hit_sphere, returns_the_outward_unit_normal) {
 
 // The same line with a direction of another length; what the task says of a unit direction is
 // compared with, not what is true.
-void expect_scaled(const Chord& c, double factor) {
-  const auto unit = pt::hit_sphere(c.sphere, c.ray);
-  const pt::Ray scaled{c.ray.origin, factor * c.ray.direction, c.ray.t_min / factor,
-                       c.ray.t_max / factor};
-  const auto hit = pt::hit_sphere(c.sphere, scaled);
+struct Scaled {
+  Chord unit;
+  double factor;
+  pt::Ray ray;
+};
+
+void showValue(const Scaled& scaled, std::ostream& out) {
+  show_lines(out, scaled.unit.sphere, scaled.ray);
+}
+
+Scaled scaled(const Chord& c) {
+  const double factor = *rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9),
+                                        rc::gen::element(1e-9, 0.5, 2.0, 1e9));
+  return {c,
+          factor,
+          {c.ray.origin, factor * c.ray.direction, c.ray.t_min / factor, c.ray.t_max / factor}};
+}
+
+void expect_scaled(const Scaled& c) {
+  const auto hit = pt::hit_sphere(c.unit.sphere, c.ray);
+  const auto unit = pt::hit_sphere(c.unit.sphere, c.unit.ray);
   expect(hit.has_value() == unit.has_value(),
          unit ? "a hit, as with a unit direction" : "no hit, as with a unit direction",
          hit ? show(*hit) : "none");
   if (!hit) return;
   expect(hit->t > 0, "t above 0", "t " + show(hit->t));
-  expect_near("t times the factor", hit->t * factor, unit->t, 2 * c.slack);
+  expect_near("t times the direction's length", hit->t * c.factor, unit->t, 2 * c.unit.slack);
 }
 
 PROMISE(hit_sphere, counts_t_in_the_directions_length) {
-  const auto some_factor = [] {
-    return draw("the direction's factor", rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9),
-                                                         rc::gen::element(1e-9, 0.5, 2.0, 1e9)));
-  };
-  for_all([=] {
-    const Chord c = *chord(From::outside);
-    const double factor = some_factor();
-    expect(pt::hit_sphere(c.sphere, c.ray).has_value(), "a hit with a unit direction", "none");
-    expect_scaled(c, factor);
+  for_all([] {
+    const Scaled c = *rc::gen::exec([] { return scaled(*chord(From::outside)); });
+    expect_scaled(c);
+    expect(pt::hit_sphere(c.unit.sphere, c.unit.ray).has_value(), "a hit with a unit direction",
+           "none");
   });
-  for_all([=] {
-    Chord c = *chord(*rc::gen::element(From::outside, From::inside, From::behind));
-    const double factor = some_factor();
-    c.ray.t_max = std::max(c.t_near, 0.0) + 1.5 * c.length();
-    expect_scaled(c, factor);
+  for_all([] {
+    expect_scaled(*rc::gen::exec([] {
+      Chord c = *chord(*rc::gen::element(From::outside, From::inside, From::behind));
+      c.ray.t_max = std::max(c.t_near, 0.0) + 1.5 * c.length();
+      return scaled(c);
+    }));
   });
 }
 

@@ -9,6 +9,12 @@ namespace {
 
 using namespace hit_triangle_cases;
 
+// The same case after `change`, drawn as one value, so that a failure shows the ray that failed.
+template <class Case, class Change>
+rc::Gen<Case> changed(const rc::Gen<Case>& made, const Change& change) {
+  return rc::gen::exec([=] { return change(*made); });
+}
+
 pt::SurfaceHit expect_hit(const Aimed& aimed) {
   const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
   expect(hit.has_value(), "a hit", "none");
@@ -61,9 +67,9 @@ PROMISE(hit_triangle, misses_outside) {
   for_all(
       [] {
         const InAndOut aimed = *aimed_outside();
+        expect_miss(aimed.out.triangle, aimed.out.ray, "the ray is aimed beside the triangle");
         expect(hit_from_either_side(aimed.in).has_value(),
                "a hit when the ray is turned to a point inside", "none");
-        expect_miss(aimed.out.triangle, aimed.out.ray, "the ray is aimed beside the triangle");
       },
       300);
 }
@@ -71,30 +77,34 @@ PROMISE(hit_triangle, misses_outside) {
 PROMISE(hit_triangle, keeps_t_inside_the_ray) {
   const std::string none = "the point is not in the range of t";
   for_all([=] {
-    Aimed aimed = *aimed_inside();
-    aimed.ray.t_max = (aimed.t - 2 * aimed.tolerance) *
-                      draw("t_max as a part of the way", rc::gen::element(1.0, 0.999, 0.5, 0.0));
+    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+      made.ray.t_max = (made.t - 2 * made.tolerance) * *rc::gen::element(1.0, 0.999, 0.5, 0.0);
+      return made;
+    });
     expect_miss(aimed.triangle, aimed.ray, none);
   });
   for_all([=] {
-    Aimed aimed = *aimed_inside();
-    aimed.ray.t_min = (aimed.t + 2 * aimed.tolerance) *
-                      draw("t_min in parts of the way", rc::gen::element(1.0, 1.001, 1e3));
+    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+      made.ray.t_min = (made.t + 2 * made.tolerance) * *rc::gen::element(1.0, 1.001, 1e3);
+      return made;
+    });
     expect_miss(aimed.triangle, aimed.ray, none);
   });
   for_all([=] {
-    Aimed aimed = *aimed_inside();
-    aimed.ray.direction = -aimed.ray.direction;
-    aimed.ray.t_max =
-        draw("t_max", rc::gen::oneOf(magnitude(1e-3, 1e3), rc::gen::just(pt::kInfinity)));
+    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+      made.ray.direction = -made.ray.direction;
+      made.ray.t_max = *rc::gen::oneOf(magnitude(1e-3, 1e3), rc::gen::element(1.0, pt::kInfinity));
+      return made;
+    });
     expect_miss(aimed.triangle, aimed.ray, "the triangle is behind the origin");
   });
   // A range that ends right beyond the point and begins right before it has the point in it.
   for_all([] {
-    Aimed aimed = *aimed_inside();
-    aimed.ray.t_min = std::max(0.0, aimed.t - 2 * aimed.tolerance);
-    aimed.ray.t_max = aimed.t + 2 * aimed.tolerance;
-    expect_hit_from_either_side(aimed);
+    expect_hit_from_either_side(*changed(aimed_inside(), [](Aimed made) {
+      made.ray.t_min = std::max(0.0, made.t - 2 * made.tolerance);
+      made.ray.t_max = made.t + 2 * made.tolerance;
+      return made;
+    }));
   });
 }
 
@@ -152,29 +162,39 @@ PROMISE(hit_triangle, hits_both_faces) {
   });
 }
 
-// Compared with what the task says of a unit direction.
-void expect_scaled(Aimed aimed, double factor) {
-  aimed.ray.t_max = 1.5 * aimed.t;
-  const double t = expect_hit_from_either_side(aimed).t;
-  aimed.ray.direction *= factor;
-  aimed.ray.t_max /= factor;
-  aimed.t /= factor;
-  const auto scaled = hit_from_either_side(aimed);
-  expect(scaled.has_value(), "a hit, as with a unit direction", "none");
-  expect(scaled->t > 0, "t above 0", "t " + show(scaled->t));
-  expect_near("t times the factor", scaled->t * factor, t, 4 * aimed.tolerance);
+// A ray whose direction has been made longer or shorter; what the task says of the unit direction
+// is compared with, not what is true.
+Aimed scaled(Aimed made, double factor) {
+  made.ray.direction *= factor;
+  made.t /= factor;
+  made.tolerance /= factor;
+  made.ray.t_max = 1.5 * made.t;
+  return made;
+}
+
+void expect_scaled(const Aimed& aimed) {
+  const auto hit = hit_from_either_side(aimed);
+  const double speed = length(aimed.ray.direction);
+  Aimed unit = aimed;
+  unit.ray.direction = aimed.ray.direction / speed;
+  unit.ray.t_max *= speed;
+  unit.t *= speed;
+  const double t = expect_hit_from_either_side(unit).t;
+  expect(hit.has_value(), "a hit, as with a unit direction", "none");
+  expect(hit->t > 0, "t above 0", "t " + show(hit->t));
+  expect_near("t times the direction's length", hit->t * speed, t, 4 * aimed.tolerance * speed);
 }
 
 PROMISE(hit_triangle, counts_t_in_the_directions_length) {
   for_all([] {
-    const Aimed aimed = *aimed_inside();
-    expect_scaled(aimed, draw("the direction's factor",
-                              rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9))));
+    expect_scaled(*changed(aimed_inside(), [](const Aimed& made) {
+      return scaled(made, *rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9)));
+    }));
   });
   for_all([] {
-    const Aimed aimed = *aimed_inside({.near = 1e-4, .far = 1});
-    expect_scaled(aimed,
-                  draw("the direction's factor", rc::gen::element(2.0, 0.5, 1e9, 1e-9, 1e-8)));
+    expect_scaled(*changed(aimed_inside({.near = 1e-4, .far = 1}), [](const Aimed& made) {
+      return scaled(made, *rc::gen::element(2.0, 0.5, 1e9, 1e-9, 1e-8));
+    }));
   });
 }
 
