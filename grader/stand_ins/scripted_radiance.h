@@ -20,8 +20,9 @@ struct RadianceCall {
   pt::Sampler::State sampler{};  // as it was when radiance was called
 };
 
-// From now on, call i (from 0) returns script(i, ray). Forgets the calls so far.
-void script_radiance(std::function<pt::Rgb(int call, const pt::Ray& ray)> script);
+// From now on, call i (from 0) returns script(i, ray), and each call draws `numbers` numbers from
+// its sampler, as a path does. Forgets the calls so far.
+void script_radiance(std::function<pt::Rgb(int call, const pt::Ray& ray)> script, int numbers = 0);
 
 // The calls since then.
 const std::vector<RadianceCall>& radiance_calls();

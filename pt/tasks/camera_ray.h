@@ -16,6 +16,15 @@ namespace pt {
 // Its edges are where the fields of view say: the left and right edges hfov_deg apart as seen from
 // the camera, the bottom and top edges vfov_deg, whatever the shape of the picture in pixels.
 //
+// Precision: the ray goes through its point of the window to 1e-5 of the window's width and height,
+// for fields of view up to 170 degrees. Single precision and 3.14159 have that; where they have
+// not, in windows under ten degrees, an error of 1e-6 in the unit direction is right too. Its
+// length is 1 to 1e-5. The origin and the clip range are the camera's, in single or in double
+// precision.
+//
+// Calls none of the other tasks. It is called by several threads at once, so it keeps nothing in
+// static variables.
+//
 // Promises:
 //   - starts at the camera: the origin is the camera's position.
 //   - has a unit direction: so that t is a distance.

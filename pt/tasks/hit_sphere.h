@@ -12,20 +12,30 @@ namespace pt {
 //
 // In:  world space. The direction may have any length but zero; t counts in that length.
 // Out: nothing, or the smallest t with t_min <= t <= t_max on the sphere, and the unit normal
-//      there, pointing outwards. A ray that only touches the sphere may hit or miss.
+//      there, pointing outwards.
+//
+// Precision: up to a thousand radii away, the point at t lies on the sphere to 1e-6 radii, and n is
+// right to 1e-6. The quadratic formula in double has that, single precision has not. A point within
+// 1e-6 radii of an end of the range may count or not. A ray that passes within 1e-8 radii of
+// touching the sphere may hit or miss.
+//
+// Calls none of the other tasks. It is called by several threads at once, so it keeps nothing in
+// static variables.
 //
 // Promises:
-//   - hits where it is aimed: a ray at a visible point of the sphere has t at that point.
+//   - hits where it is aimed: a ray at a visible point of the sphere has t at that point, also
+//     where it all but touches the sphere.
 //   - misses beside the sphere: a ray that passes at more than the radius has no hit.
 //   - finds the near side: of two points in the range the first is reported.
-//   - hits from inside: a ray that starts inside has the far point.
+//   - hits from inside: a ray that starts inside, or whose range begins inside, has the far point.
 //   - keeps t inside the ray: no hit before t_min, behind the origin, or beyond t_max.
 //   - returns the outward unit normal: at the reported point, also seen from inside.
-//   - counts t in the direction's length: a direction twice as long has half the t.
+//   - counts t in the direction's length: a direction twice as long has half the t, for lengths
+//     from 1e-9 to 1e9.
 //   - stays accurate at a distance: at a thousand radii the point lies on the sphere to 1e-6 radii.
-//   - stays accurate at any distance (bonus): at ten million radii still to 1e-6 (Haines et al.
-//   2019,
-//     Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, chapter 7).
+//   - stays accurate at any distance (bonus): at ten million radii still to 1e-6 (Haines, Guenther,
+//     Akenine-Moeller 2019, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
+//     chapter 7).
 std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray);
 
 }  // namespace pt

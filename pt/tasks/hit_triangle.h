@@ -19,15 +19,26 @@ namespace pt {
 // A ray that runs in the triangle's plane, and any ray at a triangle without area, misses. On the
 // very edge, hit or miss are both right.
 //
+// Precision: t is right to 1e-9 of the largest length involved (a coordinate, an edge, the way to
+// the point), so single precision is not enough; n is right to 1e-6. In a sliver a thousand times
+// as long as high the error may be a thousand times larger, and so on; likewise where the ray meets
+// the plane at a small angle, down to a millionth of a radian. Flatter rays may miss. A point as
+// close as that to an edge or to an end of the range may count or not.
+//
+// Calls none of the other tasks. It is called by several threads at once, so it keeps nothing in
+// static variables.
+//
 // Promises:
-//   - hits where it is aimed: a ray at a point inside the triangle has t at that point.
+//   - hits where it is aimed: a ray at a point inside the triangle has t at that point, also in
+//     slivers and where ray and plane are almost parallel.
 //   - misses outside: a ray at a point of the plane outside all or any of the edges has no hit.
 //   - keeps t inside the ray: no hit before t_min, behind the origin, or beyond t_max.
 //   - interpolates the corner normals: each weighted by the coordinate of its own corner.
 //   - returns a unit normal: also where the corner normals differ.
 //   - never flips the normal: it does not depend on where the ray comes from.
 //   - hits both faces: whichever way the corners run.
-//   - counts t in the direction's length: a direction twice as long has half the t.
+//   - counts t in the direction's length: a direction twice as long has half the t, for lengths
+//     from 1e-9 to 1e9.
 //   - works at every scale: triangles from a millionth to a million across.
 //   - keeps double precision: t is right to 1e-9 of its size in well-shaped triangles.
 //   - rejects what has no area: degenerate triangles and rays in the plane never hit, nor give NaN.

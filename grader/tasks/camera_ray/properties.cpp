@@ -1,111 +1,130 @@
-#include "grader/property/cameras.h"
 #include "grader/property/property.h"
+#include "grader/tasks/camera_ray/cases.h"
 #include "pt/tasks/camera_ray.h"
 
+#include <algorithm>
 #include <cmath>
+
+// What the picture looks like is judged with a camera at the world's origin that is not turned, and
+// relative to the task's own rays where it is about their differences. That position and frame
+// change nothing is a promise of its own.
 
 namespace grader {
 namespace {
 
-double radians(double degrees) { return degrees * pt::kPi / 180; }
+using namespace camera_ray_cases;
 
-// Rounding in a rotation and a tangent, some hundred times over.
-constexpr double kTolerance = 1e-12;
-
-double along() { return draw("x", real(0, 1)); }
-double upwards() { return draw("y", real(0, 1)); }
-
-// The angle between two unit vectors: exact where it is small too.
-double angle_between(pt::Vec3 a, pt::Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+pt::Ray some_ray(const pt::Camera& camera) {
+  const double x = part_of_picture("x"), y = part_of_picture("y");
+  return pt::camera_ray(camera, x, y);
+}
 
 PROMISE(camera_ray, starts_at_the_camera) {
   for_all([] {
-    const pt::Camera c = *camera();
-    const pt::Ray ray = pt::camera_ray(c, along(), upwards());
-    expect_near("the origin", ray.origin, c.position, 0);
+    const pt::Camera c = *moved();
+    expect_near("the origin", some_ray(c).origin, c.position, kSingle * length(c.position));
   });
 }
 
 PROMISE(camera_ray, has_a_unit_direction) {
   for_all([] {
-    const pt::Camera c = *camera();
-    const pt::Ray ray = pt::camera_ray(c, along(), upwards());
-    expect_near("the length of the direction", length(ray.direction), 1, kTolerance);
+    const pt::Camera c = *moved();
+    expect_near("the length of the direction", length(some_ray(c).direction), 1, kPrecision);
   });
 }
 
 PROMISE(camera_ray, looks_along_minus_z) {
   for_all([] {
-    const pt::Camera c = *camera();
-    const pt::Ray ray = pt::camera_ray(c, 0.5, 0.5);
-    expect_near("the direction through the centre", ray.direction, -c.camera_to_world.z,
-                kTolerance);
+    const pt::Camera c = *unmoved();
+    const Window window = window_of(c);
+    expect_near("the direction through the centre, of a camera that is not turned",
+                normalize(pt::camera_ray(c, 0.5, 0.5).direction), {0, 0, -1},
+                kSingle + kPrecision * std::max(window.width, window.height));
   });
+}
+
+// From the centre to an edge, on one axis of the window.
+void expect_half_angle(const std::string& edge, double fov_deg, double on_window, double size) {
+  const double at_edge = size / 2;
+  const double slack = 2 * tolerance(size, {at_edge, 0}) / (1 + at_edge * at_edge);
+  expect_near("degrees from the centre of the picture to its " + edge + " edge",
+              std::atan(std::abs(on_window)) / radians(1), fov_deg / 2, slack / radians(1));
 }
 
 PROMISE(camera_ray, fills_the_field_of_view) {
   for_all([] {
-    const pt::Camera c = *camera();
-    const pt::Vec3 ahead = -c.camera_to_world.z;
-    const double half_width = radians(c.hfov_deg) / 2, half_height = radians(c.vfov_deg) / 2;
-    const auto angle = [&](double x, double y) {
-      const pt::Vec3 d = pt::camera_ray(c, x, y).direction;
-      return angle_between(d / length(d), ahead);
-    };
-    expect_near("radians to the left edge", angle(0, 0.5), half_width, kTolerance);
-    expect_near("radians to the right edge", angle(1, 0.5), half_width, kTolerance);
-    expect_near("radians to the bottom edge", angle(0.5, 0), half_height, kTolerance);
-    expect_near("radians to the top edge", angle(0.5, 1), half_height, kTolerance);
+    const pt::Camera c = *unmoved();
+    const Window window = window_of(c);
+    const auto at = [&](double x, double y) { return on_plane(pt::camera_ray(c, x, y).direction); };
+    const pt::Vec2 centre = at(0.5, 0.5);
+    expect_half_angle("left", c.hfov_deg, at(0, 0.5).x - centre.x, window.width);
+    expect_half_angle("right", c.hfov_deg, at(1, 0.5).x - centre.x, window.width);
+    expect_half_angle("bottom", c.vfov_deg, at(0.5, 0).y - centre.y, window.height);
+    expect_half_angle("top", c.vfov_deg, at(0.5, 1).y - centre.y, window.height);
   });
 }
 
 PROMISE(camera_ray, puts_x_to_the_right_and_y_up) {
   for_all([] {
-    const pt::Camera c = *camera();
-    const double x = along(), y = upwards();
-    const pt::Vec3 local = c.camera_to_world.to_local(pt::camera_ray(c, x, y).direction);
-    const double off_x = x - 0.5, off_y = y - 0.5;
-    expect(off_x == 0 || local.x * off_x > 0, "to the side of the picture that x is on",
-           show(local) + " in the camera's frame");
-    expect(off_y == 0 || local.y * off_y > 0, "to the side of the picture that y is on",
-           show(local) + " in the camera's frame");
+    const pt::Camera c = *unmoved();
+    const auto at = [&](double x, double y) { return on_plane(pt::camera_ray(c, x, y).direction); };
+    const double low = draw("the smaller of two x, and of two y", real(0, 0.4));
+    const double high = low + draw("their difference", real(0.2, 0.6));
+    const pt::Vec2 first = at(low, low), second = at(high, high);
+    expect(
+        second.x > first.x, "the larger x to be farther to the right",
+        show(first.x) + " on the window for the smaller x, " + show(second.x) + " for the larger");
+    expect(
+        second.y > first.y, "the larger y to be farther up",
+        show(first.y) + " on the window for the smaller y, " + show(second.y) + " for the larger");
   });
 }
 
 PROMISE(camera_ray, keeps_the_picture_flat) {
   for_all([] {
-    const pt::Camera c = *camera();
-    const double x = along(), y = upwards();
-    const pt::Vec2 at = on_picture(c, pt::camera_ray(c, x, y).direction);
-    expect_near("the point on the window, from its left edge", at.x, x, kTolerance);
-    expect_near("the point on the window, from its bottom edge", at.y, y, kTolerance);
+    const pt::Camera c = *unmoved();
+    const Window window = window_of(c);
+    const auto at = [&](double x, double y) { return on_plane(pt::camera_ray(c, x, y).direction); };
+    const double x = part_of_picture("x"), y = part_of_picture("y");
+    const pt::Vec2 corner = at(0, 0), right = at(1, 0), up = at(0, 1), got = at(x, y);
+    expect(right.x != corner.x && up.y != corner.y, "different rays through different corners",
+           "the same ray");
+    const pt::Vec2 farthest{window.width / 2, window.height / 2};
+    expect_near("x on the window, compared with its corners", got.x,
+                corner.x + x * (right.x - corner.x) + y * (up.x - corner.x),
+                4 * tolerance(window.width, farthest));
+    expect_near("y on the window, compared with its corners", got.y,
+                corner.y + x * (right.y - corner.y) + y * (up.y - corner.y),
+                4 * tolerance(window.height, farthest));
   });
 }
 
 PROMISE(camera_ray, turns_with_the_camera) {
   for_all([] {
-    const pt::Camera c = *camera();
+    const pt::Camera c = *moved();
     pt::Camera at_origin = c;
     at_origin.position = {};
     at_origin.camera_to_world = {};
-    const double x = along(), y = upwards();
-    const pt::Vec3 direction = pt::camera_ray(c, x, y).direction;
-    const pt::Vec3 unturned = pt::camera_ray(at_origin, x, y).direction;
-    expect_near("the direction in the camera's frame", c.camera_to_world.to_local(direction),
-                unturned, kTolerance);
+    const double x = part_of_picture("x"), y = part_of_picture("y");
+    const pt::Vec3 direction = normalize(pt::camera_ray(c, x, y).direction);
+    const pt::Vec3 unturned = normalize(pt::camera_ray(at_origin, x, y).direction);
+    const Window window = window_of(c);
+    expect_near("the direction in the camera's frame, compared with a camera that is not turned",
+                c.camera_to_world.to_local(direction), unturned,
+                2 * (kSingle + kPrecision * std::max(window.width, window.height)));
     // A direction that ignores both the frame and the picture is the same everywhere as well.
-    const pt::Vec2 at = on_picture(at_origin, unturned);
-    expect_near("the point on the window of a camera at the origin", pt::Vec3{at.x, at.y, 0},
-                pt::Vec3{x, y, 0}, kTolerance);
+    expect(pt::camera_ray(at_origin, 0, 0).direction != pt::camera_ray(at_origin, 1, 1).direction,
+           "different rays through opposite corners of the picture", "the same ray");
   });
 }
 
 PROMISE(camera_ray, keeps_the_clip_range) {
   for_all([] {
-    const pt::Camera c = *camera();
-    const pt::Ray ray = pt::camera_ray(c, along(), upwards());
-    expect_near("t_min", ray.t_min, c.near_clip, 0);
-    expect(ray.t_max == c.far_clip, "t_max " + show(c.far_clip), "t_max " + show(ray.t_max));
+    const pt::Camera c = *moved();
+    const pt::Ray ray = some_ray(c);
+    expect_near("t_min", ray.t_min, c.near_clip, kSingle * c.near_clip);
+    expect(ray.t_max == c.far_clip || std::abs(ray.t_max - c.far_clip) <= kSingle * c.far_clip,
+           "t_max " + show(c.far_clip), "t_max " + show(ray.t_max));
   });
 }
 

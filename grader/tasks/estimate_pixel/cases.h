@@ -6,7 +6,10 @@
 #include "grader/stand_ins/scripted_radiance.h"
 #include "pt/tasks/estimate_pixel.h"
 
+#include <cmath>
+#include <functional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,16 +28,48 @@ inline void showValue(const Pixel& p, std::ostream& out) {
       << p.height;
 }
 
+// In 0 .. count - 1, the first and the last more often.
+inline int one_of(int count) {
+  switch (*whole(0, 3)) {
+    case 0:
+      return 0;
+    case 1:
+      return count - 1;
+    default:
+      return *whole(0, count - 1);
+  }
+}
+
 inline rc::Gen<Pixel> pixel() {
   return rc::gen::exec([] {
     Pixel p;
     p.camera = *camera();
     std::tie(p.width, p.height) =
-        *rc::gen::element(std::pair{2, 1}, std::pair{1, 3}, std::pair{64, 32}, std::pair{7, 500});
-    p.x = *whole(0, p.width - 1);
-    p.y = *whole(0, p.height - 1);
+        *rc::gen::element(std::pair{2, 1}, std::pair{1, 3}, std::pair{64, 32}, std::pair{7, 500},
+                          std::pair{1, 1}, std::pair{1920, 1080}, std::pair{4000, 3000});
+    p.x = one_of(p.width);
+    p.y = one_of(p.height);
     return p;
   });
+}
+
+// The same in a picture so small that the precision of a camera ray is far below a pixel.
+inline rc::Gen<Pixel> large_pixel() {
+  return rc::gen::exec([] {
+    Pixel p{*camera(), 8, 5, 0, 0};
+    p.x = one_of(p.width);
+    p.y = one_of(p.height);
+    return p;
+  });
+}
+
+// How far a right ray may be from its point, in pixels: the precision of this task and that of the
+// submission's own camera_ray.
+inline pt::Vec2 slack(const Pixel& p) {
+  const double wide = std::tan(p.camera.hfov_deg * pt::kPi / 360);
+  const double high = std::tan(p.camera.vfov_deg * pt::kPi / 360);
+  const double turned = 1e-6 * (1 + wide * wide + high * high);
+  return {p.width * (2e-5 + turned / (2 * wide)), p.height * (2e-5 + turned / (2 * high))};
 }
 
 inline pt::PathSettings some_settings() {
@@ -48,6 +83,38 @@ inline pt::PathSettings some_settings() {
   return s;
 }
 
+// What radiance() returns for each sample of a pixel.
+struct Seen {
+  std::string kind;
+  double scale = 1;
+  std::uint64_t seed = 0;
+
+  pt::Rgb at(int call) const {
+    pt::Sampler random = pt::Sampler::for_pixel(seed, call, 0);
+    const double chance = random.next_1d();
+    const pt::Vec2 rg = random.next_2d();
+    const pt::Rgb color = scale * pt::Rgb{0.1 + rg.x, 0.1 + rg.y, 0.1 + random.next_1d()};
+    if (kind == "all black") return {};
+    if (kind == "all alike") return scale * pt::Rgb{0.1, 0.7, 1};
+    if (kind == "mostly black") return chance < 0.8 ? pt::Rgb{} : color;
+    if (kind == "some a thousand times brighter") return chance < 0.2 ? 1e3 * color : color;
+    return color;
+  }
+};
+
+inline void showValue(const Seen& seen, std::ostream& out) {
+  out << "radiances of about " << show(seen.scale) << ", " << seen.kind << ": " << show(seen.at(0))
+      << ", " << show(seen.at(1)) << " ...";
+}
+
+inline rc::Gen<Seen> any_radiances() {
+  return rc::gen::exec([] {
+    const auto kind = *rc::gen::element<std::string>("all different", "all alike", "mostly black",
+                                                     "some a thousand times brighter", "all black");
+    return Seen{kind, *magnitude(1e-4, 1e6), *sampler_seed()};
+  });
+}
+
 using Script = std::function<pt::Rgb(int call, const pt::Ray& ray)>;
 
 // What one call of the task returned and did.
@@ -58,10 +125,11 @@ struct Estimate {
 };
 
 inline Estimate estimate(const Pixel& p, int samples, pt::Sampler sampler,
-                         const Script& script = {}, const pt::PathSettings& settings = {}) {
+                         const Script& script = {}, const pt::PathSettings& settings = {},
+                         int numbers = 0) {
   const pt::Scene scene;
   const pt::View view{scene, p.camera, settings, p.width, p.height};
-  script_radiance(script);
+  script_radiance(script, numbers);
   const pt::Rgb mean = pt::estimate_pixel(view, p.x, p.y, samples, sampler);
   return {mean, radiance_calls(), sampler};
 }

@@ -13,7 +13,9 @@
 
 namespace grader::hit_triangle_cases {
 
-inline constexpr double kEpsilon = 0x1p-53;
+// The contract's precision: of t, as a part of the largest length that is involved, and of n.
+inline constexpr double kPrecision = 1e-9;
+inline constexpr double kNormalPrecision = 1e-6;
 
 struct Weights {
   double b0, b1, b2;  // sum to 1
@@ -24,20 +26,25 @@ struct Aimed {
   pt::Triangle triangle;
   pt::Ray ray;
   double t;
-  pt::Vec3 n;        // the interpolated normal there
-  double tolerance;  // of t: what rounding does to the plain determinants, some ten times over
+  pt::Vec3 n;          // the interpolated normal there
+  double tolerance;    // of t, by the contract
+  double n_tolerance;  // of n, by the contract
 };
 
 inline void showValue(const Aimed& aimed, std::ostream& out) {
   show_lines(out, aimed.triangle, aimed.ray);
 }
 
-// How far the generator goes.
+// How far the generator goes. Ordinary where nothing is said, so that a mistake with extreme
+// numbers breaks the promises that are about those.
 struct Range {
-  double size_low = 1e-3, size_high = 1e3;  // of the first edge
-  double thin = 1;                          // least height over length
-  double far = 100;                         // largest distance, in sizes
-  double tilt = 1.4;                        // from the plane's normal, radians
+  double size = 10;              // the first edge is from 1 / size to size long
+  double speed = 1;              // the direction, likewise
+  double thin = 0.5;             // least height over length
+  double away = 10;              // largest coordinate, in sizes
+  double near = 1e-2, far = 30;  // the distance, in sizes
+  double flat = 0.17;            // the least angle between ray and plane, radians
+  double steep = 0.5 * pt::kPi;  // the largest
 };
 
 // Unit vectors within a radian of a common axis, which is on either side of the triangle; they
@@ -51,20 +58,24 @@ inline std::array<pt::Vec3, 3> corner_normals() {
   return normals;
 }
 
-// Any rotation, or one whose z is so close to an axis that the other components are all but zero.
+// Any rotation, or one whose z is an axis, or so close to one that the other components are all but
+// zero.
 inline pt::Frame orientation() {
-  if (*whole(0, 2) < 2) return *rotation();
+  const int kind = *whole(0, 3);
+  if (kind < 2) return *rotation();
   pt::Vec3 z;
   z[*whole(0, 2)] = *rc::gen::element(1.0, -1.0);
+  if (kind == 2) return pt::frame_from_normal(z);
   return pt::frame_from_normal(normalize(z + *magnitude(1e-14, 1e-3) * *point(1)));
 }
 
 // The first edge has the length `size`; the third corner is at most one size along it and at least
 // `thin` sizes away from it.
-inline pt::Triangle triangle_of(double size, double thin) {
+inline pt::Triangle triangle_of(const Range& range) {
+  const double size = *magnitude(1 / range.size, range.size);
   const pt::Frame frame = orientation();
-  const pt::Vec3 p0 = size * *point();
-  const double along = *real(0, 1), height = *magnitude(thin, 1);
+  const pt::Vec3 p0 = size * *point(range.away);
+  const double along = *real(0, 1), height = *magnitude(range.thin, 1);
   const auto [n0, n1, n2] = corner_normals();
   return {p0, p0 + size * frame.x, p0 + size * (along * frame.x + height * frame.y), n0, n1, n2};
 }
@@ -74,18 +85,19 @@ inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, const Range& rang
   const pt::Vec3 twice_area = geometric_normal(triangle);
   const pt::Frame plane = pt::frame_from_normal(normalize(twice_area));
   const double side = *rc::gen::element(1.0, -1.0);
-  const double tilt = *real(-range.tilt, range.tilt), roll = *real(-pt::kPi, pt::kPi);
-  const pt::Vec3 towards = plane.to_world(
-      {std::sin(tilt) * std::cos(roll), std::sin(tilt) * std::sin(roll), side * std::cos(tilt)});
+  const double angle = *magnitude(range.flat, range.steep), roll = *real(-pt::kPi, pt::kPi);
+  const double across = std::cos(angle);
+  const pt::Vec3 towards =
+      plane.to_world({across * std::cos(roll), across * std::sin(roll), side * std::sin(angle)});
   const double size = length(triangle.p1 - triangle.p0);
-  const double distance = size * *magnitude(1e-2, range.far);
-  const double speed = *magnitude(1e-3, 1e3);
+  const double distance = size * *magnitude(range.near, range.far);
+  const double speed = *magnitude(1 / range.speed, range.speed);
   const double height = length(twice_area) / size;
-  const double error =
-      64 * kEpsilon * (max_abs(target) + distance + size) * (size / height) / std::cos(tilt);
+  const double error = kPrecision * std::max({max_abs(target), distance, size}) *
+                       std::max(1.0, size / height) / std::sin(angle);
   const pt::Vec3 n = normalize(w.b0 * triangle.n0 + w.b1 * triangle.n1 + w.b2 * triangle.n2);
-  return {
-      triangle, {target - distance * towards, speed * towards}, distance / speed, n, error / speed};
+  return {triangle,      {target - distance * towards, speed * towards}, distance / speed, n,
+          error / speed, kNormalPrecision + 10 * error / height};
 }
 
 // Well inside: no weight under 1/20.
@@ -95,29 +107,45 @@ inline Weights inside() {
   return {0.9 * a / sum + 1.0 / 30, 0.9 * b / sum + 1.0 / 30, 0.9 * c / sum + 1.0 / 30};
 }
 
-inline rc::Gen<Aimed> aimed_inside(Range range = {}) {
-  return rc::gen::exec([=] {
-    const double size = *magnitude(range.size_low, range.size_high);
-    const pt::Triangle triangle = triangle_of(size, range.thin < 1 ? range.thin : 0.5);
-    return aimed_at(triangle, inside(), range);
-  });
+// Inside, but close to an edge or, with two small weights, to a corner.
+inline Weights just_inside() {
+  const double small = *magnitude(2e-5, 1e-2), other = *real(0, 1) < 0.5 ? 0.4 : 2e-5;
+  std::array<double, 3> b{small, other, 1 - small - other};
+  std::rotate(b.begin(), b.begin() + *whole(0, 2), b.end());
+  return {b[0], b[1], b[2]};
 }
 
-// At a point of the plane beyond one edge or two, by a thousandth of the triangle or by ten of it.
-inline rc::Gen<Aimed> aimed_outside() {
-  return rc::gen::exec([] {
-    const double beyond = -*magnitude(1e-3, 10), other = *real(-3, 3);
-    std::array<double, 3> b{beyond, other, 1 - beyond - other};
-    std::rotate(b.begin(), b.begin() + *whole(0, 2), b.end());
-    const double size = *magnitude(1e-3, 1e3);
-    return aimed_at(triangle_of(size, 0.3), {b[0], b[1], b[2]}, {});
+// Beyond one edge or two, by a ten thousandth of the triangle or by ten of it.
+inline Weights outside() {
+  const double beyond = -*magnitude(2e-5, 10), other = *real(-3, 3);
+  std::array<double, 3> b{beyond, other, 1 - beyond - other};
+  std::rotate(b.begin(), b.begin() + *whole(0, 2), b.end());
+  return {b[0], b[1], b[2]};
+}
+
+inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
+  return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
+}
+
+// Two rays at the plane of one triangle: one at a point outside of it and one inside.
+struct InAndOut {
+  Aimed out, in;
+};
+
+inline void showValue(const InAndOut& both, std::ostream& out) { showValue(both.out, out); }
+
+inline rc::Gen<InAndOut> aimed_outside(Range range = {}) {
+  return rc::gen::exec([=] {
+    const pt::Triangle triangle = triangle_of(range);
+    const Aimed out = aimed_at(triangle, outside(), range);
+    return InAndOut{out, aimed_at(triangle, inside(), range)};
   });
 }
 
 inline double small_whole() { return *whole(-2, 2); }
 
-// Corners, origin and direction are small whole numbers and the direction's quotients are exact, so
-// that every determinant is zero to the last bit.
+// Made of small whole numbers times a power of two, along the axes or as diagonals, so that every
+// way to compute finds determinants that are zero to the last bit.
 struct Degenerate {
   pt::Triangle triangle;
   pt::Ray ray;
@@ -127,34 +155,44 @@ inline void showValue(const Degenerate& c, std::ostream& out) {
   show_lines(out, c.triangle, c.ray);
 }
 
-inline const pt::Vec3 kUp{0, 0, 1};
-
-inline bool divides_exactly(pt::Vec3 d) {
-  const double largest = max_abs(d);
-  return largest == 1 || largest == 2 || largest == 4;
+// Turns `axis` into the third one.
+inline pt::Vec3 turned(pt::Vec3 v, int axis) {
+  return {v[(axis + 1) % 3], v[(axis + 2) % 3], v[axis]};
 }
 
+inline Degenerate degenerate(const std::array<pt::Vec3, 3>& corners, pt::Vec3 start, pt::Vec3 d) {
+  const double scale = *rc::gen::element(1.0, 0x1p-20, 0x1p20);
+  const int axis = *whole(0, 2);
+  const pt::Vec3 up = turned({0, 0, 1}, axis);
+  const auto place = [&](pt::Vec3 v) { return scale * turned(v, axis); };
+  return {{place(corners[0]), place(corners[1]), place(corners[2]), up, up, up},
+          {place(start), place(d)}};
+}
+
+// Three corners on a line, or two or all three in one point; the ray is aimed at one of them.
 inline rc::Gen<Degenerate> without_area() {
   return rc::gen::exec([] {
-    const pt::Vec3 p{small_whole(), small_whole(), small_whole()};
-    const pt::Vec3 step{1, small_whole(), small_whole()};
-    std::array<pt::Vec3, 3> corners{p, p + small_whole() * step, p + small_whole() * step};
+    const pt::Vec3 p{small_whole(), small_whole(), small_whole()}, along{1, 0, 0};
+    std::array<pt::Vec3, 3> corners{p, p + small_whole() * along, p + small_whole() * along};
     std::rotate(corners.begin(), corners.begin() + *whole(0, 2), corners.end());
     const pt::Vec3 target = corners[*whole(0, 2)];
-    const pt::Vec3 d{small_whole(), *rc::gen::element(1.0, -1.0, 2.0, -2.0), small_whole()};
-    return Degenerate{{corners[0], corners[1], corners[2], kUp, kUp, kUp}, {target - 2 * d, d}};
+    pt::Vec3 d{};
+    while (d == pt::Vec3{}) {
+      d = {*whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0};
+    }
+    return degenerate(corners, target - 2 * d, d);
   });
 }
 
 inline rc::Gen<Degenerate> in_the_plane() {
   return rc::gen::exec([] {
-    const pt::Vec3 p{small_whole(), small_whole(), small_whole()};
-    const pt::Vec3 e1{1, small_whole(), small_whole()}, e2{0, 2, small_whole()};
-    const pt::Triangle triangle{p, p + e1, p + e2, kUp, kUp, kUp};
-    const pt::Vec3 along = *rc::gen::element(e1, e2, -e1, -e2, e1 + e2, e1 - e2, e2 - e1);
-    const pt::Vec3 d = divides_exactly(along) ? along : e2;
-    const pt::Vec3 start = p + small_whole() * e1 + small_whole() * e2;
-    return Degenerate{triangle, {start - 2 * d, d}};
+    const double height = small_whole();
+    const pt::Vec3 p{small_whole(), small_whole(), height};
+    const pt::Vec3 e1{1, small_whole(), 0}, e2{0, *rc::gen::element(2.0, -2.0), 0};
+    pt::Vec3 d{};
+    while (d == pt::Vec3{}) d = {*whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0, 0};
+    const pt::Vec3 towards = p + 0.5 * *whole(0, 1) * e1 + 0.5 * *whole(0, 1) * e2;
+    return degenerate({p, p + e1, p + e2}, towards - *whole(0, 2) * d, d);
   });
 }
 

@@ -9,142 +9,225 @@ namespace {
 
 using namespace hit_triangle_cases;
 
+// The same case after `change`, drawn as one value, so that a failure shows the ray that failed.
+template <class Case, class Change>
+rc::Gen<Case> changed(const rc::Gen<Case>& made, const Change& change) {
+  return rc::gen::exec([=] { return change(*made); });
+}
+
 pt::SurfaceHit expect_hit(const Aimed& aimed) {
   const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
   expect(hit.has_value(), "a hit", "none");
   return *hit;
 }
 
-void expect_miss(const pt::Triangle& triangle, const pt::Ray& ray) {
+// A hit of this ray or of the one that comes from the other side and has the same t: that both
+// faces are hit is a promise of its own.
+std::optional<pt::SurfaceHit> hit_from_either_side(const Aimed& aimed) {
+  const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
+  if (hit) return hit;
+  pt::Ray opposite = aimed.ray;
+  opposite.origin = aimed.ray.at(2 * aimed.t);
+  opposite.direction = -aimed.ray.direction;
+  return pt::hit_triangle(aimed.triangle, opposite);
+}
+
+pt::SurfaceHit expect_hit_from_either_side(const Aimed& aimed) {
+  const auto hit = hit_from_either_side(aimed);
+  expect(hit.has_value(), "a hit", "none");
+  return *hit;
+}
+
+void expect_miss(const pt::Triangle& triangle, const pt::Ray& ray, const std::string& why) {
   const auto hit = pt::hit_triangle(triangle, ray);
-  expect(!hit.has_value(), "no hit", hit ? show(*hit) : "");
+  expect(!hit.has_value(), "no hit: " + why, hit ? show(*hit) : "");
+}
+
+void expect_t(const Aimed& aimed) {
+  expect_near("t at the point aimed at", expect_hit(aimed).t, aimed.t, aimed.tolerance);
+}
+
+void expect_t_from_either_side(const Aimed& aimed) {
+  expect_near("t at the point aimed at", expect_hit_from_either_side(aimed).t, aimed.t,
+              2 * aimed.tolerance);
 }
 
 PROMISE(hit_triangle, hits_where_it_is_aimed) {
-  for_all([] {
-    const Aimed aimed = *aimed_inside();
-    expect_near("t at the point aimed at", expect_hit(aimed).t, aimed.t, aimed.tolerance);
-  });
+  for_all([] { expect_t(*aimed_inside()); });
+  for_all([] { expect_t(*aimed_inside({}, just_inside)); });
   // Slivers, a thousand times as long as high.
+  for_all([] { expect_t(*aimed_inside({.thin = 1e-3, .flat = 0.5})); });
+  // Rays that meet the plane at a millionth of a radian to ten degrees.
   for_all([] {
-    const Aimed aimed = *aimed_inside({.thin = 1e-3, .tilt = 1});
-    expect_near("t at the point aimed at", expect_hit(aimed).t, aimed.t, aimed.tolerance);
+    expect_t(*aimed_inside({.away = 1, .near = 0.1, .far = 3, .flat = 1e-6, .steep = 0.17}));
   });
 }
 
 PROMISE(hit_triangle, misses_outside) {
   for_all(
       [] {
-        const Aimed aimed = *aimed_outside();
-        expect_miss(aimed.triangle, aimed.ray);
+        const InAndOut aimed = *aimed_outside();
+        expect_miss(aimed.out.triangle, aimed.out.ray, "the ray is aimed beside the triangle");
+        expect(hit_from_either_side(aimed.in).has_value(),
+               "a hit when the ray is turned to a point inside", "none");
       },
       300);
 }
 
 PROMISE(hit_triangle, keeps_t_inside_the_ray) {
-  for_all([] {
-    Aimed aimed = *aimed_inside();
-    aimed.ray.t_max = aimed.t * draw("t_max as a part of the way", real(0.05, 0.999));
-    expect_miss(aimed.triangle, aimed.ray);
+  const std::string none = "the point is not in the range of t";
+  for_all([=] {
+    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+      made.ray.t_max = (made.t - 2 * made.tolerance) * *rc::gen::element(1.0, 0.999, 0.5, 0.0);
+      return made;
+    });
+    expect_miss(aimed.triangle, aimed.ray, none);
   });
-  for_all([] {
-    Aimed aimed = *aimed_inside();
-    aimed.ray.t_min = aimed.t * draw("t_min in parts of the way", magnitude(1.001, 1e3));
-    expect_miss(aimed.triangle, aimed.ray);
+  for_all([=] {
+    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+      made.ray.t_min = (made.t + 2 * made.tolerance) * *rc::gen::element(1.0, 1.001, 1e3);
+      return made;
+    });
+    expect_miss(aimed.triangle, aimed.ray, none);
   });
-  for_all([] {
-    Aimed aimed = *aimed_inside();
-    aimed.ray.direction = -aimed.ray.direction;
-    aimed.ray.t_max = aimed.t * draw("t_max in parts of the way", magnitude(1e-1, 1e3));
-    expect_miss(aimed.triangle, aimed.ray);
+  for_all([=] {
+    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+      made.ray.direction = -made.ray.direction;
+      made.ray.t_max = *rc::gen::oneOf(magnitude(1e-3, 1e3), rc::gen::element(1.0, pt::kInfinity));
+      return made;
+    });
+    expect_miss(aimed.triangle, aimed.ray, "the triangle is behind the origin");
   });
   // A range that ends right beyond the point and begins right before it has the point in it.
   for_all([] {
-    Aimed aimed = *aimed_inside();
-    aimed.ray.t_min = aimed.t - std::max(1e-9 * aimed.t, aimed.tolerance);
-    aimed.ray.t_max = aimed.t + std::max(1e-9 * aimed.t, aimed.tolerance);
-    expect_hit(aimed);
+    expect_hit_from_either_side(*changed(aimed_inside(), [](Aimed made) {
+      made.ray.t_min = std::max(0.0, made.t - 2 * made.tolerance);
+      made.ray.t_max = made.t + 2 * made.tolerance;
+      return made;
+    }));
   });
 }
 
+// On which side n is, and whether it is of unit length, are other promises.
 PROMISE(hit_triangle, interpolates_the_corner_normals) {
   for_all([] {
     const Aimed aimed = *aimed_inside();
-    const pt::Vec3 n = expect_hit(aimed).n;
-    expect_near("the direction of n", n / length(n), aimed.n, 1e-9);
+    const pt::Vec3 n = normalize(expect_hit_from_either_side(aimed).n);
+    expect_near("the direction of n", dot(n, aimed.n) < 0 ? -n : n, aimed.n, aimed.n_tolerance);
   });
 }
 
 PROMISE(hit_triangle, returns_a_unit_normal) {
-  for_all([] { expect_near("the length of n", length(expect_hit(*aimed_inside()).n), 1, 1e-12); });
+  for (const Range& range : {Range{}, Range{.size = 1e6, .speed = 1e9}}) {
+    bool any = false;
+    for_all([&] {
+      const auto hit = hit_from_either_side(*aimed_inside(range));
+      expect(any || hit.has_value(), "a hit", "none");
+      any = true;  // from now on, that there is one is another promise
+      if (hit) expect_near("the length of n", length(hit->n), 1, kNormalPrecision);
+    });
+  }
 }
 
 PROMISE(hit_triangle, never_flips_the_normal) {
   for_all([] {
     Aimed aimed = *aimed_inside();
-    const pt::Vec3 n = expect_hit(aimed).n;
-    expect(dot(n, aimed.n) > 0, "n on the side of the corner normals", show(n));
-    aimed.ray.origin = aimed.ray.at(2 * aimed.t);
-    aimed.ray.direction = -aimed.ray.direction;
-    const pt::Vec3 opposite = expect_hit(aimed).n;
-    expect_near("n seen from the other side", opposite, n, 1e-9);
+    expect_hit_from_either_side(aimed);
+    for (const char* side : {"", " when the ray comes from the other side"}) {
+      const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
+      expect(!hit || dot(hit->n, aimed.n) > 0,
+             std::string("n on the side of the corner normals") + side, hit ? show(hit->n) : "");
+      aimed.ray.origin = aimed.ray.at(2 * aimed.t);
+      aimed.ray.direction = -aimed.ray.direction;
+    }
   });
 }
 
+// Where the hit is, and with which normal, are other promises.
 PROMISE(hit_triangle, hits_both_faces) {
   for_all([] {
     Aimed aimed = *aimed_inside();
-    expect_near("t", expect_hit(aimed).t, aimed.t, aimed.tolerance);
-    std::swap(aimed.triangle.p1, aimed.triangle.p2);
-    std::swap(aimed.triangle.n1, aimed.triangle.n2);
-    const pt::SurfaceHit turned = expect_hit(aimed);
-    expect_near("t with two corners exchanged", turned.t, aimed.t, aimed.tolerance);
-    expect_near("n with two corners exchanged", turned.n / length(turned.n), aimed.n, 1e-9);
+    for (const char* corners : {"as they come", "with two exchanged"}) {
+      for (const char* side : {"one side", "the other side"}) {
+        const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
+        const std::string which = std::string("from ") + side + ", with the corners " + corners;
+        expect(hit.has_value(), "a hit " + which, "none");
+        expect(hit->t > 0, "t above 0 " + which, "t " + show(hit->t));
+        aimed.ray.origin = aimed.ray.at(2 * aimed.t);
+        aimed.ray.direction = -aimed.ray.direction;
+      }
+      std::swap(aimed.triangle.p1, aimed.triangle.p2);
+      std::swap(aimed.triangle.n1, aimed.triangle.n2);
+    }
   });
+}
+
+// A ray whose direction has been made longer or shorter; what the task says of the unit direction
+// is compared with, not what is true.
+Aimed scaled(Aimed made, double factor) {
+  made.ray.direction *= factor;
+  made.t /= factor;
+  made.tolerance /= factor;
+  made.ray.t_max = 1.5 * made.t;
+  return made;
+}
+
+void expect_scaled(const Aimed& aimed) {
+  const auto hit = hit_from_either_side(aimed);
+  const double speed = length(aimed.ray.direction);
+  Aimed unit = aimed;
+  unit.ray.direction = aimed.ray.direction / speed;
+  unit.ray.t_max *= speed;
+  unit.t *= speed;
+  const double t = expect_hit_from_either_side(unit).t;
+  expect(hit.has_value(), "a hit, as with a unit direction", "none");
+  expect(hit->t > 0, "t above 0", "t " + show(hit->t));
+  expect_near("t times the direction's length", hit->t * speed, t, 4 * aimed.tolerance * speed);
 }
 
 PROMISE(hit_triangle, counts_t_in_the_directions_length) {
   for_all([] {
-    Aimed aimed = *aimed_inside();
-    const double factor = draw("the direction's factor", magnitude(1e-6, 1e6));
-    aimed.ray.direction *= factor;
-    aimed.ray.t_max = 1.5 * aimed.t / factor;
-    expect_near("t times the factor", expect_hit(aimed).t * factor, aimed.t, aimed.tolerance);
+    expect_scaled(*changed(aimed_inside(), [](const Aimed& made) {
+      return scaled(made, *rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9)));
+    }));
+  });
+  for_all([] {
+    expect_scaled(*changed(aimed_inside({.near = 1e-4, .far = 1}), [](const Aimed& made) {
+      return scaled(made, *rc::gen::element(2.0, 0.5, 1e9, 1e-9, 1e-8));
+    }));
   });
 }
 
 PROMISE(hit_triangle, works_at_every_scale) {
+  for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e6})); });
+  // Of a fine mesh as the camera sees it, a million sizes away; and far from the world's origin.
+  for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e6, .far = 1e6})); });
+  for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e2, .away = 1e4})); });
   for_all([] {
-    const Aimed aimed = *aimed_inside({.size_low = 1e-6, .size_high = 1e6});
-    expect_near("t at the point aimed at", expect_hit(aimed).t, aimed.t, aimed.tolerance);
-  });
-  // Of a fine mesh as the camera sees it, a million sizes away.
-  for_all([] {
-    const Aimed aimed = *aimed_inside({.size_low = 1e-6, .size_high = 1e-2, .far = 1e6});
-    expect_near("t at the point aimed at", expect_hit(aimed).t, aimed.t, aimed.tolerance);
+    const InAndOut aimed = *aimed_outside({.size = 1e6});
+    expect_miss(aimed.out.triangle, aimed.out.ray, "the ray is aimed beside the triangle");
   });
 }
 
 PROMISE(hit_triangle, keeps_double_precision) {
   for_all([] {
-    const Aimed aimed = *aimed_inside({.far = 10, .tilt = 1});
-    const double size = length(aimed.triangle.p1 - aimed.triangle.p0);
-    const double off = 1e-9 * (aimed.t + size / length(aimed.ray.direction));
-    expect_near("t at the point aimed at", expect_hit(aimed).t, aimed.t, off);
+    expect_t_from_either_side(*aimed_inside({.away = 1, .near = 0.5, .far = 10, .flat = 0.57}));
   });
 }
 
 PROMISE(hit_triangle, rejects_what_has_no_area) {
+  // What has an area is hit.
+  for_all([] { expect_hit_from_either_side(*aimed_inside()); }, 10);
   for_all(
       [] {
         const Degenerate c = *without_area();
-        expect_miss(c.triangle, c.ray);
+        expect_miss(c.triangle, c.ray, "the triangle has no area");
       },
       300);
   for_all(
       [] {
         const Degenerate c = *in_the_plane();
-        expect_miss(c.triangle, c.ray);
+        expect_miss(c.triangle, c.ray, "the ray runs in the triangle's plane");
       },
       300);
 }
@@ -157,6 +240,10 @@ PROMISE(hit_triangle, leaves_no_gap_at_shared_edges_bonus) {
           return pt::hit_triangle(triangle, fan.ray).has_value();
         });
         expect(hit, "a hit of at least one of the triangles", "none");
+        const pt::Ray away{fan.ray.origin, -fan.ray.direction};
+        for (const pt::Triangle& triangle : fan.triangles) {
+          expect_miss(triangle, away, "the ray goes the other way");
+        }
       },
       500);
 }

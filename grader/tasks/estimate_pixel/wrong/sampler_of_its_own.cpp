@@ -1,4 +1,4 @@
-// breaks: passes_the_settings_on
+// breaks: draws_from_the_callers_sampler
 // Gives radiance() a new sampler with a fixed seed.
 #include "pt/render/radiance.h"
 #include "pt/tasks/camera_ray.h"

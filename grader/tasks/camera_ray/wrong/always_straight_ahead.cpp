@@ -1,0 +1,16 @@
+// breaks: keeps_the_picture_flat
+// Returns the ray through the centre for every point.
+#include "pt/tasks/camera_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+Ray camera_ray(const Camera& camera, double x, double y) {
+  (void)x;
+  (void)y;
+  return {camera.position, -camera.camera_to_world.z, camera.near_clip, camera.far_clip};
+}
+
+}  // namespace pt

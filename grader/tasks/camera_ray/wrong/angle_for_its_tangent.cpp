@@ -1,0 +1,18 @@
+// breaks: fills_the_field_of_view
+// Takes the angle for its tangent, which is true of small angles only.
+#include "pt/tasks/camera_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+Ray camera_ray(const Camera& camera, double x, double y) {
+  const double half_width = camera.hfov_deg * kPi / 360;
+  const double half_height = camera.vfov_deg * kPi / 360;
+  const Vec3 local{(2 * x - 1) * half_width, (2 * y - 1) * half_height, -1};
+  const Vec3 direction = normalize(camera.camera_to_world.to_world(local));
+  return {camera.position, direction, camera.near_clip, camera.far_clip};
+}
+
+}  // namespace pt

@@ -1,0 +1,19 @@
+// breaks: fills_the_field_of_view
+// Keeps half the angle in an int, which cuts half a degree off.
+#include "pt/tasks/camera_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+Ray camera_ray(const Camera& camera, double x, double y) {
+  const int half_angle = static_cast<int>(camera.hfov_deg) / 2;
+  const double half_width = std::tan(half_angle * kPi / 180);
+  const double half_height = std::tan(camera.vfov_deg * kPi / 360);
+  const Vec3 local{(2 * x - 1) * half_width, (2 * y - 1) * half_height, -1};
+  const Vec3 direction = normalize(camera.camera_to_world.to_world(local));
+  return {camera.position, direction, camera.near_clip, camera.far_clip};
+}
+
+}  // namespace pt

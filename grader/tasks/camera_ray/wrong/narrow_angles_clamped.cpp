@@ -1,0 +1,18 @@
+// breaks: fills_the_field_of_view
+// Allows no field of view under one degree.
+#include "pt/tasks/camera_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+Ray camera_ray(const Camera& camera, double x, double y) {
+  const double half_width = std::tan(std::max(camera.hfov_deg, 1.0) * kPi / 360);
+  const double half_height = std::tan(std::max(camera.vfov_deg, 1.0) * kPi / 360);
+  const Vec3 local{(2 * x - 1) * half_width, (2 * y - 1) * half_height, -1};
+  const Vec3 direction = normalize(camera.camera_to_world.to_world(local));
+  return {camera.position, direction, camera.near_clip, camera.far_clip};
+}
+
+}  // namespace pt

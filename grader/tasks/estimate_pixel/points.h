@@ -1,0 +1,99 @@
+#pragma once
+
+#include "grader/property/closed_forms.h"
+#include "grader/property/property.h"
+#include "pt/math/vec3.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+// Whether points are spread evenly over a pixel, and where they are not.
+
+namespace grader::estimate_pixel_cases {
+
+using Points = std::vector<pt::Vec2>;  // each in [0, 1] on both axes
+
+// How many points are in each of 8 x 8 parts of the pixel.
+class Cells {
+ public:
+  static constexpr int kSide = 8;
+
+  explicit Cells(const Points& points)
+      : even_(static_cast<double>(points.size()) / (kSide * kSide)) {
+    for (const pt::Vec2 at : points) ++counts_[index(at.y) * kSide + index(at.x)];
+  }
+
+  // Of right points one set in a billion is not even: independent points, or pairs that mirror each
+  // other, whose counts vary twice as much.
+  bool even() const {
+    double chi_square = 0;
+    for (const int count : counts_) chi_square += (count - even_) * (count - even_) / even_;
+    return chi_square <= 2 * chi_square_limit(kSide * kSide / 2);
+  }
+
+  // The part with the most points too few or too many.
+  std::string worst() const {
+    const auto off = [&](int count) { return std::abs(count - even_); };
+    const auto at = std::ranges::max_element(counts_, {}, off);
+    const int i = static_cast<int>(at - counts_.begin());
+    const double x = static_cast<double>(i % kSide) / kSide,
+                 y = static_cast<double>(i / kSide) / kSide;
+    return fmt::format(
+        "{} points where {:.0f} are expected, {:.3f} to {:.3f} from the left and "
+        "{:.3f} to {:.3f} from the bottom",
+        *at, even_, x, x + 1.0 / kSide, y, y + 1.0 / kSide);
+  }
+
+ private:
+  static int index(double part) { return std::clamp(static_cast<int>(part * kSide), 0, kSide - 1); }
+
+  std::array<int, kSide * kSide> counts_{};
+  double even_;
+};
+
+// What uneven points have in common, for a person.
+inline std::string what_is_missing(const Points& points, const Cells& cells) {
+  std::set<std::pair<double, double>> different;
+  pt::Vec2 low{1, 1}, high{0, 0};
+  bool diagonal = true;
+  for (const pt::Vec2 at : points) {
+    different.insert({at.x, at.y});
+    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    diagonal = diagonal && std::abs(at.x - at.y) < 5e-3;
+  }
+  const std::size_t n = points.size();
+  if (different.size() == 1) {
+    return fmt::format(
+        "all {} points in one place, {:.3f} from the left and {:.3f} from the bottom", n,
+        points[0].x, points[0].y);
+  }
+  if (2 * different.size() < n) {
+    return fmt::format("only {} different points among {}", different.size(), n);
+  }
+  if (diagonal) return "all points on the diagonal: x and y are the same number";
+  if (low.x > 0.06 || low.y > 0.06 || high.x < 0.94 || high.y < 0.94) {
+    return fmt::format(
+        "no points but from {:.2f} to {:.2f} of the width and {:.2f} to {:.2f} of "
+        "the height",
+        low.x, high.x, low.y, high.y);
+  }
+  return cells.worst();
+}
+
+// Fails the case with a sentence that says where points are missing.
+inline void expect_even(const Points& points) {
+  const Cells cells(points);
+  if (cells.even()) return;
+  expect(false, "points all over the pixel, equally many everywhere",
+         what_is_missing(points, cells));
+}
+
+}  // namespace grader::estimate_pixel_cases

@@ -1,0 +1,23 @@
+// breaks: averages_the_radiance
+// Clamps every sample to 10, against fireflies.
+#include "pt/render/radiance.h"
+#include "pt/tasks/camera_ray.h"
+#include "pt/tasks/estimate_pixel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler) {
+  Rgb sum;
+  for (int i = 0; i < samples; ++i) {
+    const Vec2 xi = samples == 1 ? Vec2{0.5, 0.5} : sampler.next_2d();
+    const Ray ray = camera_ray(view.camera, (x + xi.x) / view.width, (y + xi.y) / view.height);
+    const Rgb sample = radiance(view.scene, ray, view.settings, sampler);
+    sum += {std::min(sample.r, 10.0), std::min(sample.g, 10.0), std::min(sample.b, 10.0)};
+  }
+  return sum / samples;
+}
+
+}  // namespace pt

@@ -1,0 +1,159 @@
+#pragma once
+
+#include "grader/property/generators.h"
+#include "grader/property/show.h"
+#include "pt/geometry/ray.h"
+#include "pt/geometry/sphere.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Spheres, and rays along lines whose two points on the sphere are known. Lengths are in radii
+// where nothing else is said.
+
+namespace grader::hit_sphere_cases {
+
+// The contract's precision: of a point and of a normal, and how near to touching is too near to
+// call.
+inline constexpr double kPrecision = 1e-6;
+inline constexpr double kTouching = 1e-8;
+
+// How far along the ray a point may be from where the line meets the sphere, so that it is still
+// within the precision of the surface: half a chord is `half` long. The flatter the ray, the
+// farther.
+inline double slack_along(double half) {
+  const double thick = 2 * kPrecision + kPrecision * kPrecision;
+  return half * half > thick ? half - std::sqrt(half * half - thick) : half + std::sqrt(thick);
+}
+
+// The flattest chord whose two points can be told apart, some ten times over.
+inline constexpr double kFlat = 5e-3;
+
+// From the centre to the origin it is a thousand radii at most.
+inline constexpr double kFar = 998;
+
+struct Chord {
+  pt::Sphere sphere;
+  pt::Ray ray;
+  double half = 1;       // half of its length: 1 through the centre, 0 where it only touches
+  double t_near, t_far;  // where the line meets the sphere, be it in the ray's range or not
+  double slack;          // slack_along, as a difference of t
+  double length() const { return t_far - t_near; }
+};
+
+inline void showValue(const Chord& chord, std::ostream& out) {
+  show_lines(out, chord.sphere, chord.ray);
+}
+
+enum class From { outside, inside, behind };
+
+// Ordinary where nothing is said, so that a mistake with extreme numbers breaks the promises that
+// are about those.
+struct Domain {
+  double radius = 10;  // from 1 / radius to radius
+  double speed = 1;    // the direction's length, likewise
+  double flat = 0.1;   // the shortest half chord
+  double round = 1;    // the longest
+  double far = 30;     // the largest distance
+};
+
+// Any rotation, or one along the axes, where components are exactly zero.
+inline pt::Frame turned() {
+  if (*whole(0, 3) > 0) return *rotation();
+  const double sign = *rc::gen::element(1.0, -1.0);
+  std::array<pt::Vec3, 3> axes{pt::Vec3{sign, 0, 0}, {0, 1, 0}, {0, 0, sign}};
+  std::rotate(axes.begin(), axes.begin() + *whole(0, 2), axes.end());
+  return {axes[0], axes[1], axes[2]};
+}
+
+// Around the world's origin, beside it, or a thousand radii away.
+inline pt::Sphere any_sphere(double range) {
+  const double radius = *magnitude(1 / range, range);
+  if (*whole(0, 4) == 0) return {{}, radius};
+  return {radius * *magnitude(1e-1, 1e3) * *point(1), radius};
+}
+
+// From the origin to the near point; negative past it.
+inline double start_of(From from, double half, double far) {
+  const double apart = 3 * slack_along(half);
+  if (from == From::outside) return *magnitude(std::max(apart, 1e-5), far);
+  if (from == From::behind) return -2 * half - *magnitude(std::max(apart, 1e-5), far);
+  const double part = *whole(0, 3) == 0 ? *rc::gen::element(0.0, 0.5, 1.0) : *real(0, 1);
+  return -apart - part * (2 * half - 2 * apart);
+}
+
+inline Chord chord_at(const pt::Sphere& sphere, const pt::Frame& frame, double half, double start,
+                      double speed) {
+  const pt::Vec3 middle =
+      sphere.center + sphere.radius * std::sqrt((1 - half) * (1 + half)) * frame.x;
+  const double unit = sphere.radius / speed;  // t of a radius
+  return {sphere,
+          {middle - sphere.radius * (start + half) * frame.z, speed * frame.z},
+          half,
+          unit * start,
+          unit * (start + 2 * half),
+          unit * slack_along(half)};
+}
+
+inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
+  return rc::gen::exec([=] {
+    const pt::Sphere sphere = any_sphere(domain.radius);
+    const pt::Frame frame = turned();
+    const double half =
+        domain.round == 1 && *whole(0, 4) == 0 ? 1 : *magnitude(domain.flat, domain.round);
+    const double start = start_of(from, half, domain.far);
+    return chord_at(sphere, frame, half, start, *magnitude(1 / domain.speed, domain.speed));
+  });
+}
+
+// A ray whose line passes the sphere, and another one from the same origin that goes through the
+// sphere's centre.
+struct Passing {
+  pt::Sphere sphere;
+  pt::Ray ray;
+  pt::Ray through;
+};
+
+inline void showValue(const Passing& passing, std::ostream& out) {
+  show_lines(out, passing.sphere, passing.ray);
+}
+
+// Beside the sphere by `low` to `high`, and as far before or behind it as `far`.
+inline rc::Gen<Passing> passing(double low, double high, double far) {
+  return rc::gen::exec([=] {
+    const pt::Sphere sphere = any_sphere(10);
+    const pt::Frame frame = turned();
+    const double beside = 1 + *magnitude(low, high), along = *real(-far, far);
+    const pt::Vec3 origin = sphere.center + sphere.radius * (beside * frame.x - along * frame.z);
+    return Passing{sphere, {origin, frame.z}, {origin, pt::normalize(sphere.center - origin)}};
+  });
+}
+
+// A sphere, and a ray from outside at a point of its visible half, `distance` away.
+struct Aimed {
+  pt::Sphere sphere;
+  pt::Ray ray;
+};
+
+inline void showValue(const Aimed& aimed, std::ostream& out) {
+  show_lines(out, aimed.sphere, aimed.ray);
+}
+
+inline rc::Gen<Aimed> aimed_from(double least, double most) {
+  return rc::gen::exec([=] {
+    const double radius = *magnitude(1e-3, 1e5);
+    const pt::Sphere sphere{radius * *point(), radius};
+    const pt::Vec3 n = *direction();
+    const double tilt = *real(-1, 1);
+    const pt::Vec3 towards = -std::cos(tilt) * n + std::sin(tilt) * pt::frame_from_normal(n).x;
+    const double distance = *magnitude(least, most);
+    return Aimed{sphere, {sphere.center + radius * (n - distance * towards), towards}};
+  });
+}
+
+// The distance of the point at t from the centre, in radii.
+inline double distance_from_centre(const pt::Sphere& sphere, const pt::Ray& ray, double t) {
+  return pt::length(ray.at(t) - sphere.center) / sphere.radius;
+}
+
+}  // namespace grader::hit_sphere_cases

@@ -1,0 +1,9 @@
+// breaks: hits_where_it_is_aimed
+// Returns nothing, whatever the ray.
+#include "pt/tasks/hit_sphere.h"
+
+namespace pt {
+
+std::optional<SurfaceHit> hit_sphere(const Sphere&, const Ray&) { return {}; }
+
+}  // namespace pt

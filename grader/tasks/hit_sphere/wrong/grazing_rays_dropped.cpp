@@ -1,0 +1,29 @@
+// breaks: hits_where_it_is_aimed
+// Takes a ray that meets the surface at less than 0.06 degrees for one that misses.
+#include "pt/tasks/hit_sphere.h"
+
+#include <cmath>
+#include <utility>
+
+namespace pt {
+
+std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray) {
+  const Vec3 oc = ray.origin - sphere.center;
+  const double a = dot(ray.direction, ray.direction);
+  const double b = 2 * dot(oc, ray.direction);
+  const double c = dot(oc, oc) - sphere.radius * sphere.radius;
+  const double discriminant = b * b - 4 * a * c;
+  if (discriminant < 0) return std::nullopt;
+  const double t1 = (-b - std::sqrt(discriminant)) / (2 * a);
+  const double t2 = (-b + std::sqrt(discriminant)) / (2 * a);
+  const Vec3 n = normalize(ray.at(t1) - sphere.center);
+  if (std::abs(dot(n, normalize(ray.direction))) < 1e-3) return std::nullopt;
+  for (const double t : {t1, t2}) {
+    if (t >= ray.t_min && t <= ray.t_max) {
+      return SurfaceHit{t, normalize(ray.at(t) - sphere.center)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace pt
