@@ -19,8 +19,6 @@ Rgb abs(Rgb c) { return {std::abs(c.r), std::abs(c.g), std::abs(c.b)}; }
 
 Rgb larger(Rgb a, Rgb b) { return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)}; }
 
-std::string rounded(Rgb c) { return fmt::format("({:.5g}, {:.5g}, {:.5g})", c.r, c.g, c.b); }
-
 // More than half of a sum in one draw: another sample of draws would have had another mean.
 bool hangs_on_one_draw(const Mean& got, int channel) {
   return got.n > 2 && got.largest_share[channel] > 0.5;
@@ -41,8 +39,8 @@ double deviation(const Mean& got, int channel) {
                             int channel) {
   const double off = std::abs(got.value[channel] - expected[channel]);
   const double ratio = got.value[channel] / expected[channel];
-  fail(what, fmt::format("{} as the mean of {}", rounded(got.value), got.n),
-       fmt::format("{}, give or take {:.2g}", rounded(expected), allowed),
+  fail(what, fmt::format("{} as the mean of {}", brief(got.value), got.n),
+       fmt::format("{}, give or take {:.2g}", brief(expected), allowed),
        std::isfinite(ratio) ? fmt::format("{:.3g} ({:.4g} times what was expected)", off, ratio)
                             : fmt::format("{:.3g}", off));
 }
@@ -63,7 +61,7 @@ std::string too_noisy(bool right) {
                              bool right) {
   fail(what,
        fmt::format("{}: estimates with a standard deviation of {:.3g}, mean {}", too_noisy(right),
-                   deviation(got, channel), rounded(got.value)),
+                   deviation(got, channel), brief(got.value)),
        fmt::format("a standard deviation of {:.3g} at most", most));
 }
 
