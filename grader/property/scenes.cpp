@@ -88,6 +88,11 @@ Rectangle Rectangle::part(double a0, double a1, double b0, double b1) const {
   return {at((a0 + a1) / 2, (b0 + b1) / 2), (a1 - a0) * u, (b1 - b0) * v};
 }
 
+void showValue(const Rectangle& rectangle, std::ostream& out) {
+  out << fmt::format("rectangle at {}, sides {} {}", brief(rectangle.center), brief(rectangle.u),
+                     brief(rectangle.v));
+}
+
 void showValue(const Situation& situation, std::ostream& out) {
   const pt::SurfacePoint& p = situation.point;
   out << situation.text

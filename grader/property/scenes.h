@@ -54,6 +54,8 @@ struct Rectangle {
   Rectangle flipped() const { return {center, v, u}; }
 };
 
+void showValue(const Rectangle& rectangle, std::ostream& out);
+
 // Faces the origin, about a distance of 1 away, from straight above it to `tilt` to the side, and
 // turned by up to 0.8 from facing it straight. Sides from narrow to wide.
 rc::Gen<Rectangle> rectangle_above(double tilt, double narrow, double wide);

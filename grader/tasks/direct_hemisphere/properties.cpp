@@ -90,6 +90,16 @@ PROMISE(direct_hemisphere, adds_no_emission_of_its_own) {
         expect_dark(dark);
       },
       5);
+  for_all(
+      [] {
+        const Situation lit = *rc::gen::exec([] {
+          Stage stage(*pose());
+          stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
+          return stage.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
+        });
+        expect_estimate(lit);
+      },
+      5);
 }
 
 PROMISE(direct_hemisphere, sees_what_is_in_the_way) {
@@ -101,13 +111,15 @@ PROMISE(direct_hemisphere, sees_what_is_in_the_way) {
 PROMISE(direct_hemisphere, sees_only_the_bright_side) {
   for_all(
       [] {
-        const Situation turned_away = *rc::gen::exec([] {
-          Stage stage(*unturned_pose());
-          const Rectangle shape = (*rectangle_above(0.9, 1.6, 2.5)).flipped();
-          stage.rectangle(shape, any_radiance(), Body::surface);
-          return stage.patch(*color(0.1, 1), *direction_above()).done();
-        });
-        expect_dark(turned_away);
+        const Rectangle shape = draw("light", rectangle_above(0.9, 1.6, 2.5));
+        const Rgb radiance = draw("radiance", color(0.25, 4));
+        const auto under = [&](const Rectangle& light) {
+          Stage stage({});
+          stage.rectangle(light, radiance, Body::surface);
+          return stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+        };
+        expect_dark(under(shape.flipped()));
+        expect_estimate(under(shape));
       },
       5);
 }
