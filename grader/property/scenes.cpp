@@ -4,6 +4,8 @@
 #include "grader/property/generators.h"
 #include "grader/property/show.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,7 +20,13 @@ namespace {
 constexpr Vec3 kOrigin{0, 0, 0};
 constexpr Vec3 kUp{0, 0, 1};
 
+constexpr std::size_t kMaxTold = 4;  // how many lights, and surfaces, a text lists
+
 Rgb any_albedo_of_a_shade() { return {0.2, 0.5, 0.7}; }
+
+double solid_angle_of(const std::vector<Vec3>& c) {
+  return solid_angle(c[0], c[1], c[2], kOrigin) + solid_angle(c[0], c[2], c[3], kOrigin);
+}
 
 }  // namespace
 
@@ -27,11 +35,11 @@ pt::Scene ready(pt::Scene scene) {
   return scene;
 }
 
-rc::Gen<Pose> pose(double range) {
-  return rc::gen::exec([range] {
+rc::Gen<Pose> pose(double range, double far) {
+  return rc::gen::exec([range, far] {
     const pt::Frame turn = *rotation();
     const double size = *magnitude(1 / range, range);
-    return Pose{turn, size * *point(100), size};
+    return Pose{turn, size * *point(far), size};
   });
 }
 
@@ -49,6 +57,14 @@ rc::Gen<Vec3> direction_above(double tilt) {
     const double r = std::sin(angles.first);
     return Vec3{r * std::cos(angles.second), r * std::sin(angles.second), std::cos(angles.first)};
   });
+}
+
+rc::Gen<Vec3> direction_above_at(const rc::Gen<double>& height) {
+  return rc::gen::map(rc::gen::pair(height, real(-pt::kPi, pt::kPi)),
+                      [](const std::pair<double, double>& at) {
+                        const double r = std::sqrt(1 - at.first * at.first);
+                        return Vec3{r * std::cos(at.second), r * std::sin(at.second), at.first};
+                      });
 }
 
 rc::Gen<Rectangle> rectangle_above(double tilt, double narrow, double wide) {
@@ -72,8 +88,17 @@ Rectangle Rectangle::part(double a0, double a1, double b0, double b1) const {
   return {at((a0 + a1) / 2, (b0 + b1) / 2), (a1 - a0) * u, (b1 - b0) * v};
 }
 
+void showValue(const Rectangle& rectangle, std::ostream& out) {
+  out << fmt::format("rectangle at {}, sides {} {}", brief(rectangle.center), brief(rectangle.u),
+                     brief(rectangle.v));
+}
+
 void showValue(const Situation& situation, std::ostream& out) {
-  out << situation.text << show(situation.point);
+  const pt::SurfacePoint& p = situation.point;
+  out << situation.text
+      << fmt::format("the point: wo {}, albedo {}{}{}", brief(p.frame.to_local(p.wo)),
+                     brief(p.albedo), is_black(p.emission) ? "" : ", emission " + brief(p.emission),
+                     dot(p.n, p.geometric_normal) < 0 ? ", seen from behind" : "");
 }
 
 double coordinate_size(const pt::Primitives& primitives) {
@@ -102,23 +127,23 @@ Stage& Stage::patch(Rgb albedo, Vec3 wo, bool from_behind, Rgb emission) {
   return *this;
 }
 
-Stage& Stage::rectangle(const Rectangle& shape, Rgb radiance, Body body, double hidden) {
-  const pt::RectangleLight light{pose_.point(shape.center), pose_.size * pose_.direction(shape.u),
-                                 pose_.size * pose_.direction(shape.v), pose_.direction(shape.n()),
-                                 radiance};
-  scene_.lights.emplace_back(light);
-  tell(fmt::format("rectangle light at {}, sides {} {}, emits to {}, radiance {}",
-                   show(light.center), show(light.u), show(light.v), show(light.n),
-                   show(radiance)));
+Stage& Stage::rectangle(const Rectangle& shape, Rgb radiance, Body body, double hidden,
+                        double way) {
+  scene_.lights.emplace_back(pt::RectangleLight{
+      pose_.point(shape.center), pose_.size * pose_.direction(shape.u),
+      pose_.size * pose_.direction(shape.v), pose_.direction(shape.n()), radiance});
+  lights_.push_back(fmt::format("rectangle light at {}, sides {} {}, emits to {}, radiance {}",
+                                brief(shape.center), brief(shape.u), brief(shape.v),
+                                brief(shape.n()), brief(radiance)));
   if (body == Body::surface) surface(shape, pt::gray(0.5), radiance);
   if (hidden > 0) {
     const Rectangle shade =
         shape.part(hidden < 1 ? -0.25 : -0.5, hidden < 1 ? hidden : 1.5, -0.5, 1.5);
-    surface(shade.scaled(0.5), any_albedo_of_a_shade());
+    surface(shade.scaled(way), any_albedo_of_a_shade());
   }
   if (dot(shape.n(), shape.center) < 0 && hidden < 1) {
-    irradiance_ +=
-        radiance * cosine_of_polygon(shape.part(hidden, 1, 0, 1).corners(), kOrigin, kUp);
+    const std::vector<Vec3> seen = shape.part(hidden, 1, 0, 1).corners();
+    arrives(radiance, cosine_of_polygon(seen, kOrigin, kUp), solid_angle_of(seen));
   }
   return *this;
 }
@@ -130,53 +155,68 @@ Stage& Stage::mesh(const Rectangle& shape, Rgb radiance, Body body) {
   for (const Vec3 corner : c) q.push_back(pose_.point(corner));
   scene_.lights.emplace_back(
       pt::make_mesh_light({{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}, radiance));
-  tell(fmt::format("mesh light of two triangles, corners {} {} {} {}, radiance {}", show(q[0]),
-                   show(q[1]), show(q[2]), show(q[3]), show(radiance)));
+  lights_.push_back(fmt::format("mesh light of two triangles, corners {} {} {} {}, radiance {}",
+                                brief(c[0]), brief(c[1]), brief(c[2]), brief(c[3]),
+                                brief(radiance)));
   if (body == Body::surface) surface(shape, pt::gray(0.5), radiance);
-  if (dot(shape.n(), shape.center) < 0)
-    irradiance_ += radiance * cosine_of_polygon(c, kOrigin, kUp);
+  if (dot(shape.n(), shape.center) < 0) {
+    arrives(radiance, cosine_of_polygon(c, kOrigin, kUp), solid_angle_of(c));
+  }
   return *this;
 }
 
 Stage& Stage::ball(Vec3 center, double radius, Rgb radiance, Body body) {
   const pt::Sphere sphere{pose_.point(center), pose_.size * radius};
   scene_.lights.emplace_back(pt::SphereLight{sphere.center, sphere.radius, radiance});
-  tell(fmt::format("sphere light around {}, radius {}, radiance {}", show(sphere.center),
-                   sphere.radius, show(radiance)));
+  lights_.push_back(fmt::format("sphere light around {}, radius {}, radiance {}", brief(center),
+                                brief(radius), brief(radiance)));
   if (body == Body::surface) {
     scene_.primitives.spheres.push_back(sphere);
     ball_materials_.push_back(material(pt::gray(0.5), radiance));
   }
-  irradiance_ += radiance * cosine_of_ball(center, radius, kOrigin, kUp);
+  const double squared = radius * radius / length_squared(center);
+  if (center.z > 0) {
+    arrives(radiance, cosine_of_ball(center, radius, kOrigin, kUp),
+            2 * pt::kPi * squared / (1 + std::sqrt(1 - squared)));
+  }
   return *this;
 }
 
-Stage& Stage::point_light(Vec3 position, Rgb intensity, bool hidden) {
-  const pt::PointLight light{pose_.point(position), pose_.size * pose_.size * intensity};
-  scene_.lights.emplace_back(light);
-  tell(fmt::format("point light at {}, intensity {}", show(light.position), show(light.intensity)));
-  if (hidden) shade(0.5 * position);
+Stage& Stage::point_light(Vec3 position, Rgb intensity, bool hidden, double way) {
+  scene_.lights.emplace_back(
+      pt::PointLight{pose_.point(position), pose_.size * pose_.size * intensity});
+  lights_.push_back(
+      fmt::format("point light at {}, intensity {}", brief(position), brief(intensity)));
+  if (hidden) shade(way * position);
   const double squared = length_squared(position);
-  if (!hidden && position.z > 0)
-    irradiance_ += intensity * (position.z / squared / std::sqrt(squared));
+  if (!hidden && position.z > 0) {
+    arrives(intensity, position.z / squared / std::sqrt(squared), 1 / squared);
+  }
   return *this;
 }
 
 Stage& Stage::directional_light(Vec3 towards, Rgb irradiance, bool hidden) {
-  const pt::DirectionalLight light{-pose_.direction(towards), irradiance};
-  scene_.lights.emplace_back(light);
-  tell(fmt::format("directional light along {}, irradiance {}", show(light.direction),
-                   show(irradiance)));
+  scene_.lights.emplace_back(pt::DirectionalLight{-pose_.direction(towards), irradiance});
+  lights_.push_back(
+      fmt::format("directional light along {}, irradiance {}", brief(-towards), brief(irradiance)));
   if (hidden) shade(1.5 * towards);
-  if (!hidden && towards.z > 0) irradiance_ += irradiance * towards.z;
+  if (!hidden && towards.z > 0) arrives(irradiance, towards.z, 1);
   return *this;
 }
 
 Stage& Stage::sky(Rgb radiance) {
   scene_.lights.emplace_back(pt::AmbientLight{radiance});
-  tell(fmt::format("sky of radiance {} where y > 0", show(radiance)));
-  irradiance_ += radiance * cosine_of_half_space({0, 1, 0}, pose_.direction(kUp));
+  const Vec3 up{0, 1, 0};
+  lights_.push_back(fmt::format("sky of radiance {} on the side of {}", brief(radiance),
+                                brief(pose_.turn.to_local(up))));
+  arrives(radiance, cosine_of_half_space(up, pose_.direction(kUp)), 2 * pt::kPi);
+  brightest_ += radiance;
   return *this;
+}
+
+void Stage::arrives(Rgb radiance, double cosine, double facing) {
+  irradiance_ += radiance * cosine;
+  facing_ += radiance * facing;
 }
 
 // A dark square around a position, facing the origin.
@@ -195,8 +235,12 @@ Stage& Stage::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
     scene_.primitives.triangles.push_back(pt::flat_triangle(p00, middle, last));
     scene_.material_of.push_back(index);
   }
-  tell(fmt::format("surface with corners {} {} {} {}, albedo {}, emission {}", show(p00), show(p10),
-                   show(p11), show(p01), show(albedo), show(emission)));
+  for (int channel = 0; channel < 3; ++channel) {
+    brightest_[channel] = std::max(brightest_[channel], emission[channel]);
+  }
+  const std::string glow = is_black(emission) ? "" : ", emission " + brief(emission);
+  surfaces_.push_back(fmt::format("surface at {}, sides {} {}, albedo {}{}", brief(shape.center),
+                                  brief(shape.u), brief(shape.v), brief(albedo), glow));
   return *this;
 }
 
@@ -205,10 +249,25 @@ int Stage::material(Rgb albedo, Rgb emission) {
   return static_cast<int>(scene_.materials.size()) - 1;
 }
 
-void Stage::tell(const std::string& line) { text_ += line + "\n"; }
+// Scenes of many things are told by their first ones.
+std::string Stage::text() const {
+  std::string text = fmt::format(
+      "told with the point at (0, 0, 0) and its normal along z; in the world turned, {} times as "
+      "large and moved by {}\n",
+      brief(pose_.size), brief(pose_.shift));
+  for (const std::vector<std::string>* list : {&lights_, &surfaces_}) {
+    const std::size_t told = list->size() > kMaxTold + 1 ? kMaxTold : list->size();
+    for (std::size_t i = 0; i < told; ++i) text += (*list)[i] + "\n";
+    if (told < list->size()) {
+      text += fmt::format("and {} more {}\n", list->size() - told,
+                          list == &lights_ ? "lights" : "surfaces");
+    }
+  }
+  return text;
+}
 
 Situation Stage::done() const {
-  Situation all{scene_, point_, point_.albedo * irradiance_ / pt::kPi, text_};
+  Situation all{scene_, point_, point_.albedo * irradiance_ / pt::kPi, text(), facing_, brightest_};
   all.scene.material_of.insert(all.scene.material_of.end(), ball_materials_.begin(),
                                ball_materials_.end());
   all.scene = ready(std::move(all.scene));

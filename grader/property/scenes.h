@@ -30,8 +30,8 @@ struct Pose {
   pt::Vec3 point(pt::Vec3 local) const { return shift + size * direction(local); }
 };
 
-// Any rotation, sizes from 1 / range to range, positions of up to a hundred times the size.
-rc::Gen<Pose> pose(double range = 1e2);
+// Any rotation, sizes from 1 / range to range, positions of up to `far` times the size.
+rc::Gen<Pose> pose(double range = 1e2, double far = 1e2);
 
 // The same, but not turned: local and world directions are the same.
 rc::Gen<Pose> unturned_pose();
@@ -54,6 +54,8 @@ struct Rectangle {
   Rectangle flipped() const { return {center, v, u}; }
 };
 
+void showValue(const Rectangle& rectangle, std::ostream& out);
+
 // Faces the origin, about a distance of 1 away, from straight above it to `tilt` to the side, and
 // turned by up to 0.8 from facing it straight. Sides from narrow to wide.
 rc::Gen<Rectangle> rectangle_above(double tilt, double narrow, double wide);
@@ -64,12 +66,17 @@ std::vector<Rectangle> cube();
 // A unit direction, at most `tilt` from +z.
 rc::Gen<pt::Vec3> direction_above(double tilt = 1.5);
 
+// A unit direction whose z is drawn: how far above the horizon it is.
+rc::Gen<pt::Vec3> direction_above_at(const rc::Gen<double>& height);
+
 // A point of a scene, and the radiance that leaves it along wo after exactly one bounce.
 struct Situation {
   pt::Scene scene;
   pt::SurfacePoint point;
   pt::Rgb expected;
-  std::string text;  // the scene in words, a line a thing, in world space
+  std::string text;   // the scene in words, a line a thing, in coordinates of its own
+  pt::Rgb facing;     // what its lights would add to the irradiance if they were straight above
+  pt::Rgb brightest;  // the largest radiance that a ray from the point may meet
 };
 void showValue(const Situation& situation, std::ostream& out);
 
@@ -89,15 +96,16 @@ class Stage {
   Stage& patch(pt::Rgb albedo, pt::Vec3 wo, bool from_behind = false, pt::Rgb emission = {});
 
   // Lights, with the irradiance they give. Of the rectangle the part with a in [0, hidden] is
-  // behind a dark surface half way to it.
-  Stage& rectangle(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0);
+  // behind a dark surface, which stands at `way` of the way to it; so is a hidden point light.
+  Stage& rectangle(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
+                   double way = 0.5);
   Stage& mesh(const Rectangle& shape, pt::Rgb radiance, Body body);
   Stage& ball(pt::Vec3 center, double radius, pt::Rgb radiance, Body body);
-  Stage& point_light(pt::Vec3 position, pt::Rgb intensity, bool hidden = false);
+  Stage& point_light(pt::Vec3 position, pt::Rgb intensity, bool hidden = false, double way = 0.5);
   Stage& directional_light(pt::Vec3 towards, pt::Rgb irradiance, bool hidden = false);
   Stage& sky(pt::Rgb radiance);
 
-  // A surface that is no light of the list, and does not touch the irradiance.
+  // A surface that is not a light of the list, and does not touch the irradiance.
   Stage& surface(const Rectangle& shape, pt::Rgb albedo, pt::Rgb emission = {});
 
   Situation done() const;
@@ -105,14 +113,17 @@ class Stage {
  private:
   void shade(pt::Vec3 position);
   int material(pt::Rgb albedo, pt::Rgb emission);
-  void tell(const std::string& line);
+  void arrives(pt::Rgb radiance, double cosine, double facing);
+  std::string text() const;
 
   Pose pose_;
   pt::Scene scene_;
   pt::SurfacePoint point_;
   pt::Rgb irradiance_;
+  pt::Rgb facing_;
+  pt::Rgb brightest_;
   std::vector<int> ball_materials_;  // spheres come after all triangles
-  std::string text_;
+  std::vector<std::string> lights_, surfaces_;
 };
 
 // The largest coordinate of the scene's surfaces: what rounding errors of a point are relative to.

@@ -30,6 +30,11 @@ std::string show(const pt::SurfaceHit& hit);
 std::string show(const pt::SurfacePoint& point);
 std::string show(const pt::Camera& camera);
 
+// The same, rounded to five digits: for answers and scenes that somebody reads, not runs again.
+std::string brief(double value);
+std::string brief(pt::Vec3 v);
+std::string brief(pt::Rgb c);
+
 // Writes each value on a line of its own.
 template <class... Values>
 void show_lines(std::ostream& out, const Values&... values) {

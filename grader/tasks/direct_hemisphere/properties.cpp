@@ -1,10 +1,15 @@
 #include "grader/property/closed_forms.h"
+#include "grader/property/directions_found.h"
 #include "grader/property/generators.h"
+#include "grader/property/in_a_row.h"
 #include "grader/property/property.h"
 #include "grader/property/repeat.h"
 #include "grader/property/scenes.h"
+#include "grader/property/textbook.h"
+#include "grader/tasks/direct_hemisphere/surroundings.h"
 #include "pt/tasks/direct_hemisphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,101 +17,66 @@
 namespace grader {
 namespace {
 
+using namespace direct_hemisphere_cases;
 using pt::Rgb;
 using pt::Vec3;
 
 constexpr int kCases = 12;
 
-// Calls of few samples are many, so that each case looks in about as many directions.
-std::vector<Rgb> estimates(const Situation& s, int samples) {
-  const int calls = samples < 4 ? 4000 : 2000;
+// What the contract allows beside noise: 1e-5 of the size for the task, and as much for diffuse_f,
+// which it may call.
+double tolerance(const Situation& s) { return 2 * kColorPrecision * max_channel(s.expected); }
+
+std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
   return repeat<pt::direct_hemisphere>(calls, draw("seed", sampler_seed()), s.scene, s.point,
                                        samples);
 }
 
+// Calls of few samples are many, so that each case looks in about as many directions.
+int calls_of(int samples) { return std::clamp(24000 / samples, 100, 4000); }
+
+void expect_estimate(const Situation& s, int samples) {
+  expect_mean(fmt::format("the mean, {} samples a call", samples),
+              mean_of(estimates(s, calls_of(samples), samples)), s.expected,
+              noise_of_directions(s, samples), tolerance(s));
+}
+
 void expect_estimate(const Situation& s) {
-  const int samples = draw("samples a call", whole(1, 16));
-  expect_mean(fmt::format("the mean, {} samples a call", samples), mean_of(estimates(s, samples)),
-              s.expected, 1e-9 * max_channel(s.expected));
+  expect_estimate(s, draw("samples a call", rc::gen::element(1, 2, 3, 5, 16, 17)));
 }
 
-// Every single estimate is exactly this.
-void expect_always(const Situation& s, Rgb expected) {
-  for (const Rgb& one : estimates(s, 1)) expect_near("each estimate", one, expected, 0);
-}
-
-Rgb any_radiance() { return *color(0.25, 4); }
-
-// The walls of a room without its floor, in pieces: every direction above the patch meets one.
-std::vector<Rectangle> dome(int pieces) {
-  std::vector<Rectangle> cells;
-  for (const Rectangle& wall : cube()) {
-    if (wall.center.z == 0) continue;
-    for (int i = 0; i < pieces * pieces; ++i) {
-      const int column = i % pieces, row = i / pieces;
-      const double a = column, b = row, width = 1.0 / pieces;
-      cells.push_back(wall.part(a * width, (a + 1) * width, b * width, (b + 1) * width));
-    }
-  }
-  return cells;
-}
-
-// A patch in a room whose walls all glow: it shows its albedo times their radiance.
-rc::Gen<Situation> in_a_glowing_room(double range) {
-  return rc::gen::exec([range] {
-    Stage stage(*pose(range));
-    const Rgb radiance = any_radiance(), albedo = *color(0.1, 1);
-    for (const Rectangle& wall : dome(1)) stage.surface(wall, pt::gray(0.5), radiance);
-    Situation s = stage.patch(albedo, *direction_above(), *rc::gen::arbitrary<bool>()).done();
-    s.expected = albedo * radiance;
-    return s;
-  });
-}
-
-// A patch under a rectangle that fills much of what it sees.
-rc::Gen<Situation> under_a_rectangle(const rc::Gen<Pose>& poses, const rc::Gen<double>& hidden) {
-  return rc::gen::exec([=] {
-    Stage stage(*poses);
-    stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface, *hidden);
-    return stage.patch(*color(0.1, 1), *direction_above()).done();
-  });
+// Every single estimate is black.
+void expect_dark(const Situation& s) {
+  for (const Rgb& one : estimates(s, 4000, 1)) expect_near("each estimate", one, {}, 0);
 }
 
 PROMISE(direct_hemisphere, sees_the_sky) {
-  for_all(
-      [] {
-        const Situation s = *rc::gen::exec([] {
-          const Vec3 n = pt::frame_from_normal({0, 1, 0}).to_world(*direction_above(1.8));
-          const Pose tilted{pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)};
-          Stage stage(tilted);
-          return stage.sky(any_radiance()).patch(*color(0.1, 1), *direction_above()).done();
-        });
-        expect_estimate(s);
-      },
-      kCases);
+  for_all([] { expect_estimate(*under_the_sky()); }, kCases);
 }
 
 PROMISE(direct_hemisphere, sees_a_light_of_known_size) {
   for_all([] { expect_estimate(*under_a_rectangle(unturned_pose(), rc::gen::just(0.0))); }, kCases);
 }
 
-PROMISE(direct_hemisphere, takes_the_emission_of_what_is_hit) {
+PROMISE(direct_hemisphere, sees_lights_of_any_brightness) {
   for_all(
       [] {
         const Situation s = *rc::gen::exec([] {
           Stage stage(*unturned_pose());
-          const Rectangle shape = *rectangle_above(0.5, 1.6, 2.5);
-          const Rgb radiance = any_radiance();
-          // Not in the list of lights: only rays find it.
-          stage.surface(shape, *color(), radiance);
-          Situation made = stage.patch(*color(0.1, 1), *direction_above()).done();
-          made.expected = made.point.albedo * radiance / pt::kPi *
-                          cosine_of_polygon(shape.corners(), {}, {0, 0, 1});
-          return made;
+          const Rgb radiance = *magnitude(1e-4, 1e6) * any_radiance();
+          *rc::gen::arbitrary<bool>()
+              ? stage.sky(radiance)
+              : stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), radiance, Body::surface);
+          return stage.patch(*color(0.1, 1), *direction_above()).done();
         });
         expect_estimate(s);
       },
       kCases);
+}
+
+// The glowing surface is not in the list of lights, and what is in the list has no surface.
+PROMISE(direct_hemisphere, takes_the_emission_of_what_is_hit) {
+  for_all([] { expect_estimate(*beside_lights_without_surfaces()); }, kCases);
 }
 
 PROMISE(direct_hemisphere, adds_no_emission_of_its_own) {
@@ -117,26 +87,39 @@ PROMISE(direct_hemisphere, adds_no_emission_of_its_own) {
           stage.surface(*rectangle_above(1, 0.5, 2), *color());
           return stage.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
         });
-        expect_always(dark, {});
+        expect_dark(dark);
+      },
+      5);
+  for_all(
+      [] {
+        const Situation lit = *rc::gen::exec([] {
+          Stage stage(*pose());
+          stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
+          return stage.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
+        });
+        expect_estimate(lit);
       },
       5);
 }
 
 PROMISE(direct_hemisphere, sees_what_is_in_the_way) {
   for_all([] { expect_estimate(*under_a_rectangle(unturned_pose(), real(0.3, 0.6))); }, kCases);
-  for_all([] { expect_always(*under_a_rectangle(unturned_pose(), rc::gen::just(1.0)), {}); }, 5);
+  for_all([] { expect_dark(*under_a_rectangle(unturned_pose(), rc::gen::just(1.0))); }, 5);
+  for_all([] { expect_estimate(*before_a_wall()); }, 5);
 }
 
 PROMISE(direct_hemisphere, sees_only_the_bright_side) {
   for_all(
       [] {
-        const Situation turned_away = *rc::gen::exec([] {
-          Stage stage(*unturned_pose());
-          const Rectangle shape = (*rectangle_above(0.9, 1.6, 2.5)).flipped();
-          stage.rectangle(shape, any_radiance(), Body::surface);
-          return stage.patch(*color(0.1, 1), *direction_above()).done();
-        });
-        expect_always(turned_away, {});
+        const Rectangle shape = draw("light", rectangle_above(0.9, 1.6, 2.5));
+        const Rgb radiance = draw("radiance", color(0.25, 4));
+        const auto under = [&](const Rectangle& light) {
+          Stage stage({});
+          stage.rectangle(light, radiance, Body::surface);
+          return stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+        };
+        expect_dark(under(shape.flipped()));
+        expect_estimate(under(shape));
       },
       5);
 }
@@ -175,90 +158,88 @@ PROMISE(direct_hemisphere, reflects_the_albedo) {
 // In a room that glows all over, one direction gives 2 albedo L cos, and cos is uniform: a variance
 // of 1/3 relative to the mean. n of them leave 1/n of it; cleverly placed ones even less.
 PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
-  for_all(
-      [] {
-        const Situation s = *in_a_glowing_room(1);
-        const int samples = draw("samples a call", rc::gen::element(1, 2, 3, 8, 16));
-        const std::vector<Rgb> draws = repeat<pt::direct_hemisphere>(
-            3000, draw("seed", sampler_seed()), s.scene, s.point, samples);
-        const Mean mean = mean_of(draws);
-        expect_mean("the mean", mean, s.expected);
-        const double n = static_cast<double>(draws.size());
-        const double relative = mean.standard_error.r / s.expected.r;
-        const double variance = n * relative * relative * samples;
-        expect(variance < 1.2 / 3,
-               fmt::format("a relative variance of 1/3 or less a sample, from {} samples", samples),
-               show(variance));
-      },
-      kCases);
+  const auto expect_samples = [](int samples) {
+    const Situation s = *in_a_glowing_room(pose(1));
+    const Noise most{s.expected / std::sqrt(3.0 * samples), 3};
+    expect_mean(fmt::format("the mean, {} samples a call", samples),
+                mean_of(estimates(s, calls_of(samples), samples)), s.expected, most, tolerance(s));
+  };
+  for_all([&] { expect_samples(draw("samples a call", rc::gen::element(1, 2, 3, 7, 16, 33))); },
+          kCases);
+  for (const int many : {100, 1000}) for_all([&] { expect_samples(many); }, 1);
 }
 
 PROMISE(direct_hemisphere, starts_off_the_surface) {
+  // Small and large, close to the world's origin and far from it.
+  const auto anywhere = [] { return rc::gen::oneOf(pose(1e6), pose(1e6, 1e4)); };
   for_all(
-      [] {
-        const Situation s = *in_a_glowing_room(1e4);
-        for (const Rgb& one : repeat<pt::direct_hemisphere>(200, draw("seed", sampler_seed()),
-                                                            s.scene, s.point, 1)) {
+      [&] {
+        const Situation s = *in_a_glowing_room(anywhere());
+        for (const Rgb& one : estimates(s, 200, 1)) {
           expect(max_channel(one) > 0, "light from every direction",
                  "none: a ray met the surface that it started on");
         }
       },
-      30);
-  // A dark lid close above the patch: only directions within a hundredth of the surface pass it.
+      60);
   for_all(
-      [] {
-        const Situation s = *rc::gen::exec([] {
-          Stage stage(*pose(1e4));
-          for (const Rectangle& wall : dome(1)) stage.surface(wall, pt::gray(0.5), pt::gray(1));
-          stage.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
-          return stage.patch(pt::gray(0.5), *direction_above()).done();
-        });
-        for (const Rgb& one :
-             repeat<pt::direct_hemisphere>(50, draw("seed", sampler_seed()), s.scene, s.point, 1)) {
-          expect(max_channel(one) < 0.01, "no light through a lid close to the surface", show(one));
+      [&] {
+        for (const Rgb& one : estimates(*under_a_lid(anywhere()), 50, 1)) {
+          expect(max_channel(one) < 0.01, "no light through a lid close to the surface",
+                 brief(one));
         }
       },
-      30);
+      60);
 }
 
 // Each piece of the room has a hue of its own, which tells where one direction went.
 PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
   for_all(
       [] {
-        const std::vector<Rectangle> cells = dome(3);
-        const Situation s = *rc::gen::exec([cells] {
-          Stage stage(*pose());
-          for (std::size_t i = 0; i < cells.size(); ++i) {
-            stage.surface(cells[i], pt::gray(0.5), {1, static_cast<double>(i + 1), 0});
-          }
-          return stage.patch(pt::gray(0.5), *direction_above()).done();
-        });
-        const std::vector<Rgb> draws =
-            repeat<pt::direct_hemisphere>(5000, draw("seed", sampler_seed()), s.scene, s.point, 1);
-        std::vector<int> found(cells.size());
+        const std::vector<Rectangle> pieces = dome(6);
+        const Situation s = *in_a_colored_room(pieces);
+        const std::vector<Rgb> draws = estimates(s, 6000, 1);
+        std::vector<DirectionCell> cells;
+        for (const Rectangle& piece : pieces) {
+          const std::vector<Vec3> c = piece.corners();
+          const double share =
+              solid_angle(c[0], c[1], c[2], {}) + solid_angle(c[0], c[2], c[3], {});
+          cells.push_back({normalize(piece.center), 0,
+                           share / (2 * pt::kPi) * static_cast<double>(draws.size())});
+        }
         for (const Rgb& draw : draws) {
           const double cell = std::round(draw.g / draw.r) - 1;
           if (cell >= 0 && cell < static_cast<double>(cells.size())) {
-            ++found[static_cast<std::size_t>(cell)];
+            ++cells[static_cast<std::size_t>(cell)].found;
           }
         }
-        double chi_square = 0;
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-          const std::vector<Vec3> c = cells[i].corners();
-          const double share =
-              (solid_angle(c[0], c[1], c[2], {}) + solid_angle(c[0], c[2], c[3], {})) /
-              (2 * pt::kPi);
-          const double expected = share * static_cast<double>(draws.size());
-          chi_square += (found[i] - expected) * (found[i] - expected) / expected;
-        }
-        const double limit = chi_square_limit(static_cast<int>(cells.size()));
-        expect(chi_square < limit,
-               fmt::format("directions in proportion to the solid angle: chi-square of {} in {} "
-                           "pieces of a room below {:.4g}",
-                           draws.size(), cells.size(), limit),
-               fmt::format("{:.4g}", chi_square));
+        expect_spread(cells);
       },
       4);
+  // A lit strip at the horizon, lower than a tenth of a degree: about 50 directions meet it.
+  for_all(
+      [] {
+        const Situation s = *in_a_room_lit_at_the_horizon();
+        const Mean mean = mean_of(estimates(s, 300, 200));
+        const double part = mean.value.g / s.expected.g;
+        expect(part > 0.2, "light from a strip at the horizon, seen by 50 directions in 60000",
+               fmt::format("{:.3g} times what it gives", part));
+      },
+      1);
+}
+
+PROMISE(direct_hemisphere, goes_on_with_the_sampler) {
+  for_all(
+      [] {
+        const Situation s = *under_a_rectangle(unturned_pose(), rc::gen::just(0.0));
+        const int samples = draw("samples a call", rc::gen::element(1, 2, 16));
+        const auto answers =
+            expect_goes_on(draw("seed", sampler_seed()), [&](pt::Sampler& sampler) {
+              return pt::direct_hemisphere(s.scene, s.point, samples, sampler);
+            });
+        expect_mean("the mean of calls in a row", mean_of(answers), s.expected,
+                    noise_of_directions(s, samples), tolerance(s));
+      },
+      3);
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+// breaks: f_is_zero_across_the_surface
+// Computes nothing: f, the samples and the pdf are zero.
+#include "pt/tasks/diffuse_bsdf.h"
+
+namespace pt {
+
+Rgb diffuse_f(Rgb, Vec3, Vec3) { return {}; }
+
+BsdfSample diffuse_sample(Rgb, Vec3, Sampler&) { return {}; }
+
+double diffuse_pdf(Vec3, Vec3) { return 0; }
+
+}  // namespace pt

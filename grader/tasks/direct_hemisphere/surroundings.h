@@ -1,0 +1,133 @@
+#pragma once
+
+#include "grader/property/closed_forms.h"
+#include "grader/property/generators.h"
+#include "grader/property/scenes.h"
+
+#include <vector>
+
+// What direct_hemisphere looks at: scenes around a shaded point, which is the origin of the stage
+// and has its normal along z.
+
+namespace grader::direct_hemisphere_cases {
+
+inline pt::Rgb any_radiance() { return *color(0.25, 4); }
+
+// The walls of a room without its floor, in pieces: every direction above the patch meets one.
+inline std::vector<Rectangle> dome(int pieces) {
+  std::vector<Rectangle> cells;
+  for (const Rectangle& wall : cube()) {
+    if (wall.center.z == 0) continue;
+    for (int i = 0; i < pieces * pieces; ++i) {
+      const int column = i % pieces, row = i / pieces;
+      const double a = column, b = row, width = 1.0 / pieces;
+      cells.push_back(wall.part(a * width, (a + 1) * width, b * width, (b + 1) * width));
+    }
+  }
+  return cells;
+}
+
+// A patch in a room whose walls all glow: it shows its albedo times their radiance.
+inline rc::Gen<Situation> in_a_glowing_room(const rc::Gen<Pose>& poses) {
+  return rc::gen::exec([poses] {
+    Stage stage(*poses);
+    const pt::Rgb radiance = any_radiance(), albedo = *color(0.1, 1);
+    for (const Rectangle& wall : dome(1)) stage.surface(wall, pt::gray(0.5), radiance);
+    Situation s = stage.patch(albedo, *direction_above(), *rc::gen::arbitrary<bool>()).done();
+    s.expected = albedo * radiance;
+    return s;
+  });
+}
+
+// A patch under a rectangle that fills much of what it sees. A shade stands half way to it, close
+// to the patch or just before the light.
+inline rc::Gen<Situation> under_a_rectangle(const rc::Gen<Pose>& poses,
+                                            const rc::Gen<double>& hidden) {
+  return rc::gen::exec([=] {
+    Stage stage(*poses);
+    const double way = *rc::gen::element(0.5, 0.2, 0.999);
+    stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface, *hidden, way);
+    return stage.patch(*color(0.1, 1), *direction_above()).done();
+  });
+}
+
+// A wall just behind the light hides nothing of it.
+inline rc::Gen<Situation> before_a_wall() {
+  return rc::gen::exec([] {
+    Stage stage(*unturned_pose());
+    const Rectangle shape = *rectangle_above(0.9, 1.6, 2.5);
+    stage.rectangle(shape, any_radiance(), Body::surface);
+    stage.surface(shape.part(-0.5, 1.5, -0.5, 1.5).scaled(1.001), *color());
+    return stage.patch(*color(0.1, 1), *direction_above()).done();
+  });
+}
+
+inline rc::Gen<Situation> under_the_sky() {
+  return rc::gen::exec([] {
+    const pt::Vec3 n = pt::frame_from_normal({0, 1, 0}).to_world(*direction_above(1.8));
+    const Pose tilted{pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)};
+    Stage stage(tilted);
+    for (int skies = *whole(1, 2); skies > 0; --skies) stage.sky(any_radiance());
+    return stage.patch(*color(0.1, 1), *direction_above()).done();
+  });
+}
+
+inline rc::Gen<Situation> beside_lights_without_surfaces() {
+  return rc::gen::exec([] {
+    Stage stage(*unturned_pose());
+    for (int lights = *rc::gen::element(0, 1, 5, 40); lights > 0; --lights) {
+      *rc::gen::arbitrary<bool>()
+          ? stage.point_light(2 * *direction_above(), any_radiance())
+          : stage.ball(2 * *direction_above(1.0), 0.2, any_radiance(), Body::none);
+    }
+    const Rectangle shape = *rectangle_above(0.5, 1.6, 2.5);
+    const pt::Rgb radiance = any_radiance();
+    stage.surface(shape, *color(), radiance);
+    Situation made = stage.patch(*color(0.1, 1), *direction_above()).done();
+    made.expected =
+        made.point.albedo * radiance / pt::kPi * cosine_of_polygon(shape.corners(), {}, {0, 0, 1});
+    return made;
+  });
+}
+
+// A dark lid close above the patch: only directions within a hundredth of the surface pass it.
+inline rc::Gen<Situation> under_a_lid(const rc::Gen<Pose>& poses) {
+  return rc::gen::exec([poses] {
+    Stage stage(*poses);
+    for (const Rectangle& wall : dome(1)) stage.surface(wall, pt::gray(0.5), pt::gray(1));
+    stage.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
+    return stage.patch(pt::gray(0.5), *direction_above()).done();
+  });
+}
+
+// Piece i of the room glows in the hue (1, i + 1, 0).
+inline rc::Gen<Situation> in_a_colored_room(const std::vector<Rectangle>& pieces) {
+  return rc::gen::exec([pieces] {
+    Stage stage(*pose());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      stage.surface(pieces[i], pt::gray(0.5), {1, static_cast<double>(i + 1), 0});
+    }
+    return stage.patch(pt::gray(0.5), *direction_above()).done();
+  });
+}
+
+// Four walls of a height of a thousandth glow, at a distance of one: a part of 0.8 to 1 thousandth
+// of all directions meets them.
+inline rc::Gen<Situation> in_a_room_lit_at_the_horizon() {
+  return rc::gen::exec([] {
+    Stage stage(*pose());
+    double cosine = 0;
+    for (const Rectangle& wall : dome(1)) {
+      if (wall.center.z == 1) continue;
+      const bool upwards_is_u = wall.u.z > 0;
+      const Rectangle strip = upwards_is_u ? wall.part(0, 1e-3, 0, 1) : wall.part(0, 1, 0, 1e-3);
+      stage.surface(strip, {}, pt::gray(100));
+      cosine += cosine_of_polygon(strip.corners(), {}, {0, 0, 1});
+    }
+    Situation s = stage.patch(pt::gray(0.5), *direction_above()).done();
+    s.expected = s.point.albedo * pt::gray(100 * cosine / pt::kPi);
+    return s;
+  });
+}
+
+}  // namespace grader::direct_hemisphere_cases

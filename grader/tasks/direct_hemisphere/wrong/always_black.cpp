@@ -1,0 +1,9 @@
+// breaks: sees_only_the_bright_side
+// Computes nothing: every point is black.
+#include "pt/tasks/direct_hemisphere.h"
+
+namespace pt {
+
+Rgb direct_hemisphere(const Scene&, const SurfacePoint&, int, Sampler&) { return {}; }
+
+}  // namespace pt

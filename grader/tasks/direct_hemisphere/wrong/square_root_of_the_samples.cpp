@@ -1,0 +1,29 @@
+// breaks: takes_the_samples_asked_for
+// Takes samples for the side of a square grid, and looks in its square root of directions.
+#include "pt/geometry/spawn_ray.h"
+#include "pt/sampling/directions.h"
+#include "pt/tasks/diffuse_bsdf.h"
+#include "pt/tasks/direct_hemisphere.h"
+
+#include <cmath>
+namespace pt {
+
+Rgb direct_hemisphere(const Scene& scene, const SurfacePoint& point, int samples,
+                      Sampler& sampler) {
+  const Vec3 wo = point.frame.to_local(point.wo);
+  const double pdf = 1 / (2 * kPi);
+  Rgb sum;
+  samples = static_cast<int>(std::lround(std::sqrt(samples)));
+  for (int i = 0; i < samples; ++i) {
+    const Vec3 wi = uniform_hemisphere(sampler.next_2d());
+    const Vec3 direction = point.frame.to_world(wi);
+    const Ray ray = spawn_ray(point, direction);
+    const std::optional<Hit> hit = scene.closest(ray);
+    Rgb light = background(scene, direction);
+    if (hit) light = surface_point(scene, ray, *hit).emission;
+    sum += diffuse_f(point.albedo, wo, wi) * light * wi.z / pdf;
+  }
+  return sum / samples;
+}
+
+}  // namespace pt

@@ -1,0 +1,177 @@
+#pragma once
+
+#include "grader/property/generators.h"
+#include "grader/property/scenes.h"
+
+// The lights that direct_lights is tried with: each function puts one of random size and place on a
+// stage, where the shaded point is the origin and its normal along z.
+
+namespace grader::direct_lights_cases {
+
+inline pt::Rgb any_radiance() { return *color(0.25, 4); }
+
+inline pt::Vec3 any_position() { return *real(0.5, 4) * *direction_above(); }
+
+// Between a thousandth of a degree and six degrees above the surface.
+inline pt::Vec3 grazing_direction() { return *direction_above_at(magnitude(2e-5, 0.1)); }
+
+// Lit by whatever `light` puts on the stage.
+template <class Light>
+rc::Gen<Situation> lit_by(Light light, const rc::Gen<Pose>& poses = unturned_pose(),
+                          const rc::Gen<bool>& from_behind = rc::gen::just(false)) {
+  return rc::gen::exec([=] {
+    Stage stage(*poses);
+    light(stage);
+    return stage.patch(*color(0.1, 1), *direction_above(), *from_behind).done();
+  });
+}
+
+// The same scene where what the stage does not know of hides all light.
+inline Situation dark(Situation s) {
+  s.expected = {};
+  s.facing = {};
+  return s;
+}
+
+inline void rectangle(Stage& stage) {
+  stage.rectangle(*rectangle_above(1.2, 0.1, 1.5), any_radiance(), Body::none);
+}
+
+// Down to sides of a ten-thousandth of the distance, up to a thousand units away.
+inline void small_rectangle(Stage& stage) {
+  const Rectangle shape = (*rectangle_above(1.2, 0.5, 1.5)).scaled(*magnitude(1e-1, 1e3));
+  const double half = *magnitude(1e-4, 0.5);
+  stage.rectangle(shape.part(0.5 - half, 0.5 + half, 0.5 - half, 0.5 + half), any_radiance(),
+                  Body::none);
+}
+
+inline void ball(Stage& stage) {
+  const pt::Vec3 towards = *direction_above(1.0);
+  const double distance = *real(0.5, 3);
+  stage.ball(distance * towards, distance * *real(0.05, 0.5), any_radiance(), Body::none);
+}
+
+// Wholly above the horizon, by as much as it is large.
+inline void grazing_ball(Stage& stage) {
+  const pt::Vec3 towards = grazing_direction();
+  const double distance = *magnitude(0.1, 1e3);
+  stage.ball(distance * towards, distance * towards.z / 2, any_radiance(), Body::none);
+}
+
+inline void point_light(Stage& stage) { stage.point_light(any_position(), any_radiance()); }
+
+inline void grazing_point_light(Stage& stage) {
+  const double distance = *magnitude(0.01, 1e3);
+  stage.point_light(distance * grazing_direction(), distance * distance * any_radiance());
+}
+
+inline void directional_light(Stage& stage) {
+  stage.directional_light(*direction_above(), any_radiance());
+}
+
+inline void grazing_directional_light(Stage& stage) {
+  stage.directional_light(grazing_direction(), any_radiance());
+}
+
+inline void any_delta_light(Stage& stage) {
+  *rc::gen::arbitrary<bool>() ? point_light(stage) : directional_light(stage);
+}
+
+inline void any_light(Stage& stage) {
+  const int kind = *whole(0, 5);
+  const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
+  if (kind == 0) point_light(stage);
+  if (kind == 1) directional_light(stage);
+  if (kind == 2) stage.rectangle(shape, any_radiance(), Body::none);
+  if (kind == 3) stage.mesh(shape, any_radiance(), Body::none);
+  if (kind == 4) stage.ball(2 * *direction_above(1.0), 0.5, any_radiance(), Body::none);
+  if (kind == 5) stage.sky(0.2 * any_radiance());
+}
+
+inline void lamp(Stage& stage) {
+  stage.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
+}
+
+// What hides a light stands on the way to it, close to the point or just before the light.
+inline double any_way() { return *rc::gen::element(0.5, 0.01, 0.99, 0.999); }
+
+inline void half_hidden_lamp(Stage& stage) {
+  stage.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, *real(0.25, 0.75),
+                  any_way());
+}
+
+inline void hidden_light(Stage& stage) {
+  const int kind = *whole(0, 2);
+  if (kind == 0) stage.point_light(any_position(), any_radiance(), true, any_way());
+  if (kind == 1) stage.directional_light(*direction_above(), any_radiance(), true);
+  if (kind == 2) {
+    stage.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, 1, any_way());
+  }
+}
+
+// An upright wall that stands on the patch close to the point, behind it as the light sees it: it
+// touches the surface, and hides nothing.
+inline void beside_a_wall(Stage& stage) {
+  const pt::Vec3 at = any_position();
+  const pt::Vec3 away = normalize(pt::Vec3{-at.x, -at.y, 0} + pt::Vec3{-1e-9, 0, 0});
+  const pt::Vec3 along{-away.y, away.x, 0};
+  stage.point_light(at, any_radiance());
+  const double beside = *magnitude(1e-3, 0.05), height = *real(0.1, 2);
+  stage.surface({beside * away + pt::Vec3{0, 0, height / 2}, along, {0, 0, height}}, *color());
+}
+
+// With a surface of its own, and often with a wall behind: in the plane of the light, just behind
+// it or far away.
+inline void lamp_with_a_body(Stage& stage) {
+  const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
+  const bool is_mesh = *rc::gen::arbitrary<bool>();
+  is_mesh ? stage.mesh(shape, any_radiance(), Body::surface)
+          : stage.rectangle(shape, any_radiance(), Body::surface);
+  if (*rc::gen::arbitrary<bool>()) {
+    const double way = *rc::gen::element(1.0, 1.001, 1.01, 1.5);
+    stage.surface(shape.part(-1, 2, -1, 2).scaled(way), *color());
+  }
+}
+
+inline void point_light_before_a_wall(Stage& stage) {
+  const pt::Vec3 at = any_position();
+  const pt::Frame around = pt::frame_from_normal(normalize(at));
+  stage.point_light(at, any_radiance());
+  const double way = *rc::gen::element(1.001, 1.01, 1.5);
+  stage.surface({way * at, 9 * around.x, 9 * around.y}, *color());
+}
+
+inline void ball_with_a_body(Stage& stage) {
+  const double distance = *real(0.5, 3);
+  stage.ball(distance * *direction_above(1.0), distance * *real(0.01, 0.4), any_radiance(),
+             Body::surface);
+}
+
+inline void light_below(Stage& stage) {
+  const pt::Vec3 above = *real(0.5, 4) * *direction_above(1.0);
+  const pt::Vec3 at{above.x, above.y, -above.z};
+  const int kind = *whole(0, 2);
+  if (kind == 0) stage.point_light(at, any_radiance());
+  if (kind == 1) stage.directional_light(normalize(at), any_radiance());
+  if (kind == 2) stage.ball(at, 0.2, any_radiance(), Body::none);
+}
+
+// Above the patch, but it emits to the other side.
+inline void light_turned_away(Stage& stage) {
+  stage.rectangle((*rectangle_above(0.8, 0.2, 1)).flipped(), any_radiance(), Body::none);
+}
+
+// An upright rectangle that goes on below the horizon.
+inline void light_across_the_horizon(Stage& stage) {
+  const double tall = *real(1, 2);
+  stage.rectangle({{-1, 0, tall * *real(-0.2, 0.2)}, {0, 1, 0}, {0, 0, tall}}, any_radiance(),
+                  Body::none);
+}
+
+inline void under_a_lid(Stage& stage) {
+  const pt::Vec3 towards = *direction_above(1.4);
+  stage.point_light(*real(0.5, 4) * towards, any_radiance());
+  stage.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
+}
+
+}  // namespace grader::direct_lights_cases

@@ -1,0 +1,9 @@
+// breaks: keeps_light_on_its_side
+// Computes nothing: every point is black.
+#include "pt/tasks/direct_lights.h"
+
+namespace pt {
+
+Rgb direct_lights(const Scene&, const SurfacePoint&, int, Sampler&) { return {}; }
+
+}  // namespace pt
