@@ -1,5 +1,6 @@
 #include "grader/property/property.h"
 
+#include "grader/property/fail.h"
 #include "grader/property/replay.h"
 
 #include <array>
@@ -28,13 +29,6 @@ std::vector<Failure>& mutable_failures() {
 // A case fails by an exception whose text is one of these lines a field; RapidCheck keeps the text
 // of the smallest failing case.
 constexpr std::string_view kFields[] = {"what: ", "got: ", "expected: ", "off by: "};
-
-[[noreturn]] void fail(const std::string& what, const std::string& got, const std::string& expected,
-                       const std::string& off_by = "") {
-  throw rc::detail::CaseResult(
-      rc::detail::CaseResult::Type::Failure,
-      fmt::format("what: {}\ngot: {}\nexpected: {}\noff by: {}\n", what, got, expected, off_by));
-}
 
 constexpr std::array kCauses{Cause::wrong, Cause::crash, Cause::timeout, Cause::bad_reply,
                              Cause::not_attempted};
@@ -224,6 +218,13 @@ void fail_call(Cause cause, const std::string& got) {
       fmt::format("what: \ngot: {}\nexpected: an answer\n{}{}\n", got, kCauseField, name(cause)));
 }
 
+void fail(const std::string& what, const std::string& got, const std::string& expected,
+          const std::string& off_by) {
+  throw rc::detail::CaseResult(
+      rc::detail::CaseResult::Type::Failure,
+      fmt::format("what: {}\ngot: {}\nexpected: {}\noff by: {}\n", what, got, expected, off_by));
+}
+
 void expect(bool condition, const std::string& expected, const std::string& got) {
   if (!condition) fail("", got, expected);
 }
@@ -257,29 +258,6 @@ void expect_equal(const std::string& what, long long got, long long expected) {
   if (got != expected) {
     fail(what, fmt::format("{}", got), fmt::format("{}", expected),
          fmt::format("{}", got - expected));
-  }
-}
-
-Mean mean_of(const std::vector<pt::Rgb>& draws) {
-  const double n = static_cast<double>(draws.size());
-  pt::Rgb mean, squares;
-  for (const pt::Rgb& draw : draws) mean += draw / n;
-  for (const pt::Rgb& draw : draws) squares += (draw - mean) * (draw - mean);
-  const pt::Rgb variance = squares / (n * (n - 1));
-  return {mean,
-          {std::sqrt(variance.r), std::sqrt(variance.g), std::sqrt(variance.b)},
-          static_cast<int>(draws.size())};
-}
-
-void expect_mean(const std::string& what, const Mean& got, pt::Rgb expected, double slack) {
-  for (int channel = 0; channel < 3; ++channel) {
-    const double off = std::abs(got.value[channel] - expected[channel]);
-    const double allowed = kStandardErrors * got.standard_error[channel] + slack;
-    if (off <= allowed) continue;
-    fail(what, fmt::format("{} as the mean of {}", show(got.value), got.n),
-         fmt::format("{}, give or take {:.2g}", show(expected), allowed),
-         fmt::format("{:.3g} ({:.3g} times what was expected)", off,
-                     got.value[channel] / expected[channel]));
   }
 }
 

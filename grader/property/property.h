@@ -85,17 +85,44 @@ void expect_equal(const std::string& what, long long got, long long expected);
 // Makes the case fail because a call gave no answer; `got` says what it did instead.
 [[noreturn]] void fail_call(Cause cause, const std::string& got);
 
+// The precision of a color, a BSDF, a pdf or a radiance that the contracts ask for, relative to its
+// size: single precision keeps it, and so does pi to six digits.
+inline constexpr double kColorPrecision = 1e-5;
+
 // The mean of many draws, and how far it may be from what it estimates by chance.
 struct Mean {
   pt::Rgb value;
   pt::Rgb standard_error;
   int n = 0;
+  pt::Rgb largest_share;  // how much of the sum of all |draw| is one draw, in [0, 1]; 0 for black
 };
 Mean mean_of(const std::vector<pt::Rgb>& draws);
 
+// How noisy one draw of a right method may be. The kurtosis (fourth central moment over the squared
+// variance: 3 for a normal distribution) says how well the variance is known from many draws.
+struct Noise {
+  pt::Rgb deviation;  // the largest standard deviation of one draw
+  double kurtosis = 30;
+};
+
+// The noise of the usual method times the factor that the contract states: from a closed form of
+// the usual deviation, as Noise{factor * deviation}, or by this from many draws of a plain textbook
+// estimator that runs in the judge's own process, never from the submission's.
+Noise noise_of(const std::vector<pt::Rgb>& usual, double factor);
+
 // How many standard errors a mean may be off: by chance 2e-9 of the time on one channel. `slack` is
-// added to what is allowed: the error that a right method may have beside chance.
+// added to what is allowed: the error that a right method may have beside chance, as the contract's
+// precision says (kColorPrecision times the size of what is expected, and of what the task calls).
+//
+// What is allowed by chance is measured on the draws, so the draws must not be arbitrarily noisy:
+// where more than `at_most` is certain, the case fails as "right on average, but too noisy". Where
+// no bound is given, a sum that is mostly one draw is still no evidence.
 inline constexpr double kStandardErrors = 6;
 void expect_mean(const std::string& what, const Mean& got, pt::Rgb expected, double slack = 0);
+void expect_mean(const std::string& what, const Mean& got, pt::Rgb expected, const Noise& at_most,
+                 double slack = 0);
+
+// The part of it that is about the noise alone: for draws whose mean is not known.
+void expect_noise(const std::string& what, const Mean& got, const Noise& at_most, double slack = 0);
 
 }  // namespace grader

@@ -2,6 +2,7 @@
 
 #include "grader/property/cameras.h"
 #include "grader/property/generators.h"
+#include "pt/sampling/sampler.h"
 
 #include <cmath>
 #include <limits>
@@ -106,6 +107,50 @@ TEST(Property, shrinks_within_the_range_and_ends) {
     }
     EXPECT_LT(steps, 2000) << low << " " << high;
   }
+}
+
+// Draws of mean 1: `value` by a chance of 1 / value, else nothing.
+std::vector<pt::Rgb> rarely(double value, int n, std::uint64_t seed) {
+  pt::Sampler sampler(seed);
+  std::vector<pt::Rgb> draws(n);
+  for (pt::Rgb& draw : draws) draw = pt::gray(sampler.next_1d() * value < 1 ? value : 0);
+  return draws;
+}
+
+TEST(Mean, of_estimates_as_noisy_as_they_may_be_is_right) {
+  for_all(
+      [] {
+        const std::vector<pt::Rgb> draws = rarely(5, 3000, draw("seed", sampler_seed()));
+        expect_mean("the mean", mean_of(draws), pt::gray(1), Noise{pt::gray(2)});
+        expect_mean("the mean", mean_of(draws), pt::gray(1), noise_of(draws, 1));
+      },
+      1000);
+}
+
+TEST(Mean, is_too_noisy_where_few_draws_carry_it) {
+  const Failure noisy = failure_of([] {
+    const std::vector<pt::Rgb> draws = rarely(50, 3000, draw("seed", sampler_seed()));
+    expect_mean("the mean", mean_of(draws), pt::gray(1), Noise{pt::gray(2)});
+  });
+  EXPECT_TRUE(noisy.got.starts_with("right on average, but too noisy")) << noisy.got;
+  const Failure one = failure_of([] {
+    std::vector<pt::Rgb> draws(1000);
+    draws[17] = pt::gray(1000);
+    expect_mean("the mean", mean_of(draws), pt::gray(2));
+  });
+  EXPECT_TRUE(one.got.starts_with("too noisy to judge")) << one.got;
+  const Failure far = failure_of([] {
+    expect_mean("the mean", mean_of(rarely(500, 1000, draw("seed", sampler_seed()))), pt::gray(3),
+                Noise{pt::gray(1)});
+  });
+  EXPECT_TRUE(far.got.starts_with("too noisy to judge")) << far.got;
+}
+
+TEST(Mean, without_noise_may_be_as_imprecise_as_the_contract_says) {
+  const std::vector<pt::Rgb> draws(100, pt::gray(1 + 9e-6));
+  once([&] { expect_mean("the mean", mean_of(draws), pt::gray(1), Noise{}, kColorPrecision); });
+  failure_of([&] { expect_mean("the mean", mean_of(draws), pt::gray(1), Noise{}, 1e-6); });
+  failure_of([&] { expect_mean("the mean", mean_of(draws), pt::gray(kNan), Noise{}, 1); });
 }
 
 TEST(Cameras, know_the_way_back_to_the_picture) {
