@@ -2,8 +2,9 @@
 
 #include "grader/property/closed_forms.h"
 #include "grader/property/generators.h"
-#include "grader/property/show.h"
+#include "grader/property/property.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,8 +13,13 @@ namespace grader {
 
 using pt::Rgb;
 using pt::Vec3;
+using Direct = pt::PathSettings::Direct;
 
 namespace {
+
+// A room is described to people, who replay a case by its seed.
+std::string brief(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
+std::string brief(Rgb c) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", c.r, c.g, c.b); }
 
 // A point with the normal n, on wo's side; wo is given around n as z.
 pt::SurfacePoint point_on(const pt::Scene& scene, Vec3 p, Vec3 n, Vec3 geometric_normal, Rgb albedo,
@@ -28,8 +34,6 @@ pt::SurfacePoint point_on(const pt::Scene& scene, Vec3 p, Vec3 n, Vec3 geometric
   point.scale = std::max(coordinate_size(scene.primitives), max_abs(p));
   return point;
 }
-
-Rgb any_radiance() { return *color(0.25, 4); }
 
 // A dull ball around the middle of the pose, of its size.
 pt::Scene inside_of_a_ball(const Pose& pose, Rgb albedo) {
@@ -46,54 +50,168 @@ pt::SurfacePoint point_on_the_inside(const pt::Scene& scene, Vec3 outwards) {
                   scene.materials[0].albedo, *direction_above());
 }
 
+// The irradiance that a point light of intensity 1, `offset` away from the middle of a ball of
+// radius 1, gives to the point `at` of it.
+double irradiance(Vec3 at, Vec3 offset) {
+  const double distance = length(at - offset);
+  return dot(at - offset, at) / (distance * distance * distance);
+}
+
+// Its variance over the ball, where its mean is 1; all points at one cosine to the light are alike.
+double variance_of_irradiance(double offset) {
+  constexpr int kSteps = 400;
+  double mean_square = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double cosine = (2 * i + 1.0) / kSteps - 1;
+    const Vec3 at{std::sqrt(1 - cosine * cosine), 0, cosine};
+    mean_square += std::pow(irradiance(at, {0, 0, offset}), 2) / kSteps;
+  }
+  return mean_square - 1;
+}
+
+Rgb squared(Rgb c) { return c * c; }
+
+Rgb root(Rgb c) {
+  const auto positive = [](double x) { return std::sqrt(std::max(0.0, x)); };
+  return {positive(c.r), positive(c.g), positive(c.b)};
+}
+
+// What is found from bounce k on, for each place.
+using Moments = std::vector<Rgb>;
+
+Rgb expected_next(const Place& place, const Moments& next) {
+  Rgb sum;
+  for (std::size_t i = 0; i < next.size(); ++i) sum += place.leads[i] * next[i];
+  return sum;
+}
+
+// The means after exactly one more bounce.
+Moments one_bounce_more(const std::vector<Place>& places, const Moments& radiance) {
+  Moments all;
+  all.reserve(places.size());
+  for (const Place& place : places) {
+    all.push_back(place.albedo * expected_next(place, radiance));
+  }
+  return all;
+}
+
+template <class Visit>
+void each_bounce(const Room& room, int from, int to, Visit visit) {
+  Moments radiance;
+  for (const Place& place : room.places) radiance.push_back(place.direct);
+  for (int k = 1; k <= to; ++k) {
+    if (k >= from) visit(k, radiance[0]);
+    radiance = one_bounce_more(room.places, radiance);
+  }
+}
+
 }  // namespace
 
 Rgb Room::sum(int from, int to) const {
   Rgb sum;
-  for (int k = from; k <= to; ++k) sum += bounce[k];
+  each_bounce(*this, from, to, [&](int, Rgb radiance) { sum += radiance; });
   return sum;
 }
 
-void showValue(const Room& room, std::ostream& out) { out << room.text << show(room.point); }
+// Bounce k has k - 1 factors f, cos and pdf, and direct light, which has as many itself.
+double Room::precision(int from, int to) const {
+  double sum = 0;
+  each_bounce(*this, from, to,
+              [&](int k, Rgb radiance) { sum += 4 * k * kColorPrecision * max_channel(radiance); });
+  return sum;
+}
 
-rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo) {
-  return rc::gen::exec([=] {
-    const Pose around = *pose();
-    Room room;
-    room.scene = inside_of_a_ball(around, *albedo);
-    const Vec3 offset = *real(0.3, 0.5) * *direction();  // of the light, for a ball of radius 1
-    const Rgb intensity = any_radiance();
-    const pt::PointLight light{around.shift + around.size * offset,
-                               around.size * around.size * intensity};
-    room.scene.lights.emplace_back(light);
-    room.scene = ready(std::move(room.scene));
-
-    const Vec3 at = *direction();
-    room.point = point_on_the_inside(room.scene, at);
-    const Rgb reflected = room.point.albedo * intensity / pt::kPi;
-    const double distance = length(at - offset);
-    room.bounce = {{}, reflected * (dot(at - offset, at) / (distance * distance * distance))};
-    for (int k = 2; k <= kMostBounces; ++k) {
-      room.bounce.push_back(reflected * power_sum(room.point.albedo, k - 1, k - 1));
+// With D the direct light at a place, w the throughput of a bounce and X' what is found from the
+// next bounce on, X = D + w X', and D does not depend on w X':
+//   E X = E D + E w E X'    E X^2 = E D^2 + 2 E D E w E X' + E w^2 E X'^2
+Rgb deviation(const Room& room, const pt::PathSettings& settings, const PathNoise& noise) {
+  const std::size_t n = room.places.size();
+  Moments mean(n), mean_square(n);
+  for (int k = settings.to; k >= 1; --k) {
+    const Moments later = mean, later_square = mean_square;
+    const double survival = k == settings.to ? 1 : k == 1 ? 1 : noise.survival;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Place& place = room.places[i];
+      const Rgb rest = place.albedo * expected_next(place, later);
+      const Rgb rest_square = squared(place.albedo) * expected_next(place, later_square) *
+                              (noise.mean_square / survival);
+      const Rgb direct = k >= settings.from ? place.direct : Rgb{};
+      const Rgb spread =
+          k >= settings.from
+              ? place.variance + place.variance_of_a_sample *
+                                     (std::pow(noise.noise_of_direct, 2) / settings.light_samples)
+              : Rgb{};
+      mean[i] = direct + rest;
+      mean_square[i] = squared(direct) + spread + 2 * direct * rest + rest_square;
     }
-    room.text =
-        fmt::format("in a ball around {}, radius {}, albedo {}\npoint light at {}, intensity {}\n",
-                    show(around.shift), around.size, show(room.point.albedo), show(light.position),
-                    show(light.intensity));
+  }
+  return root(mean_square[0] - squared(mean[0]));
+}
+
+void showValue(const Room& room, std::ostream& out) {
+  const pt::SurfacePoint& point = room.point;
+  out << room.text
+      << fmt::format("point {}, n {}, wo {}, albedo {}", brief(point.p), brief(point.n),
+                     brief(point.wo), brief(point.albedo));
+  if (!is_black(point.emission)) out << ", emission " << brief(point.emission);
+}
+
+Ranges ordinary() { return {1e2, color(0.25, 4), 1}; }
+
+Ranges extreme() {
+  return {
+      1e6,
+      rc::gen::map(rc::gen::pair(magnitude(1e-4, 1e6), color(0.25, 1)),
+                   [](const std::pair<double, Rgb>& light) { return light.first * light.second; }),
+      40};
+}
+
+rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
+  return rc::gen::exec([=] {
+    const Pose around = *pose(ranges.size);
+    Room room;
+    room.direct = Direct::lights;
+    room.scene = inside_of_a_ball(around, *albedo);
+    const Vec3 at = *direction();
+    const int lights = ranges.max_lights > 1 ? *whole(1, ranges.max_lights) : 1;
+    const Rgb of_walls = room.scene.materials[0].albedo;
+    room.text = fmt::format("in a ball around {}, radius {:.4g}, albedo {}\n", brief(around.shift),
+                            around.size, brief(of_walls));
+    Rgb here, everywhere, deviation;
+    for (int i = 0; i < lights; ++i) {
+      const Vec3 offset = *real(0.3, 0.5) * *direction();  // for a ball of radius 1
+      const Rgb intensity = *ranges.light;
+      const pt::PointLight light{around.shift + around.size * offset,
+                                 around.size * around.size * intensity};
+      room.scene.lights.emplace_back(light);
+      const Rgb reflected = of_walls * intensity / pt::kPi;
+      here += reflected * irradiance(at, offset);
+      everywhere += reflected;
+      deviation += reflected * std::sqrt(variance_of_irradiance(length(offset)));  // or less
+      if (i < 3) {
+        room.text += fmt::format("point light at {}, intensity {}\n", brief(light.position),
+                                 brief(light.intensity));
+      }
+    }
+    if (lights > 3) room.text += fmt::format("and {} more like them\n", lights - 3);
+    room.scene = ready(std::move(room.scene));
+    room.point = point_on_the_inside(room.scene, at);
+    room.places = {{of_walls, here, {}, {}, {0, 1}},
+                   {of_walls, everywhere, squared(deviation), {}, {0, 1}}};
     return room;
   });
 }
 
-// With q the part of what an outer point sees, weighed by the cosine, that the lamp fills, the
-// light that leaves the wall and the lamp after k bounces is
-//   wall_k = albedo of the wall ((1 - q) wall_(k-1) + q lamp_(k-1))
-//   lamp_k = albedo of the lamp wall_(k-1)
-rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo) {
+// The lamp fills, of what a point of the wall sees, the part ratio^2, weighed by the cosine: all
+// directions within an angle of its cosine c = sqrt(1 - ratio^2) from the normal.
+rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct,
+                                 const Ranges& ranges) {
   return rc::gen::exec([=] {
-    const Pose around = *pose();
+    const Pose around = *pose(ranges.size);
     const double ratio = *real(0.4, 0.7);
-    const Rgb of_wall = *albedo, of_lamp = *albedo, radiance = any_radiance();
+    const Rgb of_wall = *albedo, of_lamp = *albedo, radiance = *ranges.light;
     Room room;
+    room.direct = *direct;
     room.scene = inside_of_a_ball(around, of_wall);
     const pt::Sphere lamp{around.shift, ratio * around.size};
     room.scene.primitives.spheres.push_back(lamp);
@@ -108,57 +226,100 @@ rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo) {
                                     *direction_above())
                          : point_on_the_inside(room.scene, at);
     if (on_lamp) room.point.emission = radiance;
-    Rgb wall_leaves, lamp_leaves = radiance;
-    room.bounce = {{}};
-    for (int k = 1; k <= kMostBounces; ++k) {
-      const double q = ratio * ratio;
-      const Rgb before = wall_leaves;
-      wall_leaves = of_wall * ((1 - q) * before + q * lamp_leaves);
-      lamp_leaves = of_lamp * before;
-      room.bounce.push_back(on_lamp ? lamp_leaves : wall_leaves);
-    }
+
+    const double q = ratio * ratio, c = std::sqrt(1 - q);
+    // One direction of the cone gives 2 (1 - c) cos, one of the hemisphere 2 cos or nothing.
+    const double variance =
+        room.direct == Direct::lights ? std::pow(1 - c, 4) / 3 : 4 * (1 - c * c * c) / 3 - q * q;
+    const Rgb reflected = of_wall * radiance;
+    const Place wall{of_wall, q * reflected, {}, variance * squared(reflected), {}};
+    const Place on_the_lamp{of_lamp, {}, {}, {}, {}};
+    room.places = on_lamp ? std::vector{on_the_lamp, wall} : std::vector{wall, on_the_lamp};
+    room.places[on_lamp ? 0 : 1].leads =
+        on_lamp ? std::array{0.0, 1.0, 0.0} : std::array{1.0, 0.0, 0.0};
+    room.places[on_lamp ? 1 : 0].leads =
+        on_lamp ? std::array{q, 1 - q, 0.0} : std::array{1 - q, q, 0.0};
     room.text = fmt::format(
-        "in a ball around {}, radius {}, albedo {}\nround a sphere light, radius {}, albedo {}, "
-        "radiance {}, a surface of its own\n",
-        show(around.shift), around.size, show(of_wall), lamp.radius, show(of_lamp), show(radiance));
+        "in a ball around {}, radius {:.4g}, albedo {}\nround a sphere light, radius {:.4g}, "
+        "albedo {}, radiance {}, a surface of its own\n",
+        brief(around.shift), around.size, brief(of_wall), lamp.radius, brief(of_lamp),
+        brief(radiance));
     return room;
   });
 }
 
+// One direction brings 2 albedo radiance cos, and cos is uniform.
 rc::Gen<Room> glowing_room(const rc::Gen<Rgb>& albedo) {
   return rc::gen::exec([=] {
-    const Rgb of_walls = *albedo, radiance = any_radiance();
+    const Rgb of_walls = *albedo, radiance = *color(0.25, 4);
     Stage stage(*pose());
     for (const Rectangle& wall : cube()) stage.surface(wall, of_walls, radiance);
     const Situation made = stage.patch(of_walls, *direction_above(), false, radiance).done();
-    Room room{made.scene, made.point, {{}}, ""};
-    room.text = fmt::format("a closed room of {} surfaces, all of albedo {} and emission {}\n",
-                            made.scene.primitives.size(), show(of_walls), show(radiance));
-    for (int k = 1; k <= kMostBounces; ++k) {
-      room.bounce.push_back(radiance * power_sum(of_walls, k, k));
-    }
-    return room;
+    const Rgb direct = of_walls * radiance;
+    return Room{made.scene,
+                made.point,
+                Direct::hemisphere,
+                {{of_walls, direct, {}, squared(direct) / 3, {1}}},
+                fmt::format("a closed room of {} surfaces, all of albedo {} and emission {}\n",
+                            made.scene.primitives.size(), brief(of_walls), brief(radiance))};
   });
 }
 
-rc::Gen<Room> sunny_wall(const rc::Gen<Rgb>& albedo) {
-  return rc::gen::exec([=] {
-    const Pose around = *pose();
-    const Rectangle wall = *rectangle_above(0.9, 0.8, 2);
-    const Rgb of_wall = *albedo, irradiance = any_radiance();
-    const Vec3 to_sun = pt::frame_from_normal(wall.n()).to_world(*direction_above(1.2));
-    Stage stage(around);
-    stage.surface(wall, of_wall).directional_light(to_sun, irradiance);
-    const Situation made = stage.done();
+namespace {
 
-    Room room{made.scene, {}, {{}, {}}, made.text};
+// A wall above the point, and the point itself, on no surface.
+struct Wall {
+  Pose around;
+  Rectangle shape;
+  Rgb albedo;
+  Stage stage;
+
+  Room seen_from(Rgb of_point, Direct direct, Rgb here, Rgb from_wall, Rgb variance) const {
+    const Situation made = stage.done();
     const Vec3 n = around.direction({0, 0, 1});
-    room.point = point_on(room.scene, around.shift, n, n, *albedo, *direction_above());
-    const double seen = cosine_of_polygon(wall.corners(), {}, {0, 0, 1}) / pt::kPi;
-    room.bounce.push_back(room.point.albedo * of_wall * irradiance *
-                          (dot(to_sun, wall.n()) * seen / pt::kPi));
-    room.bounce.resize(kMostBounces + 1);
-    return room;
+    const double seen = cosine_of_polygon(shape.corners(), {}, {0, 0, 1}) / pt::kPi;
+    return {made.scene,
+            point_on(made.scene, around.shift, n, n, of_point, *direction_above()),
+            direct,
+            {{of_point, here, {}, {}, {0, seen}}, {albedo, from_wall, {}, variance, {}}},
+            made.text};
+  }
+};
+
+Wall wall_above(const rc::Gen<Rgb>& albedo, double tilt) {
+  const Pose around = *pose();
+  const Rectangle shape = *rectangle_above(tilt, 0.8, 2);
+  const Rgb of_wall = *albedo;
+  Stage stage(around);
+  stage.surface(shape, of_wall);
+  return {around, shape, of_wall, stage};
+}
+
+}  // namespace
+
+// The wall faces the point, and what is in the sun on that side of it does not hide the sun.
+rc::Gen<Room> sunny_wall(const rc::Gen<Rgb>& albedo, double tilt) {
+  return rc::gen::exec([=] {
+    Wall wall = wall_above(albedo, tilt);
+    const Rgb of_point = *albedo, irradiance = *color(0.25, 4);
+    const Vec3 to_sun = pt::frame_from_normal(wall.shape.n()).to_world(*direction_above(1.2));
+    wall.stage.directional_light(to_sun, irradiance);
+    return wall.seen_from(of_point, Direct::lights,
+                          of_point * irradiance * (std::max(0.0, to_sun.z) / pt::kPi),
+                          wall.albedo * irradiance * (dot(to_sun, wall.shape.n()) / pt::kPi), {});
+  });
+}
+
+// One direction brings 2 albedo radiance cos at most, by lights and by the hemisphere.
+rc::Gen<Room> wall_under_the_sky(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct) {
+  return rc::gen::exec([=] {
+    Wall wall = wall_above(albedo, 0.9);
+    const Rgb of_point = *albedo, radiance = *color(0.25, 4);
+    wall.stage.sky(radiance);
+    const Vec3 n = wall.around.direction(wall.shape.n());
+    const Rgb most = 2 * wall.albedo * radiance;
+    const Rgb mean = most * (cosine_of_half_space({0, 1, 0}, n) / (2 * pt::kPi));
+    return wall.seen_from(of_point, *direct, {}, mean, mean * (most - mean));
   });
 }
 
