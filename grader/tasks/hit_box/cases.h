@@ -243,7 +243,7 @@ inline rc::Gen<Case> at_a_sheet() {
 // is rounded.
 inline rc::Gen<Case> at_a_segment() {
   return rc::gen::exec([] {
-    const double scale = std::pow(2, *whole(-30, 30)), speed = std::pow(2, *whole(-30, 30));
+    const double scale = std::pow(2, *whole(-30, 30)), speed = std::pow(2, *whole(-9, 9));
     pt::Vec3 p{*whole(-9, 9) * 1.0, *whole(-9, 9) * 1.0, *whole(-9, 9) * 1.0}, d;
     for (int i = 0; i < 3; ++i) d[i] = *rc::gen::element(1.0, -1.0, 2.0, -2.0, 4.0, -4.0);
     pt::Box box{p, p};
