@@ -17,15 +17,23 @@ namespace pt {
 // at the mean, at the median, by the surface area heuristic. What a plane fails to separate must be
 // divided otherwise.
 //
+// Precision: a node's box contains the boxes below it exactly, as Box::grow makes it: it is made of
+// their own numbers in double, and none of them is rounded. It may be larger by rounding errors.
+//
+// May call: no other task. It is called from several threads at once, so it writes no static
+// variable.
+//
 // Promises:
 //   - keeps every primitive once: order is a permutation, and the leaves cover it without overlap.
 //   - covers its primitives: a node's box contains all boxes below it.
 //   - is one tree: every node but the root has one parent, whose index is smaller.
-//   - keeps leaves small: at most max_leaf primitives each, for max_leaf from 1 up.
+//   - keeps leaves small: at most max_leaf primitives each, for max_leaf from 1 up, also in the
+//     deepest parts of a deep tree.
 //   - splits until it must: n boxes with n > max_leaf are not left in one leaf, and inner nodes
 //     have two children that both hold something.
 //   - takes no boxes and one: an empty tree, and a single leaf.
-//   - ends on identical centroids: also when every box is the same.
+//   - ends on identical centroids: also when every box is the same, and when some of them are.
+//   - ends where axes are equally long: boxes in a cube of rows, or along a diagonal.
 //   - separates along the longest axis: long rows of boxes along x, y or z, at any scale, and rows
 //     of such rows, give a tree that a ray across it leaves almost untouched.
 //   - stays shallow on clustered centroids (bonus): at 2^-i for i = 0, 1, ... the depth is

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <string>
 #include <vector>
 
 // Boxes in all the arrangements that a splitting rule may stumble over.
@@ -17,62 +17,175 @@ namespace grader::build_bvh_cases {
 struct Input {
   std::vector<pt::Box> boxes;
   int max_leaf = 1;
+  std::string how;  // they were made
 };
 
+// The first few of many boxes say how they look; what they have in common is said in words.
 inline void showValue(const Input& input, std::ostream& out) {
-  constexpr std::size_t kShown = 6;
-  out << input.boxes.size() << " boxes, max_leaf " << input.max_leaf;
-  for (std::size_t i = 0; i < std::min(kShown, input.boxes.size()); ++i) {
-    out << "\n" << show(input.boxes[i]);
+  const std::size_t n = input.boxes.size(), shown = n <= 6 ? n : 3;
+  out << n << (n == 1 ? " box, " : " boxes, ") << input.how << "; max_leaf " << input.max_leaf;
+  for (std::size_t i = 0; i < shown; ++i) {
+    out << "\nbox " << i << ": " << show(input.boxes[i]);
   }
-  if (input.boxes.size() > kShown) out << "\nand so on";
+  if (shown < n) out << "\nand " << n - shown << " more";
 }
 
 inline pt::Box around(pt::Vec3 center, pt::Vec3 half) { return {center - half, center + half}; }
 
-enum class Kind { scattered, clustered, points, flat, nested, identical, same_center };
+enum class Kind {
+  scattered,
+  clustered,
+  points,
+  flat,
+  nested,
+  line,
+  halving,
+  both_ends,
+  identical,
+  same_center,
+  in_piles,
+  lattice,
+  diagonal,
+};
 
-inline pt::Box box_of(Kind kind, Many& make) {
-  const pt::Vec3 p = make.vector(-10, 10);
+// Those that any plane in the middle of the longest axis divides.
+inline const std::vector<Kind> kUsual{Kind::scattered, Kind::clustered, Kind::points,
+                                      Kind::flat,      Kind::nested,    Kind::line};
+// Planes in the middle cut off one box at a time, so that the tree is as deep as there are boxes.
+inline const std::vector<Kind> kDeep{Kind::halving};
+// No plane parts all of them.
+inline const std::vector<Kind> kCoinciding{Kind::identical, Kind::same_center, Kind::in_piles,
+                                           Kind::both_ends};
+// No axis is longer than the others.
+inline const std::vector<Kind> kTied{Kind::lattice, Kind::diagonal};
+
+inline const char* words(Kind kind) {
   switch (kind) {
     case Kind::scattered:
-      return around(p, make.vector(0.01, 3));
+      return "scattered";
+    case Kind::clustered:
+      return "in three small clusters";
+    case Kind::points:
+      return "each of them a point";
+    case Kind::flat:
+      return "all flat, their centres in one plane";
+    case Kind::nested:
+      return "of all sizes, most of them one inside the other";
+    case Kind::line:
+      return "in a line along one axis";
+    case Kind::halving:
+      return "points, each half as far from the first corner as the one before";
+    case Kind::both_ends:
+      return "points that get closer to both ends of a line, until they coincide";
+    case Kind::identical:
+      return "all the same";
+    case Kind::same_center:
+      return "of different sizes around the same centre";
+    case Kind::in_piles:
+      return "in four piles of identical boxes";
+    case Kind::lattice:
+      return "in a cube of rows, as long in x as in y and z";
+    case Kind::diagonal:
+      return "along a diagonal, as long in x as in y and z";
+  }
+  return "";
+}
+
+// The place of box i among n, within about 10 of the origin, and half its size.
+struct Place {
+  pt::Vec3 center, half;
+};
+
+inline pt::Vec3 on_axis(int axis, double at) {
+  pt::Vec3 p;
+  p[axis] = at;
+  return p;
+}
+
+// Of the usual kinds.
+inline Place usual_place(Kind kind, int axis, Many& make) {
+  const pt::Vec3 p = make.vector(-10, 10);
+  switch (kind) {
     case Kind::clustered: {
       const double cluster = 5 * make.whole(0, 2);
-      return around(pt::Vec3{cluster, -cluster, 1} + 1e-6 * p, make.vector(1e-9, 1e-7));
+      return {pt::Vec3{cluster, -cluster, 1} + 1e-6 * p, make.vector(1e-9, 1e-7)};
     }
     case Kind::points:
-      return {p, p};
+      return {p, {}};
     case Kind::flat: {
       pt::Vec3 half = make.vector(0.01, 1);
       half[make.whole(0, 2)] = 0;
-      return around({p.x, 0, p.z}, half);
+      return {{p.x, 0, p.z}, half};
     }
     case Kind::nested:
-      return around(0.1 * p, std::pow(10, make.between(-4, 2)) * pt::Vec3{1, 1, 1});
-    case Kind::identical:
-      return {{1, 2, 3}, {4, 5, 6}};
-    case Kind::same_center:
-      return around({0, 0, 0}, make.vector(0, 1));
+      return {0.1 * p, std::pow(10, make.between(-4, 2)) * pt::Vec3{1, 1, 1}};
+    case Kind::line:
+      return {on_axis(axis, p.x), make.vector(0, 0.1)};
+    default:
+      return {p, make.vector(0.01, 3)};
   }
-  return {};
 }
 
+inline Place place(Kind kind, int i, int n, int axis, Many& make) {
+  const int side = static_cast<int>(std::round(std::cbrt(n)));
+  const double pile = 3 * make.whole(0, 3);
+  switch (kind) {
+    case Kind::halving:
+      return {on_axis(axis, 8 * std::pow(2, -i)), {}};
+    case Kind::both_ends:
+      return {on_axis(axis, i % 2 == 0 ? 8 * std::pow(2, -i / 2) : 8 - 4 * std::pow(2, -i / 2)),
+              {}};
+    case Kind::identical:
+      return {{2.5, 3.5, 4.5}, {1.5, 1.5, 1.5}};
+    case Kind::same_center:
+      return {{}, make.vector(0, 1)};
+    case Kind::in_piles:
+      return {{pile, 1, -2 * pile}, {1, 1, 1}};
+    case Kind::lattice:
+      return {pt::Vec3{1.0 * (i % side), 1.0 * (i / side % side), 1.0 * (i / side / side)},
+              {0.25, 0.25, 0.25}};
+    case Kind::diagonal:
+      return {pt::Vec3{1.0, 1.0, 1.0} * i, {0.25, 0.25, 0.25}};
+    default:
+      return usual_place(kind, axis, make);
+  }
+}
+
+// At least eight boxes that fill a cube.
+inline int full_cube(int n) {
+  const int side = std::max(2, static_cast<int>(std::round(std::cbrt(n))));
+  return side * side * side;
+}
+
+// From a billionth to a billion across. The usual kinds stand also far from the origin.
 inline rc::Gen<Input> boxes_of(const std::vector<Kind>& kinds, int least, int most) {
   return rc::gen::exec([=] {
-    const int n = *whole(least, most);
-    Input input{{}, *whole(1, 9)};
+    const int wanted = *whole(least, most);
+    Input input{{}, *rc::gen::element(1, 2, 3, 4, 7, 16, 1000), ""};
     Many make(*sampler_seed());
     const Kind kind = *rc::gen::elementOf(kinds);
-    for (int i = 0; i < n; ++i) input.boxes.push_back(box_of(kind, make));
+    const int n = kind == Kind::lattice ? full_cube(wanted) : wanted;
+    const int axis = *whole(0, 2);
+    const double scale = *whole(0, 2) == 0 ? 1 : *magnitude(1e-10, 1e8);
+    const bool usual = std::ranges::find(kUsual, kind) != kUsual.end();
+    const pt::Vec3 shift = usual && *whole(0, 3) == 3 ? scale * *point(1e4) : pt::Vec3{};
+    for (int i = 0; i < n; ++i) {
+      const auto [center, half] = place(kind, i, n, axis, make);
+      input.boxes.push_back(around(scale * center + shift, scale * half));
+    }
+    make.shuffle(input.boxes);
+    input.how = words(kind);
     return input;
   });
 }
 
-inline const std::vector<Kind> kAll{Kind::scattered, Kind::clustered, Kind::points,     Kind::flat,
-                                    Kind::nested,    Kind::identical, Kind::same_center};
-
-inline rc::Gen<Input> some_boxes() { return boxes_of(kAll, 1, 200); }
+// Few boxes or many.
+inline rc::Gen<Input> some_boxes() {
+  return rc::gen::exec(
+      [] { return *whole(0, 2) == 0 ? *boxes_of(kUsual, 1, 5) : *boxes_of(kUsual, 6, 200); });
+}
+inline rc::Gen<Input> thousands_of_boxes() { return boxes_of(kUsual, 2000, 3000); }
+inline rc::Gen<Input> deep_boxes() { return boxes_of(kDeep, 30, 400); }
 
 // Boxes one beside the other along an axis, in no order: one row, or several parallel rows side by
 // side along a second, longer axis. The whole stands anywhere. On each axis the boxes also stand a
@@ -86,10 +199,14 @@ struct Rows {
   pt::Vec3 corner;
 };
 
-inline void showValue(const Rows& rows, std::ostream& out) {
-  out << "rows along axis " << rows.along << ", " << rows.length
-      << " long, side by side along axis " << rows.across << "\n";
-  showValue(rows.input, out);
+inline void showValue(const Rows& rows, std::ostream& out) { showValue(rows.input, out); }
+
+inline std::string words(const Rows& rows, int count) {
+  const std::string axes = "xyz";
+  const std::string row = show(rows.length) + " long along " + axes[rows.along];
+  return count == 1 ? "in one row, in no order, " + row
+                    : "in " + std::to_string(count) + " rows, in no order, each " + row +
+                          ", side by side along " + axes[rows.across];
 }
 
 inline rc::Gen<Rows> in_rows(int along, int count, int each) {
@@ -98,7 +215,7 @@ inline rc::Gen<Rows> in_rows(int along, int count, int each) {
     rows.input.max_leaf = *whole(1, 4);
     rows.along = along;
     rows.across = (rows.along + *whole(1, 2)) % 3;
-    const double scale = *magnitude(1e-6, 1e6);
+    const double scale = *magnitude(1e-9, 1e9);
     rows.length = scale;
     rows.width = count > 1 ? 3 * scale : 0;
     rows.corner = scale * *point(5);
@@ -117,6 +234,7 @@ inline rc::Gen<Rows> in_rows(int along, int count, int each) {
       }
     }
     make.shuffle(rows.input.boxes);
+    rows.input.how = words(rows, count);
     return rows;
   });
 }

@@ -12,8 +12,6 @@
 
 namespace grader::hit_box_cases {
 
-inline constexpr double kEpsilon = 0x1p-53;
-
 struct Case {
   pt::Box box;
   pt::Ray ray;
@@ -21,10 +19,18 @@ struct Case {
 
 inline void showValue(const Case& c, std::ostream& out) { show_lines(out, c.box, c.ray); }
 
-// Boxes of all proportions, the origin of space inside or outside.
-inline pt::Box some_box() {
-  const pt::Vec3 center = *point(3);
-  const pt::Vec3 half{*magnitude(1e-2, 10), *magnitude(1e-2, 10), *magnitude(1e-2, 10)};
+// What may be extreme.
+enum class Extreme { none, scale, length };
+
+// Boxes of all proportions, the origin of space inside or outside; where the scale is extreme, also
+// tiny and huge ones, and far away.
+inline pt::Box some_box(Extreme extreme = Extreme::none) {
+  const bool any = extreme == Extreme::scale;
+  const double scale = any ? *magnitude(1e-9, 1e9) : *magnitude(0.1, 10);
+  const double away = any && *whole(0, 3) == 3 ? 1e4 : 1;
+  const pt::Vec3 center = scale * away * *point(3);
+  const pt::Vec3 half =
+      scale * pt::Vec3{*magnitude(1e-3, 10), *magnitude(1e-3, 10), *magnitude(1e-3, 10)};
   return {center - half, center + half};
 }
 
@@ -42,17 +48,25 @@ inline pt::Vec3 well_inside(const pt::Box& box) {
 }
 
 inline double zero() { return *rc::gen::element(0.0, -0.0); }
+inline double sign() { return *rc::gen::element(1.0, -1.0); }
 
-// Of any length. Every other one has a component so small that 1 / d is huge, or zero, or -0.
-inline pt::Vec3 some_direction() {
+inline double some_length(Extreme extreme = Extreme::none) {
+  if (extreme == Extreme::length && *whole(0, 1) == 1) return *rc::gen::element(1e-9, 1e9);
+  return extreme == Extreme::length ? *magnitude(1e-9, 1e9) : *magnitude(1e-3, 1e3);
+}
+
+// Two of three have a component that is small, so that the ray runs nearly along the sides, or so
+// small that 1 / d is huge, or zero, or -0.
+inline pt::Vec3 some_direction(Extreme extreme = Extreme::none) {
   pt::Vec3 d = *direction();
-  if (*whole(0, 1) == 1) {
-    const int axis = *whole(0, 2);
-    const bool tiny = *whole(0, 1) == 0;
-    d[axis] = tiny ? *rc::gen::element(1.0, -1.0) * *magnitude(1e-200, 1e-6) : zero();
+  const int kind = *whole(0, 5), axis = *whole(0, 2);
+  if (kind >= 2) {
     d[(axis + 1) % 3] += d[(axis + 1) % 3] < 0 ? -0.1 : 0.1;
+    d[axis] = zero();
   }
-  return *magnitude(1e-3, 1e3) * d;
+  if (kind == 2) d[axis] = sign() * *magnitude(1e-200, 1e-6);
+  if (kind == 3 || kind == 4) d[axis] = sign() * *magnitude(1e-6, 1e-2);
+  return some_length(extreme) * d;
 }
 
 // A ray whose line goes through the target, from `before` of the box's sizes away.
@@ -60,56 +74,135 @@ inline pt::Ray through(const pt::Box& box, pt::Vec3 target, pt::Vec3 d, double b
   return {target - (before * length(box.extent()) / length(d)) * d, d};
 }
 
-// Where the line is between two planes of one axis, in the extended precision that there is.
-struct Part {
-  long double min = -pt::kInfinity, max = pt::kInfinity;
-  long double min_error = 0, max_error = 0;
+// The largest coordinate there is: what the contract counts precision in.
+inline double size_of(const pt::Box& box, const pt::Ray& ray) {
+  return std::max({max_abs(ray.origin), max_abs(box.min), max_abs(box.max)});
+}
+
+// The precision that the contract asks for.
+inline constexpr double kPrecision = 1e-12;
+
+struct Ends {
+  long double low = -pt::kInfinity, high = pt::kInfinity;
 };
 
-inline Part between_planes(const pt::Box& box, const pt::Ray& ray, int axis) {
+// Where a ray is in a box, in the extended precision that there is; from where to where `enter` and
+// `leave` may be if every plane is moved by the precision that the contract asks for. Where the
+// direction has no component the planes stay where they are.
+struct Part {
+  Ends enter{-pt::kInfinity, -pt::kInfinity}, leave{pt::kInfinity, pt::kInfinity};
+
+  bool is_hit() const { return enter.high <= leave.low; }
+  bool is_miss() const { return enter.low > leave.high; }
+};
+
+// Inside the slab everywhere, or outside of it everywhere.
+inline constexpr Part kNowhere{{1, 1}, {0, 0}};
+
+inline void cut_to_slab(Part& part, const pt::Box& box, const pt::Ray& ray, int axis) {
   const long double o = ray.origin[axis], d = ray.direction[axis];
-  if (d == 0) return o >= box.min[axis] && o <= box.max[axis] ? Part{} : Part{1, 0, 0, 0};
-  const long double a = (box.min[axis] - o) / d, b = (box.max[axis] - o) / d;
-  const double size = max_abs(ray.origin) + std::max(max_abs(box.min), max_abs(box.max));
-  const long double error = 16 * kEpsilon * size / std::abs(d);
-  return {std::min(a, b), std::max(a, b), error, error};
-}
-
-// The slabs' common part, not yet cut to the ray's range.
-inline Part expected(const pt::Box& box, const pt::Ray& ray) {
-  Part all;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Part part = between_planes(box, ray, axis);
-    if (part.min > all.min) all.min = part.min, all.min_error = part.min_error;
-    if (part.max < all.max) all.max = part.max, all.max_error = part.max_error;
+  if (d == 0) {
+    if (!(o >= box.min[axis] && o <= box.max[axis])) part = kNowhere;
+    return;
   }
-  return all;
+  const long double a = (box.min[axis] - o) / d, b = (box.max[axis] - o) / d;
+  const long double error = kPrecision * size_of(box, ray) / std::abs(d);
+  const long double enter = std::min(a, b), leave = std::max(a, b);
+  part.enter = {std::max(part.enter.low, enter - error), std::max(part.enter.high, enter + error)};
+  part.leave = {std::min(part.leave.low, leave - error), std::min(part.leave.high, leave + error)};
 }
 
-inline rc::Gen<Case> aimed_inside() {
-  return rc::gen::exec([] {
-    const pt::Box box = some_box();
-    return Case{box, through(box, well_inside(box), some_direction(), *magnitude(1e-2, 100))};
+// On the whole line, before and behind the origin too.
+inline Part on_the_line(const pt::Box& box, const pt::Ray& ray) {
+  Part part;
+  for (int axis = 0; axis < 3; ++axis) cut_to_slab(part, box, ray, axis);
+  return part;
+}
+
+// In the ray's own range.
+inline Part expected(const pt::Box& box, const pt::Ray& ray) {
+  Part part = on_the_line(box, ray);
+  const long double first = ray.t_min, last = ray.t_max;
+  part.enter = {std::max(part.enter.low, first), std::max(part.enter.high, first)};
+  part.leave = {std::min(part.leave.low, last), std::min(part.leave.high, last)};
+  return part;
+}
+
+inline rc::Gen<Case> aimed_inside(Extreme extreme = Extreme::none) {
+  return rc::gen::exec([=] {
+    const pt::Box box = some_box(extreme);
+    return Case{box,
+                through(box, well_inside(box), some_direction(extreme), *magnitude(1e-2, 100))};
+  });
+}
+
+// At a point of a side that looks at the ray, steep and flat.
+inline rc::Gen<Case> aimed_at_a_side(Extreme extreme = Extreme::none) {
+  return rc::gen::exec([=] {
+    const pt::Box box = some_box(extreme);
+    const int axis = *whole(0, 2);
+    const double side = *rc::gen::element(0.0, 1.0);
+    pt::Vec3 fraction{*real(0.05, 0.95), *real(0.05, 0.95), *real(0.05, 0.95)};
+    pt::Vec3 d{*real(-1, 1), *real(-1, 1), *real(-1, 1)};
+    fraction[axis] = side;
+    d[axis] = (side == 0 ? 1 : -1) * (*whole(0, 1) == 0 ? 1 : *magnitude(1e-5, 1));
+    return Case{box, through(box, point_in(box, fraction), some_length(extreme) * d,
+                             *magnitude(1e-2, 100))};
   });
 }
 
 // Past an edge of the box, as seen along a third axis: beside the corner of a rectangle, on a line
 // that has the whole rectangle on one side.
-inline rc::Gen<Case> passing() {
-  return rc::gen::exec([] {
-    const pt::Box box = some_box();
+inline rc::Gen<Case> passing(Extreme extreme = Extreme::none) {
+  return rc::gen::exec([=] {
+    const pt::Box box = some_box(extreme);
     const int i = *whole(0, 2), j = (i + *whole(1, 2)) % 3, k = 3 - i - j;
-    const double out_i = *rc::gen::element(1.0, -1.0), out_j = *rc::gen::element(1.0, -1.0);
+    const double out_i = sign(), out_j = sign();
     const double angle = *real(0.02, pt::kPi / 2 - 0.02);
-    const double gap = *magnitude(1e-6, 3) * length(box.extent());
+    const double before = *magnitude(1e-2, 30), size = length(box.extent());
+    const double least = 1e-10 * (max_abs(box.center()) + before * size);
+    const double gap = std::max(*magnitude(1e-6, 3) * size, least);
     pt::Vec3 p = well_inside(box), d;
     p[i] = (out_i > 0 ? box.max[i] : box.min[i]) + out_i * gap * std::cos(angle);
     p[j] = (out_j > 0 ? box.max[j] : box.min[j]) + out_j * gap * std::sin(angle);
     d[i] = -out_i * std::sin(angle);
     d[j] = out_j * std::cos(angle);
     d[k] = *real(-1, 1);
-    return Case{box, through(box, p, *rc::gen::element(1.0, -1.0) * *magnitude(1e-3, 1e3) * d,
-                             *magnitude(1e-2, 30))};
+    return Case{box, through(box, p, sign() * some_length(extreme) * d, before)};
+  });
+}
+
+// From a point just beside a side, away from it.
+inline rc::Gen<Case> leaving(Extreme extreme = Extreme::none) {
+  return rc::gen::exec([=] {
+    const pt::Box box = some_box(extreme);
+    const int axis = *whole(0, 2);
+    const double out = sign();
+    pt::Vec3 p = well_inside(box), d = some_direction(extreme);
+    const double gap = std::max(*magnitude(1e-6, 3) * box.extent()[axis],
+                                1e-10 * std::max(max_abs(box.min), max_abs(box.max)));
+    p[axis] = (out > 0 ? box.max[axis] : box.min[axis]) + out * gap;
+    d[axis] = out * std::abs(d[axis]);
+    return Case{box, {p, d}};
+  });
+}
+
+// From a point in the box or on one of its sides, into it. The range may begin later.
+inline rc::Gen<Case> starting_inside() {
+  return rc::gen::exec([] {
+    const pt::Box box = some_box();
+    const int axis = *whole(0, 2);
+    pt::Vec3 p = well_inside(box), d = some_direction();
+    const int kind = *whole(0, 3);
+    if (kind == 1 || kind == 2) {
+      const bool upper = kind == 1;
+      p[axis] = upper ? box.max[axis] : box.min[axis];
+      d[axis] = (upper ? -1 : 1) * length(d) * *magnitude(1e-3, 1);
+    }
+    Case c{box, {p, d}};
+    const long double leave = on_the_line(box, c.ray).leave.low;
+    if (kind == 3) c.ray.t_min = *real(0.1, 0.9) * static_cast<double>(leave);
+    return c;
   });
 }
 
@@ -121,13 +214,44 @@ inline rc::Gen<Case> along_axes(bool beside) {
     const int axis = *whole(0, 2), zeros = *whole(1, 2);
     pt::Vec3 target = well_inside(box);
     pt::Vec3 d{*real(0.1, 1), *real(0.1, 1), *real(0.1, 1)};
-    for (int i = 0; i < 3; ++i) d[i] *= *rc::gen::element(1.0, -1.0);
+    for (int i = 0; i < 3; ++i) d[i] *= sign();
     for (int i = 0; i < zeros; ++i) d[(axis + i) % 3] = zero();
     if (beside) {
-      const double gap = *magnitude(1e-6, 10);
+      const double gap = std::max(*magnitude(1e-6, 10) * length(box.extent()),
+                                  1e-10 * std::max(max_abs(box.min), max_abs(box.max)));
       target[axis] = *whole(0, 1) == 0 ? box.min[axis] - gap : box.max[axis] + gap;
     }
-    return Case{box, through(box, target, d, *real(-0.1, 10))};
+    return Case{box, through(box, target, some_length() * d, *real(-0.1, 10))};
+  });
+}
+
+// A sheet, met from either side, at all angles.
+inline rc::Gen<Case> at_a_sheet() {
+  return rc::gen::exec([] {
+    pt::Box box = some_box();
+    const int axis = *whole(0, 2);
+    box.max[axis] = box.min[axis];
+    const pt::Vec3 target = well_inside(box);
+    pt::Vec3 d{*real(-1, 1), *real(-1, 1), *real(-1, 1)};
+    d[axis] = sign() * *magnitude(1e-3, 1);
+    if (*whole(0, 2) == 0) d[(axis + 1) % 3] = zero();
+    return Case{box, through(box, target, some_length() * d, *magnitude(1e-2, 100))};
+  });
+}
+
+// A segment or a point, at small whole numbers times a power of two, met at a power of two: nothing
+// is rounded.
+inline rc::Gen<Case> at_a_segment() {
+  return rc::gen::exec([] {
+    const double scale = std::pow(2, *whole(-30, 30)), speed = std::pow(2, *whole(-9, 9));
+    pt::Vec3 p{*whole(-9, 9) * 1.0, *whole(-9, 9) * 1.0, *whole(-9, 9) * 1.0}, d;
+    for (int i = 0; i < 3; ++i) d[i] = *rc::gen::element(1.0, -1.0, 2.0, -2.0, 4.0, -4.0);
+    pt::Box box{p, p};
+    const int axis = *whole(0, 2), length = *whole(0, 3);
+    box.min[axis] -= length;
+    box.max[axis] += length;
+    const pt::Vec3 origin = p - *rc::gen::element(1.0, 2.0, 8.0) * d;
+    return Case{{scale * box.min, scale * box.max}, {scale * origin, speed * d}};
   });
 }
 

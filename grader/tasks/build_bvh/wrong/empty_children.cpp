@@ -1,4 +1,4 @@
-// breaks: splits_until_it_must
+// breaks: ends_on_identical_centroids
 // Keeps empty children and stops at a fixed depth.
 #include "pt/tasks/build_bvh.h"
 

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "grader/property/property.h"
+#include "grader/tasks/build_bvh/cases.h"
+#include "pt/geometry/bvh.h"
+#include "pt/tasks/build_bvh.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+// Walking a tree that may be none: every index is looked at before it is used, and every node is
+// visited once, so that any answer of a submission ends the walk.
+
+namespace grader::build_bvh_cases {
+
+inline std::string name_of(int number) { return std::to_string(number); }
+inline std::string node_name(int index) { return "node " + name_of(index); }
+
+inline bool contains(const pt::Box& outer, const pt::Box& inner) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(outer.min[axis] <= inner.min[axis] && outer.max[axis] >= inner.max[axis])) return false;
+  }
+  return true;
+}
+
+inline void expect_nodes(const pt::Bvh& bvh) { expect(!bvh.nodes.empty(), "a tree", "no nodes"); }
+
+inline void expect_child(const pt::Bvh& bvh, int node, int child) {
+  const auto count = static_cast<int>(bvh.nodes.size());
+  expect(
+      child >= 0 && child < count,
+      "children that are nodes, 0 to " + name_of(count - 1) + ", of every node without primitives",
+      node_name(node) + " holds no primitives and has the child " + name_of(child));
+}
+
+// A node without primitives and without children, which no tree has: what is below it is nothing.
+inline bool is_bare(const pt::BvhNode& node) {
+  return !node.is_leaf() && node.left == -1 && node.right == -1;
+}
+
+inline bool has_children(const pt::BvhNode& node) { return !node.is_leaf() && !is_bare(node); }
+
+// The nodes that the root leads to, each behind the one through which it was reached.
+inline std::vector<int> walk_from_root(const pt::Bvh& bvh) {
+  expect_nodes(bvh);
+  std::vector<bool> reached(bvh.nodes.size());
+  std::vector<int> walk{0};
+  reached[0] = true;
+  for (std::size_t next = 0; next < walk.size(); ++next) {
+    const pt::BvhNode& node = bvh.nodes[walk[next]];
+    if (!has_children(node)) continue;
+    for (const int child : {node.left, node.right}) {
+      expect_child(bvh, walk[next], child);
+      if (!reached[child]) walk.push_back(child);
+      reached[child] = true;
+    }
+  }
+  return walk;
+}
+
+// How many levels above each node; 0 for what the root does not lead to.
+inline std::vector<int> depths(const pt::Bvh& bvh) {
+  std::vector<int> depth(bvh.nodes.size());
+  for (const int i : walk_from_root(bvh)) {
+    const pt::BvhNode& node = bvh.nodes[i];
+    if (!has_children(node)) continue;
+    for (const int child : {node.left, node.right}) {
+      if (child != 0 && depth[child] == 0) depth[child] = depth[i] + 1;
+    }
+  }
+  return depth;
+}
+
+inline int depth(const pt::Bvh& bvh) { return std::ranges::max(depths(bvh)); }
+
+// Of 1,024 boxes far apart in a row, three times as long in x as in z, twice as long in y, every
+// rule makes a tree of about ten levels. Who leaves them in a list, a chain or a single leaf has
+// built no tree, and no promise holds then.
+inline void expect_a_tree_at_all() {
+  constexpr int kBoxes = 1024, kMaxDepth = 100;
+  Input row{{}, 2, ""};
+  for (int i = 0; i < kBoxes; ++i) {
+    const int place = i * 389 % kBoxes;  // each once, in no order
+    row.boxes.push_back(around(pt::Vec3{3.0, 2.0, 1.0} * place, {0.1, 0.1, 0.1}));
+  }
+  const pt::Bvh bvh = pt::build_bvh(row.boxes, row.max_leaf);
+  const std::string of = "before anything else, for 1,024 boxes in a row and max_leaf 2: ";
+  expect(bvh.nodes.size() > kBoxes / 4, of + "a tree of some 1,000 nodes or more",
+         std::to_string(bvh.nodes.size()) + " nodes");
+  expect(depth(bvh) <= kMaxDepth, of + "a tree of about ten levels, at most 100",
+         std::to_string(depth(bvh)) + " levels");
+}
+
+}  // namespace grader::build_bvh_cases

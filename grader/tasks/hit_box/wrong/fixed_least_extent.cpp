@@ -1,0 +1,27 @@
+// breaks: works_at_every_scale
+// Takes a box thinner than 1e-7 for an empty one.
+#include "pt/tasks/hit_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pt {
+
+std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
+  if (max_abs(box.extent()) < 1e-7) return std::nullopt;
+  double enter = ray.t_min, leave = ray.t_max;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double inverse = 1 / ray.direction[axis];
+    double t0 = (box.min[axis] - ray.origin[axis]) * inverse;
+    double t1 = (box.max[axis] - ray.origin[axis]) * inverse;
+    if (t0 > t1) std::swap(t0, t1);
+    enter = std::max(enter, t0);
+    leave = std::min(leave, t1 * (1 + 1e-15));
+  }
+  if (!(enter <= leave)) return std::nullopt;
+  return Interval{enter, leave};
+}
+
+}  // namespace pt
