@@ -36,20 +36,38 @@ constexpr string_view kSectionNames[] = {
     ".eh_frame",    ".comment", ".note.",   ".init_array", ".fini_array",
     ".llvm_addrsig"};
 
-// In the names of C++: processes, threads and files are nothing that a task needs, and the judge's
-// side of a worker is not to be called.
-constexpr string_view kForbidden[] = {"_ZN6grader", "_ZNK6grader", "_ZNSt6thread",
+// In the names of C++: a task needs no processes, threads or files, and must not call the judge's
+// side of a worker.
+constexpr string_view kForbidden[] = {"_ZN6grader", "_ZNK6grader", "_ZNSt6thread15_M_start",
                                       "_ZNSt10filesystem", "_ZNKSt10filesystem"};
 
 bool begins(string_view name, string_view prefix) {
   return name.substr(0, prefix.size()) == prefix;
 }
 
-std::string readable(const std::string& name) {
+// As C++ writes it; empty if it is not a name of C++.
+std::string demangled(const std::string& name) {
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> text(
       abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);
-  return printable(text ? text.get() : name, 200);
+  return text ? text.get() : "";
+}
+
+std::string readable(const std::string& name) {
+  const std::string text = demangled(name);
+  return printable(text.empty() ? name : text, 200);
+}
+
+// Whether a name as C++ writes it has to do with a namespace, anywhere in it: "pt::".
+bool mentions(string_view name, string_view space) {
+  const auto is_part_of_a_name = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == ':';
+  };
+  for (std::size_t at = name.find(space); at != name.npos; at = name.find(space, at + 1)) {
+    if (at == 0 || !is_part_of_a_name(name[at - 1])) return true;
+  }
+  return false;
 }
 
 // new and delete, in all their forms.
@@ -63,10 +81,21 @@ bool forbidden(string_view name) {
                      [&](string_view prefix) { return begins(name, prefix); });
 }
 
-// What a definition that the linker merges may be called.
+// The forms of new and delete that take a place, and do nothing: inline functions of <new>.
+bool places(string_view name) {
+  return name == "_ZnwmPv" || name == "_ZnamPv" || name == "_ZdlPvS_" || name == "_ZdaPvS_";
+}
+
+// What a definition that the linker merges may be called. "DW.ref.X" holds the address of X, which
+// is the type of an exception that is caught.
 bool may_be_merged(string_view name) {
-  return (begins(name, "_Z") && !allocates(name) && !forbidden(name)) ||
-         name == "DW.ref.__gxx_personality_v0" || name == "__clang_call_terminate";
+  constexpr string_view kReference = "DW.ref.";
+  if (begins(name, kReference)) {
+    name.remove_prefix(kReference.size());
+    if (name == "__gxx_personality_v0") return true;
+  }
+  return (begins(name, "_Z") && (!allocates(name) || places(name)) && !forbidden(name)) ||
+         name == "__clang_call_terminate";
 }
 
 std::string judge_section(const ObjectSection& section) {
@@ -93,9 +122,18 @@ std::string judge_definition(const ObjectSymbol& symbol, const std::set<std::str
       readable(symbol.name));
 }
 
-std::string judge_request(const ObjectSymbol& symbol) {
-  if (begins(symbol.name, "_Z") ? !forbidden(symbol.name) : is_harmless(symbol.name)) return "";
-  return fmt::format("it uses {}, which no task needs", readable(symbol.name));
+// What the linker would have to find elsewhere.
+std::string judge_request(const ObjectSymbol& symbol, const MayCall& task) {
+  const std::string words = begins(symbol.name, "_Z") ? demangled(symbol.name) : "";
+  if (mentions(words, "pt::")) {
+    const std::string function = words.substr(0, words.find('('));
+    if (task.allows(function)) return "";
+    return fmt::format("it calls {}; {}", printable(function, 200), in_words(task));
+  }
+  const bool needed = begins(symbol.name, "_Z") ? !forbidden(symbol.name) && !words.empty() &&
+                                                      !mentions(words, "grader::")
+                                                : is_harmless(symbol.name);
+  return needed ? "" : fmt::format("it uses {}, which no task needs", readable(symbol.name));
 }
 
 }  // namespace
@@ -110,15 +148,15 @@ std::set<std::string> functions_in(string_view object) {
   return names;
 }
 
-std::string audit(string_view bytes, const std::set<std::string>& contract) {
+std::string audit(string_view bytes, const std::set<std::string>& contract, const MayCall& task) {
   try {
     const ObjectFile object = read_object(bytes);
     for (const ObjectSection& section : object.sections) {
       if (std::string reason = judge_section(section); !reason.empty()) return reason;
     }
     for (const ObjectSymbol& symbol : object.symbols) {
-      std::string reason =
-          symbol.section == SHN_UNDEF ? judge_request(symbol) : judge_definition(symbol, contract);
+      std::string reason = symbol.section == SHN_UNDEF ? judge_request(symbol, task)
+                                                       : judge_definition(symbol, contract);
       if (!reason.empty()) return reason;
     }
     return "";

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grader/judge/may_call.h"
+
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,9 +14,11 @@ std::set<std::string> functions_in(std::string_view object);
 
 // Why an object compiled from a submission is not linked, in one sentence; empty if it is. It may
 // define the functions of its contract, and what the linker merges with the same in other objects
-// (inline functions, templates); it may ask for C++, for functions of C that compute or print, and
-// for pt. Nothing in it may speak to the linker. This keeps the parts of a worker apart from each
-// other, and tells a learner of a name in the wrong place; what holds a worker is the box.
-std::string audit(std::string_view object, const std::set<std::string>& contract);
+// (inline functions, templates); it may need the standard library of C++, functions of C that
+// compute or print, and of pt what the task may call. Nothing in it may speak to the linker. This
+// keeps the parts of a worker apart from each other, and tells a learner of a name in the wrong
+// place, and of work that another function does; what holds a worker is the box.
+std::string audit(std::string_view object, const std::set<std::string>& contract,
+                  const MayCall& task);
 
 }  // namespace grader

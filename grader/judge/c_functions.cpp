@@ -26,36 +26,58 @@ constexpr string_view kMath[] = {
     "__fpclassify", "__signbit", "__isnan",   "__isinf",   "__finite"};
 
 constexpr string_view kOthers[] = {
-    // <cstring>, <cwchar>, <cctype>, <cwctype>
+    // <cstring>, <cctype>
     "memchr", "memcmp", "memcpy", "memmove", "memset", "bcmp", "strcat", "strchr", "strcmp",
     "strcoll", "strcpy", "strcspn", "strerror", "strlen", "strncat", "strncmp", "strncpy",
-    "strpbrk", "strrchr", "strspn", "strstr", "strtok", "strxfrm", "strnlen", "wcslen", "wcscmp",
-    "wcscpy", "wmemchr", "wmemcmp", "wmemcpy", "wmemmove", "wmemset", "isalnum", "isalpha",
-    "isblank", "iscntrl", "isdigit", "isgraph", "islower", "isprint", "ispunct", "isspace",
-    "isupper", "isxdigit", "tolower", "toupper",
-    // <cstdlib>
-    "abort", "abs", "labs", "llabs", "atexit", "atof", "atoi", "atol", "atoll", "bsearch", "div",
-    "ldiv", "lldiv", "exit", "quick_exit", "_Exit", "qsort", "rand", "srand", "strtod", "strtof",
-    "strtold", "strtol", "strtoll", "strtoul", "strtoull", "calloc", "free", "malloc", "realloc",
-    "aligned_alloc", "getenv",
+    "strpbrk", "strrchr", "strspn", "strstr", "strtok", "strxfrm", "strnlen", "rawmemchr",
+    "isalnum", "isalpha", "isblank", "iscntrl", "isdigit", "isgraph", "islower", "isprint",
+    "ispunct", "isspace", "isupper", "isxdigit", "tolower", "toupper",
+    // <cwchar>, <cwctype>, <cuchar>
+    "wcscat", "wcschr", "wcscmp", "wcscoll", "wcscpy", "wcscspn", "wcsftime", "wcslen", "wcsncat",
+    "wcsncmp", "wcsncpy", "wcspbrk", "wcsrchr", "wcsspn", "wcsstr", "wcstok", "wcsxfrm", "wmemchr",
+    "wmemcmp", "wmemcpy", "wmemmove", "wmemset", "wcstod", "wcstof", "wcstold", "wcstol", "wcstoll",
+    "wcstoul", "wcstoull", "btowc", "wctob", "mbsinit", "mbrlen", "mbrtowc", "wcrtomb", "mbsrtowcs",
+    "wcsrtombs", "mbrtoc16", "mbrtoc32", "c16rtomb", "c32rtomb", "swprintf", "vswprintf", "swscanf",
+    "vswscanf", "wprintf", "vwprintf", "fwprintf", "vfwprintf", "fputwc", "fputws", "putwc",
+    "putwchar", "fwide", "iswalnum", "iswalpha", "iswblank", "iswcntrl", "iswctype", "iswdigit",
+    "iswgraph", "iswlower", "iswprint", "iswpunct", "iswspace", "iswupper", "iswxdigit",
+    "towctrans", "towlower", "towupper", "wctrans", "wctype",
+    // <cstdlib>, <cinttypes>
+    "abort", "abs", "labs", "llabs", "atexit", "at_quick_exit", "atof", "atoi", "atol", "atoll",
+    "bsearch", "div", "ldiv", "lldiv", "imaxabs", "imaxdiv", "exit", "quick_exit", "_Exit", "qsort",
+    "rand", "srand", "strtod", "strtof", "strtold", "strtol", "strtoll", "strtoul", "strtoull",
+    "strtoimax", "strtoumax", "wcstoimax", "wcstoumax", "calloc", "free", "malloc", "realloc",
+    "aligned_alloc", "getenv", "mblen", "mbtowc", "wctomb", "mbstowcs", "wcstombs",
     // <cstdio>
-    "clearerr", "fclose", "feof", "ferror", "fflush", "fgetc", "fgets", "fopen", "fprintf", "fputc",
-    "fputs", "fread", "fscanf", "fseek", "ftell", "fwrite", "getc", "getchar", "perror", "printf",
-    "putc", "putchar", "puts", "scanf", "setbuf", "setvbuf", "snprintf", "sprintf", "sscanf",
-    "stderr", "stdin", "stdout", "ungetc", "vfprintf", "vprintf", "vsnprintf", "vsprintf",
+    "clearerr", "fclose", "feof", "ferror", "fflush", "fgetc", "fgetpos", "fgets", "fopen",
+    "fprintf", "fputc", "fputs", "fread", "freopen", "fscanf", "fseek", "fsetpos", "ftell",
+    "fwrite", "getc", "getchar", "perror", "printf", "putc", "putchar", "puts", "rewind", "scanf",
+    "setbuf", "setvbuf", "snprintf", "sprintf", "sscanf", "stderr", "stdin", "stdout", "ungetc",
+    "vfprintf", "vfscanf", "vprintf", "vscanf", "vsnprintf", "vsprintf", "vsscanf",
     // <ctime>, <clocale>, <cfenv>, <csetjmp>, <cassert>, <cerrno>
     "asctime", "clock", "ctime", "difftime", "gmtime", "localtime", "mktime", "strftime", "time",
-    "timespec_get", "localeconv", "setlocale", "feclearexcept", "fegetround", "feraiseexcept",
-    "fesetround", "fetestexcept", "longjmp", "_setjmp", "setjmp", "__sigsetjmp", "__assert_fail",
-    "__errno_location", "__ctype_b_loc", "__ctype_tolower_loc", "__ctype_toupper_loc",
+    "timespec_get", "localeconv", "setlocale", "feclearexcept", "fegetenv", "fegetexceptflag",
+    "fegetround", "feholdexcept", "feraiseexcept", "fesetenv", "fesetexceptflag", "fesetround",
+    "fetestexcept", "feupdateenv", "longjmp", "_setjmp", "setjmp", "__sigsetjmp", "__assert_fail",
+    "__assert_perror_fail", "__assert", "__errno_location", "__ctype_b_loc", "__ctype_tolower_loc",
+    "__ctype_toupper_loc", "__ctype_get_mb_cur_max",
+    // What the headers of C++ call where the standard has classes: shared_ptr (is there more than
+    // one thread?), mutexes, call_once, condition variables, this_thread, chrono. None starts a
+    // thread.
+    "__libc_single_threaded", "__once_proxy", "pthread_once", "pthread_self", "pthread_equal",
+    "pthread_key_create", "pthread_key_delete", "pthread_getspecific", "pthread_setspecific",
+    "clock_gettime", "nanosleep", "sched_yield", "get_nprocs", "random", "lgamma_r", "lgammaf_r",
+    "lgammal_r",
     // What compilers call by themselves.
     "_GLOBAL_OFFSET_TABLE_", "__dso_handle", "__tls_get_addr", "__stack_chk_fail", "__dynamic_cast",
     "__cpu_model", "__cpu_indicator_init", "__emutls_get_address", "__fentry__"};
 
-// Exceptions, atomic operations, conversions, checked forms (in C's own headers), sanitisers.
-constexpr string_view kPrefixes[] = {"__cxa_",    "_Unwind_",    "__gxx_",    "__gcc_",
-                                     "__atomic_", "__isoc99_",   "__isoc23_", "__asan_",
-                                     "__ubsan_",  "__sanitizer_"};
+// Exceptions, atomic operations, conversions, sanitisers, and locks, which wait for nobody where
+// there is one thread.
+constexpr string_view kPrefixes[] = {
+    "__cxa_",        "_Unwind_",      "__gxx_",          "__gcc_",   "__atomic_",
+    "__isoc99_",     "__isoc23_",     "__asan_",         "__ubsan_", "__sanitizer_",
+    "pthread_mutex", "pthread_cond_", "pthread_rwlock_", "_ITM_",    "__gthrw_"};
 
 template <std::size_t n>
 bool among(const string_view (&names)[n], string_view name) {

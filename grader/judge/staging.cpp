@@ -3,9 +3,13 @@
 #include "grader/process/descriptor.h"
 #include "pt/error.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
+#include <sstream>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/stat.h>
 
@@ -24,6 +28,41 @@ void put(const fs::path& path, const std::string& text) {
   if (!whole) throw pt::Error(path.string() + ": cannot be written");
 }
 
+// The path and all that it includes, and what that includes.
+void add_reached(const std::string& path, const Headers& all, std::set<std::string>& reached) {
+  const auto found = all.find(path);
+  if (found == all.end() || !reached.insert(path).second) return;
+  std::istringstream lines(found->second);
+  constexpr std::string_view kInclude = "#include \"";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(kInclude, 0) != 0) continue;
+    add_reached(line.substr(kInclude.size(), line.rfind('"') - kInclude.size()), all, reached);
+  }
+}
+
+std::set<std::string> reached_from(const std::string& path, const Headers& all) {
+  std::set<std::string> reached;
+  add_reached(path, all, reached);
+  return reached;
+}
+
+// What tasks are made of; all else is the renderer, which is made of tasks.
+bool is_common(const std::string& path) {
+  for (const char* folder : {"pt/math/", "pt/geometry/", "pt/sampling/", "pt/tasks/"}) {
+    if (path.rfind(folder, 0) == 0) return true;
+  }
+  for (const char* file : {"pt/error.h", "pt/todo.h", "pt/scene/camera.h", "pt/scene/light.h",
+                           "pt/scene/material.h", "pt/scene/field_of_view.h"}) {
+    if (path == file) return true;
+  }
+  return false;
+}
+
+bool has_nothing_of_the_renderer(const std::string& path, const Headers& all) {
+  const std::set<std::string> reached = reached_from(path, all);
+  return std::all_of(reached.begin(), reached.end(), is_common);
+}
+
 void make_folder(const fs::path& path) {
   if (fs::create_directories(path)) fs::permissions(path, fs::perms(0755));
 }
@@ -35,6 +74,24 @@ Headers public_headers(const std::string& root) {
   for (const auto& entry : fs::recursive_directory_iterator(root + "/pt")) {
     if (entry.path().extension() != ".h") continue;
     headers[fs::relative(entry.path(), root)] = read_file(entry.path());
+  }
+  return headers;
+}
+
+Headers headers_for(const MayCall& task, const Headers& all) {
+  std::set<std::string> known = reached_from("pt/tasks/" + task.slug + ".h", all);
+  for (const auto& [path, text] : all) {
+    const std::string name = "pt::" + std::filesystem::path(path).stem().string();
+    const bool called = task.allows(name);
+    if (called || has_nothing_of_the_renderer(path, all)) add_reached(path, all, known);
+  }
+  Headers headers;
+  for (const auto& [path, text] : all) {
+    headers[path] =
+        known.contains(path)
+            ? text
+            : fmt::format("#error \"{} may not include {}: it has no use for what is in there\"\n",
+                          task.slug, path);
   }
   return headers;
 }

@@ -1,15 +1,22 @@
 #pragma once
 
 #include "grader/judge/files.h"
+#include "grader/judge/may_call.h"
 
 #include <map>
 #include <string>
 
 namespace grader {
 
-// The headers that a submission may include: path below the root ("pt/math/vec3.h") and text.
+// The headers of the project: path below the root ("pt/math/vec3.h") and text.
 using Headers = std::map<std::string, std::string>;
 Headers public_headers(const std::string& root);
+
+// The same for one task: in place of a header that it may not include there is one that says so, as
+// an error of the compiler. A task may include its contract, those of what it may call, and every
+// header that has nothing of the renderer in it: functions that are whole in a header need no
+// linker, so that the audit does not see them.
+Headers headers_for(const MayCall& task, const Headers& all);
 
 // A new folder in which a file is compiled: the headers, the file, and nothing else. Everybody may
 // read it. It is gone with this object.

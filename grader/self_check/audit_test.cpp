@@ -2,9 +2,13 @@
 #include "grader/judge/audit.h"
 
 #include "grader/judge/files.h"
+#include "grader/judge/staging.h"
+#include "pt/error.h"
 
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <random>
 
 #include <fmt/format.h>
@@ -35,7 +39,7 @@ const std::string kTask = "namespace pt { int task(int x) { return x; } }\n";
 
 std::string verdict(const std::string& text) {
   static const std::set<std::string> contract = functions_in(compiled(kTask));
-  return audit(compiled(text), contract);
+  return audit(compiled(text), contract, {"task", {"pt::elsewhere", "pt::Engine::closest"}});
 }
 
 TEST(audit, knows_a_contract_by_its_object) {
@@ -115,10 +119,13 @@ TEST(audit, rejects_what_reaches_beyond_the_task) {
        "grader::worker::send"},
       {"namespace grader { inline void send(int) {} void (*use)(int) = send; }", "grader::send"},
       {"namespace grader { void send(int); void use() { send(1); } }", "grader::"},
+      {"void* operator new(unsigned long, int) { return nullptr; }", "operator new"},
       {"int main() { return 0; }", "main"},
       {"extern \"C\" int fork(); static int x = fork();", "fork"},
       {"extern \"C\" long syscall(long, ...); static long x = syscall(57);", "syscall"},
       {"extern \"C\" int system(const char*); static int x = system(\"ls\");", "system"},
+      {"#include <thread>\nstatic std::thread t([] {});", "_M_start_thread"},
+      {"#include <future>\nstatic auto f = std::async([] { return 1; });", "_M_start_thread"},
       {"extern \"C\" void* dlopen(const char*, int); static void* x = dlopen(\"x\", 1);", "dlopen"},
       {"extern \"C\" int socket(int, int, int); static int x = socket(2, 1, 0);", "socket"},
       {"static long (*f)() ; extern \"C\" long ptrace(int); static long x = ptrace(0);", "ptrace"},
@@ -142,6 +149,139 @@ TEST(audit, rejects_what_reaches_beyond_the_task) {
   }
 }
 
+// Whatever way a name comes into an object, the linker would have to find it.
+TEST(audit, rejects_calls_that_the_contract_does_not_allow) {
+  const Attempt attempts[] = {
+      {"namespace pt { double fast(int); double use() __attribute__((weak)); "
+       "static double x = fast(1); }",
+       "it calls pt::fast; task may only call pt::elsewhere and pt::Engine::closest"},
+      {"namespace pt { struct Engine { int any(int) const; }; static int x = Engine().any(1); }",
+       "it calls pt::Engine::any;"},
+      {"namespace pt { int other(int); static int (*pointer)(int) = other; "
+       "static int x = pointer(2); }",
+       "it calls pt::other;"},
+      {"int renamed(int) asm(\"_ZN2pt5otherEi\"); static int x = renamed(1);",
+       "it calls pt::other;"},
+      {"asm(\".data\\n.quad _ZN2pt5otherEi\\n.text\");", "it calls pt::other;"},
+      {"namespace pt { extern int table[3]; static volatile int x = table[1]; }",
+       "it calls pt::table;"},
+      {"namespace pt { extern int weak(int) __attribute__((weak)); static volatile bool x = weak "
+       "!= nullptr; }",
+       "it calls pt::weak;"},
+      {"namespace pt::deep { int down(int); static int x = down(1); }", "it calls pt::deep::down;"},
+      {"namespace pt { template <class T> int one(T); extern template int one<int>(int); "
+       "static int x = one(1); }",
+       "it calls int pt::one<int>;"},
+      {"namespace pt { struct Base { virtual ~Base(); virtual int f() const; }; "
+       "struct Own : Base {}; static Base* b = new Own; }",
+       "pt::Base::"},
+      {"namespace grader { struct Judge { static int points; }; static volatile int x = "
+       "Judge::points; }",
+       "it uses grader::Judge::points"},
+      {"#include <vector>\nnamespace grader { struct A {}; } extern template class "
+       "std::vector<grader::A>; static std::vector<grader::A> v(3);",
+       "grader::A"},
+      {"namespace pt { int todo_reached(int); static int x = todo_reached(1); }", "todo_reached"},
+  };
+  for (const Attempt& attempt : attempts) {
+    const std::string reason = verdict(kTask + attempt.text + "\n");
+    EXPECT_NE(reason.find(attempt.because), std::string::npos) << attempt.text << "\n" << reason;
+  }
+}
+
+TEST(audit, accepts_calls_that_the_contract_allows) {
+  EXPECT_EQ(verdict(kTask + R"(
+namespace pt {
+void todo(const char*);
+int elsewhere(int), elsewhere(double);
+struct Engine { int closest(int) const; };
+static int (*pointer)(double) = elsewhere;
+static int x = elsewhere(1) + Engine().closest(3) + pointer(1) + (todo("task"), 1);
+}
+)"),
+            "");
+}
+
+// The names in the sentence "May call: a, b and c." of a contract; nothing where it has none.
+std::optional<std::set<std::string>> promised_calls(const std::string& slug) {
+  std::string text = read_file(fmt::format("{}/pt/tasks/{}.h", FIRSTLIGHT_ROOT, slug));
+  const std::string begin = "May call:";
+  const std::size_t at = text.find(begin);
+  if (at == std::string::npos) return std::nullopt;
+  const std::string sentence = text.substr(at, text.find("\n//\n", at) - at);
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : sentence.substr(begin.size(), sentence.find(". ") - begin.size()) + " ") {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') {
+      word += c;
+    } else {
+      words.insert(word);
+      word.clear();
+    }
+  }
+  return words;
+}
+
+// "pt::Scene::closest" is written scene.closest in a contract.
+std::string last_part(const std::string& function) {
+  return function.substr(function.rfind(':') + 1);
+}
+
+TEST(may_call, says_what_the_contracts_say) {
+  const std::vector<std::string> slugs{"estimate_pixel", "camera_ray",   "hit_triangle",
+                                       "hit_sphere",     "build_bvh",    "hit_box",
+                                       "hit_bvh",        "diffuse_bsdf", "direct_hemisphere",
+                                       "direct_lights",  "trace_path",   "adaptive_pixel"};
+  std::set<std::string> known;
+  for (const std::string& slug : slugs) {
+    for (const std::string& function : may_call(slug).functions) known.insert(last_part(function));
+  }
+  known.insert({"hit_bvh", "occluded_bvh", "build_bvh", "trace_path"});
+  for (const std::string& slug : slugs) {
+    const auto words = promised_calls(slug);
+    if (!words) continue;
+    std::set<std::string> allowed, named;
+    for (const std::string& function : may_call(slug).functions) {
+      allowed.insert(last_part(function));
+    }
+    for (const std::string& word : *words) {
+      if (known.contains(word)) named.insert(word);
+    }
+    EXPECT_EQ(named, allowed) << "pt/tasks/" << slug << ".h and grader/judge/may_call.cpp";
+  }
+}
+
+TEST(may_call, knows_every_task_and_no_other) {
+  for (const auto& entry : fs::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
+    EXPECT_EQ(may_call(entry.path().stem().string()).slug, entry.path().stem());
+  }
+  EXPECT_THROW(may_call("hit_everything"), pt::Error);
+}
+
+// Functions that are whole in a header need no linker: such a header is not there.
+TEST(headers, that_trace_are_closed_to_what_is_to_be_traced) {
+  const Headers all = public_headers(FIRSTLIGHT_ROOT);
+  for (const auto& entry : fs::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
+    const std::string slug = entry.path().stem();
+    const Headers headers = headers_for(may_call(slug), all);
+    EXPECT_EQ(headers.size(), all.size());
+    const auto open = [&](const std::string& path) { return headers.at(path) == all.at(path); };
+    EXPECT_TRUE(open("pt/tasks/" + slug + ".h")) << slug;
+    EXPECT_TRUE(open("pt/math/frame.h") && open("pt/sampling/directions.h")) << slug;
+    EXPECT_TRUE(open("pt/geometry/primitives.h") && open("pt/todo.h")) << slug;
+    for (const char* closed :
+         {"pt/accel/closest_hit.h", "pt/accel/traverse.h", "pt/render/path_radiance.h",
+          "pt/render/render_film.h", "pt/image/image_io.h", "pt/scene/load_collada.h"}) {
+      EXPECT_FALSE(open(closed)) << slug << " " << closed;
+    }
+    const bool traces = slug.starts_with("direct_") || slug == "trace_path";
+    const bool pixel = slug.ends_with("_pixel");
+    EXPECT_EQ(open("pt/scene/scene.h"), traces || pixel) << slug;
+    EXPECT_EQ(open("pt/accel/exact_hit.h"), traces || pixel) << slug;
+    EXPECT_EQ(open("pt/render/radiance.h"), pixel) << slug;
+  }
+}
+
 // Names may hold anything; the report takes them as text.
 TEST(audit, shows_names_without_control_characters) {
   const std::string reason =
@@ -150,12 +290,12 @@ TEST(audit, shows_names_without_control_characters) {
 }
 
 TEST(audit, rejects_what_is_no_object) {
-  EXPECT_NE(audit("", {}), "");
-  EXPECT_NE(audit("INPUT(/etc/passwd)", {}), "");
-  EXPECT_NE(audit("!<arch>\n", {}), "");
+  EXPECT_NE(audit("", {}, {}), "");
+  EXPECT_NE(audit("INPUT(/etc/passwd)", {}, {}), "");
+  EXPECT_NE(audit("!<arch>\n", {}, {}), "");
   std::string program = compiled(kTask);
   program[16] = 2;  // a program, not an object
-  EXPECT_NE(audit(program, {}), "");
+  EXPECT_NE(audit(program, {}, {}), "");
 }
 
 // Sizes and offsets that lead nowhere are noticed; the sanitisers watch that nothing else is read.
@@ -170,7 +310,7 @@ TEST(audit, survives_damaged_objects) {
       damaged[random() % damaged.size()] = static_cast<char>(random());
     }
     if (i % 5 == 0) damaged.resize(random() % damaged.size());
-    rejected += audit(damaged, contract).empty() ? 0 : 1;
+    rejected += audit(damaged, contract, {}).empty() ? 0 : 1;
   }
   EXPECT_GT(rejected, 4000) << "all that were cut";
 }

@@ -36,6 +36,53 @@ TEST(hostile, costs_its_own_task_only) {
   }
 }
 
+// Nobody earns what they did not write: each lets another function do the work.
+TEST(hostile, earns_nothing_by_calling_what_its_contract_does_not_allow) {
+  Submission submission("calls");
+  const std::vector<std::string> slugs = submission.put("calls");
+  EXPECT_EQ(slugs.size(), 12u);
+  const Outcome outcome = submission.grade(slugs);
+  EXPECT_EQ(outcome.exit_status, 1);
+  const std::map<std::string, std::string> called{{"estimate_pixel", "pt::adaptive_pixel"},
+                                                  {"camera_ray", "pt::rays_traced"},
+                                                  {"hit_triangle", "pt::best_kernel"},
+                                                  {"hit_sphere", "pt::hit_triangle"},
+                                                  {"build_bvh", "pt::build_binary_tree"},
+                                                  {"hit_box", "pt::hit_sphere"},
+                                                  {"hit_bvh", "pt::Tracer::closest"},
+                                                  {"diffuse_bsdf", "pt::sample_light"},
+                                                  {"direct_hemisphere", "pt::direct_lights"},
+                                                  {"direct_lights", "pt::trace_path"},
+                                                  {"trace_path", "pt::radiance"},
+                                                  {"adaptive_pixel", "pt::estimate_pixel"}};
+  for (const auto& [slug, function] : called) {
+    EXPECT_EQ(outcome.state(slug), "rejected") << slug;
+    EXPECT_EQ(outcome.task(slug).at("points"), 0) << slug;
+    const std::string reason = outcome.task(slug).at("reason");
+    EXPECT_EQ(reason.find("it calls " + function), 0u) << reason;
+    EXPECT_NE(reason.find(slug + " may "), std::string::npos) << reason;
+  }
+}
+
+// The same without a call that a linker sees, and a call before there is anything to answer.
+TEST(hostile, earns_nothing_by_headers_of_the_renderer_nor_before_it_is_asked) {
+  Submission submission("headers");
+  const std::vector<std::string> slugs = submission.put("headers");
+  const Outcome outcome = submission.grade(slugs);
+  EXPECT_EQ(outcome.exit_status, 1);
+  const std::map<std::string, std::string> closed{{"hit_triangle", "pt/accel/exact_hit.h"},
+                                                  {"hit_sphere", "pt/scene/scene.h"},
+                                                  {"build_bvh", "pt/accel/binary_tree.h"}};
+  for (const auto& [slug, header] : closed) {
+    EXPECT_EQ(outcome.state(slug), "fail") << slug;
+    EXPECT_EQ(outcome.task(slug).at("reason"), "it does not compile") << slug;
+    const std::string output = outcome.task(slug).at("compiler_output");
+    EXPECT_NE(output.find(slug + " may not include " + header), std::string::npos) << output;
+  }
+  EXPECT_EQ(outcome.state("hit_bvh"), "crash");
+  for (const std::string& slug : slugs) EXPECT_EQ(outcome.task(slug).at("points"), 0) << slug;
+}
+
 // The texts of a submission reach the report as one harmless line.
 TEST(hostile, cannot_write_the_report) {
   const Submission submission("throws");

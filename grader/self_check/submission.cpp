@@ -59,7 +59,7 @@ Verdict judge(const std::string& slug, const fs::path& file, const std::string& 
       fmt::format("{} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, quoted(object),
                   quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
   verdict.compiled = run(compile, log) == 0 && run(link, log) == 0;
-  if (verdict.compiled) verdict.audit = audit(text_of(object), contract_of(slug));
+  if (verdict.compiled) verdict.audit = audit(text_of(object), contract_of(slug), may_call(slug));
   if (verdict.compiled) {
     // A shell of its own, which prints "Segmentation fault" into the log and not on our terminal.
     const std::string properties = fmt::format(
