@@ -16,8 +16,8 @@ namespace {
 constexpr int kSide = 8;  // pixels
 // By which rounding, another order of additions or pi to six digits may change a mean.
 constexpr double kMargin = 2e-3, kAbsoluteMargin = 5e-4;
-// For all values together, and for the sums of squares of all planes together.
-constexpr double kLargestLevel = 5e-4, kSquaresLevel = 4e-4;
+// For all values together, and over all planes for their sums of squares and their means.
+constexpr double kLargestLevel = 4e-4, kSquaresLevel = 3e-4, kMeanLevel = 2e-4;
 
 constexpr std::string_view kDigits =
     "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz-_";
@@ -82,27 +82,38 @@ double chi_square_above(double count, double probability) {
   return count * root * root * root;
 }
 
+// In standard deviations, beyond the margin.
 struct Deviations {
   double largest = 0;
   double squares = 0;
+  double of_mean = 0;  // over all blocks
 };
 
-// In standard deviations, beyond the margin. The larger of two variances, as in every verdict.
+double beyond(double difference, double margin, double variance) {
+  const double excess = std::abs(difference) - margin;
+  return excess <= 0 ? 0 : excess / std::sqrt(variance);
+}
+
+// The larger of two variances, as in every verdict.
 Deviations deviations(const std::vector<BlockMean>& picture, const std::vector<BlockMean>& known,
                       double ratio) {
+  const auto count = static_cast<double>(known.size());
   double bright = 0;
-  for (const BlockMean& block : known) bright += block.mean / static_cast<double>(known.size());
+  for (const BlockMean& block : known) bright += block.mean / count;
   Deviations found;
+  double difference = 0, variance = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
     const double margin = kMargin * known[i].mean + kAbsoluteMargin * bright;
-    const double excess = std::max(0.0, std::abs(picture[i].mean - known[i].mean) - margin);
-    if (excess == 0) continue;
     const double own = picture[i].error * picture[i].error;
     const double error = known[i].error * known[i].error;
-    const double z = excess / std::sqrt(std::max(own, error * ratio) + error);
+    const double of_both = std::max(own, error * ratio) + error;
+    const double z = beyond(picture[i].mean - known[i].mean, margin, of_both);
     found.largest = std::max(found.largest, z);
     found.squares += z * z;
+    difference += picture[i].mean - known[i].mean;
+    variance += of_both;
   }
+  found.of_mean = beyond(difference, count * (kMargin + kAbsoluteMargin) * bright, variance);
   return found;
 }
 
@@ -181,7 +192,10 @@ bool can_be(const BlockMeans& picture, const BlockMeans& known) {
     const Deviations off = deviations(picture.planes[i], known.planes[i], ratio);
     const auto count = static_cast<double>(known.planes[i].size());
     const double most = chi_square_above(count, kSquaresLevel / planes);
-    if (!(off.largest <= largest && off.squares <= most)) return false;
+    const double most_of_mean = normal_quantile_above(kMeanLevel / planes / 2);
+    if (!(off.largest <= largest && off.squares <= most && off.of_mean <= most_of_mean)) {
+      return false;
+    }
   }
   return true;
 }
