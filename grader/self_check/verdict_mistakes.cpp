@@ -39,6 +39,9 @@ struct Options {
   std::vector<std::string> recipes;  // empty: all
   int threads = 2;
   int stages = kStages;
+  // What is wrong by the number of samples asked for at a time differs between stages, and a task
+  // that breaks promises is judged by the first alone.
+  int known_stages = 1;
   bool pictures = false;
   bool tables_only = false;
 };
@@ -111,11 +114,18 @@ class Book {
     file_ << to_line(row) + '\n' << std::flush;
   }
 
-  // What is to be known of pictures, and what was seen of those that were judged.
-  void add(const KnownMistake& known, const KnownMistake& seen) {
+  // What the picture that was judged looks like, and what is to be known of it.
+  void add(const Job& job, const Recipe& recipe, const KnownMistake::Picture& seen,
+           const KnownMistake::Picture& known) {
+    KnownMistake mistake{job.task->slug,
+                         job.file.stem(),
+                         content_of(job.text),
+                         sentence_of(job.text),
+                         {{recipe.name, seen}}};
     const std::lock_guard lock(mutex_);
-    known_ << to_line(known) << std::flush;
-    seen_ << to_line(seen) << std::flush;
+    seen_ << to_line(mistake) << std::flush;
+    mistake.pictures[recipe.name] = known;
+    known_ << to_line(mistake) << std::flush;
   }
 
   void ended(std::size_t all) {
@@ -128,6 +138,19 @@ class Book {
   std::mutex mutex_;
   std::size_t ended_ = 0;
 };
+
+MistakeRow row_of(const Job& job, const Recipe& recipe, const PictureResult& result, int stages,
+                  const Config& config) {
+  MistakeRow row = empty_row(job, recipe);
+  row.most_stages = stages;
+  row.state = name(result.state);
+  row.stages = result.stages;
+  row.noise = result.noise;
+  row.seconds = result.seconds;
+  if (!result.counts.empty()) row.map = figures_of(result.counts, golden_rates(config, recipe));
+  row.text = result.text;
+  return row;
+}
 
 // In a folder of its own, which goes: three hundred workers fill a disk.
 void judge(Config config, const GradeRequest& request, const Options& options, const Job& job,
@@ -143,9 +166,6 @@ void judge(Config config, const GradeRequest& request, const Options& options, c
   }
   const Built worker = link_alone(config, builder, judged, Elsewhere::reference);
   if (!worker.ok()) throw pt::Error(job.file.string() + " does not link: " + worker.error);
-  KnownMistake known{
-      job.task->slug, job.file.stem(), content_of(job.text), sentence_of(job.text), {}};
-  KnownMistake seen = known;
   const auto trial = [&](const Recipe& recipe, const std::string& content, int stages) {
     return try_picture(config, builder, request,
                        {recipe, *job.task, worker, sha256(content), false, stages});
@@ -153,24 +173,13 @@ void judge(Config config, const GradeRequest& request, const Options& options, c
   for (const Recipe* recipe : job.recipes) {
     const PictureResult result = trial(*recipe, job.text, options.stages);
     if (options.pictures && job.kind == "wrong") {
-      seen.pictures[recipe->name] = picture_of(result);
-      known.pictures[recipe->name] =
-          result.state == State::pass ? picture_of(result)
-                                      : known_picture(trial(*recipe, "known " + job.text, kStages));
+      book.add(job, *recipe, picture_of(result),
+               result.state == State::pass
+                   ? picture_of(result)
+                   : known_picture(trial(*recipe, "known " + job.text, options.known_stages)));
     }
-    MistakeRow row = empty_row(job, *recipe);
-    row.most_stages = options.stages;
-    row.state = name(result.state);
-    row.stages = result.stages;
-    row.noise = result.noise;
-    row.seconds = result.seconds;
-    if (!result.counts.empty()) {
-      row.map = figures_of(result.counts, golden_rates(config, *recipe));
-    }
-    row.text = result.text;
-    book.add(row);
+    book.add(row_of(job, *recipe, result, options.stages, config));
   }
-  if (!known.pictures.empty()) book.add(known, seen);
   fs::remove_all(config.work);
 }
 
@@ -255,6 +264,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, kStages));
   app.add_flag("--pictures", options.pictures,
                "Keep what the pictures look like, and try which mistakes they name");
+  app.add_option("--known-stages", options.known_stages,
+                 "From how many stages what is kept of a picture comes")
+      ->check(CLI::Range(1, kStages));
   app.add_flag("--tables", options.tables_only, "Judge nothing: print the tables of what is known");
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }
