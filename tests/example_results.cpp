@@ -175,7 +175,10 @@ Results full_results() {
                               "x5",
                               "x6",
                               "x7",
-                              {{1, 2, 3, 4, "G", -0.5, 1.5}}};
+                              {{1, 2, 3, 4, "G", -0.5, 1.5}},
+                              "x8",
+                              {"x9"},
+                              {"x10"}};
   TaskResult task{.part = "i",
                   .number = "j",
                   .slug = "k",

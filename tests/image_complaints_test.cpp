@@ -1,6 +1,6 @@
 // What the verdict on a picture says of a mistake, and which complaints count; two goldens
 // compared.
-#include "grader/images/name_mistake.h"
+#include "grader/images/image_verdict.h"
 #include "pt/error.h"
 #include "tests/judged_picture.h"
 
@@ -108,26 +108,6 @@ TEST_F(Judged, adaptive_pictures_are_judged_run_by_run) {
   }
   for (const SyntheticError& error : synthetic_errors()) {
     EXPECT_EQ(judged(with(scene_, error), 7).outcome, Outcome::wrong) << error.name;
-  }
-}
-
-TEST_F(Judged, a_known_mistake_is_named_and_no_other) {
-  std::vector<KnownMistake> known;
-  for (const SyntheticError& error : synthetic_errors()) {
-    known.push_back({error.name, Draw(known.size()).golden(with(scene_, error), 8192)});
-  }
-  const auto named = [&](const SyntheticScene& scene, std::uint64_t seed) {
-    return name_mistake(golden_, submission(scene, seed)(3, 16, 16), known);
-  };
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    for (const SyntheticError& error : synthetic_errors()) {
-      EXPECT_EQ(named(with(scene_, error), seed), error.name);
-    }
-    EXPECT_EQ(named(scene_, seed), std::nullopt);
-    const SyntheticError other{"", [](SyntheticScene& scene) {
-                                 for (SyntheticPixel& pixel : scene.pixels) pixel.direct *= 1.05;
-                               }};
-    EXPECT_EQ(named(with(scene_, other), seed), std::nullopt);
   }
 }
 

@@ -1,64 +1,123 @@
 #include "grader/images/name_mistake.h"
 
-#include "grader/images/cells.h"
-#include "grader/images/guards.h"
+#include "pt/error.h"
 
 #include <algorithm>
-#include <limits>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace grader {
 namespace {
 
-constexpr double kLevel = 1e-2;
+using Json = nlohmann::ordered_json;
+using Outcome = JudgedPicture::Outcome;
 
-// The mean square of the deviations, each in units of its own standard deviation. Constant pixels
-// count by what is allowed there.
-double distance(const Comparison& pictures, const Moments& stage) {
-  const Golden& picture = pictures.golden;
-  double sum = 0, count = 0;
-  for (std::size_t i = 0; i < picture.samples.size(); ++i) {
-    if (picture.constant[i]) {
-      const double evidence = constant_error(picture, stage, i).evidence;
-      sum += evidence * evidence;
-      ++count;
-      continue;
-    }
-    for (int plane = 0; plane < kLuminance; ++plane) {
-      const double variance = std::max(pictures.own[plane][i], pictures.expected[plane][i]) +
-                              pictures.golden_error[plane][i];
-      const double difference = pictures.difference[plane][i];
-      if (variance > 0) sum += difference * difference / variance;
-      ++count;
-    }
-  }
-  return sum / count;
+// What stands for a picture that is right, and for one that is not known, after the hash.
+constexpr const char* kRight = "right";
+constexpr const char* kUnknown = "unknown";
+
+std::string text_of(const KnownMistake::Picture& picture) {
+  const std::string what = !picture.known   ? kUnknown
+                           : picture.blocks ? to_text(*picture.blocks)
+                                            : kRight;
+  return picture.recipe_hash + " " + what;
 }
 
-bool agrees(const Golden& picture, const Comparison& pictures, const Moments& stage,
-            const Batches& batches) {
-  return exceeding(measure(pictures, cells_of(picture), kLevel), 1).empty() &&
-         wrong_constants(picture, stage, batches.images).empty();
+KnownMistake::Picture picture_of(const std::string& text) {
+  const std::size_t space = text.find(' ');
+  if (space == std::string::npos) throw pt::Error("a picture begins with the hash of its recipe");
+  KnownMistake::Picture picture{text.substr(0, space), {}, true};
+  const std::string what = text.substr(space + 1);
+  picture.known = what != kUnknown;
+  if (picture.known && what != kRight) picture.blocks = block_means_from(what);
+  return picture;
+}
+
+KnownMistake mistake_of(const Json& json) {
+  KnownMistake mistake{
+      json.at("task"), json.at("name"), json.at("content"), json.at("sentence"), {}};
+  for (const auto& [recipe, text] : json.at("pictures").items()) {
+    mistake.pictures[recipe] = picture_of(text.get<std::string>());
+  }
+  return mistake;
 }
 
 }  // namespace
 
-std::optional<std::string> name_mistake(const pt::Film& golden, const Batches& batches,
-                                        std::span<const KnownMistake> mistakes) {
-  const Moments stage = moments(batches.images, batches.samples);
-  const Golden right = prepare(golden);
-  if (agrees(right, compare(right, stage), stage, batches)) return {};
-  std::optional<std::string> name;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const KnownMistake& mistake : mistakes) {
-    const Golden picture = prepare(mistake.picture);
-    const Comparison pictures = compare(picture, stage);
-    const double far = distance(pictures, stage);
-    if (far >= nearest) continue;
-    nearest = far;
-    name.reset();
-    if (agrees(picture, pictures, stage, batches)) name = mistake.name;
+void add(std::vector<KnownMistake>& mistakes, KnownMistake mistake) {
+  const auto before = std::find_if(mistakes.begin(), mistakes.end(), [&](const auto& other) {
+    return other.task == mistake.task && other.name == mistake.name;
+  });
+  if (before == mistakes.end()) {
+    mistakes.push_back(std::move(mistake));
+    return;
   }
-  return name;
+  // What insert() finds already stays.
+  if (before->content == mistake.content)
+    mistake.pictures.insert(before->pictures.begin(), before->pictures.end());
+  *before = std::move(mistake);
+}
+
+std::vector<KnownMistake> read_mistakes(const std::filesystem::path& file,
+                                        const std::string& task) {
+  std::vector<KnownMistake> mistakes;
+  const std::string start = task.empty() ? "" : fmt::format("{{\"task\":\"{}\"", task);
+  std::ifstream in(file);
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (!line.starts_with(start)) continue;
+    try {
+      add(mistakes, mistake_of(Json::parse(line)));
+    } catch (const std::exception& error) {  // of JSON, or our own
+      throw pt::Error(
+          fmt::format("{}:{}: does not describe a known mistake ({}); make the file again",
+                      file.string(), number, error.what()));
+    }
+  }
+  return mistakes;
+}
+
+std::string to_line(const KnownMistake& mistake) {
+  Json pictures = Json::object();
+  for (const auto& [recipe, picture] : mistake.pictures) pictures[recipe] = text_of(picture);
+  const Json json{{"task", mistake.task},
+                  {"name", mistake.name},
+                  {"content", mistake.content},
+                  {"sentence", mistake.sentence},
+                  {"pictures", pictures}};
+  return json.dump() + "\n";
+}
+
+Likeness compare(const std::string& recipe, const std::string& recipe_hash,
+                 const JudgedPicture& picture, const BlockMeans& golden,
+                 std::span<const KnownMistake> mistakes) {
+  const bool wrong = picture.outcome == Outcome::wrong && picture.blocks;
+  // What is wrong may not show in these means: a sequence of random numbers that repeats itself.
+  const bool shows = wrong && !can_be(*picture.blocks, golden);
+  Likeness found;
+  for (const KnownMistake& mistake : mistakes) {
+    const auto known = mistake.pictures.find(recipe);
+    if (known == mistake.pictures.end() || known->second.recipe_hash != recipe_hash ||
+        !known->second.known) {
+      continue;
+    }
+    const std::optional<BlockMeans>& blocks = known->second.blocks;
+    if (picture.outcome == Outcome::right) {
+      if (blocks) found.unlike.push_back(mistake.name);
+    } else if (!blocks) {
+      found.unlike.push_back(mistake.name);
+    } else if (wrong) {
+      if (!can_be(*picture.blocks, *blocks)) {
+        found.unlike.push_back(mistake.name);
+      } else if (shows) {
+        found.like.push_back(mistake.name);
+      }
+    }
+  }
+  return found;
 }
 
 }  // namespace grader

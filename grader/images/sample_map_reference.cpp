@@ -96,6 +96,13 @@ SampleMapReference reference_of(std::span<const pt::SampleMap> runs, const pt::F
   return reference;
 }
 
+pt::SampleMap usual_counts(const SampleMapReference& reference) {
+  pt::SampleMap map{reference.width, reference.height, {}, reference.settings.max_samples};
+  for (const double mean : reference.mean)
+    map.counts.push_back(static_cast<int>(std::lround(mean)));
+  return map;
+}
+
 void write_reference(const std::filesystem::path& path, const SampleMapReference& reference) {
   const auto list = [&](const std::vector<double>& values, const char* format) {
     return rows(reference, ",", "[", "]",

@@ -43,6 +43,9 @@ void write_reference(const std::filesystem::path& path, const SampleMapReference
 // Throws pt::Error, with the file, if it is missing or is not what write_reference wrote.
 SampleMapReference read_reference(const std::filesystem::path& path);
 
+// The samples that the reference takes on average, in whole numbers: to look at, and to compare by.
+pt::SampleMap usual_counts(const SampleMapReference& reference);
+
 struct SampleMapVerdict {
   bool pass = false;
   // What is wrong, for a person. If it passes: empty, or how it differs from the reference all the

@@ -4,7 +4,8 @@ include(${CMAKE_CURRENT_SOURCE_DIR}/report/report.cmake)
 firstlight_library(grader_judge
   judge/audit.cpp judge/builder.cpp judge/c_functions.cpp judge/cache.cpp judge/config.cpp
   judge/files.cpp judge/findings.cpp judge/grade.cpp judge/integration.cpp judge/isolation.cpp
-  judge/may_call.cpp judge/no_reference.cpp judge/object_file.cpp judge/picture_trial.cpp judge/pictures.cpp
+  judge/may_call.cpp judge/name_by_pictures.cpp judge/no_reference.cpp judge/object_file.cpp
+  judge/picture_trial.cpp judge/pictures.cpp
   judge/points.cpp judge/promises.cpp judge/sha256.cpp judge/so_far.cpp judge/staging.cpp)
 target_link_libraries(grader_judge PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 

@@ -15,6 +15,10 @@
 
 namespace grader {
 
+std::string known_mistakes(const Config& config) {
+  return config.root + "/golden/known_mistakes.jsonl";
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,6 +39,8 @@ std::vector<std::string> command(const Config& config, const GradeRequest& reque
                                  config.root + "/golden",
                                  "--recipe",
                                  trial.recipe.name,
+                                 "--mistakes",
+                                 known_mistakes(config),
                                  "--content",
                                  sha256(trial.content),
                                  "--seed",
@@ -54,6 +60,7 @@ std::string key_of(const Config& config, const std::vector<std::string>& words,
                    const PictureTrial& trial) {
   std::string key = stamp(config.picture) + trial.worker.key + stamp(trial.recipe.scene) +
                     stamp(config.root + "/scenes/recipes.json");
+  if (fs::exists(known_mistakes(config))) key += stamp(known_mistakes(config));
   const std::string golden = config.root + "/golden/" + trial.recipe.name;
   for (const char* ending : {".exr", "_rates.json"}) {
     if (fs::exists(golden + ending)) key += stamp(golden + ending);

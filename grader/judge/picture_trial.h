@@ -9,6 +9,9 @@ namespace grader {
 // How often the limit of a call a few rows of a picture may take.
 inline constexpr int kPatience = 5;
 
+// The file of the pictures of known mistakes (grader/images/name_mistake.h).
+std::string known_mistakes(const Config& config);
+
 // One recipe on one worker.
 struct PictureTrial {
   const Recipe& recipe;

@@ -1,6 +1,7 @@
 #include "grader/judge/pictures.h"
 
 #include "grader/judge/integration.h"
+#include "grader/judge/name_by_pictures.h"
 #include "grader/judge/no_reference.h"
 #include "grader/judge/parallel.h"
 #include "grader/judge/picture_trial.h"
@@ -80,6 +81,7 @@ class Gallery {
       const std::lock_guard lock(mutex_);
       progress();
     });
+    for (Judged& each : judged_) name_by_pictures(each.result, known_mistakes(config_));
   }
 
  private:

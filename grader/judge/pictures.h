@@ -11,7 +11,8 @@ void list_pictures(const Config& config, const GradeRequest& request, std::vecto
 // Renders the recipes that are listed, and enters the verdicts. What passes with all
 // tasks of the submission that are right by themselves passes for each of them; where it does not,
 // each task is rendered by itself, the reference elsewhere. A task that fails its promises already
-// is rendered by itself, one stage only. Sample maps are always judged by themselves.
+// is rendered by itself, one stage only. A known mistake that alone explains all pictures of its
+// task is named. Sample maps are always judged by themselves.
 // `progress` is called after every recipe, by one thread at a time.
 void judge_pictures(const Config& config, const Builder& builder, const GradeRequest& request,
                     std::vector<Judged>& judged, const std::function<void()>& progress);

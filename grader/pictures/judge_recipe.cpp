@@ -75,14 +75,6 @@ void keep(const ImageVerdict& verdict, const PictureFiles& files, PictureResult&
   result.evidence = files.evidence;
 }
 
-// What the reference takes on average, in whole samples: to look at.
-pt::SampleMap usual_counts(const SampleMapReference& reference) {
-  pt::SampleMap map{reference.width, reference.height, {}, reference.settings.max_samples};
-  for (const double mean : reference.mean)
-    map.counts.push_back(static_cast<int>(std::lround(mean)));
-  return map;
-}
-
 // Where a first batch may be all zero, a right program may stop there or go on: such pixels are not
 // judged.
 void blacken(const std::vector<char>& where, pt::Image& image) {

@@ -2,6 +2,7 @@
 // here. Writes what it found as a results.json with this one picture, and the picture next to it.
 // The exit status is 0 if the picture is right, 1 if not, 2 if nothing could be judged.
 #include "grader/pictures/judge_recipe.h"
+#include "grader/pictures/known_mistakes.h"
 #include "grader/pictures/worker_rows.h"
 #include "grader/process/spawn.h"
 #include "grader/remote/session.h"
@@ -22,6 +23,7 @@ struct Options {
   remote::SessionSettings session;
   SeedSource source;
   std::string recipes, goldens, recipe;
+  std::string mistakes;
   std::string report;
   int stages = 3;
   int call_limit = 10000;
@@ -47,6 +49,7 @@ int run(const Options& options) {
       {golden + ".exr", golden + "_rates.json", beside + ".exr", beside + ".evidence.exr",
        beside + ".csv", beside + ".usual.csv"});
   result.integrated = options.session.integrated;
+  enter_likeness(read_mistakes(options.mistakes, options.session.task), result);
   Results results;
   results.complete = true;
   results.tasks.emplace_back().slug = options.session.task;
@@ -65,6 +68,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--recipes", options.recipes, "recipes.json")->required();
   app.add_option("--goldens", options.goldens, "the folder of the goldens")->required();
   app.add_option("--recipe", options.recipe, "its name")->required();
+  app.add_option("--mistakes", options.mistakes, "what is known of pictures with mistakes");
   app.add_option("--report", options.report, "where to write the findings")->required();
   app.add_option("--content", options.source.content, "stands for what is judged: a hash");
   app.add_option("--seed", options.source.seed, "of the run");

@@ -1,5 +1,5 @@
 # graded_picture: one recipe on one worker, judged.
-firstlight_library(grader_pictures pictures/render.cpp pictures/judge_recipe.cpp)
+firstlight_library(grader_pictures pictures/render.cpp pictures/judge_recipe.cpp pictures/known_mistakes.cpp)
 target_link_libraries(grader_pictures PUBLIC grader_images grader_recipes grader_property)
 add_executable(graded_picture pictures/main.cpp pictures/worker_rows.cpp)
 add_dependencies(graded_picture box)

@@ -92,6 +92,10 @@ struct PictureResult {
   std::string golden_counts;  // of an adaptive recipe: samples a pixel, written by write_counts
   std::string counts;         // and the submission's
   std::vector<FailingCell> cells;  // the smallest that fail
+  std::string mistake;             // of those kept in grader/tasks, the one that made it; or empty
+  // Known mistakes of the task that make this picture, and that do not: for the judge, and empty in
+  // the end.
+  std::vector<std::string> like, unlike;
 
   bool operator==(const PictureResult&) const = default;
 };

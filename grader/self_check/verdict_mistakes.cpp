@@ -1,7 +1,9 @@
 // Which pictures see which mistakes: each solution in grader/tasks/*/{wrong,right,noisy}/, alone
 // among the reference's tasks, built and judged as a submission is, on the recipes that judge its
 // task. Each verdict is a line of a CSV, and what is there already is not judged again, so that it
-// may be stopped and started as one likes. The reference with other chances to survive is added on
+// may be stopped and started as one likes. What the pictures of wrong solutions look like is kept
+// in golden/known_mistakes.jsonl, from samples of their own, and it is tried which of them are
+// named by the pictures that were judged. The reference with other chances to survive is added on
 // an adaptive recipe: right, and drawn with another variance.
 #include "grader/judge/files.h"
 #include "grader/judge/isolation.h"
@@ -9,6 +11,7 @@
 #include "grader/judge/picture_trial.h"
 #include "grader/judge/sha256.h"
 #include "grader/recipes/recipes.h"
+#include "grader/self_check/mistake_pictures.h"
 #include "grader/self_check/mistake_rows.h"
 #include "grader/self_check/task_folder.h"
 #include "pt/command_line.h"
@@ -33,8 +36,13 @@ constexpr int kCallLimit = 4000;
 struct Options {
   std::string out = "build/verdict_mistakes.csv";
   std::vector<std::string> tasks;
+  std::vector<std::string> recipes;  // empty: all
   int threads = 2;
   int stages = kStages;
+  // What is wrong by the number of samples asked for at a time differs between stages, and a task
+  // that breaks promises is judged by the first alone.
+  int known_stages = 1;
+  bool pictures = false;
   bool tables_only = false;
 };
 
@@ -52,7 +60,7 @@ MistakeRow empty_row(const Job& job, const Recipe& recipe) {
   row.task = job.task->slug;
   row.kind = job.kind;
   row.solution = job.file.stem();
-  row.content = sha256(job.text).substr(0, 12);
+  row.content = content_of(job.text);
   row.recipe = recipe.name;
   return row;
 }
@@ -61,21 +69,24 @@ std::string golden_rates(const Config& config, const Recipe& recipe) {
   return config.root + "/golden/" + recipe.name + "_rates.json";
 }
 
+bool contains(const std::vector<std::string>& all, const std::string& one) {
+  return std::count(all.begin(), all.end(), one) > 0;
+}
+
 // The solutions that are not known yet, with the recipes that are missing.
 std::vector<Job> find_jobs(const Config& config, const Options& options,
                            const std::vector<Recipe>& recipes, const std::set<std::string>& known) {
   std::vector<Job> jobs;
   for (const TaskConfig& task : config.tasks) {
-    const bool asked = options.tasks.empty() ||
-                       std::count(options.tasks.begin(), options.tasks.end(), task.slug) > 0;
-    if (!asked) continue;
+    if (!options.tasks.empty() && !contains(options.tasks, task.slug)) continue;
     for (const char* kind : {"wrong", "right", "noisy"}) {
       const fs::path folder = fs::path(config.root) / "grader/tasks" / task.slug / kind;
       for (const fs::path& file : sources_in(folder)) {
         Job job{&task, kind, file, read_file(file), {}};
         for (const Recipe& recipe : recipes) {
           const auto& judged = recipe.tasks;
-          if (std::count(judged.begin(), judged.end(), task.slug) > 0 &&
+          const bool wanted = options.recipes.empty() || contains(options.recipes, recipe.name);
+          if (wanted && contains(judged, task.slug) &&
               !known.contains(empty_row(job, recipe).key())) {
             job.recipes.push_back(&recipe);
           }
@@ -90,13 +101,31 @@ std::vector<Job> find_jobs(const Config& config, const Options& options,
 // The CSV, which several threads add to.
 class Book {
  public:
-  explicit Book(const std::string& path) : file_(path, std::ios::app) {
-    if (!file_) throw pt::Error(path + ": cannot be written; choose another --out");
+  explicit Book(const std::string& path)
+      : file_(path, std::ios::app),
+        known_(known_path(path), std::ios::app),
+        seen_(seen_path(path), std::ios::app) {
+    if (!file_ || !known_ || !seen_)
+      throw pt::Error(path + ": cannot be written; choose another --out");
   }
 
   void add(const MistakeRow& row) {
     const std::lock_guard lock(mutex_);
     file_ << to_line(row) + '\n' << std::flush;
+  }
+
+  // What the picture that was judged looks like, and what is to be known of it.
+  void add(const Job& job, const Recipe& recipe, const KnownMistake::Picture& seen,
+           const KnownMistake::Picture& known) {
+    KnownMistake mistake{job.task->slug,
+                         job.file.stem(),
+                         content_of(job.text),
+                         sentence_of(job.text),
+                         {{recipe.name, seen}}};
+    const std::lock_guard lock(mutex_);
+    seen_ << to_line(mistake) << std::flush;
+    mistake.pictures[recipe.name] = known;
+    known_ << to_line(mistake) << std::flush;
   }
 
   void ended(std::size_t all) {
@@ -105,13 +134,27 @@ class Book {
   }
 
  private:
-  std::ofstream file_;
+  std::ofstream file_, known_, seen_;
   std::mutex mutex_;
   std::size_t ended_ = 0;
 };
 
+MistakeRow row_of(const Job& job, const Recipe& recipe, const PictureResult& result, int stages,
+                  const Config& config) {
+  MistakeRow row = empty_row(job, recipe);
+  row.most_stages = stages;
+  row.state = name(result.state);
+  row.stages = result.stages;
+  row.noise = result.noise;
+  row.seconds = result.seconds;
+  if (!result.counts.empty()) row.map = figures_of(result.counts, golden_rates(config, recipe));
+  row.text = result.text;
+  return row;
+}
+
 // In a folder of its own, which goes: three hundred workers fill a disk.
-void judge(Config config, const GradeRequest& request, int stages, const Job& job, Book& book) {
+void judge(Config config, const GradeRequest& request, const Options& options, const Job& job,
+           Book& book) {
   config.work += "/mistakes/" + job.task->slug + "." + job.kind + "." + job.file.stem().string();
   const Builder builder(config, request.isolation.tier, request.compile_limit);
   Judged judged;
@@ -123,20 +166,19 @@ void judge(Config config, const GradeRequest& request, int stages, const Job& jo
   }
   const Built worker = link_alone(config, builder, judged, Elsewhere::reference);
   if (!worker.ok()) throw pt::Error(job.file.string() + " does not link: " + worker.error);
+  const auto trial = [&](const Recipe& recipe, const std::string& content, int stages) {
+    return try_picture(config, builder, request,
+                       {recipe, *job.task, worker, sha256(content), false, stages});
+  };
   for (const Recipe* recipe : job.recipes) {
-    const PictureResult result = try_picture(
-        config, builder, request, {*recipe, *job.task, worker, sha256(job.text), false, stages});
-    MistakeRow row = empty_row(job, *recipe);
-    row.most_stages = stages;
-    row.state = name(result.state);
-    row.stages = result.stages;
-    row.noise = result.noise;
-    row.seconds = result.seconds;
-    if (!result.counts.empty()) {
-      row.map = figures_of(result.counts, golden_rates(config, *recipe));
+    const PictureResult result = trial(*recipe, job.text, options.stages);
+    if (options.pictures && job.kind == "wrong") {
+      book.add(job, *recipe, picture_of(result),
+               result.state == State::pass
+                   ? picture_of(result)
+                   : known_picture(trial(*recipe, "known " + job.text, options.known_stages)));
     }
-    row.text = result.text;
-    book.add(row);
+    book.add(row_of(job, *recipe, result, options.stages, config));
   }
   fs::remove_all(config.work);
 }
@@ -177,6 +219,7 @@ int run(const Options& options) {
   const Config config = load_config(default_config_path());
   const std::vector<Recipe> recipes = load_recipes(config.root + "/scenes/recipes.json");
   for (const std::string& task : options.tasks) tasks_meant(config, task);
+  for (const std::string& recipe : options.recipes) find(recipes, recipe);
   if (!options.tables_only) {
     std::set<std::string> known;
     // What passes by the first stage passes.
@@ -189,11 +232,15 @@ int run(const Options& options) {
     const std::vector<Job> jobs = find_jobs(config, options, recipes, known);
     Book book(options.out);
     for_each(jobs.size(), options.threads, [&](std::size_t i) {
-      judge(config, request, options.stages, jobs[i], book);
+      judge(config, request, options, jobs[i], book);
       book.ended(jobs.size());
     });
     if (options.tasks.empty()) judge_survivals(recipes, known, book);
     std::fprintf(stderr, "\n");
+  }
+  if (options.pictures) {
+    write_known(config, options.out);
+    fmt::print("{}\n", table_of_names(config, recipes, options.out));
   }
   print_tables(options, recipes);
   return 0;
@@ -205,6 +252,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Which pictures see which wrong solutions"};
   app.add_option("task", options.tasks, "Tasks; default: all");
+  app.add_option("--recipe", options.recipes, "Recipes; default: all");
   app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
   app.add_option(
       "--out", options.out,
@@ -213,6 +261,11 @@ int main(int argc, char** argv) {
       "of a sample map whether it passes, ratio, a, b, correlation; text");
   app.add_option("--stages", options.stages,
                  "At most; a later call with more goes on with what has complained")
+      ->check(CLI::Range(1, kStages));
+  app.add_flag("--pictures", options.pictures,
+               "Keep what the pictures look like, and try which mistakes they name");
+  app.add_option("--known-stages", options.known_stages,
+                 "From how many stages what is kept of a picture comes")
       ->check(CLI::Range(1, kStages));
   app.add_flag("--tables", options.tables_only, "Judge nothing: print the tables of what is known");
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "grader/report/results.h"
+
+#include <string>
+#include <vector>
+
+namespace grader {
+
+// The known mistakes that make one of these pictures of a task at least, and of which no picture
+// says that it is not made by them.
+std::vector<std::string> candidates(const std::vector<PictureResult>& pictures);
+
+// Enters the only candidate, if there is one alone, into the pictures that it makes, with its
+// sentence from `file` (grader/images/name_mistake.h). Empties their lists of mistakes.
+void name_by_pictures(TaskResult& task, const std::string& file);
+
+}  // namespace grader

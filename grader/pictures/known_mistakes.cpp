@@ -1,0 +1,56 @@
+#include "grader/pictures/known_mistakes.h"
+
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/image/image_io.h"
+
+#include <nlohmann/json.hpp>
+
+namespace grader {
+
+namespace {
+
+using Outcome = JudgedPicture::Outcome;
+
+constexpr std::size_t kHashLength = 8;
+
+BlockMeans means(const std::string& film, const std::string& counts) {
+  BlockMeans blocks = block_means(pt::read_exr(film));
+  if (!counts.empty()) add_counts(blocks, pt::read_counts(counts));
+  return blocks;
+}
+
+}  // namespace
+
+JudgedPicture judged_picture(const PictureResult& result) {
+  if (result.state == State::pass) return {Outcome::right, {}};
+  if (result.state != State::fail || result.render.empty()) return {};
+  return {Outcome::wrong, means(result.render, result.counts)};
+}
+
+BlockMeans golden_means(const PictureResult& result) {
+  return means(result.golden, result.golden_counts);
+}
+
+std::string recipe_hash(const std::filesystem::path& golden) {
+  const std::filesystem::path file = std::filesystem::path(golden).replace_extension(".json");
+  try {
+    const auto json = nlohmann::json::parse(pt::read_file(file, 1 << 20));
+    return json.at("sha256").get<std::string>().substr(0, kHashLength);
+  } catch (const nlohmann::json::exception& error) {
+    throw pt::Error(file.string() + " says nothing about its golden: " + error.what());
+  }
+}
+
+void enter_likeness(const std::vector<KnownMistake>& mistakes, PictureResult& result) {
+  if (result.integrated && result.state != State::pass) return;
+  if (mistakes.empty()) return;
+  const JudgedPicture picture = judged_picture(result);
+  const BlockMeans golden = picture.outcome == Outcome::wrong ? golden_means(result) : BlockMeans{};
+  const Likeness found =
+      compare(result.recipe, recipe_hash(result.golden), picture, golden, mistakes);
+  result.like = found.like;
+  result.unlike = found.unlike;
+}
+
+}  // namespace grader

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "grader/judge/config.h"
+#include "grader/pictures/known_mistakes.h"
+#include "grader/recipes/recipes.h"
+
+#include <string>
+#include <vector>
+
+// What verdict_mistakes keeps of the pictures of wrong solutions, and which of these the pictures
+// name.
+
+namespace grader {
+
+// The beginning of the hash of a solution's text.
+std::string content_of(const std::string& text);
+
+// Its second line, which says the mistake; empty if that is no comment.
+std::string sentence_of(const std::string& text);
+
+// The files beside the CSV at `out`: what is known, and what other samples showed.
+std::string known_path(const std::string& out);
+std::string seen_path(const std::string& out);
+
+// As it was judged.
+KnownMistake::Picture picture_of(const PictureResult& result);
+
+// The same of a picture that was wrong before: if it is right now nobody knows.
+KnownMistake::Picture known_picture(const PictureResult& result);
+
+// Puts what is known into golden/known_mistakes.jsonl: what was found beside `out` in the place of
+// what the file has; no solution that has changed or is gone.
+void write_known(const Config& config, const std::string& out);
+
+// Markdown: of each task, how many wrong solutions a picture sees, and how many of these are named
+// right, wrongly, or not, by what was seen and golden/known_mistakes.jsonl.
+std::string table_of_names(const Config& config, const std::vector<Recipe>& recipes,
+                           const std::string& out);
+
+}  // namespace grader
