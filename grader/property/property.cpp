@@ -3,6 +3,7 @@
 #include "grader/property/fail.h"
 #include "grader/property/replay.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -165,6 +166,13 @@ std::string print(const Failure& failure) {
   return text;
 }
 
+// Without the digits far below `step`, but five at least.
+std::string rounded_for_people(double value, double step) {
+  const double digits = std::ceil(std::log10(std::abs(value) / step)) + 1;
+  if (!(digits < 17)) return fmt::format("{}", value);
+  return fmt::format("{:.{}g}", value, static_cast<int>(std::max(digits, 5.0)));
+}
+
 }  // namespace
 
 std::uint64_t seed() {
@@ -232,7 +240,9 @@ void expect(bool condition, const std::string& expected, const std::string& got)
 void expect_near(const std::string& what, double got, double expected, double tolerance) {
   const double off = std::abs(got - expected);
   if (!(off <= tolerance)) {
-    fail(what, fmt::format("{}", got), fmt::format("{}, give or take {:.2g}", expected, tolerance),
+    const double step = std::max(tolerance, 1e-2 * off);
+    fail(what, rounded_for_people(got, step),
+         fmt::format("{}, give or take {:.2g}", rounded_for_people(expected, step), tolerance),
          fmt::format("{:.3g}", off));
   }
 }
