@@ -46,12 +46,15 @@ std::string show(const pt::Camera& c) {
       show(c.camera_to_world.z), c.hfov_deg, c.vfov_deg, c.near_clip, c.far_clip);
 }
 
-std::string brief(double value) { return fmt::format("{:.5g}", value); }
+// Adding zero turns -0 into 0.
+std::string brief(double value) { return fmt::format("{:.5g}", value + 0.0); }
 
-std::string brief(pt::Vec3 v) { return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z); }
+std::string brief(pt::Vec3 v) {
+  return fmt::format("({}, {}, {})", brief(v.x), brief(v.y), brief(v.z));
+}
 
 std::string brief(pt::Rgb c) {
-  return fmt::format("(r {:.5g}, g {:.5g}, b {:.5g})", c.r, c.g, c.b);
+  return fmt::format("(r {}, g {}, b {})", brief(c.r), brief(c.g), brief(c.b));
 }
 
 }  // namespace grader

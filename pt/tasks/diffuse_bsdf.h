@@ -19,9 +19,9 @@ struct BsdfSample {
 // In:  wo and wi are unit vectors in the local shading frame, z along the normal, both pointing
 //      away from the surface. The albedo, in [0, 1], is the part of the light that is not absorbed.
 //      For diffuse_sample, wo.z > 0.
-// Out: diffuse_f is the BSDF itself (a steradian; without any cosine): the same for all directions,
+// Out: diffuse_f is the BSDF itself, per steradian, without any cosine: the same for all directions
 //      but zero where wo and wi are on different sides of the surface. diffuse_sample chooses wi on
-//      wo's side, by any density that is not zero there, uniform and cosine-weighted alike, and
+//      wo's side, by any continuous density that is not zero there (uniform, cosine-weighted), and
 //      returns f and that density. diffuse_pdf is the density with which diffuse_sample chooses wi;
 //      zero on the other side. The sampler is the only source of random numbers.
 //

@@ -37,9 +37,8 @@ namespace pt {
 //   - takes the emission of what is hit: not the shaded point's own, nor that of a light in the
 //     list that has no surface.
 //   - adds no emission of its own: a glowing surface reflects only what arrives.
-//   - sees what is in the way: a dark surface hides the light behind it, also just before the
-//   light,
-//     and one just behind the light hides nothing.
+//   - sees what is in the way: a dark surface hides what is behind it, also just before a
+//     light; one just behind the light hides nothing.
 //   - sees only the bright side: a light is dark from behind.
 //   - turns with the surface: the same answer for every orientation of everything.
 //   - looks from the side it is seen on: also where that is the back of the surface.
@@ -50,8 +49,7 @@ namespace pt {
 //     through, at every scale.
 //   - spreads evenly over the hemisphere: directions are uniform above the surface, down to the
 //     horizon.
-//   - goes on with the sampler: calls one after the other are independent, and a sampler in the
-//   same
+//   - goes on with the sampler: calls one after the other are independent; a sampler in the same
 //     state gives the same estimate again.
 Rgb direct_hemisphere(const Scene& scene, const SurfacePoint& point, int samples, Sampler& sampler);
 

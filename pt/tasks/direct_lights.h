@@ -34,10 +34,8 @@ namespace pt {
 // Promises:
 //   - matches a rectangle: Lambert's formula, wide and narrow, tilted and off to the side.
 //   - matches a sphere: pi L (R / D)^2 irradiance on a surface that faces it.
-//   - matches a point light: intensity / distance^2 times the cosine, at every angle, down to
-//     grazing ones.
-//   - matches a directional light: irradiance times the cosine, at every angle, down to grazing
-//   ones.
+//   - matches a point light: intensity / distance^2 times the cosine, down to grazing angles.
+//   - matches a directional light: irradiance times the cosine, down to grazing angles.
 //   - matches the sky: half of it for an upright wall.
 //   - adds the lights up: the sum of what each gives alone, however many, with any samples.
 //   - takes lights of any brightness: from very dim to very bright, unclamped.
@@ -54,8 +52,7 @@ namespace pt {
 //   - turns with the surface: the same answer for every orientation of everything.
 //   - starts off the surface: a surface never shadows itself, and what is close to it still
 //     does, at every scale.
-//   - goes on with the sampler: calls one after the other are independent, and a sampler in the
-//   same
+//   - goes on with the sampler: calls one after the other are independent; a sampler in the same
 //     state gives the same estimate again.
 Rgb direct_lights(const Scene& scene, const SurfacePoint& point, int samples, Sampler& sampler);
 
