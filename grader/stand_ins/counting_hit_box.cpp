@@ -6,8 +6,9 @@
 namespace pt {
 
 // A slab at a time; a ray that stays inside the slab's planes crosses it everywhere.
-std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
+std::optional<Interval> hit_box(const Box& box, const Ray& about) {
   grader::count(box);
+  const Ray ray = grader::asked(about);
   Interval inside{ray.t_min, ray.t_max};
   for (int axis = 0; axis < 3; ++axis) {
     const double o = ray.origin[axis], d = ray.direction[axis];

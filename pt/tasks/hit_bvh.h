@@ -12,22 +12,32 @@ namespace pt {
 // What a ray meets among many primitives, with the help of a tree over their boxes.
 //
 // In:  any tree that keeps the invariants of pt/geometry/bvh.h over the boxes of `primitives`, also
-//      an empty one. Leaves ask hit_primitive (which asks hit_triangle or hit_sphere), inner nodes
-//      hit_box.
+//      an empty one, or one of a thousand levels.
 // Out: hit_bvh: the hit with the smallest t in the ray's range, the surface's normal as it was
 //      given, and which primitive it was; of several at the same t any. occluded_bvh: whether there
 //      is any hit in the ray's range; it stops at the first.
 //
+// Precision: t and n are those that hit_primitive returned, unchanged.
+//
+// Calls hit_box for boxes and hit_primitive for primitives, which calls hit_triangle or hit_sphere,
+// and none of the other tasks. It is called by several threads at once, so it keeps nothing in
+// static variables.
+//
 // Promises:
-//   - finds the nearest hit: the same t as asking every primitive in turn.
+//   - finds the nearest hit: the same t as asking every primitive in turn, also among thousands, of
+//     which it tests less than half.
 //   - says which primitive: index and normal belong to the one that was hit.
 //   - misses what is not there: no hit where asking every primitive finds none.
 //   - keeps t inside the ray: no hit before t_min or beyond t_max.
 //   - takes an empty tree: without nodes there is no hit.
-//   - takes a tree of any shape: deep, lopsided, with many primitives in a leaf, or a single leaf.
+//   - takes a tree of any shape: lopsided, a thousand levels deep, with many primitives in a leaf,
+//     or a single leaf.
 //   - finds any hit: occluded_bvh says yes exactly where there is one in the range.
+//   - asks hit_box and hit_primitive: what those two answer is what the ray meets.
+//   - works from several threads at once: a query has the same answer while another thread asks
+//     about another ray.
 //   - tests few primitives: only those whose leaf the ray enters.
-//   - tests no box twice: each box and each primitive at most once a query.
+//   - tests no box twice: each box and each primitive at most once per query.
 //   - skips what lies outside the ray: boxes that the ray does not enter hide all below them.
 //   - skips what lies behind a hit: of a pile of walls, one behind the other, it tests less than
 //     half, in the mean over trees with their children in any order.

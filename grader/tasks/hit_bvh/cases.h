@@ -16,12 +16,31 @@
 namespace grader::hit_bvh_cases {
 
 // How a range of primitives is divided.
-enum class Shape { balanced, random, chain, leaf };
+enum class Shape { balanced, random, chain, left_chain, right_chain, leaf };
+
+inline const char* words(Shape shape) {
+  switch (shape) {
+    case Shape::balanced:
+      return "a tree that halves its primitives at each level";
+    case Shape::random:
+      return "a tree that divides its primitives anywhere";
+    case Shape::chain:
+      return "a tree that splits off one primitive at each level";
+    case Shape::left_chain:
+      return "a tree that goes on to the left, with one leaf to the right at each level";
+    case Shape::right_chain:
+      return "a tree that goes on to the right, with one leaf to the left at each level";
+    case Shape::leaf:
+      return "a single leaf";
+  }
+  return "";
+}
 
 struct Case {
   pt::Primitives primitives;
   pt::Bvh bvh;
   pt::Ray ray;
+  std::string how;  // the tree was made
 };
 
 // What is in which: of a tree small enough to be drawn on paper.
@@ -38,23 +57,21 @@ inline void show_nodes(const pt::Bvh& bvh, std::ostream& out) {
 
 inline void showValue(const Case& c, std::ostream& out) {
   constexpr int kShown = 4;
-  const auto leaves = std::ranges::count_if(c.bvh.nodes, &pt::BvhNode::is_leaf);
-  out << "nodes of the tree: " << c.bvh.nodes.size() << ", leaves among them: " << leaves
-      << ", triangles: " << c.primitives.triangles.size()
-      << ", spheres: " << c.primitives.spheres.size();
+  out << c.how << ", over " << c.primitives.triangles.size() << " triangles and "
+      << c.primitives.spheres.size() << " spheres, in " << c.bvh.nodes.size() << " nodes";
   for (int i = 0; i < std::min(kShown, c.primitives.size()); ++i) {
     const bool triangle = c.primitives.is_triangle(i);
     out << "\nprimitive " << i << ": "
         << (triangle ? show(c.primitives.triangle(i)) : show(c.primitives.sphere(i)));
   }
-  if (c.primitives.size() > kShown) out << "\nand so on";
+  if (c.primitives.size() > kShown) out << "\nand " << c.primitives.size() - kShown << " more";
   if (c.bvh.nodes.size() <= 7) show_nodes(c.bvh, out);
   out << "\n" << show(c.ray);
 }
 
-inline pt::Triangle some_triangle(Many& make) {
+inline pt::Triangle some_triangle(double size, Many& make) {
   const pt::Vec3 p = make.vector(-5, 5);
-  const pt::Vec3 q = p + make.vector(-2, 2), r = p + make.vector(-2, 2);
+  const pt::Vec3 q = p + make.vector(-size, size), r = p + make.vector(-size, size);
   pt::Triangle made = flat_triangle(p, q, r);
   made.n0 = normalize(made.n0 + make.vector(-0.3, 0.3));
   made.n1 = normalize(made.n1 + make.vector(-0.3, 0.3));
@@ -72,6 +89,8 @@ struct TreeMaker {
   int divide(int first, int last) {
     const int n = last - first;
     if (shape == Shape::chain) return make.whole(0, 1) == 0 ? first + 1 : last - 1;
+    if (shape == Shape::right_chain) return first + 1;
+    if (shape == Shape::left_chain) return last - 1;
     if (shape == Shape::random) return first + make.whole(1, n - 1);
     const int axis = make.whole(0, 2);
     std::sort(bvh.order.begin() + first, bvh.order.begin() + last, [&](int a, int b) {
@@ -94,7 +113,8 @@ struct TreeMaker {
       return me;
     }
     const int middle = divide(first, last);
-    const bool exchanged = make.whole(0, 1) == 0;
+    const bool one_sided = shape == Shape::left_chain || shape == Shape::right_chain;
+    const bool exchanged = !one_sided && make.whole(0, 1) == 0;
     const int a = exchanged ? build(middle, last) : build(first, middle);
     const int b = exchanged ? build(first, middle) : build(middle, last);
     bvh.nodes[me].left = a;
@@ -113,71 +133,13 @@ inline pt::Bvh tree_of(const pt::Primitives& primitives, Shape shape, int max_le
   return maker.bvh;
 }
 
-// A ray past the middle of one of the primitives, or anywhere, with and without an end.
-inline pt::Ray some_ray(const pt::Primitives& primitives, Many& make) {
-  const pt::Vec3 origin = make.vector(-12, 12);
-  const pt::Box aim = bounds(primitives, make.whole(0, primitives.size() - 1));
-  const bool at_one = make.whole(0, 3) > 0;
-  const pt::Vec3 target = at_one ? aim.center() + 0.3 * make.vector(-1, 1) : make.vector(-8, 8);
-  pt::Ray ray{origin, std::pow(10, make.between(-2.0, 2.0)) * (target - origin)};
-  const double way = length(target - origin) / length(ray.direction);
-  if (make.whole(0, 2) == 0) ray.t_min = way * make.between(0.0, 1.2);
-  if (make.whole(0, 2) == 0) ray.t_max = ray.t_min + way * make.between(0.0, 1.2);
-  return ray;
-}
-
-struct Wanted {
-  int least = 1, most = 40;
-  bool spheres = true;
-  double padding = 0.5;
-  int max_leaf = 6;
-};
-
-// How many primitives, and the seed of all about them.
-struct Lot {
-  int n;
-  std::uint64_t seed;
-};
-
-// Fewer primitives are another scene, in which most mistakes are rarer than in a large one. So
-// shrinking tries several for each number, the smallest first.
-inline rc::Gen<Lot> some_lot(int least, int most) {
-  constexpr int kNumbers = 8, kSeeds = 40;
-  return rc::Gen<Lot>([=](const rc::Random& random, int size) {
-    const auto first = rc::gen::pair(whole(least, most), sampler_seed())(random, size).value();
-    return rc::shrinkable::shrinkRecur(Lot{first.first, first.second}, [=](const Lot& lot) {
-      std::vector<Lot> smaller;
-      for (int n = least; n < std::min(lot.n, least + kNumbers); ++n) {
-        for (int k = 0; k < kSeeds; ++k) smaller.push_back({n, lot.seed + k});
-      }
-      return rc::seq::fromContainer(smaller);
-    });
-  });
-}
-
-inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted = {}) {
-  return rc::gen::exec([=] {
-    const auto [n, seed] = *some_lot(wanted.least, wanted.most);
-    const Shape shape = *rc::gen::elementOf(shapes);
-    Many make(seed);
-    const int max_leaf = make.whole(1, wanted.max_leaf);
-    Case c;
-    for (int i = 0; i < n; ++i) {
-      const bool sphere = wanted.spheres && make.whole(0, 2) == 0;
-      if (sphere) {
-        c.primitives.spheres.push_back({make.vector(-5, 5), make.between(0.1, 1.5)});
-      } else {
-        c.primitives.triangles.push_back(some_triangle(make));
-      }
-    }
-    c.bvh = tree_of(c.primitives, shape, max_leaf, wanted.padding, make);
-    c.ray = some_ray(c.primitives, make);
-    return c;
-  });
-}
-
-inline rc::Gen<Case> some_tree(Wanted wanted = {}) {
-  return with_tree({Shape::balanced, Shape::random}, wanted);
+// The primitives in their own order, one in each leaf.
+inline pt::Bvh tree_in_order(const pt::Primitives& primitives, Shape shape, Many& make) {
+  TreeMaker maker{primitives, shape, 1, 0, make};
+  maker.bvh.order.resize(primitives.size());
+  std::iota(maker.bvh.order.begin(), maker.bvh.order.end(), 0);
+  maker.build(0, primitives.size());
+  return maker.bvh;
 }
 
 }  // namespace grader::hit_bvh_cases

@@ -1,0 +1,125 @@
+#pragma once
+
+#include "grader/property/property.h"
+#include "grader/stand_ins/counting.h"
+#include "grader/tasks/hit_bvh/scenes.h"
+#include "grader/tasks/hit_bvh/truth.h"
+#include "pt/tasks/hit_bvh.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+// Queries of the function under test, and what they asked of the tasks that it calls.
+
+namespace grader::hit_bvh_cases {
+
+inline std::optional<pt::Hit> ask(const Case& c) { return pt::hit_bvh(c.bvh, c.primitives, c.ray); }
+
+// Copied before the test asks something itself.
+inline Tested tested_by(const Case& c, bool any) {
+  forget_tests();
+  if (any) {
+    pt::occluded_bvh(c.bvh, c.primitives, c.ray);
+  } else {
+    pt::hit_bvh(c.bvh, c.primitives, c.ray);
+  }
+  return tested();
+}
+
+// Eight triangles in a row, ten apart, each in a leaf of its own three levels below the root, and a
+// ray at one of them.
+inline Case plain_case(int aim) {
+  constexpr int kLeaves = 8;
+  Case c;
+  for (int i = 0; i < kLeaves; ++i) {
+    const double x = 10 * i - 35;
+    c.primitives.triangles.push_back(
+        pt::flat_triangle({x - 1, -1, 0}, {x + 1, -1, 0.5}, {x, 1, 0.2}));
+    c.bvh.order.push_back(i);
+  }
+  c.bvh.nodes.resize(2 * kLeaves - 1);
+  for (int i = 2 * kLeaves - 2; i >= 0; --i) {
+    pt::BvhNode& node = c.bvh.nodes[i];
+    if (i >= kLeaves - 1) {
+      node = {bounds(c.primitives, i - kLeaves + 1), -1, -1, i - kLeaves + 1, 1};
+    } else {
+      node = {{}, 2 * i + 1, 2 * i + 2, 0, 0};
+      node.box.grow(c.bvh.nodes[node.left].box);
+      node.box.grow(c.bvh.nodes[node.right].box);
+    }
+  }
+  c.ray = {{10.0 * aim - 35, 0, -5}, {0.01, 0.02, 1}};
+  return c;
+}
+
+// Whether hit_box was asked about the leaf of this primitive of the plain case, or its parent.
+inline bool came_by_its_leaf(const Case& plain, int primitive, const Tested& log) {
+  const int leaf = 7 + primitive, parent = (leaf - 1) / 2;
+  return std::ranges::any_of(log.boxes, [&](const pt::Box& box) {
+    return box.min == plain.bvh.nodes[leaf].box.min || box.min == plain.bvh.nodes[parent].box.min;
+  });
+}
+
+// Whether the judge's own tasks answer the queries. Where a submission is judged together with its
+// own tasks, those do, and it says which tests they have made. Known from the plain case.
+inline bool judge_answers = false;
+
+// Queries of the plain case. Who answers them without a test of boxes, or whatever hit_primitive
+// says, does not walk the tree, and no promise holds then.
+inline void expect_that_it_walks() {
+  const std::string plain =
+      "before anything else, in a tree of eight leaves, each with one triangle, and a ray at one: ";
+  for (const int aim : {1, 6}) {
+    const Case c = plain_case(aim);
+    forget_tests();
+    const auto hit = ask(c);
+    const Tested log = tested();
+    expect(hit && hit->primitive == aim, plain + "a hit of primitive " + std::to_string(aim),
+           shown(hit));
+    expect(came_by_its_leaf(c, aim, log),
+           plain + "a walk from the root to its leaf, in which hit_box is asked about their boxes",
+           log.boxes.empty() ? "no question to hit_box" : "no question about the leaf's box");
+    expect(occluded_bvh(c.bvh, c.primitives, c.ray), plain + "something in the way",
+           "nothing in the way");
+    judge_answers = log.answered_here > 0;
+    if (!judge_answers) continue;
+    answer_for(plain_case(7 - aim).ray);
+    const auto other = ask(c);
+    answer_for({});
+    expect(other && other->primitive == 7 - aim,
+           plain +
+               "the answer that hit_box and hit_primitive give, who say here that the ray "
+               "meets primitive " +
+               std::to_string(7 - aim),
+           shown(other));
+  }
+  Case between = plain_case(1);
+  between.ray.origin.x += 5;
+  const auto hit = ask(between);
+  expect(!hit.has_value(), plain + "no hit between two of them", shown(hit));
+}
+
+// How far an answer may be from the truth: what hit_primitive has said may not change, and where
+// the submission's own tasks have said it, they are right to their own precision.
+inline double t_error(const Meeting& meeting) {
+  const double rounding = 1e-12 * std::abs(meeting.hit->t);
+  return judge_answers ? rounding : rounding + 2 * meeting.t_error;
+}
+
+inline double n_error(const Meeting& meeting) {
+  return judge_answers ? 1e-12 : 1e-12 + 2 * meeting.n_error;
+}
+
+// Of t of the nearest hit: where another is as near, that one may have been taken.
+inline double t_error(const Truth& truth) {
+  double error = t_error(truth.meetings[truth.nearest]);
+  for (const Meeting& meeting : truth.meetings) {
+    if (!meeting.hit) continue;
+    const double other = t_error(meeting);
+    if (meeting.hit->t <= truth.t() + error + other) error = std::max(error, other);
+  }
+  return error;
+}
+
+}  // namespace grader::hit_bvh_cases

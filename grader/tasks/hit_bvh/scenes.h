@@ -1,0 +1,147 @@
+#pragma once
+
+#include "grader/tasks/hit_bvh/cases.h"
+#include "grader/tasks/hit_bvh/truth.h"
+
+#include <string>
+
+// Random scenes with trees over them, and rays of which every right hit_triangle and hit_sphere say
+// the same.
+
+namespace grader::hit_bvh_cases {
+
+struct Wanted {
+  int least = 1, most = 40;
+  bool spheres = true;
+  double padding = 0.5;
+  int max_leaf = 6;
+  int min_leaf = 1;         // a leaf holds at most some number between the two
+  double size = 2;          // of triangles, among primitives within 5 of the origin
+  bool all_of_ray = false;  // the ray's range is from 0 to infinity
+  bool copies = false;      // some primitives stand twice in the same place: two hits at the same t
+  bool any_scale = false;   // the scene is from a millionth to a million times as large
+};
+
+// From a primitive's surface, to anywhere; the range begins a little away from it.
+inline pt::Ray from_a_surface(const pt::Primitives& primitives, pt::Ray ray, Many& make) {
+  ray.t_min = 0;
+  ray.t_max = pt::kInfinity;
+  const Truth truth = truth_of(primitives, ray);
+  if (!truth.any()) return ray;
+  const pt::Vec3 away = make.vector(-1, 1);
+  return {ray.at(truth.t()), away, 1e-2 / length(away), pt::kInfinity};
+}
+
+// Past the middle of one of the primitives, or anywhere, with and without an end.
+inline pt::Ray some_ray(const pt::Primitives& primitives, const Wanted& wanted, Many& make) {
+  const pt::Vec3 origin = make.vector(-12, 12);
+  const pt::Box aim = bounds(primitives, make.whole(0, primitives.size() - 1));
+  const bool at_one = make.whole(0, 3) > 0;
+  const pt::Vec3 target = at_one ? aim.center() + 0.3 * make.vector(-1, 1) : make.vector(-8, 8);
+  pt::Ray ray{origin, std::pow(10, make.between(-2.0, 2.0)) * (target - origin)};
+  if (wanted.all_of_ray) return ray;
+  const double way = length(target - origin) / length(ray.direction);
+  if (make.whole(0, 2) == 0) ray.t_min = way * make.between(0.0, 1.2);
+  if (make.whole(0, 2) == 0) ray.t_max = ray.t_min + way * make.between(0.0, 1.2);
+  return make.whole(0, 5) == 0 ? from_a_surface(primitives, ray, make) : ray;
+}
+
+// One that meets edges and tangents of nothing. In the largest scenes one ray of three is of that
+// kind, so that the last attempt is never needed.
+inline pt::Ray some_clear_ray(const pt::Primitives& primitives, const Wanted& wanted, Many& make) {
+  constexpr int kAttempts = 200;
+  pt::Ray ray;
+  for (int i = 0; i < kAttempts; ++i) {
+    ray = some_ray(primitives, wanted, make);
+    if (truth_of(primitives, ray).is_clear) break;
+  }
+  return ray;
+}
+
+inline pt::Primitives some_primitives(int n, const Wanted& wanted, Many& make) {
+  pt::Primitives primitives;
+  for (int i = 0; i < n; ++i) {
+    const bool sphere = wanted.spheres && make.whole(0, 2) == 0;
+    const bool copy = wanted.copies && make.whole(0, 3) == 0;
+    auto& [triangles, spheres] = primitives;
+    if (sphere) {
+      const bool again = copy && !spheres.empty();
+      const double radius = 0.5 * wanted.size * make.between(0.1, 1.5);
+      spheres.push_back(again ? spheres.back() : pt::Sphere{make.vector(-5, 5), radius});
+    } else {
+      const bool again = copy && !triangles.empty();
+      triangles.push_back(again ? triangles.back() : some_triangle(wanted.size, make));
+    }
+  }
+  return primitives;
+}
+
+inline void enlarge(Case& c, double scale) {
+  for (pt::Triangle& triangle : c.primitives.triangles) {
+    for (pt::Vec3* p : {&triangle.p0, &triangle.p1, &triangle.p2}) *p *= scale;
+  }
+  for (pt::Sphere& sphere : c.primitives.spheres) {
+    sphere = {scale * sphere.center, scale * sphere.radius};
+  }
+  c.ray.origin *= scale;
+  c.ray.t_min *= scale;
+  c.ray.t_max *= scale;
+}
+
+// How many primitives, and the seed of all about them.
+struct Lot {
+  int n;
+  std::uint64_t seed;
+};
+
+// Fewer primitives are another scene, in which most mistakes are rarer than in a large one. So
+// shrinking tries several for each number, the smallest first.
+inline rc::Gen<Lot> some_lot(int least, int most) {
+  constexpr int kNumbers = 8, kSeeds = 40;
+  return rc::Gen<Lot>([=](const rc::Random& random, int size) {
+    const auto first = rc::gen::pair(whole(least, most), sampler_seed())(random, size).value();
+    return rc::shrinkable::shrinkRecur(Lot{first.first, first.second}, [=](const Lot& lot) {
+      std::vector<Lot> smaller;
+      for (int n = least; n < std::min(lot.n, least + kNumbers); ++n) {
+        for (int k = 0; k < kSeeds; ++k) smaller.push_back({n, lot.seed + k});
+      }
+      return rc::seq::fromContainer(smaller);
+    });
+  });
+}
+
+inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted = {}) {
+  return rc::gen::exec([=] {
+    const auto [n, seed] = *some_lot(wanted.least, wanted.most);
+    const Shape shape = *rc::gen::elementOf(shapes);
+    Many make(seed);
+    const int max_leaf = make.whole(wanted.min_leaf, wanted.max_leaf);
+    const double scale = wanted.any_scale ? std::pow(10, make.whole(-6, 6)) : 1;
+    Case c;
+    c.how = words(shape);
+    c.primitives = some_primitives(n, wanted, make);
+    c.ray = some_clear_ray(c.primitives, wanted, make);
+    enlarge(c, scale);
+    c.bvh = tree_of(c.primitives, shape, max_leaf, scale * wanted.padding, make);
+    return c;
+  });
+}
+
+inline rc::Gen<Case> some_tree(Wanted wanted = {}) {
+  return with_tree({Shape::balanced, Shape::random}, wanted);
+}
+
+// Thousands of small primitives, of which a ray comes near to few.
+inline rc::Gen<Case> large_tree() {
+  return with_tree({Shape::balanced},
+                   {.least = 2000, .most = 4000, .padding = 0.01, .size = 0.2, .all_of_ray = true});
+}
+
+// A thousand levels and more, all of which the ray enters.
+inline rc::Gen<Case> deep_tree() {
+  return with_tree(
+      {Shape::chain, Shape::left_chain, Shape::right_chain},
+      {.least = 1100, .most = 1300, .padding = 20, .max_leaf = 1, .size = 0.5, .all_of_ray = true});
+}
+
+}  // namespace grader::hit_bvh_cases

@@ -1,0 +1,118 @@
+#pragma once
+
+#include "grader/property/show.h"
+#include "grader/tasks/hit_bvh/cases.h"
+#include "pt/geometry/primitives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What a ray really meets, and how much the answers of right hit_triangle and hit_sphere may differ
+// from that. Where a submission is judged together with its own tasks, those answer hit_bvh, each
+// only as precise as its contract; where hit_bvh is judged by itself, the judge answers, and what
+// hit_bvh returns has to be that, unchanged.
+
+namespace grader::hit_bvh_cases {
+
+// One primitive and one ray.
+struct Meeting {
+  std::optional<pt::SurfaceHit> hit;
+  double t_error = 0;    // of a right answer of its own task
+  double n_error = 0;    // likewise
+  bool is_clear = true;  // no right answer differs in whether it is a hit
+};
+
+// Answers this much nearer to where right answers part than their contracts allow are not asked
+// for.
+inline constexpr double kMargin = 4;
+
+inline bool is_near_an_end(double t, double error, const pt::Ray& ray) {
+  return std::abs(t - ray.t_min) <= kMargin * error || std::abs(t - ray.t_max) <= kMargin * error;
+}
+
+// pt/tasks/hit_sphere.h: the point lies on the sphere to 1e-6 radii, n is right to 1e-6. Nearly
+// touching rays are not asked for.
+inline Meeting meet(const pt::Sphere& sphere, const pt::Ray& ray) {
+  const double speed = length(ray.direction);
+  const pt::Vec3 to_center = sphere.center - ray.origin, d = ray.direction / speed;
+  const double middle = dot(to_center, d);
+  const double beside = length(to_center - middle * d) / sphere.radius;
+  Meeting meeting;
+  meeting.n_error = 1e-6;
+  if (beside > 1.01) return meeting;
+  const double half = std::sqrt(std::max(0.0, 1 - beside * beside));
+  meeting.t_error = 1e-6 * sphere.radius / (speed * std::max(half, 0.01));
+  meeting.is_clear = beside < 0.99;
+  for (const double side : {-1.0, 1.0}) {
+    const double t = (middle + side * half * sphere.radius) / speed;
+    if (is_near_an_end(t, meeting.t_error, ray)) meeting.is_clear = false;
+  }
+  return meeting;
+}
+
+// pt/tasks/hit_triangle.h: t is right to 1e-9 of the largest length involved, and less in slivers
+// and at small angles.
+inline Meeting meet(const pt::Triangle& triangle, const pt::Ray& ray) {
+  const pt::Vec3 a = triangle.p1 - triangle.p0, b = triangle.p2 - triangle.p0;
+  const double speed = length(ray.direction);
+  const double edge = std::max({length(a), length(b), length(b - a)});
+  const pt::Vec3 normal = geometric_normal(triangle);
+  const double height = length(normal) / edge;
+  const double slope = dot(normal, ray.direction) / (length(normal) * speed);
+  const double t = dot(normal, triangle.p0 - ray.origin) / dot(normal, ray.direction);
+  Meeting meeting;
+  if (!(std::abs(slope) > 1e-6)) {
+    meeting.is_clear = false;
+    return meeting;
+  }
+  const double size =
+      std::max({max_abs(ray.origin), max_abs(triangle.p0) + edge, std::abs(t) * speed});
+  const double error = 1e-9 * size * (edge / height) / std::abs(slope);
+  meeting.t_error = error / speed;
+  meeting.n_error = 1e-6 + 2 * error / height;
+  const pt::Vec3 p = ray.at(t) - triangle.p0, n = normal / length_squared(normal);
+  const double v = dot(cross(p, b), n), w = dot(cross(a, p), n);
+  const double least = std::min({1 - v - w, v, w}), near_edge = kMargin * error / height;
+  if (least < -near_edge) return meeting;
+  meeting.is_clear = least > near_edge && !is_near_an_end(t, meeting.t_error, ray);
+  return meeting;
+}
+
+struct Truth {
+  std::vector<Meeting> meetings;  // one for each primitive
+  bool is_clear = true;           // all of them
+  int nearest = -1;
+
+  bool any() const { return nearest >= 0; }
+  double t() const { return meetings[nearest].hit->t; }
+};
+
+// By asking every primitive. What it meets is what the judge's own tasks answer.
+inline Truth truth_of(const pt::Primitives& primitives, const pt::Ray& ray) {
+  Truth truth;
+  for (int i = 0; i < primitives.size(); ++i) {
+    Meeting meeting = primitives.is_triangle(i) ? meet(primitives.triangle(i), ray)
+                                                : meet(primitives.sphere(i), ray);
+    meeting.hit = hit_primitive(primitives, i, ray);
+    truth.is_clear = truth.is_clear && meeting.is_clear;
+    truth.meetings.push_back(meeting);
+    if (meeting.hit && !(truth.any() && truth.t() <= meeting.hit->t)) truth.nearest = i;
+  }
+  return truth;
+}
+
+inline Truth truth_of(const Case& c) { return truth_of(c.primitives, c.ray); }
+
+inline std::string shown(const Truth& truth) {
+  return truth.any() ? "t " + show(truth.t()) + " of primitive " + std::to_string(truth.nearest)
+                     : "no hit";
+}
+
+inline std::string shown(const std::optional<pt::Hit>& hit) {
+  return hit ? "t " + show(hit->t) + " of primitive " + std::to_string(hit->primitive) : "no hit";
+}
+
+}  // namespace grader::hit_bvh_cases

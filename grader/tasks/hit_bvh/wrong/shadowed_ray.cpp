@@ -1,0 +1,59 @@
+// breaks: finds_the_nearest_hit
+// Shortens a copy of the ray that hides the real one, so that farther hits overwrite nearer ones.
+#include "pt/tasks/hit_box.h"
+#include "pt/tasks/hit_bvh.h"
+
+#include <utility>
+#include <vector>
+
+namespace pt {
+
+namespace {
+
+void visit(const Bvh& bvh, const Primitives& primitives, int index, Ray& ray,
+           std::optional<Hit>& best) {
+  const BvhNode& node = bvh.nodes[index];
+  if (!hit_box(node.box, ray)) return;
+  if (node.is_leaf()) {
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      const int primitive = bvh.order[i];
+      const Ray& whole = ray;
+      const auto hit = hit_primitive(primitives, primitive, whole);
+      if (!hit) continue;
+      Ray ray = whole;
+      best = Hit{hit->t, hit->n, primitive};
+      ray.t_max = hit->t;
+    }
+    return;
+  }
+  visit(bvh, primitives, node.left, ray, best);
+  visit(bvh, primitives, node.right, ray, best);
+}
+
+bool any(const Bvh& bvh, const Primitives& primitives, int index, const Ray& ray) {
+  const BvhNode& node = bvh.nodes[index];
+  if (!hit_box(node.box, ray)) return false;
+  if (node.is_leaf()) {
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      if (hit_primitive(primitives, bvh.order[i], ray)) return true;
+    }
+    return false;
+  }
+  return any(bvh, primitives, node.left, ray) || any(bvh, primitives, node.right, ray);
+}
+
+}  // namespace
+
+std::optional<Hit> hit_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray) {
+  if (bvh.nodes.empty()) return std::nullopt;
+  Ray shortened = ray;
+  std::optional<Hit> best;
+  visit(bvh, primitives, 0, shortened, best);
+  return best;
+}
+
+bool occluded_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray) {
+  return !bvh.nodes.empty() && any(bvh, primitives, 0, ray);
+}
+
+}  // namespace pt
