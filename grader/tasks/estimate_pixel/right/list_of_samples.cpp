@@ -1,5 +1,4 @@
-// right: std::function, a list of samples and std::accumulate; one half of the points
-// mirrored
+// right: std::function, a list of samples, std::accumulate; every second point mirrors another
 #include "pt/render/radiance.h"
 #include "pt/tasks/camera_ray.h"
 #include "pt/tasks/estimate_pixel.h"
