@@ -1,5 +1,4 @@
-// right: std::function, a shared list of samples and std::accumulate; one half of the points
-// mirrored
+// right: std::function, a list of samples, std::accumulate; every second point mirrors another
 #include "pt/render/radiance.h"
 #include "pt/tasks/camera_ray.h"
 #include "pt/tasks/estimate_pixel.h"
@@ -12,8 +11,8 @@
 namespace pt {
 
 Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler) {
-  const auto all = std::make_shared<std::vector<Rgb>>();
-  const std::function<void(Vec2)> take = [&view, x, y, all, &sampler](Vec2 at) {
+  const auto all = std::make_unique<std::vector<Rgb>>();
+  const std::function<void(Vec2)> take = [&view, x, y, &all, &sampler](Vec2 at) {
     const Ray ray = camera_ray(view.camera, (x + at.x) / view.width, (y + at.y) / view.height);
     all->push_back(radiance(view.scene, ray, view.settings, sampler));
   };

@@ -1,4 +1,4 @@
-// right: a local class, a std::function and a shared list of roots, sorted and searched
+// right: a local class, a std::function and a list of roots, sorted and searched
 #include "pt/tasks/hit_sphere.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace pt {
 std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray) {
   struct Polynomial {
     double a, b, c;
-    std::shared_ptr<std::vector<double>> roots() const {
-      auto list = std::make_shared<std::vector<double>>();
+    std::unique_ptr<std::vector<double>> roots() const {
+      auto list = std::make_unique<std::vector<double>>();
       const double d = b * b - 4 * a * c;
       if (d < 0) return list;
       // The larger of the two without a difference, the other by Vieta.
