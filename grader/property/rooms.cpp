@@ -2,7 +2,6 @@
 
 #include "grader/property/closed_forms.h"
 #include "grader/property/generators.h"
-#include "grader/property/property.h"
 
 #include <cmath>
 #include <utility>
@@ -71,82 +70,7 @@ double variance_of_irradiance(double offset) {
 
 Rgb squared(Rgb c) { return c * c; }
 
-Rgb root(Rgb c) {
-  const auto positive = [](double x) { return std::sqrt(std::max(0.0, x)); };
-  return {positive(c.r), positive(c.g), positive(c.b)};
-}
-
-// What is found from bounce k on, for each place.
-using Moments = std::vector<Rgb>;
-
-Rgb expected_next(const Place& place, const Moments& next) {
-  Rgb sum;
-  for (std::size_t i = 0; i < next.size(); ++i) sum += place.leads[i] * next[i];
-  return sum;
-}
-
-// The means after exactly one more bounce.
-Moments one_bounce_more(const std::vector<Place>& places, const Moments& radiance) {
-  Moments all;
-  all.reserve(places.size());
-  for (const Place& place : places) {
-    all.push_back(place.albedo * expected_next(place, radiance));
-  }
-  return all;
-}
-
-template <class Visit>
-void each_bounce(const Room& room, int from, int to, Visit visit) {
-  Moments radiance;
-  for (const Place& place : room.places) radiance.push_back(place.direct);
-  for (int k = 1; k <= to; ++k) {
-    if (k >= from) visit(k, radiance[0]);
-    radiance = one_bounce_more(room.places, radiance);
-  }
-}
-
 }  // namespace
-
-Rgb Room::sum(int from, int to) const {
-  Rgb sum;
-  each_bounce(*this, from, to, [&](int, Rgb radiance) { sum += radiance; });
-  return sum;
-}
-
-// Bounce k has k - 1 factors f, cos and pdf, and direct light, which has as many itself.
-double Room::precision(int from, int to) const {
-  double sum = 0;
-  each_bounce(*this, from, to,
-              [&](int k, Rgb radiance) { sum += 4 * k * kColorPrecision * max_channel(radiance); });
-  return sum;
-}
-
-// With D the direct light at a place, w the throughput of a bounce and X' what is found from the
-// next bounce on, X = D + w X', and D does not depend on w X':
-//   E X = E D + E w E X'    E X^2 = E D^2 + 2 E D E w E X' + E w^2 E X'^2
-Rgb deviation(const Room& room, const pt::PathSettings& settings, const PathNoise& noise) {
-  const std::size_t n = room.places.size();
-  Moments mean(n), mean_square(n);
-  for (int k = settings.to; k >= 1; --k) {
-    const Moments later = mean, later_square = mean_square;
-    const double survival = k == settings.to ? 1 : k == 1 ? 1 : noise.survival;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Place& place = room.places[i];
-      const Rgb rest = place.albedo * expected_next(place, later);
-      const Rgb rest_square = squared(place.albedo) * expected_next(place, later_square) *
-                              (noise.mean_square / survival);
-      const Rgb direct = k >= settings.from ? place.direct : Rgb{};
-      const Rgb spread =
-          k >= settings.from
-              ? place.variance + place.variance_of_a_sample *
-                                     (std::pow(noise.noise_of_direct, 2) / settings.light_samples)
-              : Rgb{};
-      mean[i] = direct + rest;
-      mean_square[i] = squared(direct) + spread + 2 * direct * rest + rest_square;
-    }
-  }
-  return root(mean_square[0] - squared(mean[0]));
-}
 
 void showValue(const Room& room, std::ostream& out) {
   const pt::SurfacePoint& point = room.point;

@@ -37,12 +37,15 @@ struct Room {
 };
 void showValue(const Room& room, std::ostream& out);
 
-// How a path tracer chooses, for its noise. At a uniform choice of directions, cos / pdf is
-// 2 pi cos, whose square has a mean of 4 / 3 of the squared mean.
+// How noisy the parts of a path tracer are.
 struct PathNoise {
-  double survival = 0.7;       // before all bounces of the path but the first
-  double mean_square = 1;      // of a bounce's throughput, over the squared mean
-  double noise_of_direct = 1;  // the noise of direct light over that of the usual method
+  double survival = 0.7;  // before all bounces of the path but the first
+  // The mean square of the throughput of a bounce, over the squared mean: 1 for directions chosen
+  // by the cosine, 4 / 3 for uniform ones, 2 at most as diffuse_bsdf.h has it.
+  double mean_square = 1;
+  // The deviation of an estimate of direct light with one sample is at most so many times that of
+  // the usual method, or of the mean where that is more: 2 as direct_lights.h has it. 0: the usual.
+  double most_of_direct = 0;
 };
 
 // The standard deviation of one estimate of sum(from, to).

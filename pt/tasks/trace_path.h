@@ -30,8 +30,9 @@ namespace pt {
 //
 // Precision: 1e-5 of the radiance of each bounce; float is enough for colors.
 // Noise: one estimate has at most twice the standard deviation that the method above has with
-//      uniform directions and survival .3 (or `survival`, if that is less). More is "too noisy",
-//      and breaks the promise that was tried.
+//      survival .3 (or `survival`, if that is less) and with the most noise that the contracts of
+//      diffuse_sample and of direct light allow. More is "too noisy", and breaks the promise that
+//      was tried.
 // May call: the tasks diffuse_bsdf, direct_hemisphere and direct_lights; scene.closest,
 //      scene.occluded and surface_point; and what the headers of pt/ have whole.
 // Threads: it is called from several threads at once, so nothing static may change.

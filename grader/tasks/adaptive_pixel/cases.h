@@ -104,6 +104,12 @@ inline int right_count(const Case& c) {
   return std::min(n, c.settings.max_samples);
 }
 
+// What it says that it took, if it took any.
+inline int samples_of(const Answer& answer) {
+  expect(!answer.calls.empty(), "a call of radiance()", "none");
+  return answer.estimate.samples;
+}
+
 inline void expect_right_count(const Case& c, const Answer& answer) {
   const int n = answer.estimate.samples;
   expect(may_stop(c, n, true) || may_stop(c, n, false),
@@ -121,6 +127,12 @@ inline AdaptiveSettings any_settings() {
 inline AdaptiveSettings many_samples() {
   const int batch = *rc::gen::element(100, 1000, 3000);
   return {*whole(batch, 3 * batch), batch, *magnitude(1e-4, 0.1)};
+}
+
+// The tightest: what s2 - s1^2 / n loses in float looks like noise.
+inline AdaptiveSettings tight() {
+  const int batch = *whole(2, 60);
+  return {3 * batch, batch, 1e-4};
 }
 
 inline AdaptiveSettings ten_thousand() { return {10000, 10000, 0.01}; }
@@ -239,6 +251,62 @@ inline rc::Gen<Case> one_brightness() {
                    const Rgb hue = i % 2 == 0 ? Rgb{1 + xi, 0.1, 1 - xi} : Rgb{0.1, 1, xi};
                    return (brightness / luminance(hue)) * hue;
                  });
+  });
+}
+
+// Red and green in turn, of the same mean of channels: sigma is half of the mean luminance, and 160
+// samples are far too few.
+inline rc::Gen<Case> red_and_green() {
+  return rc::gen::exec([] {
+    AdaptiveSettings settings = any_settings();
+    settings.tolerance = *magnitude(1e-4, 0.02);
+    const double value = *magnitude(1e-4, 1e6);
+    return pixel(fmt::format("red and green in turn, both {:.4g}", value), settings,
+                 [=](int i, double) {
+                   return i % 2 == 0 ? Rgb{value, 0, 0} : Rgb{0, value, 0};
+                 });
+  });
+}
+
+// A pixel whose count does not hang on the details of sigma; 0: it does.
+struct Known {
+  Case pixel;
+  int samples = 0;
+};
+
+inline void showValue(const Known& known, std::ostream& out) { showValue(known.pixel, out); }
+
+inline rc::Gen<Known> maybe_known() {
+  return rc::gen::exec([] {
+    switch (*whole(0, 2)) {
+      case 0: {
+        const Case c = *constant();
+        return Known{c, c.settings.batch};
+      }
+      case 1: {
+        const Case c = *red_and_green();
+        return Known{c, c.settings.max_samples};
+      }
+      default:
+        return Known{*noise(), 0};
+    }
+  });
+}
+
+// Two values in turn, around 1, of which the condition asks for twenty times fewer samples than a
+// batch or twenty times more than the maximum: even a wrong sigma tells the two apart.
+inline rc::Gen<Known> far_from_the_threshold() {
+  return rc::gen::exec([] {
+    const bool narrow = *rc::gen::arbitrary<bool>();
+    const int batch = *rc::gen::oneOf(whole(2, 20), whole(30, 300));
+    const int most = *whole(2, 5) * batch + *whole(0, 1);
+    const double tolerance = narrow ? *real(0.5, 1) : *magnitude(1e-4, 5e-3);
+    const double samples = narrow ? batch / 20.0 : 20.0 * most;
+    const double spread = std::min(0.9, tolerance * std::sqrt(samples) / 1.96);
+    const Case c = pixel(
+        fmt::format("{:.4g} and {:.4g} in turn", 1 - spread, 1 + spread), {most, batch, tolerance},
+        [=](int i, double) { return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread); });
+    return Known{c, narrow ? batch : most};
   });
 }
 
