@@ -190,6 +190,8 @@ Results full_results() {
                   .blocked_by = {"m"},
                   .blamed = {"n", "o"},
                   .compiler_output = "p\nq\n",
+                  .warnings = "w\n",
+                  .keeps_state = true,
                   .printed = "\x1b\"r",
                   .promises = {{"s", "t", true, true, 5, 0.1, {}},
                                {"u", "v", false, false, 6, 0.2, {failure, failure}}},

@@ -61,7 +61,7 @@ TEST_F(Page, texts_stay_texts) {
   results.isolation = results.versions[0] = kHostile;
   results.phases[0].name = kHostile;
   for (TaskResult& task : results.tasks) {
-    task.reason = task.compiler_output = task.printed = kHostile;
+    task.reason = task.compiler_output = task.warnings = task.printed = kHostile;
     task.slug = task.part = task.number = kHostile;
     task.blamed = task.blocked_by = {kHostile};
     for (PromiseResult& promise : task.promises) {

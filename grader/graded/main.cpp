@@ -65,7 +65,6 @@ int main(int argc, char** argv) {
     options.session.program = std::filesystem::absolute(options.session.program);
     options.session.tier = grader::tier_of(tier);
     options.session.call_limit = std::chrono::milliseconds(call_limit);
-    options.session.lost_limit = 3 * options.session.call_limit;
     options.session.total_limit = 15 * options.session.call_limit;
     return run(options, argv[0]);
   });

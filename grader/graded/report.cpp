@@ -49,6 +49,7 @@ void write_report(const std::string& path, const testing::UnitTest& test,
   const json report{{"promises", promises},
                     {"todo", record.todo},
                     {"printed", record.printed},
+                    {"kept", record.kept},
                     {"calls", record.calls},
                     {"restarts", record.restarts}};
   std::ofstream file(path);

@@ -2,11 +2,13 @@
 
 #include "grader/judge/audit.h"
 #include "grader/judge/cache.h"
+#include "grader/judge/object_file.h"
 #include "grader/judge/sha256.h"
 #include "grader/process/printable.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
+#include <array>
 #include <filesystem>
 #include <sstream>
 
@@ -30,6 +32,40 @@ constexpr std::size_t kMaxErrorLines = 12;
 
 // Far above what any task compiles to.
 constexpr std::size_t kMaxObject = std::size_t{16} << 20;
+
+// How a submission is compiled beside what the build says. Warnings that name the guilty line of a
+// mistake, and not what everybody writes (int i < size()). And a function that has to return a
+// value and ends without a return ends the program there, where it would do anything otherwise.
+constexpr std::array kSubmissionFlags{
+    "-Wall",
+    "-Wextra",
+    "-Wshadow",
+    "-Wconversion",
+    "-Wno-sign-conversion",
+    "-Wno-sign-compare",
+    "-Wno-unknown-pragmas",
+    "-fsanitize=return",
+    "-fsanitize-undefined-trap-on-error",
+};
+constexpr std::size_t kMaxWarningLines = 40;
+
+// The warnings about the file itself, each with the lines that explain it.
+std::string warnings_of(const std::string& output, const std::string& file) {
+  std::istringstream lines(printable(output, kMaxOutput, true));
+  std::string text;
+  std::size_t count = 0;
+  bool about_file = false;
+  for (std::string line; std::getline(lines, line) && count < kMaxWarningLines;) {
+    const bool explains = line.starts_with(' ');
+    if (!explains) about_file = line.starts_with(file + ":");
+    const bool starts =
+        line.find(" warning: ") != std::string::npos || line.find(" note: ") != std::string::npos;
+    if (!about_file || (!explains && !starts)) continue;
+    text += line + '\n';
+    ++count;
+  }
+  return text;
+}
 
 bool starts_error(const std::string& line) {
   for (const char* sign :
@@ -76,6 +112,7 @@ Builder::Builder(const Config& config, Tier tier, int seconds)
   // What was compiled where more can be read, or audited by another judge, is no object of ours.
   std::string tools =
       stamp(config.compiler) + stamp(fs::read_symlink("/proc/self/exe")) + letter(tier);
+  for (const char* flag : kSubmissionFlags) tools += std::string(flag) + '\0';
   for (const auto* flags : {&config.compile_flags, &config.link_flags, &config.recording_flags}) {
     for (const std::string& flag : *flags) tools += flag + '\0';
   }
@@ -91,9 +128,10 @@ Builder::Builder(const Config& config, Tier tier, int seconds)
 Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   const std::string key = sha256(toolchain_ + task.file() + '\0' + text);
   const std::string path = cache_ + "/" + key + ".o";
+  const std::string warnings_path = cache_ + "/" + key + ".warnings";
   if (fs::exists(path)) {
     mark_used(path);
-    return {path, key, "", ""};
+    return {path, key, "", "", fs::exists(warnings_path) ? read_file(warnings_path) : ""};
   }
   const Stage stage(temporary_name(cache_ + "/" + key + ".tree"),
                     headers_for(may_call(task.slug), headers_), task.file(), text);
@@ -107,24 +145,27 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   box.limits.cpu_seconds = seconds_;
   const auto& flags = config_.compile_flags;
   box.command.insert(box.command.end(), flags.begin(), flags.end());
+  box.command.insert(box.command.end(), kSubmissionFlags.begin(), kSubmissionFlags.end());
   box.command.insert(box.command.end(),
                      {"-I.", "-fdiagnostics-color=never", "-c", task.file(), "-o", "task.o"});
   const CommandResult result = run_command(boxed(box, tier_), std::chrono::seconds(seconds_));
   if (!result.ok()) {
-    return {"", key, in_project(first_error(result, seconds_), config_.root), ""};
+    return {"", key, in_project(first_error(result, seconds_), config_.root), "", ""};
   }
   const Submitted object = stage.take("task.o", kMaxObject);
   if (!object.present || !object.rejected.empty()) {
-    return {"", key, "", "what it compiles to is not accepted: " + object.rejected};
+    return {"", key, "", "what it compiles to is not accepted: " + object.rejected, ""};
   }
   std::set<std::string> contract;
   for (const std::string& reference : task.reference) {
     contract.merge(functions_in(read_file(reference)));
   }
   const std::string reason = audit(object.text, contract, may_call(task.slug));
-  if (!reason.empty()) return {"", key, "", reason};
-  write_file(path, object.text);
-  return {path, key, "", ""};
+  if (!reason.empty()) return {"", key, "", reason, ""};
+  const std::string warnings = warnings_of(result.output, task.file());
+  if (!warnings.empty()) write_file(warnings_path, warnings);
+  write_file(path, with_state_marked(object.text));
+  return {path, key, "", "", warnings};
 }
 
 // Outside the box: an object that has passed the audit has nothing in it that tells the linker to
@@ -134,7 +175,7 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   const std::string path = cache_ + "/" + whole + ".worker";
   if (fs::exists(path)) {
     mark_used(path);
-    return {path, whole, "", ""};
+    return {path, whole, "", "", ""};
   }
   const std::string temporary = temporary_name(path);
   Child child{{config_.compiler},
@@ -156,12 +197,12 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   const CommandResult result = run_command(child, std::chrono::seconds(seconds_));
   if (!result.ok()) {
     fs::remove(temporary);
-    return {"", whole, first_error(result, seconds_), ""};
+    return {"", whole, first_error(result, seconds_), "", ""};
   }
   // Another user runs it.
   fs::permissions(temporary, fs::perms(0755));
   fs::rename(temporary, path);
-  return {path, whole, "", ""};
+  return {path, whole, "", "", ""};
 }
 
 }  // namespace grader

@@ -14,6 +14,7 @@ struct Built {
   std::string key;       // stands for its content and everything that went into it
   std::string error;     // the first error, as the compiler or linker said it
   std::string rejected;  // why what was compiled is not accepted, in one sentence
+  std::string warnings;  // of the compiler, about the file; empty if there are none
 
   bool ok() const { return !path.empty(); }
 };

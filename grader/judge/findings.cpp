@@ -2,14 +2,18 @@
 
 #include "grader/judge/cache.h"
 #include "grader/judge/files.h"
+#include "grader/judge/object_file.h"
 #include "grader/judge/sha256.h"
 #include "grader/process/printable.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 
+#include <cxxabi.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
@@ -37,11 +41,31 @@ FailureReport parse_failure(const json& failure, bool integrated) {
   return report;
 }
 
-Findings parse(const std::string& text, bool integrated) {
+// "pt::(anonymous namespace)::count" is count, as is "pt::hit_bvh(...)::count". Not known: "".
+std::string variable_at(const Built& worker, std::uint64_t place) {
+  const std::string symbol = state_at(read_file(worker.path), place);
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> text(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+  const std::string name = text ? text.get() : symbol;
+  const std::size_t last = name.rfind("::");
+  return printable(last == name.npos ? name : name.substr(last + 2), 100);
+}
+
+// In the integrated worker a variable may be another task's.
+std::string kept_variable(std::uint64_t kept, const Trial& trial) {
+  if (kept == 0 || trial.integrated) return "";
+  const std::string name = variable_at(trial.worker, kept - 1);
+  return name.empty() ? "a variable" : "the variable '" + name + "'";
+}
+
+Findings parse(const std::string& text, const Trial& trial) {
+  const bool integrated = trial.integrated;
   const json report = json::parse(text);
   Findings findings;
   report.at("todo").get_to(findings.todo);
   report.at("printed").get_to(findings.printed);
+  findings.kept = kept_variable(report.at("kept").get<std::uint64_t>(), trial);
   for (const json& promise : report.at("promises")) {
     PromiseResult result;
     promise.at("name").get_to(result.name);
@@ -94,7 +118,7 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
   const std::string path = builder.cache() + "/" + sha256(key) + ".json";
   if (std::filesystem::exists(path)) {
     mark_used(path);
-    return parse(read_file(path), trial.integrated);
+    return parse(read_file(path), trial);
   }
 
   const std::string report = temporary_name(path);
@@ -107,10 +131,11 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
     return {{},
             {},
             "",
+            "",
             fmt::format("the judge's own program {} ended with {}: {}", trial.task.graded,
                         describe_status(result.status), printable(result.output, 1000, true))};
   }
-  Findings findings = parse(read_file(report), trial.integrated);
+  Findings findings = parse(read_file(report), trial);
   if (findings.promises.empty()) {
     throw pt::Error("no property of " + trial.task.slug + " was run: nothing is judged");
   }

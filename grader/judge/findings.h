@@ -15,6 +15,7 @@ struct Findings {
   std::vector<PromiseResult> promises;  // name, held, seconds and failures are filled
   std::set<std::string> todo;           // slugs of tasks that are not written
   std::string printed;
+  std::string kept;    // the name of a variable that the task keeps between calls; may be empty
   std::string broken;  // why there is nothing to go by; empty if there is
 };
 

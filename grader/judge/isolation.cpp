@@ -51,6 +51,7 @@ void compile_one(const Builder& builder, const GradeRequest& request, Judged& ju
   if (!file.rejected.empty()) return refuse(result, State::rejected, file.rejected);
   judged.content = sha256(file.text);
   judged.object = builder.compile(task, file.text);
+  result.warnings = in_folder(judged.object.warnings, task, request.submission);
   if (!judged.object.rejected.empty()) {
     return refuse(result, State::rejected, judged.object.rejected);
   }
@@ -123,6 +124,13 @@ void enter(const Findings& findings, const GradeRequest& request, TaskResult& re
     }
   }
   result.state = state_of(result.promises);
+  if (findings.kept.empty()) return;
+  result.keeps_state = true;
+  result.reason = fmt::format(
+      "it keeps {} between calls, and tasks are called from several threads at once: "
+      "make it a local variable, a constant, or thread_local",
+      findings.kept);
+  if (result.state == State::pass) result.state = State::fail;
 }
 
 Judged not_judged(const Config& config, const TaskConfig& task) {

@@ -10,37 +10,42 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Names operator+(Names all, const Names& more) {
-  all.insert(all.end(), more.begin(), more.end());
+const std::vector<MayCall>& table() {
+  static const Names none, radiance{"pt::radiance"},
+      scene{"pt::Scene::closest", "pt::Scene::occluded", "pt::surface_point",
+            "pt::background",     "pt::sample_light",    "pt::kind_name"};
+  static const std::vector<MayCall> all{
+      {"estimate_pixel", {"camera_ray"}, radiance},
+      {"camera_ray", none, none},
+      {"hit_triangle", none, none},
+      {"hit_sphere", none, none},
+      {"build_bvh", none, none},
+      {"hit_box", none, none},
+      {"hit_bvh", {"hit_box", "hit_triangle", "hit_sphere"}, none},
+      {"diffuse_bsdf", none, none},
+      {"direct_hemisphere", {"diffuse_bsdf"}, scene},
+      {"direct_lights", {"diffuse_bsdf"}, scene},
+      {"trace_path", {"diffuse_bsdf", "direct_hemisphere", "direct_lights"}, scene},
+      {"adaptive_pixel", {"camera_ray"}, radiance},
+  };
   return all;
 }
 
-const std::vector<MayCall>& table() {
-  static const Names none, pixel{"pt::camera_ray", "pt::radiance"},
-      bsdf{"pt::diffuse_f", "pt::diffuse_sample", "pt::diffuse_pdf"},
-      tracing{"pt::Scene::closest", "pt::Scene::occluded", "pt::surface_point"};
-  static const std::vector<MayCall> all{
-      {"estimate_pixel", pixel},
-      {"camera_ray", none},
-      {"hit_triangle", none},
-      {"hit_sphere", none},
-      {"build_bvh", none},
-      {"hit_box", none},
-      {"hit_bvh", {"pt::hit_box", "pt::hit_triangle", "pt::hit_sphere"}},
-      {"diffuse_bsdf", none},
-      {"direct_hemisphere", bsdf + tracing + Names{"pt::background"}},
-      {"direct_lights", bsdf + tracing + Names{"pt::sample_light"}},
-      {"trace_path", bsdf + tracing + Names{"pt::direct_hemisphere", "pt::direct_lights"}},
-      {"adaptive_pixel", pixel},
-  };
-  return all;
+// The tasks of one function have its name.
+bool is_of(std::string_view task, std::string_view function) {
+  if (task == "diffuse_bsdf") {
+    return function == "pt::diffuse_f" || function == "pt::diffuse_sample" ||
+           function == "pt::diffuse_pdf";
+  }
+  return function == "pt::" + std::string(task);
 }
 
 }  // namespace
 
 // What a stub calls may stay in a file that is finished.
 bool MayCall::allows(std::string_view function) const {
-  return function == "pt::todo" || std::ranges::count(functions, function) > 0;
+  return function == "pt::todo" || std::ranges::count(framework, function) > 0 ||
+         std::ranges::any_of(tasks, [&](const std::string& task) { return is_of(task, function); });
 }
 
 const MayCall& may_call(std::string_view slug) {
@@ -53,13 +58,15 @@ const MayCall& may_call(std::string_view slug) {
 }
 
 std::string in_words(const MayCall& task) {
-  if (task.functions.empty()) {
+  Names all = task.tasks;
+  all.insert(all.end(), task.framework.begin(), task.framework.end());
+  if (all.empty()) {
     return task.slug + " may call no other task and no function of the renderer";
   }
   std::string text = task.slug + " may only call ";
-  for (std::size_t i = 0; i < task.functions.size(); ++i) {
-    if (i > 0) text += i + 1 == task.functions.size() ? " and " : ", ";
-    text += task.functions[i];
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0) text += i + 1 == all.size() ? " and " : ", ";
+    text += all[i];
   }
   return text;
 }

@@ -2,8 +2,10 @@
 
 #include "pt/error.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <initializer_list>
 
 #include <elf.h>
 
@@ -45,15 +47,26 @@ class Bytes {
   std::string_view bytes_;
 };
 
-Elf64_Ehdr header_of(const Bytes& file) {
+bool is_one_of(int type, std::initializer_list<int> types) {
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+Elf64_Ehdr header_of(const Bytes& file, std::initializer_list<int> types = {ET_REL}) {
   const auto header = file.at<Elf64_Ehdr>(0);
   constexpr int kOrder = std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB;
   if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64 ||
-      header.e_ident[EI_DATA] != kOrder || header.e_type != ET_REL ||
+      header.e_ident[EI_DATA] != kOrder || !is_one_of(header.e_type, types) ||
       header.e_shentsize != sizeof(Elf64_Shdr)) {
     throw pt::Error("it is no object file of this machine");
   }
   return header;
+}
+
+std::vector<Elf64_Shdr> sections_of(const Bytes& file, const Elf64_Ehdr& header) {
+  const Bytes table = file.part(header.e_shoff, std::uint64_t{header.e_shnum} * sizeof(Elf64_Shdr));
+  std::vector<Elf64_Shdr> headers;
+  for (std::uint64_t i = 0; i < header.e_shnum; ++i) headers.push_back(table.at<Elf64_Shdr>(i));
+  return headers;
 }
 
 // The content of section `index`; nothing where it has none.
@@ -82,14 +95,26 @@ std::vector<ObjectSymbol> symbols_of(const Bytes& file, const std::vector<Elf64_
   return symbols;
 }
 
+// Of variables that may be written: not those that are constant once the program is loaded.
+bool is_state(const Elf64_Shdr& section, const std::string& name) {
+  const bool written = (section.sh_flags & SHF_WRITE) != 0 && (section.sh_flags & SHF_ALLOC) != 0 &&
+                       (section.sh_flags & SHF_TLS) == 0;
+  const bool named =
+      (name.starts_with(".data") && !name.starts_with(".data.rel.ro")) || name.starts_with(".bss");
+  return written && named && (section.sh_type == SHT_PROGBITS || section.sh_type == SHT_NOBITS);
+}
+
+template <class Struct>
+void overwrite(std::string& bytes, std::uint64_t offset, const Struct& value) {
+  std::memcpy(bytes.data() + offset, &value, sizeof value);
+}
+
 }  // namespace
 
 ObjectFile read_object(std::string_view bytes) {
   const Bytes file(bytes);
   const Elf64_Ehdr header = header_of(file);
-  const Bytes table = file.part(header.e_shoff, std::uint64_t{header.e_shnum} * sizeof(Elf64_Shdr));
-  std::vector<Elf64_Shdr> headers;
-  for (std::uint64_t i = 0; i < header.e_shnum; ++i) headers.push_back(table.at<Elf64_Shdr>(i));
+  const std::vector<Elf64_Shdr> headers = sections_of(file, header);
 
   ObjectFile object{header.e_machine, {}, {}};
   const Bytes names = content(file, headers, header.e_shstrndx);
@@ -98,6 +123,50 @@ ObjectFile read_object(std::string_view bytes) {
   }
   object.symbols = symbols_of(file, headers);
   return object;
+}
+
+// The names of sections, and one more, come to the end of the file.
+std::string with_state_marked(std::string_view bytes) {
+  const Bytes file(bytes);
+  const Elf64_Ehdr header = header_of(file);
+  std::vector<Elf64_Shdr> headers = sections_of(file, header);
+  const Bytes names = content(file, headers, header.e_shstrndx);
+  Elf64_Shdr& names_header = headers[header.e_shstrndx];
+  std::string marked(bytes);
+  const auto new_name = static_cast<Elf64_Word>(names_header.sh_size);
+  for (Elf64_Shdr& section : headers) {
+    if (is_state(section, names.text(section.sh_name))) section.sh_name = new_name;
+  }
+  const std::string all(bytes.substr(names_header.sh_offset, names_header.sh_size));
+  names_header.sh_offset = marked.size();
+  names_header.sh_size += kStateSection.size() + 1;
+  marked += all + std::string(kStateSection) + '\0';
+  for (std::uint64_t i = 0; i < headers.size(); ++i) {
+    overwrite(marked, header.e_shoff + i * sizeof(Elf64_Shdr), headers[i]);
+  }
+  return marked;
+}
+
+std::string state_at(std::string_view program, std::uint64_t place) {
+  const Bytes file(program);
+  const std::vector<Elf64_Shdr> headers = sections_of(file, header_of(file, {ET_EXEC, ET_DYN}));
+  const Bytes names = content(file, headers, header_of(file, {ET_EXEC, ET_DYN}).e_shstrndx);
+  std::uint64_t address = 0;
+  for (const Elf64_Shdr& section : headers) {
+    if (names.text(section.sh_name) == kStateSection) address = section.sh_addr + place;
+  }
+  for (std::uint64_t i = 0; i < headers.size() && address != 0; ++i) {
+    if (headers[i].sh_type != SHT_SYMTAB) continue;
+    const Bytes table = content(file, headers, i);
+    const Bytes texts = content(file, headers, headers[i].sh_link);
+    for (std::uint64_t each = 0; each < table.count<Elf64_Sym>(); ++each) {
+      const auto symbol = table.at<Elf64_Sym>(each);
+      const bool here = ELF64_ST_TYPE(symbol.st_info) == STT_OBJECT && symbol.st_value <= address &&
+                        address - symbol.st_value < symbol.st_size;
+      if (here) return texts.text(symbol.st_name);
+    }
+  }
+  return "";
 }
 
 }  // namespace grader

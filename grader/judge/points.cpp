@@ -37,11 +37,13 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
       points.picture = read_number(value, place);
     } else if (name == "too_noisy") {
       points.too_noisy = read_number(value, place);
+    } else if (name == "keeps_state") {
+      points.keeps_state = read_number(value, place);
     } else if (name == "promises" || name == "pictures") {
       (name == "promises" ? points.promises : points.pictures) = read_numbers(value, place);
     } else {
       throw pt::Error(place +
-                      " means nothing; write promise, picture, too_noisy, promises or "
+                      " means nothing; write promise, picture, too_noisy, keeps_state, promises or "
                       "pictures");
     }
   }
@@ -90,6 +92,7 @@ void count_points(const Points& points, TaskResult& result) {
     result.points += picture.points;
     result.max_points += picture.max_points;
   }
+  if (result.keeps_state) result.points = std::max(0, result.points - task.keeps_state);
 }
 
 }  // namespace grader

@@ -12,6 +12,7 @@ struct TaskPoints {
   int promise = 1;
   int picture = 1;
   int too_noisy = 0;                    // of a picture that is right on average
+  int keeps_state = 0;                  // what a variable that lives on between calls costs
   std::map<std::string, int> promises;  // by name: those that are worth something else
   std::map<std::string, int> pictures;  // by recipe
 };
@@ -19,7 +20,7 @@ struct TaskPoints {
 using Points = std::map<std::string, TaskPoints>;  // by slug
 
 // Reads grader/points.json:
-//   {"default": {"promise": n, "picture": n, "too_noisy": n},
+//   {"default": {"promise": n, "picture": n, "too_noisy": n, "keeps_state": n},
 //    "tasks": {slug: {as above, "promises": {name: n}, "pictures": {recipe: n}}}}
 // Throws pt::Error, with the file and what to do, for anything else.
 Points load_points(const std::string& path);

@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
       throw NoPicture{cause, text};
     };
     options.session.call_limit = std::chrono::milliseconds(options.call_limit);
-    options.session.lost_limit = options.session.call_limit;
+    options.session.max_timeouts = 1;
     options.session.total_limit = 9 * options.session.call_limit;
     return run(options);
   });

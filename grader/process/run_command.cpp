@@ -1,6 +1,7 @@
 #include "grader/process/run_command.h"
 
 #include "grader/process/descriptor.h"
+#include "grader/process/time_limit.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -18,35 +19,48 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-// The status of a child that ends by itself before the deadline.
-std::optional<int> await(pid_t pid, Clock::time_point deadline) {
-  for (milliseconds pause{0}; Clock::now() < deadline; pause = milliseconds(5)) {
+// For as long as a poll may wait until somebody looks whether the limit is over.
+int milliseconds_until_look(const TimeLimit& limit) {
+  const auto left = std::chrono::ceil<milliseconds>(limit.next_look() - Clock::now()).count();
+  return static_cast<int>(std::clamp<long long>(left, 0, 1000));
+}
+
+// Does nothing for a while, or until something can be read. Whether the limit is over.
+bool is_over_after_waiting(TimeLimit& limit, pollfd* awaited, int longest) {
+  const auto start = Clock::now();
+  const int left = std::min(longest, milliseconds_until_look(limit));
+  const int ready = poll(awaited, awaited == nullptr ? 0 : 1, left);
+  limit.add_waited(std::min<Clock::duration>(Clock::now() - start, milliseconds(left + 50)));
+  return ready <= 0 && Clock::now() >= limit.next_look() && limit.is_over();
+}
+
+// The status of a child that ends by itself within the limit.
+std::optional<int> await(pid_t pid, TimeLimit& limit) {
+  for (int pause = 0;; pause = 5) {
     int status = 0;
     if (waitpid(pid, &status, WNOHANG) == pid) return status;
-    poll(nullptr, 0, static_cast<int>(pause.count()));
+    if (is_over_after_waiting(limit, nullptr, pause)) return std::nullopt;
   }
-  return std::nullopt;
 }
 
 }  // namespace
 
-CommandResult run_command(Child child, milliseconds limit) {
+CommandResult run_command(Child child, milliseconds most) {
   CommandResult result;
   const auto start = Clock::now();
-  const auto deadline = start + limit;
   Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   Pipe output = make_pipe();
   child.descriptors = {nothing.number(), output.write_end.number(), output.write_end.number()};
   const pid_t pid = spawn(child);
   output.write_end.close();
+  TimeLimit limit(pid, most);
 
   char buffer[1 << 16];
-  bool open = true;
-  while (open) {
-    const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) break;
+  bool open = true, over = false;
+  while (open && !over) {
     pollfd waiting{output.read_end.number(), POLLIN, 0};
-    if (poll(&waiting, 1, static_cast<int>(left)) <= 0) continue;
+    over = is_over_after_waiting(limit, &waiting, 1000);
+    if (waiting.revents == 0) continue;
     const ssize_t got = read(output.read_end.number(), buffer, sizeof buffer);
     open = got > 0 || (got < 0 && errno == EINTR);
     if (got > 0) {
@@ -54,7 +68,7 @@ CommandResult run_command(Child child, milliseconds limit) {
       result.output.append(buffer, std::min(room, static_cast<std::size_t>(got)));
     }
   }
-  const std::optional<int> status = await(pid, deadline);
+  const std::optional<int> status = over ? std::nullopt : await(pid, limit);
   result.timed_out = !status;
   result.status = status ? *status : kill_child(pid);
   kill(-pid, SIGKILL);  // what it left behind

@@ -77,6 +77,7 @@ struct ReplyHead {
   std::uint32_t todo = 0;    // bit i: task i of kTasks has called todo()
   std::int64_t closest = 0;  // rays traced in this call, says the worker: no promise counts on them
   std::int64_t occluded = 0;
+  std::uint64_t kept = 0;  // where the task keeps a variable (grader/worker/kept_state.h), or 0
   Tests tests;
 };
 
@@ -85,7 +86,7 @@ FIRSTLIGHT_FIELDS(CallHead, function, code, repetition, forget, definitions);
 FIRSTLIGHT_FIELDS(Definition, handle, kind, content);
 FIRSTLIGHT_FIELDS(AskHead, function, code);
 FIRSTLIGHT_FIELDS(Tests, boxes, triangles, spheres);
-FIRSTLIGHT_FIELDS(ReplyHead, code, todo, closest, occluded, tests);
+FIRSTLIGHT_FIELDS(ReplyHead, code, todo, closest, occluded, kept, tests);
 template <>
 inline constexpr int kLargest<ObjectKind> = static_cast<int>(ObjectKind::bvh);
 

@@ -1,7 +1,8 @@
 # The border between judge and submission: <slug>.remote for the property programs, workers to answer
 # them, and callbacks from a worker to the judge.
 firstlight_library(grader_process
-  process/limits.cpp process/spawn.cpp process/run_command.cpp process/starved.cpp)
+  process/cause_of_end.cpp process/limits.cpp process/process_time.cpp process/run_command.cpp
+  process/spawn.cpp process/time_limit.cpp)
 target_link_libraries(grader_process PUBLIC fmt::fmt)
 
 firstlight_library(grader_remote
@@ -9,7 +10,8 @@ firstlight_library(grader_remote
 target_link_libraries(grader_remote PUBLIC grader_property)
 
 firstlight_library(grader_worker
-  worker/main.cpp worker/connection.cpp worker/store.cpp worker/serve.cpp)
+  worker/main.cpp worker/connection.cpp worker/crash.cpp worker/kept_state.cpp worker/serve.cpp
+  worker/store.cpp)
 firstlight_library(grader_recording worker/recording.cpp)
 
 foreach(task IN LISTS FIRSTLIGHT_TASKS)

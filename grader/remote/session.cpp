@@ -81,11 +81,8 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
   expect_time_left();
   drop_known_definitions();
   record_.calls += std::max(1, repetition.count);
-  const auto start = Clock::now();
-  const auto forgiven_before = forgiven();
   try {
     reply_ = converse(message(function, code, repetition, arguments));
-    waited_ += Clock::now() - start;
     Reader reply(reply_);
     take_head(reply, code);
     expect_attempted();
@@ -95,16 +92,10 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
     }
     return reply.raw(reply.left());
   } catch (const WorkerFailed& failure) {
-    waited_ += Clock::now() - start;
-    lost_ += Clock::now() - start - (forgiven() - forgiven_before);
     fail(failure);
   } catch (const BadMessage& bad) {
     reject(bad.what());
   }
-}
-
-std::chrono::nanoseconds Session::forgiven() const {
-  return worker_ ? worker_->forgiven() : std::chrono::nanoseconds(0);
 }
 
 void Session::expect_attempted() const {
@@ -114,18 +105,42 @@ void Session::expect_attempted() const {
 }
 
 void Session::expect_time_left() {
-  if (lost_ > settings_.lost_limit) {
-    settings_.give_up(
-        last_cause_,
-        fmt::format("not asked any more: {:.1f} s went on calls that failed", seconds(lost_)));
+  if (timeouts_ >= settings_.max_timeouts) {
+    settings_.give_up(last_cause_, fmt::format("not asked any more: {} {} no answer within {} s",
+                                               timeouts_, timeouts_ == 1 ? "call got" : "calls got",
+                                               seconds(settings_.call_limit)));
   }
-  if (waited_ <= settings_.total_limit) return;
-  const auto took = waited_ - starved_ - (worker_ ? worker_->starved() : Clock::duration::zero());
-  if (took > settings_.total_limit) {
+  if (failures_ >= settings_.max_failures) {
+    settings_.give_up(last_cause_,
+                      fmt::format("not asked any more: {} calls came to nothing", failures_));
+  }
+  expect_total_time_left();
+}
+
+// What workers slept counts too, but only where it is far more than they may compute.
+void Session::expect_total_time_left() {
+  const auto give_up = [&](std::chrono::nanoseconds took) {
     settings_.give_up(
         Cause::timeout,
         fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(took)));
-  }
+  };
+  const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
+  if (running > settings_.total_limit) give_up(running);
+  const auto waited = waited_ + (worker_ ? worker_->waited() : Clock::duration::zero());
+  const auto patience = TimeLimit::kPatience * settings_.total_limit;
+  if (waited - running <= patience) return;
+  const auto starved = starved_ + (worker_ ? worker_->starved() : Clock::duration::zero());
+  const auto slept = waited - running - starved - own_waiting_time();
+  if (slept > patience) give_up(slept);
+}
+
+// A dead process does not tell how long it waited for a processor, so that nothing may be held
+// against it.
+void Session::keep_times(Cause cause) {
+  running_ += worker_->running();
+  if (cause != Cause::timeout) return;
+  waited_ += worker_->waited();
+  starved_ += worker_->starved();
 }
 
 void Session::drop_known_definitions() {
@@ -175,6 +190,7 @@ void Session::take_head(Reader& reply, std::uint64_t code) {
   for (std::size_t i = 0; i < kTasks.size(); ++i) {
     if (head.todo >> i & 1) record_.todo.emplace(kTasks[i]);
   }
+  if (record_.kept == 0) record_.kept = head.kept;
   pt::count_rays({head.closest, head.occluded});
   if (!settings_.integrated) return;
   for (const pt::Box& box : head.tests.boxes) count(box);
@@ -188,9 +204,10 @@ void Session::reject(const std::string& why) {
 
 void Session::fail(const WorkerFailed& failure) {
   last_cause_ = failure.cause;
+  ++(failure.cause == Cause::timeout ? timeouts_ : failures_);
   if (!failure.alive) {
     if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
-    if (worker_) starved_ += worker_->starved();
+    if (worker_) keep_times(failure.cause);
     worker_.reset();
     ++record_.restarts;
   }

@@ -19,10 +19,13 @@ struct SessionSettings {
   bool answers = true;      // the worker may ask back
   // What to do when a call comes to nothing; does not return.
   std::function<void(Cause, const std::string&)> give_up = fail_call;
-  // What the worker waits for a processor counts in none of them.
+  // Of processor time (grader/process/time_limit.h).
   std::chrono::milliseconds call_limit{2000};    // of one call, and of kBatch repetitions
-  std::chrono::milliseconds lost_limit{6000};    // that calls without an answer may cost in all
-  std::chrono::milliseconds total_limit{30000};  // that all calls together may take
+  std::chrono::milliseconds total_limit{30000};  // of all calls together
+  // After so many calls that came to nothing the worker is not asked any more. Counted, as time
+  // would depend on what else the machine does.
+  int max_timeouts = 3;
+  int max_failures = 500;
 };
 
 // What happened in a session, for the report.
@@ -31,6 +34,7 @@ struct SessionRecord {
   int restarts = 0;
   std::set<std::string> todo;  // slugs of tasks that are not written yet
   std::string printed;         // the beginning of what the workers printed
+  std::uint64_t kept = 0;      // 1 + the place of a variable that the task keeps between calls
 };
 
 // The judge's connection to the submission: starts the worker when it is needed, starts it again
@@ -67,7 +71,8 @@ class Session {
   const pt::Scene& scene(Handle handle) const;
   void expect_attempted() const;
   void expect_time_left();
-  std::chrono::nanoseconds forgiven() const;  // to the worker that runs
+  void expect_total_time_left();
+  void keep_times(Cause cause);  // of the worker that has ended
   void drop_known_definitions();
   Writer message(Function function, std::uint64_t code, const Repetition& repetition,
                  const Writer& arguments);
@@ -85,8 +90,9 @@ class Session {
   std::vector<Definition> definitions_;        // that this call needs
   std::map<Handle, const pt::Scene*> scenes_;  // of this call
   std::string reply_;
-  // By the clock; and what workers that ended had to wait for a processor.
-  std::chrono::nanoseconds lost_{0}, waited_{0}, starved_{0};
+  // Of workers that have ended.
+  std::chrono::nanoseconds running_{0}, waited_{0}, starved_{0};
+  int timeouts_ = 0, failures_ = 0;
   Cause last_cause_ = Cause::timeout;
 };
 

@@ -1,12 +1,14 @@
 #include "grader/remote/worker_process.h"
 
-#include "grader/process/starved.h"
+#include "grader/process/cause_of_end.h"
+#include "grader/process/printable.h"
 
 #include <cerrno>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 namespace grader::remote {
@@ -26,9 +28,16 @@ constexpr Limits kWorkerLimits{
 // After this much, nobody reads what it prints any more.
 constexpr std::size_t kMaxTaken = std::size_t{1} << 20;
 
+// Where a program is ended, it says why at last.
+constexpr std::size_t kMaxLastWords = 2000;
+
 int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   return static_cast<int>(std::clamp<long long>(left, 0, 1 << 30));
+}
+
+std::chrono::nanoseconds duration(const timeval& time) {
+  return std::chrono::seconds(time.tv_sec) + std::chrono::microseconds(time.tv_usec);
 }
 
 }  // namespace
@@ -51,9 +60,13 @@ WorkerProcess::~WorkerProcess() {
   if (pid_ > 0) kill_child(pid_);
 }
 
-std::chrono::nanoseconds WorkerProcess::starved() {
-  if (pid_ > 0) starved_ = std::max(starved_, grader::starved(pid_));
-  return starved_;
+// In tier A the program is a descendant of what was started. It is there when it has said something
+// for the first time.
+void WorkerProcess::allow(std::chrono::milliseconds limit) {
+  if (worker_ < 0 && tier_ != Tier::bubblewrap) worker_ = pid_;
+  if (worker_ < 0 && has_answered_) worker_ = last_descendant(pid_);
+  running_ = running_time(worker_);
+  limit_ = TimeLimit(pid_, limit, running_);
 }
 
 void WorkerProcess::send(Kind kind, std::uint64_t sequence, std::string_view payload) {
@@ -87,6 +100,7 @@ Message WorkerProcess::receive(std::uint64_t sequence) {
   fill(sizeof header + header.length);
   Message message{header.kind, buffer_.substr(sizeof header, header.length)};
   buffer_.erase(0, sizeof header + header.length);
+  has_answered_ = true;
   return message;
 }
 
@@ -104,25 +118,24 @@ void WorkerProcess::fill(std::size_t size) {
 }
 
 void WorkerProcess::wait(const Descriptor& descriptor, short event) {
+  // A machine that stood still for a while makes a wait longer, and is not the worker's doing.
+  constexpr std::chrono::milliseconds kLate{50};
   while (true) {
     pollfd waiting[] = {{descriptor.number(), event, 0}, {output_.number(), POLLIN, 0}};
-    const int left = milliseconds_until(deadline_);
+    const auto start = Clock::now();
+    const int left = milliseconds_until(limit_.next_look());
     const int ready = poll(waiting, 2, left);  // a closed output_ is -1, which poll ignores
+    const auto waited =
+        std::min<Clock::duration>(Clock::now() - start, std::chrono::milliseconds(left) + kLate);
+    limit_.add_waited(waited);
+    waited_ += waited;
     if (ready > 0 && waiting[1].revents != 0) take_output();
     if (ready > 0 && waiting[0].revents != 0) return;
-    if (left == 0) put_off_deadline();
+    if (left == 0 && limit_.is_over()) {
+      running_ = running_time(worker_);
+      throw WorkerFailed{Cause::timeout, "no answer within the limit"};
+    }
   }
-}
-
-// Asking the kernel takes as long as two calls: it is done when the time is over, and then for all
-// that was not forgiven yet, even if some of it belongs to earlier calls.
-void WorkerProcess::put_off_deadline() {
-  const std::chrono::nanoseconds more = starved() - forgiven_;
-  if (more < std::chrono::milliseconds(1)) {
-    throw WorkerFailed{Cause::timeout, "no answer within the limit"};
-  }
-  deadline_ += more;
-  forgiven_ += more;
 }
 
 // What is printed after the limit goes to a pipe that nobody reads: the worker's writes fail.
@@ -136,6 +149,8 @@ void WorkerProcess::take_output() {
   bytes_printed_ += static_cast<std::size_t>(count);
   const std::size_t room = max_printed_ - std::min(max_printed_, printed_.size());
   printed_.append(chunk, std::min(room, static_cast<std::size_t>(count)));
+  last_words_.append(chunk, static_cast<std::size_t>(count));
+  last_words_.erase(0, last_words_.size() - std::min(last_words_.size(), kMaxLastWords));
   if (bytes_printed_ > kMaxTaken) output_.close();
 }
 
@@ -144,8 +159,9 @@ void WorkerProcess::take_output() {
 void WorkerProcess::ended() {
   int status = 0;
   bool dead = false;
-  for (int i = 0; i < 100 && !dead; ++i) {
-    dead = waitpid(pid_, &status, WNOHANG) == pid_;
+  rusage used{};
+  for (int i = 0; i < 1000 && !dead; ++i) {
+    dead = wait4(pid_, &status, WNOHANG, &used) == pid_;
     if (!dead) poll(nullptr, 0, 2);
   }
   while (output_.is_open() && bytes_printed_ <= kMaxTaken) {
@@ -154,14 +170,11 @@ void WorkerProcess::ended() {
     if (bytes_printed_ == before) break;
   }
   if (!dead) throw WorkerFailed{Cause::crash, "it closed its connection to the judge"};
+  running_ = duration(used.ru_utime) + duration(used.ru_stime);
   kill(-pid_, SIGKILL);
   pid_ = -1;
-  status = program_status(status, tier_);
-  if (WIFEXITED(status)) {
-    throw WorkerFailed{
-        Cause::crash, fmt::format("the process ended by itself, with {}", describe_status(status))};
-  }
-  throw WorkerFailed{Cause::crash, describe_status(status)};
+  throw WorkerFailed{Cause::crash, cause_of_end(program_status(status, tier_),
+                                                printable(last_words_, 2000, true))};
 }
 
 }  // namespace grader::remote

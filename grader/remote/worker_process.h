@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/process/descriptor.h"
+#include "grader/process/time_limit.h"
 #include "grader/property/property.h"
 #include "grader/remote/message.h"
 #include "grader/sandbox/box.h"
@@ -26,8 +27,8 @@ struct Message {
 
 // One life of a worker, seen from the judge: it starts with the constructor and ends, whatever the
 // worker does, with the destructor. Nothing it sends is believed but what the checks let through,
-// and nothing waits beyond the deadline. A deadline is put off by what the worker had to wait for a
-// processor, so that a verdict does not depend on what else the machine does.
+// and nothing waits longer than a limit allows, which counts what the worker computes: a verdict
+// does not depend on what else the machine does.
 class WorkerProcess {
  public:
   // In a box of the tier.
@@ -36,17 +37,19 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  // The deadline is so far from now.
-  void allow(std::chrono::milliseconds limit) { deadline_ = Clock::now() + limit; }
+  // From now on it may take so much time (grader/process/time_limit.h).
+  void allow(std::chrono::milliseconds limit);
 
   // Both throw WorkerFailed.
   void send(Kind kind, std::uint64_t sequence, std::string_view payload);
   Message receive(std::uint64_t sequence);
 
-  // How long it has waited for a processor until now.
-  std::chrono::nanoseconds starved();
-  // By how much of that deadlines were put off.
-  std::chrono::nanoseconds forgiven() const { return forgiven_; }
+  // How long it has run until the last call of allow().
+  std::chrono::nanoseconds running() const { return running_; }
+  // How long this process did nothing but wait for it.
+  std::chrono::nanoseconds waited() const { return waited_; }
+  // How long it has waited for a processor until now. Asks the kernel, which takes a while.
+  std::chrono::nanoseconds starved() const { return time_of_tree(pid_).waiting; }
 
   // The beginning of what it has printed.
   const std::string& printed() const { return printed_; }
@@ -54,21 +57,21 @@ class WorkerProcess {
  private:
   // Waits until the descriptor is ready, and meanwhile takes what the worker prints.
   void wait(const Descriptor& descriptor, short event);
-  void put_off_deadline();
   void take_output();
   void fill(std::size_t size);  // until buffer_ has so many bytes
   [[noreturn]] void ended();
 
-  pid_t pid_ = -1;
+  pid_t pid_ = -1;     // of what was started: the program, or the box around it
+  pid_t worker_ = -1;  // the program, once that is known
   Tier tier_;
-  Clock::time_point deadline_;
-  std::chrono::nanoseconds starved_{0};  // what was known last: a dead process tells nothing
-  std::chrono::nanoseconds forgiven_{0};
+  TimeLimit limit_;
+  std::chrono::nanoseconds running_{0}, waited_{0};
   Descriptor to_worker_, from_worker_, output_;
   std::string buffer_;  // received and not yet used
-  std::string printed_;
+  std::string printed_, last_words_;
   std::size_t max_printed_;
   std::size_t bytes_printed_ = 0;
+  bool has_answered_ = false;
 };
 
 }  // namespace grader::remote

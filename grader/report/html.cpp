@@ -96,6 +96,7 @@ data task_data(const TaskResult& task, Places& places) {
   set_texts(out, "blocked_by", "other", task.blocked_by);
   set_texts(out, "blamed", "other", task.blamed);
   set_text(out, "compiler_output", task.compiler_output);
+  set_text(out, "warnings", is_fault(task.state) ? task.warnings : "");
   set_text(out, "printed", task.printed);
   out.set("promises", promises);
   out.set("has_promises", !task.promises.empty());

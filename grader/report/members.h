@@ -84,6 +84,8 @@ void members(Is<TaskResult> auto& task, auto&& each) {
   each("blocked_by", task.blocked_by);
   each("blamed", task.blamed);
   each("compiler_output", task.compiler_output);
+  each("warnings", task.warnings);
+  each("keeps_state", task.keeps_state);
   each("printed", task.printed);
   each("promises", task.promises);
   each("pictures", task.pictures);

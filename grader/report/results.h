@@ -112,7 +112,9 @@ struct TaskResult {
   std::vector<std::string> blocked_by;  // slugs: why it was not judged with the submission's others
   std::vector<std::string> blamed;      // slugs: with the reference in their place it would pass
   std::string compiler_output;
-  std::string printed;  // the beginning of what the task printed while it was judged
+  std::string warnings;      // of the compiler, about a file that compiles
+  bool keeps_state = false;  // a variable lives on between calls, which costs points
+  std::string printed;       // the beginning of what the task printed while it was judged
   std::vector<PromiseResult> promises;
   std::vector<PictureResult> pictures;
 

@@ -143,6 +143,13 @@ std::string reason_text(const TaskResult& task, const TerminalStyle& style) {
   return text;
 }
 
+// Beside the first failure: often they name the line.
+std::string warnings_text(const TaskResult& task) {
+  std::string text = "\n  The compiler warns\n";
+  for (const std::string& line : lines_of(task.warnings)) text += "    " + line + "\n";
+  return text;
+}
+
 std::string printed_text(const TaskResult& task) {
   std::string text = "\n  printed\n";
   for (const std::string& line : lines_of(task.printed.substr(0, 400)))
@@ -184,6 +191,7 @@ std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalSty
     reason.clear();
   }
   if (!reason.empty()) texts.push_back({task.slug, "", reason});
+  if (!texts.empty() && !task.warnings.empty()) texts.front().text += warnings_text(task);
   if (!texts.empty() && !task.printed.empty()) texts.back().text += printed_text(task);
   return texts;
 }

@@ -123,6 +123,38 @@ TEST(hostile, only_plain_files_of_moderate_size_are_taken) {
   EXPECT_EQ(outcome.state("camera_ray"), "not_attempted");
 }
 
+// A crash is told by its cause, and not by the number of a signal alone.
+TEST(hostile, crashes_are_named_by_their_cause) {
+  Submission submission("crashes");
+  std::vector<std::string> words = submission.put("crashes");
+  words.insert(words.end(), {"--no-pictures"});
+  const Outcome outcome = submission.grade(words);
+  const std::map<std::string, std::string> causes{
+      {"camera_ray", "Assertion `x < -1' failed. (line 11)"},
+      {"hit_triangle", "ended without a return"},
+      {"hit_sphere", "divided by zero"},
+      {"build_bvh", "endless recursion: the stack overflowed"},
+      {"hit_box", "there is no more memory"},
+      {"hit_bvh", "the stack overflowed"}};
+  const auto said = [&](const std::string& slug, const std::string& cause) {
+    const std::string all = outcome.task(slug).at("promises").dump();
+    EXPECT_NE(all.find(cause), std::string::npos) << slug << all.substr(0, 1500);
+  };
+  for (const auto& [slug, cause] : causes) {
+    EXPECT_EQ(outcome.state(slug), "crash") << slug;
+    said(slug, cause);
+  }
+  said("diffuse_bsdf", "std::out_of_range: vector");
+  said("diffuse_bsdf", "terminate called after throwing an instance of 'std::logic_error'");
+  said("diffuse_bsdf", "what():  no sample");
+  said("diffuse_bsdf", "a pointer to nothing");
+  // The guilty line is named before anything runs.
+  const std::string warnings = outcome.task("hit_triangle").at("warnings");
+  EXPECT_NE(warnings.find("hit_triangle.cpp:9:"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("[-Wreturn-type]"), std::string::npos) << warnings;
+  EXPECT_NE(outcome.output.find("[-Wreturn-type]"), std::string::npos) << outcome.output;
+}
+
 TEST(grade, names_the_line_that_does_not_compile) {
   const Submission submission("compile");
   std::ofstream(submission / "1_rays/hit_sphere.cpp") << "\n\nint f() { return; }\n";
@@ -140,7 +172,7 @@ TEST(grade, blames_the_task_whose_exchange_mends_another) {
   const std::size_t body = text.find("Ray camera_ray(");
   ASSERT_NE(body, std::string::npos);
   const std::size_t brace = text.find('{', body) + 1;
-  text.insert(brace, "\n  static int calls = 0;\n  if (++calls > 2500) return {};\n");
+  text.insert(brace, "\n  thread_local int calls = 0;\n  if (++calls > 2500) return {};\n");
   std::ofstream(submission / "1_rays/camera_ray.cpp") << text;
   // A picture would show it at once.
   const Outcome outcome = submission.grade({"1_rays", "--no-pictures"});

@@ -31,7 +31,7 @@ TEST_P(StandardLibrary, is_open_to_a_task) {
              "int main() { return std::isfinite(pt::task()) ? 0 : 1; }\n");
   run(fmt::format("{} -std=c++20 -{} -ffp-contract=off -fno-math-errno -w -c '{}/{}.cpp' -o '{}'",
                   FIRSTLIGHT_CXX, level, FIRSTLIGHT_LIBRARY, name, object));
-  EXPECT_EQ(audit(read_file(object), {"_ZN2pt4taskEv"}, {"task", {}}), "");
+  EXPECT_EQ(audit(read_file(object), {"_ZN2pt4taskEv"}, {"task", {}, {}}), "");
   run(fmt::format("{} -std=c++20 '{}' '{}' -pthread -o '{}'", FIRSTLIGHT_CXX, object,
                   (folder / "main.cpp").string(), program));
   run(fmt::format("'{}' > /dev/null 2>&1", program));

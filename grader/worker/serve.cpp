@@ -1,5 +1,6 @@
 #include "grader/worker/serve.h"
 
+#include "grader/worker/kept_state.h"
 #include "grader/worker/store.h"
 #include "pt/scene/scene.h"
 #include "pt/todo.h"
@@ -16,6 +17,15 @@ using namespace remote;
 Tests tests;
 bool recording = false;
 std::function<void(const pt::Ray&)> again;  // the call that is being answered
+std::uint64_t kept = 0;  // of all calls so far
+
+// Of a task or the slot: what came of the call, and whether the task keeps something of it.
+template <class Signature, class Function, class Held>
+auto apply(Function function, Held& held) {
+  auto result = Signature::apply(function, held);
+  if (kept == 0) kept = kept_state();
+  return result;
+}
 
 // The results of one call or of a batch of repetitions, after the head.
 template <auto Pointer>
@@ -33,7 +43,7 @@ void run(Reader& in, const CallHead& head, Writer& results) {
         Signature::apply(Pointer, other);
       };
     }
-    put(results, Signature::apply(Pointer, held));
+    put(results, apply<Signature>(Pointer, held));
     if constexpr (Signature::kDraws) put(results, Signature::sampler(held));
     return;
   }
@@ -42,7 +52,7 @@ void run(Reader& in, const CallHead& head, Writer& results) {
     std::vector<typename Signature::Result> all;
     for (int i = first; i < first + count; ++i) {
       Signature::sampler(held) = pt::Sampler::for_pixel(seed, i, 0);
-      all.push_back(Signature::apply(Pointer, held));
+      all.push_back(apply<Signature>(Pointer, held));
     }
     put(results, all);
   } else {
@@ -91,7 +101,7 @@ std::string serve(std::string_view call) {
 
   Writer out;
   put(out, ReplyHead{head.code, tasks_to_do(), after.closest - before.closest,
-                     after.occluded - before.occluded, tests});
+                     after.occluded - before.occluded, kept, tests});
   out.raw(results.bytes().data(), results.bytes().size());
   return std::string(out.bytes());
 }

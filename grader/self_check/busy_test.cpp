@@ -1,0 +1,86 @@
+// What else the machine does changes no verdict: a limit counts what a submission computes.
+#include "grader/self_check/hostile_submission.h"
+
+#include <csignal>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace grader {
+namespace {
+
+// Programs that compute for ever, several for each processor.
+class Crowd {
+ public:
+  explicit Crowd(int count) {
+    for (int i = 0; i < count; ++i) {
+      const pid_t child = fork();
+      if (child == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        volatile bool more = true;
+        while (more) {
+        }
+      }
+      all_.push_back(child);
+    }
+  }
+  ~Crowd() {
+    for (const pid_t each : all_) {
+      kill(each, SIGKILL);
+      waitpid(each, nullptr, 0);
+    }
+  }
+  Crowd(const Crowd&) = delete;
+  Crowd& operator=(const Crowd&) = delete;
+
+ private:
+  std::vector<pid_t> all_;
+};
+
+// The reference's function, which computes or sleeps at first.
+void slow_down(const Submission& submission, const std::string& slug, const std::string& lines) {
+  const std::filesystem::path file = submission.file_of(slug);
+  std::string text = text_of(file);
+  const std::size_t begin = text.find(" " + slug + "(");
+  ASSERT_NE(begin, std::string::npos) << file;
+  text.insert(text.find("{\n", begin) + 1, "\n" + lines);
+  std::ofstream(file) << "#include <chrono>\n#include <ctime>\n#include <thread>\n" << text;
+}
+
+std::string computing(const char* seconds) {
+  return std::string(
+             "  static const bool computed = [] {\n    const auto start = std::clock();\n") +
+         "    while (std::clock() - start < " + seconds + " * CLOCKS_PER_SEC) {\n    }\n" +
+         "    return true;\n  }();\n  if (!computed) return {};\n";
+}
+
+// The limit of a call is 0.4 s: half of it in one call, which would take seconds by the clock;
+// twice as much; and no time of a processor at all.
+TEST(busy, machine_changes_no_verdict) {
+  const Submission submission("busy");
+  slow_down(submission, "camera_ray", computing("0.2"));
+  slow_down(submission, "hit_sphere", computing("0.8"));
+  slow_down(submission, "hit_box", "  std::this_thread::sleep_for(std::chrono::hours(1));\n");
+  const Crowd crowd(14);
+  const Outcome outcome = submission.grade({"--no-pictures", "--compile-limit", "6", "camera_ray",
+                                            "hit_sphere", "hit_box", "hit_triangle"},
+                                           400);
+  EXPECT_EQ(outcome.state("camera_ray"), "pass") << outcome.output;
+  EXPECT_EQ(outcome.state("hit_triangle"), "pass") << outcome.output;
+  EXPECT_EQ(outcome.state("hit_sphere"), "timeout") << outcome.output;
+  EXPECT_EQ(outcome.state("hit_box"), "timeout") << outcome.output;
+}
+
+// An answer of the judge takes the judge's time, and many calls of hit_bvh wait for many answers.
+TEST(busy, judge_answers_at_its_own_cost) {
+  const Submission submission("answers");
+  const Crowd crowd(14);
+  const Outcome outcome = submission.grade({"--no-pictures", "hit_bvh"}, 400);
+  EXPECT_EQ(outcome.state("hit_bvh"), "pass") << outcome.output;
+}
+
+}  // namespace
+}  // namespace grader

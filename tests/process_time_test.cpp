@@ -1,0 +1,168 @@
+// A limit of time counts what a process had, not what others took from it.
+#include "grader/process/time_limit.h"
+
+#include <chrono>
+#include <csignal>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace grader {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+// Children that all run on the same processor, so that they take it from each other.
+class Crowd {
+ public:
+  Crowd() {
+    cpu_set_t allowed;
+    sched_getaffinity(0, sizeof allowed, &allowed);
+    for (int i = 0; i < CPU_SETSIZE && CPU_COUNT(&one_) == 0; ++i) {
+      if (CPU_ISSET(i, &allowed)) CPU_SET(i, &one_);
+    }
+  }
+  ~Crowd() {
+    for (const pid_t each : all_) kill(each, SIGKILL);
+    while (waitpid(-1, nullptr, 0) > 0) {
+    }
+  }
+  template <class Work>
+  pid_t add(Work work) {
+    const pid_t child = fork();
+    if (child == 0) {
+      sched_setaffinity(0, sizeof one_, &one_);
+      work();
+      _exit(0);
+    }
+    all_.push_back(child);
+    return child;
+  }
+
+ private:
+  cpu_set_t one_{};
+  std::vector<pid_t> all_;
+};
+
+void spin() {
+  volatile bool more = true;
+  while (more) {
+  }
+}
+
+void wait_for_ever() {
+  while (true) pause();
+}
+
+TEST(process_time, counts_what_others_took_and_not_what_was_slept) {
+  Crowd crowd;
+  const pid_t sleeper = crowd.add(wait_for_ever);
+  kill(sleeper, SIGSTOP);
+  ASSERT_EQ(waitpid(sleeper, nullptr, WUNTRACED), sleeper);
+  const nanoseconds before = time_of_tree(sleeper).waiting;
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t family = crowd.add([] {
+    if (fork() == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      spin();
+    }
+    wait_for_ever();
+  });
+  for (int i = 0; i < 3; ++i) crowd.add(spin);
+  while (time_of_tree(family).waiting < milliseconds(200)) {
+    if (std::chrono::steady_clock::now() - start > std::chrono::seconds(20)) {
+      GTEST_SKIP() << "this kernel does not tell how long a process waits for a processor";
+    }
+    usleep(10000);
+  }
+  EXPECT_LT(time_of_tree(family).waiting, std::chrono::steady_clock::now() - start);
+  EXPECT_EQ(time_of_tree(sleeper).waiting, before);
+}
+
+TEST(process_time, is_nothing_for_a_process_that_is_not_there) {
+  EXPECT_EQ(time_of_tree(-5).waiting, nanoseconds(0));
+}
+
+// A machine that is busy: the child runs at the same time as others, on one processor.
+struct Looks {
+  bool over = false;
+  int count = 0;
+  nanoseconds running{0};
+};
+
+// Looks until the limit is over, or the child has run for longer than that.
+Looks look(pid_t child, milliseconds limit) {
+  TimeLimit time(child, limit);
+  Looks looks;
+  while (!looks.over && looks.running < 2 * limit) {
+    const auto start = TimeLimit::Clock::now();
+    while (TimeLimit::Clock::now() < time.next_look()) usleep(1000);
+    time.add_waited(TimeLimit::Clock::now() - start);
+    looks.running = time_of_tree(child).running;
+    looks.over = time.is_over();
+    ++looks.count;
+  }
+  return looks;
+}
+
+TEST(time_limit, counts_what_was_computed_beside_others) {
+  Crowd crowd;
+  for (int i = 0; i < 6; ++i) crowd.add(spin);
+  const pid_t child = crowd.add(spin);
+  const auto start = TimeLimit::Clock::now();
+  const Looks looks = look(child, milliseconds(200));
+  EXPECT_TRUE(looks.over);
+  EXPECT_GE(time_of_tree(child).running, milliseconds(200));
+  EXPECT_GT(looks.count, 1) << "by the clock it would have been over at the first look";
+  EXPECT_GT(TimeLimit::Clock::now() - start, milliseconds(400));
+}
+
+TEST(time_limit, ends_what_sleeps) {
+  Crowd crowd;
+  for (int i = 0; i < 6; ++i) crowd.add(spin);
+  const pid_t child = crowd.add(wait_for_ever);
+  EXPECT_TRUE(look(child, milliseconds(50)).over);
+  EXPECT_LT(time_of_tree(child).running, milliseconds(50));
+}
+
+// Of a family, also what has ended: a compiler starts others that do the work.
+TEST(time_limit, counts_children_that_have_ended) {
+  Crowd crowd;
+  const pid_t family = crowd.add([] {
+    for (int i = 0; i < 20; ++i) {
+      if (fork() == 0) {
+        const nanoseconds end = running_time(getpid()) + milliseconds(30);
+        while (running_time(getpid()) < end) {
+        }
+        _exit(0);
+      }
+      wait(nullptr);
+    }
+    wait_for_ever();
+  });
+  EXPECT_TRUE(look(family, milliseconds(300)).over);
+  EXPECT_GE(time_of_tree(family).running, milliseconds(300));
+}
+
+TEST(process_time, finds_who_does_the_work) {
+  Crowd crowd;
+  const pid_t family = crowd.add([] {
+    if (fork() == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      spin();
+    }
+    wait_for_ever();
+  });
+  while (last_descendant(family) == family) usleep(1000);
+  const pid_t last = last_descendant(family);
+  while (running_time(last) < milliseconds(30)) usleep(1000);
+  EXPECT_LT(running_time(family), milliseconds(30));
+}
+
+}  // namespace
+}  // namespace grader
