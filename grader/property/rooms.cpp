@@ -17,8 +17,6 @@ using Direct = pt::PathSettings::Direct;
 namespace {
 
 // A room is described to people, who replay a case by its seed.
-std::string brief(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
-std::string brief(Rgb c) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", c.r, c.g, c.b); }
 
 // A point with the normal n, on wo's side; wo is given around n as z.
 pt::SurfacePoint point_on(const pt::Scene& scene, Vec3 p, Vec3 n, Vec3 geometric_normal, Rgb albedo,

@@ -12,9 +12,7 @@
 //
 //   call      judge to worker   CallHead, definitions, arguments
 //   ask       worker to judge   AskHead, arguments: an inner call that the judge answers itself
-//   answer    judge to worker   type code, result, the sampler if there is one, and perhaps a ray:
-//                               another thread runs the call once more, about that ray, before the
-//                               first one goes on
+//   answer    judge to worker   type code, result, the sampler if there is one
 //   reply     worker to judge   ReplyHead, result(s), the sampler if there is one
 //   threw     worker to judge   the text of an exception: instead of a reply
 

@@ -5,7 +5,6 @@
 #include "pt/geometry/sphere.h"
 #include "pt/geometry/triangle.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -36,22 +35,7 @@ void count(const pt::Sphere& sphere);
 // ray itself.
 void answer_for(const std::optional<pt::Ray>& other);
 
-// From now on, the test number `tests` (from 1) is interrupted once: before it is answered,
-// `interruption` runs from beginning to end in another thread. Where the function under test runs
-// in another process, a query of the ray is run there instead.
-struct Interruption {
-  int tests = 0;
-  pt::Ray ray;
-  std::function<void(const pt::Ray&)> run;
-};
-void interrupt(const Interruption& interruption);
-
 // For the implementations themselves: they were asked, and about which ray they have to answer.
 pt::Ray asked(const pt::Ray& ray);
-
-// For who sends the answers to another process: from now on nothing is run here, and the ray of an
-// interruption that is due has to be taken and sent.
-void send_interruptions();
-std::optional<pt::Ray> take_interruption();
 
 }  // namespace grader

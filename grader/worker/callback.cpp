@@ -1,7 +1,6 @@
 // The implementation `callback` of one task or slot, FIRSTLIGHT_TASK: compiled once for each. The
 // call goes back to the judge, who answers it from stand-ins of its own.
 #include "grader/worker/connection.h"
-#include "grader/worker/serve.h"
 #include "grader/worker/store.h"
 
 namespace grader::worker {
@@ -21,7 +20,6 @@ auto ask(Arguments&... arguments) {
   if constexpr (Signature::kDraws) {
     std::get<sizeof...(Arguments) - 1>(std::tie(arguments...)) = get<pt::Sampler>(in);
   }
-  if (const auto ray = get<std::optional<pt::Ray>>(in)) run_again(*ray);
   return result;
 }
 

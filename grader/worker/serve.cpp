@@ -5,9 +5,6 @@
 #include "pt/scene/scene.h"
 #include "pt/todo.h"
 
-#include <functional>
-#include <thread>
-
 namespace grader::worker {
 
 namespace {
@@ -16,7 +13,6 @@ using namespace remote;
 
 Tests tests;
 bool recording = false;
-std::function<void(const pt::Ray&)> again;  // the call that is being answered
 std::uint64_t kept = 0;  // of all calls so far
 
 // Of a task or the slot: what came of the call, and whether the task keeps something of it.
@@ -35,14 +31,6 @@ void run(Reader& in, const CallHead& head, Writer& results) {
   auto held = Signature::get(in, store());
   in.expect_end();
   if (head.repetition.count == 0) {
-    using Query = std::tuple<const pt::Bvh*, const pt::Primitives*, pt::Ray>;
-    if constexpr (std::is_same_v<typename Signature::Held, Query>) {
-      again = [held](const pt::Ray& ray) {
-        auto other = held;
-        std::get<pt::Ray>(other) = ray;
-        Signature::apply(Pointer, other);
-      };
-    }
     put(results, apply<Signature>(Pointer, held));
     if constexpr (Signature::kDraws) put(results, Signature::sampler(held));
     return;
@@ -76,10 +64,6 @@ std::uint32_t tasks_to_do() {
 
 }  // namespace
 
-void run_again(const pt::Ray& ray) {
-  if (again) std::thread([&] { again(ray); }).join();
-}
-
 Tests* tests_of_this_call() { return recording ? &tests : nullptr; }
 
 std::string serve(std::string_view call) {
@@ -97,7 +81,6 @@ std::string serve(std::string_view call) {
   kHandlers[head.function](in, head, results);
   const pt::RayCount after = pt::rays_traced();
   recording = false;
-  again = {};
 
   Writer out;
   put(out, ReplyHead{head.code, tasks_to_do(), after.closest - before.closest,

@@ -34,8 +34,6 @@ namespace pt {
 //     or a single leaf.
 //   - finds any hit: occluded_bvh says yes exactly where there is one in the range.
 //   - asks hit_box and hit_primitive: what those two answer is what the ray meets.
-//   - works from several threads at once: a query has the same answer while another thread asks
-//     about another ray.
 //   - tests few primitives: only those whose leaf the ray enters.
 //   - tests no box twice: each box and each primitive at most once per query.
 //   - skips what lies outside the ray: boxes that the ray does not enter hide all below them.

@@ -159,40 +159,15 @@ PROMISE(hit_bvh, asks_hit_box_and_hit_primitive) {
     if (!judge_answers) return;  // where it is judged by itself, the judge does
     const Truth truth =
         truth_of(c.primitives, {other.origin, other.direction, c.ray.t_min, c.ray.t_max});
-    answer_for(other);
+    const AnsweringFor another(other);
     const auto hit = ask(c);
     const bool occluded = occluded_bvh(c.bvh, c.primitives, c.ray);
-    answer_for({});
     const std::string as_asked =
         ": hit_box and hit_primitive answer for another ray here, " + show(other);
     expect(hit.has_value() == truth.any(), shown(truth) + as_asked, shown(hit));
     if (hit)
       expect_near("t, as hit_primitive says it" + as_asked, hit->t, truth.t(), 1e-12 * truth.t());
     expect(occluded == truth.any(), "in the way: " + shown(truth) + as_asked,
-           occluded ? "something in the way" : "nothing in the way");
-  });
-}
-
-PROMISE(hit_bvh, works_from_several_threads_at_once) {
-  for_queries([] {
-    const Case c = *some_tree({.least = 5});
-    const int tests = draw("tests before the other thread comes in", whole(1, 12));
-    Many make(draw("seed of the other ray", sampler_seed()));
-    const pt::Ray other = some_clear_ray(c.primitives, {.all_of_ray = true}, make);
-    const Truth truth = truth_of(c);
-    const std::string while_other =
-        ", while another thread asks about the same tree and another ray";
-    interrupt({tests, other, [&](const pt::Ray& ray) { pt::hit_bvh(c.bvh, c.primitives, ray); }});
-    const auto hit = ask(c);
-    interrupt(
-        {tests, other, [&](const pt::Ray& ray) { pt::occluded_bvh(c.bvh, c.primitives, ray); }});
-    const bool occluded = occluded_bvh(c.bvh, c.primitives, c.ray);
-    interrupt({});
-    if (!truth.is_clear) return;
-    const bool right = hit && truth.any() ? std::abs(hit->t - truth.t()) <= t_error(truth)
-                                          : hit.has_value() == truth.any();
-    expect(right, shown(truth) + while_other, shown(hit));
-    expect(occluded == truth.any(), "in the way: " + shown(truth) + while_other,
            occluded ? "something in the way" : "nothing in the way");
   });
 }

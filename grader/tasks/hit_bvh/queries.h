@@ -16,6 +16,14 @@ namespace grader::hit_bvh_cases {
 
 inline std::optional<pt::Hit> ask(const Case& c) { return pt::hit_bvh(c.bvh, c.primitives, c.ray); }
 
+// While it lives, the judge's tasks answer for another ray; also where a query ends the case.
+struct AnsweringFor {
+  explicit AnsweringFor(const pt::Ray& other) { answer_for(other); }
+  ~AnsweringFor() { answer_for({}); }
+  AnsweringFor(const AnsweringFor&) = delete;
+  AnsweringFor& operator=(const AnsweringFor&) = delete;
+};
+
 // Copied before the test asks something itself.
 inline Tested tested_by(const Case& c, bool any) {
   forget_tests();
@@ -84,9 +92,8 @@ inline void expect_that_it_walks() {
            "nothing in the way");
     judge_answers = log.answered_here > 0;
     if (!judge_answers) continue;
-    answer_for(plain_case(7 - aim).ray);
+    const AnsweringFor another(plain_case(7 - aim).ray);
     const auto other = ask(c);
-    answer_for({});
     expect(other && other->primitive == 7 - aim,
            plain +
                "the answer that hit_box and hit_primitive give, who say here that the ray "
