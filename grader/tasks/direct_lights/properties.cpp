@@ -35,13 +35,21 @@ std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
   return repeat<pt::direct_lights>(calls, draw("seed", sampler_seed()), s.scene, s.point, samples);
 }
 
+// Draws that bring about as much as the mean and are so rare that none of this many was one of
+// them: the error that they leave is not in the measured noise. By multiple importance sampling,
+// the draws of the BSDF that meet a small light are such.
+double missed(const Situation& s, int draws) {
+  constexpr double kRare = 30;
+  return kRare / draws * max_channel(s.expected);
+}
+
 // Calls of many samples, or of many lights, are fewer.
 void expect_estimate(const Situation& s, int samples) {
   const int lights = std::max(1, static_cast<int>(s.scene.lights.size()));
   const int calls = std::clamp(32000 / samples / lights, 100, 4000);
   expect_mean(fmt::format("the mean, {} samples a call", samples),
               mean_of(estimates(s, calls, samples)), s.expected, noise_of_lights(s, samples),
-              tolerance(s));
+              tolerance(s) + missed(s, calls * samples));
 }
 
 // Where nothing is left to chance, every single estimate has to be right.
