@@ -16,8 +16,6 @@ using Direct = pt::PathSettings::Direct;
 
 namespace {
 
-// A room is described to people, who replay a case by its seed.
-
 // A point with the normal n, on wo's side; wo is given around n as z.
 pt::SurfacePoint point_on(const pt::Scene& scene, Vec3 p, Vec3 n, Vec3 geometric_normal, Rgb albedo,
                           Vec3 wo) {
