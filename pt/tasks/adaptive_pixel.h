@@ -7,9 +7,9 @@
 namespace pt {
 
 struct AdaptiveSettings {
-  int max_samples = 64;     // >= batch
+  int max_samples = 64;     // >= batch; no multiple of it has to be
   int batch = 32;           // >= 2: the samples between two checks
-  double tolerance = 0.05;  // > 0: of the mean
+  double tolerance = 0.05;  // 1e-4 to 1: of the mean
 };
 
 // The mean of a pixel, and how many samples it took.
@@ -28,17 +28,25 @@ struct PixelEstimate {
 //
 // sigma may divide by n or by n - 1. Where all samples are zero, < and <= are both right.
 //
+// Precision: the mean to 1e-5 of its size, also of ten thousand samples (a sum of so many in float
+//      is not). Where the two sides of the condition differ by less than 1e-5, both decisions are
+//      right.
+// May call: the task camera_ray, radiance(), and what the headers of pt/ have whole.
+// Threads: it is called from several threads at once, so nothing static may change.
+//
 // Promises:
 //   - stops where the interval is narrow: after the first batch that satisfies the condition,
 //     exactly, for any sequence of samples.
 //   - checks once a batch: n is a multiple of batch, or max_samples.
 //   - takes one batch of a constant: rounding errors in the variance do not keep it going.
-//   - never exceeds the maximum: radiance() is called n times, and n <= max_samples.
+//   - never exceeds the maximum: radiance() is called n times, and 1 <= n <= max_samples.
 //   - returns the mean of all samples: divided by n, wherever it stopped.
 //   - judges by luminance: not by one channel.
 //   - goes on while it is dark: a small mean alone does not make a pixel done whose samples are not
 //     all zero.
 //   - uses the batch and the tolerance given: whatever they are.
+//   - passes the settings on: radiance() sees the view's scene and settings, and the same sampler,
+//     which has moved on afterwards.
 //   - covers the whole pixel: all points of the square are equally likely.
 //   - forgets the pixel before: the same arguments give the same answer, whatever was asked
 //     earlier.

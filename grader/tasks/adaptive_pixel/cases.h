@@ -33,25 +33,28 @@ struct Case {
 };
 
 inline void showValue(const Case& c, std::ostream& out) {
-  out << fmt::format("pixel ({}, {}) of {} x {}, batch {}, at most {} samples, tolerance {}\n{}",
-                     c.x, c.y, c.width, c.height, c.settings.batch, c.settings.max_samples,
-                     c.settings.tolerance, c.kind);
+  out << fmt::format(
+      "pixel ({}, {}) of {} x {}, batch {}, at most {} samples, tolerance {:.4g}\n{}", c.x, c.y,
+      c.width, c.height, c.settings.batch, c.settings.max_samples, c.settings.tolerance, c.kind);
 }
+
+inline std::string brief(Rgb c) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", c.r, c.g, c.b); }
 
 struct Answer {
   PixelEstimate estimate;
   std::vector<RadianceCall> calls;
+  pt::Sampler sampler;  // as it is afterwards
 };
 
-inline Answer ask(const Case& c) {
+inline Answer ask(const Case& c, const pt::PathSettings& settings = {}) {
   script_radiance([&](int call, const pt::Ray&) {
     return c.seen[std::min<std::size_t>(call, c.seen.size() - 1)];
   });
   const pt::Scene empty;
-  const pt::View view{empty, c.camera, {}, c.width, c.height};
+  const pt::View view{empty, c.camera, settings, c.width, c.height};
   pt::Sampler sampler(c.seed);
   const PixelEstimate estimate = pt::adaptive_pixel(view, c.x, c.y, c.settings, sampler);
-  return {estimate, radiance_calls()};
+  return {estimate, radiance_calls(), sampler};
 }
 
 // Mean and variance of the brightness of the first n samples, the variance divided by n; in two
@@ -63,21 +66,24 @@ struct Statistics {
 inline Statistics statistics(const Case& c, int n) {
   Statistics s;
   for (int i = 0; i < n; ++i) s.mean += luminance(c.seen[i]) / n;
-  for (int i = 0; i < n; ++i) s.variance += std::pow(luminance(c.seen[i]) - s.mean, 2) / n;
+  for (int i = 0; i < n; ++i) {
+    const double off = luminance(c.seen[i]) - s.mean;
+    s.variance += off * off / n;
+  }
   return s;
 }
 
 enum class Verdict { done, not_done, either };
 
-// Whether a pixel is done after n samples; sigma divides by n or by n - 1. `either` where rounding
-// errors decide: those of a variance that is computed as a small difference are about n 2^-52 of
-// the squared mean.
+// Whether a pixel is done after n samples; sigma divides by n or by n - 1. `either` where the two
+// sides are equal to the precision of the contract, or rounding errors decide: those of a variance
+// that is computed as a small difference, s2 - s1^2 / n, are up to n 2^-52 of the squared mean.
 inline Verdict done_after(const Case& c, int n, bool divides_by_n) {
   const Statistics s = statistics(c, n);
   const double share = divides_by_n ? 1 : static_cast<double>(n) / (n - 1);
   const double half_interval_squared = 1.96 * 1.96 * s.variance * share / n;
   const double limit_squared = std::pow(c.settings.tolerance * s.mean, 2);
-  const double doubt = 1e-9 * limit_squared + 1e-14 * s.mean * s.mean;
+  const double doubt = 2 * kColorPrecision * limit_squared + 0x1p-50 * s.mean * s.mean;
   if (half_interval_squared < limit_squared - doubt) return Verdict::done;
   return half_interval_squared > limit_squared + doubt ? Verdict::not_done : Verdict::either;
 }
@@ -98,6 +104,12 @@ inline int right_count(const Case& c) {
   return std::min(n, c.settings.max_samples);
 }
 
+// What it says that it took, if it took any.
+inline int samples_of(const Answer& answer) {
+  expect(!answer.calls.empty(), "a call of radiance()", "none");
+  return answer.estimate.samples;
+}
+
 inline void expect_right_count(const Case& c, const Answer& answer) {
   const int n = answer.estimate.samples;
   expect(may_stop(c, n, true) || may_stop(c, n, false),
@@ -105,10 +117,25 @@ inline void expect_right_count(const Case& c, const Answer& answer) {
          fmt::format("{} samples", n));
 }
 
+// Any tolerance, and a maximum that is a multiple of the batch or not.
 inline AdaptiveSettings any_settings() {
   const int batch = *whole(2, 16);
-  return {*whole(batch, 10 * batch), batch, *magnitude(0.01, 0.5)};
+  return {*whole(batch, 10 * batch), batch, *magnitude(1e-4, 1)};
 }
+
+// With batches of up to thousands.
+inline AdaptiveSettings many_samples() {
+  const int batch = *rc::gen::element(100, 1000, 3000);
+  return {*whole(batch, 3 * batch), batch, *magnitude(1e-4, 0.1)};
+}
+
+// The tightest: what s2 - s1^2 / n loses in float looks like noise.
+inline AdaptiveSettings tight() {
+  const int batch = *whole(2, 60);
+  return {3 * batch, batch, 1e-4};
+}
+
+inline AdaptiveSettings ten_thousand() { return {10000, 10000, 0.01}; }
 
 // A pixel of any camera that sees `script`: each sample from its index and a random number.
 template <class Script>
@@ -127,36 +154,44 @@ Case pixel(const std::string& kind, const AdaptiveSettings& settings, Script scr
   return c;
 }
 
-inline Rgb any_radiance() { return *magnitude(1e-3, 1e3) * *color(0.1, 1); }
+inline Rgb any_radiance() { return *magnitude(1e-4, 1e6) * *color(0.1, 1); }
 
-inline rc::Gen<Case> constant() {
-  return rc::gen::exec([] {
+using Settings = AdaptiveSettings (*)();
+
+inline rc::Gen<Case> constant(Settings settings = any_settings) {
+  return rc::gen::exec([=] {
     const Rgb value = any_radiance();
-    return pixel("always " + show(value), any_settings(), [=](int, double) { return value; });
+    return pixel("always " + brief(value), settings(), [=](int, double) { return value; });
   });
+}
+
+inline rc::Gen<Case> all_black() {
+  return rc::gen::exec(
+      [] { return pixel("always black", any_settings(), [](int, double) { return Rgb{}; }); });
 }
 
 // Noise that the tolerance is made for: the interval is narrow enough after a few batches. In all
 // three channels alike.
-inline rc::Gen<Case> noise() {
-  return rc::gen::exec([] {
-    AdaptiveSettings settings = any_settings();
+inline rc::Gen<Case> noise(Settings some_settings = any_settings) {
+  return rc::gen::exec([=] {
+    AdaptiveSettings settings = some_settings();
     const Rgb value = any_radiance();
     const double spread = *real(0.1, 1);
-    settings.max_samples = 10 * settings.batch;
-    const double batches = *real(0.7, 9);
+    const double most = static_cast<double>(settings.max_samples) / settings.batch;
+    const double batches = *real(0.7, 1.1 * most);
     settings.tolerance = 1.96 * spread / std::sqrt(3 * batches * settings.batch);
-    return pixel(fmt::format("{} (1 + {} times uniform noise in [-1, 1])", show(value), spread),
-                 settings, [=](int, double xi) { return value * (1 + spread * (2 * xi - 1)); });
+    return pixel(
+        fmt::format("{} (1 + {:.4g} times uniform noise in [-1, 1])", brief(value), spread),
+        settings, [=](int, double xi) { return value * (1 + spread * (2 * xi - 1)); });
   });
 }
 
-inline rc::Gen<Case> two_values() {
-  return rc::gen::exec([] {
-    const Rgb low = any_radiance(), high = 3 * low;
+inline rc::Gen<Case> two_values(Settings settings = any_settings) {
+  return rc::gen::exec([=] {
+    const Rgb low = any_radiance(), high = *real(1.01, 10) * low;
     const double share = *real(0.2, 0.8);
-    return pixel(fmt::format("{}, or with the chance {} {}", show(low), share, show(high)),
-                 any_settings(), [=](int, double xi) { return xi < share ? high : low; });
+    return pixel(fmt::format("{}, or with the chance {:.4g} {}", brief(low), share, brief(high)),
+                 settings(), [=](int, double xi) { return xi < share ? high : low; });
   });
 }
 
@@ -167,25 +202,121 @@ inline rc::Gen<Case> jump() {
     const Rgb value = any_radiance();
     const int constant_for = *whole(0, 5) * settings.batch / 2 + 1;
     const double factor = *real(0.1, 10);
-    return pixel(
-        fmt::format("{}, from sample {} on {} times as much", show(value), constant_for, factor),
-        settings, [=](int i, double) { return i < constant_for ? value : factor * value; });
+    return pixel(fmt::format("{}, from sample {} on {:.4g} times as much", brief(value),
+                             constant_for, factor),
+                 settings,
+                 [=](int i, double) { return i < constant_for ? value : factor * value; });
   });
 }
 
-// Dark but for the first sample of each batch or so: far from narrow, however dark.
+// Two values in turn for some batches, then one of them for good.
+inline rc::Gen<Case> late_jump() {
+  return rc::gen::exec([] {
+    AdaptiveSettings settings = any_settings();
+    settings.max_samples = *whole(6, 12) * settings.batch;
+    settings.tolerance = *magnitude(0.02, 0.4);
+    const Rgb value = any_radiance();
+    const int unsteady_for = *whole(1, 4) * settings.batch - 1;
+    const double factor = *real(2, 10);
+    return pixel(fmt::format("{} and {:.4g} times as much in turn, from sample {} on the latter",
+                             brief(value), factor, unsteady_for),
+                 settings, [=](int i, double) {
+                   return i < unsteady_for && i % 2 == 0 ? value : factor * value;
+                 });
+  });
+}
+
+// Dark but for one sample of each batch or so: for n samples of ten batches at most, sigma /
+// sqrt(n) is a third of the mean or more.
 inline rc::Gen<Case> rarely_lit() {
   return rc::gen::exec([] {
-    const AdaptiveSettings settings = any_settings();
+    AdaptiveSettings settings = any_settings();
+    settings.tolerance = *magnitude(1e-4, 0.05);
     const Rgb value = *magnitude(1e-12, 1) * *color(0.1, 1);
     const int every = settings.batch * *whole(1, 2);
-    return pixel(fmt::format("{} every {} samples, else black", show(value), every), settings,
+    return pixel(fmt::format("{} every {} samples, else black", brief(value), every), settings,
                  [=](int i, double) { return i % every == 0 ? value : Rgb{}; });
   });
 }
 
+// Of one brightness and any hue: constant, and not so in a channel or in the mean of channels.
+inline rc::Gen<Case> one_brightness() {
+  return rc::gen::exec([] {
+    AdaptiveSettings settings = any_settings();
+    settings.max_samples = *whole(2, 10) * settings.batch;
+    const double brightness = *magnitude(1e-4, 1e6);
+    settings.tolerance = *magnitude(1e-4, 0.02);
+    return pixel(fmt::format("any hue of the luminance {:.4g}", brightness), settings,
+                 [=](int i, double xi) {
+                   const Rgb hue = i % 2 == 0 ? Rgb{1 + xi, 0.1, 1 - xi} : Rgb{0.1, 1, xi};
+                   return (brightness / luminance(hue)) * hue;
+                 });
+  });
+}
+
+// Red and green in turn, of the same mean of channels: sigma is half of the mean luminance, and 160
+// samples are far too few.
+inline rc::Gen<Case> red_and_green() {
+  return rc::gen::exec([] {
+    AdaptiveSettings settings = any_settings();
+    settings.tolerance = *magnitude(1e-4, 0.02);
+    const double value = *magnitude(1e-4, 1e6);
+    return pixel(fmt::format("red and green in turn, both {:.4g}", value), settings,
+                 [=](int i, double) {
+                   return i % 2 == 0 ? Rgb{value, 0, 0} : Rgb{0, value, 0};
+                 });
+  });
+}
+
+// A pixel whose count does not hang on the details of sigma; 0: it does.
+struct Known {
+  Case pixel;
+  int samples = 0;
+};
+
+inline void showValue(const Known& known, std::ostream& out) { showValue(known.pixel, out); }
+
+inline rc::Gen<Known> maybe_known() {
+  return rc::gen::exec([] {
+    switch (*whole(0, 2)) {
+      case 0: {
+        const Case c = *constant();
+        return Known{c, c.settings.batch};
+      }
+      case 1: {
+        const Case c = *red_and_green();
+        return Known{c, c.settings.max_samples};
+      }
+      default:
+        return Known{*noise(), 0};
+    }
+  });
+}
+
+// Two values in turn, around 1, of which the condition asks for twenty times fewer samples than a
+// batch or twenty times more than the maximum: even a wrong sigma tells the two apart.
+inline rc::Gen<Known> far_from_the_threshold() {
+  return rc::gen::exec([] {
+    const bool narrow = *rc::gen::arbitrary<bool>();
+    const int batch = *rc::gen::oneOf(whole(2, 20), whole(30, 300));
+    const int most = *whole(2, 5) * batch + *whole(0, 1);
+    const double tolerance = narrow ? *real(0.5, 1) : *magnitude(1e-4, 5e-3);
+    const double samples = narrow ? batch / 20.0 : 20.0 * most;
+    const double spread = std::min(0.9, tolerance * std::sqrt(samples) / 1.96);
+    const Case c = pixel(
+        fmt::format("{:.4g} and {:.4g} in turn", 1 - spread, 1 + spread), {most, batch, tolerance},
+        [=](int i, double) { return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread); });
+    return Known{c, narrow ? batch : most};
+  });
+}
+
 inline rc::Gen<Case> anything() {
-  return rc::gen::oneOf(constant(), noise(), noise(), two_values(), jump(), rarely_lit());
+  return rc::gen::oneOf(constant(), all_black(), noise(), noise(), two_values(), jump(),
+                        late_jump(), rarely_lit());
+}
+
+inline rc::Gen<Case> anything_long() {
+  return rc::gen::oneOf(constant(many_samples), noise(many_samples), two_values(many_samples));
 }
 
 }  // namespace grader::adaptive
