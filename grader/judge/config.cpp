@@ -66,8 +66,10 @@ const Slugs& needs(const std::string& slug) {
 }
 
 const Slugs& asks_the_judge(const std::string& slug) {
-  static const Slugs none, bvh{"hit_box", "hit_triangle", "hit_sphere"}, pixel{"radiance"};
+  static const Slugs none, bvh{"hit_box", "hit_triangle", "hit_sphere"}, pixel{"radiance"},
+      path{"diffuse_bsdf"};
   if (slug == "hit_bvh") return bvh;
+  if (slug == "trace_path") return path;
   return slug == "estimate_pixel" || slug == "adaptive_pixel" ? pixel : none;
 }
 

@@ -47,7 +47,8 @@ Config load_config(const std::string& path);
 // those it calls itself. Scenes are traced by the tasks of part 2.
 const std::vector<std::string>& needs(const std::string& slug);
 
-// The functions that, when the task is judged by itself, the judge answers (names in callbacks).
+// The functions that, when the task is judged by itself, the judge or a mock of its own answers
+// (names in callbacks).
 const std::vector<std::string>& asks_the_judge(const std::string& slug);
 
 }  // namespace grader

@@ -78,6 +78,8 @@ foreach(name hit_box hit_triangle hit_sphere radiance)
   firstlight_json_objects(objects ${name}.callback)
   list(APPEND callbacks "\"${name}\": ${objects}")
 endforeach()
+firstlight_json_objects(objects diffuse_bsdf.mock)
+list(APPEND callbacks "\"diffuse_bsdf\": ${objects}")
 string(JOIN ",\n  " callbacks ${callbacks})
 
 set(tasks)

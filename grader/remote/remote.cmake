@@ -29,7 +29,8 @@ target_link_libraries(grader_graded PUBLIC grader_property nlohmann_json::nlohma
 # What every program that runs tasks consists of, beside the tasks.
 set(FIRSTLIGHT_RENDERER pt_base pt_scene pt_rows)
 
-# The inner calls of a task that come back to the judge when it is judged by itself.
+# The inner calls of a task that come back to the judge when it is judged by itself, or that a mock
+# answers.
 function(firstlight_worker_choices slug)
   set(choices)
   set(radiance path)
@@ -37,6 +38,8 @@ function(firstlight_worker_choices slug)
     set(choices hit_box=callback hit_triangle=callback hit_sphere=callback)
   elseif(slug MATCHES "^(estimate|adaptive)_pixel$")
     set(radiance callback)
+  elseif(slug STREQUAL trace_path)
+    set(choices diffuse_bsdf=mock)
   endif()
   set(WORKER_CHOICES ${choices} PARENT_SCOPE)
   set(WORKER_RADIANCE ${radiance} PARENT_SCOPE)

@@ -1,112 +1,47 @@
-#include "grader/property/closed_forms.h"
-#include "grader/property/generators.h"
-#include "grader/property/property.h"
-#include "grader/property/repeat.h"
-#include "grader/property/rooms.h"
-#include "pt/tasks/trace_path.h"
+#include "grader/tasks/trace_path/cases.h"
 
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace grader {
 namespace {
 
-using pt::PathSettings;
-using pt::Rgb;
-using Direct = PathSettings::Direct;
+using namespace paths;
 
 constexpr int kCases = 12;
-constexpr int kCalls = 4000;
-
-// A room, and what is asked of it.
-struct Case {
-  Room room;
-  PathSettings settings;
-};
-
-void showValue(const Case& c, std::ostream& out) {
-  const PathSettings& s = c.settings;
-  showValue(c.room, out);
-  out << fmt::format("\nbounces {} to {}, direct light by {}, {} samples of it, survival {}",
-                     s.from, s.to, s.direct == Direct::lights ? "lights" : "hemisphere",
-                     s.light_samples, s.survival);
-}
-
-rc::Gen<Rgb> gray(double low, double high) {
-  return rc::gen::map(real(low, high), [](double x) { return pt::gray(x); });
-}
-
-rc::Gen<Direct> either_way() { return rc::gen::element(Direct::lights, Direct::hemisphere); }
-
-// Any bounces from .. to within low .. high.
-rc::Gen<Case> asked_of(const rc::Gen<Room>& rooms, int low, int high, const rc::Gen<Direct>& direct,
-                       const rc::Gen<double>& survival = rc::gen::just(0.7)) {
-  return rc::gen::exec([=] {
-    PathSettings settings;
-    settings.from = *whole(low, high);
-    settings.to = *whole(settings.from, high);
-    settings.direct = *direct;
-    settings.light_samples = *whole(1, 3);
-    settings.survival = *survival;
-    return Case{*rooms, settings};
-  });
-}
-
-std::vector<Rgb> estimates(const Case& c, int calls = kCalls) {
-  return repeat<pt::trace_path>(calls, draw("seed", sampler_seed()), c.room.scene, c.room.point,
-                                c.settings);
-}
-
-void expect_estimate(const Case& c) {
-  const Rgb expected = c.room.sum(std::max(1, c.settings.from), c.settings.to);
-  expect_mean("the mean", mean_of(estimates(c)), expected, 1e-9 * max_channel(expected));
-}
-
-// A patch under two rectangles, one that is only in the list of lights and one that is only a
-// surface: each way of looking for direct light finds one of them, and another answer.
-rc::Gen<Case> under_half_lights() {
-  return rc::gen::exec([] {
-    Stage stage({});
-    const Rectangle left{{-1, 0, 1}, {0, 1, 0}, {1, 0, 0}}, right{{1, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-    const Rgb of_left = *color(1, 4), of_right = *color(5, 9);
-    stage.rectangle(left, of_left, Body::none).surface(right, {}, of_right);
-    const Situation made = stage.patch(*color(0.1, 1), *direction_above()).done();
-    Case c{{made.scene, made.point, {{}, made.expected}, made.text}, {}};
-    c.settings.direct = *either_way();
-    c.settings.light_samples = *whole(1, 8);
-    if (c.settings.direct == Direct::hemisphere) {
-      c.room.bounce[1] = made.point.albedo * of_right / pt::kPi *
-                         cosine_of_polygon(right.corners(), {}, {0, 0, 1});
-    }
-    return c;
-  });
-}
 
 PROMISE(trace_path, starts_with_direct_light) {
-  for_all([] { expect_estimate(*under_half_lights()); }, kCases);
   for_all(
       [] {
-        const Case exact = *asked_of(round_room(gray(0.1, 1)), 1, 1, rc::gen::just(Direct::lights));
+        const HalfLights c = *under_half_lights();
+        expect_mean("the mean", mean_of(estimates(c, c.settings.light_samples)), c.expected,
+                    noise_of_half_lights(c), 4 * kColorPrecision * max_channel(c.expected));
+      },
+      kCases);
+  for_all(
+      [] {
+        const Case exact = *asked_of(round_room(gray(0.1, 1)), bounces(1, 1), rc::gen::just(0.5));
+        const Rgb direct = exact.room.sum(1, 1);
         for (const Rgb& one : estimates(exact, 10)) {
-          expect_near("each estimate of a point light", one, exact.room.bounce[1],
-                      1e-9 * max_channel(exact.room.bounce[1]));
+          expect_near("each estimate of a point light", one, direct, exact.room.precision(1, 1));
         }
       },
       30);
 }
 
+// A hundred samples have a tenth of the noise of one, give or take what the noise of so many calls
+// is known to.
 PROMISE(trace_path, takes_the_light_samples_asked_for) {
   for_all(
       [] {
-        Case c = *under_half_lights();
-        c.settings.light_samples = 1;
-        const Mean one = mean_of(estimates(c));
-        c.settings.light_samples = 16;
-        const Mean many = mean_of(estimates(c));
-        const double ratio = many.standard_error.g / one.standard_error.g;
-        expect(ratio < 0.35, "16 samples of direct light with a quarter of the noise of one",
-               fmt::format("{:.3g} times the noise", ratio));
+        const HalfLights c = *under_half_lights();
+        const Noise one = noise_of(estimates(c, 1), 1), many = noise_of(estimates(c, 100), 1);
+        const double ratio = many.deviation.g / one.deviation.g;
+        const double doubt =
+            kStandardErrors * std::sqrt((one.kurtosis + many.kurtosis) / (4 * kCalls));
+        const double most = 0.1 * (1 + doubt);
+        expect(ratio < most,
+               fmt::format("100 samples of direct light with {:.2g} of the noise of one", most),
+               fmt::format("{:.2g} of the noise", ratio));
       },
       4);
 }
@@ -114,33 +49,48 @@ PROMISE(trace_path, takes_the_light_samples_asked_for) {
 PROMISE(trace_path, matches_the_furnace) {
   for_all(
       [] {
-        Case c = *asked_of(glowing_room(gray(0.2, 0.8)), 1, 5, rc::gen::just(Direct::hemisphere));
-        c.settings.from = draw("from bounce", whole(0, 1));
-        expect_estimate(c);
+        const rc::Gen<Bounces> all = rc::gen::exec([] {
+          return Bounces{*whole(0, 1), *whole(1, 5)};
+        });
+        expect_estimate(*asked_of(glowing_room(gray(0.3, 0.8)), all));
       },
       kCases);
 }
 
 PROMISE(trace_path, adds_up_the_bounces_asked_for) {
+  for_all([] { expect_estimate(*asked_of(round_room(gray(0.3, 0.8)), bounces(1, 4))); }, 30);
   for_all(
       [] {
-        expect_estimate(*asked_of(round_room(gray(0.2, 0.8)), 1, 4, rc::gen::just(Direct::lights)));
+        const rc::Gen<Bounces> many = rc::gen::exec([] {
+          return Bounces{*whole(0, 2), *rc::gen::element(0, 8, 30, 100)};
+        });
+        expect_estimate(*asked_of(round_room(gray(0.1, 0.35)), many));
       },
-      30);
+      kCases);
+  for_all(
+      [] {
+        const rc::Gen<Bounces> none = rc::gen::exec([] {
+          const int to = *rc::gen::element(0, 1, 2, 8, 99);
+          return Bounces{*whole(to + 1, 100), to};
+        });
+        for (const Rgb& one : estimates(*asked_of(round_room(gray(0.3, 0.8)), none), 50)) {
+          expect_near("each estimate of no bounce at all", one, {}, 0);
+        }
+      },
+      kCases);
 }
 
-// In the closed room only up to .95: without a cap, all paths but those that die go on for ever.
 PROMISE(trace_path, does_not_depend_on_survival) {
   for_all(
       [] {
-        expect_estimate(*asked_of(round_room(gray(0.2, 0.6)), 1, 4, rc::gen::just(Direct::lights),
-                                  real(0.3, 0.95)));
+        expect_estimate(*asked_of(round_room(gray(0.3, 0.6)), bounces(1, 4), real(0.3, 0.95)));
       },
       30);
   for_all(
       [] {
-        expect_estimate(*asked_of(sunny_wall(gray(0.2, 0.8)), 2, 5, rc::gen::just(Direct::lights),
-                                  rc::gen::element(0.1, 0.3, 1.0)));
+        expect_estimate(
+            *asked_of(round_room(gray(0.3, 0.8)), bounces(2, 3), rc::gen::element(0.05, 0.1, 1.0)),
+            2 * kCalls);
       },
       kCases);
 }
@@ -148,106 +98,204 @@ PROMISE(trace_path, does_not_depend_on_survival) {
 PROMISE(trace_path, takes_the_first_turn_always) {
   for_all(
       [] {
-        Case c = *asked_of(round_room(gray(0.2, 0.8)), 2, 4, rc::gen::just(Direct::lights),
-                           real(0.2, 0.9));
-        c.settings.from = 2;
-        for (const Rgb& one : estimates(c, 200)) {
+        const Case c = *asked_of(round_room(gray(0.2, 0.8)), bounces(2, 2), real(0.05, 0.9));
+        const std::vector<Rgb> found = estimates(c, 1000);
+        for (const Rgb& one : found) {
           expect(max_channel(one) > 0, "light from the second bounce in every estimate",
                  "none: the path ended before it");
         }
+        expect_mean_of(c, found);
       },
       kCases);
 }
 
 PROMISE(trace_path, ends_at_the_cap) {
   for_all(
-      [] {
-        expect_estimate(*asked_of(round_room(gray(0.8, 1)), 1, 4, rc::gen::just(Direct::lights),
-                                  real(0.8, 0.95)));
-      },
+      [] { expect_estimate(*asked_of(round_room(gray(0.8, 1)), bounces(1, 4), real(0.8, 0.95))); },
       kCases);
+}
+
+// Whatever the chance to survive, a bounce that a sixth of all paths reach leads to a next one: if
+// a path goes on with a chance of .04 (by the throughput, from bounce 2 on in a room of albedo .2),
+// 24 of 600 do, and none by a chance of 4e-11.
+PROMISE(trace_path, goes_on_up_to_the_cap) {
+  constexpr int kPaths = 600, kMany = 100;
+  for_all(
+      [&] {
+        const Case c = *rc::gen::exec([] {
+          const double albedo = *rc::gen::oneOf(real(0.2, 1), rc::gen::just(1.0));
+          // So many bounces as a float can tell of: 1e-25 of the light is left.
+          const double most = albedo < 1 ? -57 / std::log(albedo) : 100;
+          const int to = std::clamp(static_cast<int>(most), 10, 100);
+          return *asked_of(round_room(gray(albedo, albedo)), rc::gen::just(Bounces{to, to}),
+                           rc::gen::element(1.0, 1.0, 1.0, 0.8));
+        });
+        int reached = 2, not_reached = c.settings.to + 1;
+        while (not_reached - reached > 1) {
+          // The cap itself first.
+          const int k = not_reached > c.settings.to ? c.settings.to : (reached + not_reached) / 2;
+          (lit(c, k, kPaths) >= kMany ? reached : not_reached) = k;
+        }
+        if (reached == c.settings.to) return;
+        expect(lit(c, not_reached, kPaths) > 0,
+               fmt::format("paths that go on after bounce {}, as many reach it", reached),
+               fmt::format("none of {} that brings light of bounce {}", kPaths, not_reached));
+      },
+      8);
+  // Where all paths leave the scene after the second bounce, there is nothing to reach.
+  for_all(
+      [&] {
+        const Case c = *asked_of(sunny_wall(gray(0.2, 1)), bounces_from(3, 3, 100));
+        expect(lit(c, 3, kPaths) == 0, "a path that leaves the scene ends there",
+               "light of bounce 3 in a scene without one");
+      },
+      8);
 }
 
 PROMISE(trace_path, counts_emission_once) {
   for_all(
       [] {
-        Case c = *asked_of(room_around_a_lamp(gray(0.2, 0.8)), 1, 4, either_way());
-        c.settings.from = *whole(0, c.settings.from);
-        expect_estimate(c);
+        const rc::Gen<Bounces> which = rc::gen::exec([] {
+          const Bounces some = *bounces(1, 4);
+          return Bounces{*whole(0, some.from), some.to};
+        });
+        expect_estimate(*asked_of(room_around_a_lamp(gray(0.3, 0.8), either_way()), which));
       },
       24);
 }
 
+// One channel is bright everywhere: roulette by the throughput keeps enough paths.
 PROMISE(trace_path, tints_at_each_bounce) {
   for_all(
       [] {
-        expect_estimate(
-            *asked_of(room_around_a_lamp(color(0, 1)), 2, 4, rc::gen::just(Direct::lights)));
+        const Case c = *rc::gen::exec([] {
+          const int bright = *whole(0, 2);
+          const rc::Gen<Rgb> tint = rc::gen::map(color(0, 1), [=](Rgb albedo) {
+            albedo[bright] = 0.3 + 0.7 * albedo[bright];
+            return albedo;
+          });
+          return *asked_of(room_around_a_lamp(tint, rc::gen::just(Direct::lights)), bounces(2, 4));
+        });
+        expect_estimate(c);
       },
       kCases);
 }
 
 PROMISE(trace_path, weighs_by_the_cosine) {
-  for_all(
-      [] {
-        expect_estimate(*asked_of(sunny_wall(gray(0.2, 1)), 2, 4, rc::gen::just(Direct::lights)));
-      },
-      20);
+  for_all([] { expect_estimate(*asked_of(sunny_wall(gray(0.2, 1)), bounces(2, 2))); }, 20);
 }
 
-PROMISE(trace_path, follows_the_new_ray) {
-  for_all(
-      [] {
-        Case c = *asked_of(round_room(gray(0.2, 0.8)), 2, 3, rc::gen::just(Direct::lights));
-        c.settings.from = 2;
-        expect_estimate(c);
-      },
-      20);
-}
-
-// A lone patch under the sky.
-PROMISE(trace_path, brings_nothing_from_outside) {
+// Seen straight from above, our diffuse_sample chooses uniformly (stand_ins/mock_diffuse_bsdf.cpp).
+PROMISE(trace_path, uses_the_density_of_the_sample) {
   for_all(
       [] {
         const Case c = *rc::gen::exec([] {
-          Stage stage({{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, *point(), *magnitude(1e-2, 1e2)});
-          const Situation made =
-              stage.sky(*color(0.25, 4)).patch(*color(0.1, 1), *direction_above()).done();
-          const rc::Gen<Room> under_the_sky = rc::gen::just(
-              Room{made.scene, made.point, std::vector<Rgb>(kMostBounces + 1), made.text});
-          return *asked_of(under_the_sky, 2, 5, either_way());
+          Case made = *asked_of(sunny_wall(gray(0.2, 1), 0.3), bounces(2, 2));
+          made.room.point.wo = made.room.point.n;
+          return made;
         });
-        for (const Rgb& one : estimates(c, 200)) {
-          expect_near("each estimate of what bounces twice or more", one, {}, 0);
-        }
+        expect_estimate(c);
       },
       kCases);
 }
 
-PROMISE(trace_path, stays_finite) {
-  // A black room: nothing comes back.
+PROMISE(trace_path, follows_the_new_ray) {
+  for_all([] { expect_estimate(*asked_of(round_room(gray(0.3, 0.8)), bounces(2, 3))); }, 20);
+}
+
+PROMISE(trace_path, brings_nothing_from_outside) {
   for_all(
       [] {
-        const Case c = *asked_of(round_room(gray(0, 0)), 1, 6, either_way());
-        for (const Rgb& one : estimates(c, 50)) expect_near("each estimate", one, {}, 0);
+        expect_estimate(
+            *asked_of(wall_under_the_sky(color(0.1, 1), either_way()), bounces_from(2, 2, 5)));
       },
-      10);
-  // Looked at exactly along the surface.
+      kCases);
+}
+
+PROMISE(trace_path, keeps_what_it_has_found) {
+  for_all([] { expect_estimate(*asked_of(sunny_wall(gray(0.2, 1)), bounces_from(1, 2, 5))); }, 20);
+}
+
+PROMISE(trace_path, takes_any_amount_of_light) {
   for_all(
       [] {
-        Case c = *asked_of(room_around_a_lamp(gray(0, 1)), 1, 6, either_way());
-        const pt::Frame axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        c.room.point.n = c.room.point.geometric_normal = axes.z;
-        c.room.point.frame = axes;
-        c.room.point.p = c.room.scene.primitives.spheres[0].center -
-                         c.room.scene.primitives.spheres[0].radius * axes.z;
-        c.room.point.wo = axes.x;
-        for (const Rgb& one : estimates(c, 50)) {
-          expect(pt::is_finite(one) && one.r >= 0 && one.g >= 0 && one.b >= 0,
-                 "finite estimates, none below 0", show(one));
+        expect_estimate(*asked_of(round_room(gray(0.3, 0.8), extreme()), bounces(1, 3)), 2000);
+      },
+      kCases);
+  for_all(
+      [] {
+        expect_estimate(
+            *asked_of(room_around_a_lamp(gray(0.3, 0.8), either_way(), extreme()), bounces(1, 3)),
+            2000);
+      },
+      kCases);
+}
+
+// Pairs of estimates, the second from the sampler as the first left it.
+PROMISE(trace_path, draws_from_the_sampler_alone) {
+  constexpr int kPairs = 300;
+  const auto estimate = [](const Case& c, pt::Sampler& sampler) {
+    return pt::trace_path(c.room.scene, c.room.point, c.settings, sampler);
+  };
+  for_all(
+      [&] {
+        const Case before = *asked_of(sunny_wall(gray(0.2, 1)), bounces(1, 5));
+        const Case c = *asked_of(round_room(gray(0.3, 0.8)), bounces(2, 2));
+        std::vector<double> firsts, seconds;
+        for (int i = 0; i < kPairs; ++i) {
+          const pt::Sampler start = pt::Sampler::for_pixel(c.seed, i, 1);
+          pt::Sampler sampler = start;
+          const Rgb first = estimate(c, sampler);
+          expect(sampler.state() != start.state(), "the sampler moved on", "as it was");
+          const Rgb second = estimate(c, sampler);
+          expect(first.g != second.g, "two estimates that differ, one after the other",
+                 "twice the same");
+          if (i < 10) {
+            pt::Sampler again = start;
+            estimate(before, sampler);
+            expect_near("the same estimate again", estimate(c, again), first, 0);
+          }
+          firsts.push_back(first.g);
+          seconds.push_back(second.g);
         }
+        const double found = correlation(firsts, seconds);
+        expect(std::abs(found) < kStandardErrors / std::sqrt(kPairs),
+               "two estimates that have nothing to do with each other",
+               fmt::format("a correlation of {:.2g}", found));
       },
-      10);
+      4);
+}
+
+// Seen almost along the surface, and with channels in which nothing is reflected. One path of
+// fifteen finds light, or more.
+PROMISE(trace_path, stays_finite) {
+  for_all(
+      [] {
+        const Case c = *rc::gen::exec([] {
+          const bool all = *rc::gen::element(true, false, false);
+          const rc::Gen<Rgb> some_black = rc::gen::map(color(0.3, 0.8), [=](Rgb albedo) {
+            return all ? Rgb{} : Rgb{0, albedo.g, albedo.b};
+          });
+          const rc::Gen<Bounces> which = rc::gen::exec([] {
+            return Bounces{*whole(1, 2), *whole(2, 6)};
+          });
+          Case made = *asked_of(room_around_a_lamp(some_black, either_way()), which);
+          const double z = *magnitude(1e-5, 0.1);
+          const pt::Vec3 wo{std::sqrt(1 - z * z), 0, z};
+          made.room.point.wo = made.room.point.frame.to_world(wo);
+          return made;
+        });
+        bool lit = is_black(c.room.point.albedo);
+        for (const Rgb& one : estimates(c, 500)) {
+          expect(pt::is_finite(one) && one.g >= 0 && one.b >= 0, "finite estimates, none below 0",
+                 show(one));
+          expect(one.r == 0, "no red where nothing reflects red", show(one));
+          if (is_black(c.room.point.albedo)) expect(is_black(one), "black", show(one));
+          lit = lit || one.g > 0;
+        }
+        expect(lit, "light in some of 500 estimates", "none");
+      },
+      2 * kCases);
 }
 
 }  // namespace

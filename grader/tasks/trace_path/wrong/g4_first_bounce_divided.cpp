@@ -1,4 +1,4 @@
-// breaks: follows_the_new_ray
+// breaks: takes_the_first_turn_always
 // The first turn is certain, and yet divided by the chance to survive.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"

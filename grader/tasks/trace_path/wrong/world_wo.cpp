@@ -1,4 +1,4 @@
-// breaks: stays_finite
+// breaks: follows_the_new_ray
 // wo is given to the BSDF in world space: often below the surface.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"

@@ -1,5 +1,5 @@
 // breaks: stays_finite
-// Divides by the pdf without asking whether it is 0.
+// A view that grazes the surface is taken for one from below.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -32,6 +32,7 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
   }
 
   const BsdfSample turn = diffuse_sample(point.albedo, point.frame.to_local(point.wo), sampler);
+  if (turn.pdf <= 0) return sum;
   const Ray ray = spawn_ray(point, point.frame.to_world(turn.wi));
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
@@ -45,6 +46,7 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
 Rgb trace_path(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
                Sampler& sampler) {
   if (settings.to < 1) return {};
+  if (dot(point.n, point.wo) < 0.02) return {};
   return from_bounce(1, scene, point, settings, sampler);
 }
 

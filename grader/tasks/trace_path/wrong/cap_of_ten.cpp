@@ -1,4 +1,5 @@
-// right: knows that f cos / pdf of the cosine-weighted samples is the albedo.
+// breaks: goes_on_up_to_the_cap
+// Never more than ten bounces.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -22,7 +23,7 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
                 const PathSettings& settings, Sampler& sampler) {
   Rgb sum;
   if (bounce >= settings.from) sum += direct(scene, point, settings, sampler);
-  if (bounce >= settings.to) return sum;
+  if (bounce >= settings.to || bounce >= 10) return sum;
 
   double chance = 1;
   if (bounce > 1) {
@@ -36,7 +37,7 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
   const SurfacePoint next = surface_point(scene, ray, *hit);
-  const Rgb weight = point.albedo / chance;
+  const Rgb weight = turn.f * (turn.wi.z / turn.pdf / chance);
   return sum + weight * from_bounce(bounce + 1, scene, next, settings, sampler);
 }
 

@@ -1,0 +1,187 @@
+#pragma once
+
+#include "grader/property/closed_forms.h"
+#include "grader/property/generators.h"
+#include "grader/property/property.h"
+#include "grader/property/repeat.h"
+#include "grader/property/rooms.h"
+#include "pt/tasks/trace_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+// Rooms, what is asked of them, and how noisy an answer may be.
+
+namespace grader::paths {
+
+using pt::PathSettings;
+using pt::Rgb;
+using Direct = PathSettings::Direct;
+
+inline constexpr int kCalls = 4000;
+
+struct Case {
+  Room room;
+  PathSettings settings;
+  std::uint64_t seed = 0;
+};
+
+inline void showValue(const Case& c, std::ostream& out) {
+  const PathSettings& s = c.settings;
+  showValue(c.room, out);
+  out << fmt::format("\nbounces {} to {}; direct light by {}, samples {}; survival {:.4g}", s.from,
+                     s.to, s.direct == Direct::lights ? "lights" : "hemisphere", s.light_samples,
+                     s.survival);
+}
+
+// Bounces to add up, from .. to.
+struct Bounces {
+  int from = 1, to = 1;
+};
+
+// Any of low .. high.
+inline rc::Gen<Bounces> bounces(int low, int high) {
+  return rc::gen::exec([=] {
+    const int from = *whole(low, high);
+    return Bounces{from, *whole(from, high)};
+  });
+}
+
+inline rc::Gen<Rgb> gray(double low, double high) {
+  return rc::gen::map(real(low, high), [](double x) { return pt::gray(x); });
+}
+
+inline rc::Gen<Direct> either_way() { return rc::gen::element(Direct::lights, Direct::hemisphere); }
+
+// Up to any of low .. high.
+inline rc::Gen<Bounces> bounces_from(int from, int low, int high) {
+  return rc::gen::map(whole(low, high), [=](int to) { return Bounces{from, to}; });
+}
+
+// By default hardly a path dies, so that what is wrong with roulette alone breaks only the promises
+// in which survival varies. (None at all, and a path without a cap would go on for ever.)
+inline rc::Gen<Case> asked_of(const rc::Gen<Room>& rooms, const rc::Gen<Bounces>& which,
+                              const rc::Gen<double>& survival = rc::gen::just(0.998)) {
+  return rc::gen::exec([=] {
+    Case c{*rooms, {}, 0};
+    const Bounces asked = *which;
+    c.settings.from = asked.from;
+    c.settings.to = asked.to;
+    c.settings.direct = c.room.direct;
+    c.settings.light_samples = *whole(1, 3);
+    c.settings.survival = *survival;
+    c.seed = *sampler_seed();
+    return c;
+  });
+}
+
+inline std::vector<Rgb> estimates(const Case& c, int calls) {
+  return repeat<pt::trace_path>(calls, c.seed, c.room.scene, c.room.point, c.settings);
+}
+
+// The largest that the contract allows: twice that of survival .3 or less and of tasks that are as
+// noisy as they may be.
+inline Noise allowed_noise(const Case& c) {
+  return {2 * deviation(c.room, c.settings, {std::min(0.3, c.settings.survival), 2, 2})};
+}
+
+// Where few paths find anything, their own spread tells little of the error of their mean: at least
+// the error of the usual method is allowed.
+inline double error_by_chance(const Case& c, const Mean& got) {
+  const Rgb usual = deviation(c.room, c.settings, {c.settings.survival});
+  double more = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    more = std::max(more, usual[channel] / std::sqrt(got.n) - got.standard_error[channel]);
+  }
+  return kStandardErrors * more;
+}
+
+inline void expect_mean_of(const Case& c, const std::vector<Rgb>& found) {
+  const Mean got = mean_of(found);
+  const int from = std::max(1, c.settings.from), to = c.settings.to;
+  expect_mean("the mean", got, c.room.sum(from, to), allowed_noise(c),
+              c.room.precision(from, to) + error_by_chance(c, got));
+}
+
+inline void expect_estimate(const Case& c, int calls = kCalls) {
+  expect_mean_of(c, estimates(c, calls));
+}
+
+// A patch under two rectangles, one that is only in the list of lights and one that is only a
+// surface: each way of looking for direct light finds one of them, and another answer.
+struct HalfLights {
+  Situation situation;
+  PathSettings settings;
+  Rgb expected;
+  std::uint64_t seed = 0;
+};
+
+inline void showValue(const HalfLights& c, std::ostream& out) {
+  showValue(c.situation, out);
+  out << fmt::format("\nbounces {} to 1; direct light by {}, samples {}", c.settings.from,
+                     c.settings.direct == Direct::lights ? "lights" : "hemisphere",
+                     c.settings.light_samples);
+}
+
+inline rc::Gen<HalfLights> under_half_lights() {
+  return rc::gen::exec([] {
+    Stage stage({});
+    const Rectangle left{{-1, 0, 1}, {0, 1, 0}, {1, 0, 0}}, right{{1, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+    const Rgb of_left = *color(1, 4), of_right = *color(5, 9);
+    stage.rectangle(left, of_left, Body::none).surface(right, {}, of_right);
+    HalfLights c{stage.patch(*color(0.1, 1), *direction_above()).done(), {}, {}, *sampler_seed()};
+    c.settings.from = *whole(0, 1);
+    c.settings.direct = *either_way();
+    c.settings.light_samples = *rc::gen::element(1, 2, 8, 40);
+    c.expected = c.situation.expected;
+    if (c.settings.direct == Direct::hemisphere) {
+      c.expected = c.situation.point.albedo * of_right / pt::kPi *
+                   cosine_of_polygon(right.corners(), {}, {0, 0, 1});
+    }
+    return c;
+  });
+}
+
+inline std::vector<Rgb> estimates(const HalfLights& c, int light_samples) {
+  PathSettings settings = c.settings;
+  settings.light_samples = light_samples;
+  return repeat<pt::trace_path>(kCalls, c.seed, c.situation.scene, c.situation.point, settings);
+}
+
+// A point of the left light at the squared distance r brings its mean 1 / r^2, of 1 / 3.5^2 to
+// 1 / 1.25^2, times its density, and a deviation is no more than half of such a range. A direction
+// meets the right light rarely, and brings up to 2 / cos of it.
+inline Noise noise_of_half_lights(const HalfLights& c) {
+  const Rgb mean = c.expected;
+  const Rgb one = c.settings.direct == Direct::lights
+                      ? mean * (0.5 * (3.5 * 3.5 / (1.25 * 1.25) - 1))
+                      : mean * std::sqrt(2 * pt::kPi / 0.25);
+  return {2 * one / std::sqrt(c.settings.light_samples)};
+}
+
+// How many of so many estimates of bounce k alone are more than black.
+inline int lit(Case c, int k, int calls) {
+  c.settings.from = c.settings.to = k;
+  const std::vector<Rgb> all = estimates(c, calls);
+  return static_cast<int>(
+      std::count_if(all.begin(), all.end(), [](const Rgb& one) { return max_channel(one) > 0; }));
+}
+
+inline double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const double n = static_cast<double>(a.size());
+  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
+  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
+  double products = 0, squares_a = 0, squares_b = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    products += (a[i] - mean_a) * (b[i] - mean_b);
+    squares_a += (a[i] - mean_a) * (a[i] - mean_a);
+    squares_b += (b[i] - mean_b) * (b[i] - mean_b);
+  }
+  return products / std::sqrt(squares_a * squares_b);
+}
+
+}  // namespace grader::paths

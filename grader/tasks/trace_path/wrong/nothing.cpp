@@ -1,0 +1,9 @@
+// breaks: starts_with_direct_light
+// Returns black, and draws nothing.
+#include "pt/tasks/trace_path.h"
+
+namespace pt {
+
+Rgb trace_path(const Scene&, const SurfacePoint&, const PathSettings&, Sampler&) { return {}; }
+
+}  // namespace pt
