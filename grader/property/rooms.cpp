@@ -217,16 +217,38 @@ Wall wall_above(const rc::Gen<Rgb>& albedo, double tilt) {
 
 }  // namespace
 
-// The wall faces the point, and what is in the sun on that side of it does not hide the sun.
+namespace {
+
+// Whether a ray from the origin along d meets the rectangle, or passes it by less than 2 % of it.
+bool meets(const Rectangle& shape, Vec3 d) {
+  const double t = dot(shape.center, shape.n()) / dot(d, shape.n());
+  if (!(t > 0)) return false;
+  const Vec3 q = t * d - shape.center;
+  return std::abs(dot(q, shape.u)) < 0.51 * length_squared(shape.u) &&
+         std::abs(dot(q, shape.v)) < 0.51 * length_squared(shape.v);
+}
+
+}  // namespace
+
+// The first sun lights the wall, on the side that faces the point, and mostly from below the point.
+// The second one is above the point, if the wall does not hide it. Neither is hidden from the wall.
 rc::Gen<Room> sunny_wall(const rc::Gen<Rgb>& albedo, double tilt) {
   return rc::gen::exec([=] {
     Wall wall = wall_above(albedo, tilt);
-    const Rgb of_point = *albedo, irradiance = *color(0.25, 4);
-    const Vec3 to_sun = pt::frame_from_normal(wall.shape.n()).to_world(*direction_above(1.2));
-    wall.stage.directional_light(to_sun, irradiance);
-    return wall.seen_from(of_point, Direct::lights,
-                          of_point * irradiance * (std::max(0.0, to_sun.z) / pt::kPi),
-                          wall.albedo * irradiance * (dot(to_sun, wall.shape.n()) / pt::kPi), {});
+    const Rgb of_point = *albedo;
+    const Vec3 n = wall.shape.n();
+    Rgb here, on_wall;
+    const auto add_sun = [&](Vec3 towards) {
+      const Rgb irradiance = *color(0.25, 4);
+      wall.stage.directional_light(towards, irradiance);
+      here += irradiance * std::max(0.0, towards.z);
+      on_wall += irradiance * std::max(0.0, dot(towards, n));
+    };
+    add_sun(pt::frame_from_normal(n).to_world(*direction_above(1.2)));
+    const Vec3 second = *direction_above(1.3);
+    if (!meets(wall.shape, second)) add_sun(second);
+    return wall.seen_from(of_point, Direct::lights, of_point * here / pt::kPi,
+                          wall.albedo * on_wall / pt::kPi, {});
   });
 }
 

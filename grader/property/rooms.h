@@ -74,9 +74,9 @@ rc::Gen<Room> room_around_a_lamp(const rc::Gen<pt::Rgb>& albedo,
 // A furnace: all walls of a cube glow and reflect alike. No light is in the list.
 rc::Gen<Room> glowing_room(const rc::Gen<pt::Rgb>& albedo);
 
-// A wall in the sun, seen by a point that is on no surface of the scene and may be in the sun
-// itself. A path bounces to the wall or leaves the scene. The wall is at most `tilt` from straight
-// above the point.
+// A wall in the sun, seen by a point that is on no surface of the scene, and mostly in the light of
+// another sun itself. A path bounces to the wall or leaves the scene. The wall is at most `tilt`
+// from straight above the point.
 rc::Gen<Room> sunny_wall(const rc::Gen<pt::Rgb>& albedo, double tilt = 0.9);
 
 // The same under the sky alone, which the point itself sees too: only bounces from 2 on are known.
