@@ -1,7 +1,8 @@
 // When a mistake is named: on constructed answers, with numbers whose errors are known.
+#include "grader/mistakes/naming.h"
+
 #include "grader/mistakes/compare.h"
 #include "grader/mistakes/known.h"
-#include "grader/mistakes/naming.h"
 #include "pt/error.h"
 
 #include <cmath>
@@ -73,7 +74,8 @@ TEST(answers, that_are_means_agree_unless_chance_does_not_explain_it) {
 }
 
 Fingerprint mistake(const std::string& name, double value, std::vector<std::string> broken) {
-  return {name, "Says " + name + ".", "hash", false, std::move(broken), {}, {exact({value}), exact({5})}};
+  return {name, "Says " + name + ".",        "hash", false, std::move(broken),
+          {},   {exact({value}), exact({5})}};
 }
 
 KnownTask known() {
@@ -101,10 +103,10 @@ Evidence evidence(double value, std::set<std::string> broken, std::set<std::stri
 TEST(naming, takes_all_evidence_together) {
   const KnownTask task = known();
   EXPECT_EQ(names(task, evidence(2, {"a", "b"}, {"c"})), "two");
-  EXPECT_EQ(names(task, evidence(2, {"a"}, {"b", "c"})), "");       // it should break b
-  EXPECT_EQ(names(task, evidence(2, {"a", "b", "c"}, {})), "");     // and not c
-  EXPECT_EQ(names(task, evidence(2.5, {"a", "b"}, {"c"})), "");     // other answers
-  EXPECT_EQ(names(task, evidence(4, {"b"}, {"a", "c"})), "four");   // a is broken at times
+  EXPECT_EQ(names(task, evidence(2, {"a"}, {"b", "c"})), "");      // it should break b
+  EXPECT_EQ(names(task, evidence(2, {"a", "b", "c"}, {})), "");    // and not c
+  EXPECT_EQ(names(task, evidence(2.5, {"a", "b"}, {"c"})), "");    // other answers
+  EXPECT_EQ(names(task, evidence(4, {"b"}, {"a", "c"})), "four");  // a is broken at times
   EXPECT_EQ(names(task, evidence(4, {"a", "b"}, {"c"})), "four");
   Evidence crashed = evidence(2, {"a", "b"}, {"c"});
   crashed.answers[1] = ended("crash");

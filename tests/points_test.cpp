@@ -1,5 +1,6 @@
 // What promises and pictures earn, and what one cause costs.
 #include "grader/judge/points.h"
+
 #include "pt/error.h"
 #include "pt/file.h"
 #include "tests/temporary_folder.h"

@@ -78,7 +78,8 @@ int main(int argc, char** argv) {
   app.add_option("--promises", options.promises, "only these: names as in --gtest_filter");
   app.add_flag_callback("--no-shrinking", grader::never_shrink, "keep the first input that fails");
   app.add_option("--seed", options.seed, "of all random inputs");
-  app.add_option("--battery", options.battery, "run the battery instead: where to write the answers");
+  app.add_option("--battery", options.battery,
+                 "run the battery instead: where to write the answers");
   app.add_option("--draws", options.draws, "of the battery: times the usual number")
       ->check(CLI::PositiveNumber);
   app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");

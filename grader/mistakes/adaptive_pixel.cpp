@@ -88,10 +88,12 @@ void maxima(Battery& battery) {
 void darkness(Battery& battery) {
   for (const double value : {1e-9, 1e-4, 1.0}) {
     for (const int every : {5, 16, 24}) {
-      ask(battery, {80, 8, 0.05},
-          [=](int i) { return i % every == 0 ? Rgb{value, value, value} : Rgb{}; });
-      ask(battery, {80, 8, 0.05},
-          [=](int i) { return i % every == every - 1 ? Rgb{value, value, value} : Rgb{}; });
+      ask(battery, {80, 8, 0.05}, [=](int i) {
+        return i % every == 0 ? Rgb{value, value, value} : Rgb{};
+      });
+      ask(battery, {80, 8, 0.05}, [=](int i) {
+        return i % every == every - 1 ? Rgb{value, value, value} : Rgb{};
+      });
     }
     ask(battery, {200, 8, 0.1}, [=](int i) { return noisy(i, {value, value, value}, 1); });
   }

@@ -7,11 +7,11 @@ namespace grader {
 
 namespace {
 
-constexpr double kPrecision = 1e-6;     // of exact numbers
-constexpr double kMaxStandard = 5;      // errors that one mean may be off: 6e-7 by chance
-constexpr double kMaxKept = 2.5;        // the same where it decides what the file need not hold
-constexpr double kSumDeviations = 4;    // of the sum of squares, above what it is on average
-constexpr double kCorrelated = 5;       // the means of one answer come from the same draws
+constexpr double kPrecision = 1e-6;   // of exact numbers
+constexpr double kMaxStandard = 5;    // errors that one mean may be off: 6e-7 by chance
+constexpr double kMaxKept = 2.5;      // the same where it decides what the file need not hold
+constexpr double kSumDeviations = 4;  // of the sum of squares, above what it is on average
+constexpr double kCorrelated = 5;     // the means of one answer come from the same draws
 
 // Of the numbers that were compared.
 struct Deviation {

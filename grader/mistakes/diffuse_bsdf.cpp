@@ -22,7 +22,7 @@ Vec3 towards(double z, double phi) {
 }
 
 void values(Battery& battery) {
-  constexpr std::array<double, 2> kCosines[] = {{.9, .8}, {.3, .9},  {.9, .1},  {.5, .5},
+  constexpr std::array<double, 2> kCosines[] = {{.9, .8},  {.3, .9},  {.9, .1},   {.5, .5},
                                                 {.5, -.5}, {-.4, .6}, {-.7, -.3}, {-.1, -.9}};
   for (const auto& [out, in] : kCosines) {
     battery.ask([&] { return numbers(pt::diffuse_f(kAlbedo, towards(out, 1), towards(in, 3))); });

@@ -33,10 +33,10 @@ void lights(Battery& battery) {
   ask(battery, Stage(here()).surface(kAbove, {0.2, 0.7, 0.4}, kRadiance).patch(kAlbedo, kTilted));
   ask(battery, Stage(here()).surface(kAbove, {0.2, 0.7, 0.4}).patch(kAlbedo, kTilted));
   ask(battery, Stage(here()).rectangle(kAbove, kRadiance, Body::none).patch(kAlbedo, kTilted));
-  ask(battery, Stage(here()).surface(kAbove.flipped(), {.4, .4, .4}, kRadiance).patch(kAlbedo, kTilted));
-  ask(battery, Stage(here())
-                   .rectangle(kAbove, kRadiance, Body::surface, 0.4)
-                   .patch(kAlbedo, kTilted));
+  ask(battery,
+      Stage(here()).surface(kAbove.flipped(), {.4, .4, .4}, kRadiance).patch(kAlbedo, kTilted));
+  ask(battery,
+      Stage(here()).rectangle(kAbove, kRadiance, Body::surface, 0.4).patch(kAlbedo, kTilted));
   // The point itself glows, with and without other light.
   const pt::Rgb glow{5, 4, 3};
   ask(battery, Stage(here()).patch(kAlbedo, kTilted, false, glow));
@@ -48,9 +48,8 @@ void lights(Battery& battery) {
 
 void samples(Battery& battery) {
   for (const int each : {2, 4, 16, 40}) {
-    ask(battery,
-        Stage(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted), each,
-        2000);
+    ask(battery, Stage(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted),
+        each, 2000);
   }
 }
 

@@ -61,11 +61,13 @@ void area_lights(Battery& battery) {
     ask(battery, patch().mesh(kAside, kRadiance, body));
     ask(battery, patch().rectangle(kAbove.flipped(), kRadiance, body));
     ask(battery, patch().rectangle(kAbove, kRadiance, body, 0.4));
-    ask(battery, patch().rectangle(kAbove, kRadiance, body).surface(behind_the_light, {.5, .5, .5}));
+    ask(battery,
+        patch().rectangle(kAbove, kRadiance, body).surface(behind_the_light, {.5, .5, .5}));
   }
   ask(battery, patch(turned({1, 2, 3})).rectangle(kAside, kRadiance, Body::surface));
   ask(battery, patch(turned({-1, 0.1, 0}), true).rectangle(kAside, kRadiance, Body::surface));
-  ask(battery, patch(turned({0.2, -1, 0.4}), true).ball({0.5, 0.3, 1.4}, 0.5, kRadiance, Body::none));
+  ask(battery,
+      patch(turned({0.2, -1, 0.4}), true).ball({0.5, 0.3, 1.4}, 0.5, kRadiance, Body::none));
   // Half of it is below the horizon.
   ask(battery, patch().rectangle({{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, kRadiance, Body::none));
   ask(battery, Stage(here())

@@ -47,8 +47,8 @@ void means(Battery& battery) {
           survival = survival && call.settings.survival == expected.survival;
           normals = normals && call.settings.show_normals;
         }
-        return {mean.r,     mean.g,       mean.b,        static_cast<double>(calls.size()),
-                flag(from), flag(to),     flag(direct),  flag(lights),
+        return {mean.r,         mean.g,       mean.b,       static_cast<double>(calls.size()),
+                flag(from),     flag(to),     flag(direct), flag(lights),
                 flag(survival), flag(normals)};
       });
     }

@@ -61,9 +61,9 @@ void beside(Battery& battery, Many& make) {
 
 // Where the ray begins and ends: 1 is where it enters the box, 2 where it leaves.
 void ranges(Battery& battery, Many& make) {
-  constexpr std::array<double, 2> kRanges[] = {{0, .5},    {.5, 1.5}, {1.2, 1.8}, {1.5, 9},
-                                               {2.5, 9},   {0, 9},    {-9, -1},   {1.2, 9},
-                                               {.5, 2.5},  {2.2, 2.5}, {.2, .7}};
+  constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5},  {1.2, 1.8}, {1.5, 9},
+                                               {2.5, 9},  {0, 9},     {-9, -1},   {1.2, 9},
+                                               {.5, 2.5}, {2.2, 2.5}, {.2, .7}};
   for (const auto& [low, high] : kRanges) {
     for (const double longer : {1.0, 0.3}) {
       const Box box = some_box(make, 1);
@@ -123,11 +123,12 @@ void flat(Battery& battery, Many& make) {
     box.max[axis] = box.min[axis];
     const Vec3 p = inside(box, make), origin = p + Vec3{2.1, 3.3, 1.7};
     ask(battery, box, {origin, p - origin});
-    box.max[(axis + 1) % 3] = box.min[(axis + 1) % 3];
-    Vec3 straight;
-    straight[axis] = 2;
-    const Vec3 q = box.center();
-    ask(battery, box, {q - 2 * straight, straight});
+    // A segment, with whole numbers: where rounding decides, a miss is right.
+    Box segment{{2, 3, 4}, {2, 3, 4}};
+    segment.max[axis] += 2;
+    Vec3 d{-1, 2, -4}, from = segment.min - d;
+    from[axis] += 1;
+    ask(battery, segment, {from, d});
   }
 }
 

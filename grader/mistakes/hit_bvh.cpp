@@ -126,7 +126,8 @@ void trees(Battery& battery, Many& make) {
       }
     }
   }
-  for (const int n : {1, 3, 6, 12}) ask(battery, some_case(make, Shape::leaf, n, 0, 1, true), false);
+  for (const int n : {1, 3, 6, 12})
+    ask(battery, some_case(make, Shape::leaf, n, 0, 1, true), false);
 }
 
 // Many hits along one ray, with every kind of range.

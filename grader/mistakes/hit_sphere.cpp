@@ -66,13 +66,15 @@ void plain(Battery& battery, Many& make) {
 
 // Where the ray begins and ends, with 1 the near and 2 the far point.
 void ranges(Battery& battery, Many& make) {
-  constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5}, {0, 1.5},  {1.2, 1.8},
+  constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5}, {0, 1.5}, {1.2, 1.8},
                                                {1.5, 9},  {2.5, 9},  {.2, .7}, {1.5, 2.5},
                                                {.5, 2.5}, {0, 2.5}};
   for (const auto& [low, high] : kRanges) {
     for (const double longer : {1.0, 2.5}) {
       const Line line(make, make.between(0.5, 2.0), 0.3, 3, longer);
-      const auto at = [&](double where) { return line.near + (where - 1) * (line.far - line.near); };
+      const auto at = [&](double where) {
+        return line.near + (where - 1) * (line.far - line.near);
+      };
       ask(battery, line, std::max(0.0, at(low)), at(high));
     }
   }
@@ -88,6 +90,7 @@ void scales(Battery& battery, Many& make) {
     ask(battery, Line(make, radius, 0.4, 3, 1), 0, pt::kInfinity);
     ask(battery, Line(make, radius, 0.4, 3, radius), 0, pt::kInfinity);
     ask(battery, Line(make, radius, 0.4, 0.1, 1), 0, pt::kInfinity);
+    ask(battery, Line(make, radius, 1.2, 3, 1), 0, pt::kInfinity);
   }
   // Just above the surface.
   for (const double above : {1e-2, 1e-3, 1e-4, 1e-5, 1e-7}) {

@@ -51,7 +51,8 @@ void ask(Battery& battery, const Aim& a) {
   battery.ask([&]() -> Battery::Numbers {
     const auto hit = pt::hit_triangle(a.triangle, a.ray);
     if (!hit) return {};
-    // Whether t is as precise as promised is a flag: the error itself depends on how it is computed.
+    // Whether t is as precise as promised is a flag: the error itself depends on how it is
+    // computed.
     return {hit->t / a.t, hit->n.x, hit->n.y, hit->n.z,
             flag(std::abs(hit->t - a.t) < 1e-9 * a.t + 1e-14)};
   });
@@ -66,7 +67,7 @@ void shapes(Battery& battery, Many& make) {
       }
     }
   }
-  constexpr std::array<double, 3> kOutside[] = {{-.3, .6, .7},   {.6, -.3, .7},  {.6, .7, -.3},
+  constexpr std::array<double, 3> kOutside[] = {{-.3, .6, .7},   {.6, -.3, .7},   {.6, .7, -.3},
                                                 {1.9, -.4, -.5}, {-.4, 1.9, -.5}, {-.4, -.5, 1.9}};
   for (const double side : {1.0, -1.0}) {
     for (const auto& b : kOutside) {

@@ -1,8 +1,8 @@
 #include "grader/report/html.h"
 
 #include "grader/report/html_picture.h"
-#include "grader/report/page/sources.h"
 #include "grader/report/order.h"
+#include "grader/report/page/sources.h"
 #include "grader/report/presentable.h"
 #include "grader/report/readable.h"
 #include "grader/report/summary.h"

@@ -32,12 +32,12 @@ Rank rank_of(const PromiseResult& promise) {
   Rank best{promise.bonus ? 1 : 0, 4, 1, 1, 2};
   for (const FailureReport& failure : promise.failures) {
     const int lines = static_cast<int>(failure.input.size());
-    best = std::min(best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause),
-                               is_statistical(failure) ? 1 : 0,
-                               failure.cases_before > kFirstInputs ? 1 : 0,
-                               lines > kLongLines    ? 2
-                               : lines > kShortLines ? 1
-                                                     : 0});
+    best = std::min(
+        best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause),
+                   is_statistical(failure) ? 1 : 0, failure.cases_before > kFirstInputs ? 1 : 0,
+                   lines > kLongLines    ? 2
+                   : lines > kShortLines ? 1
+                                         : 0});
   }
   return best;
 }
@@ -62,10 +62,9 @@ std::vector<const PromiseResult*> by_importance(const TaskResult& task) {
   for (const PromiseResult& promise : task.promises) {
     if (!promise.held) broken.push_back(&promise);
   }
-  std::stable_sort(broken.begin(), broken.end(),
-                   [](const PromiseResult* a, const PromiseResult* b) {
-                     return rank_of(*a) < rank_of(*b);
-                   });
+  std::stable_sort(
+      broken.begin(), broken.end(),
+      [](const PromiseResult* a, const PromiseResult* b) { return rank_of(*a) < rank_of(*b); });
   return broken;
 }
 

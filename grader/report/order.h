@@ -16,7 +16,8 @@ int importance(const TaskResult& task);
 
 // The promises of a task that are not kept, the most telling first. Decided by, in this order:
 //   - bonus promises last;
-//   - a crash before an answer that takes too long or makes no sense, and these before wrong numbers;
+//   - a crash before an answer that takes too long or makes no sense, and these before wrong
+//   numbers;
 //   - exact answers before means of many draws: one input shows the fault, and no noise is in it;
 //   - what fails at the first inputs before what fails rarely;
 //   - a short input before a long one;

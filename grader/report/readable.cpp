@@ -79,7 +79,8 @@ std::vector<double> numbers_in(const std::string& text) {
     const std::size_t end = starts ? end_of_number(text, i) : i;
     if (end > i) {
       const bool negative = i > 0 && text[i - 1] == '-';
-      numbers.push_back((negative ? -1 : 1) * std::strtod(text.substr(i, end - i).c_str(), nullptr));
+      numbers.push_back((negative ? -1 : 1) *
+                        std::strtod(text.substr(i, end - i).c_str(), nullptr));
     }
     i = std::max(end, i + 1);
   }

@@ -13,8 +13,8 @@ namespace grader {
 // would become that one: 0.30000004 stays. Whole numbers stay as they are.
 std::string with_few_digits(const std::string& text);
 
-// The failure with the first ten lines of an input of more than twelve, and numbers with few digits:
-// as many as show how far `got` is from `expected`.
+// The failure with the first ten lines of an input of more than twelve, and numbers with few
+// digits: as many as show how far `got` is from `expected`.
 FailureReport readable(FailureReport failure);
 
 }  // namespace grader

@@ -42,8 +42,8 @@ std::vector<fs::path> sources_of(const fs::path& folder) {
 }
 
 std::string text_of(const Config& config, const Variation& variation) {
-  const std::string path = config.root + "/grader/tasks/" + variation.task + "/right/" +
-                           variation.right + ".cpp";
+  const std::string path =
+      config.root + "/grader/tasks/" + variation.task + "/right/" + variation.right + ".cpp";
   std::string text = read_file(path);
   const std::size_t at = text.find(variation.from);
   if (at == std::string::npos) throw pt::Error(path + " has no '" + variation.from + "'");
@@ -54,14 +54,15 @@ std::string text_of(const Config& config, const Variation& variation) {
 std::map<std::string, bool> promises_at(const Trial& trial, const std::string& report,
                                         std::uint64_t seed) {
   const std::vector<std::string> command{
-      trial.task.graded, "--worker",       trial.worker.path,
-      "--report",        report,           "--seed",
+      trial.task.graded,    "--worker",    trial.worker.path,
+      "--report",           report,        "--seed",
       std::to_string(seed), "--isolation", std::string(1, letter(trial.request.isolation.tier)),
       "--no-shrinking"};
   fs::remove(report);
   run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kPromiseTime);
   std::map<std::string, bool> held;
-  for (const json& promise : json::parse(read_file(report)).at("promises")) {
+  const json all = json::parse(read_file(report));
+  for (const json& promise : all.at("promises")) {
     const std::string name = promise.at("name");
     if (!name.ends_with("_bonus")) held[name] = promise.at("held");
   }
@@ -75,7 +76,8 @@ void measure_promises(const Trial& trial, const std::string& report, Measured& m
   for (const std::uint64_t seed : kPromiseSeeds) {
     for (const auto& [name, held] : promises_at(trial, report, seed)) {
       broken[name] += held ? 0 : 1;
-      if (seed == kPromiseSeeds[0]) (held ? measured.trial.kept : measured.trial.broken).insert(name);
+      if (seed == kPromiseSeeds[0])
+        (held ? measured.trial.kept : measured.trial.broken).insert(name);
     }
   }
   measured.broken.clear();
@@ -118,7 +120,7 @@ void store_measured(const std::string& path, const Measured& measured) {
 
 Answers ask(const Builder& builder, const Trial& trial, std::uint64_t seed, int draws) {
   const auto answers = ask_battery(builder, trial, seed, draws);
-  if (!answers) throw pt::Error("the battery of " + trial.task.slug + " cannot be asked");
+  if (!answers) throw pt::Error("the battery cannot be asked of " + trial.worker.path);
   return *answers;
 }
 
@@ -135,7 +137,8 @@ std::vector<Kept> kept_solutions(const Config& config, const TaskConfig& task,
     }
     if (kind == "variation") {
       for (const Variation& each : naming_variations()) {
-        if (each.task == task.slug) all.push_back({&task, kind, each.mistake, text_of(config, each)});
+        if (each.task == task.slug)
+          all.push_back({&task, kind, each.mistake, text_of(config, each)});
       }
       continue;
     }

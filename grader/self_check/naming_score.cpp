@@ -78,14 +78,15 @@ void Score::add_wrong(const KnownTask& known, const std::string& name, const Evi
       if (explains(each, evidence)) also.push_back(each.name);
     }
     lines_.push_back(fmt::format("{} {}: {}; explained by: {}; named: {}", slug, name,
-                                 unseen                               ? "unseen"
-                                 : explained                          ? "ambiguous"
+                                 unseen                                  ? "unseen"
+                                 : explained                             ? "ambiguous"
                                  : agree(evidence.answers, own->answers) ? "other promises"
-                                                                      : "other answers",
+                                                                         : "other answers",
                                  fmt::join(also, ", "), fmt::join(names, ", ")));
   }
   // Without its own fingerprint it may only be called what shows in the same way.
-  for (const Fingerprint* other : name_by_battery(without(known, name), evidence)) {
+  const KnownTask others = without(known, name);
+  for (const Fingerprint* other : name_by_battery(others, evidence)) {
     if (agree(other->answers, own->answers)) continue;
     ++counts.left_out;
     lines_.push_back(fmt::format("{} {}: left out, it is named {}", slug, name, other->name));
@@ -93,8 +94,8 @@ void Score::add_wrong(const KnownTask& known, const std::string& name, const Evi
   }
 }
 
-void Score::add_variation(const KnownTask& known, const std::string& name,
-                          const Evidence& evidence, const std::string& slug) {
+void Score::add_variation(const KnownTask& known, const std::string& name, const Evidence& evidence,
+                          const std::string& slug) {
   Counts& counts = tasks_[slug];
   ++counts.varied;
   const auto names = names_of(name_by_battery(known, evidence));
@@ -103,7 +104,7 @@ void Score::add_variation(const KnownTask& known, const std::string& name,
   if (contains(names, name)) return;
   const Fingerprint* own = find(known, name);
   lines_.push_back(fmt::format("{} variation of {}: {}; named: {}", slug, name,
-                               own == nullptr ? "not known"
+                               own == nullptr                          ? "not known"
                                : agree(evidence.answers, own->answers) ? "other promises"
                                                                        : "other answers",
                                fmt::join(names, ", ")));
@@ -114,12 +115,13 @@ std::string Score::text(bool verbose) const {
   if (verbose) {
     for (const std::string& line : lines_) text += line + "\n";
   }
-  text += fmt::format("{:<18} {:>5} {:>6} {:>6} {:>9} {:>7} {:>10} {:>9} {:>9} {:>7}\n", "task", "wrong",
-                      "named", "alone", "misnamed", "unseen", "ambiguous", "left out", "right", "varied");
+  text += fmt::format("{:<18} {:>5} {:>6} {:>6} {:>9} {:>7} {:>10} {:>9} {:>9} {:>7}\n", "task",
+                      "wrong", "named", "alone", "misnamed", "unseen", "ambiguous", "left out",
+                      "right", "varied");
   Counts all;
   for (const auto& [slug, c] : tasks_) {
-    text += fmt::format("{:<18} {:>5} {:>6} {:>6} {:>9} {:>7} {:>10} {:>9} {:>9} {:>7}\n", slug, c.wrong,
-                        c.named, c.alone, c.misnamed, c.unseen, c.ambiguous, c.left_out,
+    text += fmt::format("{:<18} {:>5} {:>6} {:>6} {:>9} {:>7} {:>10} {:>9} {:>9} {:>7}\n", slug,
+                        c.wrong, c.named, c.alone, c.misnamed, c.unseen, c.ambiguous, c.left_out,
                         fmt::format("{}/{}", c.right_named, c.right),
                         fmt::format("{}/{}", c.varied_named, c.varied));
     all.wrong += c.wrong;
@@ -141,6 +143,15 @@ double Score::share_named() const {
     wrong += counts.wrong;
   }
   return wrong == 0 ? 1 : static_cast<double>(named) / wrong;
+}
+
+double Score::share_left_out() const {
+  int left_out = 0, wrong = 0;
+  for (const auto& [slug, counts] : tasks_) {
+    left_out += counts.left_out;
+    wrong += counts.wrong;
+  }
+  return wrong == 0 ? 0 : static_cast<double>(left_out) / wrong;
 }
 
 int Score::misnamed() const {

@@ -24,12 +24,15 @@ class Score {
   // Of the wrong solutions that fail.
   double share_named() const;
 
+  // Of the same: those that get the name of another kind of mistake when they are not known.
+  double share_left_out() const;
+
  private:
   struct Counts {
     int wrong = 0, named = 0, alone = 0, misnamed = 0, passing = 0, unseen = 0, ambiguous = 0;
     int right = 0, right_named = 0;
     int varied = 0, varied_named = 0;  // rightly
-    int left_out = 0;  // misnamed when its own fingerprint is taken away
+    int left_out = 0;                  // misnamed when its own fingerprint is taken away
   };
   void add_wrong(const KnownTask& known, const std::string& name, const Evidence& evidence,
                  const std::string& slug);
