@@ -187,6 +187,8 @@ Results full_results() {
                   .points = 2,
                   .max_points = 3,
                   .bonus_points = 4,
+                  .spared = 1,
+                  .mistake = {"absolute_epsilon", "It is an epsilon.", "battery"},
                   .blocked_by = {"m"},
                   .blamed = {"n", "o"},
                   .compiler_output = "p\nq\n",

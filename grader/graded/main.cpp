@@ -1,11 +1,14 @@
 // graded.<slug>: the properties of one task, whose calls go to a worker. Trusted: no line of a
 // submission runs in here. Writes what it found as JSON for `grade`; the exit status is 0 if every
-// promise held, 1 if one did not, 2 if nothing could be judged.
+// promise held, 1 if one did not, 2 if nothing could be judged. With --battery it runs the task's
+// battery instead (grader/mistakes/battery.h), and writes the answers.
 #include "grader/graded/report.h"
+#include "grader/mistakes/battery.h"
 #include "grader/process/spawn.h"
 #include "grader/remote/session.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <csignal>
 #include <cstdio>
@@ -22,7 +25,25 @@ struct Options {
   std::string report;
   std::string promises = "*";  // a filter as GoogleTest has it
   std::uint64_t seed = 1;
+  std::string battery;  // where to write the answers
+  int draws = 1;        // times the usual number
 };
+
+// A call that hangs is not a matter of a slow machine: all calls of a battery are small.
+constexpr std::chrono::milliseconds kBatteryCallLimit{700};
+
+int run_battery(Options options) {
+  options.session.call_limit = kBatteryCallLimit;
+  options.session.lost_limit = options.session.total_limit = std::chrono::minutes(5);
+  options.session.give_up = [](grader::Cause cause, const std::string&) {
+    throw grader::CallEnded{cause};
+  };
+  grader::remote::open_session(options.session);
+  grader::Battery battery({options.seed, options.draws});
+  grader::run_battery(battery);
+  pt::write_file(options.battery, grader::to_json(battery.answers()) + "\n");
+  return 0;
+}
 
 int run(const Options& options, const char* program) {
   setenv("FIRSTLIGHT_SEED", std::to_string(options.seed).c_str(), 1);
@@ -55,7 +76,12 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingFile);
   app.add_option("--report", options.report, "where to write the findings, as JSON");
   app.add_option("--promises", options.promises, "only these: names as in --gtest_filter");
+  app.add_flag_callback("--no-shrinking", grader::never_shrink, "keep the first input that fails");
   app.add_option("--seed", options.seed, "of all random inputs");
+  app.add_option("--battery", options.battery,
+                 "run the battery instead: where to write the answers");
+  app.add_option("--draws", options.draws, "of the battery: times the usual number")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
   app.add_option("--call-limit", call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
@@ -66,6 +92,6 @@ int main(int argc, char** argv) {
     options.session.tier = grader::tier_of(tier);
     options.session.call_limit = std::chrono::milliseconds(call_limit);
     options.session.total_limit = 15 * options.session.call_limit;
-    return run(options, argv[0]);
+    return options.battery.empty() ? run(options, argv[0]) : run_battery(options);
   });
 }

@@ -3,6 +3,7 @@
 #include "grader/judge/cache.h"
 #include "grader/judge/integration.h"
 #include "grader/judge/isolation.h"
+#include "grader/judge/name_mistakes.h"
 #include "grader/judge/no_reference.h"
 #include "grader/judge/pictures.h"
 #include "grader/judge/points.h"
@@ -85,6 +86,10 @@ class Run {
       compile_all(builder, request_, judged_);
       if (!config_.no_reference.empty()) config_ = with_own_tasks(config_, judged_);
       judge_alone(config_, builder, request_, judged_, report);
+      // Without a reference, what fails may fail because of another task.
+      if (config_.no_reference.empty()) {
+        name_mistakes(config_, builder, request_, judged_, report);
+      }
       if (!config_.no_reference.empty()) block_by_own_tasks(judged_);
       judge_together(config_, builder, request_, judged_, report);
     });

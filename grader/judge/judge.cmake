@@ -2,24 +2,24 @@
 # every worker, and the property programs, written to grade.json next to it.
 include(${CMAKE_CURRENT_SOURCE_DIR}/report/report.cmake)
 firstlight_library(grader_judge
-  judge/audit.cpp judge/builder.cpp judge/c_functions.cpp judge/cache.cpp judge/config.cpp
+  judge/ask_battery.cpp judge/audit.cpp judge/builder.cpp judge/c_functions.cpp judge/cache.cpp judge/config.cpp
   judge/files.cpp judge/findings.cpp judge/grade.cpp judge/integration.cpp judge/isolation.cpp
-  judge/may_call.cpp judge/name_by_pictures.cpp judge/no_reference.cpp judge/object_file.cpp
-  judge/picture_trial.cpp judge/pictures.cpp
+  judge/may_call.cpp judge/name_by_pictures.cpp judge/name_mistakes.cpp judge/no_reference.cpp
+  judge/object_file.cpp judge/picture_trial.cpp judge/pictures.cpp
   judge/points.cpp judge/promises.cpp judge/sha256.cpp judge/so_far.cpp judge/staging.cpp)
-target_link_libraries(grader_judge PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
+target_link_libraries(grader_judge PUBLIC grader_mistakes fmt::fmt nlohmann_json::nlohmann_json)
 
 firstlight_library(grader_hints hints/hints.cpp hints/memory.cpp)
 target_link_libraries(grader_hints PUBLIC fmt::fmt)
 add_executable(hint hints/main.cpp)
 target_link_libraries(hint PRIVATE
-  grader_hints grader_judge grader_recipes grader_sandbox grader_report grader_process pt_base
+  grader_hints grader_judge grader_mistakes grader_recipes grader_sandbox grader_report grader_process pt_base
   CLI11::CLI11 firstlight_warnings)
 
 add_executable(grade judge/main.cpp judge/options.cpp)
 add_dependencies(grade box box_probe)
 target_link_libraries(grade PRIVATE
-  grader_hints grader_judge grader_recipes grader_sandbox grader_writers grader_report
+  grader_hints grader_judge grader_mistakes grader_recipes grader_sandbox grader_writers grader_report
   grader_process pt_image pt_base CLI11::CLI11 firstlight_warnings)
 
 # Instructors only: the learners' edition comes without.
@@ -28,7 +28,7 @@ if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/class)
   target_link_libraries(grader_class PUBLIC fmt::fmt)
   add_executable(grade_class class/main.cpp)
   target_link_libraries(grade_class PRIVATE
-    grader_class grader_judge grader_recipes grader_sandbox grader_writers grader_report
+    grader_class grader_judge grader_mistakes grader_recipes grader_sandbox grader_writers grader_report
     grader_process pt_image pt_base CLI11::CLI11 firstlight_warnings)
 endif()
 
@@ -37,7 +37,7 @@ firstlight_library(grader_watch
 target_link_libraries(grader_watch PUBLIC fmt::fmt)
 add_executable(watch watch/main.cpp)
 target_link_libraries(watch PRIVATE
-  grader_watch grader_judge grader_recipes grader_sandbox grader_report grader_process pt_base
+  grader_watch grader_judge grader_mistakes grader_recipes grader_sandbox grader_report grader_process pt_base
   CLI11::CLI11 firstlight_warnings)
 
 # A list of words as the inside of a JSON array, and the objects of libraries likewise.

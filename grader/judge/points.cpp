@@ -3,6 +3,8 @@
 #include "grader/judge/files.h"
 #include "pt/error.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,9 +16,16 @@ using nlohmann::json;
 
 int read_number(const json& from, const std::string& where) {
   if (!from.is_number_unsigned() || from.get<long long>() > 1000) {
-    throw pt::Error(where + " is no whole number from 0 to 1000");
+    throw pt::Error(where + " is not a whole number from 0 to 1000");
   }
   return from.get<int>();
+}
+
+double read_share(const json& from, const std::string& where) {
+  if (!from.is_number() || !(from.get<double>() >= 0 && from.get<double>() <= 1)) {
+    throw pt::Error(where + " is not a number from 0 to 1");
+  }
+  return from.get<double>();
 }
 
 std::map<std::string, int> read_numbers(const json& from, const std::string& where) {
@@ -28,7 +37,7 @@ std::map<std::string, int> read_numbers(const json& from, const std::string& whe
 }
 
 TaskPoints read_task(const json& from, TaskPoints points, const std::string& where) {
-  if (!from.is_object()) throw pt::Error(where + " is no object");
+  if (!from.is_object()) throw pt::Error(where + " is not an object");
   for (const auto& [name, value] : from.items()) {
     const std::string place = fmt::format("{}.{}", where, name);
     if (name == "promise") {
@@ -39,11 +48,14 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
       points.too_noisy = read_number(value, place);
     } else if (name == "keeps_state") {
       points.keeps_state = read_number(value, place);
+    } else if (name == "one_cause") {
+      points.one_cause = read_share(value, place);
     } else if (name == "promises" || name == "pictures") {
       (name == "promises" ? points.promises : points.pictures) = read_numbers(value, place);
     } else {
       throw pt::Error(place +
-                      " means nothing; write promise, picture, too_noisy, keeps_state, promises or "
+                      " means nothing; write promise, picture, too_noisy, keeps_state, "
+                      "one_cause, promises or "
                       "pictures");
     }
   }
@@ -53,6 +65,19 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
 int worth(int usual, const std::map<std::string, int>& special, const std::string& name) {
   const auto found = special.find(name);
   return found == special.end() ? usual : found->second;
+}
+
+// What broken promises would take beyond what one cause may; whole points.
+int spared_by(const TaskPoints& task, const TaskResult& result) {
+  int all = 0, lost = 0;
+  for (const PromiseResult& promise : result.promises) {
+    if (promise.bonus) continue;
+    all += promise.points;
+    lost += promise.held ? 0 : promise.points;
+  }
+  // .1 x 30 is a little more than 3, in doubles, and 3 in points.
+  const int most = static_cast<int>(std::ceil(task.one_cause * all - 1e-9));
+  return result.mistake.empty() ? 0 : std::max(0, lost - most);
 }
 
 }  // namespace
@@ -83,6 +108,8 @@ void count_points(const Points& points, TaskResult& result) {
     (promise.bonus ? result.bonus_points : result.points) += earned;
     if (!promise.bonus) result.max_points += promise.points;
   }
+  result.spared = spared_by(task, result);
+  result.points += result.spared;
   for (PictureResult& picture : result.pictures) {
     picture.max_points = worth(task.picture, task.pictures, picture.recipe);
     picture.points = picture.state == State::pass ? picture.max_points

@@ -5,7 +5,7 @@ add_executable(graded_picture pictures/main.cpp pictures/worker_rows.cpp)
 add_dependencies(graded_picture box)
 target_link_libraries(graded_picture PRIVATE
   grader_pictures grader_images grader_recipes grader_recipe_scenes grader_remote grader_property grader_counting
-  grader_report grader_judge grader_sandbox grader_process pt_rows pt_loader pt_image pt_scene pt_base
+  grader_report grader_judge grader_mistakes grader_sandbox grader_process pt_rows pt_loader pt_image pt_scene pt_base
   CLI11::CLI11 firstlight_warnings)
 firstlight_link_tasks(graded_picture FROM reference)
 add_dependencies(grade graded_picture)

@@ -22,6 +22,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kShrinkTime{500};
 
+bool is_shrinking = true;
+
 std::vector<Failure>& mutable_failures() {
   static std::vector<Failure> all;
   return all;
@@ -38,6 +40,7 @@ constexpr std::string_view kCauseField = "cause: ";
 // How many smaller inputs to try after a failure: a call that died costs a new process, one that
 // hangs the whole limit.
 int shrink_attempts(Cause cause) {
+  if (!is_shrinking) return 0;
   switch (cause) {
     case Cause::wrong:
       return std::numeric_limits<int>::max();
@@ -182,6 +185,8 @@ std::uint64_t seed() {
   const char* text = std::getenv("FIRSTLIGHT_SEED");
   return text == nullptr ? 1 : std::strtoull(text, nullptr, 10);
 }
+
+void never_shrink() { is_shrinking = false; }
 
 const std::vector<Failure>& failures() { return mutable_failures(); }
 

@@ -62,6 +62,10 @@ struct Failure {
 // name.
 void for_all(const std::function<void()>& property, int cases = 100);
 
+// From now on, the first failing input is kept and no smaller one is looked for: for who only has to
+// know which promises hold.
+void never_shrink();
+
 // For a property with nothing random in it.
 inline void once(const std::function<void()>& property) { for_all(property, 1); }
 

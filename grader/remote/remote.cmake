@@ -25,6 +25,18 @@ foreach(slug hit_box hit_triangle hit_sphere radiance)
   target_compile_definitions(${slug}.callback PRIVATE FIRSTLIGHT_TASK=${slug})
 endforeach()
 
+# The batteries, by which mistakes are named: one for each task.
+firstlight_library(grader_mistakes
+  mistakes/answers.cpp mistakes/compare.cpp mistakes/known.cpp mistakes/naming.cpp)
+target_link_libraries(grader_mistakes PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
+firstlight_library(grader_battery mistakes/battery.cpp)
+target_link_libraries(grader_battery PUBLIC grader_property grader_mistakes)
+foreach(task IN LISTS FIRSTLIGHT_TASKS)
+  get_filename_component(slug ${task} NAME)
+  firstlight_library(battery.${slug} mistakes/${slug}.cpp)
+  target_link_libraries(battery.${slug} PUBLIC grader_battery)
+endforeach()
+
 firstlight_library(grader_graded graded/report.cpp)
 target_link_libraries(grader_graded PUBLIC grader_property nlohmann_json::nlohmann_json)
 
@@ -64,7 +76,8 @@ function(firstlight_graded slug)
   add_dependencies(graded.${slug} box)
   target_compile_definitions(graded.${slug} PRIVATE FIRSTLIGHT_TASK="${slug}")
   target_link_libraries(graded.${slug} PRIVATE
-    grader_graded grader_remote grader_sandbox grader_process CLI11::CLI11 firstlight_warnings)
+    grader_graded battery.${slug} grader_battery grader_mistakes grader_remote grader_sandbox grader_process
+    CLI11::CLI11 firstlight_warnings)
   firstlight_link_properties(graded.${slug} ${slug} remote)
 
   firstlight_worker(${slug})

@@ -1,8 +1,10 @@
 #include "grader/report/html.h"
 
 #include "grader/report/html_picture.h"
+#include "grader/report/order.h"
 #include "grader/report/page/sources.h"
 #include "grader/report/presentable.h"
+#include "grader/report/readable.h"
 #include "grader/report/summary.h"
 #include "pt/error.h"
 
@@ -29,7 +31,8 @@ void set_texts(data& out, const std::string& list, const std::string& key,
   out.set("has_" + list, !texts.empty());
 }
 
-data failure_data(const FailureReport& failure) {
+data failure_data(const FailureReport& exact) {
+  const FailureReport failure = readable(exact);
   data out;
   set_texts(out, "input", "line", failure.input);
   set_text(out, "what", failure.what);
@@ -78,7 +81,13 @@ data promise_data(const TaskResult& task, const PromiseResult& promise) {
 
 data task_data(const TaskResult& task, Places& places) {
   data out, promises{data::type::list}, pictures{data::type::list};
-  for (const PromiseResult& each : task.promises) promises.push_back(promise_data(task, each));
+  // Broken promises first, the most telling at the top.
+  for (const PromiseResult* each : by_importance(task)) {
+    promises.push_back(promise_data(task, *each));
+  }
+  for (const PromiseResult& each : task.promises) {
+    if (each.held) promises.push_back(promise_data(task, each));
+  }
   for (const PictureResult& each : task.pictures) {
     pictures.push_back(picture_data(each, task.slug, places));
   }
@@ -93,6 +102,8 @@ data task_data(const TaskResult& task, Places& places) {
   out.set("task_has_bonus", task.bonus_points > 0);
   out.set("task_bonus", std::to_string(task.bonus_points));
   set_text(out, "reason", task.reason);
+  set_text(out, "mistake", mistake_text(task));
+  set_text(out, "spared", spared_text(task));
   set_texts(out, "blocked_by", "other", task.blocked_by);
   set_texts(out, "blamed", "other", task.blamed);
   set_text(out, "compiler_output", task.compiler_output);

@@ -66,12 +66,17 @@ Case promise_case(const TaskResult& task, const PromiseResult& promise) {
     result.element = "skipped";
     result.message = "a bonus promise that is not kept";
   } else if (!promise.held) {
+    const std::string mistake = mistake_text(task);
     const std::string cause = promise.failures.empty() ? "" : promise.failures[0].cause;
     const std::string whole = element_of(task.state);
     result.type = cause.empty() ? name(task.state) : cause;
     result.element = cause == "wrong" || (cause.empty() && whole != "error") ? "failure" : "error";
     if (!cause.empty() || task.reason.empty()) result.message = promise.words;
     result.text = text_of(task, promise.name);
+    // Once in a text, and in that of every promise: a reader of JUnit shows one testcase at a time.
+    if (!mistake.empty() && result.text.find(task.mistake.sentence) == std::string::npos) {
+      result.text = mistake + "\n" + result.text;
+    }
   }
   return result;
 }

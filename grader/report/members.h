@@ -72,6 +72,12 @@ void members(Is<PictureResult> auto& picture, auto&& each) {
   each("unlike", picture.unlike);
 }
 
+void members(Is<Mistake> auto& mistake, auto&& each) {
+  each("name", mistake.name);
+  each("sentence", mistake.sentence);
+  each("found_by", mistake.found_by);
+}
+
 void members(Is<TaskResult> auto& task, auto&& each) {
   each("part", task.part);
   each("number", task.number);
@@ -81,6 +87,8 @@ void members(Is<TaskResult> auto& task, auto&& each) {
   each("points", task.points);
   each("max_points", task.max_points);
   each("bonus_points", task.bonus_points);
+  each("spared", task.spared);
+  each("mistake", task.mistake);
   each("blocked_by", task.blocked_by);
   each("blamed", task.blamed);
   each("compiler_output", task.compiler_output);

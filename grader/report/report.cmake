@@ -1,6 +1,7 @@
 # The results model, what the terminal shows of it, and results.json. Programs that use it link pt_base.
 firstlight_library(grader_report
-  report/results.cpp report/json.cpp report/presentable.cpp report/read_json.cpp report/summary.cpp
+  report/results.cpp report/json.cpp report/order.cpp report/presentable.cpp report/read_json.cpp
+  report/readable.cpp report/summary.cpp
   report/terminal.cpp)
 target_link_libraries(grader_report PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 

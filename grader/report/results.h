@@ -100,6 +100,17 @@ struct PictureResult {
   bool operator==(const PictureResult&) const = default;
 };
 
+// A mistake that alone explains all that is wrong with a task. Where nothing is certain, there is
+// none.
+struct Mistake {
+  std::string name;      // as the file of a wrong solution is called; several are joined by ", "
+  std::string sentence;  // that says it
+  std::string found_by;  // "battery": by the task's answers; "picture"
+
+  bool empty() const { return name.empty(); }
+  bool operator==(const Mistake&) const = default;
+};
+
 struct TaskResult {
   std::string part;    // "1_rays"
   std::string number;  // "1.3"
@@ -109,6 +120,8 @@ struct TaskResult {
   int points = 0;      // for promises kept and pictures that are right
   int max_points = 0;  // of the pictures, and of the promises that are no bonus
   int bonus_points = 0;
+  int spared = 0;  // of `points`: for broken promises, as one cause takes no more than its share
+  Mistake mistake;
   std::vector<std::string> blocked_by;  // slugs: why it was not judged with the submission's others
   std::vector<std::string> blamed;      // slugs: with the reference in their place it would pass
   std::string compiler_output;

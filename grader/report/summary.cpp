@@ -93,6 +93,26 @@ std::string part_name(const std::string& part) {
   return name;
 }
 
+std::string mistake_text(const TaskResult& task) {
+  if (task.mistake.empty()) return "";
+  const bool several = task.mistake.name.find(", ") != std::string::npos;
+  return fmt::format("{}: {}",
+                     several ? "This is one of these known mistakes" : "This is a known mistake",
+                     task.mistake.sentence);
+}
+
+std::string spared_text(const TaskResult& task) {
+  if (task.spared == 0) return "";
+  int broken = 0, taken = -task.spared;
+  for (const PromiseResult& promise : task.promises) {
+    if (promise.bonus || promise.held) continue;
+    ++broken;
+    taken += promise.points;
+  }
+  return fmt::format("One cause: {} promises fail, {} {} taken.", broken, taken,
+                     taken == 1 ? "point is" : "points are");
+}
+
 std::string how_to_see(const TaskResult& task, const PictureResult& picture) {
   const bool grades = picture.replay.starts_with("./run grade");
   return (grades ? picture.replay : "./run grade " + task.slug) + " --html report.html";

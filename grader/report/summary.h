@@ -52,6 +52,12 @@ double seconds(const TaskResult& task);
 std::string part_number(const std::string& part);
 std::string part_name(const std::string& part);
 
+// "This is a known mistake: Compares t with zero where it should be t_min." Empty if none is named.
+std::string mistake_text(const TaskResult& task);
+
+// "One cause: 9 promises fail, 6 points taken." Empty where nothing is spared.
+std::string spared_text(const TaskResult& task);
+
 // The command that writes a page on which the picture can be seen.
 std::string how_to_see(const TaskResult& task, const PictureResult& picture);
 

@@ -1,5 +1,7 @@
 #include "grader/report/terminal.h"
 
+#include "grader/report/order.h"
+#include "grader/report/readable.h"
 #include "grader/report/summary.h"
 #include "grader/report/wrap.h"
 
@@ -111,7 +113,7 @@ std::string promise_text(const TaskResult& task, const PromiseResult& promise,
   text += "\n";
   if (promise.failures.empty()) return text + "  It failed without a counterexample.\n";
   for (const FailureReport& failure : promise.failures) {
-    text += failure_text(failure);
+    text += failure_text(readable(failure));
     if (!style.all) break;
   }
   return text + labelled("replay", {promise.failures[0].replay}) +
@@ -150,6 +152,17 @@ std::string warnings_text(const TaskResult& task) {
   return text;
 }
 
+// What explains all failures of the task, before the first of them.
+std::string mistake_lines(const TaskResult& task, const TerminalStyle& style) {
+  if (task.mistake.empty()) return "";
+  std::string text = "\n";
+  for (const std::string& line : wrap(task.slug + ": " + mistake_text(task), kWidth)) {
+    text += paint(line, "1", style) + "\n";
+  }
+  const std::string spared = spared_text(task);
+  return spared.empty() ? text : text + "  " + spared + "\n";
+}
+
 std::string printed_text(const TaskResult& task) {
   std::string text = "\n  printed\n";
   for (const std::string& line : lines_of(task.printed.substr(0, 400)))
@@ -175,12 +188,14 @@ std::string table(const Results& results, const TerminalStyle& style) {
 std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalStyle& style) {
   std::vector<FailureText> texts;
   const bool quiet = !is_fault(task.state);
-  std::string reason = task.reason.empty() || quiet ? "" : reason_text(task, style);
-  for (const PromiseResult& promise : task.promises) {
-    const bool failed = !promise.held && (!promise.bonus || style.all);
+  // A reason such as "only with your hit_box" belongs to the first failure below it.
+  std::string reason = quiet ? "" : mistake_lines(task, style);
+  if (!task.reason.empty() && !quiet) reason += reason_text(task, style);
+  for (const PromiseResult* each : by_importance(task)) {
+    const PromiseResult& promise = *each;
+    const bool failed = !promise.bonus || style.all;
     const bool shown = !promise.failures.empty() || (task.reason.empty() && !promise.bonus);
     if (failed && shown && !(quiet && !promise.bonus)) {
-      // A reason such as "only with your hit_box" belongs to the first failure below it.
       texts.push_back({task.slug, promise.name, reason + promise_text(task, promise, style)});
       reason.clear();
     }
@@ -205,8 +220,8 @@ bool terminal_has_color() {
 
 std::string to_text(const Results& results, const TerminalStyle& style) {
   std::vector<std::string> failures;
-  for (const TaskResult& task : results.tasks) {
-    for (FailureText& each : failure_texts(task, style)) failures.push_back(std::move(each.text));
+  for (const TaskResult* task : by_importance(results)) {
+    for (FailureText& each : failure_texts(*task, style)) failures.push_back(std::move(each.text));
   }
   std::string text = table(results, style);
   const std::size_t shown = style.all ? failures.size() : std::min<std::size_t>(1, failures.size());

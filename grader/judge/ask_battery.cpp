@@ -1,0 +1,52 @@
+#include "grader/judge/ask_battery.h"
+
+#include "grader/judge/cache.h"
+#include "grader/judge/files.h"
+#include "grader/judge/sha256.h"
+#include "grader/process/run_command.h"
+#include "pt/error.h"
+
+#include <filesystem>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Far beyond what a battery allows itself.
+constexpr std::chrono::seconds kBatteryTime{600};
+
+}  // namespace
+
+std::optional<Answers> ask_battery(const Builder& builder, const Trial& trial, std::uint64_t seed,
+                                   int draws) {
+  std::vector<std::string> command{trial.task.graded,
+                                   "--worker",
+                                   trial.worker.path,
+                                   "--seed",
+                                   std::to_string(seed),
+                                   "--draws",
+                                   std::to_string(draws),
+                                   "--isolation",
+                                   std::string(1, letter(trial.request.isolation.tier)),
+                                   "--battery"};
+  std::string key = stamp(trial.task.graded) + trial.worker.key;
+  for (const std::string& word : command) key += '\0' + word;
+  const std::string path = builder.cache() + "/" + sha256(key) + ".json";
+  if (!fs::exists(path)) {
+    const std::string temporary = temporary_name(path);
+    command.push_back(temporary);
+    const CommandResult result =
+        run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kBatteryTime);
+    if (!result.ok() || !fs::exists(temporary)) {
+      fs::remove(temporary);
+      return std::nullopt;
+    }
+    fs::rename(temporary, path);
+  }
+  mark_used(path);
+  return answers_from_json(read_file(path));
+}
+
+}  // namespace grader

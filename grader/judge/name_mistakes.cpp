@@ -1,0 +1,75 @@
+#include "grader/judge/name_mistakes.h"
+
+#include "grader/judge/ask_battery.h"
+#include "grader/judge/files.h"
+#include "grader/judge/parallel.h"
+#include "grader/mistakes/naming.h"
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+
+namespace grader {
+
+namespace {
+
+// Always the same, so that a name, and the points that follow from it, do not depend on luck.
+constexpr std::uint64_t kSeed = 1;
+
+bool fails_by_its_promises(const Judged& judged) {
+  const State state = judged.result.state;
+  const bool fails = state == State::fail || state == State::crash || state == State::timeout;
+  return fails && judged.object.ok() && judged.result.reason.empty();
+}
+
+std::optional<Evidence> evidence_of(const Config& config, const Builder& builder,
+                                    const GradeRequest& request, const Judged& judged) {
+  const Built worker = link_alone(config, builder, judged, Elsewhere::answers);
+  if (!worker.ok()) return std::nullopt;
+  const Trial trial{*judged.config, worker, false, request, {}};
+  const auto answers = ask_battery(builder, trial, kSeed, 1);
+  if (!answers) return std::nullopt;
+  Evidence evidence{*answers, {}, {}};
+  for (const PromiseResult& promise : judged.result.promises) {
+    if (promise.bonus) continue;
+    (promise.held ? evidence.kept : evidence.broken).insert(promise.name);
+  }
+  return evidence;
+}
+
+Mistake described(const std::vector<const Fingerprint*>& found) {
+  Mistake mistake;
+  for (const Fingerprint* each : found) {
+    mistake.name += (mistake.name.empty() ? "" : ", ") + each->name;
+    mistake.sentence += (mistake.sentence.empty() ? "" : " Or: ") + each->sentence;
+  }
+  if (!mistake.empty()) mistake.found_by = "battery";
+  return mistake;
+}
+
+}  // namespace
+
+void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,
+                   std::vector<Judged>& judged, const std::function<void()>& progress) {
+  std::vector<Judged*> failing;
+  for (Judged& each : judged) {
+    if (fails_by_its_promises(each)) failing.push_back(&each);
+  }
+  const std::string path = config.root + "/grader/mistakes/known.json";
+  if (failing.empty() || !std::filesystem::exists(path)) return;
+  const KnownMistakes known = known_from_json(read_file(path), path);
+  std::mutex mutex;
+  for_each(failing.size(), request.threads, [&](std::size_t i) {
+    const auto task = known.find(failing[i]->config->slug);
+    if (task == known.end()) return;
+    const auto evidence = evidence_of(config, builder, request, *failing[i]);
+    if (!evidence) return;
+    const Mistake mistake = described(name_by_battery(task->second, *evidence));
+    if (mistake.empty()) return;
+    const std::lock_guard lock(mutex);
+    failing[i]->result.mistake = mistake;
+    progress();
+  });
+}
+
+}  // namespace grader

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "grader/judge/isolation.h"
+
+#include <functional>
+#include <vector>
+
+namespace grader {
+
+// Names the mistake of each task that is not right by itself, where one known mistake alone
+// explains what its promises and its battery found (grader/mistakes/naming.h). To be called after
+// judge_alone; `progress` is called after every task that is named, by one thread at a time.
+void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,
+                   std::vector<Judged>& judged, const std::function<void()>& progress);
+
+}  // namespace grader

@@ -1,0 +1,118 @@
+#include "grader/mistakes/battery.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grader {
+
+namespace {
+
+// A call that hangs costs its whole limit, so the third one is not waited for.
+constexpr int kMaxTimeouts = 2;
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+double central_moment(const std::vector<double>& values, double mean, int power) {
+  double sum = 0;
+  for (const double value : values) sum += std::pow(value - mean, power);
+  return sum / static_cast<double>(values.size());
+}
+
+// A sum of n equal numbers is not exactly n times the number.
+bool is_rounding_error(double variance, double mean) { return !(variance > 1e-24 * mean * mean); }
+
+void add_mean(Answer& answer, const std::vector<double>& values) {
+  const double mean = mean_of(values), variance = central_moment(values, mean, 2);
+  answer.values.push_back(mean);
+  answer.errors.push_back(is_rounding_error(variance, mean)
+                              ? 0
+                              : std::sqrt(variance / static_cast<double>(values.size() - 1)));
+}
+
+// The standard deviation over the mean, and its error by the fourth moment.
+void add_spread(Answer& answer, const std::vector<double>& values) {
+  const double mean = mean_of(values), variance = central_moment(values, mean, 2);
+  if (is_rounding_error(variance, mean) || !(std::abs(mean) > 0)) {
+    answer.values.push_back(0);
+    answer.errors.push_back(0);
+    return;
+  }
+  const double spread = std::sqrt(variance) / std::abs(mean);
+  const double n = static_cast<double>(values.size());
+  const double kurtosis = central_moment(values, mean, 4) / (variance * variance);
+  const double of_variance = std::sqrt(std::max(0.0, kurtosis - 1) / n) / 2;
+  answer.values.push_back(spread);
+  answer.errors.push_back(spread * std::hypot(of_variance, spread / std::sqrt(n)));
+}
+
+// Of a share of n draws; not zero where none or all are counted, unless it cannot be otherwise.
+void add_share(Answer& answer, const std::vector<double>& flags) {
+  const double n = static_cast<double>(flags.size()), share = mean_of(flags);
+  answer.values.push_back(share);
+  answer.errors.push_back(std::sqrt((share * (1 - share) + 1 / n) / n));
+}
+
+std::vector<double> column(const std::vector<Battery::Numbers>& rows, std::size_t i) {
+  std::vector<double> values;
+  for (const Battery::Numbers& row : rows) values.push_back(row.at(i));
+  return values;
+}
+
+}  // namespace
+
+void Battery::record(const std::function<Answer()>& call) {
+  if (timeouts_ >= kMaxTimeouts) {
+    answers_.push_back({name(Cause::timeout), {}, {}});
+    return;
+  }
+  try {
+    answers_.push_back(call());
+  } catch (const CallEnded& ended) {
+    answers_.push_back({name(ended.cause), {}, {}});
+    timeouts_ += ended.cause == Cause::timeout ? 1 : 0;
+  } catch (const rc::detail::CaseResult&) {
+    answers_.push_back({name(Cause::bad_reply), {}, {}});  // a number that is none
+  }
+}
+
+void Battery::ask(const std::function<Numbers()>& call) {
+  record([&] { return Answer{"", call(), {}}; });
+}
+
+void Battery::mean(int n, const Draws& draw) {
+  const std::uint64_t seed = settings_.seed + 1000 * answers_.size();
+  record([&] {
+    const std::vector<Numbers> rows = draw(n * settings_.draws, seed);
+    Answer answer;
+    for (std::size_t i = 0; i < rows.at(0).size(); ++i) add_mean(answer, column(rows, i));
+    return answer;
+  });
+}
+
+void Battery::estimate(int n, const Colors& draw) {
+  const std::uint64_t seed = settings_.seed + 1000 * answers_.size();
+  record([&] {
+    std::vector<double> r, g, b, brightness, black;
+    for (const pt::Rgb& each : draw(n * settings_.draws, seed)) {
+      r.push_back(each.r);
+      g.push_back(each.g);
+      b.push_back(each.b);
+      brightness.push_back(luminance(each));
+      black.push_back(flag(is_black(each)));
+    }
+    Answer answer;
+    for (const auto* channel : {&r, &g, &b}) add_mean(answer, *channel);
+    add_spread(answer, brightness);
+    add_share(answer, black);
+    return answer;
+  });
+}
+
+Battery::Numbers numbers(pt::Vec3 v) { return {v.x, v.y, v.z}; }
+Battery::Numbers numbers(pt::Rgb c) { return {c.r, c.g, c.b}; }
+
+}  // namespace grader

@@ -1,0 +1,78 @@
+#include "grader/mistakes/compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grader {
+
+namespace {
+
+constexpr double kPrecision = 1e-6;   // of exact numbers
+constexpr double kMaxStandard = 5;    // errors that one mean may be off: 6e-7 by chance
+constexpr double kMaxKept = 2.5;      // the same where it decides what the file need not hold
+constexpr double kSumDeviations = 4;  // of the sum of squares, above what it is on average
+constexpr double kCorrelated = 5;     // the means of one answer come from the same draws
+
+// Of the numbers that were compared.
+struct Deviation {
+  bool contradicts = false;
+  double largest = 0;  // in standard errors
+  double squares = 0;
+  int means = 0;
+
+  void add(double a, double b, double error, double scale) {
+    if (a == b) return;  // also where both are infinite
+    const double off = std::abs(a - b);
+    if (off <= kPrecision * scale) return;
+    if (!(error > 0)) {
+      contradicts = true;
+      return;
+    }
+    const double z = off / error;
+    largest = std::max(largest, std::isfinite(z) ? z : HUGE_VAL);
+    squares += z * z;
+  }
+};
+
+double error_of(const Answer& answer, std::size_t i) {
+  return answer.errors.empty() ? 0 : answer.errors[i];
+}
+
+double scale_of(const Answer& answer) {
+  double scale = 0;
+  for (const double value : answer.values) {
+    if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
+  }
+  return scale;
+}
+
+void compare(const Answer& a, const Answer& b, Deviation& deviation) {
+  if (a.ended != b.ended || a.values.size() != b.values.size()) {
+    deviation.contradicts = true;
+    return;
+  }
+  const double scale = std::max(scale_of(a), scale_of(b));
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const double error = std::hypot(error_of(a, i), error_of(b, i));
+    if (error > kPrecision * scale) ++deviation.means;
+    deviation.add(a.values[i], b.values[i], error, scale);
+  }
+}
+
+}  // namespace
+
+bool agree(const Answers& a, const Answers& b) {
+  if (a.size() != b.size()) return false;
+  Deviation all;
+  for (std::size_t i = 0; i < a.size() && !all.contradicts; ++i) compare(a[i], b[i], all);
+  const double allowed = all.means + kSumDeviations * std::sqrt(2 * kCorrelated * all.means);
+  return !all.contradicts && all.largest <= kMaxStandard && all.squares <= allowed;
+}
+
+bool is_as_right(const Answer& answer, const Answer& right) {
+  Deviation one;
+  compare(answer, right, one);
+  return !one.contradicts && one.largest <= kMaxKept;
+}
+
+}  // namespace grader

@@ -1,0 +1,88 @@
+#include "pt/tasks/diffuse_bsdf.h"
+
+#include "grader/mistakes/battery.h"
+#include "grader/property/repeat.h"
+
+#include <array>
+#include <cmath>
+
+// The density of the samples is free, so what is asked is whether they and it agree.
+
+namespace grader {
+namespace {
+
+using pt::Rgb;
+using pt::Vec3;
+
+constexpr Rgb kAlbedo{0.9, 0.5, 0.2};
+
+Vec3 towards(double z, double phi) {
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+void values(Battery& battery) {
+  constexpr std::array<double, 2> kCosines[] = {{.9, .8},  {.3, .9},  {.9, .1},   {.5, .5},
+                                                {.5, -.5}, {-.4, .6}, {-.7, -.3}, {-.1, -.9}};
+  for (const auto& [out, in] : kCosines) {
+    battery.ask([&] { return numbers(pt::diffuse_f(kAlbedo, towards(out, 1), towards(in, 3))); });
+  }
+  battery.ask([&] { return numbers(pt::diffuse_f({}, towards(.5, 1), towards(.6, 3))); });
+}
+
+// The integral of the pdf over half of the directions, exact for a pdf that is linear in z.
+void density(Battery& battery) {
+  constexpr int kSteps = 12;
+  for (const double out : {0.9, 0.2, -0.6}) {
+    for (const double side : {1.0, -1.0}) {
+      battery.ask([&]() -> Battery::Numbers {
+        double sum = 0;
+        for (int i = 0; i < kSteps; ++i) {
+          for (int j = 0; j < kSteps; ++j) {
+            const Vec3 wi = towards(side * (i + 0.5) / kSteps, 2 * pt::kPi * (j + 0.5) / kSteps);
+            sum += pt::diffuse_pdf(towards(out, 0.4), wi);
+          }
+        }
+        return {sum * 2 * pt::kPi / (kSteps * kSteps)};
+      });
+    }
+  }
+}
+
+Battery::Numbers about(const pt::BsdfSample& s, Vec3 wo) {
+  const Rgb f = pt::diffuse_f(kAlbedo, wo, s.wi);
+  const double pdf = pt::diffuse_pdf(wo, s.wi), z = s.wi.z;
+  const bool f_agrees = std::abs(s.f.r - f.r) + std::abs(s.f.b - f.b) < 1e-4 * (f.r + f.b + 1e-9);
+  const bool pdf_agrees = std::abs(s.pdf - pdf) < 1e-4 * (pdf + 1e-9);
+  const double over = s.pdf > 0 ? 1 / s.pdf : 0;
+  return {s.f.r * std::abs(z) * over,
+          s.f.b * std::abs(z) * over,
+          std::abs(z) * over,
+          z * z * over,
+          z * s.wi.x * over,
+          z * s.wi.y * over,
+          z * s.wi.x * s.wi.x * over,
+          flag(z > 0),
+          flag(std::abs(length(s.wi) - 1) < 1e-4),
+          flag(f_agrees),
+          flag(pdf_agrees)};
+}
+
+}  // namespace
+
+void run_battery(Battery& battery) {
+  values(battery);
+  density(battery);
+  for (const double out : {0.9, 0.2}) {
+    const Vec3 wo = towards(out, 0.7);
+    battery.mean(1500, [&](int n, std::uint64_t seed) {
+      std::vector<Battery::Numbers> rows;
+      for (const auto& sample : repeat<pt::diffuse_sample>(n, seed, kAlbedo, wo)) {
+        rows.push_back(about(sample, wo));
+      }
+      return rows;
+    });
+  }
+}
+
+}  // namespace grader

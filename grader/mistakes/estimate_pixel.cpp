@@ -1,0 +1,115 @@
+#include "pt/tasks/estimate_pixel.h"
+
+#include "grader/mistakes/battery.h"
+#include "grader/mistakes/pixels.h"
+
+namespace grader {
+namespace {
+
+using namespace mistakes;
+using pt::Rgb;
+
+pt::PathSettings some_settings() {
+  pt::PathSettings s;
+  s.light_samples = 5;
+  s.direct = pt::PathSettings::Direct::hemisphere;
+  s.survival = 0.4;
+  s.from = 2;
+  s.to = 6;
+  s.show_normals = true;
+  return s;
+}
+
+Rgb color(int i) { return {noise(i), 2 * noise(i + 1000), 4 * noise(i + 2000)}; }
+
+Rgb estimate(const Pixel& p, int samples, std::uint64_t seed, double factor = 1) {
+  const pt::Scene scene;
+  const pt::View view{scene, some_camera(), some_settings(), p.width, p.height};
+  pt::Sampler sampler = pt::Sampler::for_pixel(seed, p.x, p.y);
+  script_radiance([&](int call, const pt::Ray&) { return factor * color(call); });
+  return pt::estimate_pixel(view, p.x, p.y, samples, sampler);
+}
+
+// The mean, how many samples were taken, and what radiance() was given.
+void means(Battery& battery) {
+  for (const Pixel& p : kPixels) {
+    for (const int samples : {1, 2, 3, 4, 5, 9, 16, 25, 64}) {
+      battery.ask([&]() -> Battery::Numbers {
+        const Rgb mean = estimate(p, samples, 1);
+        const auto& calls = radiance_calls();
+        const pt::PathSettings expected = some_settings();
+        bool from = true, to = true, direct = true, lights = true, survival = true, normals = true;
+        for (const RadianceCall& call : calls) {
+          from = from && call.settings.from == expected.from;
+          to = to && call.settings.to == expected.to;
+          direct = direct && call.settings.direct == expected.direct;
+          lights = lights && call.settings.light_samples == expected.light_samples;
+          survival = survival && call.settings.survival == expected.survival;
+          normals = normals && call.settings.show_normals;
+        }
+        return {mean.r,         mean.g,       mean.b,       static_cast<double>(calls.size()),
+                flag(from),     flag(to),     flag(direct), flag(lights),
+                flag(survival), flag(normals)};
+      });
+    }
+  }
+}
+
+void one_sample(Battery& battery) {
+  for (const Pixel& p : kPixels) {
+    battery.ask([&]() -> Battery::Numbers {
+      estimate(p, 1, 1);
+      if (radiance_calls().empty()) return {};
+      const auto [x, y] = in_pixel(p, radiance_calls()[0].ray);
+      const pt::Vec3 o = radiance_calls()[0].ray.origin;
+      return {x, y, o.x, o.y, o.z};
+    });
+  }
+}
+
+void where(Battery& battery) {
+  for (const Pixel& p : kPixels) {
+    for (const int samples : {2, 4, 64, 225}) {
+      battery.mean(450, [&](int n, std::uint64_t seed) {
+        std::vector<Battery::Numbers> rows;
+        for (int i = 0; static_cast<int>(rows.size()) < n; ++i) {
+          estimate(p, samples, seed + i);
+          for (const auto& row : places(p)) rows.push_back(row);
+        }
+        return rows;
+      });
+    }
+  }
+}
+
+// Whether two samplers that differ see different places, and the same one the same; and whether
+// radiance() goes on with the stream that drew the place.
+void streams(Battery& battery) {
+  battery.ask([&]() -> Battery::Numbers {
+    const Pixel p = kPixels[1];
+    const auto look = [&](std::uint64_t seed) {
+      const Rgb mean = estimate(p, 4, seed);
+      std::vector<double> all{mean.r};
+      for (const auto& row : places(p)) all.push_back(row[0]);
+      return all;
+    };
+    const auto first = look(5), other = look(6), again = look(5);
+    const auto& calls = radiance_calls();
+    const bool advances = calls.size() > 1 && calls[0].sampler != calls[1].sampler;
+    estimate(p, 4, 5, 3);
+    const double after_bright = estimate(p, 4, 5).r;
+    return {flag(first == again), flag(first == other), flag(advances),
+            flag(after_bright == first[0])};
+  });
+}
+
+}  // namespace
+
+void run_battery(Battery& battery) {
+  means(battery);
+  one_sample(battery);
+  where(battery);
+  streams(battery);
+}
+
+}  // namespace grader

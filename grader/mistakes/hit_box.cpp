@@ -1,0 +1,146 @@
+#include "pt/tasks/hit_box.h"
+
+#include "grader/mistakes/battery.h"
+#include "grader/property/many.h"
+
+#include <algorithm>
+#include <array>
+
+namespace grader {
+namespace {
+
+using pt::Box;
+using pt::Ray;
+using pt::Vec3;
+
+void ask(Battery& battery, const Box& box, const Ray& ray) {
+  battery.ask([&]() -> Battery::Numbers {
+    const auto inside = pt::hit_box(box, ray);
+    if (!inside) return {};
+    return {inside->min, inside->max};
+  });
+}
+
+Box some_box(Many& make, double size) {
+  const Vec3 center = size * make.vector(-3, 3), half = size * make.vector(0.3, 1.5);
+  return {center - half, center + half};
+}
+
+Vec3 inside(const Box& box, Many& make) {
+  return box.center() + 0.4 * make.between(-1, 1) * box.extent();
+}
+
+void anywhere(Battery& battery, Many& make) {
+  for (int i = 0; i < 24; ++i) {
+    const Box box = some_box(make, i < 16 ? 1 : i < 20 ? 1e-5 : 1e5);
+    const double size = max_abs(box.extent());
+    const Vec3 origin = box.center() + 4 * size * normalize(make.vector(-1, 1));
+    const Vec3 beside = i % 4 == 3 ? 2.5 * size * make.vector(-1, 1) : Vec3{};
+    const Vec3 target = inside(box, make) + beside;
+    ask(battery, box, {origin, make.between(0.1, 2) * (target - origin)});
+  }
+}
+
+// Beside the box on each side of each axis, where the ray is inside the other two slabs at times.
+void beside(Battery& battery, Many& make) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {1.0, -1.0}) {
+      const Box box = some_box(make, 1);
+      Vec3 target = box.center();
+      target[axis] += side * 1.2 * box.extent()[axis];
+      const int other = (axis + 1) % 3, third = (axis + 2) % 3;
+      Vec3 d;
+      d[other] = 1;
+      d[third] = 0.5 * side;
+      d[axis] = 0.05;
+      ask(battery, box, {target - 7 * d, d});
+      ask(battery, box, {target + 7 * d, -d});
+    }
+  }
+}
+
+// Where the ray begins and ends: 1 is where it enters the box, 2 where it leaves.
+void ranges(Battery& battery, Many& make) {
+  constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5},  {1.2, 1.8}, {1.5, 9},
+                                               {2.5, 9},  {0, 9},     {-9, -1},   {1.2, 9},
+                                               {.5, 2.5}, {2.2, 2.5}, {.2, .7}};
+  for (const auto& [low, high] : kRanges) {
+    for (const double longer : {1.0, 0.3}) {
+      const Box box = some_box(make, 1);
+      const Vec3 along = normalize(make.vector(-1, 1) + Vec3{0.2, 0.1, 0.3});
+      const double entry = 5;
+      double half = pt::kInfinity;
+      for (int axis = 0; axis < 3; ++axis) {
+        half = std::min(half, box.extent()[axis] / 2 / std::abs(along[axis]));
+      }
+      const auto at = [&](double where) { return entry - half + 2 * half * (where - 1); };
+      Ray ray{box.center() - entry * along, longer * along};
+      ray.t_min = std::max(0.0, at(low)) / longer;
+      ray.t_max = std::max(0.0, at(high)) / longer;
+      if (low < 0) {
+        ray = {box.center() + entry * along, longer * along};
+      }
+      ask(battery, box, ray);
+    }
+  }
+  for (int i = 0; i < 6; ++i) {
+    const Box box = some_box(make, 1);
+    Ray ray{inside(box, make), make.vector(-1, 1)};
+    if (i % 2 == 1) ray.t_min = 0.05;
+    if (i % 3 == 2) ray.t_max = 0.06;
+    ask(battery, box, ray);
+  }
+}
+
+void along_the_axes(Battery& battery, Many& make) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      for (const double zero : {0.0, -0.0}) {
+        const Box box = some_box(make, 1);
+        Vec3 d{zero, zero, zero};
+        d[axis] = sign;
+        const Vec3 p = inside(box, make);
+        Vec3 off = p;
+        off[(axis + 1) % 3] = box.max[(axis + 1) % 3] + 0.5;
+        Vec3 below = p;
+        below[(axis + 2) % 3] = box.min[(axis + 2) % 3] - 0.5;
+        for (const Vec3& through : {p, off, below}) ask(battery, box, {through - 6 * d, d});
+        // One component is zero, the others are not.
+        Vec3 slanted{0.7, -0.4, 0.5};
+        slanted[axis] = zero;
+        ask(battery, box, {p - 5 * slanted, slanted});
+        Vec3 shifted = p - 5 * slanted;
+        shifted[axis] = box.max[axis] + 0.3;
+        ask(battery, box, {shifted, slanted});
+      }
+    }
+  }
+}
+
+void flat(Battery& battery, Many& make) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Box box = some_box(make, 1);
+    box.max[axis] = box.min[axis];
+    const Vec3 p = inside(box, make), origin = p + Vec3{2.1, 3.3, 1.7};
+    ask(battery, box, {origin, p - origin});
+    // A segment, with whole numbers: where rounding decides, a miss is right.
+    Box segment{{2, 3, 4}, {2, 3, 4}};
+    segment.max[axis] += 2;
+    Vec3 d{-1, 2, -4}, from = segment.min - d;
+    from[axis] += 1;
+    ask(battery, segment, {from, d});
+  }
+}
+
+}  // namespace
+
+void run_battery(Battery& battery) {
+  Many make(6);
+  anywhere(battery, make);
+  beside(battery, make);
+  ranges(battery, make);
+  along_the_axes(battery, make);
+  flat(battery, make);
+}
+
+}  // namespace grader

@@ -1,0 +1,114 @@
+#include "pt/tasks/hit_sphere.h"
+
+#include "grader/mistakes/battery.h"
+#include "grader/property/many.h"
+
+#include <array>
+#include <cmath>
+
+namespace grader {
+namespace {
+
+using pt::Ray;
+using pt::Sphere;
+using pt::Vec3;
+
+Vec3 unit(Many& make) { return normalize(make.vector(-1, 1) + Vec3{0.1, 0.2, 0.3}); }
+
+void ask(Battery& battery, const Sphere& sphere, const Ray& ray, double t) {
+  battery.ask([&]() -> Battery::Numbers {
+    const auto hit = pt::hit_sphere(sphere, ray);
+    if (!hit) return {};
+    const Vec3 p = ray.at(hit->t) - sphere.center;
+    return {hit->t / t, hit->n.x, hit->n.y, hit->n.z,
+            flag(std::abs(length(p) / sphere.radius - 1) < 1e-6)};
+  });
+}
+
+// A line at `offset` radii from the centre, which enters and leaves the sphere at known distances
+// from a point that is `before` radii in front of the centre.
+struct Line {
+  Sphere sphere;
+  Ray ray;
+  double near = 0, far = 0;  // as t
+
+  Line(Many& make, double radius, double offset, double before, double direction_length)
+      : sphere{3 * radius * make.vector(-1, 1), radius} {
+    const Vec3 along = unit(make), beside = normalize(cross(along, unit(make)));
+    const double half = std::sqrt(std::max(0.0, 1 - offset * offset));
+    ray.origin = sphere.center + radius * (offset * beside - before * along);
+    ray.direction = direction_length * along;
+    near = radius * (before - half) / direction_length;
+    far = radius * (before + half) / direction_length;
+  }
+};
+
+void ask(Battery& battery, Line line, double t_min, double t_max) {
+  line.ray.t_min = t_min;
+  line.ray.t_max = t_max;
+  ask(battery, line.sphere, line.ray, line.far);
+}
+
+void plain(Battery& battery, Many& make) {
+  for (const double offset : {0.0, 0.2, 0.5, 0.9, 0.99, 1.01, 1.1, 1.3, 1.5, 2.0, 5.0}) {
+    for (const double longer : {1.0, 0.4, 3.0}) {
+      const Line line(make, make.between(0.3, 3.0), offset, 4, longer);
+      ask(battery, line, 0, pt::kInfinity);
+    }
+  }
+  for (const double before : {0.7, 0.3, 0.0, -0.5}) {
+    for (const double longer : {1.0, 2.5}) {
+      ask(battery, Line(make, make.between(0.5, 2.0), 0.3, before, longer), 0, pt::kInfinity);
+    }
+  }
+  ask(battery, Line(make, 1, 0.3, -3, 1), 0, pt::kInfinity);  // behind the origin
+}
+
+// Where the ray begins and ends, with 1 the near and 2 the far point.
+void ranges(Battery& battery, Many& make) {
+  constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5}, {0, 1.5}, {1.2, 1.8},
+                                               {1.5, 9},  {2.5, 9},  {.2, .7}, {1.5, 2.5},
+                                               {.5, 2.5}, {0, 2.5}};
+  for (const auto& [low, high] : kRanges) {
+    for (const double longer : {1.0, 2.5}) {
+      const Line line(make, make.between(0.5, 2.0), 0.3, 3, longer);
+      const auto at = [&](double where) {
+        return line.near + (where - 1) * (line.far - line.near);
+      };
+      ask(battery, line, std::max(0.0, at(low)), at(high));
+    }
+  }
+  for (const double high : {0.5, 1.5}) {
+    const Line line(make, 1, 0.2, 0.4, 1);  // from inside
+    ask(battery, line, 0, high * line.far);
+    ask(battery, line, high * line.far, pt::kInfinity);
+  }
+}
+
+void scales(Battery& battery, Many& make) {
+  for (const double radius : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e2, 1e4, 1e6}) {
+    ask(battery, Line(make, radius, 0.4, 3, 1), 0, pt::kInfinity);
+    ask(battery, Line(make, radius, 0.4, 3, radius), 0, pt::kInfinity);
+    ask(battery, Line(make, radius, 0.4, 0.1, 1), 0, pt::kInfinity);
+    ask(battery, Line(make, radius, 1.2, 3, 1), 0, pt::kInfinity);
+  }
+  // Just above the surface.
+  for (const double above : {1e-2, 1e-3, 1e-4, 1e-5, 1e-7}) {
+    ask(battery, Line(make, 1, 0, 1 + above, 1), 0, pt::kInfinity);
+    ask(battery, Line(make, 1, 0, -1 + above, 1), 0, pt::kInfinity);
+  }
+  for (const double far : {10.0, 100.0, 300.0, 1000.0}) {
+    ask(battery, Line(make, 1, 0.6, far, 1), 0, pt::kInfinity);
+  }
+}
+
+}  // namespace
+
+void run_battery(Battery& battery) {
+  Many make(4);
+  plain(battery, make);
+  ranges(battery, make);
+  scales(battery, make);
+}
+
+}  // namespace grader

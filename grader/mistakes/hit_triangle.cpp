@@ -1,0 +1,146 @@
+#include "pt/tasks/hit_triangle.h"
+
+#include "grader/mistakes/battery.h"
+#include "grader/property/many.h"
+
+#include <array>
+#include <cmath>
+
+namespace grader {
+namespace {
+
+using pt::Ray;
+using pt::Triangle;
+using pt::Vec3;
+
+// A ray at the point of the triangle's plane with the weights b0, b1, b2, whose t is known.
+struct Aim {
+  Triangle triangle;
+  Ray ray;
+  double t = 1;
+};
+
+Vec3 unit(Many& make) { return normalize(make.vector(-1, 1) + Vec3{0.1, 0.2, 0.3}); }
+
+// Normals that differ, all on one side of the face or, for `back`, on the other.
+Triangle some_triangle(Many& make, double size, bool back) {
+  Triangle t;
+  const Vec3 center = size * make.vector(-2, 2);
+  const Vec3 u = unit(make), v = normalize(cross(u, unit(make)));
+  t.p0 = center;
+  t.p1 = center + size * make.between(0.7, 1.3) * u;
+  t.p2 = center + size * (make.between(-0.3, 0.6) * u + make.between(0.7, 1.3) * v);
+  const Vec3 n = (back ? -1.0 : 1.0) * normalize(geometric_normal(t));
+  t.n0 = normalize(n + make.vector(-0.7, 0.7));
+  t.n1 = normalize(n + make.vector(-0.7, 0.7));
+  t.n2 = normalize(n + make.vector(-0.7, 0.7));
+  return t;
+}
+
+Aim aim(const Triangle& triangle, std::array<double, 3> b, Many& make, double distance,
+        double direction_length, double side) {
+  const Vec3 p = b[0] * triangle.p0 + b[1] * triangle.p1 + b[2] * triangle.p2;
+  const Vec3 face = normalize(geometric_normal(triangle));
+  const Vec3 away = normalize(side * face + 0.5 * make.vector(-1, 1));
+  Aim a{triangle, {p + distance * away, -direction_length * away}};
+  a.t = distance / direction_length;
+  return a;
+}
+
+void ask(Battery& battery, const Aim& a) {
+  battery.ask([&]() -> Battery::Numbers {
+    const auto hit = pt::hit_triangle(a.triangle, a.ray);
+    if (!hit) return {};
+    // Whether t is as precise as promised is a flag: the error itself depends on how it is
+    // computed.
+    return {hit->t / a.t, hit->n.x, hit->n.y, hit->n.z,
+            flag(std::abs(hit->t - a.t) < 1e-9 * a.t + 1e-14)};
+  });
+}
+
+void shapes(Battery& battery, Many& make) {
+  constexpr std::array<double, 3> kInside[] = {{.2, .3, .5}, {.6, .1, .3}, {.1, .8, .1}};
+  for (const bool back : {false, true}) {
+    for (const double side : {1.0, -1.0}) {
+      for (const auto& b : kInside) {
+        ask(battery, aim(some_triangle(make, 1, back), b, make, 3, make.between(0.3, 4.0), side));
+      }
+    }
+  }
+  constexpr std::array<double, 3> kOutside[] = {{-.3, .6, .7},   {.6, -.3, .7},   {.6, .7, -.3},
+                                                {1.9, -.4, -.5}, {-.4, 1.9, -.5}, {-.4, -.5, 1.9}};
+  for (const double side : {1.0, -1.0}) {
+    for (const auto& b : kOutside) {
+      ask(battery, aim(some_triangle(make, 1, false), b, make, 3, 1, side));
+    }
+  }
+}
+
+void ranges(Battery& battery, Many& make) {
+  constexpr double kInfinity = pt::kInfinity;
+  constexpr std::array<double, 2> kRanges[] = {{1.1, kInfinity}, {0, .9},   {.9, 1.1},
+                                               {1.1, 2},         {.5, 0.9}, {.2, kInfinity}};
+  for (const auto& [low, high] : kRanges) {
+    Aim a = aim(some_triangle(make, 1, false), {.3, .3, .4}, make, 2, make.between(.5, 2), 1);
+    a.ray.t_min = low * a.t;
+    a.ray.t_max = high * a.t;
+    ask(battery, a);
+  }
+  Aim behind = aim(some_triangle(make, 1, false), {.3, .3, .4}, make, 2, 1, 1);
+  behind.ray.direction = -behind.ray.direction;
+  ask(battery, behind);
+  for (const double near : {1e-2, 1e-3, 1e-5, 1e-7}) {
+    ask(battery, aim(some_triangle(make, 1, false), {.3, .3, .4}, make, near, 1, 1));
+  }
+}
+
+void scales(Battery& battery, Many& make) {
+  for (const double size : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 10.0, 1e3, 1e6}) {
+    ask(battery, aim(some_triangle(make, size, false), {.3, .3, .4}, make, 3 * size, 1, 1));
+    ask(battery, aim(some_triangle(make, size, false), {.3, .3, .4}, make, 3 * size, size, -1));
+  }
+  for (const double longer : {1e-6, 1e-3, 1e3, 1e6}) {
+    ask(battery, aim(some_triangle(make, 1, false), {.3, .3, .4}, make, 3, longer, 1));
+  }
+}
+
+// In the planes of the axes and all but in them, flat on all sides, and without area.
+void special(Battery& battery, Many& make) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double tilt : {0.0, 1e-12, 1e-9}) {
+      Triangle t;
+      t.p0[(axis + 1) % 3] = 1;
+      t.p1[(axis + 2) % 3] = 1;
+      t.p2 = Vec3{-1, -1, -1};
+      t.p2[axis] = tilt;
+      t.p0[(axis + 2) % 3] = tilt;
+      const Vec3 n = normalize(geometric_normal(t));
+      t.n0 = normalize(n + 0.4 * make.vector(-1, 1));
+      t.n1 = t.n2 = n;
+      ask(battery, aim(t, {.3, .3, .4}, make, 3, 1, 1));
+    }
+  }
+  const Vec3 z{0, 0, 1};
+  const Triangle line{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, z, z, z};
+  const Triangle dot{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}, z, z, z};
+  const Triangle flat{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, z, z, z};
+  ask(battery, {line, {{1, 1, 3}, {0, 0, -1}}, 3});
+  ask(battery, {line, {{1.2, 0.8, 3}, {0, 0, -1}}, 3});
+  ask(battery, {dot, {{1, 1, 3}, {0, 0, -1}}, 3});
+  ask(battery, {dot, {{1.1, 1, 3}, {0, 0, -1}}, 3});
+  ask(battery, {flat, {{-3, 0.5, 0}, {1, 0, 0}}, 3});
+  ask(battery, {flat, {{0.5, 0.5, 0}, {1, 0, 0}}, 1});
+  ask(battery, {flat, {{0.5, 0.5, 1}, {1, 0, 0}}, 1});
+}
+
+}  // namespace
+
+void run_battery(Battery& battery) {
+  Many make(3);
+  shapes(battery, make);
+  ranges(battery, make);
+  scales(battery, make);
+  special(battery, make);
+}
+
+}  // namespace grader

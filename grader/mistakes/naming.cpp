@@ -1,0 +1,42 @@
+#include "grader/mistakes/naming.h"
+
+#include "grader/mistakes/compare.h"
+
+#include <algorithm>
+
+namespace grader {
+
+namespace {
+
+constexpr std::size_t kMaxNames = 3;
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+bool explains(const Fingerprint& mistake, const Evidence& evidence) {
+  for (const std::string& promise : evidence.broken) {
+    if (!contains(mistake.broken, promise) && !contains(mistake.unsure, promise)) return false;
+  }
+  for (const std::string& promise : evidence.kept) {
+    if (contains(mistake.broken, promise)) return false;
+  }
+  return agree(evidence.answers, mistake.answers);
+}
+
+std::vector<const Fingerprint*> name_by_battery(const KnownTask& known, const Evidence& evidence) {
+  if (evidence.broken.empty() || agree(evidence.answers, known.right)) return {};
+  std::vector<const Fingerprint*> found;
+  for (const Fingerprint& mistake : known.mistakes) {
+    if (explains(mistake, evidence)) found.push_back(&mistake);
+  }
+  for (const Fingerprint* one : found) {
+    if (one->earns_nothing || !agree(one->answers, found[0]->answers)) return {};
+  }
+  if (found.size() > kMaxNames) return {};
+  return found;
+}
+
+}  // namespace grader

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "grader/mistakes/battery.h"
+#include "grader/property/cameras.h"
+#include "grader/stand_ins/scripted_radiance.h"
+
+#include <algorithm>
+
+// What the batteries of estimate_pixel and adaptive_pixel have in common.
+
+namespace grader::mistakes {
+
+struct Pixel {
+  int x = 0, y = 0, width = 1, height = 1;
+};
+
+inline constexpr Pixel kPixels[] = {{0, 0, 1, 1}, {3, 5, 8, 6}, {6, 0, 7, 50}};
+
+inline pt::Camera some_camera() {
+  pt::Camera camera;
+  camera.position = {1, 2, 3};
+  const pt::Frame around = pt::frame_from_normal(normalize(pt::Vec3{1, -2, 2}));
+  camera.camera_to_world = {around.z, around.x, around.y};
+  camera.hfov_deg = 60;
+  camera.vfov_deg = 40;
+  return camera;
+}
+
+// A stream of numbers in [0, 1) that does not change.
+inline double noise(int i) { return pt::Sampler::for_pixel(99, i, 0).next_1d(); }
+
+// Where a ray goes through the pixel: (0, 0) is its lower left corner, (1, 1) its upper right one.
+inline pt::Vec2 in_pixel(const Pixel& p, const pt::Ray& ray) {
+  const pt::Vec2 at = on_picture(some_camera(), ray.direction);
+  return {at.x * p.width - p.x, at.y * p.height - p.y};
+}
+
+// Per call of radiance(): its place in the pixel, products, and whether it is outside.
+inline std::vector<Battery::Numbers> places(const Pixel& p) {
+  std::vector<Battery::Numbers> rows;
+  for (const RadianceCall& call : radiance_calls()) {
+    const auto [x, y] = in_pixel(p, call.ray);
+    const bool outside = !(std::min(x, y) > -1e-6 && std::max(x, y) < 1 + 1e-6);
+    rows.push_back({x, y, x * x, y * y, x * y, flag(outside)});
+  }
+  if (rows.empty()) rows.push_back({0, 0, 0, 0, 0, 0});
+  return rows;
+}
+
+}  // namespace grader::mistakes

@@ -1,0 +1,83 @@
+#include "pt/tasks/trace_path.h"
+
+#include "grader/mistakes/battery.h"
+#include "grader/property/repeat.h"
+#include "grader/property/rooms.h"
+
+#include <array>
+
+namespace grader {
+namespace {
+
+using pt::PathSettings;
+
+// Always the same room: the generators are asked with a fixed seed.
+Room made(const rc::Gen<Room>& rooms, std::uint64_t seed) {
+  return rooms(rc::Random(seed), rc::kNominalSize).value();
+}
+
+rc::Gen<pt::Rgb> albedo() { return rc::gen::just(pt::Rgb{0.8, 0.5, 0.3}); }
+
+void ask(Battery& battery, const Room& room, PathSettings settings, int draws = 2000) {
+  battery.estimate(draws, [&](int n, std::uint64_t seed) {
+    return repeat<pt::trace_path>(n, seed, room.scene, room.point, settings);
+  });
+}
+
+PathSettings bounces(int from, int to, PathSettings::Direct direct = PathSettings::Direct::lights) {
+  PathSettings settings;
+  settings.from = from;
+  settings.to = to;
+  settings.direct = direct;
+  return settings;
+}
+
+// Which bounces are added, with the chances to survive.
+void depths(Battery& battery, const Room& room, PathSettings::Direct direct) {
+  constexpr std::array<int, 2> kBounces[] = {{0, 1}, {1, 1}, {2, 2}, {3, 3}, {1, 2},
+                                             {1, 4}, {2, 5}, {0, 8}, {1, 12}};
+  for (const auto& [from, to] : kBounces) ask(battery, room, bounces(from, to, direct));
+  for (const double survival : {0.3, 1.0}) {
+    for (const auto& [from, to] : {kBounces[4], kBounces[5], kBounces[6]}) {
+      PathSettings settings = bounces(from, to, direct);
+      settings.survival = survival;
+      ask(battery, room, settings);
+    }
+  }
+}
+
+}  // namespace
+
+void run_battery(Battery& battery) {
+  constexpr auto kHemisphere = PathSettings::Direct::hemisphere;
+  constexpr auto kLights = PathSettings::Direct::lights;
+  const Room round = made(round_room(albedo()), 11), glowing = made(glowing_room(albedo()), 12);
+  const Room lamp = made(room_around_a_lamp(albedo()), 13), sunny = made(sunny_wall(albedo()), 14);
+  const Room black = made(round_room(rc::gen::just(pt::Rgb{})), 15);
+  const Room gray = made(round_room(rc::gen::just(pt::Rgb{0.5, 0.5, 0.5})), 16);
+  depths(battery, round, kLights);
+  depths(battery, glowing, kHemisphere);
+  ask(battery, round, bounces(1, 3, kHemisphere));
+  ask(battery, glowing, bounces(1, 3, kLights));
+  for (const auto direct : {kHemisphere, kLights}) {
+    ask(battery, lamp, bounces(0, 1, direct));
+    ask(battery, lamp, bounces(1, 3, direct));
+    ask(battery, sunny, bounces(0, 2, direct));
+    ask(battery, sunny, bounces(2, 4, direct));
+  }
+  for (const int samples : {4, 16}) {
+    PathSettings settings = bounces(1, 1, kHemisphere);
+    settings.light_samples = samples;
+    ask(battery, glowing, settings);
+    ask(battery, lamp, settings);
+    settings.direct = kLights;
+    ask(battery, lamp, settings);
+    settings.to = 3;
+    ask(battery, lamp, settings);
+  }
+  ask(battery, black, bounces(1, 4));
+  ask(battery, gray, bounces(1, 4));
+  ask(battery, gray, bounces(2, 2));
+}
+
+}  // namespace grader

@@ -1,0 +1,163 @@
+// known_mistakes: measures every solution in grader/tasks/*/wrong, and writes how each shows into
+// grader/mistakes/known.json. What is measured already is kept in a folder, so that it may be
+// stopped and started as one likes. Then the check of what is known: each wrong solution is handed
+// in, with other random numbers, and named or not; the right ones too; and each once more with its
+// own fingerprint taken away.
+#include "grader/judge/files.h"
+#include "grader/judge/parallel.h"
+#include "grader/judge/sha256.h"
+#include "grader/self_check/measure_mistakes.h"
+#include "grader/self_check/naming_score.h"
+#include "grader/self_check/stale_mistakes.h"
+#include "pt/command_line.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using namespace grader;
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string store = "build/known_mistakes";
+  std::string out;
+  std::vector<std::string> tasks;
+  int threads = 2;
+  int each = 0;  // of a kind and task, at most; 0: all
+  bool check = false;
+  bool stale = false;
+  bool verbose = false;
+};
+
+// What the project asks of itself.
+constexpr double kMinNamed = 0.8, kMaxLeftOut = 0.02;
+
+using All = std::map<std::string, std::vector<std::pair<Kept, Measured>>>;  // by slug
+
+// The reference and all others; or a few of each kind, always the same.
+std::vector<Kept> chosen(const Config& config, const TaskConfig& task, int each) {
+  std::vector<Kept> all = kept_solutions(config, task, {"reference"});
+  for (const char* kind : {"right", "wrong", "variation"}) {
+    std::vector<Kept> some = kept_solutions(config, task, {kind});
+    if (each > 0 && some.size() > static_cast<std::size_t>(each)) {
+      std::ranges::sort(some, {}, [](const Kept& kept) { return sha256(kept.name); });
+      some.resize(each);
+    }
+    for (Kept& kept : some) all.push_back(std::move(kept));
+  }
+  return all;
+}
+
+All measure_all(const Config& config, const GradeRequest& request, const Options& options) {
+  std::vector<Kept> kept;
+  for (const TaskConfig& task : config.tasks) {
+    const bool asked = options.tasks.empty() ||
+                       std::count(options.tasks.begin(), options.tasks.end(), task.slug) > 0;
+    if (!asked) continue;
+    for (Kept& each : chosen(config, task, options.each)) kept.push_back(std::move(each));
+  }
+  std::vector<Measured> measured(kept.size());
+  std::atomic<int> ended = 0;
+  for_each(kept.size(), options.threads, [&](std::size_t i) {
+    measured[i] = measure(config, request, kept[i], fs::absolute(options.store));
+    std::fprintf(stderr, "\r%d of %zu solutions", ++ended, kept.size());
+  });
+  std::fprintf(stderr, "\n");
+  All all;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    all[kept[i].task->slug].emplace_back(kept[i], measured[i]);
+  }
+  return all;
+}
+
+KnownTask known_of(const std::vector<std::pair<Kept, Measured>>& solutions) {
+  KnownTask task;
+  for (const auto& [kept, measured] : solutions) {
+    if (kept.kind == "reference") {
+      task.battery = measured.battery;
+      task.right = measured.answers;
+    }
+  }
+  for (const auto& [kept, measured] : solutions) {
+    // What breaks nothing but a bonus passes, and what passes is not named.
+    const bool fails = !measured.broken.empty() || !measured.unsure.empty();
+    if (kept.kind != "wrong" || !fails) continue;
+    task.mistakes.push_back({kept.name, sentence_of(kept.text), measured.source,
+                             kept.text.find("\n// earns nothing") != std::string::npos,
+                             measured.broken, measured.unsure, measured.answers});
+  }
+  return task;
+}
+
+KnownMistakes load_known(const std::string& path) {
+  return fs::exists(path) ? known_from_json(read_file(path), path) : KnownMistakes{};
+}
+
+int tell_stale(const Config& config, const KnownMistakes& known) {
+  const std::vector<std::string> reasons = out_of_date(config, known);
+  for (const std::string& reason : reasons) fmt::print("{}\n", reason);
+  if (!reasons.empty()) {
+    fmt::print(
+        "grader/mistakes/known.json is out of date; make it anew:\n"
+        "  ninja -C build/check known_mistakes && build/check/grader/known_mistakes\n");
+  }
+  return reasons.empty() ? 0 : 1;
+}
+
+int tell_score(const KnownMistakes& known, const All& all, const Options& options) {
+  Score score;
+  for (const auto& [slug, solutions] : all) {
+    for (const auto& [kept, measured] : solutions) {
+      score.add(known.at(slug), slug, kept.kind, kept.name, measured.trial);
+    }
+  }
+  fmt::print("{}", score.text(options.verbose || options.check));
+  if (score.misnamed() > 0) return 1;
+  const bool few = options.each > 0 || !options.tasks.empty();
+  return few || (score.share_named() >= kMinNamed && score.share_left_out() <= kMaxLeftOut) ? 0 : 1;
+}
+
+int run(const Options& options) {
+  const Config config = load_config(default_config_path());
+  for (const std::string& task : options.tasks) tasks_meant(config, task);
+  const std::string path =
+      options.out.empty() ? config.root + "/grader/mistakes/known.json" : options.out;
+  KnownMistakes known = load_known(path);
+  if (options.stale) return tell_stale(config, known);
+
+  fs::create_directories(options.store);
+  GradeRequest request;
+  request.isolation = probe_isolation(config.root, config.work);
+  const All all = measure_all(config, request, options);
+  if (!options.check) {
+    if (options.each > 0)
+      throw pt::Error("a file of some solutions only is of no use: add --check");
+    for (const auto& [slug, solutions] : all) known[slug] = known_of(solutions);
+    const std::string text = to_json(known);
+    write_file(path, text);
+    known = known_from_json(text, path);  // as a reader has it
+  }
+  return tell_score(known, all, options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Measures the known mistakes, and checks that they are named right"};
+  app.add_option("task", options.tasks, "Tasks; default: all");
+  app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
+  app.add_option("--store", options.store, "The folder of what is measured already");
+  app.add_option("--out", options.out, "The file to write; default: grader/mistakes/known.json");
+  app.add_flag("--check", options.check, "Write nothing: check the file that is there");
+  app.add_option("--each", options.each, "Of each task and kind, only so many");
+  app.add_flag("--stale", options.stale, "Only say whether the file is out of date");
+  app.add_flag("--verbose", options.verbose, "Tell of every solution");
+  return pt::run_command_line(app, argc, argv, [&] { return run(options); });
+}

@@ -1,0 +1,218 @@
+#include "grader/self_check/measure_mistakes.h"
+
+#include "grader/judge/ask_battery.h"
+#include "grader/judge/files.h"
+#include "grader/judge/isolation.h"
+#include "grader/judge/sha256.h"
+#include "grader/process/run_command.h"
+#include "grader/self_check/naming_variations.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::uint64_t kSeedOfAnswers = 20240607, kSeedOfTrial = 5;
+constexpr int kDraws = 8;
+constexpr std::uint64_t kPromiseSeeds[] = {1, 12};  // 1: the default of a grading
+constexpr std::chrono::seconds kPromiseTime{300};
+
+std::string hash_of(const std::vector<fs::path>& files) {
+  std::string all;
+  for (const fs::path& file : files) all += file.filename().string() + '\0' + read_file(file);
+  return sha256(all).substr(0, 16);
+}
+
+std::vector<fs::path> sources_of(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const fs::path extension = entry.path().extension();
+    if (extension == ".cpp" || extension == ".h") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string text_of(const Config& config, const Variation& variation) {
+  const std::string path =
+      config.root + "/grader/tasks/" + variation.task + "/right/" + variation.right + ".cpp";
+  std::string text = read_file(path);
+  const std::size_t at = text.find(variation.from);
+  if (at == std::string::npos) throw pt::Error(path + " has no '" + variation.from + "'");
+  return text.replace(at, variation.from.size(), variation.to);
+}
+
+// Which promises hold at a seed: name and whether.
+std::map<std::string, bool> promises_at(const Trial& trial, const std::string& report,
+                                        std::uint64_t seed) {
+  const std::vector<std::string> command{
+      trial.task.graded,    "--worker",    trial.worker.path,
+      "--report",           report,        "--seed",
+      std::to_string(seed), "--isolation", std::string(1, letter(trial.request.isolation.tier)),
+      "--no-shrinking"};
+  fs::remove(report);
+  run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kPromiseTime);
+  std::map<std::string, bool> held;
+  const json all = json::parse(read_file(report));
+  for (const json& promise : all.at("promises")) {
+    const std::string name = promise.at("name");
+    if (!name.ends_with("_bonus")) held[name] = promise.at("held");
+  }
+  return held;
+}
+
+void measure_promises(const Trial& trial, const std::string& report, Measured& measured) {
+  std::map<std::string, int> broken;
+  measured.trial.broken.clear();
+  measured.trial.kept.clear();
+  for (const std::uint64_t seed : kPromiseSeeds) {
+    for (const auto& [name, held] : promises_at(trial, report, seed)) {
+      broken[name] += held ? 0 : 1;
+      if (seed == kPromiseSeeds[0])
+        (held ? measured.trial.kept : measured.trial.broken).insert(name);
+    }
+  }
+  measured.broken.clear();
+  measured.unsure.clear();
+  for (const auto& [name, times] : broken) {
+    const int seeds = static_cast<int>(std::size(kPromiseSeeds));
+    if (times == seeds) measured.broken.push_back(name);
+    if (times > 0 && times < seeds) measured.unsure.push_back(name);
+  }
+}
+
+Measured read_stored(const std::string& path) {
+  if (!fs::exists(path)) return {};
+  const json from = json::parse(read_file(path));
+  Measured measured;
+  from.at("source").get_to(measured.source);
+  from.at("battery").get_to(measured.battery);
+  from.at("properties").get_to(measured.properties);
+  from.at("broken").get_to(measured.broken);
+  from.at("unsure").get_to(measured.unsure);
+  from.at("trial_broken").get_to(measured.trial.broken);
+  from.at("trial_kept").get_to(measured.trial.kept);
+  measured.answers = answers_from_json(from.at("answers").dump());
+  measured.trial.answers = answers_from_json(from.at("trial_answers").dump());
+  return measured;
+}
+
+void store_measured(const std::string& path, const Measured& measured) {
+  const json all{{"source", measured.source},
+                 {"battery", measured.battery},
+                 {"properties", measured.properties},
+                 {"broken", measured.broken},
+                 {"unsure", measured.unsure},
+                 {"trial_broken", measured.trial.broken},
+                 {"trial_kept", measured.trial.kept},
+                 {"answers", json::parse(to_json(measured.answers))},
+                 {"trial_answers", json::parse(to_json(measured.trial.answers))}};
+  write_file(path, all.dump() + "\n");
+}
+
+Answers ask(const Builder& builder, const Trial& trial, std::uint64_t seed, int draws) {
+  const auto answers = ask_battery(builder, trial, seed, draws);
+  if (!answers) throw pt::Error("the battery cannot be asked of " + trial.worker.path);
+  return *answers;
+}
+
+}  // namespace
+
+std::vector<Kept> kept_solutions(const Config& config, const TaskConfig& task,
+                                 const std::vector<std::string>& kinds) {
+  std::vector<Kept> all;
+  for (const std::string& kind : kinds) {
+    if (kind == "reference") {
+      const fs::path file = fs::path(config.root) / "reference" / task.file();
+      all.push_back({&task, kind, task.slug, read_file(file)});
+      continue;
+    }
+    if (kind == "variation") {
+      for (const Variation& each : naming_variations()) {
+        if (each.task == task.slug)
+          all.push_back({&task, kind, each.mistake, text_of(config, each)});
+      }
+      continue;
+    }
+    const fs::path folder = fs::path(config.root) / "grader/tasks" / task.slug / kind;
+    if (!fs::is_directory(folder)) continue;
+    for (const fs::path& file : sources_of(folder)) {
+      if (file.extension() == ".cpp") {
+        all.push_back({&task, kind, file.stem().string(), read_file(file)});
+      }
+    }
+  }
+  return all;
+}
+
+Measured measure(const Config& shared, const GradeRequest& request, const Kept& kept,
+                 const std::string& store) {
+  const std::string path = store + "/" + kept.key() + ".json";
+  Measured measured = read_stored(path);
+  const std::string source = sha256(kept.text).substr(0, 16);
+  const std::string battery = battery_hash(shared.root, kept.task->slug);
+  const std::string properties = properties_hash(shared.root, kept.task->slug);
+  const bool same = measured.source == source;
+  const bool answered = same && measured.battery == battery;
+  const bool judged = same && measured.properties == properties;
+  if (answered && judged) return measured;
+
+  Config config = shared;
+  config.work = store;
+  const Builder builder(config, request.isolation.tier, request.compile_limit);
+  Judged built;
+  built.config = kept.task;
+  built.object = builder.compile(*kept.task, kept.text);
+  if (!built.object.ok()) {
+    throw pt::Error(kept.key() + ": " + built.object.error + built.object.rejected);
+  }
+  const Built worker = link_alone(config, builder, built, Elsewhere::answers);
+  if (!worker.ok()) throw pt::Error(kept.key() + " does not link: " + worker.error);
+  const Trial trial{*kept.task, worker, false, request, {}};
+  if (!answered) {
+    measured.answers = ask(builder, trial, kSeedOfAnswers, kDraws);
+    measured.trial.answers = ask(builder, trial, kSeedOfTrial, 1);
+  }
+  if (!judged) measure_promises(trial, path + ".report", measured);
+  measured.source = source;
+  measured.battery = battery;
+  measured.properties = properties;
+  store_measured(path, measured);
+  return measured;
+}
+
+std::string battery_hash(const std::string& root, const std::string& slug) {
+  const fs::path folder = fs::path(root) / "grader/mistakes";
+  return hash_of({folder / "battery.cpp", folder / "battery.h", folder / "pixels.h",
+                  folder / "stages.h", folder / (slug + ".cpp")});
+}
+
+std::string properties_hash(const std::string& root, const std::string& slug) {
+  const fs::path grader = fs::path(root) / "grader";
+  std::vector<fs::path> files = sources_of(grader / "tasks" / slug);
+  for (const fs::path& file : sources_of(grader / "property")) files.push_back(file);
+  return hash_of(files);
+}
+
+std::string sentence_of(const std::string& text) {
+  std::istringstream lines(text);
+  std::string sentence;
+  bool first = true;
+  for (std::string line; std::getline(lines, line) && line.starts_with("//"); first = false) {
+    if (first || line.starts_with("// earns nothing")) continue;
+    const std::size_t start = line.find_first_not_of("/ ");
+    if (start == std::string::npos) break;
+    sentence += (sentence.empty() ? "" : " ") + line.substr(start);
+  }
+  return sentence;
+}
+
+}  // namespace grader

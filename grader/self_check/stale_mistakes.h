@@ -1,0 +1,16 @@
+#pragma once
+
+#include "grader/judge/config.h"
+#include "grader/mistakes/known.h"
+
+#include <string>
+#include <vector>
+
+namespace grader {
+
+// Why what is known of the wrong solutions is out of date, a sentence each: a battery or a solution
+// that has changed since, a solution that is not known, one that is known and not kept any more.
+// Solutions that break only a bonus promise need not be known: they pass.
+std::vector<std::string> out_of_date(const Config& config, const KnownMistakes& known);
+
+}  // namespace grader

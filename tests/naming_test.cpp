@@ -1,0 +1,167 @@
+// When a mistake is named: on constructed answers, with numbers whose errors are known.
+#include "grader/mistakes/naming.h"
+
+#include "grader/mistakes/compare.h"
+#include "grader/mistakes/known.h"
+#include "pt/error.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+Answer exact(std::vector<double> values) { return {"", std::move(values), {}}; }
+Answer ended(const std::string& how) { return {how, {}, {}}; }
+
+TEST(answers, that_are_exact_agree_to_a_millionth_of_the_largest) {
+  const Answers one{exact({100, 1})};
+  EXPECT_TRUE(agree(one, one));
+  EXPECT_TRUE(agree(one, {exact({100.00009, 1})}));
+  EXPECT_TRUE(agree(one, {exact({100, 1.00009})}));
+  EXPECT_FALSE(agree(one, {exact({100.0002, 1})}));
+  EXPECT_FALSE(agree(one, {exact({100, 1.0002})}));
+  EXPECT_FALSE(agree(one, {exact({100})}));
+  EXPECT_FALSE(agree(one, {exact({})}));
+  EXPECT_FALSE(agree(one, {}));
+}
+
+TEST(answers, of_calls_that_ended_agree_with_the_same_end_only) {
+  EXPECT_TRUE(agree({ended("crash")}, {ended("crash")}));
+  EXPECT_FALSE(agree({ended("crash")}, {ended("timeout")}));
+  EXPECT_FALSE(agree({ended("crash")}, {exact({})}));
+}
+
+TEST(answers, that_are_not_finite_agree_with_themselves_only) {
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  EXPECT_TRUE(agree({exact({infinity, 1})}, {exact({infinity, 1})}));
+  EXPECT_FALSE(agree({exact({infinity, 1})}, {exact({-infinity, 1})}));
+  EXPECT_FALSE(agree({exact({infinity, 1})}, {exact({1e300, 1})}));
+  EXPECT_FALSE(agree({exact({nan, 1})}, {exact({1, 1})}));
+  EXPECT_FALSE(agree({{"", {nan}, {1}}}, {{"", {1}, {1}}}));
+}
+
+// Means of a hundred answers with five numbers each.
+Answers means(std::mt19937& random, double shift, std::size_t shifted) {
+  std::normal_distribution<double> normal;
+  Answers answers;
+  for (std::size_t i = 0; i < 100; ++i) {
+    Answer answer;
+    for (int k = 0; k < 5; ++k) {
+      answer.values.push_back(3 + 0.1 * normal(random) + (i < shifted ? 0.1 * shift : 0));
+      answer.errors.push_back(0.1);
+    }
+    answers.push_back(answer);
+  }
+  return answers;
+}
+
+TEST(answers, that_are_means_agree_unless_chance_does_not_explain_it) {
+  std::mt19937 random(1);
+  int apart = 0;
+  for (int i = 0; i < 2000; ++i) {
+    apart += agree(means(random, 0, 0), means(random, 0, 0)) ? 0 : 1;
+  }
+  EXPECT_LE(apart, 4);  // less than once in a thousand times: 2 expected at that rate
+  // One mean far off, and all a little: sqrt 2 errors are one of the difference.
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_FALSE(agree(means(random, 12, 1), means(random, 0, 0)));
+    EXPECT_FALSE(agree(means(random, 2, 100), means(random, 0, 0)));
+  }
+}
+
+Fingerprint mistake(const std::string& name, double value, std::vector<std::string> broken) {
+  return {name, "Says " + name + ".",        "hash", false, std::move(broken),
+          {},   {exact({value}), exact({5})}};
+}
+
+KnownTask known() {
+  KnownTask task;
+  task.battery = "hash";
+  task.right = {exact({1}), exact({5})};
+  task.mistakes = {mistake("two", 2, {"a", "b"}), mistake("three", 3, {"a"}),
+                   mistake("also_three", 3, {"a"}), mistake("four", 4, {"b"})};
+  task.mistakes[3].unsure = {"a"};
+  return task;
+}
+
+std::string names(const KnownTask& task, const Evidence& evidence) {
+  std::string all;
+  for (const Fingerprint* each : name_by_battery(task, evidence)) {
+    all += (all.empty() ? "" : " ") + each->name;
+  }
+  return all;
+}
+
+Evidence evidence(double value, std::set<std::string> broken, std::set<std::string> kept) {
+  return {{exact({value}), exact({5})}, std::move(broken), std::move(kept)};
+}
+
+TEST(naming, takes_all_evidence_together) {
+  const KnownTask task = known();
+  EXPECT_EQ(names(task, evidence(2, {"a", "b"}, {"c"})), "two");
+  EXPECT_EQ(names(task, evidence(2, {"a"}, {"b", "c"})), "");      // it should break b
+  EXPECT_EQ(names(task, evidence(2, {"a", "b", "c"}, {})), "");    // and not c
+  EXPECT_EQ(names(task, evidence(2.5, {"a", "b"}, {"c"})), "");    // other answers
+  EXPECT_EQ(names(task, evidence(4, {"b"}, {"a", "c"})), "four");  // a is broken at times
+  EXPECT_EQ(names(task, evidence(4, {"a", "b"}, {"c"})), "four");
+  Evidence crashed = evidence(2, {"a", "b"}, {"c"});
+  crashed.answers[1] = ended("crash");
+  EXPECT_EQ(names(task, crashed), "");
+}
+
+TEST(naming, gives_one_name_to_what_shows_alike) {
+  EXPECT_EQ(names(known(), evidence(3, {"a"}, {"b"})), "three also_three");
+  KnownTask task = known();
+  for (const char* more : {"again", "and_again"}) task.mistakes.push_back(mistake(more, 3, {"a"}));
+  EXPECT_EQ(names(task, evidence(3, {"a"}, {"b"})), "");  // four sentences help nobody
+}
+
+// The submission's noise is too large to tell two mistakes apart that are known to differ.
+TEST(naming, says_nothing_where_different_mistakes_explain_it) {
+  KnownTask task = known();
+  task.mistakes[0].answers[0] = {"", {2}, {0.001}};
+  task.mistakes[1].answers[0] = {"", {2.1}, {0.001}};
+  task.mistakes[1].broken = {"a", "b"};
+  Evidence noisy = evidence(2, {"a", "b"}, {});
+  noisy.answers[0] = {"", {2.05}, {0.1}};
+  EXPECT_EQ(names(task, noisy), "");
+  task.mistakes.erase(task.mistakes.begin() + 1);
+  EXPECT_EQ(names(task, noisy), "two");
+}
+
+TEST(naming, never_names_what_answers_as_the_reference_or_passes) {
+  KnownTask task = known();
+  task.mistakes.push_back(mistake("unseen", 1, {"a"}));
+  EXPECT_EQ(names(task, evidence(1, {"a"}, {"b"})), "");
+  EXPECT_EQ(names(task, evidence(2, {}, {"a", "b"})), "");
+}
+
+TEST(naming, never_names_what_computes_nothing_of_its_own) {
+  KnownTask task = known();
+  task.mistakes[0].earns_nothing = true;
+  EXPECT_EQ(names(task, evidence(2, {"a", "b"}, {"c"})), "");
+}
+
+TEST(known_mistakes, come_back_from_their_file) {
+  KnownTask task = known();
+  task.right.push_back({"", {1, 2}, {0.5, 0.25}});
+  for (Fingerprint& each : task.mistakes) each.answers.push_back({"", {9, 2}, {0.5, 0.25}});
+  task.mistakes[1].answers[0] = ended("timeout");
+  task.mistakes[2].answers[0] = exact({});
+  task.mistakes[3].earns_nothing = true;
+  const KnownMistakes all{{"hit_box", task}, {"hit_sphere", known()}};
+  EXPECT_EQ(known_from_json(to_json(all), "x"), all);
+}
+
+TEST(known_mistakes, are_refused_where_the_file_holds_something_else) {
+  for (const char* text : {"", "[]", "{}", R"({"tasks": {"hit_box": {}}})"}) {
+    EXPECT_THROW(known_from_json(text, "x"), pt::Error) << text;
+  }
+}
+
+}  // namespace
+}  // namespace grader

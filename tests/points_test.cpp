@@ -1,0 +1,177 @@
+// What promises and pictures earn, and what one cause costs.
+#include "grader/judge/points.h"
+
+#include "pt/error.h"
+#include "pt/file.h"
+#include "tests/temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+using testing::HasSubstr;
+
+// A task with so many promises, of which the first are broken.
+TaskResult example(int promises, int broken) {
+  TaskResult task;
+  task.slug = "hit_box";
+  for (int i = 0; i < promises; ++i) {
+    task.promises.push_back({"p" + std::to_string(i), "words", false, i >= broken, 0, 0, {}});
+  }
+  return task;
+}
+
+PictureResult picture(const std::string& recipe, State state) {
+  PictureResult out;
+  out.recipe = recipe;
+  out.state = state;
+  return out;
+}
+
+TaskResult counted(TaskResult task, const TaskPoints& points) {
+  count_points({{"hit_box", points}}, task);
+  return task;
+}
+
+TEST(points, count_promises_by_their_weight) {
+  TaskPoints points;
+  points.promise = 2;
+  points.promises = {{"p0", 5}, {"p2", 0}};
+  const TaskResult task = counted(example(4, 1), points);
+  EXPECT_EQ(task.max_points, 5 + 2 + 0 + 2);
+  EXPECT_EQ(task.points, 2 + 0 + 2);
+  EXPECT_EQ(task.promises[0].points, 5);
+}
+
+TEST(points, of_a_bonus_come_on_top) {
+  TaskResult task = example(3, 0);
+  task.promises[1].bonus = task.promises[2].bonus = true;
+  task.promises[2].held = false;
+  task = counted(task, {});
+  EXPECT_EQ(task.points, 1);
+  EXPECT_EQ(task.max_points, 1);
+  EXPECT_EQ(task.bonus_points, 1);
+}
+
+TEST(points, of_pictures_depend_on_their_state) {
+  TaskPoints points;
+  points.picture = 3;
+  points.too_noisy = 2;
+  points.pictures = {{"small", 1}};
+  TaskResult task = example(1, 0);
+  task.pictures = {picture("a", State::pass), picture("b", State::too_noisy),
+                   picture("c", State::fail), picture("small", State::too_noisy)};
+  task = counted(task, points);
+  EXPECT_EQ(task.max_points, 1 + 3 + 3 + 3 + 1);
+  EXPECT_EQ(task.points, 1 + 3 + 2 + 0 + 1);  // no more for noise than for being right
+}
+
+TEST(points, that_one_named_cause_takes_are_bounded) {
+  TaskPoints half;
+  half.one_cause = 0.5;
+  for (int promises = 1; promises <= 15; ++promises) {
+    for (int broken = 0; broken <= promises; ++broken) {
+      TaskResult task = example(promises, broken);
+      EXPECT_EQ(counted(task, half).points, promises - broken);
+      EXPECT_EQ(counted(task, half).spared, 0);
+      task.mistake = {"absolute_epsilon", "It is an epsilon.", "battery"};
+      const int most = (promises + 1) / 2;  // rounded up
+      task = counted(task, half);
+      EXPECT_EQ(task.points, promises - std::min(broken, most));
+      EXPECT_EQ(task.spared, std::max(0, broken - most));
+      EXPECT_EQ(task.max_points, promises);
+    }
+  }
+}
+
+TEST(points, of_one_cause_are_a_share_of_the_weights) {
+  TaskPoints points;
+  points.one_cause = 0.1;
+  points.promise = 3;
+  points.promises = {{"p0", 9}};
+  TaskResult task = example(8, 2);  // 9 + 7 * 3 = 30 in all, 12 of them lost
+  task.promises[7].bonus = true;    // 27
+  task.mistake.name = "a";
+  EXPECT_EQ(counted(task, points).spared, 12 - 3);  // 2.7, rounded up
+  task.promises[7].bonus = false;
+  EXPECT_EQ(counted(task, points).spared, 12 - 3);  // exactly 3
+  points.one_cause = 1;
+  EXPECT_EQ(counted(task, points).spared, 0);
+  points.one_cause = 0;
+  EXPECT_EQ(counted(task, points).spared, 12);
+}
+
+TEST(points, of_pictures_and_bonuses_are_not_spared) {
+  TaskPoints points;
+  points.one_cause = 0;
+  TaskResult task = example(2, 1);
+  task.promises[0].bonus = true;
+  task.pictures = {picture("a", State::fail)};
+  task.mistake.name = "a";
+  task = counted(task, points);
+  EXPECT_EQ(task.spared, 0);
+  EXPECT_EQ(task.points, 1);
+  EXPECT_EQ(task.bonus_points, 0);
+}
+
+std::string why_refused(const std::string& text) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/points.json";
+  pt::write_file(path, text);
+  try {
+    load_points(path);
+  } catch (const pt::Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("points.json: "));
+    return error.what();
+  }
+  return "";
+}
+
+TEST(points, are_read_with_what_a_task_says_beside_the_defaults) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/points.json";
+  pt::write_file(path, R"({"default": {"promise": 2, "picture": 4, "too_noisy": 1,
+    "one_cause": 0.5}, "tasks": {"a": {}, "b": {"promise": 3, "one_cause": 1,
+    "promises": {"x": 7}, "pictures": {"y": 0}}}})");
+  const Points points = load_points(path);
+  EXPECT_EQ(points.at("a").promise, 2);
+  EXPECT_EQ(points.at("a").one_cause, 0.5);
+  EXPECT_EQ(points.at("b").promise, 3);
+  EXPECT_EQ(points.at("b").picture, 4);
+  EXPECT_EQ(points.at("b").one_cause, 1);
+  EXPECT_EQ(points.at("b").promises.at("x"), 7);
+  EXPECT_EQ(points.at("b").pictures.at("y"), 0);
+}
+
+TEST(points, are_refused_with_what_is_wrong_and_where) {
+  const auto task = [](const std::string& inside) {
+    return R"({"default": {}, "tasks": {"a": )" + inside + "}}";
+  };
+  EXPECT_THAT(why_refused(""), HasSubstr("see grader/judge/points.h"));
+  EXPECT_THAT(why_refused("{}"), HasSubstr("default"));
+  EXPECT_THAT(why_refused(R"({"default": {}})"), HasSubstr("tasks"));
+  EXPECT_THAT(why_refused(task("5")), HasSubstr("tasks.a is not an object"));
+  EXPECT_THAT(why_refused(task(R"({"promis": 1})")),
+              HasSubstr("tasks.a.promis means nothing; write promise, picture"));
+  for (const char* number : {"-1", "1.5", "1001", "\"1\"", "null"}) {
+    EXPECT_THAT(why_refused(task(std::string(R"({"promise": )") + number + "}")),
+                HasSubstr("tasks.a.promise is not a whole number from 0 to 1000"));
+    EXPECT_THAT(why_refused(task(std::string(R"({"pictures": {"x": )") + number + "}}")),
+                HasSubstr("tasks.a.pictures.x is not a whole number from 0 to 1000"));
+  }
+  for (const char* share : {"-0.1", "1.01", "\"1\"", "null"}) {
+    EXPECT_THAT(why_refused(task(std::string(R"({"one_cause": )") + share + "}")),
+                HasSubstr("tasks.a.one_cause is not a number from 0 to 1"));
+  }
+}
+
+TEST(points, of_the_project_can_be_read) {
+  const Points points = load_points(FIRSTLIGHT_ROOT "/grader/points.json");
+  EXPECT_EQ(points.size(), 12U);
+  EXPECT_EQ(points.at("hit_box").one_cause, 0.5);
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,175 @@
+// The most telling failure comes first, and is short enough to be read.
+#include "grader/report/gradescope.h"
+#include "grader/report/html.h"
+#include "grader/report/junit.h"
+#include "grader/report/order.h"
+#include "grader/report/readable.h"
+#include "grader/report/terminal.h"
+#include "tests/example_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+FailureReport failure(const std::string& cause, const std::string& got = "2", int cases_before = 0,
+                      std::size_t lines = 1) {
+  FailureReport out;
+  out.input.assign(lines, "a line");
+  out.got = got;
+  out.expected = "1";
+  out.cause = cause;
+  out.cases_before = cases_before;
+  return out;
+}
+
+PromiseResult broken(const std::string& name, const FailureReport& failure) {
+  return {name, name, false, false, 1, 0, {failure}};
+}
+
+TaskResult failing(const std::string& slug, std::vector<PromiseResult> promises) {
+  TaskResult task;
+  task.slug = slug;
+  task.state = State::fail;
+  task.promises = std::move(promises);
+  return task;
+}
+
+std::vector<std::string> order(const TaskResult& task) {
+  std::vector<std::string> names;
+  for (const PromiseResult* each : by_importance(task)) names.push_back(each->name);
+  return names;
+}
+
+TEST(order, puts_the_most_telling_promise_first) {
+  PromiseResult bonus = broken("bonus", failure("crash"));
+  bonus.bonus = true;
+  PromiseResult kept = broken("kept", {});
+  kept.held = true;
+  const TaskResult task = failing(
+      "hit_bvh",
+      {bonus, broken("long", failure("wrong", "2", 0, 40)),
+       broken("mean", failure("wrong", "2 as the mean of 4000")),
+       broken("rare", failure("wrong", "2", 90)), broken("basic", failure("wrong")), kept,
+       broken("special", failure("wrong")), broken("slow", failure("timeout")),
+       broken("odd", failure("bad reply")), broken("dead", failure("crash", "signal 11", 50, 40))});
+  EXPECT_THAT(order(task), ElementsAre("dead", "slow", "odd", "basic", "special", "long", "rare",
+                                       "mean", "bonus"));
+}
+
+// A promise that fails in several ways counts as the most telling of them.
+TEST(order, takes_the_best_failure_of_a_promise) {
+  PromiseResult both = broken("both", failure("wrong", "2", 90));
+  both.failures.push_back(failure("crash"));
+  EXPECT_THAT(order(failing("a", {broken("plain", failure("wrong")), both})),
+              ElementsAre("both", "plain"));
+}
+
+TEST(order, puts_the_most_telling_task_first) {
+  Results results;
+  TaskResult picture = failing("picture", {});
+  picture.pictures.emplace_back().state = State::fail;
+  TaskResult named = failing("named", {broken("a", failure("wrong"))});
+  named.mistake = {"epsilon", "It is an epsilon.", "battery"};
+  TaskResult unbuilt = failing("unbuilt", {broken("a", {})});
+  unbuilt.promises[0].failures.clear();
+  unbuilt.compiler_output = "error";
+  TaskResult passing = failing("passing", {});
+  passing.state = State::pass;
+  results.tasks = {passing,
+                   picture,
+                   failing("wrong", {broken("a", failure("wrong"))}),
+                   failing("slow", {broken("a", failure("timeout"))}),
+                   unbuilt,
+                   failing("dead", {broken("a", failure("wrong")), broken("b", failure("crash"))}),
+                   named};
+  std::vector<std::string> slugs;
+  for (const TaskResult* task : by_importance(results)) slugs.push_back(task->slug);
+  EXPECT_THAT(slugs,
+              ElementsAre("named", "dead", "unbuilt", "slow", "wrong", "picture", "passing"));
+  EXPECT_THAT(to_text(results, {}), HasSubstr("named: This is a known mistake: It is an epsilon."));
+}
+
+class Named : public ExampleRun {
+ protected:
+  Results named() const {
+    Results results = run;
+    results.tasks[1].mistake = {"t_min_taken_as_zero", "It compares t with 0 & not t_min.",
+                                "battery"};
+    results.tasks[1].spared = 0;
+    return results;
+  }
+};
+
+TEST_F(Named, a_mistake_stands_first_in_every_report) {
+  const Results results = named();
+  const std::string sentence = "This is a known mistake: It compares t with 0 & not t_min.";
+  const std::string text = to_text(results, {false, true});
+  EXPECT_LT(text.find(sentence), text.find("expected  "));
+  EXPECT_THAT(to_gradescope(results), HasSubstr(sentence));
+  const std::string escaped = "This is a known mistake: It compares t with 0 &amp; not t_min.";
+  EXPECT_THAT(to_junit(results), HasSubstr(escaped));
+  const std::string page = to_html(results);
+  EXPECT_THAT(page, HasSubstr(escaped));
+  EXPECT_THAT(to_html(run), Not(HasSubstr("known mistake")));
+}
+
+TEST_F(Named, what_one_cause_costs_is_said) {
+  Results results = named();
+  TaskResult& task = results.tasks[1];
+  for (PromiseResult& promise : task.promises) promise.held = false;
+  int worth = 0;
+  for (const PromiseResult& promise : task.promises) worth += promise.bonus ? 0 : promise.points;
+  task.spared = worth - 1;
+  const std::string expected = "fail, 1 point is taken.";
+  EXPECT_THAT(to_text(results, {false, true}), HasSubstr(expected));
+  EXPECT_THAT(to_html(results), HasSubstr(expected));
+  EXPECT_THAT(to_gradescope(results), HasSubstr(expected));
+}
+
+TEST(readable, numbers_have_six_digits) {
+  EXPECT_EQ(with_few_digits("(0.1234567891, -2.5, 1e-09)"), "(0.123457, -2.5, 1e-09)");
+  EXPECT_EQ(with_few_digits("123456789.25"), "123456789");
+  EXPECT_EQ(with_few_digits("seed 12345678901234567890"), "seed 12345678901234567890");
+  EXPECT_EQ(with_few_digits("node_1.2345678, v1.2345678"), "node_1.2345678, v1.2345678");
+  EXPECT_EQ(with_few_digits("1.23456789e-05 and 3.3333333333 m"), "1.23457e-05 and 3.33333 m");
+  EXPECT_EQ(with_few_digits(""), "");
+}
+
+TEST(readable, a_number_next_to_a_simple_one_keeps_its_digits) {
+  EXPECT_EQ(with_few_digits("0.9999999999"), "0.9999999999");
+  EXPECT_EQ(with_few_digits("0.30000000004"), "0.30000000004");
+  EXPECT_EQ(with_few_digits("1.0000001e-06"), "1.0000001e-06");
+}
+
+TEST(readable, a_difference_keeps_the_digits_that_show_it) {
+  FailureReport report;
+  report.got = "0.123456789012345";
+  report.expected = "0.123456789512345, give or take 1e-12";
+  FailureReport shown = readable(report);
+  EXPECT_EQ(shown.got, "0.123456789");
+  EXPECT_EQ(shown.expected, "0.1234567895, give or take 1e-12");
+  report.expected = "0.987654321987, give or take 1e-12";
+  shown = readable(report);
+  EXPECT_EQ(shown.got, "0.123457");
+  EXPECT_EQ(shown.expected, "0.987654, give or take 1e-12");
+}
+
+TEST(readable, long_inputs_are_folded) {
+  FailureReport report;
+  for (int i = 0; i < 172; ++i) report.input.push_back("box " + std::to_string(i));
+  const FailureReport shown = readable(report);
+  ASSERT_EQ(shown.input.size(), 11U);
+  EXPECT_EQ(shown.input[9], "box 9");
+  EXPECT_EQ(shown.input[10], "and 162 more lines; --json writes them all");
+  report.input.resize(12);
+  EXPECT_EQ(readable(report).input, report.input);
+}
+
+}  // namespace
+}  // namespace grader
