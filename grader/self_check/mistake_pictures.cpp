@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -87,9 +88,14 @@ bool is_seen(const KnownMistake& mistake) {
 std::string content_of(const std::string& text) { return sha256(text).substr(0, 12); }
 
 std::string sentence_of(const std::string& text) {
-  const std::size_t start = text.find('\n');
-  if (start == std::string::npos || text.compare(start + 1, 3, "// ") != 0) return "";
-  return text.substr(start + 4, text.find('\n', start + 1) - start - 4);
+  std::istringstream in(text);
+  std::string sentence, line;
+  std::getline(in, line);
+  while (std::getline(in, line) && line.starts_with("// ")) {
+    sentence += (sentence.empty() ? "" : " ") + line.substr(3);
+    if (line.ends_with('.')) break;
+  }
+  return sentence;
 }
 
 std::string known_path(const std::string& out) { return out + ".known.jsonl"; }
@@ -120,6 +126,7 @@ void write_known(const Config& config, const std::string& out) {
     const fs::path file =
         fs::path(config.root) / "grader/tasks" / mistake.task / "wrong" / (mistake.name + ".cpp");
     if (!fs::exists(file) || content_of(read_file(file)) != mistake.content) continue;
+    mistake.sentence = sentence_of(read_file(file));
     std::erase_if(mistake.pictures, [&](const auto& each) {
       const fs::path golden = golden_of(config, each.first);
       return !fs::exists(golden) || recipe_hash(golden) != each.second.recipe_hash;

@@ -15,7 +15,7 @@ namespace grader {
 // The beginning of the hash of a solution's text.
 std::string content_of(const std::string& text);
 
-// Its second line, which says the mistake; empty if that is no comment.
+// The sentence that says the mistake, from the second line on; empty if there is no comment.
 std::string sentence_of(const std::string& text);
 
 // The files beside the CSV at `out`: what is known, and what other samples showed.
