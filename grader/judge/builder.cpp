@@ -44,9 +44,11 @@ constexpr std::array kSubmissionFlags{
     "-Wno-sign-conversion",
     "-Wno-sign-compare",
     "-Wno-unknown-pragmas",
-    "-fsanitize=return",
-    "-fsanitize-undefined-trap-on-error",
 };
+// Where a function has to return a value and may end without a return: it ends the program there,
+// and does not do just anything. The compiler is then silent about it, so that it is asked twice.
+constexpr std::string_view kNoReturn = "[-Wreturn-type]";
+constexpr std::array kTrapFlags{"-fsanitize=return", "-fsanitize-undefined-trap-on-error"};
 constexpr std::size_t kMaxWarningLines = 40;
 
 // The warnings about the file itself, each with the lines that explain it.
@@ -148,7 +150,12 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   box.command.insert(box.command.end(), kSubmissionFlags.begin(), kSubmissionFlags.end());
   box.command.insert(box.command.end(),
                      {"-I.", "-fdiagnostics-color=never", "-c", task.file(), "-o", "task.o"});
-  const CommandResult result = run_command(boxed(box, tier_), std::chrono::seconds(seconds_));
+  CommandResult result = run_command(boxed(box, tier_), std::chrono::seconds(seconds_));
+  const std::string warnings = warnings_of(result.output, task.file());
+  if (result.ok() && warnings.find(kNoReturn) != std::string::npos) {
+    box.command.insert(box.command.end(), kTrapFlags.begin(), kTrapFlags.end());
+    result = run_command(boxed(box, tier_), std::chrono::seconds(seconds_));
+  }
   if (!result.ok()) {
     return {"", key, in_project(first_error(result, seconds_), config_.root), "", ""};
   }
@@ -162,7 +169,6 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   }
   const std::string reason = audit(object.text, contract, may_call(task.slug));
   if (!reason.empty()) return {"", key, "", reason, ""};
-  const std::string warnings = warnings_of(result.output, task.file());
   if (!warnings.empty()) write_file(warnings_path, warnings);
   write_file(path, with_state_marked(object.text));
   return {path, key, "", "", warnings};

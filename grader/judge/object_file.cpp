@@ -97,11 +97,24 @@ std::vector<ObjectSymbol> symbols_of(const Bytes& file, const std::vector<Elf64_
 
 // Of variables that may be written: not those that are constant once the program is loaded.
 bool is_state(const Elf64_Shdr& section, const std::string& name) {
-  const bool written = (section.sh_flags & SHF_WRITE) != 0 && (section.sh_flags & SHF_ALLOC) != 0 &&
-                       (section.sh_flags & SHF_TLS) == 0;
+  const bool written = section.sh_size > 0 && (section.sh_flags & SHF_WRITE) != 0 &&
+                       (section.sh_flags & SHF_ALLOC) != 0 && (section.sh_flags & SHF_TLS) == 0;
   const bool named =
       (name.starts_with(".data") && !name.starts_with(".data.rel.ro")) || name.starts_with(".bss");
   return written && named && (section.sh_type == SHT_PROGBITS || section.sh_type == SHT_NOBITS);
+}
+
+// Where the sections of state are one after the other; 0 if there is no such place.
+std::uint64_t address_of_state(const std::vector<Elf64_Shdr>& headers, const Bytes& names,
+                               std::uint64_t place) {
+  for (const std::string_view name : kStateSections) {
+    for (const Elf64_Shdr& section : headers) {
+      if (names.text(section.sh_name) != name) continue;
+      if (place < section.sh_size) return section.sh_addr + place;
+      place -= section.sh_size;
+    }
+  }
+  return 0;
 }
 
 template <class Struct>
@@ -125,22 +138,25 @@ ObjectFile read_object(std::string_view bytes) {
   return object;
 }
 
-// The names of sections, and one more, come to the end of the file.
+// The names of sections, and two more, come to the end of the file.
 std::string with_state_marked(std::string_view bytes) {
   const Bytes file(bytes);
   const Elf64_Ehdr header = header_of(file);
   std::vector<Elf64_Shdr> headers = sections_of(file, header);
   const Bytes names = content(file, headers, header.e_shstrndx);
   Elf64_Shdr& names_header = headers[header.e_shstrndx];
-  std::string marked(bytes);
-  const auto new_name = static_cast<Elf64_Word>(names_header.sh_size);
+  std::string all(bytes.substr(names_header.sh_offset, names_header.sh_size));
+  const auto with_value = static_cast<Elf64_Word>(all.size());
+  all += std::string(kStateSections[0]) + '\0';
+  const auto without = static_cast<Elf64_Word>(all.size());
+  all += std::string(kStateSections[1]) + '\0';
   for (Elf64_Shdr& section : headers) {
-    if (is_state(section, names.text(section.sh_name))) section.sh_name = new_name;
+    if (!is_state(section, names.text(section.sh_name))) continue;
+    section.sh_name = section.sh_type == SHT_PROGBITS ? with_value : without;
   }
-  const std::string all(bytes.substr(names_header.sh_offset, names_header.sh_size));
-  names_header.sh_offset = marked.size();
-  names_header.sh_size += kStateSection.size() + 1;
-  marked += all + std::string(kStateSection) + '\0';
+  names_header.sh_offset = bytes.size();
+  names_header.sh_size = all.size();
+  std::string marked = std::string(bytes) + all;
   for (std::uint64_t i = 0; i < headers.size(); ++i) {
     overwrite(marked, header.e_shoff + i * sizeof(Elf64_Shdr), headers[i]);
   }
@@ -149,12 +165,10 @@ std::string with_state_marked(std::string_view bytes) {
 
 std::string state_at(std::string_view program, std::uint64_t place) {
   const Bytes file(program);
-  const std::vector<Elf64_Shdr> headers = sections_of(file, header_of(file, {ET_EXEC, ET_DYN}));
-  const Bytes names = content(file, headers, header_of(file, {ET_EXEC, ET_DYN}).e_shstrndx);
-  std::uint64_t address = 0;
-  for (const Elf64_Shdr& section : headers) {
-    if (names.text(section.sh_name) == kStateSection) address = section.sh_addr + place;
-  }
+  const Elf64_Ehdr header = header_of(file, {ET_EXEC, ET_DYN});
+  const std::vector<Elf64_Shdr> headers = sections_of(file, header);
+  const std::uint64_t address =
+      address_of_state(headers, content(file, headers, header.e_shstrndx), place);
   for (std::uint64_t i = 0; i < headers.size() && address != 0; ++i) {
     if (headers[i].sh_type != SHT_SYMTAB) continue;
     const Bytes table = content(file, headers, i);

@@ -33,14 +33,15 @@ struct ObjectFile {
 // sentence if the bytes are no 64-bit relocatable object of this machine's byte order.
 ObjectFile read_object(std::string_view bytes);
 
-// The object with its variables that live as long as the program and may be written in a section
-// kStateSection (those that only one thread sees are not among them): the worker looks whether a
-// task changes them (grader/worker/kept_state.h). Nothing else is different. Throws as read_object.
-inline constexpr std::string_view kStateSection = "firstlight_state";
+// The object with its variables that live as long as the program and may be written in sections of
+// their own, those with a value at the start and those without (and without those that only one
+// thread sees): the worker looks whether a task changes them (grader/worker/kept_state.h). Nothing
+// else is different. Throws as read_object.
+inline constexpr std::string_view kStateSections[] = {"firstlight_data", "firstlight_bss"};
 std::string with_state_marked(std::string_view object);
 
-// The name of the variable at a place in that section of a program, as the linker knows it; empty
-// if there is none. Throws pt::Error if the bytes are not a 64-bit program.
+// The name of the variable at a place in those sections of a program, one after the other, as the
+// linker knows it; empty if there is none. Throws pt::Error if the bytes are not a 64-bit program.
 std::string state_at(std::string_view program, std::uint64_t place);
 
 }  // namespace grader

@@ -11,11 +11,13 @@
 #include <vector>
 
 // The linker knows where a section begins and ends; null where there is none.
+#define FIRSTLIGHT_EDGE(name, symbol) \
+  extern char name[] asm(symbol) __attribute__((weak, visibility("hidden")))
 extern "C" {
-extern char start_of_state[] asm("__start_firstlight_state")
-    __attribute__((weak, visibility("hidden")));
-extern char end_of_state[] asm("__stop_firstlight_state")
-    __attribute__((weak, visibility("hidden")));
+FIRSTLIGHT_EDGE(begin_of_data, "__start_firstlight_data");
+FIRSTLIGHT_EDGE(end_of_data, "__stop_firstlight_data");
+FIRSTLIGHT_EDGE(begin_of_bss, "__start_firstlight_bss");
+FIRSTLIGHT_EDGE(end_of_bss, "__stop_firstlight_bss");
 }
 
 namespace grader::worker {
@@ -45,9 +47,12 @@ using Addresses = std::unordered_set<std::uintptr_t, std::hash<std::uintptr_t>, 
 // More than that is not looked at after every call.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 18;
 
-std::size_t section_size() {
-  return static_cast<std::size_t>(reinterpret_cast<std::uintptr_t>(end_of_state) -
-                                  reinterpret_cast<std::uintptr_t>(start_of_state));
+std::size_t distance(const char* begin, const char* end) {
+  return reinterpret_cast<std::uintptr_t>(end) - reinterpret_cast<std::uintptr_t>(begin);
+}
+
+bool has_state() {
+  return distance(begin_of_data, end_of_data) + distance(begin_of_bss, end_of_bss) > 0;
 }
 
 // Where nothing can be kept, nothing is noted. Never destroyed: memory is given back until the end.
@@ -57,10 +62,10 @@ Blocks& blocks() {
 }
 
 void note(void* block, std::size_t size) {
-  if (section_size() > 0) blocks()[reinterpret_cast<std::uintptr_t>(block)] = size;
+  if (has_state()) blocks()[reinterpret_cast<std::uintptr_t>(block)] = size;
 }
 void forget(void* block) {
-  if (section_size() > 0) blocks().erase(reinterpret_cast<std::uintptr_t>(block));
+  if (has_state()) blocks().erase(reinterpret_cast<std::uintptr_t>(block));
 }
 
 // The value of the bytes, and of all memory that pointers in them lead to.
@@ -100,14 +105,14 @@ class Digest {
 
 class Watched {
  public:
-  Watched() : size_(std::min(section_size(), kMaxBytes)) {}
-
   std::uint64_t look() {
-    if (size_ == 0) return 0;
-    List<char> now(start_of_state, start_of_state + size_);
+    if (!has_state()) return 0;
+    List<char> now(begin_of_data, begin_of_data + distance(begin_of_data, end_of_data));
+    now.insert(now.end(), begin_of_bss, begin_of_bss + distance(begin_of_bss, end_of_bss));
+    now.resize(std::min(now.size(), kMaxBytes));
     List<std::uint64_t> digests;
     Digest digest;
-    for (std::size_t i = 0; i + sizeof(std::uintptr_t) <= size_; i += sizeof(std::uintptr_t)) {
+    for (std::size_t i = 0; i + sizeof(std::uintptr_t) <= now.size(); i += sizeof(std::uintptr_t)) {
       std::uintptr_t word = 0;
       std::memcpy(&word, now.data() + i, sizeof word);
       digests.push_back(digest.of_what_is_at(word));
@@ -120,8 +125,8 @@ class Watched {
 
  private:
   std::uint64_t compare(const List<char>& now, const List<std::uint64_t>& digests) {
-    changes_.resize(size_);
-    for (std::size_t i = 0; i < size_; ++i) {
+    changes_.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) {
       const bool first_of_word = i % sizeof(std::uintptr_t) == 0;
       const std::size_t word = i / sizeof(std::uintptr_t);
       const bool behind = first_of_word && word < digests.size() && digests[word] != digests_[word];
@@ -132,7 +137,6 @@ class Watched {
     return 0;
   }
 
-  std::size_t size_;
   List<char> bytes_, changes_;
   List<std::uint64_t> digests_;
 };

@@ -4,7 +4,7 @@
 namespace pt {
 
 std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray&) {
-  const int none = sphere.radius > 0 ? 0 : 1;
+  volatile int none = sphere.radius > 0 ? 0 : 1;
   return SurfaceHit{static_cast<double>(17 / none), {0, 0, 1}};
 }
 

@@ -6,8 +6,17 @@
 
 namespace pt {
 
+namespace {
+
+void refuse() noexcept { throw std::logic_error("no sample"); }
+
+}  // namespace
+
 Rgb diffuse_f(Rgb albedo, Vec3, Vec3) { return std::vector<Rgb>{albedo}.at(7); }
-BsdfSample diffuse_sample(Rgb, Vec3, Sampler&) noexcept { throw std::logic_error("no sample"); }
+BsdfSample diffuse_sample(Rgb, Vec3, Sampler&) {
+  refuse();
+  return {};
+}
 double diffuse_pdf(Vec3 wo, Vec3) {
   const volatile double* nothing = nullptr;
   return nothing[wo.z > 0 ? 3 : 2];
