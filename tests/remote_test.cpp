@@ -131,7 +131,7 @@ TEST(remote, no_bytes_hurt_the_decoder) {
   EXPECT_GT(refused_when_damaged(a_scene().primitives), 1000);
   EXPECT_GT(refused_when_damaged(pt::Bvh{std::vector<pt::BvhNode>(5), {4, 3, 2, 1, 0}}), 1000);
   EXPECT_GT(refused_when_damaged(std::optional<pt::Hit>({1, {0, 0, 1}, 2})), 1000);
-  EXPECT_GT(refused_when_damaged(ReplyHead{1, 2, 3, 4, {{{}}, {{}}, {{}}}}), 1000);
+  EXPECT_GT(refused_when_damaged(ReplyHead{1, 2, 3, 4, 5, {{{}}, {{}}, {{}}}}), 1000);
   EXPECT_GT(refused_when_damaged(CallHead{}), 1000);
   EXPECT_GT(refused_when_damaged(Definition{1, ObjectKind::bvh, "content"}), 1000);
 }

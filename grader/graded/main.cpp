@@ -34,7 +34,7 @@ constexpr std::chrono::milliseconds kBatteryCallLimit{700};
 
 int run_battery(Options options) {
   options.session.call_limit = kBatteryCallLimit;
-  options.session.lost_limit = options.session.total_limit = std::chrono::minutes(5);
+  options.session.total_limit = std::chrono::minutes(5);
   options.session.give_up = [](grader::Cause cause, const std::string&) {
     throw grader::CallEnded{cause};
   };

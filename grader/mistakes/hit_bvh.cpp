@@ -98,13 +98,20 @@ Battery::Numbers look_for_any(const Case& c, bool with_cost) {
   return all;
 }
 
+// Towards the middle of a primitive, or past it, from outside or from between them.
+pt::Ray some_ray(const pt::Primitives& primitives, Many& make) {
+  const pt::Box box = bounds(primitives, make.whole(0, primitives.size() - 1));
+  const pt::Vec3 origin = make.vector(-9, 9);
+  return {origin, box.center() + make.vector(-0.3, 0.3) - origin};
+}
+
 Case some_case(Many& make, Shape shape, int n, double padding, int max_leaf, bool spheres) {
   Case c;
   for (int i = 0; i < n; ++i) {
     if (spheres && make.whole(0, 2) == 0) {
       c.primitives.spheres.push_back({make.vector(-5, 5), make.between(0.1, 1.5)});
     } else {
-      c.primitives.triangles.push_back(some_triangle(make));
+      c.primitives.triangles.push_back(some_triangle(3, make));
     }
   }
   c.bvh = tree_of(c.primitives, shape, max_leaf, padding, make);

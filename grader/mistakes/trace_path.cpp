@@ -52,7 +52,8 @@ void run_battery(Battery& battery) {
   constexpr auto kHemisphere = PathSettings::Direct::hemisphere;
   constexpr auto kLights = PathSettings::Direct::lights;
   const Room round = made(round_room(albedo()), 11), glowing = made(glowing_room(albedo()), 12);
-  const Room lamp = made(room_around_a_lamp(albedo()), 13), sunny = made(sunny_wall(albedo()), 14);
+  const Room lamp = made(room_around_a_lamp(albedo(), rc::gen::just(kLights)), 13),
+             sunny = made(sunny_wall(albedo()), 14);
   const Room black = made(round_room(rc::gen::just(pt::Rgb{})), 15);
   const Room gray = made(round_room(rc::gen::just(pt::Rgb{0.5, 0.5, 0.5})), 16);
   depths(battery, round, kLights);
