@@ -67,7 +67,7 @@ stops_in() {
 }
 
 # The first fails on the first input that is tried, the second after some that hold.
-stops_in t2_range_unchecked
+stops_in range_unchecked
 stops_in one_edge_unchecked
 
 solution grader/tasks/hit_triangle/right/cramers_rule.cpp

@@ -19,13 +19,13 @@ struct Bug {
 };
 
 inline constexpr std::array<Bug, 4> kFourBugs{{
-    {"The box test overwrites the ray's range", "hit_bvh", "x3_range_overwritten",
+    {"The box test overwrites the ray's range", "hit_bvh", "range_overwritten",
      "finds_the_nearest_hit", "bvh_coil"},
-    {"Children joined by a short-circuit", "hit_bvh", "v1_first_child_that_hits",
+    {"Children joined by a short-circuit", "hit_bvh", "first_child_that_hits",
      "finds_the_nearest_hit", "bvh_coil"},
-    {"The BSDF applied twice", "trace_path", "g20_bsdf_applied_twice", "matches_the_furnace",
+    {"The BSDF applied twice", "trace_path", "bsdf_applied_twice", "matches_the_furnace",
      "global_indirect"},
-    {"The running total taken for the sample", "adaptive_pixel", "a1_running_total_as_the_sample",
+    {"The running total taken for the sample", "adaptive_pixel", "running_total_as_the_sample",
      "stops_where_the_interval_is_narrow", "adaptive_fine"},
 }};
 
