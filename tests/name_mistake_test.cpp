@@ -239,5 +239,30 @@ TEST(name_by_pictures, only_what_explains_all_pictures_is_named) {
   EXPECT_EQ(named({"b"}, {}), "") << "a name without a sentence";
 }
 
+// The task's mistake is named by its promises and answers first; then the pictures are looked at.
+TEST(name_by_pictures, promises_and_pictures_never_contradict_each_other) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() + "/known.jsonl";
+  pt::write_file(file, to_line({"hit_box", "a", "12", "Forgets it.", {}}));
+  const auto named = [&](const std::string& by_promises, std::vector<std::string> like,
+                         std::vector<std::string> unlike) {
+    TaskResult task;
+    task.slug = "hit_box";
+    task.mistake = {by_promises, "It does.", "battery"};
+    task.pictures.resize(2);
+    task.pictures[0].like = std::move(like);
+    task.pictures[1].unlike = std::move(unlike);
+    name_by_pictures(task, file);
+    return task.mistake.name + "/" + task.pictures[0].mistake;
+  };
+  EXPECT_EQ(named("a", {"a"}, {}), "a/a");
+  EXPECT_EQ(named("a, b", {"a"}, {}), "a, b/a");
+  EXPECT_EQ(named("a", {"a", "b"}, {}), "a/a") << "the answers exclude b";
+  EXPECT_EQ(named("b", {}, {}), "b/") << "the pictures say nothing";
+  EXPECT_EQ(named("a, b", {}, {"a"}), "a, b/");
+  EXPECT_EQ(named("a", {}, {"a"}), "/") << "a picture excludes it";
+  EXPECT_EQ(named("b", {"a"}, {}), "/") << "they name different mistakes";
+}
+
 }  // namespace
 }  // namespace grader

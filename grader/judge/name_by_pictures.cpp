@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,33 @@ std::string sentence_of(const std::string& file, const TaskResult& task, const s
   return sentence;
 }
 
+// "a, b" -> a and b: mistakes that the task's answers cannot tell apart.
+std::set<std::string> names_in(const std::string& text) {
+  std::set<std::string> names;
+  std::istringstream in(text);
+  for (std::string name; std::getline(in >> std::ws, name, ',');) names.insert(name);
+  return names;
+}
+
+// What promises and pictures say must not contradict each other: of the mistakes that the pictures
+// allow, those that the task's answers allow too are left. Where none is left, nothing is named.
+std::vector<std::string> agreed(TaskResult& task, std::vector<std::string> by_pictures) {
+  if (task.mistake.empty()) return by_pictures;
+  std::set<std::string> names = names_in(task.mistake.name);
+  for (const PictureResult& picture : task.pictures) {
+    for (const std::string& name : picture.unlike) names.erase(name);
+  }
+  if (!by_pictures.empty()) {
+    std::erase_if(by_pictures, [&](const std::string& name) { return !names.contains(name); });
+    if (by_pictures.empty()) names.clear();
+  }
+  if (names.empty()) {
+    task.mistake = {};
+    return {};
+  }
+  return by_pictures;
+}
+
 }  // namespace
 
 std::vector<std::string> candidates(const std::vector<PictureResult>& pictures) {
@@ -37,7 +65,7 @@ std::vector<std::string> candidates(const std::vector<PictureResult>& pictures) 
 }
 
 void name_by_pictures(TaskResult& task, const std::string& file) {
-  const std::vector<std::string> names = candidates(task.pictures);
+  const std::vector<std::string> names = agreed(task, candidates(task.pictures));
   const std::string sentence = names.size() == 1 ? sentence_of(file, task, names[0]) : "";
   for (PictureResult& picture : task.pictures) {
     if (!sentence.empty() && std::count(picture.like.begin(), picture.like.end(), names[0]) > 0) {

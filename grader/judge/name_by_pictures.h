@@ -12,7 +12,9 @@ namespace grader {
 std::vector<std::string> candidates(const std::vector<PictureResult>& pictures);
 
 // Enters the only candidate, if there is one alone, into the pictures that it makes, with its
-// sentence from `file` (grader/images/name_mistake.h). Empties their lists of mistakes.
+// sentence from `file` (grader/images/name_mistake.h). Empties their lists of mistakes. Where the
+// task's mistake is named already, by its promises and answers, and the pictures contradict that,
+// nothing is named at all.
 void name_by_pictures(TaskResult& task, const std::string& file);
 
 }  // namespace grader
