@@ -22,12 +22,16 @@ pt::PathSettings some_settings() {
 
 Rgb color(int i) { return {noise(i), 2 * noise(i + 1000), 4 * noise(i + 2000)}; }
 
-Rgb estimate(const Pixel& p, int samples, std::uint64_t seed, double factor = 1) {
+Rgb estimate(const Pixel& p, int samples, pt::Sampler& sampler, double factor = 1) {
   const pt::Scene scene;
   const pt::View view{scene, some_camera(), some_settings(), p.width, p.height};
-  pt::Sampler sampler = pt::Sampler::for_pixel(seed, p.x, p.y);
   script_radiance([&](int call, const pt::Ray&) { return factor * color(call); });
   return pt::estimate_pixel(view, p.x, p.y, samples, sampler);
+}
+
+Rgb estimate(const Pixel& p, int samples, std::uint64_t seed, double factor = 1) {
+  pt::Sampler sampler = pt::Sampler::for_pixel(seed, p.x, p.y);
+  return estimate(p, samples, sampler, factor);
 }
 
 // The mean, how many samples were taken, and what radiance() was given.
@@ -67,14 +71,18 @@ void one_sample(Battery& battery) {
   }
 }
 
+// A row for each call: the points of one call need not be independent.
 void where(Battery& battery) {
+  struct {
+    int samples, calls;
+  } constexpr kSizes[] = {{2, 200}, {9, 60}, {64, 30}};
   for (const Pixel& p : kPixels) {
-    for (const int samples : {2, 4, 64, 225}) {
-      battery.mean(450, [&](int n, std::uint64_t seed) {
+    for (const auto& [samples, calls] : kSizes) {
+      battery.mean(calls, [&, each = samples](int n, std::uint64_t seed) {
         std::vector<Battery::Numbers> rows;
-        for (int i = 0; static_cast<int>(rows.size()) < n; ++i) {
-          estimate(p, samples, seed + i);
-          for (const auto& row : places(p)) rows.push_back(row);
+        for (int i = 0; i < n; ++i) {
+          estimate(p, each, seed + i);
+          rows.push_back(mean_place(p));
         }
         return rows;
       });
@@ -82,24 +90,26 @@ void where(Battery& battery) {
   }
 }
 
-// Whether two samplers that differ see different places, and the same one the same; and whether
-// radiance() goes on with the stream that drew the place.
+// Whether two samplers that differ see different places, and the same one the same; whether the
+// caller's sampler goes on, and is the one that radiance() sees; and whether anything is
+// remembered.
 void streams(Battery& battery) {
   battery.ask([&]() -> Battery::Numbers {
     const Pixel p = kPixels[1];
     const auto look = [&](std::uint64_t seed) {
       const Rgb mean = estimate(p, 4, seed);
-      std::vector<double> all{mean.r};
-      for (const auto& row : places(p)) all.push_back(row[0]);
-      return all;
+      return std::pair(mean.r, mean_place(p));
     };
     const auto first = look(5), other = look(6), again = look(5);
+    const pt::Sampler start(7);
+    pt::Sampler after = start;
+    estimate(p, 4, after);
     const auto& calls = radiance_calls();
-    const bool advances = calls.size() > 1 && calls[0].sampler != calls[1].sampler;
+    const bool same = !calls.empty() && calls.back().sampler == after.state();
     estimate(p, 4, 5, 3);
     const double after_bright = estimate(p, 4, 5).r;
-    return {flag(first == again), flag(first == other), flag(advances),
-            flag(after_bright == first[0])};
+    return {flag(first == again), flag(first.second == other.second),
+            flag(after.state() != start.state()), flag(same), flag(after_bright == first.first)};
   });
 }
 

@@ -47,4 +47,15 @@ inline std::vector<Battery::Numbers> places(const Pixel& p) {
   return rows;
 }
 
+// The mean of all rows.
+inline Battery::Numbers mean_place(const Pixel& p) {
+  const std::vector<Battery::Numbers> rows = places(p);
+  Battery::Numbers mean(rows[0].size());
+  for (const Battery::Numbers& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      mean[i] += row[i] / static_cast<double>(rows.size());
+  }
+  return mean;
+}
+
 }  // namespace grader::mistakes
