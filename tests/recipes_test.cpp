@@ -27,7 +27,8 @@ const std::string kRecipe = R"({
   "name": "box", "title": "a box", "scene": "box_empty.dae", "camera": "file", "size": [8, 6],
   "bounces": [0, 2], "direct": "lights", "light_samples": 4, "survival": 0.5,
   "adaptive": {"max_samples": 64, "batch": 16, "tolerance": 0.1},
-  "seed": 7, "tasks": ["trace_path", "hit_bvh"], "noisy": true, "uniform": [1, 2, 3]
+  "seed": 7, "tasks": ["trace_path", "hit_bvh"], "noisy": true, "most_noise": 12,
+  "uniform": [1, 2, 3]
 })";
 
 std::string with(const std::string& old, const std::string& now) {
@@ -95,6 +96,7 @@ TEST_F(RecipeFile, says_all_that_a_picture_needs) {
   EXPECT_EQ(recipe.seed, 7u);
   EXPECT_EQ(recipe.tasks, (std::vector<std::string>{"trace_path", "hit_bvh"}));
   EXPECT_TRUE(recipe.noisy);
+  EXPECT_EQ(recipe.most_noise, 12);
   EXPECT_EQ(recipe.uniform, (pt::Rgb{1, 2, 3}));
 }
 
@@ -109,6 +111,7 @@ TEST_F(RecipeFile, leaves_out_what_is_usual) {
   EXPECT_EQ(recipe.framing, pt::Framing::file);
   EXPECT_FALSE(recipe.adaptive);
   EXPECT_FALSE(recipe.noisy);
+  EXPECT_EQ(recipe.most_noise, 0);
   EXPECT_FALSE(recipe.uniform);
 }
 

@@ -22,7 +22,7 @@ constexpr double kMostCorrelated = 3;
 // show in the whole picture's energy.
 constexpr double kBlatant = 0.2;
 
-double most_noise(NoiseClass noise) { return noise == NoiseClass::noisy ? 6 : 3; }
+double usual_limit(NoiseClass noise) { return noise == NoiseClass::noisy ? 6 : 3; }
 
 // What the stages so far have all complained of.
 struct Suspicion {
@@ -69,10 +69,10 @@ std::size_t area(const std::vector<Complaint>& parts) {
 // Judges one stage after the other.
 class Judge {
  public:
-  Judge(const pt::Film& film, NoiseClass noise)
+  Judge(const pt::Film& film, double most_noise)
       : golden_(prepare(film)),
         cells_(cells_of(golden_)),
-        most_noise_(most_noise(noise)),
+        most_noise_(most_noise),
         sum_(golden_.width, golden_.height) {}
 
   const Golden& golden() const { return golden_; }
@@ -204,14 +204,14 @@ std::array<Stage, 3> stages_of(NoiseClass noise) {
 }
 
 ImageVerdict judge_image(const pt::Film& golden, NoiseClass noise, const RenderStage& render,
-                         int max_stages) {
-  return judge_image(golden, noise, render, max_stages, stages_of(noise));
+                         int max_stages, double most_noise) {
+  return judge_image(golden, noise, render, max_stages, stages_of(noise), most_noise);
 }
 
 ImageVerdict judge_image(const pt::Film& golden, NoiseClass noise, const RenderStage& render,
-                         int max_stages, const std::array<Stage, 3>& stages) {
+                         int max_stages, const std::array<Stage, 3>& stages, double most_noise) {
   assert(max_stages >= 1 && max_stages <= 3);
-  Judge judge(golden, noise);
+  Judge judge(golden, most_noise > 0 ? most_noise : usual_limit(noise));
   for (int i = 0; i < max_stages; ++i) {
     const Batches batches = render(i + 1, stages[i].batches, stages[i].samples);
     if (const auto what = unusable(judge.golden(), batches, stages[i].batches)) {

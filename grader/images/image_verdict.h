@@ -68,13 +68,15 @@ struct ImageVerdict {
 // A complaint counts only if each stage repeats it, with the same sign. Stages after the first are
 // rendered only while a complaint is left. max_stages = 1 is for a picture that is known to be
 // wrong from elsewhere: the first stage's complaint counts, and a right picture may fail once in a
-// hundred. Precondition: the golden has pixels, each with samples >= 2; 1 <= max_stages <= 3.
+// hundred. `most_noise`: the variance of a sample that a right submission may have, over the
+// golden's; 0 for the usual limit of the class, 3 or 6. Precondition: the golden has pixels, each
+// with samples >= 2; 1 <= max_stages <= 3.
 ImageVerdict judge_image(const pt::Film& golden, NoiseClass noise, const RenderStage& render,
-                         int max_stages = 3);
+                         int max_stages = 3, double most_noise = 0);
 
 // The same with stages of one's own, as kAdaptiveStages.
 ImageVerdict judge_image(const pt::Film& golden, NoiseClass noise, const RenderStage& render,
-                         int max_stages, const std::array<Stage, 3>& stages);
+                         int max_stages, const std::array<Stage, 3>& stages, double most_noise = 0);
 
 // Where two goldens of one recipe, of independent samples, cannot both be right; empty if they
 // agree, which two right ones fail to do less than once in a million times. off_by is the newer's,

@@ -136,7 +136,7 @@ void judge(const Recipe& recipe, const pt::View& view, const Rendering& renderin
         return render_stage(recipe, view, rendering.rows, rendering.source, stage, batches,
                             samples);
       },
-      rendering.max_stages);
+      rendering.max_stages, recipe.most_noise);
   enter(verdict, result);
   keep(verdict, files, result);
 }

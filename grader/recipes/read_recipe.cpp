@@ -138,6 +138,7 @@ Recipe read_recipe(const json& object, const std::filesystem::path& file, std::s
   recipe.seed = fields.whole("seed", 1, std::numeric_limits<std::int32_t>::max());
   recipe.tasks = read_tasks(fields);
   recipe.noisy = fields.flag("noisy");
+  if (fields.has("most_noise")) recipe.most_noise = fields.number("most_noise", 1, 1000);
   recipe.uniform = read_uniform(fields);
   fields.require_no_more();
   return recipe;

@@ -31,6 +31,9 @@ struct Recipe {
   std::uint64_t seed = 0;          // of its own: 1 .. 2^31 - 1
   std::vector<std::string> tasks;  // the slugs of those that it judges
   bool noisy = false;              // needs four times the samples
+  // The variance of a sample that a right submission may have, over the golden's; 0: the usual 3, or
+  // 6 if noisy. More where the contracts allow it: roulette and densities of many bounces add up.
+  double most_noise = 0;
   std::optional<pt::Rgb> uniform;  // the radiance of every pixel, where theory knows it
 };
 

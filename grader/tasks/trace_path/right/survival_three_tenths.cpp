@@ -1,6 +1,4 @@
-// noisy: global_pale_room
-// Survives with the chance .3, not with the one that it is given: right on average, and most of
-// what a pale room reflects hangs on few paths.
+// right: survives with the chance .3, not with the one that it is given
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
