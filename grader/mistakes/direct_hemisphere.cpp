@@ -64,6 +64,13 @@ void scales(Battery& battery) {
       }
       ask(battery, stage.patch(kAlbedo, kTilted), 1, 1000);
     }
+    for (const Pose& pose : {here(size), far_away(size)}) {
+      Stage lit(pose), hidden(pose);
+      lit.rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted);
+      hidden.rectangle(kAbove, kRadiance, Body::surface).surface(kPlate, {.5, .5, .5});
+      ask(battery, lit, 1, 1000);
+      ask(battery, hidden.patch(kAlbedo, kTilted), 1, 1000);
+    }
   }
 }
 

@@ -120,9 +120,12 @@ void scales(Battery& battery) {
       ask_exactly(battery, patch(here(size, shift)).point_light({0.8, 0.6, 0.9}, kRadiance));
       ask(battery, patch(here(size, shift)).rectangle(kAside, kRadiance, Body::surface), 1, 1000);
       // Something dark close to the point.
-      ask_exactly(battery, patch(here(size, shift))
-                               .point_light({0, 0, 1}, kRadiance)
-                               .surface({{0, 0, 0.01}, {0, 1, 0}, {1, 0, 0}}, {.5, .5, .5}));
+      ask_exactly(
+          battery,
+          patch(here(size, shift)).point_light({0, 0, 1}, kRadiance).surface(kPlate, {.5, .5, .5}));
+    }
+    for (const Vec3 light : {Vec3{0.8, 0.6, 0.9}, Vec3{0.9, 0, 0.05}}) {
+      ask_exactly(battery, patch(far_away(size)).point_light(light, kRadiance));
     }
   }
 }

@@ -18,6 +18,16 @@ inline Pose turned(pt::Vec3 n, double size = 1) {
   return {pt::frame_from_normal(normalize(n)), size * pt::Vec3{3, 2, -1}, size};
 }
 
+// The same far from the origin, where rounding errors of points are large.
+inline Pose far_away(double size) {
+  Pose pose = turned({1, 2, 3}, size);
+  pose.shift = size * pt::Vec3{100, -70, 50};
+  return pose;
+}
+
+// A plate close above the point.
+inline const Rectangle kPlate{{0, 0, 0.01}, {0, 1, 0}, {1, 0, 0}};
+
 // Straight above, tilted, and low at the side; all facing the point.
 inline const Rectangle kAbove{{0, 0, 1}, {0, 1.6, 0}, {2, 0, 0}};
 inline const Rectangle kAside{{0.7, 0.2, 0.8}, {-0.2, 0.9, 0}, {0.8, 0, -0.5}};

@@ -1,6 +1,7 @@
 #include "pt/tasks/trace_path.h"
 
 #include "grader/mistakes/battery.h"
+#include "grader/mistakes/stages.h"
 #include "grader/property/repeat.h"
 #include "grader/property/rooms.h"
 
@@ -46,6 +47,28 @@ void depths(Battery& battery, const Room& room, PathSettings::Direct direct) {
   }
 }
 
+// A box of walls of different colours, closed or with a side open to the sky.
+void walls(Battery& battery, bool open, PathSettings::Direct direct) {
+  using namespace mistakes;
+  constexpr pt::Rgb kColors[] = {
+      {.9, .3, .3}, {.2, .8, .3}, {.3, .4, .9}, {.8, .8, .1}, {.1, .7, .9}};
+  Stage stage(here());
+  stage.patch(kAlbedo, kTilted);
+  const std::vector<Rectangle> sides = cube();
+  for (std::size_t i = open ? 2 : 0; i < std::size(kColors); ++i) {
+    stage.surface(sides[i], kColors[i], open ? pt::Rgb{} : pt::Rgb{0.1, 0.2, 0.1});
+  }
+  if (open) stage.sky(kRadiance);
+  stage.point_light({0.4, 0.3, 0.5}, kRadiance);
+  const Situation s = stage.done();
+  for (const auto& [from, to] : {std::pair(2, 2), std::pair(3, 3), std::pair(1, 5)}) {
+    const PathSettings settings = bounces(from, to, direct);
+    battery.estimate(2000, [&](int n, std::uint64_t seed) {
+      return repeat<pt::trace_path>(n, seed, s.scene, s.point, settings);
+    });
+  }
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -75,6 +98,9 @@ void run_battery(Battery& battery) {
     ask(battery, lamp, settings);
     settings.to = 3;
     ask(battery, lamp, settings);
+  }
+  for (const bool open : {false, true}) {
+    for (const auto direct : {kHemisphere, kLights}) walls(battery, open, direct);
   }
   ask(battery, black, bounces(1, 4));
   ask(battery, gray, bounces(1, 4));

@@ -96,6 +96,7 @@ Measured read_stored(const std::string& path) {
   from.at("source").get_to(measured.source);
   from.at("battery").get_to(measured.battery);
   from.at("properties").get_to(measured.properties);
+  measured.refused = from.value("refused", false);
   from.at("broken").get_to(measured.broken);
   from.at("unsure").get_to(measured.unsure);
   from.at("trial_broken").get_to(measured.trial.broken);
@@ -109,6 +110,7 @@ void store_measured(const std::string& path, const Measured& measured) {
   const json all{{"source", measured.source},
                  {"battery", measured.battery},
                  {"properties", measured.properties},
+                 {"refused", measured.refused},
                  {"broken", measured.broken},
                  {"unsure", measured.unsure},
                  {"trial_broken", measured.trial.broken},
@@ -172,7 +174,9 @@ Measured measure(const Config& shared, const GradeRequest& request, const Kept& 
   built.config = kept.task;
   built.object = builder.compile(*kept.task, kept.text);
   if (!built.object.ok()) {
-    throw pt::Error(kept.key() + ": " + built.object.error + built.object.rejected);
+    measured = {source, battery, properties, true, {}, {}, {}, {}};
+    store_measured(path, measured);
+    return measured;
   }
   const Built worker = link_alone(config, builder, built, Elsewhere::answers);
   if (!worker.ok()) throw pt::Error(kept.key() + " does not link: " + worker.error);
@@ -182,6 +186,7 @@ Measured measure(const Config& shared, const GradeRequest& request, const Kept& 
     measured.trial.answers = ask(builder, trial, kSeedOfTrial, 1);
   }
   if (!judged) measure_promises(trial, path + ".report", measured);
+  measured.refused = false;
   measured.source = source;
   measured.battery = battery;
   measured.properties = properties;
