@@ -88,7 +88,7 @@ nanoseconds running_time(pid_t pid) {
 
 ProcessTime time_of_tree(pid_t pid) {
   if (pid <= 0) return {};
-  static const nanoseconds tick(std::chrono::seconds(1) / sysconf(_SC_CLK_TCK));
+  static const nanoseconds tick = nanoseconds(std::chrono::seconds(1)) / sysconf(_SC_CLK_TCK);
   ProcessTime time;
   for (const pid_t each : with_descendants(pid)) {
     time.running += running_time(each) + tick * read_stat(each).of_children;

@@ -27,10 +27,10 @@ int milliseconds_until_look(const TimeLimit& limit) {
 
 // Does nothing for a while, or until something can be read. Whether the limit is over.
 bool is_over_after_waiting(TimeLimit& limit, pollfd* awaited, int longest) {
-  const auto start = Clock::now();
   const int left = std::min(longest, milliseconds_until_look(limit));
+  const Wait wait;
   const int ready = poll(awaited, awaited == nullptr ? 0 : 1, left);
-  limit.add_waited(std::min<Clock::duration>(Clock::now() - start, milliseconds(left + 50)));
+  limit.add_waited(wait.net(milliseconds(left)));
   return ready <= 0 && Clock::now() >= limit.next_look() && limit.is_over();
 }
 

@@ -15,7 +15,7 @@ namespace grader {
 class TimeLimit {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr int kPatience = 4;
+  static constexpr int kPatience = 4, kForever = 100;
 
   TimeLimit() = default;
   // From now on; `running_before` is what the processes ran until now.
@@ -25,24 +25,30 @@ class TimeLimit {
   // When it is worth asking whether it is over.
   Clock::time_point next_look() const { return next_look_; }
 
-  // This process did nothing for so long but wait for the other one.
+  // This process did nothing for so long but wait for the other one (see Wait).
   void add_waited(std::chrono::nanoseconds time) { waited_ += time; }
 
   // Asks the kernel, and puts off the next look.
   bool is_over();
 
  private:
-  // What was known at the first look.
-  struct First {
-    ProcessTime process;
-    std::chrono::nanoseconds own_waiting;
-  };
-
   pid_t pid_ = -1;
   std::chrono::nanoseconds limit_{0}, before_{0};
   std::chrono::nanoseconds waited_{0};  // since the first look
-  std::optional<First> first_;
-  Clock::time_point next_look_;
+  std::optional<ProcessTime> first_;    // what was known then
+  Clock::time_point start_, next_look_;
+};
+
+// One wait of this thread, from the constructor on. Takes some 20 microseconds.
+class Wait {
+ public:
+  // How long it lasted, without what this thread was ready to go on and had no processor; `longest`
+  // is what it was to last at most: a machine that stood still meanwhile makes it longer.
+  std::chrono::nanoseconds net(std::chrono::nanoseconds longest) const;
+
+ private:
+  TimeLimit::Clock::time_point start_ = TimeLimit::Clock::now();
+  std::chrono::nanoseconds own_waiting_ = own_waiting_time();
 };
 
 }  // namespace grader

@@ -130,7 +130,7 @@ void Session::expect_total_time_left() {
   const auto patience = TimeLimit::kPatience * settings_.total_limit;
   if (waited - running <= patience) return;
   const auto starved = starved_ + (worker_ ? worker_->starved() : Clock::duration::zero());
-  const auto slept = waited - running - starved - own_waiting_time();
+  const auto slept = waited - running - starved;
   if (slept > patience) give_up(slept);
 }
 
