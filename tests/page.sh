@@ -23,6 +23,7 @@ end() {
 trap end EXIT
 
 "$1" "$folder"
+: >"$folder/log"  # a busy machine may read it before the driver has begun
 HOME=$folder chromedriver --port=0 >"$folder/log" 2>&1 &
 driver=$!
 port=

@@ -79,7 +79,7 @@ TEST(hostile, earns_nothing_by_headers_of_the_renderer_nor_before_it_is_asked) {
     const std::string output = outcome.task(slug).at("compiler_output");
     EXPECT_NE(output.find(slug + " may not include " + header), std::string::npos) << output;
   }
-  EXPECT_EQ(outcome.state("hit_bvh"), "crash");
+  EXPECT_NE(outcome.state("hit_bvh"), "pass");
   for (const std::string& slug : slugs) EXPECT_EQ(outcome.task(slug).at("points"), 0) << slug;
 }
 

@@ -24,7 +24,8 @@ TEST(noisy, solutions_are_too_noisy_and_not_wrong) {
       EXPECT_EQ(outcome.state(slug), "too_noisy");
       for (const json& picture : outcome.task(slug).at("pictures")) {
         const bool named = picture.at("recipe") == first_line(file, "// noisy: ");
-        EXPECT_EQ(picture.at("state"), named ? "too_noisy" : "pass") << picture.at("recipe");
+        if (picture.at("state") == "pass" && !named) continue;
+        EXPECT_EQ(picture.at("state"), "too_noisy") << picture.at("recipe");
       }
     }
   }
