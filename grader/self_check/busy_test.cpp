@@ -1,44 +1,13 @@
 // What else the machine does changes no verdict: a limit counts what a submission computes.
+#include "grader/self_check/busy_loops.h"
 #include "grader/self_check/hostile_submission.h"
 
-#include <csignal>
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace grader {
 namespace {
-
-// Programs that compute for ever, several for each processor.
-class Crowd {
- public:
-  explicit Crowd(int count) {
-    for (int i = 0; i < count; ++i) {
-      const pid_t child = fork();
-      if (child == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
-        volatile bool more = true;
-        while (more) {
-        }
-      }
-      all_.push_back(child);
-    }
-  }
-  ~Crowd() {
-    for (const pid_t each : all_) {
-      kill(each, SIGKILL);
-      waitpid(each, nullptr, 0);
-    }
-  }
-  Crowd(const Crowd&) = delete;
-  Crowd& operator=(const Crowd&) = delete;
-
- private:
-  std::vector<pid_t> all_;
-};
 
 // The reference's function, which computes or sleeps at first.
 void slow_down(const Submission& submission, const std::string& slug, const std::string& lines) {
@@ -64,7 +33,7 @@ TEST(busy, machine_changes_no_verdict) {
   slow_down(submission, "camera_ray", computing("0.2"));
   slow_down(submission, "hit_sphere", computing("0.8"));
   slow_down(submission, "hit_box", "  std::this_thread::sleep_for(std::chrono::hours(1));\n");
-  const Crowd crowd(14);
+  const BusyLoops loops(14);
   const Outcome outcome = submission.grade({"--no-pictures", "--compile-limit", "6", "camera_ray",
                                             "hit_sphere", "hit_box", "hit_triangle"},
                                            400);
@@ -77,7 +46,7 @@ TEST(busy, machine_changes_no_verdict) {
 // An answer of the judge takes the judge's time, and many calls of hit_bvh wait for many answers.
 TEST(busy, judge_answers_at_its_own_cost) {
   const Submission submission("answers");
-  const Crowd crowd(14);
+  const BusyLoops loops(14);
   const Outcome outcome = submission.grade({"--no-pictures", "hit_bvh"}, 400);
   EXPECT_EQ(outcome.state("hit_bvh"), "pass") << outcome.output;
 }

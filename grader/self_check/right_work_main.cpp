@@ -3,12 +3,11 @@
 // what is known there is not judged again, so that it may be stopped and started at any time. Exit
 // status 1 if anything right has failed: the judge is then wrong.
 #include "grader/judge/parallel.h"
+#include "grader/self_check/busy_loops.h"
 #include "grader/self_check/right_work.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <mutex>
@@ -16,8 +15,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace {
@@ -33,36 +30,6 @@ struct Options {
   int first_seed = 1;
   int busy = 0;
   int threads = 2;
-};
-
-// Endless loops beside the judge, which end with this object or with this program.
-class BusyLoops {
- public:
-  explicit BusyLoops(int count) {
-    for (int i = 0; i < count; ++i) {
-      const pid_t pid = fork();
-      if (pid < 0) throw pt::Error("busy loops cannot be started here; use a smaller --busy");
-      if (pid == 0) loop();
-      pids_.push_back(pid);
-    }
-  }
-  ~BusyLoops() {
-    for (const pid_t pid : pids_) {
-      kill(pid, SIGKILL);
-      waitpid(pid, nullptr, 0);
-    }
-  }
-  BusyLoops(const BusyLoops&) = delete;
-  BusyLoops& operator=(const BusyLoops&) = delete;
-
- private:
-  [[noreturn]] static void loop() {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (std::atomic<unsigned> turns = 0;; ++turns) {
-    }
-  }
-
-  std::vector<pid_t> pids_;
 };
 
 // Cheap ones first, and some of every kind early.
