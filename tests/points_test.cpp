@@ -78,12 +78,25 @@ TEST(points, that_one_named_cause_takes_are_bounded) {
       EXPECT_EQ(counted(task, half).spared, 0);
       task.mistake = {"absolute_epsilon", "It is an epsilon.", "battery"};
       const int most = (promises + 1) / 2;  // rounded up
+      const int kept = promises - broken;
       task = counted(task, half);
-      EXPECT_EQ(task.points, promises - std::min(broken, most));
-      EXPECT_EQ(task.spared, std::max(0, broken - most));
+      EXPECT_EQ(task.spared, std::min(std::max(0, broken - most), kept));
+      EXPECT_EQ(task.points, kept + task.spared);
       EXPECT_EQ(task.max_points, promises);
     }
   }
+}
+
+// A task whose every call crashes may look exactly like a known mistake.
+TEST(points, are_not_given_back_to_a_task_that_keeps_no_promise) {
+  TaskPoints free;
+  free.one_cause = 0;
+  TaskResult task = example(6, 6);
+  task.promises[5].bonus = task.promises[5].held = true;  // a bonus earns nothing back
+  task.mistake = {"missing_return", "The sum is never returned.", "battery"};
+  EXPECT_EQ(counted(task, free).points, 0);
+  task.promises[0].held = true;
+  EXPECT_EQ(counted(task, free).points, 2);
 }
 
 TEST(points, of_one_cause_are_a_share_of_the_weights) {
