@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
+#include <mutex>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -29,16 +31,25 @@ RightJob all_reference(const Choices& choices) {
   return job;
 }
 
+// Thousands of jobs ask for the hashes of the same programs, which do not change meanwhile.
+const std::string& file_hash(const std::string& path) {
+  static std::mutex lock;
+  static std::map<std::string, std::string> hashes;
+  const std::lock_guard guard(lock);
+  std::string& hash = hashes[path];
+  if (hash.empty()) hash = sha256(read_file(path));
+  return hash;
+}
+
 std::string judge_hash(const Config& config, const RightJob& job) {
   std::string text;
-  for (const auto& [slug, file] : job.files) text += slug + '\0' + sha256(read_file(file));
+  for (const auto& [slug, file] : job.files) text += slug + '\0' + file_hash(file);
   for (const TaskConfig& task : config.tasks) {
     const bool judged = std::count(job.asked.begin(), job.asked.end(), task.slug) > 0;
-    if (judged) text += sha256(read_file(task.graded));
+    if (judged) text += file_hash(task.graded);
   }
   if (job.pictures) {
-    text +=
-        sha256(read_file(config.picture)) + sha256(read_file(config.root + "/scenes/recipes.json"));
+    text += file_hash(config.picture) + file_hash(config.root + "/scenes/recipes.json");
   }
   return sha256(text).substr(0, 12);
 }
