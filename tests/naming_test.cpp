@@ -74,8 +74,7 @@ TEST(answers, that_are_means_agree_unless_chance_does_not_explain_it) {
 }
 
 Fingerprint mistake(const std::string& name, double value, std::vector<std::string> broken) {
-  return {name, "Says " + name + ".",        "hash", false, std::move(broken),
-          {},   {exact({value}), exact({5})}};
+  return {name, "Says " + name + ".", "hash", std::move(broken), {}, {exact({value}), exact({5})}};
 }
 
 KnownTask known() {
@@ -140,10 +139,18 @@ TEST(naming, never_names_what_answers_as_the_reference_or_passes) {
   EXPECT_EQ(names(task, evidence(2, {}, {"a", "b"})), "");
 }
 
-TEST(naming, never_names_what_computes_nothing_of_its_own) {
-  KnownTask task = known();
-  task.mistakes[0].earns_nothing = true;
-  EXPECT_EQ(names(task, evidence(2, {"a", "b"}, {"c"})), "");
+TEST(answers, are_always_the_same_where_the_questions_do_not_matter) {
+  const Answer hit = exact({1, 2}), other_hit = exact({1, 3}), miss = exact({});
+  EXPECT_TRUE(always_the_same({}));
+  EXPECT_TRUE(always_the_same({hit, hit}));
+  EXPECT_FALSE(always_the_same({hit, other_hit}));
+  EXPECT_FALSE(always_the_same({hit, hit, miss, other_hit}));
+  // Calls of two kinds: each kind has an answer of its own.
+  EXPECT_TRUE(always_the_same({hit, exact({7}), hit, exact({7})}));
+  EXPECT_TRUE(always_the_same({ended("crash"), ended("crash")}));
+  EXPECT_FALSE(always_the_same({ended("crash"), ended("timeout")}));
+  // Noise of its own is not an answer of its own, but another mean is.
+  EXPECT_TRUE(always_the_same({{"", {0, 0}, {}}, {"", {0, 0}, {0, 1e-9}}}));
 }
 
 TEST(known_mistakes, come_back_from_their_file) {
@@ -152,7 +159,6 @@ TEST(known_mistakes, come_back_from_their_file) {
   for (Fingerprint& each : task.mistakes) each.answers.push_back({"", {9, 2}, {0.5, 0.25}});
   task.mistakes[1].answers[0] = ended("timeout");
   task.mistakes[2].answers[0] = exact({});
-  task.mistakes[3].earns_nothing = true;
   const KnownMistakes all{{"hit_box", task}, {"hit_sphere", known()}};
   EXPECT_EQ(known_from_json(to_json(all), "x"), all);
 }

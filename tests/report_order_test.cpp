@@ -75,7 +75,7 @@ TEST(order, puts_the_most_telling_task_first) {
   TaskResult picture = failing("picture", {});
   picture.pictures.emplace_back().state = State::fail;
   TaskResult named = failing("named", {broken("a", failure("wrong"))});
-  named.mistake = {"epsilon", "It is an epsilon.", "battery"};
+  named.mistake = {"epsilon", "It is an epsilon.", "battery", false};
   TaskResult unbuilt = failing("unbuilt", {broken("a", {})});
   unbuilt.promises[0].failures.clear();
   unbuilt.compiler_output = "error";
@@ -100,7 +100,7 @@ class Named : public ExampleRun {
   Results named() const {
     Results results = run;
     results.tasks[1].mistake = {"t_min_taken_as_zero", "It compares t with 0 & not t_min.",
-                                "battery"};
+                                "battery", false};
     results.tasks[1].spared = 0;
     return results;
   }

@@ -64,8 +64,9 @@ void name_mistakes(const Config& config, const Builder& builder, const GradeRequ
     if (task == known.end()) return;
     const auto evidence = evidence_of(config, builder, request, *failing[i]);
     if (!evidence) return;
-    const Mistake mistake = described(name_by_battery(task->second, *evidence));
+    Mistake mistake = described(name_by_battery(task->second, *evidence));
     if (mistake.empty()) return;
+    mistake.always_the_same = always_the_same(evidence->answers);
     const std::lock_guard lock(mutex);
     failing[i]->result.mistake = mistake;
     progress();

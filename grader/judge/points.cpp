@@ -69,8 +69,8 @@ int worth(int usual, const std::map<std::string, int>& special, const std::strin
 }
 
 // What broken promises would take beyond what one cause may; whole points. It is no more than what
-// the promises that hold are worth: a task that keeps no promise has shown nothing, whatever the
-// name of its mistake.
+// the promises that hold are worth, and nothing where the task always gives the same answer: such a
+// task has shown nothing, whatever the name of its mistake.
 int spared_by(const TaskPoints& task, const TaskResult& result) {
   int all = 0, lost = 0;
   for (const PromiseResult& promise : result.promises) {
@@ -80,7 +80,8 @@ int spared_by(const TaskPoints& task, const TaskResult& result) {
   }
   // .1 x 30 is a little more than 3, in doubles, and 3 in points.
   const int most = static_cast<int>(std::ceil(task.one_cause * all - 1e-9));
-  return result.mistake.empty() ? 0 : std::clamp(lost - most, 0, all - lost);
+  const bool one_cause = !result.mistake.empty() && !result.mistake.always_the_same;
+  return !one_cause ? 0 : std::clamp(lost - most, 0, all - lost);
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include "pt/error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -39,7 +41,19 @@ std::vector<double> read_numbers(const json& from) {
   return values;
 }
 
+bool same(const Answer& a, const Answer& b) {
+  const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return a.ended == b.ended && std::ranges::equal(a.values, b.values, equal);
+}
+
 }  // namespace
+
+bool always_the_same(const Answers& answers) {
+  std::map<std::size_t, const Answer*> first;  // by the number of values
+  return std::ranges::all_of(answers, [&](const Answer& answer) {
+    return same(*first.try_emplace(answer.values.size(), &answer).first->second, answer);
+  });
+}
 
 json describe(const Answer& answer) {
   constexpr int kDigits = 8, kErrorDigits = 3;

@@ -17,6 +17,10 @@ struct Answer {
 };
 using Answers = std::vector<Answer>;
 
+// Whether the task looks at nothing that it is given: all answers with the same number of values
+// are the same. A crash or a timeout is an answer too.
+bool always_the_same(const Answers& answers);
+
 // In JSON: "crash"; [1, 0.5], numbers that are exact; {"value": [1.02], "error": [0.03]}, means.
 // Rounded to what a comparison looks at.
 nlohmann::json describe(const Answer& answer);

@@ -25,7 +25,6 @@ ordered_json describe(const Fingerprint& print, const Answers& right) {
     }
   }
   ordered_json all{{"name", print.name}, {"sentence", print.sentence}, {"source", print.source}};
-  if (print.earns_nothing) all["earns_nothing"] = true;
   all["broken"] = print.broken;
   all["unsure"] = print.unsure;
   all["differs"] = differs;
@@ -37,7 +36,6 @@ Fingerprint read_fingerprint(const json& from, const Answers& right) {
   from.at("name").get_to(print.name);
   from.at("sentence").get_to(print.sentence);
   from.at("source").get_to(print.source);
-  print.earns_nothing = from.value("earns_nothing", false);
   from.at("broken").get_to(print.broken);
   from.at("unsure").get_to(print.unsure);
   print.answers = right;

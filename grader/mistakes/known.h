@@ -14,12 +14,9 @@ namespace grader {
 
 // How one wrong solution shows.
 struct Fingerprint {
-  std::string name;      // of its file: "absolute_epsilon"
-  std::string sentence;  // that says the mistake
-  std::string source;    // a hash of the file
-  // A solution that computes nothing of its own, such as a constant: it is never named, and so its
-  // points are not bounded.
-  bool earns_nothing = false;
+  std::string name;                 // of its file: "absolute_epsilon"
+  std::string sentence;             // that says the mistake
+  std::string source;               // a hash of the file
   std::vector<std::string> broken;  // promises, at every seed that was tried; no bonus
   std::vector<std::string> unsure;  // at some of them
   Answers answers;

@@ -33,7 +33,7 @@ std::vector<const Fingerprint*> name_by_battery(const KnownTask& known, const Ev
     if (explains(mistake, evidence)) found.push_back(&mistake);
   }
   for (const Fingerprint* one : found) {
-    if (one->earns_nothing || !agree(one->answers, found[0]->answers)) return {};
+    if (!agree(one->answers, found[0]->answers)) return {};
   }
   if (found.size() > kMaxNames) return {};
   return found;

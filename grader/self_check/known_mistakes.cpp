@@ -87,11 +87,9 @@ KnownTask known_of(const std::vector<std::pair<Kept, Measured>>& solutions) {
   for (const auto& [kept, measured] : solutions) {
     // What breaks nothing but a bonus passes, and what passes is not named.
     const bool fails = !measured.broken.empty() || !measured.unsure.empty();
-    if (kept.kind != "wrong" || !(fails || measured.refused)) continue;
-    Fingerprint print{kept.name,       sentence_of(kept.text), measured.source, measured.refused,
+    if (kept.kind != "wrong" || !fails) continue;
+    Fingerprint print{kept.name,       sentence_of(kept.text), measured.source,
                       measured.broken, measured.unsure,        measured.answers};
-    if (measured.refused) print.answers = task.right;
-    print.earns_nothing |= kept.text.find("\n// earns nothing") != std::string::npos;
     task.mistakes.push_back(print);
   }
   return task;

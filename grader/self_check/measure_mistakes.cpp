@@ -96,7 +96,6 @@ Measured read_stored(const std::string& path) {
   from.at("source").get_to(measured.source);
   from.at("battery").get_to(measured.battery);
   from.at("properties").get_to(measured.properties);
-  measured.refused = from.value("refused", false);
   from.at("broken").get_to(measured.broken);
   from.at("unsure").get_to(measured.unsure);
   from.at("trial_broken").get_to(measured.trial.broken);
@@ -110,7 +109,6 @@ void store_measured(const std::string& path, const Measured& measured) {
   const json all{{"source", measured.source},
                  {"battery", measured.battery},
                  {"properties", measured.properties},
-                 {"refused", measured.refused},
                  {"broken", measured.broken},
                  {"unsure", measured.unsure},
                  {"trial_broken", measured.trial.broken},
@@ -173,11 +171,7 @@ Measured measure(const Config& shared, const GradeRequest& request, const Kept& 
   Judged built;
   built.config = kept.task;
   built.object = builder.compile(*kept.task, kept.text);
-  if (!built.object.ok()) {
-    measured = {source, battery, properties, true, {}, {}, {}, {}};
-    store_measured(path, measured);
-    return measured;
-  }
+  if (!built.object.ok()) throw pt::Error(kept.key() + " is refused: " + built.object.error);
   const Built worker = link_alone(config, builder, built, Elsewhere::answers);
   if (!worker.ok()) throw pt::Error(kept.key() + " does not link: " + worker.error);
   const Trial trial{*kept.task, worker, false, request, {}};
@@ -186,7 +180,6 @@ Measured measure(const Config& shared, const GradeRequest& request, const Kept& 
     measured.trial.answers = ask(builder, trial, kSeedOfTrial, 1);
   }
   if (!judged) measure_promises(trial, path + ".report", measured);
-  measured.refused = false;
   measured.source = source;
   measured.battery = battery;
   measured.properties = properties;
@@ -212,7 +205,7 @@ std::string sentence_of(const std::string& text) {
   std::string sentence;
   bool first = true;
   for (std::string line; std::getline(lines, line) && line.starts_with("//"); first = false) {
-    if (first || line.starts_with("// earns nothing")) continue;
+    if (first) continue;
     const std::size_t start = line.find_first_not_of("/ ");
     if (start == std::string::npos) break;
     sentence += (sentence.empty() ? "" : " ") + line.substr(start);

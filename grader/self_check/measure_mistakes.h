@@ -28,14 +28,13 @@ std::vector<Kept> kept_solutions(const Config& config, const TaskConfig& task,
 // What was measured of one of them.
 struct Measured {
   std::string source, battery, properties;  // hashes of what it depends on
-  bool refused = false;  // it does not compile, or the audit rejects it: nothing else is known
-  Answers answers;       // with many draws
+  Answers answers;                          // with many draws
   Evidence trial;  // as a submission gives it: other draws, and the promises at the default seed
   std::vector<std::string> broken, unsure;  // of all seeds
 };
 
 // Resumable: what is in the folder `store` and depends on nothing that changed is not measured
-// again. Throws pt::Error if the solution does not link.
+// again. Throws pt::Error if the solution does not compile or link, or the audit rejects it.
 Measured measure(const Config& config, const GradeRequest& request, const Kept& kept,
                  const std::string& store);
 

@@ -20,8 +20,8 @@ namespace pt {
 // Precision: a node's box contains the boxes below it exactly, as Box::grow makes it: it is made of
 // their own numbers in double, and none of them is rounded. It may be larger by rounding errors.
 //
-// Calls none of the other tasks. It is called by several threads at once, so it keeps nothing in
-// static variables.
+// May call: no other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - keeps every primitive once: order is a permutation, and the leaves cover it without overlap.

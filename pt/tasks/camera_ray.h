@@ -22,8 +22,8 @@ namespace pt {
 // length is 1 to 1e-5. The origin and the clip range are the camera's, in single or in double
 // precision.
 //
-// Calls none of the other tasks. It is called by several threads at once, so it keeps nothing in
-// static variables.
+// May call: no other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - starts at the camera: the origin is the camera's position.

@@ -31,8 +31,8 @@ struct BsdfSample {
 // Noise: f cos(wi) / pdf of a sample has a standard deviation of at most the albedo. It is 0.58
 // times the albedo for uniform directions, and zero for cosine-weighted ones.
 //
-// May call: no other task. The functions are called from several threads at once, so they write no
-// static variable.
+// May call: no other task.
+// Threads: the functions are called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - f reflects the albedo: f cos(wi) summed over all wi is the albedo, in each channel.

@@ -27,8 +27,9 @@ namespace pt {
 // Noise: the standard deviation of the estimate is at most that of the mean of `samples`
 // independent uniform directions.
 //
-// May call: the functions of diffuse_bsdf, and no other task. It is called from several threads at
-// once, so it writes no static variable.
+// May call: the task diffuse_bsdf; scene.closest, scene.occluded, surface_point, background and
+//      sample_light; and what the headers of pt/ have whole.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - sees the sky: where rays meet nothing; half of it from an upright wall.

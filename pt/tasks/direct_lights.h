@@ -28,8 +28,9 @@ namespace pt {
 // sample_light, or of the light's mean if that is more; the mean of `samples` draws of it has at
 // most that divided by the square root of `samples`. Draws of different lights are independent.
 //
-// May call: the functions of diffuse_bsdf, and no other task. It is called from several threads at
-// once, so it writes no static variable.
+// May call: the task diffuse_bsdf; scene.closest, scene.occluded, surface_point, background and
+//      sample_light; and what the headers of pt/ have whole.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - matches a rectangle: Lambert's formula, wide and narrow, tilted and off to the side.

@@ -19,8 +19,8 @@ namespace pt {
 // more; the points to 1e-5 of the picture's width and height, beside what camera_ray is off. Single
 // precision has that, for the sum too.
 //
-// Calls camera_ray, radiance() and none of the other tasks. It is called by several threads at
-// once, so it keeps nothing in static variables.
+// May call: the task camera_ray, radiance(), and what the headers of pt/ have whole.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - averages the radiance: the mean of what radiance() returned, channel by channel, be it black

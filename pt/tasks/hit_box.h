@@ -17,8 +17,8 @@ namespace pt {
 // coordinate there is (of the box and of the origin). Plain arithmetic in double keeps that. A few
 // rounding errors too wide is right, too narrow is not: a box hides what is inside it.
 //
-// Calls none of the other tasks. It is called by several threads at once, so it keeps nothing in
-// static variables.
+// May call: no other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - hits where it is aimed: a ray at a point inside the box, or on a side that looks at the ray,

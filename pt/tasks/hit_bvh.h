@@ -19,9 +19,9 @@ namespace pt {
 //
 // Precision: t and n are those that hit_primitive returned, unchanged.
 //
-// Calls hit_box for boxes and hit_primitive for primitives, which calls hit_triangle or hit_sphere,
-// and none of the other tasks. It is called by several threads at once, so it keeps nothing in
-// static variables.
+// May call: hit_box for boxes, and hit_primitive for primitives, which calls the task hit_triangle
+//      or hit_sphere. No other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - finds the nearest hit: the same t as asking every primitive in turn, also among thousands, of

@@ -19,8 +19,8 @@ namespace pt {
 // 1e-6 radii of an end of the range may count or not. A ray that passes within 1e-8 radii of
 // touching the sphere may hit or miss.
 //
-// Calls none of the other tasks. It is called by several threads at once, so it keeps nothing in
-// static variables.
+// May call: no other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - hits where it is aimed: a ray at a visible point of the sphere has t at that point, also

@@ -25,8 +25,8 @@ namespace pt {
 // the plane at a small angle, down to a millionth of a radian. Flatter rays may miss. A point as
 // close as that to an edge or to an end of the range may count or not.
 //
-// Calls none of the other tasks. It is called by several threads at once, so it keeps nothing in
-// static variables.
+// May call: no other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - hits where it is aimed: a ray at a point inside the triangle has t at that point, also in

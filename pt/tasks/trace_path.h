@@ -34,7 +34,8 @@ namespace pt {
 //      diffuse_sample and of direct light allow. More is "too noisy", and breaks the promise that
 //      was tried.
 // May call: the tasks diffuse_bsdf, direct_hemisphere and direct_lights; scene.closest,
-//      scene.occluded and surface_point; and what the headers of pt/ have whole.
+//      scene.occluded, surface_point, background and sample_light; and what the headers of pt/ have
+//      whole.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
