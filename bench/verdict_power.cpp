@@ -3,7 +3,7 @@
 // (tests/synthetic_pictures.h), 96 x 72. Writes verdict_power.csv, which verdict_power.gp draws,
 // and prints docs/verdicts.md's tables.
 #include "bench/report.h"
-#include "grader/images/cells.h"
+#include "grader/pictures/cells.h"
 #include "pt/command_line.h"
 #include "tests/synthetic_maps.h"
 #include "tests/synthetic_pictures.h"
@@ -21,7 +21,7 @@
 namespace grader {
 namespace {
 
-using Outcome = ImageVerdict::Outcome;
+using Outcome = pictures::ImageVerdict::Outcome;
 
 constexpr int kWidth = 96, kHeight = 72;
 constexpr std::array<std::pair<Spread, const char*>, 3> kSpreads{
@@ -29,8 +29,8 @@ constexpr std::array<std::pair<Spread, const char*>, 3> kSpreads{
      {Spread::fireflies, "fireflies"},
      {Spread::mostly_zero, "mostly zero"}}};
 
-NoiseClass noise_of(Spread spread) {
-  return spread == Spread::diffuse ? NoiseClass::ordinary : NoiseClass::noisy;
+pictures::NoiseClass noise_of(Spread spread) {
+  return spread == Spread::diffuse ? pictures::NoiseClass::ordinary : pictures::NoiseClass::noisy;
 }
 
 // 16 times the samples of the last stage, as a golden must have.
@@ -43,8 +43,9 @@ struct Tally {
   double noisiest = 0;
 };
 
-Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted, NoiseClass noise,
-                 const std::array<Stage, 3>& stages, int pictures, std::uint64_t seed) {
+Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted,
+                 pictures::NoiseClass noise, const std::array<Stage, 3>& stages, int pictures,
+                 std::uint64_t seed) {
   constexpr int kPicturesAGolden = 50;
   Tally tally;
   pt::Film golden;
@@ -53,7 +54,8 @@ Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted, N
     if (i % kPicturesAGolden == 0) {
       golden = Draw(~own).golden(right, golden_samples(stages));
     }
-    const auto verdict = judge_image(golden, noise, submission(submitted, own), 3, stages);
+    const auto verdict =
+        pictures::judge_image(golden, noise, submission(submitted, own), 3, stages);
     const bool passed = verdict.outcome == Outcome::pass;
     const int complained = passed ? verdict.stages - 1 : verdict.stages;
     for (int stage = 0; stage < complained; ++stage) ++tally.complaints[stage];
@@ -76,7 +78,7 @@ void print_false_failures(int pictures) {
     for (const double variance : {1.0, 2.0, 0.5}) {
       SyntheticScene submitted = scene;
       for (SyntheticPixel& pixel : submitted.pixels) pixel.shape /= variance;
-      const auto stages = stages_of(noise_of(spread));
+      const auto stages = pictures::stages_of(noise_of(spread));
       const Tally tally =
           judge_many(scene, submitted, noise_of(spread), stages, pictures, 1'000'000);
       const std::string what =
@@ -93,20 +95,22 @@ void print_later_stages(int pictures) {
   fmt::print("\nStage 2 on 16 cells at random: of {} right pictures, level 0.002\n", pictures);
   for (const auto& [spread, name] : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
-    const auto stages = stages_of(noise_of(spread));
-    const Golden golden = prepare(Draw(5).golden(scene, golden_samples(stages)));
-    const std::vector<Cell> cells = cells_of(golden);
+    const auto stages = pictures::stages_of(noise_of(spread));
+    const pictures::Golden golden =
+        pictures::prepare(Draw(5).golden(scene, golden_samples(stages)));
+    const std::vector<pictures::Cell> cells = pictures::cells_of(golden);
     Draw draw(6);
     int complaints = 0;
     for (int i = 0; i < pictures; ++i) {
-      std::vector<Complaint> kept;
+      std::vector<pictures::Complaint> kept;
       while (kept.size() < 16) {
         kept.push_back(
             {cells[draw.random()() % cells.size()], draw.random()() % 2 == 0 ? 9.0 : -9.0, 1, 0});
       }
       const int samples = stages[1].samples;
-      const Moments stage = moments(draw.batches(scene, 16, samples).images, samples);
-      if (!repeated(compare(golden, stage), kept, 2e-3).empty()) ++complaints;
+      const pictures::Moments stage =
+          pictures::moments(draw.batches(scene, 16, samples).images, samples);
+      if (!pictures::repeated(pictures::compare(golden, stage), kept, 2e-3).empty()) ++complaints;
     }
     fmt::print("{:<34}{:>9}\n", name, complaints);
     std::fflush(stdout);
@@ -146,12 +150,12 @@ void print_sample_maps(int maps) {
   for (const auto& [max, batch, tolerance] :
        {std::tuple{2048, 64, 0.05}, std::tuple{512, 16, 0.1}}) {
     const pt::AdaptiveSettings settings{max, batch, tolerance};
-    const SampleMapReference reference = synthetic_reference(scene, settings);
+    const pictures::SampleMapReference reference = synthetic_reference(scene, settings);
     std::array<std::vector<double>, 4> figures;
     int failures = 0;
     for (int i = 0; i < maps; ++i) {
       const auto run = run_adaptive(scene, settings, StoppingRule::right, 1, 1000 + i);
-      const SampleMapVerdict verdict = judge_sample_map(reference, run.map);
+      const pictures::SampleMapVerdict verdict = pictures::judge_sample_map(reference, run.map);
       if (!verdict.pass) ++failures;
       const double values[] = {verdict.ratio, verdict.a, verdict.b, verdict.correlation};
       for (int k = 0; k < 4; ++k) figures[k].push_back(values[k]);

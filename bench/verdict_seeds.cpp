@@ -1,7 +1,7 @@
 // Judges the reference's own pictures, with one seed after the other: how often does a right
 // submission fail? Each verdict is a line of a CSV, and what is there already is not judged again,
 // so that it may be stopped and started as one likes. Exit status 1 if a picture failed.
-#include "grader/judge/parallel.h"
+#include "grader/base/parallel.h"
 #include "grader/pictures/judge_recipe.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
@@ -28,7 +28,7 @@ struct Options {
 };
 
 struct Job {
-  const Recipe* recipe;
+  const pictures::Recipe* recipe;
   int seed;
 };
 
@@ -43,22 +43,23 @@ std::set<std::string> done(const std::string& path) {
   return all;
 }
 
-PictureResult judge(const Job& job, const Options& options) {
+results::PictureResult judge(const Job& job, const Options& options) {
   const std::string golden = options.root + "/golden/" + job.recipe->name;
-  Rendering rendering;
+  pictures::Rendering rendering;
   rendering.rows = pt::render_rows;
   rendering.source = {"the reference", static_cast<std::uint64_t>(job.seed)};
-  return judge_recipe(*job.recipe, rendering,
-                      {golden + ".exr", golden + "_rates.json", "", "", "", ""});
+  return pictures::judge_recipe(*job.recipe, rendering,
+                                {golden + ".exr", golden + "_rates.json", "", "", "", ""});
 }
 
 int run(const Options& options) {
-  const std::vector<Recipe> recipes = load_recipes(options.root + "/scenes/recipes.json");
-  for (const std::string& name : options.names) find(recipes, name);
+  const std::vector<pictures::Recipe> recipes =
+      pictures::load_recipes(options.root + "/scenes/recipes.json");
+  for (const std::string& name : options.names) pictures::find(recipes, name);
   const std::set<std::string> known = done(options.out);
   std::vector<Job> jobs;
   for (int seed = 1; seed <= options.seeds; ++seed) {
-    for (const Recipe& recipe : recipes) {
+    for (const pictures::Recipe& recipe : recipes) {
       const bool asked = options.names.empty() ||
                          std::count(options.names.begin(), options.names.end(), recipe.name) > 0;
       if (asked && !known.contains(fmt::format("{},{}", recipe.name, seed))) {
@@ -70,10 +71,10 @@ int run(const Options& options) {
   if (!csv) throw pt::Error(options.out + ": cannot be written; choose another --out");
   std::size_t ended = 0, failed = 0, later = 0;
   std::mutex writing;
-  for_each(jobs.size(), options.threads, [&](std::size_t i) {
-    const PictureResult result = judge(jobs[i], options);
+  base::for_each(jobs.size(), options.threads, [&](std::size_t i) {
+    const results::PictureResult result = judge(jobs[i], options);
     const std::lock_guard lock(writing);
-    failed += result.state == State::pass ? 0 : 1;
+    failed += result.state == results::State::pass ? 0 : 1;
     later += result.stages > 1 ? 1 : 0;
     csv << fmt::format("{},{},{},{},{:.3f},{:.3f},\"{}\"\n", jobs[i].recipe->name, jobs[i].seed,
                        name(result.state), result.stages, result.noise, result.seconds, result.text)

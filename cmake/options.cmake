@@ -14,9 +14,15 @@ add_library(firstlight_warnings INTERFACE)
 target_compile_options(firstlight_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
 
-# An object library of ours. Objects, not archives: two definitions of one function are then an error of
-# the linker, where in an archive one of them would silently win.
+# A library of ours: whoever links it also gets what it needs.
 function(firstlight_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_link_libraries(${name} PRIVATE firstlight_warnings PUBLIC firstlight_options)
+endfunction()
+
+# The same in objects, for the seam and for what registers itself: two definitions of one function are
+# then an error of the linker, where in an archive one of them would silently win.
+function(firstlight_objects name)
   add_library(${name} OBJECT ${ARGN})
   target_link_libraries(${name} PRIVATE firstlight_warnings PUBLIC firstlight_options)
 endfunction()

@@ -4,24 +4,42 @@
 # implementation is a tree of files <part>/<slug>.cpp that define the functions of the contract
 # pt/tasks/<slug>.h. Each file becomes an object library <slug>.<implementation>; a program links
 # exactly one library for each task. Exercise numbers (1.3) follow from the order here.
-set(FIRSTLIGHT_TASKS
-  1_rays/estimate_pixel
-  1_rays/camera_ray
-  1_rays/hit_triangle
-  1_rays/hit_sphere
-  2_bvh/build_bvh
-  2_bvh/hit_box
-  2_bvh/hit_bvh
-  3_direct/diffuse_bsdf
-  3_direct/direct_hemisphere
-  3_direct/direct_lights
-  4_global/trace_path
-  5_adaptive/adaptive_pixel)
-
-# The tasks whose calls can be counted, what they return and are asked about, and the counter's name.
-set(FIRSTLIGHT_COUNTED_hit_box Interval Box boxes)
-set(FIRSTLIGHT_COUNTED_hit_triangle SurfaceHit Triangle triangles)
-set(FIRSTLIGHT_COUNTED_hit_sphere SurfaceHit Sphere spheres)
+#
+# grader/tasks.json is the table of them. From it, for each slug: FIRSTLIGHT_JUDGE_ANSWERS_<slug> and
+# FIRSTLIGHT_MOCKS_<slug>, slugs; and where its calls can be counted, FIRSTLIGHT_COUNTED_<slug>: what it
+# returns, what it is asked about, and the counter's name.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/grader/tasks.json)
+file(READ ${PROJECT_SOURCE_DIR}/grader/tasks.json table)
+# firstlight_names(<variable> <words of the path in the table>...): an array of names as a list; empty
+# where there is none.
+function(firstlight_names variable)
+  set(names)
+  string(JSON count ERROR_VARIABLE missing LENGTH "${table}" ${ARGN})
+  if(NOT missing AND count GREATER 0)
+    math(EXPR last "${count} - 1")
+    foreach(i RANGE ${last})
+      string(JSON name GET "${table}" ${ARGN} ${i})
+      list(APPEND names ${name})
+    endforeach()
+  endif()
+  set(${variable} ${names} PARENT_SCOPE)
+endfunction()
+string(JSON last LENGTH "${table}" tasks)
+math(EXPR last "${last} - 1")
+foreach(i RANGE ${last})
+  string(JSON slug GET "${table}" tasks ${i} slug)
+  string(JSON part GET "${table}" tasks ${i} part)
+  list(APPEND FIRSTLIGHT_SLUGS ${slug})
+  list(APPEND FIRSTLIGHT_TASKS ${part}/${slug})
+  firstlight_names(FIRSTLIGHT_JUDGE_ANSWERS_${slug} tasks ${i} judge_answers)
+  firstlight_names(FIRSTLIGHT_MOCKS_${slug} tasks ${i} mocks)
+  foreach(word result shape counter)
+    string(JSON value ERROR_VARIABLE missing GET "${table}" tasks ${i} counted ${word})
+    if(NOT missing)
+      list(APPEND FIRSTLIGHT_COUNTED_${slug} ${value})
+    endif()
+  endforeach()
+endforeach()
 
 # The library <slug>.<name>.counted: the same implementation, and a counter (pt/render/test_count.h).
 function(firstlight_add_counted slug name source)
@@ -71,7 +89,7 @@ function(firstlight_link_tasks program)
   endforeach()
   foreach(choice IN LISTS ARG_CHOICES)
     if(NOT choice MATCHES "^([a-z_]+)=([a-z_]+)$" OR NOT CMAKE_MATCH_1 IN_LIST slugs)
-      message(FATAL_ERROR "'${choice}' is no choice: write <task>=<implementation>, the task one of ${slugs}")
+      message(FATAL_ERROR "'${choice}' is not a choice: write <task>=<implementation>, the task one of ${slugs}")
     endif()
     set(choice_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
   endforeach()

@@ -1,8 +1,8 @@
-#include "grader/bless/check.h"
-#include "grader/bless/golden.h"
-#include "grader/bless/moments.h"
-#include "grader/bless/provenance.h"
-#include "grader/recipes/seeds.h"
+#include "grader/pictures/check_golden.h"
+#include "grader/pictures/make_golden.h"
+#include "grader/pictures/moments.h"
+#include "grader/pictures/provenance.h"
+#include "grader/pictures/seeds.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/image_io.h"
@@ -18,7 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -314,4 +314,4 @@ TEST_F(Bless, notices_a_scene_that_changed) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures

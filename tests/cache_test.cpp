@@ -1,7 +1,7 @@
 // What the judge forgets when its cache has grown too large, and what it must not forget.
 #include "grader/judge/cache.h"
 
-#include "grader/judge/files.h"
+#include "grader/base/files.h"
 #include "tests/temporary_folder.h"
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::judge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,7 +20,7 @@ class Cache : public testing::Test {
  protected:
   // A file of so many bytes, last used so long ago.
   void add(const std::string& name, std::size_t bytes, minutes ago) const {
-    write_file(path(name), std::string(bytes, 'x'));
+    base::write_file(path(name), std::string(bytes, 'x'));
     age(name, ago);
   }
 
@@ -96,7 +96,7 @@ TEST_F(Cache, what_killed_runs_left_goes_after_an_hour) {
   add("b.worker.4711.2", 10, minutes(59));
   for (const std::string name : {"c.tree.4711.3", "d.tree.4711.4"}) {
     fs::create_directories(path(name) + "/pt/math");
-    write_file(path(name) + "/pt/math/vec3.h", "");
+    base::write_file(path(name) + "/pt/math/vec3.h", "");
   }
   age("c.tree.4711.3", minutes(61));
   trim_cache(folder(), 1000);
@@ -110,4 +110,4 @@ TEST_F(Cache, nothing_there_is_no_error) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

@@ -49,7 +49,7 @@ stops_in() {
   solution "grader/tasks/hit_triangle/wrong/$wrong.cpp"
   promise=$(sed -n 's|^// breaks: ||p' "grader/tasks/hit_triangle/wrong/$wrong.cpp" | tr _ ' ')
   "$folder/check" --gtest_brief=1 "--gtest_filter=*.${promise// /_}" >"$folder/report" || true
-  grader/property/debug.sh --batch "$folder/check" hit_triangle "$promise" >"$folder/gdb" 2>&1
+  grader/check/debug.sh --batch "$folder/check" hit_triangle "$promise" >"$folder/gdb" 2>&1
   grep -qE "^Breakpoint 2, pt::hit_triangle .* at .*/$wrong\.cpp:" "$folder/gdb" ||
     complain "$wrong: it does not stop in pt::hit_triangle"
   grep -qx 'This is your function, called with the smallest input that fails.' "$folder/gdb" ||
@@ -71,7 +71,7 @@ stops_in range_unchecked
 stops_in one_edge_unchecked
 
 solution grader/tasks/hit_triangle/right/cramers_rule.cpp
-debug=(grader/property/debug.sh --batch "$folder/check" hit_triangle)
+debug=(grader/check/debug.sh --batch "$folder/check" hit_triangle)
 "${debug[@]}" 'hits where it is aimed' >"$folder/gdb" 2>&1
 grep -q '^Nothing failed' "$folder/gdb" || complain "a right solution: $(cat "$folder/gdb")"
 grep -q ' fails: hits where it is aimed, seed 1$' "$folder/gdb" ||

@@ -1,6 +1,6 @@
 // A picture does not depend on the engine that traced its rays: those of the wide engine against a
 // golden by the tasks of part 2, other samples, judged like a submission's.
-#include "grader/images/image_verdict.h"
+#include "grader/pictures/image_verdict.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
@@ -16,7 +16,7 @@ constexpr int kWidth = 40;
 constexpr int kHeight = 30;
 
 // 32, 64 and 128 samples a pixel; the golden has 16 times the last.
-constexpr std::array<grader::Stage, 3> kStages{{{16, 2}, {16, 4}, {16, 8}}};
+constexpr std::array<grader::pictures::Stage, 3> kStages{{{16, 2}, {16, 4}, {16, 8}}};
 constexpr int kGoldenSamples = 16 * 16 * 8;
 
 Film render(const LoadedScene& loaded, int samples, std::uint64_t seed) {
@@ -28,7 +28,7 @@ Film render(const LoadedScene& loaded, int samples, std::uint64_t seed) {
   return render_film(view, {samples, {}, seed, 2}).film;
 }
 
-grader::ImageVerdict judge_wide_by_task(const char* file, bool broken) {
+grader::pictures::ImageVerdict judge_wide_by_task(const char* file, bool broken) {
   LoadedScene loaded = load_collada(std::filesystem::path(FIRSTLIGHT_SOURCE_DIR) / "scenes" / file);
   loaded.scene.tracer = Tracer(Engine::task, loaded.scene.primitives);
   const Film golden = render(loaded, kGoldenSamples, 1);
@@ -41,28 +41,29 @@ grader::ImageVerdict judge_wide_by_task(const char* file, bool broken) {
   }
   loaded.scene.tracer = Tracer(Engine::wide, loaded.scene.primitives);
   const auto stage = [&](int number, int batches, int samples) {
-    grader::Batches result{samples, {}};
+    grader::pictures::Batches result{samples, {}};
     for (int i = 0; i < batches; ++i) {
       const std::uint64_t seed = 1000u * static_cast<unsigned>(number) + static_cast<unsigned>(i);
       result.images.push_back(mean(render(loaded, samples, seed)));
     }
     return result;
   };
-  return judge_image(golden, grader::NoiseClass::ordinary, stage, 3, kStages);
+  return judge_image(golden, grader::pictures::NoiseClass::ordinary, stage, 3, kStages);
 }
 
 class PictureOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PictureOf, the_wide_engine_is_that_of_the_task) {
-  const grader::ImageVerdict verdict = judge_wide_by_task(GetParam(), false);
-  EXPECT_EQ(verdict.outcome, grader::ImageVerdict::Outcome::pass) << verdict.sentence;
+  const grader::pictures::ImageVerdict verdict = judge_wide_by_task(GetParam(), false);
+  EXPECT_EQ(verdict.outcome, grader::pictures::ImageVerdict::Outcome::pass) << verdict.sentence;
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryScene, PictureOf,
                          ::testing::Values("box_blob.dae", "box_spheres.dae"));
 
 TEST(Picture, with_holes_is_found_out) {
-  EXPECT_EQ(judge_wide_by_task("box_blob.dae", true).outcome, grader::ImageVerdict::Outcome::wrong);
+  EXPECT_EQ(judge_wide_by_task("box_blob.dae", true).outcome,
+            grader::pictures::ImageVerdict::Outcome::wrong);
 }
 
 }  // namespace

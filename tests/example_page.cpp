@@ -6,8 +6,8 @@
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::string folder = argv[1];
-  grader::ReportFiles files;
+  grader::report::ReportFiles files;
   files.html = folder + "/page.html";
-  grader::write_reports(example_results(folder), files);
+  grader::report::write_reports(example_results(folder), files);
   return 0;
 }

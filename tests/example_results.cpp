@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace grader;
+using namespace grader::results;
 
 constexpr int kWidth = 96, kHeight = 72;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 
 #include <string>
 
@@ -10,9 +10,9 @@ inline const std::string kHostile =
     "</style></pre>{{verdict}} \x1b[2J\xff\xc0\x80 \xe2\x80\xae end";
 
 // Every member has a value that it does not have by default.
-grader::Results full_results();
+grader::results::Results full_results();
 
 // A run as a person might see it, with a task in each state that a task can have, and pictures in
 // all of theirs: right, wrong, too noisy, adaptive, of files that are missing, or never rendered.
 // The files that it names are written to `folder`.
-grader::Results example_results(const std::string& folder);
+grader::results::Results example_results(const std::string& folder);

@@ -9,26 +9,26 @@
 class ExampleRun : public testing::Test {
  protected:
   // The same, as a killed run leaves it.
-  grader::Results stopped() const {
-    grader::Results results = run;
+  grader::results::Results stopped() const {
+    grader::results::Results results = run;
     results.complete = false;
     return results;
   }
 
   // The same, killed earlier: the pictures of direct_lights are not judged but for the first one,
   // and nothing of the last two tasks.
-  grader::Results half_judged() const {
-    grader::Results results = stopped();
+  grader::results::Results half_judged() const {
+    grader::results::Results results = stopped();
     for (std::size_t i = 6; i < results.tasks.size(); ++i) {
-      grader::TaskResult& task = results.tasks[i];
-      task.state = grader::State::not_judged;
+      grader::results::TaskResult& task = results.tasks[i];
+      task.state = grader::results::State::not_judged;
       task.reason.clear();
       task.blamed.clear();
       task.points = i == 6 ? 5 : 0;
-      for (grader::PromiseResult& promise : task.promises) promise.held = i == 6;
-      for (grader::PictureResult& picture : task.pictures) {
+      for (grader::results::PromiseResult& promise : task.promises) promise.held = i == 6;
+      for (grader::results::PictureResult& picture : task.pictures) {
         if (i == 6 && picture.recipe == "two_lights") continue;
-        grader::PictureResult fresh;
+        grader::results::PictureResult fresh;
         fresh.recipe = picture.recipe;
         fresh.title = picture.title;
         fresh.max_points = 3;
@@ -39,5 +39,5 @@ class ExampleRun : public testing::Test {
   }
 
   const TemporaryFolder folder;
-  const grader::Results run = example_results(folder.path());
+  const grader::results::Results run = example_results(folder.path());
 };

@@ -1,7 +1,7 @@
-#include "grader/bless/check.h"
-#include "grader/bless/provenance.h"
-#include "grader/images/name_mistake.h"
-#include "grader/judge/sha256.h"
+#include "grader/base/sha256.h"
+#include "grader/pictures/check_golden.h"
+#include "grader/pictures/name_mistake.h"
+#include "grader/pictures/provenance.h"
 #include "pt/file.h"
 #include "pt/image/image_io.h"
 
@@ -14,7 +14,7 @@
 
 // The goldens of the project as they lie in golden/.
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,7 +51,7 @@ TEST(KnownMistakes, are_of_the_solutions_and_recipes_that_we_keep) {
     const std::string name = mistake.task + "/wrong/" + mistake.name;
     const fs::path file = kRoot / "grader/tasks" / (name + ".cpp");
     ASSERT_TRUE(fs::exists(file)) << name;
-    EXPECT_TRUE(sha256(pt::read_file(file, 1 << 20)).starts_with(mistake.content)) << name;
+    EXPECT_TRUE(base::sha256(pt::read_file(file, 1 << 20)).starts_with(mistake.content)) << name;
     EXPECT_THAT(mistake.sentence, testing::EndsWith(".")) << name;
     for (const auto& [recipe, picture] : mistake.pictures) {
       const std::vector<std::string>& judged = find(all, recipe).tasks;
@@ -94,4 +94,4 @@ TEST(Goldens, of_the_floor_are_albedo_times_sky) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures

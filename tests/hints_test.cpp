@@ -1,9 +1,9 @@
 // Hints: their files, what is remembered between two of them, and the program that gives them.
-#include "grader/hints/hints.h"
+#include "grader/report/hints.h"
 
-#include "grader/hints/memory.h"
-#include "grader/judge/promises.h"
 #include "grader/process/run_command.h"
+#include "grader/report/hint_memory.h"
+#include "grader/results/promises.h"
 #include "pt/error.h"
 #include "tests/grader_fixture.h"
 
@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::report {
 namespace {
 
 using testing::HasSubstr;
@@ -27,13 +27,14 @@ TEST(hints, every_task_has_three_tiers_about_its_own_promises) {
     const std::string slug = folder.path().filename();
     const std::string path = folder.path() / "hints.md";
     Hints hints;
-    ASSERT_NO_THROW(hints = parse_hints(read_file(path), path)) << path;
-    const auto promises = promises_of(read_file(FIRSTLIGHT_SOURCE_DIR "/pt/tasks/" + slug + ".h"));
+    ASSERT_NO_THROW(hints = parse_hints(base::read_file(path), path)) << path;
+    const auto promises =
+        results::promises_of(base::read_file(FIRSTLIGHT_SOURCE_DIR "/pt/tasks/" + slug + ".h"));
     for (const Tier& tier : hints) {
       for (const PromiseHint& hint : tier.promises) {
-        const std::string name = property_name(hint.title);
+        const std::string name = results::property_name(hint.title);
         EXPECT_TRUE(std::any_of(promises.begin(), promises.end(),
-                                [&](const Promise& promise) {
+                                [&](const results::Promise& promise) {
                                   return promise.name == name || promise.name == name + "_bonus";
                                 }))
             << path << ": no promise is called '" << hint.title << "'";
@@ -81,16 +82,16 @@ TEST(hints, that_are_not_complete_are_refused_with_the_line) {
   EXPECT_THAT(error_of(""), HasSubstr("'## Question' is missing"));
 }
 
-PromiseResult failed(const std::string& name, bool bonus = false) {
-  PromiseResult promise{name, name, bonus, false, 1, 0, {}};
+results::PromiseResult failed(const std::string& name, bool bonus = false) {
+  results::PromiseResult promise{name, name, bonus, false, 1, 0, {}};
   promise.failures.emplace_back();
   return promise;
 }
 
-Results results_of(State state, std::vector<PromiseResult> promises) {
-  Results results;
+results::Results results_of(results::State state, std::vector<results::PromiseResult> promises) {
+  results::Results results;
   results.seed = 7;
-  TaskResult& task = results.tasks.emplace_back();
+  results::TaskResult& task = results.tasks.emplace_back();
   task.slug = "hit_triangle";
   task.state = state;
   task.promises = std::move(promises);
@@ -102,19 +103,20 @@ TEST(memory, holds_what_failed_last_and_forgets_hints_when_the_task_passes) {
   Memory memory;
   memory.given = {{"", 2}, {"misses_outside", 1}};
   remember(folder.path(), "hit_triangle", memory);
-  remember_failures(folder.path(), results_of(State::fail, {failed("extra_bonus", true),
-                                                            failed("one"), failed("two")}));
+  remember_failures(folder.path(),
+                    results_of(results::State::fail,
+                               {failed("extra_bonus", true), failed("one"), failed("two")}));
   memory = recall(folder.path(), "hit_triangle");
   EXPECT_EQ(memory.seed, 7u);
   EXPECT_EQ(memory.fails, (std::vector<std::string>{"one", "two", "extra_bonus"}));
   EXPECT_EQ(memory.given, (std::map<std::string, int>{{"", 2}, {"misses_outside", 1}}));
 
-  Results broken = results_of(State::rejected, {});
+  results::Results broken = results_of(results::State::rejected, {});
   broken.tasks[0].compiler_output = "error: expected ';'";
   remember_failures(folder.path(), broken);
   EXPECT_EQ(recall(folder.path(), "hit_triangle").fails.size(), 3u);
 
-  remember_failures(folder.path(), results_of(State::pass, {}));
+  remember_failures(folder.path(), results_of(results::State::pass, {}));
   EXPECT_TRUE(recall(folder.path(), "hit_triangle").fails.empty());
   EXPECT_TRUE(recall(folder.path(), "hit_triangle").given.empty());
   EXPECT_TRUE(recall(folder.path(), "hit_sphere").fails.empty());
@@ -126,9 +128,9 @@ struct Answer {
 };
 
 Answer hint(const GraderFolder& folder, std::vector<std::string> arguments) {
-  Child child{{HINT_PROGRAM, "--config", folder.config()}, {}, {}, "", {}};
+  process::Child child{{HINT_PROGRAM, "--config", folder.config()}, {}, {}, "", {}};
   child.command.insert(child.command.end(), arguments.begin(), arguments.end());
-  const CommandResult result = run_command(child, std::chrono::seconds(60));
+  const process::CommandResult result = process::run_command(child, std::chrono::seconds(60));
   return {WEXITSTATUS(result.status), result.output};
 }
 
@@ -147,7 +149,8 @@ TEST(hint_program, gives_one_tier_after_the_other_and_then_says_so) {
 TEST(hint_program, is_about_the_promise_that_failed_or_was_asked_for) {
   const GraderFolder folder;
   const std::string work = folder.path() + "/work";
-  remember_failures(work, results_of(State::fail, {failed("interpolates_the_corner_normals")}));
+  remember_failures(work,
+                    results_of(results::State::fail, {failed("interpolates_the_corner_normals")}));
   const std::string text = hint(folder, {"hit_triangle"}).text;
   EXPECT_THAT(text, HasSubstr("hit_triangle interpolates the corner normals\nQuestion (1 of 3)"));
   EXPECT_THAT(text, HasSubstr("At corner 1 itself"));
@@ -170,4 +173,4 @@ TEST(hint_program, refuses_what_it_does_not_know) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

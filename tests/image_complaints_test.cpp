@@ -1,6 +1,6 @@
 // What the verdict on a picture says of a mistake, and which complaints count; two goldens
 // compared.
-#include "grader/images/image_verdict.h"
+#include "grader/pictures/image_verdict.h"
 #include "pt/error.h"
 #include "tests/judged_picture.h"
 
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 using Outcome = ImageVerdict::Outcome;
@@ -26,7 +26,7 @@ TEST_F(Judged, a_dark_block_is_named_and_outlined) {
   const auto verdict = judge(submission(wrong, 5));
   ASSERT_EQ(verdict.outcome, Outcome::wrong);
   ASSERT_FALSE(verdict.cells.empty());
-  for (const FailingCell& cell : verdict.cells) {
+  for (const results::FailingCell& cell : verdict.cells) {
     EXPECT_GE(cell.x, 8);
     EXPECT_LE(cell.x + cell.width, 16);
     EXPECT_GE(cell.y, 16);
@@ -152,4 +152,4 @@ TEST(contradictions, wrong_goldens_are_told_apart) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures

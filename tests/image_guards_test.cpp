@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 using Outcome = ImageVerdict::Outcome;
@@ -151,4 +151,4 @@ TEST(image_guards, a_picture_of_something_else_is_wrong_not_noisy) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures

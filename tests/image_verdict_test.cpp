@@ -1,16 +1,16 @@
 // The verdict on a picture, on pictures drawn from known distributions: how often right ones fail,
 // and whether wrong ones do.
-#include "grader/images/image_verdict.h"
+#include "grader/pictures/image_verdict.h"
 
-#include "grader/images/cells.h"
-#include "grader/images/normal.h"
+#include "grader/base/normal.h"
+#include "grader/pictures/cells.h"
 #include "tests/synthetic_pictures.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 using Outcome = ImageVerdict::Outcome;
@@ -37,9 +37,9 @@ int binomial_bound(int n, double p) {
 }
 
 TEST(normal, quantiles_are_those_of_the_tables) {
-  EXPECT_NEAR(normal_quantile_above(0.5), 0, 1e-9);
-  EXPECT_NEAR(normal_quantile_above(0.025), 1.959964, 1e-6);
-  EXPECT_NEAR(normal_quantile_above(1e-9), 5.997807, 1e-6);
+  EXPECT_NEAR(base::normal_quantile_above(0.5), 0, 1e-9);
+  EXPECT_NEAR(base::normal_quantile_above(0.025), 1.959964, 1e-6);
+  EXPECT_NEAR(base::normal_quantile_above(1e-9), 5.997807, 1e-6);
 }
 
 // A picture of 96 x 72 in luminance alone: 6912 pixels, 432, 108 and 12 blocks, two sums.
@@ -47,7 +47,7 @@ TEST(image_verdict, thresholds_are_those_of_the_design) {
   const std::pair<int, double> scales[] = {
       {6912, 5.13}, {432, 4.58}, {108, 4.28}, {12, 3.77}, {2, 3.29}};
   for (const auto& [count, threshold] : scales) {
-    EXPECT_NEAR(normal_quantile_above(1e-2 / 5 / count / 2), threshold, 0.006);
+    EXPECT_NEAR(base::normal_quantile_above(1e-2 / 5 / count / 2), threshold, 0.006);
   }
   const Golden golden =
       prepare(Draw(1).golden(synthetic_scene(Spread::diffuse, kWidth, kHeight), 64));
@@ -155,4 +155,4 @@ TEST(image_verdict, errors_are_found) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "grader/images/image_verdict.h"
+#include "grader/pictures/image_verdict.h"
 #include "tests/synthetic_pictures.h"
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::pictures {
 
 // One picture, 48 x 36 and diffuse, and submissions of it.
 class Judged : public testing::Test {
@@ -30,4 +30,4 @@ class Judged : public testing::Test {
   pt::Film golden_ = Draw(42).golden(scene_, 16384);
 };
 
-}  // namespace grader
+}  // namespace grader::pictures

@@ -1,5 +1,5 @@
 // Which known mistake made the pictures of a task: means over blocks, and what they say of it.
-#include "grader/images/name_mistake.h"
+#include "grader/pictures/name_mistake.h"
 
 #include "grader/judge/name_by_pictures.h"
 #include "pt/error.h"
@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 using testing::ElementsAre;
@@ -210,16 +210,16 @@ TEST(name_by_pictures, only_what_explains_all_pictures_is_named) {
   const TemporaryFolder folder;
   const auto file = folder.path() + "/known.jsonl";
   pt::write_file(file, to_line({"hit_box", "a", "12", "Forgets it.", {}}));
-  TaskResult task;
+  results::TaskResult task;
   task.slug = "hit_box";
   task.pictures.resize(3);
   task.pictures[0].text = "too dark";
   const auto named = [&](std::vector<std::string> like, std::vector<std::string> unlike) {
-    TaskResult copy = task;
+    results::TaskResult copy = task;
     copy.pictures[0].like = std::move(like);
     copy.pictures[1].unlike = std::move(unlike);
-    name_by_pictures(copy, file);
-    for (const PictureResult& picture : copy.pictures) {
+    judge::name_by_pictures(copy, file);
+    for (const results::PictureResult& picture : copy.pictures) {
       EXPECT_THAT(picture.like, IsEmpty());
       EXPECT_THAT(picture.unlike, IsEmpty());
     }
@@ -246,13 +246,13 @@ TEST(name_by_pictures, promises_and_pictures_never_contradict_each_other) {
   pt::write_file(file, to_line({"hit_box", "a", "12", "Forgets it.", {}}));
   const auto named = [&](const std::string& by_promises, std::vector<std::string> like,
                          std::vector<std::string> unlike) {
-    TaskResult task;
+    results::TaskResult task;
     task.slug = "hit_box";
     task.mistake = {by_promises, "It does.", "battery", false};
     task.pictures.resize(2);
     task.pictures[0].like = std::move(like);
     task.pictures[1].unlike = std::move(unlike);
-    name_by_pictures(task, file);
+    judge::name_by_pictures(task, file);
     return task.mistake.name + "/" + task.pictures[0].mistake;
   };
   EXPECT_EQ(named("a", {"a"}, {}), "a/a");
@@ -265,4 +265,4 @@ TEST(name_by_pictures, promises_and_pictures_never_contradict_each_other) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
 
 Answer exact(std::vector<double> values) { return {"", std::move(values), {}}; }
@@ -170,4 +170,4 @@ TEST(known_mistakes, are_refused_where_the_file_holds_something_else) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -1,5 +1,5 @@
 // What promises and pictures earn, and what one cause costs.
-#include "grader/judge/points.h"
+#include "grader/results/points.h"
 
 #include "pt/error.h"
 #include "pt/file.h"
@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::results {
 namespace {
 
 using testing::HasSubstr;
@@ -164,7 +164,7 @@ TEST(points, are_refused_with_what_is_wrong_and_where) {
   const auto task = [](const std::string& inside) {
     return R"({"default": {}, "tasks": {"a": )" + inside + "}}";
   };
-  EXPECT_THAT(why_refused(""), HasSubstr("see grader/judge/points.h"));
+  EXPECT_THAT(why_refused(""), HasSubstr("see grader/results/points.h"));
   EXPECT_THAT(why_refused("{}"), HasSubstr("default"));
   EXPECT_THAT(why_refused(R"({"default": {}})"), HasSubstr("tasks"));
   EXPECT_THAT(why_refused(task("5")), HasSubstr("tasks.a is not an object"));
@@ -189,4 +189,4 @@ TEST(points, of_the_project_can_be_read) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::results

@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::process {
 namespace {
 
 using std::chrono::milliseconds;
@@ -163,4 +163,4 @@ TEST(process_time, finds_who_does_the_work) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::process

@@ -1,4 +1,4 @@
-#include "grader/recipes/recipes.h"
+#include "grader/pictures/recipes.h"
 
 #include "pt/error.h"
 #include "pt/file.h"
@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -219,4 +219,4 @@ TEST(Recipes, judge_every_task_by_a_few_pictures) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures

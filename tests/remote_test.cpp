@@ -1,15 +1,15 @@
 // Messages between judge and worker: what is encoded comes back, and no bytes hurt the decoder.
-#include "grader/judge/promises.h"
-#include "grader/judge/sha256.h"
-#include "grader/remote/finite.h"
-#include "grader/remote/message.h"
+#include "grader/base/sha256.h"
+#include "grader/results/promises.h"
+#include "grader/wire/finite.h"
+#include "grader/wire/message.h"
 
 #include <random>
 #include <set>
 
 #include <gtest/gtest.h>
 
-namespace grader::remote {
+namespace grader::wire {
 namespace {
 
 pt::Scene a_scene() {
@@ -161,16 +161,17 @@ TEST(remote, answers_have_numbers) {
 
 // FIPS 180-4's own examples, and lengths around a block's end.
 TEST(sha256, examples) {
-  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+  EXPECT_EQ(base::sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(base::sha256("abc"),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(base::sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
             "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  EXPECT_EQ(sha256(std::string(1000000, 'a')),
+  EXPECT_EQ(base::sha256(std::string(1000000, 'a')),
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
 TEST(promises, are_read_from_a_contract) {
-  const auto promises = promises_of(
+  const auto promises = results::promises_of(
       "// Out: a thing.\n//\n// Promises:\n//   - keeps the ray's range: no hit before\n"
       "// t_min,\n//     or beyond t_max.\n//   - never misses (bonus): at all (Someone 2013).\n"
       "int f();\n//   - not this: one.\n");
@@ -184,4 +185,4 @@ TEST(promises, are_read_from_a_contract) {
 }
 
 }  // namespace
-}  // namespace grader::remote
+}  // namespace grader::wire

@@ -1,7 +1,7 @@
 // JUnit's XML keeps the rules of the readers that there are.
 #include "grader/report/junit.h"
-#include "grader/report/presentable.h"
-#include "grader/report/summary.h"
+#include "grader/results/presentable.h"
+#include "grader/results/summary.h"
 #include "tests/example_run.h"
 
 #include <map>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 
-namespace grader {
+namespace grader::results {
 namespace {
 
 using testing::HasSubstr;
@@ -85,10 +85,10 @@ const tinyxml2::XMLElement* testcase(const tinyxml2::XMLDocument& document, cons
 }
 
 TEST_F(JUnit, keeps_the_rules) {
-  check_junit(to_junit(run));
-  check_junit(to_junit(stopped()));
-  check_junit(to_junit(half_judged()));
-  check_junit(to_junit(full_results()));
+  check_junit(report::to_junit(run));
+  check_junit(report::to_junit(stopped()));
+  check_junit(report::to_junit(half_judged()));
+  check_junit(report::to_junit(full_results()));
 }
 
 TEST_F(JUnit, has_a_way_of_not_passing_for_every_state) {
@@ -99,7 +99,7 @@ TEST_F(JUnit, has_a_way_of_not_passing_for_every_state) {
     results.tasks[0].pictures = run.tasks[6].pictures;
     results.tasks[0].pictures.resize(1);
     results.tasks[0].pictures[0].state = state;
-    const std::string text = to_junit(results);
+    const std::string text = report::to_junit(results);
     check_junit(text);
     tinyxml2::XMLDocument document;
     document.Parse(text.c_str());
@@ -116,7 +116,7 @@ TEST_F(JUnit, has_a_way_of_not_passing_for_every_state) {
 
 TEST_F(JUnit, holds_the_failure) {
   tinyxml2::XMLDocument document;
-  const std::string text = to_junit(run);
+  const std::string text = report::to_junit(run);
   document.Parse(text.c_str());
   const std::string promise = run.tasks[1].promises[1].name;
   const auto* wrong = testcase(document, promise, "1_rays.hit_triangle")->FirstChildElement();
@@ -129,13 +129,13 @@ TEST_F(JUnit, holds_the_failure) {
       testcase(document, "picture penumbra", "3_direct.direct_lights")->FirstChildElement();
   EXPECT_STREQ(picture->Attribute("message"), run.tasks[6].pictures[1].text.c_str());
   EXPECT_EQ(document.RootElement()->Attribute("name"), presentable(kHostile));
-  EXPECT_THAT(to_junit(stopped()), HasSubstr(kStopped));
+  EXPECT_THAT(report::to_junit(stopped()), HasSubstr(kStopped));
   EXPECT_THAT(text, Not(HasSubstr(kStopped)));
 }
 
 TEST_F(JUnit, skips_what_is_not_judged) {
   tinyxml2::XMLDocument document;
-  document.Parse(to_junit(half_judged()).c_str());
+  document.Parse(report::to_junit(half_judged()).c_str());
   const std::string promise = run.tasks[6].promises[0].name;
   EXPECT_EQ(testcase(document, promise, "3_direct.direct_lights")->FirstChildElement(), nullptr);
   for (const auto& [name, class_name] :
@@ -159,11 +159,11 @@ TEST_F(JUnit, says_what_the_compiler_said) {
     promise.held = false;
     promise.failures.clear();
   }
-  EXPECT_THAT(to_junit(results), HasSubstr("hit_triangle.cpp:7: error: expected"));
+  EXPECT_THAT(report::to_junit(results), HasSubstr("hit_triangle.cpp:7: error: expected"));
   task.promises.clear();
-  check_junit(to_junit(results));
-  EXPECT_THAT(to_junit(results), HasSubstr("hit_triangle.cpp:7: error: expected"));
+  check_junit(report::to_junit(results));
+  EXPECT_THAT(report::to_junit(results), HasSubstr("hit_triangle.cpp:7: error: expected"));
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::results

@@ -2,15 +2,15 @@
 #include "grader/report/gradescope.h"
 #include "grader/report/html.h"
 #include "grader/report/junit.h"
-#include "grader/report/order.h"
-#include "grader/report/readable.h"
 #include "grader/report/terminal.h"
+#include "grader/results/order.h"
+#include "grader/results/readable.h"
 #include "tests/example_run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::results {
 namespace {
 
 using testing::ElementsAre;
@@ -92,7 +92,8 @@ TEST(order, puts_the_most_telling_task_first) {
   for (const TaskResult* task : by_importance(results)) slugs.push_back(task->slug);
   EXPECT_THAT(slugs,
               ElementsAre("named", "dead", "unbuilt", "slow", "wrong", "picture", "passing"));
-  EXPECT_THAT(to_text(results, {}), HasSubstr("named: This is a known mistake: It is an epsilon."));
+  EXPECT_THAT(report::to_text(results, {}),
+              HasSubstr("named: This is a known mistake: It is an epsilon."));
 }
 
 class Named : public ExampleRun {
@@ -109,14 +110,14 @@ class Named : public ExampleRun {
 TEST_F(Named, a_mistake_stands_first_in_every_report) {
   const Results results = named();
   const std::string sentence = "This is a known mistake: It compares t with 0 & not t_min.";
-  const std::string text = to_text(results, {false, true});
+  const std::string text = report::to_text(results, {false, true});
   EXPECT_LT(text.find(sentence), text.find("expected  "));
-  EXPECT_THAT(to_gradescope(results), HasSubstr(sentence));
+  EXPECT_THAT(report::to_gradescope(results), HasSubstr(sentence));
   const std::string escaped = "This is a known mistake: It compares t with 0 &amp; not t_min.";
-  EXPECT_THAT(to_junit(results), HasSubstr(escaped));
-  const std::string page = to_html(results);
+  EXPECT_THAT(report::to_junit(results), HasSubstr(escaped));
+  const std::string page = report::to_html(results);
   EXPECT_THAT(page, HasSubstr(escaped));
-  EXPECT_THAT(to_html(run), Not(HasSubstr("known mistake")));
+  EXPECT_THAT(report::to_html(run), Not(HasSubstr("known mistake")));
 }
 
 TEST_F(Named, what_one_cause_costs_is_said) {
@@ -127,9 +128,9 @@ TEST_F(Named, what_one_cause_costs_is_said) {
   for (const PromiseResult& promise : task.promises) worth += promise.bonus ? 0 : promise.points;
   task.spared = worth - 1;
   const std::string expected = "fail, 1 point is taken.";
-  EXPECT_THAT(to_text(results, {false, true}), HasSubstr(expected));
-  EXPECT_THAT(to_html(results), HasSubstr(expected));
-  EXPECT_THAT(to_gradescope(results), HasSubstr(expected));
+  EXPECT_THAT(report::to_text(results, {false, true}), HasSubstr(expected));
+  EXPECT_THAT(report::to_html(results), HasSubstr(expected));
+  EXPECT_THAT(report::to_gradescope(results), HasSubstr(expected));
 }
 
 TEST(readable, numbers_have_six_digits) {
@@ -172,4 +173,4 @@ TEST(readable, long_inputs_are_folded) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::results

@@ -1,6 +1,6 @@
 // The page: what it says, and that it says no more than it should.
 #include "grader/report/html.h"
-#include "grader/report/summary.h"
+#include "grader/results/summary.h"
 #include "pt/image/image_io.h"
 #include "tests/example_run.h"
 
@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::report {
 namespace {
 
 using testing::HasSubstr;
@@ -35,8 +35,9 @@ TEST_F(Page, says_all_that_there_is_to_say) {
         "Part 3 <span>direct</span>"}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
-  for (const State state : kStates) EXPECT_THAT(text, HasSubstr(words(state) + "</span>"));
-  EXPECT_THAT(text, Not(HasSubstr(kStopped)));
+  for (const results::State state : results::kStates)
+    EXPECT_THAT(text, HasSubstr(results::words(state) + "</span>"));
+  EXPECT_THAT(text, Not(HasSubstr(results::kStopped)));
 }
 
 TEST_F(Page, opens_what_failed) {
@@ -57,25 +58,25 @@ TEST_F(Page, fetches_nothing) {
 }
 
 TEST_F(Page, texts_stay_texts) {
-  Results results = run;
+  results::Results results = run;
   results.isolation = results.versions[0] = kHostile;
   results.phases[0].name = kHostile;
-  for (TaskResult& task : results.tasks) {
+  for (results::TaskResult& task : results.tasks) {
     task.reason = task.compiler_output = task.warnings = task.printed = kHostile;
     task.slug = task.part = task.number = kHostile;
     task.blamed = task.blocked_by = {kHostile};
-    for (PromiseResult& promise : task.promises) {
+    for (results::PromiseResult& promise : task.promises) {
       promise.words = promise.name = kHostile;
-      for (FailureReport& failure : promise.failures) {
+      for (results::FailureReport& failure : promise.failures) {
         failure.input = {kHostile};
         failure.what = failure.got = failure.expected = failure.off_by = kHostile;
         failure.cause = failure.replay = kHostile;
       }
     }
-    for (PictureResult& picture : task.pictures) {
+    for (results::PictureResult& picture : task.pictures) {
       picture.recipe = picture.title = picture.text = picture.replay = kHostile;
       picture.evidence += kHostile;
-      for (FailingCell& cell : picture.cells) cell.channel = kHostile;
+      for (results::FailingCell& cell : picture.cells) cell.channel = kHostile;
     }
   }
   const std::string text = to_html(results);
@@ -97,8 +98,8 @@ TEST_F(Page, shows_the_pictures_that_there_are) {
   EXPECT_EQ(count(text, "<rect class=\"over\""), 2);
   EXPECT_THAT(text, HasSubstr("It cannot be shown. cannot read &apos;" + folder.path() +
                               "/lost.exr&apos;: there is no such file"));
-  Results results = run;
-  for (PictureResult& picture : results.tasks[6].pictures) picture.golden += "x";
+  results::Results results = run;
+  for (results::PictureResult& picture : results.tasks[6].pictures) picture.golden += "x";
   results.tasks[8].pictures.resize(1);
   EXPECT_EQ(count(to_html(results), "data-kind=\"film\""), 1);
 }
@@ -110,8 +111,8 @@ TEST_F(Page, a_picture_of_two_tasks_is_in_it_once) {
   EXPECT_EQ(count(text, "data-place=\"direct_lights.two_lights\""), 1);
   EXPECT_EQ(count(text, "alt=\"The submission&apos;s render of two_lights\""), 1);
   // What differs in anything that is shown is another picture.
-  Results results = run;
-  PictureResult& other = results.tasks[8].pictures[1];
+  results::Results results = run;
+  results::PictureResult& other = results.tasks[8].pictures[1];
   other.cells = {{8, 8, 8, 8, "Y", 0.1, 1.2}};
   EXPECT_EQ(count(to_html(results), "data-kind=\"film\""), 5);
   other = run.tasks[6].pictures[0];
@@ -134,9 +135,9 @@ TEST_F(Page, a_picture_that_is_not_finite_is_shown) {
 }
 
 TEST_F(Page, an_unfinished_run_says_so) {
-  Results results = run;
+  results::Results results = run;
   results.complete = false;
-  EXPECT_THAT(to_html(results), HasSubstr(kStopped));
+  EXPECT_THAT(to_html(results), HasSubstr(results::kStopped));
   EXPECT_THAT(to_html({}), HasSubstr("0 of 0 tasks pass"));
 }
 
@@ -150,8 +151,8 @@ TEST_F(Page, what_is_not_judged_is_named_so) {
 }
 
 TEST_F(Page, twenty_five_pictures_stay_below_eight_megabytes) {
-  Results results = run;
-  std::vector<PictureResult>& pictures = results.tasks[6].pictures;
+  results::Results results = run;
+  std::vector<results::PictureResult>& pictures = results.tasks[6].pictures;
   pictures.assign(25, pictures[1]);
   for (std::size_t i = 0; i < 25; ++i) pictures[i].cells[0].evidence += static_cast<double>(i);
   const std::string text = to_html(results);
@@ -160,4 +161,4 @@ TEST_F(Page, twenty_five_pictures_stay_below_eight_megabytes) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

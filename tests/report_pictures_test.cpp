@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::report {
 namespace {
 
 TEST(embedded, base64_has_the_vectors_of_its_standard) {
@@ -132,4 +132,4 @@ TEST(pictures, counts_that_differ_by_a_fifth_have_full_colour) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

@@ -1,7 +1,7 @@
 // Results that are written come back, and their texts are fit for every format.
-#include "grader/report/json.h"
-#include "grader/report/presentable.h"
-#include "grader/report/read_json.h"
+#include "grader/results/json.h"
+#include "grader/results/presentable.h"
+#include "grader/results/read_json.h"
 #include "pt/error.h"
 #include "tests/example_results.h"
 
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::results {
 namespace {
 
 TEST(report, what_is_written_comes_back) {
@@ -103,4 +103,4 @@ TEST(presentable, cuts_long_texts_and_lists_between_characters) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::results

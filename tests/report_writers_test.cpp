@@ -1,11 +1,11 @@
 // What the writers make of one run: each format is held to its own rules, and says the same.
 #include "grader/report/csv.h"
 #include "grader/report/gradescope.h"
-#include "grader/report/presentable.h"
-#include "grader/report/read_json.h"
-#include "grader/report/summary.h"
 #include "grader/report/terminal.h"
 #include "grader/report/write_reports.h"
+#include "grader/results/presentable.h"
+#include "grader/results/read_json.h"
+#include "grader/results/summary.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "tests/example_run.h"
@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::report {
 namespace {
 
 using nlohmann::json;
@@ -24,7 +24,7 @@ using testing::Not;
 class Writers : public ExampleRun {};
 
 TEST_F(Writers, gradescope_gets_a_test_a_task) {
-  for (const Results& results : {run, stopped()}) {
+  for (const results::Results& results : {run, stopped()}) {
     const json whole = json::parse(to_gradescope(results));
     EXPECT_EQ(whole.at("tests").size(), run.tasks.size());
     double score = 0;
@@ -43,7 +43,7 @@ TEST_F(Writers, gradescope_gets_a_test_a_task) {
     EXPECT_EQ(whole.at("visibility"), "visible");
     EXPECT_EQ(whole.at("stdout_visibility"), "hidden");
     const std::string output = whole.at("output");
-    EXPECT_EQ(output.find(kStopped) != std::string::npos, !results.complete);
+    EXPECT_EQ(output.find(results::kStopped) != std::string::npos, !results.complete);
     EXPECT_THAT(output, HasSubstr("A: bubblewrap"));
   }
 }
@@ -82,7 +82,7 @@ TEST_F(Writers, gradescope_gives_no_points_for_what_is_not_judged) {
 }
 
 TEST_F(Writers, what_is_not_judged_is_named_so) {
-  const Results results = half_judged();
+  const results::Results results = half_judged();
   EXPECT_THAT(to_csv(results), HasSubstr("direct_lights,not_judged,5,17,0,"));
   EXPECT_THAT(to_csv(results), HasSubstr("adaptive_pixel,not_judged,0,8,0,"));
   const std::string text = to_text(results, {false, true});
@@ -92,7 +92,7 @@ TEST_F(Writers, what_is_not_judged_is_named_so) {
 }
 
 TEST_F(Writers, csv_is_a_line_a_task) {
-  Results results = run;
+  results::Results results = run;
   results.submission = "a \"b\", c";
   results.tasks.resize(2);
   EXPECT_EQ(to_csv(results),
@@ -104,7 +104,7 @@ TEST_F(Writers, csv_is_a_line_a_task) {
 }
 
 TEST_F(Writers, csv_holds_no_formula) {
-  Results results = run;
+  results::Results results = run;
   for (const char* start : {"=", "+", "-", "@", "\t"}) {
     results.submission = std::string(start) + "SUM(A1)";
     EXPECT_THAT(to_csv(results), HasSubstr("\r\n'" + results.submission + ",")) << start;
@@ -122,12 +122,12 @@ TEST_F(Writers, the_terminal_shows_pictures) {
               HasSubstr("  see it    ./run grade direct_lights --seed 7 --html report.html\n"));
   EXPECT_THAT(text,
               HasSubstr("27.0 s (properties 5.9 s, pictures 21.0 s). Isolation A: bubblewrap."));
-  EXPECT_THAT(text, Not(HasSubstr(kStopped)));
-  EXPECT_THAT(to_text(stopped(), {}), HasSubstr(kStopped));
+  EXPECT_THAT(text, Not(HasSubstr(results::kStopped)));
+  EXPECT_THAT(to_text(stopped(), {}), HasSubstr(results::kStopped));
 }
 
 TEST_F(Writers, the_columns_of_the_terminal_are_as_wide_as_the_longest_name) {
-  Results results = run;
+  results::Results results = run;
   results.tasks[6].pictures[1].recipe = "the_penumbra_of_a_large_light";
   const std::string text = table(results, {});
   const std::size_t state = text.find("fail", text.find("the_penumbra_of"));
@@ -138,7 +138,7 @@ TEST_F(Writers, the_columns_of_the_terminal_are_as_wide_as_the_longest_name) {
 }
 
 TEST_F(Writers, the_terminal_shows_the_first_failure) {
-  Results results = run;
+  results::Results results = run;
   results.tasks.erase(results.tasks.begin(), results.tasks.begin() + 6);
   const std::string text = to_text(results, {});
   EXPECT_THAT(text, HasSubstr("This block was 21.0 % too dark"));
@@ -152,7 +152,7 @@ TEST_F(Writers, all_files_are_written_or_none) {
                     here + "/a.csv"};
   check_targets(files);
   write_reports(stopped(), files);
-  EXPECT_EQ(read_results(files.json), presentable(stopped()));
+  EXPECT_EQ(results::read_results(files.json), results::presentable(stopped()));
   for (const std::string& path : {files.html, files.junit, files.gradescope}) {
     EXPECT_THAT(pt::read_file(path, 1 << 24), HasSubstr("This run was stopped before it ended"));
   }
@@ -166,15 +166,15 @@ TEST_F(Writers, a_run_leaves_the_page_of_its_end) {
   files.html = folder.path() + "/a.html";
   files.csv = folder.path() + "/a.csv";
   ProgressReports reports(files);
-  Results so_far = stopped();
+  results::Results so_far = stopped();
   reports.write(so_far);
-  EXPECT_THAT(pt::read_file(files.html, 1 << 24), HasSubstr(kStopped));
+  EXPECT_THAT(pt::read_file(files.html, 1 << 24), HasSubstr(results::kStopped));
   so_far.tasks.resize(1);
   reports.write(so_far);
   EXPECT_EQ(pt::read_file(files.csv, 1 << 24), to_csv(so_far));
   reports.write(run);
-  EXPECT_THAT(pt::read_file(files.html, 1 << 24), Not(HasSubstr(kStopped)));
+  EXPECT_THAT(pt::read_file(files.html, 1 << 24), Not(HasSubstr(results::kStopped)));
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

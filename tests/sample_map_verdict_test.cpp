@@ -1,5 +1,5 @@
 // The verdict on a sample map, on maps that the right rule and known mistakes make.
-#include "grader/images/sample_map_verdict.h"
+#include "grader/pictures/sample_map_verdict.h"
 
 #include "pt/error.h"
 #include "pt/file.h"
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 using testing::HasSubstr;
@@ -195,4 +195,4 @@ TEST(sample_map, a_reference_that_says_too_little_is_refused) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures

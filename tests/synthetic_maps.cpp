@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 struct Pixel {
@@ -100,4 +100,4 @@ SampleMapReference synthetic_reference(const AdaptiveScene& scene,
   return reference_of(maps, picture, settings);
 }
 
-}  // namespace grader
+}  // namespace grader::pictures

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/images/sample_map_verdict.h"
+#include "grader/pictures/sample_map_verdict.h"
 #include "pt/image/film.h"
 #include "pt/image/sample_map.h"
 
@@ -10,7 +10,7 @@
 // Sample maps of adaptive renders, right and with a known mistake, without a renderer: each pixel
 // draws its samples one at a time and stops by the rule.
 
-namespace grader {
+namespace grader::pictures {
 
 enum class StoppingRule {
   right,             // 1.96 sigma / sqrt(n) < tolerance mean, after each batch
@@ -49,4 +49,4 @@ AdaptiveRun run_adaptive(const AdaptiveScene& scene, const pt::AdaptiveSettings&
 SampleMapReference synthetic_reference(const AdaptiveScene& scene,
                                        const pt::AdaptiveSettings& settings);
 
-}  // namespace grader
+}  // namespace grader::pictures

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 constexpr double kFirefly = 1e-3;
@@ -199,4 +199,4 @@ SyntheticScene with(SyntheticScene scene, const SyntheticError& error) {
   return scene;
 }
 
-}  // namespace grader
+}  // namespace grader::pictures

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/images/image_verdict.h"
+#include "grader/pictures/image_verdict.h"
 #include "pt/image/film.h"
 #include "pt/image/image.h"
 
@@ -13,7 +13,7 @@
 // Pictures drawn from known distributions, without a renderer: what a right program, or one with a
 // known error, would hand in.
 
-namespace grader {
+namespace grader::pictures {
 
 // How the samples of the direct light are spread.
 enum class Spread {
@@ -88,4 +88,4 @@ std::vector<SyntheticError> synthetic_errors();
 
 SyntheticScene with(SyntheticScene scene, const SyntheticError& error);
 
-}  // namespace grader
+}  // namespace grader::pictures

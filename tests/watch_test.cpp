@@ -1,6 +1,6 @@
 // watch, in a terminal of its own, with programs in the place of grade and hint that say what they
 // were asked and answer what the test has laid out.
-#include "grader/report/json.h"
+#include "grader/results/json.h"
 #include "tests/grader_fixture.h"
 #include "tests/pseudo_terminal.h"
 
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::programs {
 namespace {
 
 using testing::HasSubstr;
@@ -29,17 +29,17 @@ echo "finished $task" >> "$here/log"
 )";
 constexpr const char* kHint = "#!/bin/sh\necho \"hint asked for: $1 $2\"\n";
 
-TaskResult failing(const std::string& part, const std::string& number, const std::string& slug,
-                   const std::vector<std::string>& promises) {
-  TaskResult task;
+results::TaskResult failing(const std::string& part, const std::string& number,
+                            const std::string& slug, const std::vector<std::string>& promises) {
+  results::TaskResult task;
   task.part = part;
   task.number = number;
   task.slug = slug;
-  task.state = promises.empty() ? State::pass : State::fail;
+  task.state = promises.empty() ? results::State::pass : results::State::fail;
   task.max_points = 5;
   for (const std::string& name : promises) {
-    PromiseResult promise{name, "words of " + name, false, false, 1, 0, {}};
-    FailureReport& failure = promise.failures.emplace_back();
+    results::PromiseResult promise{name, "words of " + name, false, false, 1, 0, {}};
+    results::FailureReport& failure = promise.failures.emplace_back();
     failure.got = "got for " + name;
     task.promises.push_back(promise);
   }
@@ -50,34 +50,34 @@ class WatchTest : public testing::Test {
  protected:
   WatchTest() {
     for (const auto& [name, text] : {std::pair("grade", kGrade), std::pair("hint", kHint)}) {
-      write_file(here_ + "/" + name, text);
+      base::write_file(here_ + "/" + name, text);
       std::filesystem::permissions(here_ + "/" + name, std::filesystem::perms::owner_all);
     }
     for (const char* part : {"/student/1_rays", "/student/2_bvh"}) {
       std::filesystem::create_directories(here_ + part);
     }
     save("1_rays/hit_triangle", "// first");
-    TaskResult unwritten = failing("2_bvh", "2.1", "build_bvh", {});
-    unwritten.state = State::not_attempted;
+    results::TaskResult unwritten = failing("2_bvh", "2.1", "build_bvh", {});
+    unwritten.state = results::State::not_attempted;
     answer("all", {triangle({"one", "two"}), unwritten});
     answer("hit_triangle", {triangle({"three"})});
     answer("hit_sphere", {failing("1_rays", "1.4", "hit_sphere", {})});
   }
 
-  static TaskResult triangle(const std::vector<std::string>& promises) {
+  static results::TaskResult triangle(const std::vector<std::string>& promises) {
     return failing("1_rays", "1.3", "hit_triangle", promises);
   }
 
   // As an editor does it.
   void save(const std::string& file, const std::string& text) const {
-    write_file(here_ + "/student/" + file + ".cpp", text);
+    base::write_file(here_ + "/student/" + file + ".cpp", text);
   }
 
-  void answer(const std::string& task, std::vector<TaskResult> tasks) const {
-    Results results;
+  void answer(const std::string& task, std::vector<results::TaskResult> tasks) const {
+    results::Results results;
     results.complete = true;
     results.tasks = std::move(tasks);
-    write_json(results, here_ + "/" + task + ".json");
+    results::write_json(results, here_ + "/" + task + ".json");
   }
 
   std::vector<std::string> command() const {
@@ -113,7 +113,7 @@ TEST_F(WatchTest, judges_everything_once_and_then_what_is_saved) {
   EXPECT_THAT(screen, HasSubstr("1 of 3 tasks pass"));
   terminal.type("q");
   expect_exit(terminal, 0);
-  EXPECT_THAT(read_file(here_ + "/log"),
+  EXPECT_THAT(base::read_file(here_ + "/log"),
               testing::StartsWith(
                   "graded all\nfinished all\ngraded hit_triangle\nfinished hit_triangle\n"));
 }
@@ -121,13 +121,13 @@ TEST_F(WatchTest, judges_everything_once_and_then_what_is_saved) {
 TEST_F(WatchTest, refreshes_the_tasks_that_ask_the_one_that_was_saved) {
   PseudoTerminal terminal(command());
   begin(terminal);
-  TaskResult mended = failing("2_bvh", "2.1", "build_bvh", {});
+  results::TaskResult mended = failing("2_bvh", "2.1", "build_bvh", {});
   answer("all", {triangle({"three"}), mended});
   save("1_rays/hit_triangle", "// second");
   EXPECT_THAT(terminal.expect("2.1  build_bvh          \x1b[32mpass"), HasSubstr("got for three"));
   terminal.type("q");
   expect_exit(terminal, 0);
-  EXPECT_THAT(read_file(here_ + "/log"),
+  EXPECT_THAT(base::read_file(here_ + "/log"),
               testing::EndsWith("finished hit_triangle\ngraded all\nfinished all\n"));
 }
 
@@ -154,8 +154,8 @@ TEST_F(WatchTest, answers_keys) {
 }
 
 TEST_F(WatchTest, begins_with_what_fails_not_with_what_is_not_written) {
-  TaskResult unwritten = triangle({});
-  unwritten.state = State::not_attempted;
+  results::TaskResult unwritten = triangle({});
+  unwritten.state = results::State::not_attempted;
   answer("all", {unwritten, failing("1_rays", "1.4", "hit_sphere", {"four"})});
   PseudoTerminal terminal(command());
   EXPECT_THAT(terminal.expect("got for four"), Not(HasSubstr("not written yet")));
@@ -208,7 +208,7 @@ TEST_F(WatchTest, can_be_stopped_and_go_on) {
 TEST_F(WatchTest, survives_a_grade_that_crashes) {
   PseudoTerminal terminal(command());
   begin(terminal);
-  write_file(here_ + "/before", "echo last words; kill -SEGV $$\n");
+  base::write_file(here_ + "/before", "echo last words; kill -SEGV $$\n");
   save("1_rays/hit_triangle", "// worse");
   EXPECT_THAT(terminal.expect("last words"), HasSubstr("grade gave no verdict: signal 11"));
   std::filesystem::remove(here_ + "/before");
@@ -221,28 +221,28 @@ TEST_F(WatchTest, survives_a_grade_that_crashes) {
 TEST_F(WatchTest, starts_anew_when_the_file_is_saved_again) {
   PseudoTerminal terminal(command());
   begin(terminal);
-  write_file(
+  base::write_file(
       here_ + "/before",
       "[ -e \"$here/first\" ] || { echo $$ > \"$here/new\"; mv \"$here/new\" \"$here/first\"; }\n"
       "until [ -e \"$here/go\" ]; do sleep 0.02; done\n");
   save("1_rays/hit_triangle", "// half of it");
   terminal.expect("checking hit_triangle");
   while (!std::filesystem::exists(here_ + "/first")) usleep(1000);
-  const pid_t first = std::stoi(read_file(here_ + "/first"));
+  const pid_t first = std::stoi(base::read_file(here_ + "/first"));
   EXPECT_EQ(kill(first, 0), 0);
   save("1_rays/hit_triangle", "// all of it, at last");
   terminal.expect("checking hit_triangle");
   EXPECT_NE(kill(first, 0), 0) << "the first run goes on";
-  write_file(here_ + "/go", "");
+  base::write_file(here_ + "/go", "");
   terminal.expect("got for three");
   terminal.type("q");
   expect_exit(terminal, 0);
-  EXPECT_THAT(read_file(here_ + "/log"),
+  EXPECT_THAT(base::read_file(here_ + "/log"),
               HasSubstr("graded hit_triangle\ngraded hit_triangle\nfinished hit_triangle\n"));
 }
 
 TEST_F(WatchTest, quits_while_a_task_is_judged) {
-  write_file(here_ + "/before", "sleep 1000\n");
+  base::write_file(here_ + "/before", "sleep 1000\n");
   PseudoTerminal terminal(command());
   terminal.expect("checking all tasks");
   terminal.type("q");
@@ -260,4 +260,4 @@ TEST_F(WatchTest, needs_a_terminal) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::programs

@@ -1,14 +1,14 @@
 #include "grader/judge/ask_battery.h"
 
+#include "grader/base/files.h"
+#include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
-#include "grader/judge/files.h"
-#include "grader/judge/sha256.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
 #include <filesystem>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -19,8 +19,8 @@ constexpr std::chrono::seconds kBatteryTime{600};
 
 }  // namespace
 
-std::optional<Answers> ask_battery(const Builder& builder, const Trial& trial, std::uint64_t seed,
-                                   int draws) {
+std::optional<mistakes::Answers> ask_battery(const Builder& builder, const Trial& trial,
+                                             std::uint64_t seed, int draws) {
   std::vector<std::string> command{trial.task.graded,
                                    "--worker",
                                    trial.worker.path,
@@ -29,16 +29,16 @@ std::optional<Answers> ask_battery(const Builder& builder, const Trial& trial, s
                                    "--draws",
                                    std::to_string(draws),
                                    "--isolation",
-                                   std::string(1, letter(trial.request.isolation.tier)),
+                                   std::string(1, sandbox::letter(trial.request.isolation.tier)),
                                    "--battery"};
-  std::string key = stamp(trial.task.graded) + trial.worker.key;
+  std::string key = base::stamp(trial.task.graded) + trial.worker.key;
   for (const std::string& word : command) key += '\0' + word;
-  const std::string path = builder.cache() + "/" + sha256(key) + ".json";
+  const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (!fs::exists(path)) {
-    const std::string temporary = temporary_name(path);
+    const std::string temporary = base::temporary_name(path);
     command.push_back(temporary);
-    const CommandResult result =
-        run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kBatteryTime);
+    const process::CommandResult result = process::run_command(
+        {command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kBatteryTime);
     if (!result.ok() || !fs::exists(temporary)) {
       fs::remove(temporary);
       return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<Answers> ask_battery(const Builder& builder, const Trial& trial, s
     fs::rename(temporary, path);
   }
   mark_used(path);
-  return answers_from_json(read_file(path));
+  return mistakes::answers_from_json(base::read_file(path));
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,8 +1,8 @@
 #include "grader/judge/audit.h"
 
+#include "grader/base/printable.h"
 #include "grader/judge/c_functions.h"
 #include "grader/judge/object_file.h"
-#include "grader/process/printable.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include <elf.h>
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -55,7 +55,7 @@ std::string demangled(const std::string& name) {
 
 std::string readable(const std::string& name) {
   const std::string text = demangled(name);
-  return printable(text.empty() ? name : text, 200);
+  return base::printable(text.empty() ? name : text, 200);
 }
 
 // Whether a name as C++ writes it has to do with a namespace, anywhere in it: "pt::".
@@ -107,7 +107,8 @@ std::string judge_section(const ObjectSection& section) {
   const bool known_type =
       std::count(std::begin(kSectionTypes), std::end(kSectionTypes), section.type) > 0;
   if (known_name && known_type) return "";
-  return fmt::format("it has a section '{}', which no task needs", printable(section.name, 100));
+  return fmt::format("it has a section '{}', which no task needs",
+                     base::printable(section.name, 100));
 }
 
 std::string judge_definition(const ObjectSymbol& symbol, const std::set<std::string>& contract) {
@@ -123,12 +124,12 @@ std::string judge_definition(const ObjectSymbol& symbol, const std::set<std::str
 }
 
 // What the linker would have to find elsewhere.
-std::string judge_request(const ObjectSymbol& symbol, const MayCall& task) {
+std::string judge_request(const ObjectSymbol& symbol, const Task& task) {
   const std::string words = begins(symbol.name, "_Z") ? demangled(symbol.name) : "";
   if (mentions(words, "pt::")) {
     const std::string function = words.substr(0, words.find('('));
-    if (task.allows(function)) return "";
-    return fmt::format("it calls {}; {}", printable(function, 200), in_words(task));
+    if (may_call(task, function)) return "";
+    return fmt::format("it calls {}; {}", base::printable(function, 200), may_call_in_words(task));
   }
   const bool needed = begins(symbol.name, "_Z") ? !forbidden(symbol.name) && !words.empty() &&
                                                       !mentions(words, "grader::")
@@ -148,7 +149,7 @@ std::set<std::string> functions_in(string_view object) {
   return names;
 }
 
-std::string audit(string_view bytes, const std::set<std::string>& contract, const MayCall& task) {
+std::string audit(string_view bytes, const std::set<std::string>& contract, const Task& task) {
   try {
     const ObjectFile object = read_object(bytes);
     for (const ObjectSection& section : object.sections) {
@@ -165,4 +166,4 @@ std::string audit(string_view bytes, const std::set<std::string>& contract, cons
   }
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "grader/judge/may_call.h"
+#include "grader/tasks.h"
 
 #include <set>
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace grader::judge {
 
 // The functions that an object of ours defines for others: those of a contract, if it is the
 // reference's. Throws pt::Error if it is no object.
@@ -18,7 +19,6 @@ std::set<std::string> functions_in(std::string_view object);
 // compute or print, and of pt what the task may call. Nothing in it may speak to the linker. This
 // keeps the parts of a worker apart from each other, and tells a learner of a name in the wrong
 // place, and of work that another function does; what holds a worker is the box.
-std::string audit(std::string_view object, const std::set<std::string>& contract,
-                  const MayCall& task);
+std::string audit(std::string_view object, const std::set<std::string>& contract, const Task& task);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace grader {
+namespace grader::judge {
 
 // Something that was built, or why not.
 struct Built {
@@ -24,7 +24,7 @@ struct Built {
 class Builder {
  public:
   // Compiles in boxes of the tier, for so many seconds at most.
-  Builder(const Config& config, Tier tier, int seconds);
+  Builder(const Config& config, sandbox::Tier tier, int seconds);
 
   // `text` as the file part/slug.cpp of a tree in which there are the headers and nothing else.
   Built compile(const TaskConfig& task, const std::string& text) const;
@@ -37,7 +37,7 @@ class Builder {
 
  private:
   const Config& config_;
-  Tier tier_;
+  sandbox::Tier tier_;
   int seconds_;
   std::string cache_;      // the folder
   std::string toolchain_;  // stands for compiler, flags and headers
@@ -45,4 +45,4 @@ class Builder {
   Headers headers_;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -113,4 +113,4 @@ bool is_harmless(string_view name) {
   return is_arithmetic(name);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -80,4 +80,4 @@ void trim_cache(const std::string& folder, std::uintmax_t most) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -7,7 +7,7 @@
 // The folder in which the judge keeps what it has built and found out, so that nothing is done
 // twice. Its files are named by hashes: <key>.o, <key>.picture.json ...; those of one key are one
 // entry.
-namespace grader {
+namespace grader::judge {
 
 // A cache that is larger than this when the judge starts is trimmed to less than half of it.
 inline constexpr std::uintmax_t kMostCached = std::uintmax_t{1} << 30;
@@ -24,4 +24,4 @@ void mark_used(const std::string& path);
 // used within kInUse goes. A file that cannot be removed, or is gone already, is no error.
 void trim_cache(const std::string& folder, std::uintmax_t most = kMostCached);
 
-}  // namespace grader
+}  // namespace grader::judge

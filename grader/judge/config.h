@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::judge {
 
 using Paths = std::vector<std::string>;
 
@@ -19,7 +19,7 @@ struct TaskConfig {
   std::string file() const { return part + "/" + slug + ".cpp"; }
 };
 
-// How to build workers: written by CMake for this build (grader/judge/judge.cmake), trusted.
+// How to build workers: written by CMake for this build (grader/programs/CMakeLists.txt), trusted.
 struct Config {
   std::string root;  // of the project
   std::string work;  // where `grade` keeps what it builds
@@ -43,12 +43,4 @@ std::string default_config_path();
 // Throws pt::Error if the file is not there.
 Config load_config(const std::string& path);
 
-// The tasks whose code a task's calls reach, in the order of the course: all of them, not only
-// those it calls itself. Scenes are traced by the tasks of part 2.
-const std::vector<std::string>& needs(const std::string& slug);
-
-// The functions that, when the task is judged by itself, the judge or a mock of its own answers
-// (names in callbacks).
-const std::vector<std::string>& asks_the_judge(const std::string& slug);
-
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,10 +1,10 @@
 #include "grader/judge/findings.h"
 
+#include "grader/base/files.h"
+#include "grader/base/printable.h"
+#include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
-#include "grader/judge/files.h"
 #include "grader/judge/object_file.h"
-#include "grader/judge/sha256.h"
-#include "grader/process/printable.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
@@ -18,7 +18,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -27,8 +27,8 @@ using nlohmann::json;
 // Far beyond what the program allows itself: a fault of ours if it is reached.
 constexpr std::chrono::seconds kProgramTime{1500};
 
-FailureReport parse_failure(const json& failure, bool integrated) {
-  FailureReport report;
+results::FailureReport parse_failure(const json& failure, bool integrated) {
+  results::FailureReport report;
   failure.at("input").get_to(report.input);
   failure.at("what").get_to(report.what);
   failure.at("got").get_to(report.got);
@@ -43,13 +43,13 @@ FailureReport parse_failure(const json& failure, bool integrated) {
 
 // "pt::(anonymous namespace)::count" is count, as is "pt::hit_bvh(...)::count". Not known: "".
 std::string variable_at(const Built& worker, std::uint64_t place) {
-  const std::string symbol = state_at(read_file(worker.path), place);
+  const std::string symbol = state_at(base::read_file(worker.path), place);
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> text(
       abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
   const std::string name = text ? text.get() : symbol;
   const std::size_t last = name.rfind("::");
-  return printable(last == name.npos ? name : name.substr(last + 2), 100);
+  return base::printable(last == name.npos ? name : name.substr(last + 2), 100);
 }
 
 // In the integrated worker a variable may be another task's.
@@ -67,7 +67,7 @@ Findings parse(const std::string& text, const Trial& trial) {
   report.at("printed").get_to(findings.printed);
   findings.kept = kept_variable(report.at("kept").get<std::uint64_t>(), trial);
   for (const json& promise : report.at("promises")) {
-    PromiseResult result;
+    results::PromiseResult result;
     promise.at("name").get_to(result.name);
     promise.at("held").get_to(result.held);
     promise.at("seconds").get_to(result.seconds);
@@ -91,7 +91,7 @@ std::vector<std::string> command(const Trial& trial, const std::string& report) 
                                  "--call-limit",
                                  std::to_string(trial.request.call_limit),
                                  "--isolation",
-                                 std::string(1, letter(trial.request.isolation.tier))};
+                                 std::string(1, sandbox::letter(trial.request.isolation.tier))};
   if (trial.integrated) words.push_back("--integrated");
   if (!trial.promises.empty()) {
     std::string filter;
@@ -102,8 +102,8 @@ std::vector<std::string> command(const Trial& trial, const std::string& report) 
 }
 
 bool timed_out(const Findings& findings) {
-  for (const PromiseResult& promise : findings.promises) {
-    for (const FailureReport& failure : promise.failures) {
+  for (const results::PromiseResult& promise : findings.promises) {
+    for (const results::FailureReport& failure : promise.failures) {
       if (failure.cause == "timeout") return true;
     }
   }
@@ -113,16 +113,16 @@ bool timed_out(const Findings& findings) {
 }  // namespace
 
 Findings try_worker(const Builder& builder, const Trial& trial) {
-  std::string key = stamp(trial.task.graded) + trial.worker.key;
+  std::string key = base::stamp(trial.task.graded) + trial.worker.key;
   for (const std::string& word : command(trial, "")) key += '\0' + word;
-  const std::string path = builder.cache() + "/" + sha256(key) + ".json";
+  const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (std::filesystem::exists(path)) {
     mark_used(path);
-    return parse(read_file(path), trial);
+    return parse(base::read_file(path), trial);
   }
 
-  const std::string report = temporary_name(path);
-  const CommandResult result = run_command(
+  const std::string report = base::temporary_name(path);
+  const process::CommandResult result = process::run_command(
       {command(trial, report), {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
   const bool finished =
       !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
@@ -133,9 +133,10 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
             "",
             "",
             fmt::format("the judge's own program {} ended with {}: {}", trial.task.graded,
-                        describe_status(result.status), printable(result.output, 1000, true))};
+                        process::describe_status(result.status),
+                        base::printable(result.output, 1000, true))};
   }
-  Findings findings = parse(read_file(report), trial);
+  Findings findings = parse(base::read_file(report), trial);
   if (findings.promises.empty()) {
     throw pt::Error("no property of " + trial.task.slug + " was run: nothing is judged");
   }
@@ -148,4 +149,4 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
   return findings;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -2,18 +2,18 @@
 
 #include "grader/judge/builder.h"
 #include "grader/judge/grade.h"
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 
 #include <optional>
 #include <set>
 #include <string>
 
-namespace grader {
+namespace grader::judge {
 
 // What a property program found out about one task on one worker.
 struct Findings {
-  std::vector<PromiseResult> promises;  // name, held, seconds and failures are filled
-  std::set<std::string> todo;           // slugs of tasks that are not written
+  std::vector<results::PromiseResult> promises;  // name, held, seconds and failures are filled
+  std::set<std::string> todo;                    // slugs of tasks that are not written
   std::string printed;
   std::string kept;    // the name of a variable that the task keeps between calls; may be empty
   std::string broken;  // why there is nothing to go by; empty if there is
@@ -30,4 +30,4 @@ struct Trial {
 // Runs the property program, unless the same was run before. Safe from any thread.
 Findings try_worker(const Builder& builder, const Trial& trial);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,21 +1,22 @@
 #include "grader/judge/grade.h"
 
+#include "grader/judge/alone.h"
 #include "grader/judge/cache.h"
-#include "grader/judge/integration.h"
-#include "grader/judge/isolation.h"
 #include "grader/judge/name_mistakes.h"
 #include "grader/judge/no_reference.h"
 #include "grader/judge/pictures.h"
-#include "grader/judge/points.h"
 #include "grader/judge/so_far.h"
+#include "grader/judge/together.h"
 #include "grader/process/run_command.h"
+#include "grader/results/points.h"
+#include "grader/tasks.h"
 #include "pt/error.h"
 
 #include <algorithm>
 #include <chrono>
 #include <set>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -38,13 +39,13 @@ std::vector<const TaskConfig*> to_judge(const Config& config, const GradeRequest
 // What the verdicts depend on beside the submission.
 std::vector<std::string> versions(const Config& config) {
   std::vector<std::string> all{config.compiler_version};
-  const CommandResult commit =
-      run_command({{"/usr/bin/git", "-C", config.root, "describe", "--always", "--dirty"},
-                   {"PATH=/usr/bin", "LANG=C.UTF-8"},
-                   {},
-                   "",
-                   {}},
-                  std::chrono::seconds(5));
+  const process::CommandResult commit =
+      process::run_command({{"/usr/bin/git", "-C", config.root, "describe", "--always", "--dirty"},
+                            {"PATH=/usr/bin", "LANG=C.UTF-8"},
+                            {},
+                            "",
+                            {}},
+                           std::chrono::seconds(5));
   if (commit.ok()) all.push_back("Firstlight " + commit.output.substr(0, commit.output.find('\n')));
   return all;
 }
@@ -55,7 +56,7 @@ class Run {
   Run(const Config& config, const GradeRequest& request)
       : config_(config),
         request_(request),
-        points_(load_points(config.root + "/grader/points.json")) {
+        points_(results::load_points(config.root + "/grader/points.json")) {
     results_.submission = request.submission;
     results_.seed = request.seed;
     results_.isolation = request.isolation.words;
@@ -77,7 +78,7 @@ class Run {
     }
   }
 
-  Results judge(const std::function<void(const Results&)>& progress) {
+  results::Results judge(const std::function<void(const results::Results&)>& progress) {
     const Builder builder(config_, request_.isolation.tier, request_.compile_limit);
     trim_cache(builder.cache());
     const auto report = [&] { progress(summary()); };
@@ -97,7 +98,7 @@ class Run {
       report();
       phase("pictures", [&] { judge_pictures(config_, builder, request_, judged_, report); });
     }
-    Results results = summary();
+    results::Results results = summary();
     results.complete = true;
     progress(results);
     return results;
@@ -120,12 +121,12 @@ class Run {
   }
 
   // What is known so far.
-  Results summary() const {
-    Results results = results_;
+  results::Results summary() const {
+    results::Results results = results_;
     for (const Judged& each : judged_) {
       if (is_asked(each.config->slug)) results.tasks.push_back(so_far(each));
     }
-    for (TaskResult& task : results.tasks) count_points(points_, task);
+    for (results::TaskResult& task : results.tasks) results::count_points(points_, task);
     results.seconds = seconds_since(start_);
     return results;
   }
@@ -133,15 +134,15 @@ class Run {
   Config config_;  // with what stands elsewhere in this run
   const GradeRequest& request_;
   const Clock::time_point start_ = Clock::now();
-  const Points points_;
-  Results results_;
+  const results::Points points_;
+  results::Results results_;
   std::vector<Judged> judged_;
 };
 
 }  // namespace
 
-Results grade(const Config& config, const GradeRequest& request,
-              const std::function<void(const Results&)>& progress) {
+results::Results grade(const Config& config, const GradeRequest& request,
+                       const std::function<void(const results::Results&)>& progress) {
   return Run(config, request).judge(progress);
 }
 
@@ -160,4 +161,4 @@ std::vector<std::string> tasks_meant(const Config& config, const std::string& wo
   return slugs;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grader/judge/config.h"
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 #include "grader/sandbox/probe.h"
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::judge {
 
 struct GradeRequest {
   std::string submission;          // a folder with the tree of student/
@@ -17,19 +17,19 @@ struct GradeRequest {
   std::uint64_t seed = 1;
   int call_limit = 2000;  // milliseconds
   int threads = 2;
-  bool pictures = true;    // rendered and judged too, not the promises only
-  std::string command;     // that asks for all this, for the report
-  Isolation isolation{};   // of all that runs of the submission
-  int compile_limit = 60;  // seconds that a file may take
+  bool pictures = true;            // rendered and judged too, not the promises only
+  std::string command;             // that asks for all this, for the report
+  sandbox::Isolation isolation{};  // of all that runs of the submission
+  int compile_limit = 60;          // seconds that a file may take
 };
 
 // Judges the tasks asked for, each by itself and then together with the submission's other tasks.
 // `progress` gets what is known so far: at first that nothing is, then after every verdict.
-Results grade(const Config& config, const GradeRequest& request,
-              const std::function<void(const Results&)>& progress);
+results::Results grade(const Config& config, const GradeRequest& request,
+                       const std::function<void(const results::Results&)>& progress);
 
 // The slugs that a word means: a task, a part ("1", "1_rays"), or an exercise ("1.3"). Throws
 // pt::Error if there is none.
 std::vector<std::string> tasks_meant(const Config& config, const std::string& word);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,64 +1,27 @@
 #include "grader/judge/may_call.h"
 
-#include "pt/error.h"
-
 #include <algorithm>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
-const std::vector<MayCall>& table() {
-  static const Names none, radiance{"pt::radiance"},
-      scene{"pt::Scene::closest", "pt::Scene::occluded", "pt::surface_point",
-            "pt::background",     "pt::sample_light",    "pt::kind_name"};
-  static const std::vector<MayCall> all{
-      {"estimate_pixel", {"camera_ray"}, radiance},
-      {"camera_ray", none, none},
-      {"hit_triangle", none, none},
-      {"hit_sphere", none, none},
-      {"build_bvh", none, none},
-      {"hit_box", none, none},
-      {"hit_bvh", {"hit_box", "hit_triangle", "hit_sphere"}, none},
-      {"diffuse_bsdf", none, none},
-      {"direct_hemisphere", {"diffuse_bsdf"}, scene},
-      {"direct_lights", {"diffuse_bsdf"}, scene},
-      {"trace_path", {"diffuse_bsdf", "direct_hemisphere", "direct_lights"}, scene},
-      {"adaptive_pixel", {"camera_ray"}, radiance},
-  };
-  return all;
-}
-
-// The tasks of one function have its name.
-bool is_of(std::string_view task, std::string_view function) {
-  if (task == "diffuse_bsdf") {
-    return function == "pt::diffuse_f" || function == "pt::diffuse_sample" ||
-           function == "pt::diffuse_pdf";
-  }
-  return function == "pt::" + std::string(task);
+bool is_of(const Task& task, std::string_view function) {
+  return std::ranges::any_of(task.functions,
+                             [&](const std::string& name) { return function == "pt::" + name; });
 }
 
 }  // namespace
 
 // What a stub calls may stay in a file that is finished.
-bool MayCall::allows(std::string_view function) const {
-  return function == "pt::todo" || std::ranges::count(framework, function) > 0 ||
-         std::ranges::any_of(tasks, [&](const std::string& task) { return is_of(task, function); });
+bool may_call(const Task& task, std::string_view function) {
+  return function == "pt::todo" || std::ranges::count(task.framework, function) > 0 ||
+         std::ranges::any_of(
+             task.calls, [&](const std::string& slug) { return is_of(task_of(slug), function); });
 }
 
-const MayCall& may_call(std::string_view slug) {
-  const auto found = std::ranges::find(table(), slug, &MayCall::slug);
-  if (found == table().end()) {
-    throw pt::Error("nothing says which functions " + std::string(slug) +
-                    " may call: write it into grader/judge/may_call.cpp");
-  }
-  return *found;
-}
-
-std::string in_words(const MayCall& task) {
-  Names all = task.tasks;
+std::string may_call_in_words(const Task& task) {
+  std::vector<std::string> all = task.calls;
   all.insert(all.end(), task.framework.begin(), task.framework.end());
   if (all.empty()) {
     return task.slug + " may call no other task and no function of the renderer";
@@ -71,4 +34,4 @@ std::string in_words(const MayCall& task) {
   return text;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

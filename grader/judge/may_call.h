@@ -1,26 +1,19 @@
 #pragma once
 
+#include "grader/tasks.h"
+
 #include <string>
 #include <string_view>
-#include <vector>
 
-namespace grader {
+namespace grader::judge {
 
-// What a task may call outside its own file. Functions that are whole in a header are the task's
-// own once it includes them, and are not listed. The contract of the task names the same tasks, in
-// the sentence "May call: ...".
-struct MayCall {
-  std::string slug;
-  std::vector<std::string> tasks;      // slugs
-  std::vector<std::string> framework;  // functions: "pt::Scene::closest"
-
-  bool allows(std::string_view function) const;
-};
-
-// Of a task of the course. Throws pt::Error if there is no such task.
-const MayCall& may_call(std::string_view slug);
+// Whether a task may call the function, "pt::Scene::closest", which is not in its own file: the
+// tasks and functions of its line in grader/tasks.json. Functions that are whole in a header are
+// the task's own once it includes them. The contract of the task says the same, in the sentence
+// "May call: ...".
+bool may_call(const Task& task, std::string_view function);
 
 // "hit_bvh may only call hit_box and pt::radiance", or that it calls nothing: for a person to read.
-std::string in_words(const MayCall& task);
+std::string may_call_in_words(const Task& task);
 
-}  // namespace grader
+}  // namespace grader::judge

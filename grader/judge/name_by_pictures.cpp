@@ -8,11 +8,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
-std::string sentence_of(const std::string& file, const TaskResult& task, const std::string& name) {
+std::string sentence_of(const std::string& file, const results::TaskResult& task,
+                        const std::string& name) {
   const std::string start = fmt::format("{{\"task\":\"{}\",\"name\":\"{}\"", task.slug, name);
   std::string sentence;
   std::ifstream in(file);
@@ -34,10 +35,10 @@ std::set<std::string> names_in(const std::string& text) {
 
 // What promises and pictures say must not contradict each other: of the mistakes that the pictures
 // allow, those that the task's answers allow too are left. Where none is left, nothing is named.
-std::vector<std::string> agreed(TaskResult& task, std::vector<std::string> by_pictures) {
+std::vector<std::string> agreed(results::TaskResult& task, std::vector<std::string> by_pictures) {
   if (task.mistake.empty()) return by_pictures;
   std::set<std::string> names = names_in(task.mistake.name);
-  for (const PictureResult& picture : task.pictures) {
+  for (const results::PictureResult& picture : task.pictures) {
     for (const std::string& name : picture.unlike) names.erase(name);
   }
   if (!by_pictures.empty()) {
@@ -53,21 +54,21 @@ std::vector<std::string> agreed(TaskResult& task, std::vector<std::string> by_pi
 
 }  // namespace
 
-std::vector<std::string> candidates(const std::vector<PictureResult>& pictures) {
+std::vector<std::string> candidates(const std::vector<results::PictureResult>& pictures) {
   std::set<std::string> names;
-  for (const PictureResult& picture : pictures) {
+  for (const results::PictureResult& picture : pictures) {
     names.insert(picture.like.begin(), picture.like.end());
   }
-  for (const PictureResult& picture : pictures) {
+  for (const results::PictureResult& picture : pictures) {
     for (const std::string& name : picture.unlike) names.erase(name);
   }
   return {names.begin(), names.end()};
 }
 
-void name_by_pictures(TaskResult& task, const std::string& file) {
+void name_by_pictures(results::TaskResult& task, const std::string& file) {
   const std::vector<std::string> names = agreed(task, candidates(task.pictures));
   const std::string sentence = names.size() == 1 ? sentence_of(file, task, names[0]) : "";
-  for (PictureResult& picture : task.pictures) {
+  for (results::PictureResult& picture : task.pictures) {
     if (!sentence.empty() && std::count(picture.like.begin(), picture.like.end(), names[0]) > 0) {
       picture.mistake = names[0];
       picture.text += ". A known mistake makes the same picture: " + sentence;
@@ -77,4 +78,4 @@ void name_by_pictures(TaskResult& task, const std::string& file) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,20 +1,20 @@
 #pragma once
 
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::judge {
 
 // The known mistakes that make one of these pictures of a task at least, and of which no picture
 // says that it is not made by them.
-std::vector<std::string> candidates(const std::vector<PictureResult>& pictures);
+std::vector<std::string> candidates(const std::vector<results::PictureResult>& pictures);
 
 // Enters the only candidate, if there is one alone, into the pictures that it makes, with its
-// sentence from `file` (grader/images/name_mistake.h). Empties their lists of mistakes. Where the
+// sentence from `file` (grader/pictures/name_mistake.h). Empties their lists of mistakes. Where the
 // task's mistake is named already, by its promises and answers, and the pictures contradict that,
 // nothing is named at all.
-void name_by_pictures(TaskResult& task, const std::string& file);
+void name_by_pictures(results::TaskResult& task, const std::string& file);
 
-}  // namespace grader
+}  // namespace grader::judge

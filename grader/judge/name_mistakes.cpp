@@ -1,15 +1,15 @@
 #include "grader/judge/name_mistakes.h"
 
+#include "grader/base/files.h"
+#include "grader/base/parallel.h"
 #include "grader/judge/ask_battery.h"
-#include "grader/judge/files.h"
-#include "grader/judge/parallel.h"
 #include "grader/mistakes/naming.h"
 
 #include <filesystem>
 #include <mutex>
 #include <optional>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -17,29 +17,30 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 
 bool fails_by_its_promises(const Judged& judged) {
-  const State state = judged.result.state;
-  const bool fails = state == State::fail || state == State::crash || state == State::timeout;
+  const results::State state = judged.result.state;
+  const bool fails = state == results::State::fail || state == results::State::crash ||
+                     state == results::State::timeout;
   return fails && judged.object.ok() && judged.result.reason.empty();
 }
 
-std::optional<Evidence> evidence_of(const Config& config, const Builder& builder,
-                                    const GradeRequest& request, const Judged& judged) {
+std::optional<mistakes::Evidence> evidence_of(const Config& config, const Builder& builder,
+                                              const GradeRequest& request, const Judged& judged) {
   const Built worker = link_alone(config, builder, judged, Elsewhere::answers);
   if (!worker.ok()) return std::nullopt;
   const Trial trial{*judged.config, worker, false, request, {}};
   const auto answers = ask_battery(builder, trial, kSeed, 1);
   if (!answers) return std::nullopt;
-  Evidence evidence{*answers, {}, {}};
-  for (const PromiseResult& promise : judged.result.promises) {
+  mistakes::Evidence evidence{*answers, {}, {}};
+  for (const results::PromiseResult& promise : judged.result.promises) {
     if (promise.bonus) continue;
     (promise.held ? evidence.kept : evidence.broken).insert(promise.name);
   }
   return evidence;
 }
 
-Mistake described(const std::vector<const Fingerprint*>& found) {
-  Mistake mistake;
-  for (const Fingerprint* each : found) {
+results::Mistake described(const std::vector<const mistakes::Fingerprint*>& found) {
+  results::Mistake mistake;
+  for (const mistakes::Fingerprint* each : found) {
     mistake.name += (mistake.name.empty() ? "" : ", ") + each->name;
     mistake.sentence += (mistake.sentence.empty() ? "" : " Or: ") + each->sentence;
   }
@@ -57,20 +58,20 @@ void name_mistakes(const Config& config, const Builder& builder, const GradeRequ
   }
   const std::string path = config.root + "/grader/mistakes/known.json";
   if (failing.empty() || !std::filesystem::exists(path)) return;
-  const KnownMistakes known = known_from_json(read_file(path), path);
+  const mistakes::KnownMistakes known = mistakes::known_from_json(base::read_file(path), path);
   std::mutex mutex;
-  for_each(failing.size(), request.threads, [&](std::size_t i) {
+  base::for_each(failing.size(), request.threads, [&](std::size_t i) {
     const auto task = known.find(failing[i]->config->slug);
     if (task == known.end()) return;
     const auto evidence = evidence_of(config, builder, request, *failing[i]);
     if (!evidence) return;
-    Mistake mistake = described(name_by_battery(task->second, *evidence));
+    results::Mistake mistake = described(mistakes::name_by_battery(task->second, *evidence));
     if (mistake.empty()) return;
-    mistake.always_the_same = always_the_same(evidence->answers);
+    mistake.always_the_same = mistakes::always_the_same(evidence->answers);
     const std::lock_guard lock(mutex);
     failing[i]->result.mistake = mistake;
     progress();
   });
 }
 
-}  // namespace grader
+}  // namespace grader::judge

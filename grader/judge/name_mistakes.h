@@ -1,11 +1,11 @@
 #pragma once
 
-#include "grader/judge/isolation.h"
+#include "grader/judge/alone.h"
 
 #include <functional>
 #include <vector>
 
-namespace grader {
+namespace grader::judge {
 
 // Names the mistake of each task that is not right by itself, where one known mistake alone
 // explains what its promises and its battery found (grader/mistakes/naming.h). To be called after
@@ -13,4 +13,4 @@ namespace grader {
 void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,
                    std::vector<Judged>& judged, const std::function<void()>& progress);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,11 +1,13 @@
 #include "grader/judge/no_reference.h"
 
+#include "grader/tasks.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -27,17 +29,19 @@ Config with_own_tasks(Config config, const std::vector<Judged>& judged) {
 
 void block_by_own_tasks(std::vector<Judged>& judged) {
   for (Judged& each : judged) {
-    TaskResult& result = each.result;
+    results::TaskResult& result = each.result;
     each.settled = each.settled || !each.right_alone;
     const bool ran = each.object.ok() && result.compiler_output.empty();
-    if (!ran || result.state == State::pass || result.state == State::not_attempted) continue;
+    if (!ran || result.state == results::State::pass ||
+        result.state == results::State::not_attempted)
+      continue;
     std::vector<std::string> by;
     for (const Judged& other : judged) {
       const std::string& slug = other.config->slug;
       if (contains(needs(result.slug), slug) && !other.right_alone) by.push_back(slug);
     }
     if (by.empty()) continue;
-    result.state = State::blocked;
+    result.state = results::State::blocked;
     result.blocked_by = by;
     result.reason = fmt::format("without the reference it is judged when {} {}",
                                 fmt::join(by, ", "), by.size() == 1 ? "passes" : "pass");
@@ -54,4 +58,4 @@ std::vector<std::string> missing_for(const std::vector<std::string>& slugs,
   return missing;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

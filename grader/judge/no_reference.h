@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/judge/isolation.h"
+#include "grader/judge/alone.h"
 
-namespace grader {
+namespace grader::judge {
 
 // The learners' edition brings the reference as objects. On a machine on which they do not fit
 // there is none, and a task can only be judged together with the submission's other tasks.
@@ -18,4 +18,4 @@ void block_by_own_tasks(std::vector<Judged>& judged);
 std::vector<std::string> missing_for(const std::vector<std::string>& slugs,
                                      const std::vector<Judged>& judged);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -9,7 +9,7 @@
 
 #include <elf.h>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -183,4 +183,4 @@ std::string state_at(std::string_view program, std::uint64_t place) {
   return "";
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grader {
+namespace grader::judge {
 
 // What a relocatable ELF object says about itself. Numbers are those of <elf.h>.
 struct ObjectSection {
@@ -35,7 +35,7 @@ ObjectFile read_object(std::string_view bytes);
 
 // The object with its variables that live as long as the program and may be written in sections of
 // their own, those with a value at the start and those without (and without those that only one
-// thread sees): the worker looks whether a task changes them (grader/worker/kept_state.h). Nothing
+// thread sees): the worker looks whether a task changes them (grader/wire/kept_state.h). Nothing
 // else is different. Throws as read_object.
 inline constexpr std::string_view kStateSections[] = {"firstlight_data", "firstlight_bss"};
 std::string with_state_marked(std::string_view object);
@@ -44,4 +44,4 @@ std::string with_state_marked(std::string_view object);
 // linker knows it; empty if there is none. Throws pt::Error if the bytes are not a 64-bit program.
 std::string state_at(std::string_view program, std::uint64_t place);
 
-}  // namespace grader
+}  // namespace grader::judge

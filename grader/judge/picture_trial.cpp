@@ -1,11 +1,11 @@
 #include "grader/judge/picture_trial.h"
 
+#include "grader/base/files.h"
+#include "grader/base/printable.h"
+#include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
-#include "grader/judge/files.h"
-#include "grader/judge/sha256.h"
-#include "grader/process/printable.h"
 #include "grader/process/run_command.h"
-#include "grader/report/read_json.h"
+#include "grader/results/read_json.h"
 #include "pt/error.h"
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::judge {
 
 std::string known_mistakes(const Config& config) {
   return config.root + "/golden/known_mistakes.jsonl";
@@ -42,7 +42,7 @@ std::vector<std::string> command(const Config& config, const GradeRequest& reque
                                  "--mistakes",
                                  known_mistakes(config),
                                  "--content",
-                                 sha256(trial.content),
+                                 base::sha256(trial.content),
                                  "--seed",
                                  std::to_string(request.seed),
                                  "--stages",
@@ -50,7 +50,7 @@ std::vector<std::string> command(const Config& config, const GradeRequest& reque
                                  "--call-limit",
                                  std::to_string(trial.patience * request.call_limit),
                                  "--isolation",
-                                 std::string(1, letter(request.isolation.tier))};
+                                 std::string(1, sandbox::letter(request.isolation.tier))};
   if (trial.integrated) words.push_back("--integrated");
   return words;
 }
@@ -58,43 +58,44 @@ std::vector<std::string> command(const Config& config, const GradeRequest& reque
 // All that the verdict depends on.
 std::string key_of(const Config& config, const std::vector<std::string>& words,
                    const PictureTrial& trial) {
-  std::string key = stamp(config.picture) + trial.worker.key + stamp(trial.recipe.scene) +
-                    stamp(config.root + "/scenes/recipes.json");
-  if (fs::exists(known_mistakes(config))) key += stamp(known_mistakes(config));
+  std::string key = base::stamp(config.picture) + trial.worker.key +
+                    base::stamp(trial.recipe.scene) +
+                    base::stamp(config.root + "/scenes/recipes.json");
+  if (fs::exists(known_mistakes(config))) key += base::stamp(known_mistakes(config));
   const std::string golden = config.root + "/golden/" + trial.recipe.name;
   for (const char* ending : {".exr", "_rates.json"}) {
-    if (fs::exists(golden + ending)) key += stamp(golden + ending);
+    if (fs::exists(golden + ending)) key += base::stamp(golden + ending);
   }
   for (const std::string& word : words) key += '\0' + word;
-  return sha256(key);
+  return base::sha256(key);
 }
 
-PictureResult read_picture(const std::string& path) {
-  return results_from_json(read_file(path), path).tasks.at(0).pictures.at(0);
+results::PictureResult read_picture(const std::string& path) {
+  return results::results_from_json(base::read_file(path), path).tasks.at(0).pictures.at(0);
 }
 
 }  // namespace
 
-PictureResult try_picture(const Config& config, const Builder& builder, const GradeRequest& request,
-                          const PictureTrial& trial) {
+results::PictureResult try_picture(const Config& config, const Builder& builder,
+                                   const GradeRequest& request, const PictureTrial& trial) {
   std::vector<std::string> words = command(config, request, trial);
   const std::string path = builder.cache() + "/" + key_of(config, words, trial) + ".picture.json";
   if (!fs::exists(path)) {
     words.insert(words.end(), {"--report", path});
-    const CommandResult run =
-        run_command({words, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
+    const process::CommandResult run =
+        process::run_command({words, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
     if (run.timed_out || !WIFEXITED(run.status) || WEXITSTATUS(run.status) > 1) {
       throw pt::Error(fmt::format("the picture {} could not be judged: {}", trial.recipe.name,
-                                  printable(run.output, 1000, true)));
+                                  base::printable(run.output, 1000, true)));
     }
   }
   mark_used(path);
-  PictureResult result = read_picture(path);
+  results::PictureResult result = read_picture(path);
   result.replay = fmt::format("./run grade {} --seed {}", trial.task.slug, request.seed);
   if (request.submission != "student") result.replay += " --submission " + request.submission;
   // The time that a call takes depends on what else the machine does: that is asked again.
-  if (result.state == State::timeout) fs::remove(path);
+  if (result.state == results::State::timeout) fs::remove(path);
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

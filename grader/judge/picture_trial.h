@@ -2,19 +2,19 @@
 
 #include "grader/judge/builder.h"
 #include "grader/judge/grade.h"
-#include "grader/recipes/recipes.h"
+#include "grader/pictures/recipes.h"
 
-namespace grader {
+namespace grader::judge {
 
 // How often the limit of a call a few rows of a picture may take.
 inline constexpr int kPatience = 5;
 
-// The file of the pictures of known mistakes (grader/images/name_mistake.h).
+// The file of the pictures of known mistakes (grader/pictures/name_mistake.h).
 std::string known_mistakes(const Config& config);
 
 // One recipe on one worker.
 struct PictureTrial {
-  const Recipe& recipe;
+  const pictures::Recipe& recipe;
   const TaskConfig& task;
   const Built& worker;
   std::string content;  // stands for what of the submission is judged; the same on every machine
@@ -25,7 +25,7 @@ struct PictureTrial {
 
 // Runs the program graded_picture, unless the same was run before. Safe from any thread. Throws
 // pt::Error if that program cannot judge, as without a golden.
-PictureResult try_picture(const Config& config, const Builder& builder, const GradeRequest& request,
-                          const PictureTrial& trial);
+results::PictureResult try_picture(const Config& config, const Builder& builder,
+                                   const GradeRequest& request, const PictureTrial& trial);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,10 +1,10 @@
 #include "grader/judge/pictures.h"
 
-#include "grader/judge/integration.h"
+#include "grader/base/parallel.h"
 #include "grader/judge/name_by_pictures.h"
 #include "grader/judge/no_reference.h"
-#include "grader/judge/parallel.h"
 #include "grader/judge/picture_trial.h"
+#include "grader/judge/together.h"
 
 #include <algorithm>
 #include <mutex>
@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
@@ -22,14 +22,15 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
 
 // One recipe and the tasks of the submission that it judges.
 struct Exhibit {
-  Recipe recipe;
+  pictures::Recipe recipe;
   std::vector<Judged*> tasks;
 };
 
 std::vector<Exhibit> exhibits(const Config& config, const GradeRequest& request,
                               std::vector<Judged>& judged) {
   std::vector<Exhibit> all;
-  for (const Recipe& recipe : load_recipes(config.root + "/scenes/recipes.json")) {
+  for (const pictures::Recipe& recipe :
+       pictures::load_recipes(config.root + "/scenes/recipes.json")) {
     Exhibit exhibit{recipe, {}};
     for (Judged& each : judged) {
       const std::string& slug = each.config->slug;
@@ -42,8 +43,8 @@ std::vector<Exhibit> exhibits(const Config& config, const GradeRequest& request,
   return all;
 }
 
-PictureResult not_judged(const Recipe& recipe) {
-  PictureResult result;
+results::PictureResult not_judged(const pictures::Recipe& recipe) {
+  results::PictureResult result;
   result.recipe = recipe.name;
   result.title = recipe.title;
   result.width = recipe.width;
@@ -51,8 +52,9 @@ PictureResult not_judged(const Recipe& recipe) {
   return result;
 }
 
-PictureResult without_picture(const Recipe& recipe, State state, const std::string& why) {
-  PictureResult result = not_judged(recipe);
+results::PictureResult without_picture(const pictures::Recipe& recipe, results::State state,
+                                       const std::string& why) {
+  results::PictureResult result = not_judged(recipe);
   result.state = state;
   result.text = why;
   return result;
@@ -72,11 +74,11 @@ class Gallery {
     for (const Exhibit& exhibit : exhibits_) {
       for (Judged* task : exhibit.tasks) {
         if (attempted(*task)) continue;
-        put(*task, without_picture(exhibit.recipe, State::not_attempted, "not rendered"));
+        put(*task, without_picture(exhibit.recipe, results::State::not_attempted, "not rendered"));
       }
     }
     link_workers();
-    for_each(exhibits_.size(), request_.threads, [&](std::size_t i) {
+    base::for_each(exhibits_.size(), request_.threads, [&](std::size_t i) {
       judge(exhibits_[i]);
       const std::lock_guard lock(mutex_);
       progress();
@@ -86,7 +88,7 @@ class Gallery {
 
  private:
   static bool attempted(const Judged& task) {
-    return task.object.ok() && task.result.state != State::not_attempted;
+    return task.object.ok() && task.result.state != results::State::not_attempted;
   }
 
   void link_workers() {
@@ -115,8 +117,8 @@ class Gallery {
     if (config_.no_reference.empty()) return false;
     const std::vector<std::string> missing = missing_for(exhibit.recipe.tasks, judged_);
     if (missing.empty()) return false;
-    const PictureResult result =
-        without_picture(exhibit.recipe, State::not_attempted,
+    const results::PictureResult result =
+        without_picture(exhibit.recipe, results::State::not_attempted,
                         fmt::format("not rendered: without the reference it waits for {}",
                                     fmt::join(missing, ", ")));
     for (Judged* task : exhibit.tasks) put(*task, result);
@@ -140,24 +142,24 @@ class Gallery {
   }
 
   // All at once; and only if that fails, one after the other.
-  void judge_together(const Recipe& recipe, const std::vector<Judged*>& tasks) {
-    const PictureResult together = trial(recipe, *tasks[0], together_, content_, true);
-    if (together.state == State::pass) {
+  void judge_together(const pictures::Recipe& recipe, const std::vector<Judged*>& tasks) {
+    const results::PictureResult together = trial(recipe, *tasks[0], together_, content_, true);
+    if (together.state == results::State::pass) {
       for (Judged* task : tasks) put(*task, together);
       return;
     }
     // None is entered before all are known: a report must not say meanwhile that it passes.
-    std::vector<PictureResult> alone;
+    std::vector<results::PictureResult> alone;
     alone.reserve(tasks.size());
     for (const Judged* task : tasks) alone.push_back(judge_alone(recipe, *task));
-    const bool all_right = std::all_of(alone.begin(), alone.end(), [](const PictureResult& each) {
-      return each.state == State::pass;
-    });
+    const bool all_right = std::all_of(
+        alone.begin(), alone.end(),
+        [](const results::PictureResult& each) { return each.state == results::State::pass; });
     if (!all_right) {
       for (std::size_t i = 0; i < tasks.size(); ++i) put(*tasks[i], alone[i]);
       return;
     }
-    PictureResult result = together;
+    results::PictureResult result = together;
     result.text = fmt::format("right with the reference elsewhere, not with your other tasks: {}",
                               together.text);
     const std::vector<std::string> blamed = blame(recipe, *tasks[0], tasks);
@@ -167,7 +169,7 @@ class Gallery {
   }
 
   // The tasks with whose reference the picture is right.
-  std::vector<std::string> blame(const Recipe& recipe, const Judged& task,
+  std::vector<std::string> blame(const pictures::Recipe& recipe, const Judged& task,
                                  const std::vector<Judged*>& judged_by_it) const {
     std::vector<std::string> blamed;
     for (const Judged& other : judged_) {
@@ -176,36 +178,37 @@ class Gallery {
       if (!other.right_alone || known) continue;
       const std::string& slug = other.config->slug;
       const Built worker = link_together(config_, builder_, judged_, Elsewhere::reference, slug);
-      if (worker.ok() && trial(recipe, task, worker, content_ + slug, true).state == State::pass)
+      if (worker.ok() &&
+          trial(recipe, task, worker, content_ + slug, true).state == results::State::pass)
         blamed.push_back(slug);
     }
     return blamed;
   }
 
-  PictureResult judge_alone(const Recipe& recipe, const Judged& task) const {
+  results::PictureResult judge_alone(const pictures::Recipe& recipe, const Judged& task) const {
     return trial(recipe, task, alone_.at(task.config->slug), task.content, false);
   }
 
   // A picture of a task that is wrong already: one stage, and little patience with one that does
   // not answer, or a submission of endless loops would take ten minutes.
-  PictureResult look_at(const Recipe& recipe, const Judged& task) const {
+  results::PictureResult look_at(const pictures::Recipe& recipe, const Judged& task) const {
     return trial(recipe, task, alone_.at(task.config->slug), task.content, false, 1,
-                 task.result.state == State::timeout ? 1 : kPatience);
+                 task.result.state == results::State::timeout ? 1 : kPatience);
   }
 
-  PictureResult trial(const Recipe& recipe, const Judged& task, const Built& worker,
-                      const std::string& content, bool integrated, int stages = 3,
-                      int patience = kPatience) const {
+  results::PictureResult trial(const pictures::Recipe& recipe, const Judged& task,
+                               const Built& worker, const std::string& content, bool integrated,
+                               int stages = 3, int patience = kPatience) const {
     if (!worker.ok()) {
-      return without_picture(recipe, State::fail, "it does not link: " + worker.error);
+      return without_picture(recipe, results::State::fail, "it does not link: " + worker.error);
     }
     return try_picture(config_, builder_, request_,
                        {recipe, *task.config, worker, content, integrated, stages, patience});
   }
 
-  void put(Judged& task, const PictureResult& found) {
+  void put(Judged& task, const results::PictureResult& found) {
     const std::lock_guard lock(mutex_);
-    for (PictureResult& picture : task.result.pictures) {
+    for (results::PictureResult& picture : task.result.pictures) {
       if (picture.recipe == found.recipe) picture = found;
     }
   }
@@ -234,4 +237,4 @@ void judge_pictures(const Config& config, const Builder& builder, const GradeReq
   Gallery(config, builder, request, judged).run(progress);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "grader/judge/isolation.h"
-#include "grader/recipes/recipes.h"
+#include "grader/judge/alone.h"
+#include "grader/pictures/recipes.h"
 
-namespace grader {
+namespace grader::judge {
 
 // Enters the recipes that show the tasks asked for into their results, not judged so far.
 void list_pictures(const Config& config, const GradeRequest& request, std::vector<Judged>& judged);
@@ -17,4 +17,4 @@ void list_pictures(const Config& config, const GradeRequest& request, std::vecto
 void judge_pictures(const Config& config, const Builder& builder, const GradeRequest& request,
                     std::vector<Judged>& judged, const std::function<void()>& progress);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -1,18 +1,18 @@
 #include "grader/judge/so_far.h"
 
-namespace grader {
+namespace grader::judge {
 
 namespace {
 
 // As before anything was judged: what is known by now may still turn out otherwise.
-TaskResult without_verdict(const Judged& judged) {
-  TaskResult result;
+results::TaskResult without_verdict(const Judged& judged) {
+  results::TaskResult result;
   result.part = judged.result.part;
   result.number = judged.result.number;
   result.slug = judged.result.slug;
   if (judged.right_alone) result.reason = "right by itself; not judged with your other tasks yet";
   result.promises = judged.result.promises;
-  for (PromiseResult& promise : result.promises) {
+  for (results::PromiseResult& promise : result.promises) {
     promise.held = false;
     promise.failures.clear();
   }
@@ -22,13 +22,15 @@ TaskResult without_verdict(const Judged& judged) {
 
 }  // namespace
 
-TaskResult so_far(const Judged& judged) {
+results::TaskResult so_far(const Judged& judged) {
   if (!judged.settled) return without_verdict(judged);
-  TaskResult result = judged.result;
-  if (result.state != State::pass && result.state != State::blocked) return result;
-  for (const State state :
-       {State::crash, State::timeout, State::fail, State::too_noisy, State::not_judged}) {
-    for (const PictureResult& picture : result.pictures) {
+  results::TaskResult result = judged.result;
+  if (result.state != results::State::pass && result.state != results::State::blocked)
+    return result;
+  for (const results::State state :
+       {results::State::crash, results::State::timeout, results::State::fail,
+        results::State::too_noisy, results::State::not_judged}) {
+    for (const results::PictureResult& picture : result.pictures) {
       if (picture.state != state) continue;
       result.state = state;
       return result;
@@ -37,4 +39,4 @@ TaskResult so_far(const Judged& judged) {
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

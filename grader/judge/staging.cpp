@@ -1,6 +1,6 @@
 #include "grader/judge/staging.h"
 
-#include "grader/process/descriptor.h"
+#include "grader/base/descriptor.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include <poll.h>
 #include <sys/stat.h>
 
-namespace grader {
+namespace grader::judge {
 
 namespace fs = std::filesystem;
 
@@ -21,7 +21,7 @@ namespace {
 
 // Whatever the umask: another user reads it.
 void put(const fs::path& path, const std::string& text) {
-  const Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  const base::Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   const bool whole =
       file.is_open() && fchmod(file.number(), 0644) == 0 &&
       write(file.number(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
@@ -73,16 +73,16 @@ Headers public_headers(const std::string& root) {
   Headers headers;
   for (const auto& entry : fs::recursive_directory_iterator(root + "/pt")) {
     if (entry.path().extension() != ".h") continue;
-    headers[fs::relative(entry.path(), root)] = read_file(entry.path());
+    headers[fs::relative(entry.path(), root)] = base::read_file(entry.path());
   }
   return headers;
 }
 
-Headers headers_for(const MayCall& task, const Headers& all) {
+Headers headers_for(const Task& task, const Headers& all) {
   std::set<std::string> known = reached_from("pt/tasks/" + task.slug + ".h", all);
   for (const auto& [path, text] : all) {
     const std::string name = "pt::" + std::filesystem::path(path).stem().string();
-    const bool called = task.allows(name);
+    const bool called = may_call(task, name);
     if (called || has_nothing_of_the_renderer(path, all)) add_reached(path, all, known);
   }
   Headers headers;
@@ -119,9 +119,10 @@ Stage::~Stage() {
   }
 }
 
-Submitted Stage::take(const std::string& name, std::size_t most) const {
-  const Descriptor place(open(folder_.c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-  return read_plain_file(place.number(), name, most);
+base::Submitted Stage::take(const std::string& name, std::size_t most) const {
+  const base::Descriptor place(
+      open(folder_.c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  return base::read_plain_file(place.number(), name, most);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

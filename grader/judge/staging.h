@@ -1,12 +1,13 @@
 #pragma once
 
-#include "grader/judge/files.h"
+#include "grader/base/files.h"
 #include "grader/judge/may_call.h"
+#include "grader/tasks.h"
 
 #include <map>
 #include <string>
 
-namespace grader {
+namespace grader::judge {
 
 // The headers of the project: path below the root ("pt/math/vec3.h") and text.
 using Headers = std::map<std::string, std::string>;
@@ -16,7 +17,7 @@ Headers public_headers(const std::string& root);
 // an error of the compiler. A task may include its contract, those of what it may call, and every
 // header that has nothing of the renderer in it: functions that are whole in a header need no
 // linker, so that the audit does not see them.
-Headers headers_for(const MayCall& task, const Headers& all);
+Headers headers_for(const Task& task, const Headers& all);
 
 // A new folder in which a file is compiled: the headers, the file, and nothing else. Everybody may
 // read it. It is gone with this object.
@@ -32,10 +33,10 @@ class Stage {
   const std::string& folder() const { return folder_; }
 
   // A file that was made in the folder.
-  Submitted take(const std::string& name, std::size_t most) const;
+  base::Submitted take(const std::string& name, std::size_t most) const;
 
  private:
   std::string folder_;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

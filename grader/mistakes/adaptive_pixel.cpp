@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
 
-using namespace mistakes;
+using namespace check;
+
 using pt::AdaptiveSettings;
 using pt::Rgb;
 using Script = std::function<Rgb(int)>;
@@ -145,4 +146,4 @@ void run_battery(Battery& battery) {
   where(battery);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

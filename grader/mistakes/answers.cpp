@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::mistakes {
 
 using nlohmann::json;
 
@@ -85,4 +85,4 @@ Answers answers_from_json(const std::string& text) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

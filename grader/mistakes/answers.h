@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace grader {
+namespace grader::mistakes {
 
 // What a task answers to one call of its battery, or to many draws (grader/mistakes/battery.h).
 struct Answer {
@@ -32,4 +32,4 @@ Answer read_answer(const nlohmann::json& from);
 std::string to_json(const Answers& answers);
 Answers answers_from_json(const std::string& text);
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::mistakes {
 
 namespace {
 
@@ -66,16 +66,16 @@ std::vector<double> column(const std::vector<Battery::Numbers>& rows, std::size_
 
 void Battery::record(const std::function<Answer()>& call) {
   if (timeouts_ >= kMaxTimeouts) {
-    answers_.push_back({name(Cause::timeout), {}, {}});
+    answers_.push_back({name(check::Cause::timeout), {}, {}});
     return;
   }
   try {
     answers_.push_back(call());
   } catch (const CallEnded& ended) {
     answers_.push_back({name(ended.cause), {}, {}});
-    timeouts_ += ended.cause == Cause::timeout ? 1 : 0;
+    timeouts_ += ended.cause == check::Cause::timeout ? 1 : 0;
   } catch (const rc::detail::CaseResult&) {
-    answers_.push_back({name(Cause::bad_reply), {}, {}});  // a number that is none
+    answers_.push_back({name(check::Cause::bad_reply), {}, {}});  // a number that is none
   }
 }
 
@@ -115,4 +115,4 @@ void Battery::estimate(int n, const Colors& draw) {
 Battery::Numbers numbers(pt::Vec3 v) { return {v.x, v.y, v.z}; }
 Battery::Numbers numbers(pt::Rgb c) { return {c.r, c.g, c.b}; }
 
-}  // namespace grader
+}  // namespace grader::mistakes

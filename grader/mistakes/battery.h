@@ -1,7 +1,7 @@
 #pragma once
 
+#include "grader/check/property.h"
 #include "grader/mistakes/answers.h"
-#include "grader/property/property.h"
 #include "pt/math/rgb.h"
 #include "pt/math/vec3.h"
 
@@ -17,11 +17,11 @@
 // random depends on the seed. Numbers that the contract leaves free, such as the depth of a tree,
 // are no answers: right solutions of any kind answer alike.
 
-namespace grader {
+namespace grader::mistakes {
 
 // Thrown by a call that came to nothing, while a battery runs.
 struct CallEnded {
-  Cause cause;
+  check::Cause cause;
 };
 
 // How the batteries are run: what a submission is asked, and, with more draws, what is kept.
@@ -67,4 +67,4 @@ Battery::Numbers numbers(pt::Vec3 v);
 Battery::Numbers numbers(pt::Rgb c);
 inline double flag(bool condition) { return condition ? 1 : 0; }
 
-}  // namespace grader
+}  // namespace grader::mistakes

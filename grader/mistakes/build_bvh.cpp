@@ -1,7 +1,7 @@
 #include "pt/tasks/build_bvh.h"
 
+#include "grader/check/many.h"
 #include "grader/mistakes/battery.h"
-#include "grader/property/many.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,10 @@
 // How boxes are split is free, so an answer says which invariants a tree breaks and how well it
 // separates boxes, and no more about its shape.
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
+
+using namespace check;
 
 using pt::Box;
 using pt::Bvh;
@@ -233,4 +235,4 @@ void run_battery(Battery& battery) {
   alike(battery, make);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -1,12 +1,14 @@
 #include "pt/tasks/camera_ray.h"
 
+#include "grader/check/many.h"
 #include "grader/mistakes/battery.h"
-#include "grader/property/many.h"
 
 #include <array>
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
+
+using namespace check;
 
 using pt::Camera;
 using pt::Vec3;
@@ -49,4 +51,4 @@ void run_battery(Battery& battery) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::mistakes {
 
 namespace {
 
@@ -75,4 +75,4 @@ bool is_as_right(const Answer& answer, const Answer& right) {
   return !one.contradicts && one.largest <= kMaxKept;
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -2,7 +2,7 @@
 
 #include "grader/mistakes/answers.h"
 
-namespace grader {
+namespace grader::mistakes {
 
 // Whether two lists of answers to one battery may come from the same mistake. Numbers that are
 // exact agree to 1e-6 of the largest number of their answer. Means may differ by chance: none by
@@ -13,4 +13,4 @@ bool agree(const Answers& a, const Answers& b);
 // Whether an answer need not be kept, because it is as the right one as far as it tells.
 bool is_as_right(const Answer& answer, const Answer& right);
 
-}  // namespace grader
+}  // namespace grader::mistakes

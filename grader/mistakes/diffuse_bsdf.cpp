@@ -1,15 +1,17 @@
 #include "pt/tasks/diffuse_bsdf.h"
 
+#include "grader/check/repeat.h"
 #include "grader/mistakes/battery.h"
-#include "grader/property/repeat.h"
 
 #include <array>
 #include <cmath>
 
 // The density of the samples is free, so what is asked is whether they and it agree.
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
+
+using namespace check;
 
 using pt::Rgb;
 using pt::Vec3;
@@ -85,4 +87,4 @@ void run_battery(Battery& battery) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

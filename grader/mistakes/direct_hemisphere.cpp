@@ -1,13 +1,13 @@
 #include "pt/tasks/direct_hemisphere.h"
 
+#include "grader/check/repeat.h"
 #include "grader/mistakes/battery.h"
 #include "grader/mistakes/stages.h"
-#include "grader/property/repeat.h"
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
 
-using namespace mistakes;
+using namespace check;
 
 void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 4000) {
   const Situation s = stage.done();
@@ -83,4 +83,4 @@ void run_battery(Battery& battery) {
   scales(battery);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -1,13 +1,14 @@
 #include "pt/tasks/direct_lights.h"
 
+#include "grader/check/repeat.h"
 #include "grader/mistakes/battery.h"
 #include "grader/mistakes/stages.h"
-#include "grader/property/repeat.h"
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
 
-using namespace mistakes;
+using namespace check;
+
 using pt::Vec3;
 
 void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 3000) {
@@ -141,4 +142,4 @@ void run_battery(Battery& battery) {
   scales(battery);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

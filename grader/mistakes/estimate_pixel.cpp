@@ -3,10 +3,11 @@
 #include "grader/mistakes/battery.h"
 #include "grader/mistakes/pixels.h"
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
 
-using namespace mistakes;
+using namespace check;
+
 using pt::Rgb;
 
 pt::PathSettings some_settings() {
@@ -122,4 +123,4 @@ void run_battery(Battery& battery) {
   streams(battery);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

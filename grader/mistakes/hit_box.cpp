@@ -1,13 +1,15 @@
 #include "pt/tasks/hit_box.h"
 
+#include "grader/check/many.h"
 #include "grader/mistakes/battery.h"
-#include "grader/property/many.h"
 
 #include <algorithm>
 #include <array>
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
+
+using namespace check;
 
 using pt::Box;
 using pt::Ray;
@@ -143,4 +145,4 @@ void run_battery(Battery& battery) {
   flat(battery, make);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

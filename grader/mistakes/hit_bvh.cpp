@@ -1,8 +1,8 @@
 #include "pt/tasks/hit_bvh.h"
 
+#include "grader/check/counting.h"
+#include "grader/check/many.h"
 #include "grader/mistakes/battery.h"
-#include "grader/property/many.h"
-#include "grader/stand_ins/counting.h"
 #include "grader/tasks/hit_bvh/cases.h"
 #include "pt/tasks/hit_box.h"
 
@@ -13,8 +13,10 @@
 // In which order a tree is walked is free, so an answer says what was found and which rules on the
 // cost were broken, and not how many tests it took.
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
+
+using namespace check;
 
 using namespace hit_bvh_cases;
 
@@ -205,4 +207,4 @@ void run_battery(Battery& battery) {
   deep(battery, make);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

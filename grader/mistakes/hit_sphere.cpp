@@ -1,13 +1,15 @@
 #include "pt/tasks/hit_sphere.h"
 
+#include "grader/check/many.h"
 #include "grader/mistakes/battery.h"
-#include "grader/property/many.h"
 
 #include <array>
 #include <cmath>
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
+
+using namespace check;
 
 using pt::Ray;
 using pt::Sphere;
@@ -111,4 +113,4 @@ void run_battery(Battery& battery) {
   scales(battery, make);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -1,13 +1,15 @@
 #include "pt/tasks/hit_triangle.h"
 
+#include "grader/check/many.h"
 #include "grader/mistakes/battery.h"
-#include "grader/property/many.h"
 
 #include <array>
 #include <cmath>
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
+
+using namespace check;
 
 using pt::Ray;
 using pt::Triangle;
@@ -143,4 +145,4 @@ void run_battery(Battery& battery) {
   special(battery, make);
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

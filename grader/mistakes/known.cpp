@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::mistakes {
 
 namespace {
 
@@ -83,4 +83,4 @@ KnownMistakes known_from_json(const std::string& text, const std::string& path) 
   }
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

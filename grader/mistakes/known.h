@@ -10,7 +10,7 @@
 // grader/mistakes/known.json, made by the program known_mistakes; the solutions themselves are not
 // in it.
 
-namespace grader {
+namespace grader::mistakes {
 
 // How one wrong solution shows.
 struct Fingerprint {
@@ -39,4 +39,4 @@ std::string to_json(const KnownMistakes& known);
 // Throws pt::Error, naming `path`, for anything else.
 KnownMistakes known_from_json(const std::string& text, const std::string& path);
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace grader {
+namespace grader::mistakes {
 
 namespace {
 
@@ -39,4 +39,4 @@ std::vector<const Fingerprint*> name_by_battery(const KnownTask& known, const Ev
   return found;
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::mistakes {
 
 // All that is known about a task that fails.
 struct Evidence {
@@ -24,4 +24,4 @@ bool explains(const Fingerprint& mistake, const Evidence& evidence);
 // of the reference: a wrong name costs a learner hours.
 std::vector<const Fingerprint*> name_by_battery(const KnownTask& known, const Evidence& evidence);
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "grader/check/cameras.h"
+#include "grader/check/scripted_radiance.h"
 #include "grader/mistakes/battery.h"
-#include "grader/property/cameras.h"
-#include "grader/stand_ins/scripted_radiance.h"
 
 #include <algorithm>
 
@@ -31,14 +31,14 @@ inline double noise(int i) { return pt::Sampler::for_pixel(99, i, 0).next_1d(); 
 
 // Where a ray goes through the pixel: (0, 0) is its lower left corner, (1, 1) its upper right one.
 inline pt::Vec2 in_pixel(const Pixel& p, const pt::Ray& ray) {
-  const pt::Vec2 at = on_picture(some_camera(), ray.direction);
+  const pt::Vec2 at = check::on_picture(some_camera(), ray.direction);
   return {at.x * p.width - p.x, at.y * p.height - p.y};
 }
 
 // Per call of radiance(): its place in the pixel, products, and whether it is outside.
 inline std::vector<Battery::Numbers> places(const Pixel& p) {
   std::vector<Battery::Numbers> rows;
-  for (const RadianceCall& call : radiance_calls()) {
+  for (const check::RadianceCall& call : check::radiance_calls()) {
     const auto [x, y] = in_pixel(p, call.ray);
     const bool outside = !(std::min(x, y) > -1e-6 && std::max(x, y) < 1 + 1e-6);
     rows.push_back({x, y, x * x, y * y, x * y, flag(outside)});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/property/scenes.h"
+#include "grader/check/scenes.h"
 
 // What the batteries of direct_hemisphere and direct_lights have in common.
 
@@ -11,26 +11,26 @@ inline constexpr pt::Rgb kRadiance{1.5, 2, 3};
 inline constexpr pt::Vec3 kTilted{0.6, 0, 0.8};  // wo
 
 // Local coordinates are the world's but for where and how large everything is.
-inline Pose here(double size = 1, pt::Vec3 shift = {}) { return {{}, size * shift, size}; }
+inline check::Pose here(double size = 1, pt::Vec3 shift = {}) { return {{}, size * shift, size}; }
 
 // The normal of the shaded point is `n` in the world.
-inline Pose turned(pt::Vec3 n, double size = 1) {
+inline check::Pose turned(pt::Vec3 n, double size = 1) {
   return {pt::frame_from_normal(normalize(n)), size * pt::Vec3{3, 2, -1}, size};
 }
 
 // The same far from the origin, where rounding errors of points are large.
-inline Pose far_away(double size) {
-  Pose pose = turned({1, 2, 3}, size);
+inline check::Pose far_away(double size) {
+  check::Pose pose = turned({1, 2, 3}, size);
   pose.shift = size * pt::Vec3{100, -70, 50};
   return pose;
 }
 
 // A plate close above the point.
-inline const Rectangle kPlate{{0, 0, 0.01}, {0, 1, 0}, {1, 0, 0}};
+inline const check::Rectangle kPlate{{0, 0, 0.01}, {0, 1, 0}, {1, 0, 0}};
 
 // Straight above, tilted, and low at the side; all facing the point.
-inline const Rectangle kAbove{{0, 0, 1}, {0, 1.6, 0}, {2, 0, 0}};
-inline const Rectangle kAside{{0.7, 0.2, 0.8}, {-0.2, 0.9, 0}, {0.8, 0, -0.5}};
-inline const Rectangle kLow{{1, 0, 0.3}, {0, 0, 0.5}, {0, 1, 0}};
+inline const check::Rectangle kAbove{{0, 0, 1}, {0, 1.6, 0}, {2, 0, 0}};
+inline const check::Rectangle kAside{{0.7, 0.2, 0.8}, {-0.2, 0.9, 0}, {0.8, 0, -0.5}};
+inline const check::Rectangle kLow{{1, 0, 0.3}, {0, 0, 0.5}, {0, 1, 0}};
 
 }  // namespace grader::mistakes

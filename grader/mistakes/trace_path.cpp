@@ -1,14 +1,16 @@
 #include "pt/tasks/trace_path.h"
 
+#include "grader/check/repeat.h"
+#include "grader/check/rooms.h"
 #include "grader/mistakes/battery.h"
 #include "grader/mistakes/stages.h"
-#include "grader/property/repeat.h"
-#include "grader/property/rooms.h"
 
 #include <array>
 
-namespace grader {
+namespace grader::mistakes {
 namespace {
+
+using namespace check;
 
 using pt::PathSettings;
 
@@ -107,4 +109,4 @@ void run_battery(Battery& battery) {
   ask(battery, gray, bounces(2, 2));
 }
 
-}  // namespace grader
+}  // namespace grader::mistakes

@@ -1,6 +1,6 @@
 #include "grader/pictures/judge_recipe.h"
 
-#include "grader/images/sample_map_verdict.h"
+#include "grader/pictures/sample_map_verdict.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 
@@ -8,36 +8,36 @@
 #include <cmath>
 #include <filesystem>
 
-namespace grader {
+namespace grader::pictures {
 
 namespace {
 
-State state_of(ImageVerdict::Outcome outcome) {
+results::State state_of(ImageVerdict::Outcome outcome) {
   switch (outcome) {
     case ImageVerdict::Outcome::pass:
-      return State::pass;
+      return results::State::pass;
     case ImageVerdict::Outcome::too_noisy:
-      return State::too_noisy;
+      return results::State::too_noisy;
     case ImageVerdict::Outcome::wrong:
     case ImageVerdict::Outcome::unusable:
       break;
   }
-  return State::fail;
+  return results::State::fail;
 }
 
-State state_of(Cause cause) {
+results::State state_of(check::Cause cause) {
   switch (cause) {
-    case Cause::crash:
-      return State::crash;
-    case Cause::timeout:
-      return State::timeout;
-    case Cause::not_attempted:
-      return State::not_attempted;
-    case Cause::wrong:
-    case Cause::bad_reply:
+    case check::Cause::crash:
+      return results::State::crash;
+    case check::Cause::timeout:
+      return results::State::timeout;
+    case check::Cause::not_attempted:
+      return results::State::not_attempted;
+    case check::Cause::wrong:
+    case check::Cause::bad_reply:
       break;
   }
-  return State::fail;
+  return results::State::fail;
 }
 
 pt::Film read_golden(const std::string& path, const Recipe& recipe) {
@@ -51,7 +51,7 @@ pt::Film read_golden(const std::string& path, const Recipe& recipe) {
   return golden;
 }
 
-void enter(const ImageVerdict& verdict, PictureResult& result) {
+void enter(const ImageVerdict& verdict, results::PictureResult& result) {
   result.state = state_of(verdict.outcome);
   result.text = verdict.sentence;
   result.samples = verdict.samples;
@@ -67,7 +67,7 @@ pt::Film film_of(const pt::Image& image) {
   return film;
 }
 
-void keep(const ImageVerdict& verdict, const PictureFiles& files, PictureResult& result) {
+void keep(const ImageVerdict& verdict, const PictureFiles& files, results::PictureResult& result) {
   if (verdict.render.width == 0 || files.render.empty()) return;
   pt::write_image(files.render, verdict.render);
   pt::write_image(files.evidence, film_of(verdict.evidence));
@@ -91,7 +91,7 @@ void blacken(const std::vector<char>& where, pt::Film& film) {
 
 // First how many samples a run takes where; then its picture, runs as samples.
 void judge_adaptive(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
-                    const PictureFiles& files, PictureResult& result) {
+                    const PictureFiles& files, results::PictureResult& result) {
   const SampleMapReference reference = read_reference(files.rates);
   const Rendered run =
       render(recipe, view, rendering.rows, 1, batch_seed(rendering.source, recipe, 0, 0));
@@ -120,13 +120,13 @@ void judge_adaptive(const Recipe& recipe, const pt::View& view, const Rendering&
   }
   keep(verdict, files, result);
   if (!map.pass) {
-    result.state = State::fail;
+    result.state = results::State::fail;
     result.text = map.sentence;
   }
 }
 
 void judge(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
-           const PictureFiles& files, PictureResult& result) {
+           const PictureFiles& files, results::PictureResult& result) {
   if (recipe.adaptive) {
     return judge_adaptive(recipe, view, rendering, files, result);
   }
@@ -143,10 +143,10 @@ void judge(const Recipe& recipe, const pt::View& view, const Rendering& renderin
 
 }  // namespace
 
-PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
-                           const PictureFiles& files) {
+results::PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
+                                    const PictureFiles& files) {
   const auto start = std::chrono::steady_clock::now();
-  PictureResult result;
+  results::PictureResult result;
   result.recipe = recipe.name;
   result.title = recipe.title;
   result.width = recipe.width;
@@ -163,4 +163,4 @@ PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::pictures

@@ -2,7 +2,7 @@
 
 #include "grader/pictures/render.h"
 
-namespace grader {
+namespace grader::pictures {
 
 // What one recipe is judged by, and where what was seen is kept.
 struct PictureFiles {
@@ -23,7 +23,7 @@ struct Rendering {
 };
 
 // The verdict. Throws pt::Error for goldens that are not there.
-PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
-                           const PictureFiles& files);
+results::PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
+                                    const PictureFiles& files);
 
-}  // namespace grader
+}  // namespace grader::pictures

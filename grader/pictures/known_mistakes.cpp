@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::pictures {
 
 namespace {
 
@@ -22,13 +22,13 @@ BlockMeans means(const std::string& film, const std::string& counts) {
 
 }  // namespace
 
-JudgedPicture judged_picture(const PictureResult& result) {
-  if (result.state == State::pass) return {Outcome::right, {}};
-  if (result.state != State::fail || result.render.empty()) return {};
+JudgedPicture judged_picture(const results::PictureResult& result) {
+  if (result.state == results::State::pass) return {Outcome::right, {}};
+  if (result.state != results::State::fail || result.render.empty()) return {};
   return {Outcome::wrong, means(result.render, result.counts)};
 }
 
-BlockMeans golden_means(const PictureResult& result) {
+BlockMeans golden_means(const results::PictureResult& result) {
   return means(result.golden, result.golden_counts);
 }
 
@@ -42,8 +42,8 @@ std::string recipe_hash(const std::filesystem::path& golden) {
   }
 }
 
-void enter_likeness(const std::vector<KnownMistake>& mistakes, PictureResult& result) {
-  if (result.integrated && result.state != State::pass) return;
+void enter_likeness(const std::vector<KnownMistake>& mistakes, results::PictureResult& result) {
+  if (result.integrated && result.state != results::State::pass) return;
   if (mistakes.empty()) return;
   const JudgedPicture picture = judged_picture(result);
   const BlockMeans golden = picture.outcome == Outcome::wrong ? golden_means(result) : BlockMeans{};
@@ -53,4 +53,4 @@ void enter_likeness(const std::vector<KnownMistake>& mistakes, PictureResult& re
   result.unlike = found.unlike;
 }
 
-}  // namespace grader
+}  // namespace grader::pictures

@@ -1,23 +1,23 @@
 #pragma once
 
-#include "grader/images/name_mistake.h"
-#include "grader/report/results.h"
+#include "grader/pictures/name_mistake.h"
+#include "grader/results/results.h"
 
 #include <filesystem>
 
-namespace grader {
+namespace grader::pictures {
 
 // What a picture that was judged shows of known mistakes, by the files that it names.
-JudgedPicture judged_picture(const PictureResult& result);
+JudgedPicture judged_picture(const results::PictureResult& result);
 
 // The same of the golden that it names.
-BlockMeans golden_means(const PictureResult& result);
+BlockMeans golden_means(const results::PictureResult& result);
 
 // The beginning of the hash in the provenance of a golden, GOLDEN.json beside GOLDEN.exr.
 std::string recipe_hash(const std::filesystem::path& golden);
 
 // Enters into `result` which of the known mistakes of its task make such a picture, and which do
 // not. Only for a picture with the reference elsewhere, or for one that passes.
-void enter_likeness(const std::vector<KnownMistake>& mistakes, PictureResult& result);
+void enter_likeness(const std::vector<KnownMistake>& mistakes, results::PictureResult& result);
 
-}  // namespace grader
+}  // namespace grader::pictures

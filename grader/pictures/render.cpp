@@ -1,11 +1,11 @@
 #include "grader/pictures/render.h"
 
-#include "grader/judge/sha256.h"
-#include "grader/recipes/seeds.h"
+#include "grader/base/sha256.h"
+#include "grader/pictures/seeds.h"
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::pictures {
 
 namespace {
 
@@ -15,8 +15,8 @@ constexpr int kRows = 8;
 }  // namespace
 
 std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch) {
-  const std::string hash =
-      sha256(fmt::format("{} {} {} {} {}", source.content, source.seed, recipe.name, stage, batch));
+  const std::string hash = base::sha256(
+      fmt::format("{} {} {} {} {}", source.content, source.seed, recipe.name, stage, batch));
   return judged_seed(std::stoull(hash.substr(0, 16), nullptr, 16));
 }
 
@@ -51,4 +51,4 @@ Batches render_stage(const Recipe& recipe, const pt::View& view, const RowRender
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::pictures

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/images/image_verdict.h"
-#include "grader/property/property.h"
-#include "grader/recipes/recipes.h"
+#include "grader/check/property.h"
+#include "grader/pictures/image_verdict.h"
+#include "grader/pictures/recipes.h"
 #include "pt/image/sample_map.h"
 #include "pt/render/render_rows.h"
 
@@ -12,7 +12,7 @@
 
 // Pictures of a recipe, whoever renders their rows.
 
-namespace grader {
+namespace grader::pictures {
 
 // Renders the rows that are asked for: in a worker (worker_rows.h), or pt::render_rows with the
 // tasks that this program links.
@@ -20,7 +20,7 @@ using RowRenderer = std::function<pt::PictureRows(const pt::View&, const pt::Row
 
 // A worker made no picture. The text says what it did instead, for a person to read.
 struct NoPicture {
-  Cause cause = Cause::crash;
+  check::Cause cause = check::Cause::crash;
   std::string text;
 };
 
@@ -31,7 +31,7 @@ struct SeedSource {
   std::uint64_t seed = 1;  // of the run
 };
 
-// The seed of one batch of a stage; never a golden's (grader/recipes/seeds.h).
+// The seed of one batch of a stage; never a golden's (grader/pictures/seeds.h).
 std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch);
 
 struct Rendered {
@@ -46,4 +46,4 @@ Rendered render(const Recipe& recipe, const pt::View& view, const RowRenderer& r
 Batches render_stage(const Recipe& recipe, const pt::View& view, const RowRenderer& rows,
                      const SeedSource& source, int stage, int batches, int samples);
 
-}  // namespace grader
+}  // namespace grader::pictures

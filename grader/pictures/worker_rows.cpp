@@ -1,11 +1,11 @@
 #include "grader/pictures/worker_rows.h"
 
-#include "grader/remote/call.h"
+#include "grader/wire/call.h"
 
-namespace grader {
+namespace grader::pictures {
 
 pt::PictureRows worker_rows(const pt::View& view, const pt::RowsRequest& request) {
-  using namespace remote;
+  using namespace wire;
   using Signature = SignatureOf<&pt::render_rows>;
   Writer out;
   session().begin();
@@ -20,4 +20,4 @@ pt::PictureRows worker_rows(const pt::View& view, const pt::RowsRequest& request
   return rows;
 }
 
-}  // namespace grader
+}  // namespace grader::pictures

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::process {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::string cause_of_end(int status, const std::string& last_words) {
   return fmt::format("{} (signal {})", words(WTERMSIG(status), last_words), WTERMSIG(status));
 }
 
-}  // namespace grader
+}  // namespace grader::process

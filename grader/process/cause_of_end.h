@@ -2,12 +2,12 @@
 
 #include <string>
 
-namespace grader {
+namespace grader::process {
 
 // Why a worker ended, for a learner to read: "endless recursion: the stack overflowed". From its
 // status, as waitpid gives it, and the last lines that it printed. A stack that overflows sends
-// SIGSTKFLT (grader/worker/crash.h), and a function that ends without a return SIGILL (how
+// SIGSTKFLT (grader/wire/crash.h), and a function that ends without a return SIGILL (how
 // submissions are compiled: grader/judge/builder.cpp).
 std::string cause_of_end(int status, const std::string& last_words);
 
-}  // namespace grader
+}  // namespace grader::process

@@ -2,7 +2,7 @@
 
 #include <sys/resource.h>
 
-namespace grader {
+namespace grader::process {
 
 namespace {
 
@@ -21,4 +21,4 @@ bool set_limits(const Limits& limits) {
          limit(RLIMIT_NOFILE, limits.open_files) && limit(RLIMIT_CORE, 0);
 }
 
-}  // namespace grader
+}  // namespace grader::process

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace grader {
+namespace grader::process {
 
 // What a process may use at most; nothing means no limit of our own. They are a process's, not its
 // children's.
@@ -32,4 +32,4 @@ inline constexpr bool kSanitized = false;
 inline constexpr bool kSanitized = false;
 #endif
 
-}  // namespace grader
+}  // namespace grader::process

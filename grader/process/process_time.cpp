@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::process {
 
 namespace {
 
@@ -101,4 +101,4 @@ nanoseconds own_waiting_time() { return waiting_time("thread-self"); }
 
 pid_t last_descendant(pid_t pid) { return with_descendants(pid).back(); }
 
-}  // namespace grader
+}  // namespace grader::process

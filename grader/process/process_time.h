@@ -7,7 +7,7 @@
 // How long processes ran and had to wait. A limit that counts what a process computed, and not what
 // the clock says, is the same on a busy machine.
 
-namespace grader {
+namespace grader::process {
 
 struct ProcessTime {
   std::chrono::nanoseconds running{0};  // on a processor
@@ -30,4 +30,4 @@ std::chrono::nanoseconds own_waiting_time();
 // The youngest of a process's descendants that has no children; the process itself if it has none.
 pid_t last_descendant(pid_t pid);
 
-}  // namespace grader
+}  // namespace grader::process

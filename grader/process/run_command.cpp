@@ -1,6 +1,6 @@
 #include "grader/process/run_command.h"
 
-#include "grader/process/descriptor.h"
+#include "grader/base/descriptor.h"
 #include "grader/process/time_limit.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <poll.h>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::process {
 
 namespace {
 
@@ -48,8 +48,8 @@ std::optional<int> await(pid_t pid, TimeLimit& limit) {
 CommandResult run_command(Child child, milliseconds most) {
   CommandResult result;
   const auto start = Clock::now();
-  Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
-  Pipe output = make_pipe();
+  base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  base::Pipe output = base::make_pipe();
   child.descriptors = {nothing.number(), output.write_end.number(), output.write_end.number()};
   const pid_t pid = spawn(child);
   output.write_end.close();
@@ -76,4 +76,4 @@ CommandResult run_command(Child child, milliseconds most) {
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::process

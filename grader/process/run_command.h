@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-namespace grader {
+namespace grader::process {
 
 struct CommandResult {
   int status = 0;  // as waitpid gives it
@@ -23,4 +23,4 @@ inline constexpr std::size_t kMaxOutput = std::size_t{1} << 18;
 // keeps what it prints. Its descriptors are set here: no input, and both outputs are read.
 CommandResult run_command(Child child, std::chrono::milliseconds most);
 
-}  // namespace grader
+}  // namespace grader::process

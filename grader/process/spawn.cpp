@@ -1,6 +1,6 @@
 #include "grader/process/spawn.h"
 
-#include "grader/process/descriptor.h"
+#include "grader/base/descriptor.h"
 #include "pt/error.h"
 
 #include <cerrno>
@@ -12,7 +12,7 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::process {
 
 namespace {
 
@@ -70,18 +70,6 @@ void reap_orphans() {
 
 }  // namespace
 
-Pipe make_pipe() {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) {
-    throw pt::Error(fmt::format("there is no pipe to be had: {}", std::strerror(errno)));
-  }
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
-
-void set_nonblocking(const Descriptor& descriptor) {
-  fcntl(descriptor.number(), F_SETFL, fcntl(descriptor.number(), F_GETFL) | O_NONBLOCK);
-}
-
 pid_t spawn(const Child& child) {
   const std::vector<char*> command = pointers(child.command);
   const std::vector<char*> environment = pointers(child.environment);
@@ -116,4 +104,4 @@ void hide_process() {
   if (!kSanitized) prctl(PR_SET_DUMPABLE, 0);
 }
 
-}  // namespace grader
+}  // namespace grader::process

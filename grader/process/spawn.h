@@ -7,7 +7,7 @@
 
 #include <sys/types.h>
 
-namespace grader {
+namespace grader::process {
 
 struct Child {
   std::vector<std::string> command;      // argv; the program is a path
@@ -32,4 +32,4 @@ std::string describe_status(int status);
 // Other processes of the same user cannot read or trace this one any more.
 void hide_process();
 
-}  // namespace grader
+}  // namespace grader::process

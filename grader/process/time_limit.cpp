@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace grader {
+namespace grader::process {
 
 using std::chrono::nanoseconds;
 
@@ -35,4 +35,4 @@ nanoseconds Wait::net(nanoseconds longest) const {
   return std::clamp(whole - (own_waiting_time() - own_waiting_), nanoseconds(0), longest);
 }
 
-}  // namespace grader
+}  // namespace grader::process

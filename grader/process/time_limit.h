@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace grader {
+namespace grader::process {
 
 // A limit on the time that a process and its descendants may take, whatever else the machine does:
 // so much of processor time. Neither what it waits for a processor counts nor what this process
@@ -51,4 +51,4 @@ class Wait {
   std::chrono::nanoseconds own_waiting_ = own_waiting_time();
 };
 
-}  // namespace grader
+}  // namespace grader::process

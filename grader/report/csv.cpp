@@ -1,11 +1,11 @@
 #include "grader/report/csv.h"
 
-#include "grader/report/presentable.h"
-#include "grader/report/summary.h"
+#include "grader/results/presentable.h"
+#include "grader/results/summary.h"
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::report {
 
 std::string csv_field(const std::string& text) {
   const bool formula = !text.empty() && std::string("=+-@\t").find(text[0]) != std::string::npos;
@@ -14,16 +14,17 @@ std::string csv_field(const std::string& text) {
   return escaped.find_first_of(",\"\n") == std::string::npos ? escaped : '"' + escaped + '"';
 }
 
-std::string to_csv(const Results& raw) {
-  const Results results = presentable(raw);
+std::string to_csv(const results::Results& raw) {
+  const results::Results results = results::presentable(raw);
   std::string text =
       "submission,number,task,state,points,max_points,bonus_points,seconds,complete\r\n";
-  for (const TaskResult& task : results.tasks) {
-    text += fmt::format("{},{},{},{},{},{},{},{:.2f},{}\r\n", csv_field(results.submission),
-                        csv_field(task.number), csv_field(task.slug), name(task.state), task.points,
-                        task.max_points, task.bonus_points, seconds(task), results.complete);
+  for (const results::TaskResult& task : results.tasks) {
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{:.2f},{}\r\n", csv_field(results.submission),
+                    csv_field(task.number), csv_field(task.slug), name(task.state), task.points,
+                    task.max_points, task.bonus_points, results::seconds(task), results.complete);
   }
   return text;
 }
 
-}  // namespace grader
+}  // namespace grader::report

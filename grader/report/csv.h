@@ -1,17 +1,17 @@
 #pragma once
 
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 
 #include <string>
 
-namespace grader {
+namespace grader::report {
 
 // A table (RFC 4180): a line that names the columns, then one a task. Those of many submissions may
 // be joined, without all first lines but one. `complete` is false of an unfinished run. A text that
 // a spreadsheet would take for a formula has an apostrophe before it.
-std::string to_csv(const Results& results);
+std::string to_csv(const results::Results& results);
 
 // A text as a field of such a table.
 std::string csv_field(const std::string& text);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace grader {
+namespace grader::report {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::string embedded_counts(const pt::SampleMap& map) {
   return base64(bytes);
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -10,7 +10,7 @@
 
 // Data inside a page, which may fetch none.
 
-namespace grader {
+namespace grader::report {
 
 // RFC 4648, with padding.
 std::string base64(std::string_view bytes);
@@ -31,4 +31,4 @@ std::string embedded_noise(const pt::Film& render, const pt::Film& golden);
 // The counts as 32-bit integers, little-endian, in base64.
 std::string embedded_counts(const pt::SampleMap& map);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -1,8 +1,8 @@
 #include "grader/report/gradescope.h"
 
-#include "grader/report/presentable.h"
-#include "grader/report/summary.h"
 #include "grader/report/terminal.h"
+#include "grader/results/presentable.h"
+#include "grader/results/summary.h"
 
 #include <cmath>
 
@@ -10,26 +10,26 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::report {
 
 namespace {
 
 using nlohmann::ordered_json;
 
 // "7 of 7 promises are kept, 2 of 3 pictures are right, 1 is not judged yet"
-std::string counts_of(const TaskResult& task) {
+std::string counts_of(const results::TaskResult& task) {
   const auto not_judged = [](int count) {
     return count == 0 ? ""
                       : fmt::format(", {} {} not judged yet", count, count == 1 ? "is" : "are");
   };
   int kept = 0, right = 0, promises_left = 0, pictures_left = 0;
-  for (const PromiseResult& promise : task.promises) {
+  for (const results::PromiseResult& promise : task.promises) {
     kept += promise.held ? 1 : 0;
-    promises_left += is_judged(task, promise) ? 0 : 1;
+    promises_left += results::is_judged(task, promise) ? 0 : 1;
   }
-  for (const PictureResult& picture : task.pictures) {
-    right += picture.state == State::pass ? 1 : 0;
-    pictures_left += picture.state == State::not_judged ? 1 : 0;
+  for (const results::PictureResult& picture : task.pictures) {
+    right += picture.state == results::State::pass ? 1 : 0;
+    pictures_left += picture.state == results::State::not_judged ? 1 : 0;
   }
   std::string text = fmt::format("{} of {} promises are kept{}", kept, task.promises.size(),
                                  not_judged(promises_left));
@@ -40,23 +40,24 @@ std::string counts_of(const TaskResult& task) {
   return text;
 }
 
-std::string output_of(const TaskResult& task) {
-  std::string text = fmt::format("{} {}\n", symbol(task.state), words(task.state));
+std::string output_of(const results::TaskResult& task) {
+  std::string text =
+      fmt::format("{} {}\n", results::symbol(task.state), results::words(task.state));
   for (const FailureText& failure : failure_texts(task, {})) text += failure.text;
-  if (!is_fault(task.state) && !task.reason.empty()) text += task.reason + "\n";
-  if (task.state == State::blocked) {
+  if (!results::is_fault(task.state) && !task.reason.empty()) text += task.reason + "\n";
+  if (task.state == results::State::blocked) {
     text += fmt::format("It waits for {}.\n", fmt::join(task.blocked_by, ", "));
   }
-  if (task.state == State::not_judged) {
+  if (task.state == results::State::not_judged) {
     text += "What is not judged yet has no points, right or wrong.\n";
   }
   return text + "\n" + counts_of(task) + ".\n";
 }
 
-ordered_json test_of(const TaskResult& task) {
+ordered_json test_of(const results::TaskResult& task) {
   return {{"score", task.points + task.bonus_points},
           {"max_score", task.max_points},
-          {"status", task.state == State::pass ? "passed" : "failed"},
+          {"status", task.state == results::State::pass ? "passed" : "failed"},
           {"name", task.slug},
           {"number", task.number},
           {"output", output_of(task)},
@@ -66,22 +67,22 @@ ordered_json test_of(const TaskResult& task) {
           {"extra_data", {{"state", name(task.state)}, {"bonus_points", task.bonus_points}}}};
 }
 
-std::string head(const Results& results) {
-  std::string text = results.complete ? "" : fmt::format("{}\n", kStopped);
-  text += verdict(results) + "\n";
-  text +=
-      fmt::format("Seed {}, {}. Isolation {}.\n", results.seed, times(results), results.isolation);
+std::string head(const results::Results& results) {
+  std::string text = results.complete ? "" : fmt::format("{}\n", results::kStopped);
+  text += results::verdict(results) + "\n";
+  text += fmt::format("Seed {}, {}. Isolation {}.\n", results.seed, results::times(results),
+                      results.isolation);
   for (const std::string& version : results.versions) text += version + "\n";
   return text;
 }
 
 }  // namespace
 
-std::string to_gradescope(const Results& raw) {
-  const Results results = presentable(raw);
+std::string to_gradescope(const results::Results& raw) {
+  const results::Results results = results::presentable(raw);
   ordered_json tests = ordered_json::array();
-  for (const TaskResult& task : results.tasks) tests.push_back(test_of(task));
-  const Totals all = totals(results.tasks);
+  for (const results::TaskResult& task : results.tasks) tests.push_back(test_of(task));
+  const results::Totals all = results::totals(results.tasks);
   const ordered_json whole{
       {"score", all.points + all.bonus_points},
       {"execution_time", std::lround(results.seconds)},
@@ -94,4 +95,4 @@ std::string to_gradescope(const Results& raw) {
   return whole.dump(2) + "\n";
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 
 #include <string>
 
-namespace grader {
+namespace grader::report {
 
 // The results.json that Gradescope reads (its autograder documentation, "Output Format"): a test a
 // task, all visible, in plain text. Bonus points are part of a task's score, which may then exceed
 // its maximum. An unfinished run is a whole file too, and says so above the tests.
-std::string to_gradescope(const Results& results);
+std::string to_gradescope(const results::Results& results);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -1,16 +1,16 @@
 #include "grader/report/html.h"
 
 #include "grader/report/html_picture.h"
-#include "grader/report/order.h"
 #include "grader/report/page/sources.h"
-#include "grader/report/presentable.h"
-#include "grader/report/readable.h"
-#include "grader/report/summary.h"
+#include "grader/results/order.h"
+#include "grader/results/presentable.h"
+#include "grader/results/readable.h"
+#include "grader/results/summary.h"
 #include "pt/error.h"
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::report {
 
 namespace {
 
@@ -31,8 +31,8 @@ void set_texts(data& out, const std::string& list, const std::string& key,
   out.set("has_" + list, !texts.empty());
 }
 
-data failure_data(const FailureReport& exact) {
-  const FailureReport failure = readable(exact);
+data failure_data(const results::FailureReport& exact) {
+  const results::FailureReport failure = results::readable(exact);
   data out;
   set_texts(out, "input", "line", failure.input);
   set_text(out, "what", failure.what);
@@ -48,66 +48,69 @@ data failure_data(const FailureReport& exact) {
 }
 
 // A bonus promise that is not kept is no fault; nor is one of a task that was not written.
-State state_of(const TaskResult& task, const PromiseResult& promise) {
-  if (promise.held) return State::pass;
-  if (!is_judged(task, promise)) return State::not_judged;
-  return promise.bonus || !is_fault(task.state) ? State::not_attempted : State::fail;
+results::State state_of(const results::TaskResult& task, const results::PromiseResult& promise) {
+  if (promise.held) return results::State::pass;
+  if (!results::is_judged(task, promise)) return results::State::not_judged;
+  return promise.bonus || !results::is_fault(task.state) ? results::State::not_attempted
+                                                         : results::State::fail;
 }
 
-std::string why_no_failures(const TaskResult& task, State promise) {
+std::string why_no_failures(const results::TaskResult& task, results::State promise) {
   if (!task.reason.empty()) return task.reason;
-  return promise == State::not_judged ? "It is not judged yet." : "There is no counterexample.";
+  return promise == results::State::not_judged ? "It is not judged yet."
+                                               : "There is no counterexample.";
 }
 
-data promise_data(const TaskResult& task, const PromiseResult& promise) {
-  const State state = state_of(task, promise);
+data promise_data(const results::TaskResult& task, const results::PromiseResult& promise) {
+  const results::State state = state_of(task, promise);
   data out, failures{data::type::list};
-  for (const FailureReport& failure : promise.failures) failures.push_back(failure_data(failure));
+  for (const results::FailureReport& failure : promise.failures)
+    failures.push_back(failure_data(failure));
   out.set("promise_words", promise.words.empty() ? promise.name : promise.words);
   out.set("bonus", promise.bonus);
   out.set("held", promise.held);
   out.set("broken", !promise.held);
-  out.set("promise_open", state == State::fail && !promise.failures.empty());
+  out.set("promise_open", state == results::State::fail && !promise.failures.empty());
   out.set("promise_tone", tone(state));
-  out.set("promise_symbol", symbol(state));
-  out.set("promise_state", state == State::fail         ? "not kept"
-                           : state == State::not_judged ? "not judged"
-                                                        : "not kept yet");
+  out.set("promise_symbol", results::symbol(state));
+  out.set("promise_state", state == results::State::fail         ? "not kept"
+                           : state == results::State::not_judged ? "not judged"
+                                                                 : "not kept yet");
   out.set("failures", failures);
   out.set("no_failures",
           promise.failures.empty() ? data(why_no_failures(task, state)) : data(false));
   return out;
 }
 
-data task_data(const TaskResult& task, Places& places) {
+data task_data(const results::TaskResult& task, Places& places) {
   data out, promises{data::type::list}, pictures{data::type::list};
   // Broken promises first, the most telling at the top.
-  for (const PromiseResult* each : by_importance(task)) {
+  for (const results::PromiseResult* each : results::by_importance(task)) {
     promises.push_back(promise_data(task, *each));
   }
-  for (const PromiseResult& each : task.promises) {
+  for (const results::PromiseResult& each : task.promises) {
     if (each.held) promises.push_back(promise_data(task, each));
   }
-  for (const PictureResult& each : task.pictures) {
+  for (const results::PictureResult& each : task.pictures) {
     pictures.push_back(picture_data(each, task.slug, places));
   }
   out.set("number", task.number);
   out.set("slug", task.slug);
   out.set("tone", tone(task.state));
-  out.set("symbol", symbol(task.state));
-  out.set("words", words(task.state));
-  out.set("open", is_fault(task.state));
+  out.set("symbol", results::symbol(task.state));
+  out.set("words", results::words(task.state));
+  out.set("open", results::is_fault(task.state));
   out.set("task_points", std::to_string(task.points));
   out.set("task_max", std::to_string(task.max_points));
   out.set("task_has_bonus", task.bonus_points > 0);
   out.set("task_bonus", std::to_string(task.bonus_points));
   set_text(out, "reason", task.reason);
-  set_text(out, "mistake", mistake_text(task));
-  set_text(out, "spared", spared_text(task));
+  set_text(out, "mistake", results::mistake_text(task));
+  set_text(out, "spared", results::spared_text(task));
   set_texts(out, "blocked_by", "other", task.blocked_by);
   set_texts(out, "blamed", "other", task.blamed);
   set_text(out, "compiler_output", task.compiler_output);
-  set_text(out, "warnings", is_fault(task.state) ? task.warnings : "");
+  set_text(out, "warnings", results::is_fault(task.state) ? task.warnings : "");
   set_text(out, "printed", task.printed);
   out.set("promises", promises);
   out.set("has_promises", !task.promises.empty());
@@ -116,21 +119,21 @@ data task_data(const TaskResult& task, Places& places) {
   return out;
 }
 
-data parts_data(const std::vector<TaskResult>& tasks) {
+data parts_data(const std::vector<results::TaskResult>& tasks) {
   Places places;
   data parts{data::type::list};
   for (std::size_t i = 0; i < tasks.size();) {
-    std::vector<TaskResult> of_part;
+    std::vector<results::TaskResult> of_part;
     data list{data::type::list};
     const std::string& part = tasks[i].part;
     for (; i < tasks.size() && tasks[i].part == part; ++i) {
       of_part.push_back(tasks[i]);
       list.push_back(task_data(tasks[i], places));
     }
-    const Totals sum = totals(of_part);
+    const results::Totals sum = results::totals(of_part);
     data out;
-    out.set("part_number", part_number(part));
-    out.set("part_name", part_name(part));
+    out.set("part_number", results::part_number(part));
+    out.set("part_name", results::part_name(part));
     out.set("part_points", std::to_string(sum.points));
     out.set("part_max", std::to_string(sum.max_points));
     out.set("tasks", list);
@@ -139,24 +142,24 @@ data parts_data(const std::vector<TaskResult>& tasks) {
   return parts;
 }
 
-data page_data(const Results& results) {
-  const Totals all = totals(results.tasks);
+data page_data(const results::Results& results) {
+  const results::Totals all = results::totals(results.tasks);
   data out;
   out.set("style", std::string(page_css));
   out.set("script", std::string(page_js));
-  out.set("verdict", verdict(results));
-  out.set("passed", passed(results));
+  out.set("verdict", results::verdict(results));
+  out.set("passed", results::passed(results));
   out.set("points", std::to_string(all.points));
   out.set("max_points", std::to_string(all.max_points));
   out.set("has_bonus", all.bonus_points > 0);
   out.set("bonus_points", std::to_string(all.bonus_points));
   const int percent = all.max_points > 0 ? 100 * all.points / all.max_points : 0;
   out.set("percent", std::to_string(std::clamp(percent, 0, 100)));
-  out.set("stopped", results.complete ? data(false) : data(kStopped));
+  out.set("stopped", results.complete ? data(false) : data(results::kStopped));
   out.set("submission", results.submission);
   out.set("isolation", results.isolation);
   out.set("seed", std::to_string(results.seed));
-  out.set("times", times(results));
+  out.set("times", results::times(results));
   set_texts(out, "versions", "version", results.versions);
   set_text(out, "command", results.command);
   out.set("parts", parts_data(results.tasks));
@@ -165,11 +168,11 @@ data page_data(const Results& results) {
 
 }  // namespace
 
-std::string to_html(const Results& results) {
+std::string to_html(const results::Results& results) {
   kainjow::mustache::mustache page{std::string(page_html)};
-  std::string text = page.render(page_data(presentable(results)));
+  std::string text = page.render(page_data(results::presentable(results)));
   if (!page.is_valid()) throw pt::Error("the page cannot be made: " + page.error_message());
   return text;
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 
 #include <string>
 
-namespace grader {
+namespace grader::report {
 
 // The results as one page that fetches nothing: pictures and their numbers are inside, read from
 // the files that the results name (one that cannot be read becomes a sentence). Texts are escaped,
 // and the page's policy lets it load nothing else. grader/report/page/ holds its template.
-std::string to_html(const Results& results);
+std::string to_html(const results::Results& results);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -2,7 +2,7 @@
 
 #include "grader/report/embedded.h"
 #include "grader/report/pictures.h"
-#include "grader/report/summary.h"
+#include "grader/results/summary.h"
 #include "pt/error.h"
 #include "pt/image/compare.h"
 #include "pt/image/image_io.h"
@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::report {
 
 namespace {
 
@@ -48,9 +48,9 @@ std::string percent(double ratio) {
   return fmt::format("{}{:.1f} %", ratio < 0 ? "\u2212" : "+", std::abs(100 * ratio));
 }
 
-data cells_data(const PictureResult& picture) {
+data cells_data(const results::PictureResult& picture) {
   data cells{data::type::list};
-  for (const FailingCell& cell : picture.cells) {
+  for (const results::FailingCell& cell : picture.cells) {
     data out;
     out.set("x", std::to_string(cell.x));
     out.set("y", std::to_string(cell.y));
@@ -88,7 +88,8 @@ data view(const char* kind, int width, int height) {
   return out;
 }
 
-data film_maps(const PictureResult& picture, const pt::Image& render, const pt::Image& golden) {
+data film_maps(const results::PictureResult& picture, const pt::Image& render,
+               const pt::Image& golden) {
   const auto bar = [](double full) {
     return legend_bar([=](double t) { return pt::difference_color((2 * t - 1) * full, full); });
   };
@@ -110,7 +111,7 @@ data film_maps(const PictureResult& picture, const pt::Image& render, const pt::
   return maps;
 }
 
-data film_view(const PictureResult& picture) {
+data film_view(const results::PictureResult& picture) {
   const pt::Film render = pt::read_exr(picture.render), golden = pt::read_exr(picture.golden);
   check_sizes(render, golden);
   const pt::Image a = mean(render), b = mean(golden);
@@ -131,7 +132,7 @@ data film_view(const PictureResult& picture) {
   return out;
 }
 
-data counts_view(const PictureResult& picture) {
+data counts_view(const results::PictureResult& picture) {
   const pt::SampleMap render = pt::read_counts(picture.counts);
   const pt::SampleMap golden = pt::read_counts(picture.golden_counts);
   check_sizes(render, golden);
@@ -165,7 +166,7 @@ data counts_view(const PictureResult& picture) {
 }
 
 // How it was made, in one line.
-std::string made(const PictureResult& picture) {
+std::string made(const results::PictureResult& picture) {
   std::string text = picture.integrated ? "Rendered with all tasks of the submission"
                                         : "Rendered with this task of the submission, and the "
                                           "reference in all other places";
@@ -182,19 +183,19 @@ std::string made(const PictureResult& picture) {
 
 }  // namespace
 
-const char* tone(State state) {
-  if (state == State::pass) return "pass";
-  if (state == State::too_noisy) return "noisy";
-  return is_fault(state) ? "fault" : "quiet";
+const char* tone(results::State state) {
+  if (state == results::State::pass) return "pass";
+  if (state == results::State::too_noisy) return "noisy";
+  return results::is_fault(state) ? "fault" : "quiet";
 }
 
-std::string Places::taken(const PictureResult& picture, const std::string& place) {
+std::string Places::taken(const results::PictureResult& picture, const std::string& place) {
   std::string shown;
   for (const std::string* path : {&picture.render, &picture.golden, &picture.evidence,
                                   &picture.counts, &picture.golden_counts}) {
     shown += *path + '\0';
   }
-  for (const FailingCell& cell : picture.cells) {
+  for (const results::FailingCell& cell : picture.cells) {
     shown += fmt::format("{} {} {} {} {} {} {}\n", cell.x, cell.y, cell.width, cell.height,
                          cell.channel, cell.off_by, cell.evidence);
   }
@@ -202,7 +203,7 @@ std::string Places::taken(const PictureResult& picture, const std::string& place
   return is_new ? "" : entry->second;
 }
 
-data picture_data(const PictureResult& picture, const std::string& slug, Places& places) {
+data picture_data(const results::PictureResult& picture, const std::string& slug, Places& places) {
   const bool has_views = !picture.render.empty() || !picture.counts.empty();
   const std::string place =
       has_views ? places.taken(picture, slug + "." + picture.recipe) : std::string();
@@ -210,9 +211,9 @@ data picture_data(const PictureResult& picture, const std::string& slug, Places&
   out.set("recipe", picture.recipe);
   out.set("title", picture.title);
   out.set("picture_tone", tone(picture.state));
-  out.set("picture_symbol", symbol(picture.state));
-  out.set("picture_words", words(picture.state));
-  out.set("picture_open", is_fault(picture.state) && place.empty());
+  out.set("picture_symbol", results::symbol(picture.state));
+  out.set("picture_words", results::words(picture.state));
+  out.set("picture_open", results::is_fault(picture.state) && place.empty());
   out.set("same", place.empty() ? data(false) : data(place));
   out.set("picture_points", std::to_string(picture.points));
   out.set("picture_max", std::to_string(picture.max_points));
@@ -223,7 +224,7 @@ data picture_data(const PictureResult& picture, const std::string& slug, Places&
   out.set("picture_replay", picture.replay);
   data views{data::type::list};
   std::string problem;
-  const auto add = [&](data (*make)(const PictureResult&)) {
+  const auto add = [&](data (*make)(const results::PictureResult&)) {
     try {
       views.push_back(make(picture));
     } catch (const pt::Error& error) {
@@ -237,4 +238,4 @@ data picture_data(const PictureResult& picture, const std::string& slug, Places&
   return out;
 }
 
-}  // namespace grader
+}  // namespace grader::report

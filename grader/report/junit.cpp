@@ -1,13 +1,13 @@
 #include "grader/report/junit.h"
 
-#include "grader/report/presentable.h"
-#include "grader/report/summary.h"
 #include "grader/report/terminal.h"
+#include "grader/results/presentable.h"
+#include "grader/results/summary.h"
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
-namespace grader {
+namespace grader::report {
 
 namespace {
 
@@ -28,45 +28,45 @@ struct Suite {
   std::vector<Case> cases;
 };
 
-const char* element_of(State state) {
+const char* element_of(results::State state) {
   switch (state) {
-    case State::pass:
+    case results::State::pass:
       return "";
-    case State::fail:
-    case State::too_noisy:
+    case results::State::fail:
+    case results::State::too_noisy:
       return "failure";
-    case State::crash:
-    case State::timeout:
-    case State::rejected:
+    case results::State::crash:
+    case results::State::timeout:
+    case results::State::rejected:
       return "error";
-    case State::not_attempted:
-    case State::blocked:
-    case State::not_judged:
+    case results::State::not_attempted:
+    case results::State::blocked:
+    case results::State::not_judged:
       return "skipped";
   }
   return "error";
 }
 
-std::string text_of(const TaskResult& task, const std::string& promise) {
+std::string text_of(const results::TaskResult& task, const std::string& promise) {
   for (const FailureText& each : failure_texts(task, {false, true})) {
     if (each.promise == promise) return each.text;
   }
   return task.reason + "\n" + task.compiler_output;
 }
 
-Case promise_case(const TaskResult& task, const PromiseResult& promise) {
+Case promise_case(const results::TaskResult& task, const results::PromiseResult& promise) {
   Case result{promise.name, promise.seconds, "", "", task.reason, ""};
-  if (task.state == State::not_attempted || task.state == State::blocked) {
+  if (task.state == results::State::not_attempted || task.state == results::State::blocked) {
     result.element = "skipped";
-    if (result.message.empty()) result.message = words(task.state);
-  } else if (!is_judged(task, promise)) {
+    if (result.message.empty()) result.message = results::words(task.state);
+  } else if (!results::is_judged(task, promise)) {
     result.element = "skipped";
-    result.message = words(task.state);
+    result.message = results::words(task.state);
   } else if (!promise.held && promise.bonus) {
     result.element = "skipped";
     result.message = "a bonus promise that is not kept";
   } else if (!promise.held) {
-    const std::string mistake = mistake_text(task);
+    const std::string mistake = results::mistake_text(task);
     const std::string cause = promise.failures.empty() ? "" : promise.failures[0].cause;
     const std::string whole = element_of(task.state);
     result.type = cause.empty() ? name(task.state) : cause;
@@ -81,21 +81,24 @@ Case promise_case(const TaskResult& task, const PromiseResult& promise) {
   return result;
 }
 
-Case picture_case(const TaskResult& task, const PictureResult& picture) {
+Case picture_case(const results::TaskResult& task, const results::PictureResult& picture) {
   Case result{"picture " + picture.recipe, picture.seconds, element_of(picture.state),
               name(picture.state),         picture.text,    ""};
-  if (result.message.empty()) result.message = words(picture.state);
+  if (result.message.empty()) result.message = results::words(picture.state);
   if (result.element == "failure" || result.element == "error") {
-    result.text =
-        fmt::format("{}\n{}\n{}\n", picture.title, picture.text, how_to_see(task, picture));
+    result.text = fmt::format("{}\n{}\n{}\n", picture.title, picture.text,
+                              results::how_to_see(task, picture));
   }
   return result;
 }
 
-Suite suite_of(const TaskResult& task) {
-  Suite suite{task.number + " " + task.slug, task.part + "." + task.slug, seconds(task), {}};
-  for (const PromiseResult& each : task.promises) suite.cases.push_back(promise_case(task, each));
-  for (const PictureResult& each : task.pictures) suite.cases.push_back(picture_case(task, each));
+Suite suite_of(const results::TaskResult& task) {
+  Suite suite{
+      task.number + " " + task.slug, task.part + "." + task.slug, results::seconds(task), {}};
+  for (const results::PromiseResult& each : task.promises)
+    suite.cases.push_back(promise_case(task, each));
+  for (const results::PictureResult& each : task.pictures)
+    suite.cases.push_back(picture_case(task, each));
   // What concerns the whole task: a file that is missing, or does not compile.
   const std::string expected = element_of(task.state);
   bool said = expected.empty();
@@ -103,7 +106,7 @@ Suite suite_of(const TaskResult& task) {
     said |= !each.element.empty() && (each.element == expected || expected == "failure");
   }
   if (!said || suite.cases.empty()) {
-    const std::string message = task.reason.empty() ? words(task.state) : task.reason;
+    const std::string message = task.reason.empty() ? results::words(task.state) : task.reason;
     suite.cases.push_back({task.slug, 0, expected, name(task.state), message,
                            expected == "skipped" ? "" : message + "\n" + task.compiler_output});
   }
@@ -149,12 +152,13 @@ void print(tinyxml2::XMLPrinter& xml, const Suite& suite) {
 
 }  // namespace
 
-std::string to_junit(const Results& raw) {
-  const Results results = presentable(raw);
+std::string to_junit(const results::Results& raw) {
+  const results::Results results = results::presentable(raw);
   std::vector<Suite> suites;
-  for (const TaskResult& task : results.tasks) suites.push_back(suite_of(task));
+  for (const results::TaskResult& task : results.tasks) suites.push_back(suite_of(task));
   if (!results.complete) {
-    suites.push_back({"run", "run", 0, {{"ends", 0, "error", "stopped", kStopped, kStopped}}});
+    suites.push_back(
+        {"run", "run", 0, {{"ends", 0, "error", "stopped", results::kStopped, results::kStopped}}});
   }
   int tests = 0, failures = 0, errors = 0, skipped = 0;
   for (const Suite& suite : suites) {
@@ -177,4 +181,4 @@ std::string to_junit(const Results& raw) {
   return std::string(xml.CStr()) + "\n";
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::report {
 
 namespace {
 
@@ -96,4 +96,4 @@ pt::Picture legend_bar(const std::function<pt::Color8(double)>& color) {
   return bar;
 }
 
-}  // namespace grader
+}  // namespace grader::report

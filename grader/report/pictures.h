@@ -9,7 +9,7 @@
 // The pictures that a person is shown about a render and its golden. difference_map is in
 // pt/image/compare.h, tone_map in pt/image/tone_map.h.
 
-namespace grader {
+namespace grader::report {
 
 // What render and golden are shown with: 1, which is what `render` writes, unless the golden would
 // be nearly black or nearly white; then the power of two that brings its bright pixels to about 1.
@@ -39,4 +39,4 @@ pt::Picture count_difference_map(const pt::SampleMap& map, const pt::SampleMap& 
 // What stands in a legend: the colours at t = 0..1, from left to right, one pixel high.
 pt::Picture legend_bar(const std::function<pt::Color8(double)>& color);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -1,9 +1,9 @@
 #include "grader/report/terminal.h"
 
-#include "grader/report/order.h"
-#include "grader/report/readable.h"
-#include "grader/report/summary.h"
-#include "grader/report/wrap.h"
+#include "grader/base/wrap.h"
+#include "grader/results/order.h"
+#include "grader/results/readable.h"
+#include "grader/results/summary.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::report {
 
 namespace {
 
@@ -22,34 +22,34 @@ std::string paint(const std::string& text, const char* code, const TerminalStyle
   return style.color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
 }
 
-const char* color_of(State state) {
+const char* color_of(results::State state) {
   switch (state) {
-    case State::pass:
+    case results::State::pass:
       return "32";
-    case State::fail:
-    case State::crash:
-    case State::timeout:
-    case State::rejected:
+    case results::State::fail:
+    case results::State::crash:
+    case results::State::timeout:
+    case results::State::rejected:
       return "31";
-    case State::blocked:
-    case State::too_noisy:
+    case results::State::blocked:
+    case results::State::too_noisy:
       return "33";
-    case State::not_attempted:
-    case State::not_judged:
+    case results::State::not_attempted:
+    case results::State::not_judged:
       return "2";
   }
   return "0";
 }
 
 // The pictures of a task that have rows of their own, and what they are called there.
-bool has_row(const PictureResult& picture) { return is_fault(picture.state); }
-std::string label_of(const PictureResult& picture) { return "  " + picture.recipe; }
+bool has_row(const results::PictureResult& picture) { return results::is_fault(picture.state); }
+std::string label_of(const results::PictureResult& picture) { return "  " + picture.recipe; }
 
 // What the longest label needs, and all tasks of the course.
-std::size_t label_width(const Results& results) {
+std::size_t label_width(const results::Results& results) {
   std::size_t width = 18;
-  for (const TaskResult& task : results.tasks) {
-    for (const PictureResult& picture : task.pictures) {
+  for (const results::TaskResult& task : results.tasks) {
+    for (const results::PictureResult& picture : task.pictures) {
       if (has_row(picture)) width = std::max(width, label_of(picture).size());
     }
   }
@@ -57,27 +57,28 @@ std::size_t label_width(const Results& results) {
 }
 
 // A label, a state and points, in columns.
-std::string columns(const std::string& label, std::size_t width, State state, int points,
+std::string columns(const std::string& label, std::size_t width, results::State state, int points,
                     int max_points, const TerminalStyle& style) {
   return fmt::format("{:<{}} {} {:>6}", label, width,
-                     paint(fmt::format("{:<14}", words(state)), color_of(state), style),
+                     paint(fmt::format("{:<14}", results::words(state)), color_of(state), style),
                      fmt::format("{}/{}", points, max_points));
 }
 
-std::string row(const TaskResult& task, std::size_t width, const TerminalStyle& style) {
+std::string row(const results::TaskResult& task, std::size_t width, const TerminalStyle& style) {
   std::string line =
       fmt::format("  {}  {}", task.number,
                   columns(task.slug, width, task.state, task.points, task.max_points, style));
   if (task.bonus_points > 0) line += fmt::format("  + {} bonus", task.bonus_points);
-  if (task.state == State::blocked)
+  if (task.state == results::State::blocked)
     line += fmt::format("  by {}", fmt::join(task.blocked_by, ", "));
   return line + "\n";
 }
 
 // The pictures of a task that are not right, as rows below its own.
-std::string picture_rows(const TaskResult& task, std::size_t width, const TerminalStyle& style) {
+std::string picture_rows(const results::TaskResult& task, std::size_t width,
+                         const TerminalStyle& style) {
   std::string text;
-  for (const PictureResult& picture : task.pictures) {
+  for (const results::PictureResult& picture : task.pictures) {
     if (!has_row(picture)) continue;
     text += fmt::format("       {}  picture\n", columns(label_of(picture), width, picture.state,
                                                         picture.points, picture.max_points, style));
@@ -94,7 +95,7 @@ std::string labelled(const std::string& label, const std::vector<std::string>& l
   return text;
 }
 
-std::string failure_text(const FailureReport& failure) {
+std::string failure_text(const results::FailureReport& failure) {
   std::string text;
   if (failure.integrated) text += "  With your own tasks in all places:\n";
   text += labelled("input", failure.input);
@@ -104,95 +105,98 @@ std::string failure_text(const FailureReport& failure) {
   return text + "\n";
 }
 
-std::string promise_text(const TaskResult& task, const PromiseResult& promise,
+std::string promise_text(const results::TaskResult& task, const results::PromiseResult& promise,
                          const TerminalStyle& style) {
   std::string text = "\n";
-  for (const std::string& line : wrap(task.slug + " " + promise.words, kWidth)) {
+  for (const std::string& line : base::wrap(task.slug + " " + promise.words, kWidth)) {
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
   if (promise.failures.empty()) return text + "  It failed without a counterexample.\n";
-  for (const FailureReport& failure : promise.failures) {
-    text += failure_text(readable(failure));
+  for (const results::FailureReport& failure : promise.failures) {
+    text += failure_text(results::readable(failure));
     if (!style.all) break;
   }
   return text + labelled("replay", {promise.failures[0].replay}) +
          labelled("hint", {"./run hint " + task.slug});
 }
 
-std::string picture_text(const TaskResult& task, const PictureResult& picture,
+std::string picture_text(const results::TaskResult& task, const results::PictureResult& picture,
                          const TerminalStyle& style) {
   std::string text = "\n";
   const std::string head =
       fmt::format("{}: picture {}{}{} ({}, {} of {} points)", task.slug, picture.recipe,
-                  picture.title.empty() ? "" : ", ", picture.title, words(picture.state),
+                  picture.title.empty() ? "" : ", ", picture.title, results::words(picture.state),
                   picture.points, picture.max_points);
-  for (const std::string& line : wrap(head, kWidth)) {
+  for (const std::string& line : base::wrap(head, kWidth)) {
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
   if (picture.integrated) text += "  With your own tasks in all places:\n";
-  for (const std::string& line : wrap(picture.text, kWidth - 2)) text += "  " + line + "\n";
+  for (const std::string& line : base::wrap(picture.text, kWidth - 2)) text += "  " + line + "\n";
   text += "\n";
-  const std::string see = how_to_see(task, picture);
+  const std::string see = results::how_to_see(task, picture);
   if (!see.starts_with(picture.replay)) text += labelled("replay", {picture.replay});
   return text + labelled("see it", {see});
 }
 
-std::string reason_text(const TaskResult& task, const TerminalStyle& style) {
+std::string reason_text(const results::TaskResult& task, const TerminalStyle& style) {
   std::string text = "\n" + paint(task.slug + ": " + task.reason, "1", style) + "\n";
   if (!task.compiler_output.empty()) text += "\n" + task.compiler_output;
   return text;
 }
 
 // Beside the first failure: often they name the line.
-std::string warnings_text(const TaskResult& task) {
+std::string warnings_text(const results::TaskResult& task) {
   std::string text = "\n  The compiler warns\n";
-  for (const std::string& line : lines_of(task.warnings)) text += "    " + line + "\n";
+  for (const std::string& line : base::lines_of(task.warnings)) text += "    " + line + "\n";
   return text;
 }
 
 // What explains all failures of the task, before the first of them.
-std::string mistake_lines(const TaskResult& task, const TerminalStyle& style) {
+std::string mistake_lines(const results::TaskResult& task, const TerminalStyle& style) {
   if (task.mistake.empty()) return "";
   std::string text = "\n";
-  for (const std::string& line : wrap(task.slug + ": " + mistake_text(task), kWidth)) {
+  for (const std::string& line :
+       base::wrap(task.slug + ": " + results::mistake_text(task), kWidth)) {
     text += paint(line, "1", style) + "\n";
   }
-  const std::string spared = spared_text(task);
+  const std::string spared = results::spared_text(task);
   return spared.empty() ? text : text + "  " + spared + "\n";
 }
 
-std::string printed_text(const TaskResult& task) {
+std::string printed_text(const results::TaskResult& task) {
   std::string text = "\n  printed\n";
-  for (const std::string& line : lines_of(task.printed.substr(0, 400)))
+  for (const std::string& line : base::lines_of(task.printed.substr(0, 400)))
     text += "    " + line + "\n";
   return text;
 }
 
 }  // namespace
 
-std::string table(const Results& results, const TerminalStyle& style) {
+std::string table(const results::Results& results, const TerminalStyle& style) {
   const std::size_t width = label_width(results);
   std::string text, part;
-  for (const TaskResult& task : results.tasks) {
+  for (const results::TaskResult& task : results.tasks) {
     if (task.part != part) {
-      text += fmt::format("\nPart {}  {}\n", part_number(task.part), part_name(task.part));
+      text += fmt::format("\nPart {}  {}\n", results::part_number(task.part),
+                          results::part_name(task.part));
     }
     part = task.part;
     text += row(task, width, style) + picture_rows(task, width, style);
   }
-  return text + "\n" + verdict(results) + "\n";
+  return text + "\n" + results::verdict(results) + "\n";
 }
 
-std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalStyle& style) {
+std::vector<FailureText> failure_texts(const results::TaskResult& task,
+                                       const TerminalStyle& style) {
   std::vector<FailureText> texts;
-  const bool quiet = !is_fault(task.state);
+  const bool quiet = !results::is_fault(task.state);
   // A reason such as "only with your hit_box" belongs to the first failure below it.
   std::string reason = quiet ? "" : mistake_lines(task, style);
   if (!task.reason.empty() && !quiet) reason += reason_text(task, style);
-  for (const PromiseResult* each : by_importance(task)) {
-    const PromiseResult& promise = *each;
+  for (const results::PromiseResult* each : results::by_importance(task)) {
+    const results::PromiseResult& promise = *each;
     const bool failed = !promise.bonus || style.all;
     const bool shown = !promise.failures.empty() || (task.reason.empty() && !promise.bonus);
     if (failed && shown && !(quiet && !promise.bonus)) {
@@ -200,8 +204,8 @@ std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalSty
       reason.clear();
     }
   }
-  for (const PictureResult& picture : task.pictures) {
-    if (!is_fault(picture.state)) continue;
+  for (const results::PictureResult& picture : task.pictures) {
+    if (!results::is_fault(picture.state)) continue;
     texts.push_back({task.slug, "", reason + picture_text(task, picture, style)});
     reason.clear();
   }
@@ -218,9 +222,9 @@ bool terminal_has_color() {
          terminal != nullptr && std::string(terminal) != "dumb";
 }
 
-std::string to_text(const Results& results, const TerminalStyle& style) {
+std::string to_text(const results::Results& results, const TerminalStyle& style) {
   std::vector<std::string> failures;
-  for (const TaskResult* task : by_importance(results)) {
+  for (const results::TaskResult* task : results::by_importance(results)) {
     for (FailureText& each : failure_texts(*task, style)) failures.push_back(std::move(each.text));
   }
   std::string text = table(results, style);
@@ -230,9 +234,9 @@ std::string to_text(const Results& results, const TerminalStyle& style) {
     text += fmt::format("\n{} more; --all shows {}.\n", failures.size() - shown,
                         failures.size() - shown == 1 ? "it" : "them");
   }
-  if (!results.complete) text += fmt::format("\n{}\n", kStopped);
+  if (!results.complete) text += fmt::format("\n{}\n", results::kStopped);
   return text + fmt::format("\n{}, seed {}, {}. Isolation {}.\n", results.submission, results.seed,
-                            times(results), results.isolation);
+                            results::times(results), results.isolation);
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::report {
 
 struct TerminalStyle {
   bool color = false;
@@ -13,19 +13,19 @@ struct TerminalStyle {
 };
 
 // The results for a person in front of a terminal: a table, then failures in full.
-std::string to_text(const Results& results, const TerminalStyle& style);
+std::string to_text(const results::Results& results, const TerminalStyle& style);
 
 // Its parts: a row for each task, with those of its pictures that are not right, and what there is
 // to say about each failure, in the order of the report.
-std::string table(const Results& results, const TerminalStyle& style);
+std::string table(const results::Results& results, const TerminalStyle& style);
 struct FailureText {
   std::string slug;
   std::string promise;  // the property; empty: a picture, or the whole task
   std::string text;
 };
-std::vector<FailureText> failure_texts(const TaskResult& task, const TerminalStyle& style);
+std::vector<FailureText> failure_texts(const results::TaskResult& task, const TerminalStyle& style);
 
 // Whether standard output is a terminal that shows colours and NO_COLOR is not set.
 bool terminal_has_color();
 
-}  // namespace grader
+}  // namespace grader::report

@@ -3,12 +3,12 @@
 #include "grader/report/csv.h"
 #include "grader/report/gradescope.h"
 #include "grader/report/html.h"
-#include "grader/report/json.h"
 #include "grader/report/junit.h"
-#include "grader/report/presentable.h"
+#include "grader/results/json.h"
+#include "grader/results/presentable.h"
 #include "pt/file.h"
 
-namespace grader {
+namespace grader::report {
 
 void check_targets(const ReportFiles& files) {
   for (const std::string* path :
@@ -17,15 +17,15 @@ void check_targets(const ReportFiles& files) {
   }
 }
 
-void write_reports(const Results& results, const ReportFiles& files) {
-  if (!files.json.empty()) write_json(presentable(results), files.json);
+void write_reports(const results::Results& results, const ReportFiles& files) {
+  if (!files.json.empty()) results::write_json(results::presentable(results), files.json);
   if (!files.junit.empty()) pt::write_file(files.junit, to_junit(results));
   if (!files.gradescope.empty()) pt::write_file(files.gradescope, to_gradescope(results));
   if (!files.csv.empty()) pt::write_file(files.csv, to_csv(results));
   if (!files.html.empty()) pt::write_file(files.html, to_html(results));
 }
 
-void ProgressReports::write(const Results& results) {
+void ProgressReports::write(const results::Results& results) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const bool with_page = results.complete || start >= next_page_;
@@ -36,4 +36,4 @@ void ProgressReports::write(const Results& results) {
   if (with_page) next_page_ = end + 9 * (end - start);
 }
 
-}  // namespace grader
+}  // namespace grader::report

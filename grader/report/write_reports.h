@@ -1,12 +1,12 @@
 #pragma once
 
-#include "grader/report/results.h"
+#include "grader/results/results.h"
 
 #include <chrono>
 #include <string>
 #include <utility>
 
-namespace grader {
+namespace grader::report {
 
 // Where each report goes; an empty path: nowhere.
 struct ReportFiles {
@@ -22,18 +22,18 @@ void check_targets(const ReportFiles& files);
 
 // Writes all that are asked for, each the whole file or none. Results of an unfinished run are
 // written too; each report says that it is one. Throws pt::Error for a file that cannot be written.
-void write_reports(const Results& results, const ReportFiles& files);
+void write_reports(const results::Results& results, const ReportFiles& files);
 
 // write_reports for a run that goes on: an unfinished page, which is the only one that takes time,
 // is written so seldom that all of them take at most a tenth of the run.
 class ProgressReports {
  public:
   explicit ProgressReports(ReportFiles files) : files_(std::move(files)) {}
-  void write(const Results& results);
+  void write(const results::Results& results);
 
  private:
   ReportFiles files_;
   std::chrono::steady_clock::time_point next_page_{};  // the first at once
 };
 
-}  // namespace grader
+}  // namespace grader::report

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::sandbox {
 
 namespace {
 
@@ -75,7 +75,7 @@ Words root_folders() {
 // Older ones lack it. The launcher's filter forbids new namespaces as well.
 Words disable_userns() {
   static const bool known =
-      run_command({{kBubblewrap, "--help"}, {}, {}, "", {}}, std::chrono::seconds(5))
+      process::run_command({{kBubblewrap, "--help"}, {}, {}, "", {}}, std::chrono::seconds(5))
           .output.find("--disable-userns") != std::string::npos;
   return known ? Words{"--disable-userns"} : Words{};
 }
@@ -103,7 +103,7 @@ Tier tier_of(std::string_view word) {
   throw pt::Error(fmt::format("'{}' is no tier of isolation: write A, B or C", word));
 }
 
-Child boxed(const Box& box, Tier tier) {
+process::Child boxed(const Box& box, Tier tier) {
   if (tier == Tier::limits) {
     return {box.command, box.environment, box.descriptors, box.folder.empty() ? "/" : box.folder,
             box.limits};
@@ -123,4 +123,4 @@ int program_status(int status, Tier tier) {
   return tier == Tier::bubblewrap && code > 128 && code <= 128 + 64 ? code - 128 : status;
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -9,7 +9,7 @@
 // Where programs that come from a submission run, and programs that read one: a box.
 // docs/decisions/ 0020-sandbox.md says what each tier holds.
 
-namespace grader {
+namespace grader::sandbox {
 
 // From the best: each is tried (grader/sandbox/probe.h), and the first that works here is used.
 enum class Tier {
@@ -32,15 +32,15 @@ struct Box {
   std::vector<std::string> visible;      // files and folders it may read; its program it may anyway
   std::string folder;                    // it may write in, and starts in; empty: none, and "/"
   bool tools = false;                    // it may start programs, as a compiler does
-  Limits limits;
+  process::Limits limits;
 };
 
 // The child that runs the box's program in this tier. In the tiers A and B nothing of it outlives
 // the program, spawn()'s pid, or this process. There, a program that cannot be started exits with
 // 127 and one sentence.
-Child boxed(const Box& box, Tier tier);
+process::Child boxed(const Box& box, Tier tier);
 
 // How the program itself ended, given how the child ended (as waitpid gives both).
 int program_status(int status, Tier tier);
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -1,6 +1,6 @@
 #include "grader/sandbox/probe.h"
 
-#include "grader/process/printable.h"
+#include "grader/base/printable.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace grader {
+namespace grader::sandbox {
 
 namespace {
 
@@ -55,14 +55,14 @@ std::string words_of(Tier tier, const std::set<std::string>& holds) {
   return "B: " + list;
 }
 
-std::set<std::string> what_holds(const CommandResult& result) {
+std::set<std::string> what_holds(const process::CommandResult& result) {
   std::istringstream lines(result.output);
   std::set<std::string> holds;
   for (std::string line; std::getline(lines, line);) holds.insert(line);
   return holds;
 }
 
-CommandResult run_probe(const std::string& root, const std::string& folder, Tier tier) {
+process::CommandResult run_probe(const std::string& root, const std::string& folder, Tier tier) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "box_probe";
   Box box{
       {program, root + "/CMakeLists.txt", std::to_string(getuid())}, {}, {}, {}, folder, false, {}};
@@ -73,20 +73,20 @@ CommandResult run_probe(const std::string& root, const std::string& folder, Tier
                 .file_size = std::uint64_t{1} << 20,
                 .processes = box.tools ? 64 : 0,
                 .open_files = 16};
-  return run_command(boxed(box, tier), std::chrono::seconds(10));
+  return process::run_command(boxed(box, tier), std::chrono::seconds(10));
 }
 
 // Bubblewrap goes on with where to read more.
 std::string first_sentence(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
-  return printable(line.substr(0, line.find(". ")), 200);
+  return base::printable(line.substr(0, line.find(". ")), 200);
 }
 
 Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
   const Scratch scratch(work);
   std::set<std::string> holds;
   for (const std::string& folder : {std::string(), scratch.path}) {
-    const CommandResult result = run_probe(root, folder, tier);
+    const process::CommandResult result = run_probe(root, folder, tier);
     if (!result.ok()) {
       return {"", first_sentence(result.output)};
     }
@@ -121,8 +121,8 @@ Isolation probe_isolation(const std::string& root, const std::string& work,
   for (const Tier tier : {Tier::bubblewrap, Tier::restricted}) {
     if (forced && *forced != tier) continue;
     // A sanitised program wants more memory and more system calls than a box lets it have.
-    const Trial trial =
-        kSanitized ? Trial{"", "it is not for sanitised programs"} : try_tier(root, work, tier);
+    const Trial trial = process::kSanitized ? Trial{"", "it is not for sanitised programs"}
+                                            : try_tier(root, work, tier);
     if (!trial.words.empty()) return {tier, trial.words, found.why_not_better};
     found.why_not_better += fmt::format("{}{}: {}", found.why_not_better.empty() ? "" : "; ",
                                         letter(tier), trial.problem);
@@ -134,4 +134,4 @@ Isolation probe_isolation(const std::string& root, const std::string& work,
   return found;
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace grader {
+namespace grader::sandbox {
 
 // How submissions are kept away from the machine, and in words for every report: "A:
 // bubblewrap with seccomp in it". For C, the words say why nothing better works here.
@@ -24,4 +24,4 @@ const char* describe(Tier tier);
 Isolation probe_isolation(const std::string& root, const std::string& work,
                           std::optional<Tier> forced = {});
 
-}  // namespace grader
+}  // namespace grader::sandbox

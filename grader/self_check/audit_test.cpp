@@ -1,8 +1,9 @@
 // What may be linked: objects made by the compiler from a few lines, and damaged ones.
 #include "grader/judge/audit.h"
 
-#include "grader/judge/files.h"
+#include "grader/base/files.h"
 #include "grader/judge/staging.h"
+#include "grader/tasks.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,25 +29,34 @@ std::string compiled(const std::string& text) {
   const fs::path folder =
       fs::path(testing::TempDir()) / fmt::format("firstlight_audit{}", getpid());
   fs::create_directories(folder);
-  write_file(folder / "task.cpp", text);
+  base::write_file(folder / "task.cpp", text);
   const std::string command =
       fmt::format("{} -std=c++20 -O1 -w -c '{}' -o '{}'", FIRSTLIGHT_CXX,
                   (folder / "task.cpp").string(), (folder / "task.o").string());
   EXPECT_EQ(std::system(command.c_str()), 0) << text;
-  std::string object = read_file(folder / "task.o");
+  std::string object = base::read_file(folder / "task.o");
   fs::remove_all(folder);
   return object;
 }
 
 const std::string kTask = "namespace pt { int task(int x) { return x; } }\n";
 
+// It may call one other task, and one function of the renderer.
+Task made_up() {
+  Task task;
+  task.slug = "task";
+  task.calls = {"camera_ray"};
+  task.framework = {"pt::Engine::closest"};
+  return task;
+}
+
 std::string verdict(const std::string& text) {
-  static const std::set<std::string> contract = functions_in(compiled(kTask));
-  return audit(compiled(text), contract, {"task", {"elsewhere"}, {"pt::Engine::closest"}});
+  static const std::set<std::string> contract = judge::functions_in(compiled(kTask));
+  return judge::audit(compiled(text), contract, made_up());
 }
 
 TEST(audit, knows_a_contract_by_its_object) {
-  EXPECT_EQ(functions_in(compiled(kTask)), std::set<std::string>{"_ZN2pt4taskEi"});
+  EXPECT_EQ(judge::functions_in(compiled(kTask)), std::set<std::string>{"_ZN2pt4taskEi"});
 }
 
 // What a learner may write, all at once.
@@ -69,7 +79,7 @@ TEST(audit, accepts_a_task_and_its_helpers) {
 #include <variant>
 #include <vector>
 namespace pt {
-int elsewhere(int);
+int camera_ray(int);
 struct Shape { virtual ~Shape() = default; virtual double area() const = 0; };
 struct Square : Shape { double a = 2; double area() const override { return a * a; } };
 template <class T> T twice(T x) { static T last = 0; return last = x + x; }
@@ -95,7 +105,7 @@ int task(int x) {
   if (x == 17) throw std::runtime_error("17");
   const auto now = std::chrono::steady_clock::now();
   __int128 wide = x; wide = wide * wide / 7;
-  return elsewhere(x) + int(wide) + int(now.time_since_epoch().count());
+  return camera_ray(x) + int(wide) + int(now.time_since_epoch().count());
 }
 })"),
             "");
@@ -117,9 +127,8 @@ TEST(audit, rejects_what_reaches_beyond_the_task) {
       {"extern \"C\" void* malloc(unsigned long) { return nullptr; }", "malloc"},
       {"void* operator new(unsigned long) { return nullptr; }", "operator new"},
       {"void operator delete(void*) noexcept {}", "operator delete"},
-      {"namespace grader::worker { void send(int) {} }", "grader::worker::send"},
-      {"namespace grader::worker { __attribute__((weak)) void send(int) {} }",
-       "grader::worker::send"},
+      {"namespace grader::wire { void send(int) {} }", "grader::wire::send"},
+      {"namespace grader::wire { __attribute__((weak)) void send(int) {} }", "grader::wire::send"},
       {"namespace grader { inline void send(int) {} void (*use)(int) = send; }", "grader::send"},
       {"namespace grader { void send(int); void use() { send(1); } }", "grader::"},
       {"void* operator new(unsigned long, int) { return nullptr; }", "operator new"},
@@ -157,7 +166,7 @@ TEST(audit, rejects_calls_that_the_contract_does_not_allow) {
   const Attempt attempts[] = {
       {"namespace pt { double fast(int); double use() __attribute__((weak)); "
        "static double x = fast(1); }",
-       "it calls pt::fast; task may only call elsewhere and pt::Engine::closest"},
+       "it calls pt::fast; task may only call camera_ray and pt::Engine::closest"},
       {"namespace pt { struct Engine { int any(int) const; }; static int x = Engine().any(1); }",
        "it calls pt::Engine::any;"},
       {"namespace pt { int other(int); static int (*pointer)(int) = other; "
@@ -196,10 +205,10 @@ TEST(audit, accepts_calls_that_the_contract_allows) {
   EXPECT_EQ(verdict(kTask + R"(
 namespace pt {
 void todo(const char*);
-int elsewhere(int), elsewhere(double);
+int camera_ray(int), camera_ray(double);
 struct Engine { int closest(int) const; };
-static int (*pointer)(double) = elsewhere;
-static int x = elsewhere(1) + Engine().closest(3) + pointer(1) + (todo("task"), 1);
+static int (*pointer)(double) = camera_ray;
+static int x = camera_ray(1) + Engine().closest(3) + pointer(1) + (todo("task"), 1);
 }
 )"),
             "");
@@ -207,7 +216,7 @@ static int x = elsewhere(1) + Engine().closest(3) + pointer(1) + (todo("task"), 
 
 // The words of the paragraph "May call: ..." of a contract; none where there is no such paragraph.
 std::set<std::string> promised_calls(const std::string& slug) {
-  const std::string text = read_file(fmt::format("{}/pt/tasks/{}.h", FIRSTLIGHT_ROOT, slug));
+  const std::string text = base::read_file(fmt::format("{}/pt/tasks/{}.h", FIRSTLIGHT_ROOT, slug));
   constexpr std::string_view kBegin = "// May call:";
   const std::size_t at = text.find(kBegin);
   if (at == std::string::npos) return {};
@@ -231,12 +240,12 @@ TEST(may_call, says_what_the_contracts_say) {
   for (const std::string& slug : slugs) {
     const std::set<std::string> words = promised_calls(slug);
     EXPECT_TRUE(words.contains("Threads")) << slug << " does not say what it may call";
-    const MayCall& task = may_call(slug);
+    const Task& task = task_of(slug);
     std::set<std::string> named;
     std::ranges::set_intersection(words, slugs, std::inserter(named, named.end()));
     named.erase(slug);
-    EXPECT_EQ(named, std::set<std::string>(task.tasks.begin(), task.tasks.end()))
-        << "pt/tasks/" << slug << ".h and grader/judge/may_call.cpp";
+    EXPECT_EQ(named, std::set<std::string>(task.calls.begin(), task.calls.end()))
+        << "pt/tasks/" << slug << ".h and grader/tasks.json";
     for (const std::string& function : task.framework) {
       const std::string name = function.substr(function.rfind(':') + 1);
       // Names of kinds are for messages: a header's functions use them.
@@ -247,17 +256,17 @@ TEST(may_call, says_what_the_contracts_say) {
 
 TEST(may_call, knows_every_task_and_no_other) {
   for (const auto& entry : fs::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
-    EXPECT_EQ(may_call(entry.path().stem().string()).slug, entry.path().stem());
+    EXPECT_EQ(task_of(entry.path().stem().string()).slug, entry.path().stem());
   }
-  EXPECT_THROW(may_call("hit_everything"), pt::Error);
+  EXPECT_THROW(task_of("hit_everything"), pt::Error);
 }
 
 // Functions that are whole in a header need no linker: such a header is not there.
 TEST(headers, that_trace_are_closed_to_what_is_to_be_traced) {
-  const Headers all = public_headers(FIRSTLIGHT_ROOT);
+  const judge::Headers all = judge::public_headers(FIRSTLIGHT_ROOT);
   for (const auto& entry : fs::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
     const std::string slug = entry.path().stem();
-    const Headers headers = headers_for(may_call(slug), all);
+    const judge::Headers headers = judge::headers_for(task_of(slug), all);
     EXPECT_EQ(headers.size(), all.size());
     const auto open = [&](const std::string& path) { return headers.at(path) == all.at(path); };
     EXPECT_TRUE(open("pt/tasks/" + slug + ".h")) << slug;
@@ -284,18 +293,18 @@ TEST(audit, shows_names_without_control_characters) {
 }
 
 TEST(audit, rejects_what_is_no_object) {
-  EXPECT_NE(audit("", {}, {}), "");
-  EXPECT_NE(audit("INPUT(/etc/passwd)", {}, {}), "");
-  EXPECT_NE(audit("!<arch>\n", {}, {}), "");
+  EXPECT_NE(judge::audit("", {}, {}), "");
+  EXPECT_NE(judge::audit("INPUT(/etc/passwd)", {}, {}), "");
+  EXPECT_NE(judge::audit("!<arch>\n", {}, {}), "");
   std::string program = compiled(kTask);
   program[16] = 2;  // a program, not an object
-  EXPECT_NE(audit(program, {}, {}), "");
+  EXPECT_NE(judge::audit(program, {}, {}), "");
 }
 
 // Sizes and offsets that lead nowhere are noticed; the sanitisers watch that nothing else is read.
 TEST(audit, survives_damaged_objects) {
   const std::string object = compiled(kTask);
-  const std::set<std::string> contract = functions_in(object);
+  const std::set<std::string> contract = judge::functions_in(object);
   std::mt19937 random(20);
   int rejected = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -304,10 +313,10 @@ TEST(audit, survives_damaged_objects) {
       damaged[random() % damaged.size()] = static_cast<char>(random());
     }
     if (i % 5 == 0) damaged.resize(random() % damaged.size());
-    rejected += audit(damaged, contract, {}).empty() ? 0 : 1;
+    rejected += judge::audit(damaged, contract, {}).empty() ? 0 : 1;
   }
   EXPECT_GT(rejected, 4000) << "all that were cut";
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

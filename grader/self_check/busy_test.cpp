@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 // The reference's function, which computes or sleeps at first.
@@ -52,4 +52,4 @@ TEST(busy, judge_answers_at_its_own_cost) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

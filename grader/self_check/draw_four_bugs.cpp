@@ -2,7 +2,7 @@
 // where they differ, as an SVG with the pixels in it; and prints what the report says.
 #include "grader/report/embedded.h"
 #include "grader/report/pictures.h"
-#include "grader/report/read_json.h"
+#include "grader/results/read_json.h"
 #include "grader/self_check/four_bugs.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
@@ -16,6 +16,7 @@
 namespace {
 
 using namespace grader;
+using namespace grader::self_check;
 
 constexpr int kPanel = 192, kGap = 8, kLine = 18;  // all wide and high in pixels of the drawing
 
@@ -24,7 +25,8 @@ struct Panel {
   pt::Picture picture;
 };
 
-std::string svg(const std::vector<Panel>& panels, const std::vector<FailingCell>& outlined) {
+std::string svg(const std::vector<Panel>& panels,
+                const std::vector<results::FailingCell>& outlined) {
   const int scale = kPanel / panels[0].picture.width;
   const int width = scale * panels[0].picture.width, height = scale * panels[0].picture.height;
   const int step = width + kGap;
@@ -38,11 +40,11 @@ std::string svg(const std::vector<Panel>& panels, const std::vector<FailingCell>
     out += fmt::format(
         "<image x=\"{}\" width=\"{}\" height=\"{}\" style=\"image-rendering:pixelated\" "
         "href=\"{}\"/>\n<text x=\"{}\" y=\"{}\">{}</text>\n",
-        left, width, height, png_address(panels[i].picture), left, height + kLine - 4,
+        left, width, height, report::png_address(panels[i].picture), left, height + kLine - 4,
         panels[i].title);
   }
   const int last = static_cast<int>(panels.size() - 1) * step;
-  for (const FailingCell& cell : outlined) {
+  for (const results::FailingCell& cell : outlined) {
     out += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#d95f02\"/>\n",
         last + scale * cell.x, scale * cell.y, scale * cell.width, scale * cell.height);
@@ -50,25 +52,25 @@ std::string svg(const std::vector<Panel>& panels, const std::vector<FailingCell>
   return out + "</svg>\n";
 }
 
-std::string drawn(const PictureResult& picture) {
+std::string drawn(const results::PictureResult& picture) {
   if (!picture.counts.empty()) {
     const pt::SampleMap render = pt::read_counts(picture.counts);
     const pt::SampleMap golden = pt::read_counts(picture.golden_counts);
     const int min = *std::min_element(golden.counts.begin(), golden.counts.end());
-    return svg({{"samples a pixel, with the bug", count_map(render, min, golden.max)},
-                {"of the reference", count_map(golden, min, golden.max)},
-                {"blue too few, orange too many", count_difference_map(render, golden)}},
+    return svg({{"samples a pixel, with the bug", report::count_map(render, min, golden.max)},
+                {"of the reference", report::count_map(golden, min, golden.max)},
+                {"blue too few, orange too many", report::count_difference_map(render, golden)}},
                {});
   }
   const pt::Image render = mean(pt::read_exr(picture.render));
   const pt::Image golden = mean(pt::read_exr(picture.golden));
-  const double exposure = exposure_for(golden);
-  return svg(
-      {{"with the bug", pt::tone_map(render, exposure)},
-       {"golden", pt::tone_map(golden, exposure)},
-       {"blue too dark, orange too bright", block_difference_map(render, golden)},
-       {"evidence, what fails outlined", evidence_map(mean(pt::read_exr(picture.evidence)))}},
-      picture.cells);
+  const double exposure = report::exposure_for(golden);
+  return svg({{"with the bug", pt::tone_map(render, exposure)},
+              {"golden", pt::tone_map(golden, exposure)},
+              {"blue too dark, orange too bright", report::block_difference_map(render, golden)},
+              {"evidence, what fails outlined",
+               report::evidence_map(mean(pt::read_exr(picture.evidence)))}},
+             picture.cells);
 }
 
 // Its picture into the folder, its report to the screen.
@@ -76,9 +78,9 @@ void draw(const Bug& bug, const std::filesystem::path& folder) {
   const Submission submission(bug.solution);
   put(bug, submission);
   const Outcome outcome = submission.grade({bug.task}, kCallLimit);
-  const Results results =
-      results_from_json(outcome.results.dump(), std::string(bug.solution) + ".json");
-  for (const PictureResult& picture : results.tasks.at(0).pictures) {
+  const results::Results results =
+      results::results_from_json(outcome.results.dump(), std::string(bug.solution) + ".json");
+  for (const results::PictureResult& picture : results.tasks.at(0).pictures) {
     if (picture.recipe != bug.recipe) continue;
     std::ofstream file(folder / (std::string(bug.solution) + ".svg"));
     if (!(file << drawn(picture))) throw pt::Error(folder.string() + " cannot be written to");

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 using nlohmann::json;
@@ -61,4 +61,4 @@ INSTANTIATE_TEST_SUITE_P(All, FourBugs, testing::ValuesIn(kFourBugs),
                          [](const auto& bug) { return std::string(bug.param.solution); });
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::self_check {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -88,11 +88,11 @@ std::vector<std::string> Submission::put(const std::string& batch) {
 Outcome Submission::run(const std::vector<std::string>& command) const {
   const fs::path json_path = folder_ / "results.json";
   fs::remove(json_path);
-  const CommandResult run =
-      run_command({command, {"PATH=/usr/bin:/bin", "FIRSTLIGHT_SECRET=1"}, {}, "", {}},
-                  std::chrono::seconds(900));
+  const process::CommandResult run =
+      process::run_command({command, {"PATH=/usr/bin:/bin", "FIRSTLIGHT_SECRET=1"}, {}, "", {}},
+                           std::chrono::seconds(900));
   EXPECT_FALSE(run.timed_out);
-  EXPECT_TRUE(WIFEXITED(run.status)) << describe_status(run.status);
+  EXPECT_TRUE(WIFEXITED(run.status)) << process::describe_status(run.status);
   Outcome outcome{WEXITSTATUS(run.status), run.output, {}};
   if (fs::exists(json_path)) outcome.results = json::parse(text_of(json_path));
   return outcome;
@@ -121,4 +121,4 @@ Outcome Submission::grade_afresh(std::vector<std::string> words) const {
   return run(command(std::move(words)));
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::self_check {
 
 // What came of grading a submission.
 struct Outcome {
@@ -60,4 +60,4 @@ class Submission {
 // The whole file.
 std::string text_of(const std::filesystem::path& path);
 
-}  // namespace grader
+}  // namespace grader::self_check

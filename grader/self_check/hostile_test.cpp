@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -194,4 +194,4 @@ TEST(grade, an_untouched_stub_is_not_attempted) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

@@ -3,9 +3,9 @@
 // stopped and started as one likes. Then the check of what is known: each wrong solution is handed
 // in, with other random numbers, and named or not; the right ones too; and each once more with its
 // own fingerprint taken away.
-#include "grader/judge/files.h"
-#include "grader/judge/parallel.h"
-#include "grader/judge/sha256.h"
+#include "grader/base/files.h"
+#include "grader/base/parallel.h"
+#include "grader/base/sha256.h"
 #include "grader/self_check/measure_mistakes.h"
 #include "grader/self_check/naming_score.h"
 #include "grader/self_check/stale_mistakes.h"
@@ -22,6 +22,7 @@
 namespace {
 
 using namespace grader;
+using namespace grader::self_check;
 namespace fs = std::filesystem;
 
 struct Options {
@@ -41,12 +42,12 @@ constexpr double kMinNamed = 0.8, kMaxLeftOut = 0.02;
 using All = std::map<std::string, std::vector<std::pair<Kept, Measured>>>;  // by slug
 
 // The reference and all others; or a few of each kind, always the same.
-std::vector<Kept> chosen(const Config& config, const TaskConfig& task, int each) {
+std::vector<Kept> chosen(const judge::Config& config, const judge::TaskConfig& task, int each) {
   std::vector<Kept> all = kept_solutions(config, task, {"reference"});
   for (const char* kind : {"right", "wrong", "variation"}) {
     std::vector<Kept> some = kept_solutions(config, task, {kind});
     if (each > 0 && some.size() > static_cast<std::size_t>(each)) {
-      std::ranges::sort(some, {}, [](const Kept& kept) { return sha256(kept.name); });
+      std::ranges::sort(some, {}, [](const Kept& kept) { return base::sha256(kept.name); });
       some.resize(each);
     }
     for (Kept& kept : some) all.push_back(std::move(kept));
@@ -54,9 +55,10 @@ std::vector<Kept> chosen(const Config& config, const TaskConfig& task, int each)
   return all;
 }
 
-All measure_all(const Config& config, const GradeRequest& request, const Options& options) {
+All measure_all(const judge::Config& config, const judge::GradeRequest& request,
+                const Options& options) {
   std::vector<Kept> kept;
-  for (const TaskConfig& task : config.tasks) {
+  for (const judge::TaskConfig& task : config.tasks) {
     const bool asked = options.tasks.empty() ||
                        std::count(options.tasks.begin(), options.tasks.end(), task.slug) > 0;
     if (!asked) continue;
@@ -64,7 +66,7 @@ All measure_all(const Config& config, const GradeRequest& request, const Options
   }
   std::vector<Measured> measured(kept.size());
   std::atomic<int> ended = 0;
-  for_each(kept.size(), options.threads, [&](std::size_t i) {
+  base::for_each(kept.size(), options.threads, [&](std::size_t i) {
     measured[i] = measure(config, request, kept[i], fs::absolute(options.store));
     std::fprintf(stderr, "\r%d of %zu solutions", ++ended, kept.size());
   });
@@ -76,8 +78,8 @@ All measure_all(const Config& config, const GradeRequest& request, const Options
   return all;
 }
 
-KnownTask known_of(const std::vector<std::pair<Kept, Measured>>& solutions) {
-  KnownTask task;
+mistakes::KnownTask known_of(const std::vector<std::pair<Kept, Measured>>& solutions) {
+  mistakes::KnownTask task;
   for (const auto& [kept, measured] : solutions) {
     if (kept.kind == "reference") {
       task.battery = measured.battery;
@@ -88,18 +90,19 @@ KnownTask known_of(const std::vector<std::pair<Kept, Measured>>& solutions) {
     // What breaks nothing but a bonus passes, and what passes is not named.
     const bool fails = !measured.broken.empty() || !measured.unsure.empty();
     if (kept.kind != "wrong" || !fails) continue;
-    Fingerprint print{kept.name,       sentence_of(kept.text), measured.source,
-                      measured.broken, measured.unsure,        measured.answers};
+    mistakes::Fingerprint print{kept.name,       sentence_of(kept.text), measured.source,
+                                measured.broken, measured.unsure,        measured.answers};
     task.mistakes.push_back(print);
   }
   return task;
 }
 
-KnownMistakes load_known(const std::string& path) {
-  return fs::exists(path) ? known_from_json(read_file(path), path) : KnownMistakes{};
+mistakes::KnownMistakes load_known(const std::string& path) {
+  return fs::exists(path) ? mistakes::known_from_json(base::read_file(path), path)
+                          : mistakes::KnownMistakes{};
 }
 
-int tell_stale(const Config& config, const KnownMistakes& known) {
+int tell_stale(const judge::Config& config, const mistakes::KnownMistakes& known) {
   const std::vector<std::string> reasons = out_of_date(config, known);
   for (const std::string& reason : reasons) fmt::print("{}\n", reason);
   if (!reasons.empty()) {
@@ -110,7 +113,7 @@ int tell_stale(const Config& config, const KnownMistakes& known) {
   return reasons.empty() ? 0 : 1;
 }
 
-int tell_score(const KnownMistakes& known, const All& all, const Options& options) {
+int tell_score(const mistakes::KnownMistakes& known, const All& all, const Options& options) {
   Score score;
   for (const auto& [slug, solutions] : all) {
     for (const auto& [kept, measured] : solutions) {
@@ -124,24 +127,24 @@ int tell_score(const KnownMistakes& known, const All& all, const Options& option
 }
 
 int run(const Options& options) {
-  const Config config = load_config(default_config_path());
-  for (const std::string& task : options.tasks) tasks_meant(config, task);
+  const judge::Config config = judge::load_config(judge::default_config_path());
+  for (const std::string& task : options.tasks) judge::tasks_meant(config, task);
   const std::string path =
       options.out.empty() ? config.root + "/grader/mistakes/known.json" : options.out;
-  KnownMistakes known = load_known(path);
+  mistakes::KnownMistakes known = load_known(path);
   if (options.stale) return tell_stale(config, known);
 
   fs::create_directories(options.store);
-  GradeRequest request;
-  request.isolation = probe_isolation(config.root, config.work);
+  judge::GradeRequest request;
+  request.isolation = sandbox::probe_isolation(config.root, config.work);
   const All all = measure_all(config, request, options);
   if (!options.check) {
     if (options.each > 0)
       throw pt::Error("a file of some solutions only is of no use: add --check");
     for (const auto& [slug, solutions] : all) known[slug] = known_of(solutions);
     const std::string text = to_json(known);
-    write_file(path, text);
-    known = known_from_json(text, path);  // as a reader has it
+    base::write_file(path, text);
+    known = mistakes::known_from_json(text, path);  // as a reader has it
   }
   return tell_score(known, all, options);
 }

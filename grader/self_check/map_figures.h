@@ -1,11 +1,11 @@
 #pragma once
 
-#include "grader/recipes/recipes.h"
+#include "grader/pictures/recipes.h"
 
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::self_check {
 
 // How a sample map differs from the reference's (SampleMapVerdict).
 struct MapFigures {
@@ -19,6 +19,7 @@ MapFigures figures_of(const std::string& counts, const std::string& rates);
 // Of one run of the reference itself for each chance to survive, against 64 runs with .7, with
 // light of up to five bounces: the recipes have direct light alone, in which nobody dies.
 inline constexpr int kSurvivalRuns = 64, kSurvivalBounces = 5;
-std::vector<MapFigures> figures_of_survivals(Recipe recipe, const std::vector<double>& survivals);
+std::vector<MapFigures> figures_of_survivals(pictures::Recipe recipe,
+                                             const std::vector<double>& survivals);
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -1,9 +1,9 @@
 #include "grader/self_check/measure_mistakes.h"
 
+#include "grader/base/files.h"
+#include "grader/base/sha256.h"
+#include "grader/judge/alone.h"
 #include "grader/judge/ask_battery.h"
-#include "grader/judge/files.h"
-#include "grader/judge/isolation.h"
-#include "grader/judge/sha256.h"
 #include "grader/process/run_command.h"
 #include "grader/self_check/naming_variations.h"
 #include "pt/error.h"
@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::self_check {
 
 namespace {
 
@@ -27,8 +27,8 @@ constexpr std::chrono::seconds kPromiseTime{300};
 
 std::string hash_of(const std::vector<fs::path>& files) {
   std::string all;
-  for (const fs::path& file : files) all += file.filename().string() + '\0' + read_file(file);
-  return sha256(all).substr(0, 16);
+  for (const fs::path& file : files) all += file.filename().string() + '\0' + base::read_file(file);
+  return base::sha256(all).substr(0, 16);
 }
 
 std::vector<fs::path> sources_of(const fs::path& folder) {
@@ -41,27 +41,33 @@ std::vector<fs::path> sources_of(const fs::path& folder) {
   return files;
 }
 
-std::string text_of(const Config& config, const Variation& variation) {
+std::string text_of(const judge::Config& config, const Variation& variation) {
   const std::string path =
       config.root + "/grader/tasks/" + variation.task + "/right/" + variation.right + ".cpp";
-  std::string text = read_file(path);
+  std::string text = base::read_file(path);
   const std::size_t at = text.find(variation.from);
   if (at == std::string::npos) throw pt::Error(path + " has no '" + variation.from + "'");
   return text.replace(at, variation.from.size(), variation.to);
 }
 
 // Which promises hold at a seed: name and whether.
-std::map<std::string, bool> promises_at(const Trial& trial, const std::string& report,
+std::map<std::string, bool> promises_at(const judge::Trial& trial, const std::string& report,
                                         std::uint64_t seed) {
   const std::vector<std::string> command{
-      trial.task.graded,    "--worker",    trial.worker.path,
-      "--report",           report,        "--seed",
-      std::to_string(seed), "--isolation", std::string(1, letter(trial.request.isolation.tier)),
+      trial.task.graded,
+      "--worker",
+      trial.worker.path,
+      "--report",
+      report,
+      "--seed",
+      std::to_string(seed),
+      "--isolation",
+      std::string(1, sandbox::letter(trial.request.isolation.tier)),
       "--no-shrinking"};
   fs::remove(report);
-  run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kPromiseTime);
+  process::run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kPromiseTime);
   std::map<std::string, bool> held;
-  const json all = json::parse(read_file(report));
+  const json all = json::parse(base::read_file(report));
   for (const json& promise : all.at("promises")) {
     const std::string name = promise.at("name");
     if (!name.ends_with("_bonus")) held[name] = promise.at("held");
@@ -69,7 +75,7 @@ std::map<std::string, bool> promises_at(const Trial& trial, const std::string& r
   return held;
 }
 
-void measure_promises(const Trial& trial, const std::string& report, Measured& measured) {
+void measure_promises(const judge::Trial& trial, const std::string& report, Measured& measured) {
   std::map<std::string, int> broken;
   measured.trial.broken.clear();
   measured.trial.kept.clear();
@@ -91,7 +97,7 @@ void measure_promises(const Trial& trial, const std::string& report, Measured& m
 
 Measured read_stored(const std::string& path) {
   if (!fs::exists(path)) return {};
-  const json from = json::parse(read_file(path));
+  const json from = json::parse(base::read_file(path));
   Measured measured;
   from.at("source").get_to(measured.source);
   from.at("battery").get_to(measured.battery);
@@ -100,8 +106,8 @@ Measured read_stored(const std::string& path) {
   from.at("unsure").get_to(measured.unsure);
   from.at("trial_broken").get_to(measured.trial.broken);
   from.at("trial_kept").get_to(measured.trial.kept);
-  measured.answers = answers_from_json(from.at("answers").dump());
-  measured.trial.answers = answers_from_json(from.at("trial_answers").dump());
+  measured.answers = mistakes::answers_from_json(from.at("answers").dump());
+  measured.trial.answers = mistakes::answers_from_json(from.at("trial_answers").dump());
   return measured;
 }
 
@@ -115,24 +121,25 @@ void store_measured(const std::string& path, const Measured& measured) {
                  {"trial_kept", measured.trial.kept},
                  {"answers", json::parse(to_json(measured.answers))},
                  {"trial_answers", json::parse(to_json(measured.trial.answers))}};
-  write_file(path, all.dump() + "\n");
+  base::write_file(path, all.dump() + "\n");
 }
 
-Answers ask(const Builder& builder, const Trial& trial, std::uint64_t seed, int draws) {
-  const auto answers = ask_battery(builder, trial, seed, draws);
+mistakes::Answers ask(const judge::Builder& builder, const judge::Trial& trial, std::uint64_t seed,
+                      int draws) {
+  const auto answers = judge::ask_battery(builder, trial, seed, draws);
   if (!answers) throw pt::Error("the battery cannot be asked of " + trial.worker.path);
   return *answers;
 }
 
 }  // namespace
 
-std::vector<Kept> kept_solutions(const Config& config, const TaskConfig& task,
+std::vector<Kept> kept_solutions(const judge::Config& config, const judge::TaskConfig& task,
                                  const std::vector<std::string>& kinds) {
   std::vector<Kept> all;
   for (const std::string& kind : kinds) {
     if (kind == "reference") {
       const fs::path file = fs::path(config.root) / "reference" / task.file();
-      all.push_back({&task, kind, task.slug, read_file(file)});
+      all.push_back({&task, kind, task.slug, base::read_file(file)});
       continue;
     }
     if (kind == "variation") {
@@ -146,18 +153,18 @@ std::vector<Kept> kept_solutions(const Config& config, const TaskConfig& task,
     if (!fs::is_directory(folder)) continue;
     for (const fs::path& file : sources_of(folder)) {
       if (file.extension() == ".cpp") {
-        all.push_back({&task, kind, file.stem().string(), read_file(file)});
+        all.push_back({&task, kind, file.stem().string(), base::read_file(file)});
       }
     }
   }
   return all;
 }
 
-Measured measure(const Config& shared, const GradeRequest& request, const Kept& kept,
+Measured measure(const judge::Config& shared, const judge::GradeRequest& request, const Kept& kept,
                  const std::string& store) {
   const std::string path = store + "/" + kept.key() + ".json";
   Measured measured = read_stored(path);
-  const std::string source = sha256(kept.text).substr(0, 16);
+  const std::string source = base::sha256(kept.text).substr(0, 16);
   const std::string battery = battery_hash(shared.root, kept.task->slug);
   const std::string properties = properties_hash(shared.root, kept.task->slug);
   const bool same = measured.source == source;
@@ -165,16 +172,16 @@ Measured measure(const Config& shared, const GradeRequest& request, const Kept& 
   const bool judged = same && measured.properties == properties;
   if (answered && judged) return measured;
 
-  Config config = shared;
+  judge::Config config = shared;
   config.work = store;
-  const Builder builder(config, request.isolation.tier, request.compile_limit);
-  Judged built;
+  const judge::Builder builder(config, request.isolation.tier, request.compile_limit);
+  judge::Judged built;
   built.config = kept.task;
   built.object = builder.compile(*kept.task, kept.text);
   if (!built.object.ok()) throw pt::Error(kept.key() + " is refused: " + built.object.error);
-  const Built worker = link_alone(config, builder, built, Elsewhere::answers);
+  const judge::Built worker = judge::link_alone(config, builder, built, judge::Elsewhere::answers);
   if (!worker.ok()) throw pt::Error(kept.key() + " does not link: " + worker.error);
-  const Trial trial{*kept.task, worker, false, request, {}};
+  const judge::Trial trial{*kept.task, worker, false, request, {}};
   if (!answered) {
     measured.answers = ask(builder, trial, kSeedOfAnswers, kDraws);
     measured.trial.answers = ask(builder, trial, kSeedOfTrial, 1);
@@ -196,7 +203,7 @@ std::string battery_hash(const std::string& root, const std::string& slug) {
 std::string properties_hash(const std::string& root, const std::string& slug) {
   const fs::path grader = fs::path(root) / "grader";
   std::vector<fs::path> files = sources_of(grader / "tasks" / slug);
-  for (const fs::path& file : sources_of(grader / "property")) files.push_back(file);
+  for (const fs::path& file : sources_of(grader / "check")) files.push_back(file);
   return hash_of(files);
 }
 
@@ -213,4 +220,4 @@ std::string sentence_of(const std::string& text) {
   return sentence;
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -8,12 +8,12 @@
 
 // What one kept solution answers, and which promises it keeps: measured as the judge measures it.
 
-namespace grader {
+namespace grader::self_check {
 
 // A file of grader/tasks/<task>/{wrong,right}/, the reference's, or a variation
 // (grader/self_check/naming_variations.h).
 struct Kept {
-  const TaskConfig* task = nullptr;
+  const judge::TaskConfig* task = nullptr;
   std::string kind;  // "wrong", "right", "reference", "variation"
   std::string name;  // of the file; of a variation, the mistake that it makes
   std::string text;
@@ -22,20 +22,21 @@ struct Kept {
 };
 
 // All of a task. Those of `kinds` only.
-std::vector<Kept> kept_solutions(const Config& config, const TaskConfig& task,
+std::vector<Kept> kept_solutions(const judge::Config& config, const judge::TaskConfig& task,
                                  const std::vector<std::string>& kinds);
 
 // What was measured of one of them.
 struct Measured {
   std::string source, battery, properties;  // hashes of what it depends on
-  Answers answers;                          // with many draws
-  Evidence trial;  // as a submission gives it: other draws, and the promises at the default seed
+  mistakes::Answers answers;                // with many draws
+  mistakes::Evidence
+      trial;  // as a submission gives it: other draws, and the promises at the default seed
   std::vector<std::string> broken, unsure;  // of all seeds
 };
 
 // Resumable: what is in the folder `store` and depends on nothing that changed is not measured
 // again. Throws pt::Error if the solution does not compile or link, or the audit rejects it.
-Measured measure(const Config& config, const GradeRequest& request, const Kept& kept,
+Measured measure(const judge::Config& config, const judge::GradeRequest& request, const Kept& kept,
                  const std::string& store);
 
 // The hashes of what asks: the battery of a task; and its properties.
@@ -45,4 +46,4 @@ std::string properties_hash(const std::string& root, const std::string& slug);
 // The sentence of a wrong solution that says the mistake: the comment below its first line.
 std::string sentence_of(const std::string& text);
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -2,7 +2,7 @@
 
 #include "grader/judge/config.h"
 #include "grader/pictures/known_mistakes.h"
-#include "grader/recipes/recipes.h"
+#include "grader/pictures/recipes.h"
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 // What verdict_mistakes keeps of the pictures of wrong solutions, and which of these the pictures
 // name.
 
-namespace grader {
+namespace grader::self_check {
 
 // The beginning of the hash of a solution's text.
 std::string content_of(const std::string& text);
@@ -23,18 +23,18 @@ std::string known_path(const std::string& out);
 std::string seen_path(const std::string& out);
 
 // As it was judged.
-KnownMistake::Picture picture_of(const PictureResult& result);
+pictures::KnownMistake::Picture picture_of(const results::PictureResult& result);
 
 // The same of a picture that was wrong before: if it is right now nobody knows.
-KnownMistake::Picture known_picture(const PictureResult& result);
+pictures::KnownMistake::Picture known_picture(const results::PictureResult& result);
 
 // Puts what is known into golden/known_mistakes.jsonl: what was found beside `out` in the place of
 // what the file has; no solution that has changed or is gone.
-void write_known(const Config& config, const std::string& out);
+void write_known(const judge::Config& config, const std::string& out);
 
 // Markdown: of each task, how many wrong solutions a picture sees, and how many of these are named
 // right, wrongly, or not, by what was seen and golden/known_mistakes.jsonl.
-std::string table_of_names(const Config& config, const std::vector<Recipe>& recipes,
-                           const std::string& out);
+std::string table_of_names(const judge::Config& config,
+                           const std::vector<pictures::Recipe>& recipes, const std::string& out);
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -1,6 +1,6 @@
 #include "grader/self_check/mistake_rows.h"
 
-#include "grader/recipes/recipes.h"
+#include "grader/pictures/recipes.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace grader {
+namespace grader::self_check {
 
 namespace {
 
@@ -103,7 +103,7 @@ std::string table_of_mistakes(const std::vector<MistakeRow>& rows) {
       "| task | wrong solutions | seen | too slow | by no picture |\n|---|---|---|---|---|\n";
   std::string others;
   std::size_t tried = 0, found = 0;
-  for (const std::string& task : task_slugs()) {
+  for (const std::string& task : pictures::task_slugs()) {
     std::vector<std::string> missed, slow;
     const Solutions wrong = seen(rows, task, "wrong");
     for (const auto& [name, what] : wrong) {
@@ -144,4 +144,4 @@ std::string table_of_maps(const std::vector<MistakeRow>& rows, const std::string
   return table;
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -9,7 +9,7 @@
 
 // What the benchmark verdict_mistakes finds out: which pictures see which mistakes.
 
-namespace grader {
+namespace grader::self_check {
 
 // One solution of one task, judged by one recipe.
 struct MistakeRow {
@@ -46,4 +46,4 @@ std::string table_of_mistakes(const std::vector<MistakeRow>& rows);
 // Markdown. A line for each sample map of a recipe.
 std::string table_of_maps(const std::vector<MistakeRow>& rows, const std::string& recipe);
 
-}  // namespace grader
+}  // namespace grader::self_check

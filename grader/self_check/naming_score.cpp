@@ -7,25 +7,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace grader {
+namespace grader::self_check {
 
 namespace {
 
-std::vector<std::string> names_of(const std::vector<const Fingerprint*>& found) {
+std::vector<std::string> names_of(const std::vector<const mistakes::Fingerprint*>& found) {
   std::vector<std::string> names;
-  for (const Fingerprint* each : found) names.push_back(each->name);
+  for (const mistakes::Fingerprint* each : found) names.push_back(each->name);
   return names;
 }
 
-const Fingerprint* find(const KnownTask& known, const std::string& name) {
-  for (const Fingerprint& each : known.mistakes) {
+const mistakes::Fingerprint* find(const mistakes::KnownTask& known, const std::string& name) {
+  for (const mistakes::Fingerprint& each : known.mistakes) {
     if (each.name == name) return &each;
   }
   return nullptr;
 }
 
-KnownTask without(KnownTask known, const std::string& name) {
-  std::erase_if(known.mistakes, [&](const Fingerprint& each) { return each.name == name; });
+mistakes::KnownTask without(mistakes::KnownTask known, const std::string& name) {
+  std::erase_if(known.mistakes,
+                [&](const mistakes::Fingerprint& each) { return each.name == name; });
   return known;
 }
 
@@ -35,17 +36,17 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-void Score::add(const KnownTask& known, const std::string& slug, const std::string& kind,
-                const std::string& name, const Evidence& evidence) {
+void Score::add(const mistakes::KnownTask& known, const std::string& slug, const std::string& kind,
+                const std::string& name, const mistakes::Evidence& evidence) {
   if (kind == "variation") return add_variation(known, name, evidence, slug);
   if (kind == "wrong") return add_wrong(known, name, evidence, slug);
   Counts& counts = tasks_[slug];
   ++counts.right;
-  const bool as_right = agree(evidence.answers, known.right);
+  const bool as_right = mistakes::agree(evidence.answers, known.right);
   // Also if it failed: then it would have no name either.
-  Evidence failed = evidence;
+  mistakes::Evidence failed = evidence;
   if (!evidence.kept.empty()) failed.broken.insert(*evidence.kept.begin());
-  const auto found = name_by_battery(known, failed);
+  const auto found = mistakes::name_by_battery(known, failed);
   counts.right_named += found.empty() ? 0 : 1;
   if (!found.empty() || !as_right) {
     lines_.push_back(fmt::format("{} {} {}: {}named {}", slug, kind, name,
@@ -54,59 +55,60 @@ void Score::add(const KnownTask& known, const std::string& slug, const std::stri
   }
 }
 
-void Score::add_wrong(const KnownTask& known, const std::string& name, const Evidence& evidence,
-                      const std::string& slug) {
+void Score::add_wrong(const mistakes::KnownTask& known, const std::string& name,
+                      const mistakes::Evidence& evidence, const std::string& slug) {
   Counts& counts = tasks_[slug];
-  const Fingerprint* own = find(known, name);
+  const mistakes::Fingerprint* own = find(known, name);
   if (own == nullptr || evidence.broken.empty()) {
     ++counts.passing;
     if (own != nullptr) lines_.push_back(fmt::format("{} {}: passes", slug, name));
     return;
   }
   ++counts.wrong;
-  const auto names = names_of(name_by_battery(known, evidence));
+  const auto names = names_of(mistakes::name_by_battery(known, evidence));
   counts.named += contains(names, name) ? 1 : 0;
   counts.alone += names.size() == 1 && contains(names, name) ? 1 : 0;
   counts.misnamed += !names.empty() && !contains(names, name) ? 1 : 0;
   if (!contains(names, name)) {
-    const bool unseen = agree(evidence.answers, known.right);
-    const bool explained = explains(*own, evidence);
+    const bool unseen = mistakes::agree(evidence.answers, known.right);
+    const bool explained = mistakes::explains(*own, evidence);
     counts.unseen += unseen ? 1 : 0;
     counts.ambiguous += !unseen && explained ? 1 : 0;
     std::vector<std::string> also;
-    for (const Fingerprint& each : known.mistakes) {
-      if (explains(each, evidence)) also.push_back(each.name);
+    for (const mistakes::Fingerprint& each : known.mistakes) {
+      if (mistakes::explains(each, evidence)) also.push_back(each.name);
     }
     lines_.push_back(fmt::format("{} {}: {}; explained by: {}; named: {}", slug, name,
-                                 unseen                                  ? "unseen"
-                                 : explained                             ? "ambiguous"
-                                 : agree(evidence.answers, own->answers) ? "other promises"
-                                                                         : "other answers",
+                                 unseen      ? "unseen"
+                                 : explained ? "ambiguous"
+                                 : mistakes::agree(evidence.answers, own->answers)
+                                     ? "other promises"
+                                     : "other answers",
                                  fmt::join(also, ", "), fmt::join(names, ", ")));
   }
   // Without its own fingerprint it may only be called what shows in the same way.
-  const KnownTask others = without(known, name);
-  for (const Fingerprint* other : name_by_battery(others, evidence)) {
-    if (agree(other->answers, own->answers)) continue;
+  const mistakes::KnownTask others = without(known, name);
+  for (const mistakes::Fingerprint* other : mistakes::name_by_battery(others, evidence)) {
+    if (mistakes::agree(other->answers, own->answers)) continue;
     ++counts.left_out;
     lines_.push_back(fmt::format("{} {}: left out, it is named {}", slug, name, other->name));
     break;
   }
 }
 
-void Score::add_variation(const KnownTask& known, const std::string& name, const Evidence& evidence,
-                          const std::string& slug) {
+void Score::add_variation(const mistakes::KnownTask& known, const std::string& name,
+                          const mistakes::Evidence& evidence, const std::string& slug) {
   Counts& counts = tasks_[slug];
   ++counts.varied;
-  const auto names = names_of(name_by_battery(known, evidence));
+  const auto names = names_of(mistakes::name_by_battery(known, evidence));
   counts.varied_named += contains(names, name) ? 1 : 0;
   counts.misnamed += !names.empty() && !contains(names, name) ? 1 : 0;
   if (contains(names, name)) return;
-  const Fingerprint* own = find(known, name);
+  const mistakes::Fingerprint* own = find(known, name);
   lines_.push_back(fmt::format("{} variation of {}: {}; named: {}", slug, name,
-                               own == nullptr                          ? "not known"
-                               : agree(evidence.answers, own->answers) ? "other promises"
-                                                                       : "other answers",
+                               own == nullptr                                    ? "not known"
+                               : mistakes::agree(evidence.answers, own->answers) ? "other promises"
+                                                                                 : "other answers",
                                fmt::join(names, ", ")));
 }
 
@@ -160,4 +162,4 @@ int Score::misnamed() const {
   return sum;
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::self_check {
 
 // How well known mistakes are named: kept solutions handed in as submissions.
 class Score {
  public:
   // Of the kinds "wrong", "right", "reference" and "variation", whose name is the mistake it makes.
-  void add(const KnownTask& known, const std::string& slug, const std::string& kind,
-           const std::string& name, const Evidence& evidence);
+  void add(const mistakes::KnownTask& known, const std::string& slug, const std::string& kind,
+           const std::string& name, const mistakes::Evidence& evidence);
 
   // A table with a line a task; with `verbose` also a line for each that was not named right.
   std::string text(bool verbose) const;
@@ -34,13 +34,13 @@ class Score {
     int varied = 0, varied_named = 0;  // rightly
     int left_out = 0;                  // misnamed when its own fingerprint is taken away
   };
-  void add_wrong(const KnownTask& known, const std::string& name, const Evidence& evidence,
-                 const std::string& slug);
-  void add_variation(const KnownTask& known, const std::string& name, const Evidence& evidence,
-                     const std::string& slug);
+  void add_wrong(const mistakes::KnownTask& known, const std::string& name,
+                 const mistakes::Evidence& evidence, const std::string& slug);
+  void add_variation(const mistakes::KnownTask& known, const std::string& name,
+                     const mistakes::Evidence& evidence, const std::string& slug);
 
   std::map<std::string, Counts> tasks_;
   std::vector<std::string> lines_;
 };
 
-}  // namespace grader
+}  // namespace grader::self_check

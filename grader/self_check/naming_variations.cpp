@@ -1,6 +1,6 @@
 #include "grader/self_check/naming_variations.h"
 
-namespace grader {
+namespace grader::self_check {
 
 const std::vector<Variation>& naming_variations() {
   static const std::vector<Variation> all{
@@ -33,4 +33,4 @@ const std::vector<Variation>& naming_variations() {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::self_check {
 
 // A known mistake in other words: a right variant with one text replaced.
 struct Variation {
@@ -13,4 +13,4 @@ struct Variation {
 
 const std::vector<Variation>& naming_variations();
 
-}  // namespace grader
+}  // namespace grader::self_check

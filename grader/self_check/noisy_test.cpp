@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,4 +33,4 @@ TEST(noisy, solutions_are_too_noisy_and_not_wrong) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

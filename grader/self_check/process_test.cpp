@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 // No child of this process waits to be asked how it ended.
@@ -15,8 +15,8 @@ bool all_are_asked() {
 }
 
 void run(const char* script) {
-  run_command({{"/bin/sh", "-c", script}, {"PATH=/usr/bin:/bin"}, {}, "", {}},
-              std::chrono::seconds(60));
+  process::run_command({{"/bin/sh", "-c", script}, {"PATH=/usr/bin:/bin"}, {}, "", {}},
+                       std::chrono::seconds(60));
 }
 
 // In containers nobody else asks.
@@ -33,4 +33,4 @@ TEST(orphans, are_asked_how_they_ended_whatever_their_session_and_group) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

@@ -1,7 +1,7 @@
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 
-#include "grader/property/cameras.h"
-#include "grader/property/generators.h"
+#include "grader/check/cameras.h"
+#include "grader/check/generators.h"
 #include "pt/sampling/sampler.h"
 
 #include <cmath>
@@ -10,23 +10,23 @@
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Runs a property that fails, and returns what it leaves for the reports.
-Failure failure_of(const std::function<void()>& property) {
-  EXPECT_NONFATAL_FAILURE(for_all(property), "input");
-  return failures().back();
+check::Failure failure_of(const std::function<void()>& property) {
+  EXPECT_NONFATAL_FAILURE(check::for_all(property), "input");
+  return check::failures().back();
 }
 
 TEST(Property, shows_the_simplest_input_that_fails_by_its_name) {
-  const Failure failure = failure_of([] {
-    const double x = draw("x", real(-10, 10));
-    const int n = draw("n", whole(2, 50));
-    const pt::Vec3 d = *direction();
-    expect(x < 4.25 || n < 0 || length(d) < 0, "less", "more");
+  const check::Failure failure = failure_of([] {
+    const double x = check::draw("x", check::real(-10, 10));
+    const int n = check::draw("n", check::whole(2, 50));
+    const pt::Vec3 d = *check::direction();
+    check::expect(x < 4.25 || n < 0 || length(d) < 0, "less", "more");
   });
   ASSERT_EQ(failure.input.size(), 3u);
   EXPECT_TRUE(failure.input[0] == "x: 5" || failure.input[0] == "x: 10") << failure.input[0];
@@ -37,9 +37,9 @@ TEST(Property, shows_the_simplest_input_that_fails_by_its_name) {
 }
 
 TEST(Property, shrinks_a_magnitude_to_a_power_of_ten) {
-  const Failure failure = failure_of([] {
-    const double x = draw("x", magnitude(1e-6, 1e6));
-    expect(x < 30, "less", "more");
+  const check::Failure failure = failure_of([] {
+    const double x = check::draw("x", check::magnitude(1e-6, 1e6));
+    check::expect(x < 30, "less", "more");
   });
   EXPECT_EQ(failure.input, std::vector<std::string>{"x: 100"});
 }
@@ -47,9 +47,9 @@ TEST(Property, shrinks_a_magnitude_to_a_power_of_ten) {
 TEST(Property, runs_the_smallest_failing_case_once_more_for_a_debugger) {
   setenv("FIRSTLIGHT_REPLAY", "1", 1);
   int last = 0;
-  const Failure failure = failure_of([&] {
-    last = draw("n", whole(0, 1000));
-    expect(last < 17, "less", "more");
+  const check::Failure failure = failure_of([&] {
+    last = check::draw("n", check::whole(0, 1000));
+    check::expect(last < 17, "less", "more");
   });
   unsetenv("FIRSTLIGHT_REPLAY");
   EXPECT_EQ(failure.input, std::vector<std::string>{"n: " + std::to_string(last)});
@@ -60,31 +60,31 @@ struct Two {
   pt::Vec3 first, second;
 };
 
-void showValue(const Two& two, std::ostream& out) { show_lines(out, two.first, two.second); }
+void showValue(const Two& two, std::ostream& out) { check::show_lines(out, two.first, two.second); }
 
 TEST(Property, shows_a_value_of_several_lines_as_several_inputs) {
-  const Failure failure = failure_of([] {
-    const Two two = *rc::gen::exec([] { return Two{*point(), *direction()}; });
-    expect(length(two.first) < 0, "less", "more");
+  const check::Failure failure = failure_of([] {
+    const Two two = *rc::gen::exec([] { return Two{*check::point(), *check::direction()}; });
+    check::expect(length(two.first) < 0, "less", "more");
   });
   EXPECT_EQ(failure.input, (std::vector<std::string>{"(0, 0, 0)", "(0, 0, 1)"}));
 }
 
 TEST(Property, fails_on_nan) {
-  failure_of([] { expect_near("a number", kNan, 0, 1e9); });
-  failure_of([] { expect_near("a number", 0, kNan, 1e9); });
-  failure_of([] { expect_near("a vector", pt::Vec3{0, kNan, 0}, {}, 1e9); });
-  failure_of([] { expect_near("a colour", pt::Rgb{0, 0, kNan}, {}, 1e9); });
+  failure_of([] { check::expect_near("a number", kNan, 0, 1e9); });
+  failure_of([] { check::expect_near("a number", 0, kNan, 1e9); });
+  failure_of([] { check::expect_near("a vector", pt::Vec3{0, kNan, 0}, {}, 1e9); });
+  failure_of([] { check::expect_near("a colour", pt::Rgb{0, 0, kNan}, {}, 1e9); });
 }
 
 TEST(Property, stays_in_the_range_of_its_generators) {
-  for_all([] {
-    const double x = *real(-0.3, 0.7), y = *magnitude(2, 300);
-    expect(x >= -0.3 && x <= 0.7, "in [-0.3, 0.7]", show(x));
-    expect(y >= 2 && y <= 300, "in [2, 300]", show(y));
-    expect_near("the length of a direction", length(*direction()), 1, 1e-15);
-    const pt::Frame frame = *rotation();
-    expect_near("z", cross(frame.x, frame.y), frame.z, 1e-14);
+  check::for_all([] {
+    const double x = *check::real(-0.3, 0.7), y = *check::magnitude(2, 300);
+    check::expect(x >= -0.3 && x <= 0.7, "in [-0.3, 0.7]", check::show(x));
+    check::expect(y >= 2 && y <= 300, "in [2, 300]", check::show(y));
+    check::expect_near("the length of a direction", length(*check::direction()), 1, 1e-15);
+    const pt::Frame frame = *check::rotation();
+    check::expect_near("z", cross(frame.x, frame.y), frame.z, 1e-14);
   });
 }
 
@@ -92,7 +92,7 @@ TEST(Property, stays_in_the_range_of_its_generators) {
 TEST(Property, shrinks_within_the_range_and_ends) {
   for (const auto& [low, high] :
        {std::pair{0.0, 1.0}, std::pair{0.1, 0.15}, std::pair{-7.0, 1e3}}) {
-    auto shrinkable = real(low, high)(rc::Random(7));
+    auto shrinkable = check::real(low, high)(rc::Random(7));
     int steps = 0;
     for (bool last = false; !last && steps < 10000; ++steps) {
       // The last candidate each time: the longest way down.
@@ -118,51 +118,62 @@ std::vector<pt::Rgb> rarely(double value, int n, std::uint64_t seed) {
 }
 
 TEST(Mean, of_estimates_as_noisy_as_they_may_be_is_right) {
-  for_all(
+  check::for_all(
       [] {
-        const std::vector<pt::Rgb> draws = rarely(5, 3000, draw("seed", sampler_seed()));
-        expect_mean("the mean", mean_of(draws), pt::gray(1), Noise{pt::gray(2)});
-        expect_mean("the mean", mean_of(draws), pt::gray(1), noise_of(draws, 1));
+        const std::vector<pt::Rgb> draws =
+            rarely(5, 3000, check::draw("seed", check::sampler_seed()));
+        check::expect_mean("the mean", check::mean_of(draws), pt::gray(1),
+                           check::Noise{pt::gray(2)});
+        check::expect_mean("the mean", check::mean_of(draws), pt::gray(1),
+                           check::noise_of(draws, 1));
       },
       1000);
 }
 
 TEST(Mean, is_too_noisy_where_few_draws_carry_it) {
-  const Failure noisy = failure_of([] {
-    const std::vector<pt::Rgb> draws = rarely(50, 3000, draw("seed", sampler_seed()));
-    expect_mean("the mean", mean_of(draws), pt::gray(1), Noise{pt::gray(2)});
+  const check::Failure noisy = failure_of([] {
+    const std::vector<pt::Rgb> draws = rarely(50, 3000, check::draw("seed", check::sampler_seed()));
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(1), check::Noise{pt::gray(2)});
   });
   EXPECT_TRUE(noisy.got.starts_with("right on average, but too noisy")) << noisy.got;
-  const Failure one = failure_of([] {
+  const check::Failure one = failure_of([] {
     std::vector<pt::Rgb> draws(1000);
     draws[17] = pt::gray(1000);
-    expect_mean("the mean", mean_of(draws), pt::gray(2));
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(2));
   });
   EXPECT_TRUE(one.got.starts_with("too noisy to judge")) << one.got;
-  const Failure far = failure_of([] {
-    expect_mean("the mean", mean_of(rarely(500, 1000, draw("seed", sampler_seed()))), pt::gray(3),
-                Noise{pt::gray(1)});
+  const check::Failure far = failure_of([] {
+    check::expect_mean(
+        "the mean", check::mean_of(rarely(500, 1000, check::draw("seed", check::sampler_seed()))),
+        pt::gray(3), check::Noise{pt::gray(1)});
   });
   EXPECT_TRUE(far.got.starts_with("too noisy to judge")) << far.got;
 }
 
 TEST(Mean, without_noise_may_be_as_imprecise_as_the_contract_says) {
   const std::vector<pt::Rgb> draws(100, pt::gray(1 + 9e-6));
-  once([&] { expect_mean("the mean", mean_of(draws), pt::gray(1), Noise{}, kColorPrecision); });
-  failure_of([&] { expect_mean("the mean", mean_of(draws), pt::gray(1), Noise{}, 1e-6); });
-  failure_of([&] { expect_mean("the mean", mean_of(draws), pt::gray(kNan), Noise{}, 1); });
+  check::once([&] {
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(1), check::Noise{},
+                       check::kColorPrecision);
+  });
+  failure_of([&] {
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(1), check::Noise{}, 1e-6);
+  });
+  failure_of([&] {
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(kNan), check::Noise{}, 1);
+  });
 }
 
 TEST(Cameras, know_the_way_back_to_the_picture) {
   pt::Camera camera;
   camera.hfov_deg = 90;
   camera.vfov_deg = 2 * std::atan(0.5) * 180 / pt::kPi;
-  const pt::Vec2 corner = on_picture(camera, {3, 1.5, -3});
+  const pt::Vec2 corner = check::on_picture(camera, {3, 1.5, -3});
   EXPECT_NEAR(corner.x, 1, 1e-15);
   EXPECT_NEAR(corner.y, 1, 1e-15);
-  EXPECT_NEAR(on_picture(camera, {-1, 0, -2}).x, 0.25, 1e-15);
-  EXPECT_TRUE(std::isnan(on_picture(camera, {0, 0, 1}).x));
+  EXPECT_NEAR(check::on_picture(camera, {-1, 0, -2}).x, 0.25, 1e-15);
+  EXPECT_TRUE(std::isnan(check::on_picture(camera, {0, 0, 1}).x));
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

@@ -1,7 +1,7 @@
 #include "grader/self_check/right_work.h"
 
-#include "grader/judge/files.h"
-#include "grader/judge/sha256.h"
+#include "grader/base/files.h"
+#include "grader/base/sha256.h"
 #include "grader/self_check/task_folder.h"
 #include "pt/error.h"
 #include "pt/sampling/sampler.h"
@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::self_check {
 
 namespace fs = std::filesystem;
 
@@ -37,21 +37,21 @@ const std::string& file_hash(const std::string& path) {
   static std::map<std::string, std::string> hashes;
   const std::lock_guard guard(lock);
   std::string& hash = hashes[path];
-  if (hash.empty()) hash = sha256(read_file(path));
+  if (hash.empty()) hash = base::sha256(base::read_file(path));
   return hash;
 }
 
-std::string judge_hash(const Config& config, const RightJob& job) {
+std::string judge_hash(const judge::Config& config, const RightJob& job) {
   std::string text;
   for (const auto& [slug, file] : job.files) text += slug + '\0' + file_hash(file);
-  for (const TaskConfig& task : config.tasks) {
+  for (const judge::TaskConfig& task : config.tasks) {
     const bool judged = std::count(job.asked.begin(), job.asked.end(), task.slug) > 0;
     if (judged) text += file_hash(task.graded);
   }
   if (job.pictures) {
     text += file_hash(config.picture) + file_hash(config.root + "/scenes/recipes.json");
   }
-  return sha256(text).substr(0, 12);
+  return base::sha256(text).substr(0, 12);
 }
 
 // A submission may be twelve files without folders.
@@ -79,18 +79,19 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::string faults_of(const RightJob& job, const TaskResult& task) {
+std::string faults_of(const RightJob& job, const results::TaskResult& task) {
   std::string text = fmt::format("{}: {}", task.slug, name(task.state));
   if (!task.reason.empty()) text += ", " + task.reason;
-  for (const PromiseResult& promise : task.promises) {
+  for (const results::PromiseResult& promise : task.promises) {
     if (promise.held || promise.bonus) continue;
     text += ", " + promise.name;
-    for (const FailureReport& failure : promise.failures) {
+    for (const results::FailureReport& failure : promise.failures) {
       text += fmt::format(" ({} got {} expected {})", failure.what, failure.got, failure.expected);
     }
   }
-  for (const PictureResult& picture : task.pictures) {
-    if (picture.state != State::pass) text += ", picture " + picture.recipe + " " + picture.text;
+  for (const results::PictureResult& picture : task.pictures) {
+    if (picture.state != results::State::pass)
+      text += ", picture " + picture.recipe + " " + picture.text;
   }
   const fs::path file = job.files.at(task.slug);
   return one_line(text + " [" + file.stem().string() + "]");
@@ -98,9 +99,9 @@ std::string faults_of(const RightJob& job, const TaskResult& task) {
 
 }  // namespace
 
-Choices right_choices(const Config& config) {
+Choices right_choices(const judge::Config& config) {
   Choices choices;
-  for (const TaskConfig& task : config.tasks) {
+  for (const judge::TaskConfig& task : config.tasks) {
     const fs::path reference = fs::path(config.root) / "reference" / task.file();
     if (!fs::exists(reference)) {
       throw pt::Error(reference.string() + " is missing: the learners' edition cannot do this");
@@ -136,14 +137,14 @@ std::vector<RightJob> variant_jobs(const Choices& choices, std::uint64_t seed) {
   return jobs;
 }
 
-std::vector<RightJob> whole_jobs(const Config& config, std::uint64_t seed) {
+std::vector<RightJob> whole_jobs(const judge::Config& config, std::uint64_t seed) {
   std::vector<RightJob> jobs;
   for (const auto& folder : fs::directory_iterator(config.root + "/grader/self_check/right")) {
     RightJob job;
     job.kind = "whole";
     job.name = folder.path().filename();
     job.seed = seed;
-    for (const TaskConfig& task : config.tasks) {
+    for (const judge::TaskConfig& task : config.tasks) {
       job.files[task.slug] = folder.path() / (task.slug + ".cpp");
       job.asked.push_back(task.slug);
     }
@@ -172,7 +173,7 @@ std::string RightRow::key() const {
   return fmt::format("{},{},{},{:d},{},{}", kind, name, seed, pictures, busy, judge);
 }
 
-RightRow row_of(const Config& config, const RightJob& job, int busy) {
+RightRow row_of(const judge::Config& config, const RightJob& job, int busy) {
   RightRow row;
   row.kind = job.kind;
   row.name = job.name;
@@ -215,13 +216,13 @@ std::vector<RightRow> read_right_rows(const fs::path& path) {
   return rows;
 }
 
-RightRow grade_right(const Config& config, const Isolation& isolation, const RightJob& job,
-                     int busy) {
+RightRow grade_right(const judge::Config& config, const sandbox::Isolation& isolation,
+                     const RightJob& job, int busy) {
   RightRow row = row_of(config, job, busy);
-  const std::string path =
-      temporary_name(fmt::format("{}/right/{}.{}.{}", config.work, job.kind, job.name, job.seed));
+  const std::string path = base::temporary_name(
+      fmt::format("{}/right/{}.{}.{}", config.work, job.kind, job.name, job.seed));
   const Folder folder(path, job);
-  GradeRequest request;
+  judge::GradeRequest request;
   request.submission = path;
   request.asked = job.asked;
   request.seed = job.seed;
@@ -229,14 +230,14 @@ RightRow grade_right(const Config& config, const Isolation& isolation, const Rig
   request.call_limit = kCallLimit;
   request.pictures = job.pictures;
   request.isolation = isolation;
-  const Results results = grade(config, request, [](const Results&) {});
-  row.passed = passes(results);
+  const results::Results results = judge::grade(config, request, [](const results::Results&) {});
+  row.passed = results::passes(results);
   row.seconds = results.seconds;
-  for (const TaskResult& task : results.tasks) {
-    if (task.state == State::pass) continue;
+  for (const results::TaskResult& task : results.tasks) {
+    if (task.state == results::State::pass) continue;
     row.faults += (row.faults.empty() ? "" : "; ") + faults_of(job, task);
   }
   return row;
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

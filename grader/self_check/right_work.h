@@ -13,7 +13,7 @@
 // its own (grader/self_check/right). The program right_work grades as much of it as one likes,
 // since the judge must never fail any of it.
 
-namespace grader {
+namespace grader::self_check {
 
 // One submission and how it is graded.
 struct RightJob {
@@ -28,14 +28,14 @@ struct RightJob {
 // The files to choose from for each task, in alphabetical order: the reference's, then those in
 // grader/tasks/<slug>/right.
 using Choices = std::map<std::string, std::vector<std::filesystem::path>>;
-Choices right_choices(const Config& config);
+Choices right_choices(const judge::Config& config);
 
 // The reference, each variant alone, each whole submission, and the mixture of that number: every
 // file equally likely in its place. The same number is the same mixture as long as no file is
 // added.
 RightJob reference_job(const Choices& choices, std::uint64_t seed);
 std::vector<RightJob> variant_jobs(const Choices& choices, std::uint64_t seed);
-std::vector<RightJob> whole_jobs(const Config& config, std::uint64_t seed);
+std::vector<RightJob> whole_jobs(const judge::Config& config, std::uint64_t seed);
 RightJob mixture_job(const Choices& choices, int number);
 
 // A submission graded. `judge` is a hash of the job's files and of the programs that judged it: a
@@ -54,7 +54,7 @@ struct RightRow {
   std::string key() const;
 };
 
-RightRow row_of(const Config& config, const RightJob& job, int busy);
+RightRow row_of(const judge::Config& config, const RightJob& job, int busy);
 
 // One line of a CSV, without its end; and all whole lines of a file, none if there is no file.
 // Throws pt::Error for a line that is not such a row.
@@ -62,7 +62,7 @@ std::string to_line(const RightRow& row);
 std::vector<RightRow> read_right_rows(const std::filesystem::path& path);
 
 // Grades the job in a folder of its own below config.work, which is gone afterwards.
-RightRow grade_right(const Config& config, const Isolation& isolation, const RightJob& job,
-                     int busy);
+RightRow grade_right(const judge::Config& config, const sandbox::Isolation& isolation,
+                     const RightJob& job, int busy);
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -2,7 +2,7 @@
 // the reference, with many seeds, also beside busy loops. Each verdict is a line of a CSV, and
 // what is known there is not judged again, so that it may be stopped and started at any time. Exit
 // status 1 if anything right has failed: the judge is then wrong.
-#include "grader/judge/parallel.h"
+#include "grader/base/parallel.h"
 #include "grader/self_check/busy_loops.h"
 #include "grader/self_check/right_work.h"
 #include "pt/command_line.h"
@@ -20,6 +20,7 @@
 namespace {
 
 using namespace grader;
+using namespace grader::self_check;
 
 struct Options {
   std::string out = "build/right_work.csv";
@@ -33,7 +34,7 @@ struct Options {
 };
 
 // Cheap ones first, and some of every kind early.
-std::vector<RightJob> find_jobs(const Config& config, const Options& options) {
+std::vector<RightJob> find_jobs(const judge::Config& config, const Options& options) {
   const Choices choices = right_choices(config);
   std::vector<RightJob> jobs;
   const auto seed_of = [&](int i) { return static_cast<std::uint64_t>(options.first_seed + i); };
@@ -83,11 +84,11 @@ int report(const std::vector<RightRow>& rows, const std::set<std::string>& asked
 }
 
 int run(const Options& options) {
-  Config config = load_config(default_config_path());
+  judge::Config config = judge::load_config(judge::default_config_path());
   // What is known in the judge's cache says nothing about a busy machine.
   if (options.busy > 0) config.work += "/right-busy-" + std::to_string(getpid());
   std::filesystem::create_directories(config.work);
-  const Isolation isolation = probe_isolation(config.root, config.work);
+  const sandbox::Isolation isolation = sandbox::probe_isolation(config.root, config.work);
 
   std::set<std::string> known, asked;
   for (const RightRow& row : read_right_rows(options.out)) known.insert(row.key());
@@ -105,7 +106,7 @@ int run(const Options& options) {
     const BusyLoops loops(options.busy);
     std::size_t ended = 0, failed = 0;
     std::mutex writing;
-    for_each(jobs.size(), options.threads, [&](std::size_t i) {
+    base::for_each(jobs.size(), options.threads, [&](std::size_t i) {
       const RightRow row = grade_right(config, isolation, jobs[i], options.busy);
       const std::lock_guard lock(writing);
       csv << to_line(row) + '\n' << std::flush;

@@ -1,13 +1,13 @@
 #include "grader/self_check/stale_mistakes.h"
 
-#include "grader/judge/sha256.h"
+#include "grader/base/sha256.h"
 #include "grader/self_check/measure_mistakes.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::self_check {
 
 namespace {
 
@@ -15,16 +15,17 @@ bool breaks_only_a_bonus(const Kept& kept) {
   return kept.text.substr(0, kept.text.find('\n')).ends_with("_bonus");
 }
 
-const Fingerprint* find(const KnownTask& task, const std::string& name) {
-  const auto found = std::ranges::find(task.mistakes, name, &Fingerprint::name);
+const mistakes::Fingerprint* find(const mistakes::KnownTask& task, const std::string& name) {
+  const auto found = std::ranges::find(task.mistakes, name, &mistakes::Fingerprint::name);
   return found == task.mistakes.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-std::vector<std::string> out_of_date(const Config& config, const KnownMistakes& known) {
+std::vector<std::string> out_of_date(const judge::Config& config,
+                                     const mistakes::KnownMistakes& known) {
   std::vector<std::string> reasons;
-  for (const TaskConfig& task : config.tasks) {
+  for (const judge::TaskConfig& task : config.tasks) {
     const auto found = known.find(task.slug);
     if (found == known.end()) {
       reasons.push_back(task.slug + ": nothing is known");
@@ -35,14 +36,14 @@ std::vector<std::string> out_of_date(const Config& config, const KnownMistakes& 
     }
     const std::vector<Kept> kept = kept_solutions(config, task, {"wrong"});
     for (const Kept& each : kept) {
-      const Fingerprint* print = find(found->second, each.name);
+      const mistakes::Fingerprint* print = find(found->second, each.name);
       if (print == nullptr && !breaks_only_a_bonus(each)) {
         reasons.push_back(fmt::format("{}: {} is not known", task.slug, each.name));
-      } else if (print != nullptr && print->source != sha256(each.text).substr(0, 16)) {
+      } else if (print != nullptr && print->source != base::sha256(each.text).substr(0, 16)) {
         reasons.push_back(fmt::format("{}: {} has changed", task.slug, each.name));
       }
     }
-    for (const Fingerprint& print : found->second.mistakes) {
+    for (const mistakes::Fingerprint& print : found->second.mistakes) {
       if (std::ranges::find(kept, print.name, &Kept::name) == kept.end()) {
         reasons.push_back(fmt::format("{}: {} is not kept any more", task.slug, print.name));
       }
@@ -51,4 +52,4 @@ std::vector<std::string> out_of_date(const Config& config, const KnownMistakes& 
   return reasons;
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

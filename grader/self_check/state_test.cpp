@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ TEST(state, that_no_thread_can_spoil_is_right) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

@@ -1,6 +1,7 @@
 #include "grader/self_check/submission.h"
 
 #include "grader/judge/audit.h"
+#include "grader/tasks.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -9,7 +10,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-namespace grader {
+namespace grader::self_check {
 
 namespace {
 
@@ -34,7 +35,8 @@ std::string text_of(const fs::path& file) {
 std::set<std::string> contract_of(const std::string& slug) {
   std::ifstream names(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".contract"));
   std::set<std::string> functions;
-  for (std::string path; std::getline(names, path);) functions.merge(functions_in(text_of(path)));
+  for (std::string path; std::getline(names, path);)
+    functions.merge(judge::functions_in(text_of(path)));
   return functions;
 }
 
@@ -59,7 +61,8 @@ Verdict judge(const std::string& slug, const fs::path& file, const std::string& 
       fmt::format("{} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, quoted(object),
                   quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
   verdict.compiled = run(compile, log) == 0 && run(link, log) == 0;
-  if (verdict.compiled) verdict.audit = audit(text_of(object), contract_of(slug), may_call(slug));
+  if (verdict.compiled)
+    verdict.audit = judge::audit(text_of(object), contract_of(slug), task_of(slug));
   if (verdict.compiled) {
     // A shell of its own, which prints "Segmentation fault" into the log and not on our terminal.
     const std::string properties = fmt::format(
@@ -77,4 +80,4 @@ Verdict judge(const std::string& slug, const fs::path& file, const std::string& 
   return verdict;
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

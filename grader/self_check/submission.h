@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace grader {
+namespace grader::self_check {
 
 // How a run of one task's properties on one submitted file ended.
 struct Verdict {
@@ -20,4 +20,4 @@ struct Verdict {
 Verdict judge(const std::string& slug, const std::filesystem::path& file, const std::string& filter,
               const std::string& scratch);
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -1,12 +1,12 @@
 #include "grader/self_check/task_folder.h"
 
-#include "grader/judge/promises.h"
+#include "grader/results/promises.h"
 
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 
-namespace grader {
+namespace grader::self_check {
 
 namespace fs = std::filesystem;
 
@@ -14,7 +14,8 @@ std::vector<std::string> promises_in(const fs::path& contract) {
   std::ostringstream text;
   text << std::ifstream(contract).rdbuf();
   std::vector<std::string> names;
-  for (const Promise& promise : promises_of(text.str())) names.push_back(promise.name);
+  for (const results::Promise& promise : results::promises_of(text.str()))
+    names.push_back(promise.name);
   return names;
 }
 
@@ -35,4 +36,4 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
   return files;
 }
 
-}  // namespace grader
+}  // namespace grader::self_check

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::self_check {
 
-// The names of the properties that a contract promises (grader/judge/promises.h).
+// The names of the properties that a contract promises (grader/results/promises.h).
 std::vector<std::string> promises_in(const std::filesystem::path& contract);
 
 // What the first line of a wrong or right solution says after "// breaks: " or "// right: "; empty
@@ -16,4 +16,4 @@ std::string first_line(const std::filesystem::path& file, const std::string& lab
 // The .cpp files of a folder in alphabetical order; none if there is no such folder.
 std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folder);
 
-}  // namespace grader
+}  // namespace grader::self_check

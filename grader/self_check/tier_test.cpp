@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -69,4 +69,4 @@ TEST(tier, C_is_refused_where_isolation_is_required) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check

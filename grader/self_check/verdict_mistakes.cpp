@@ -5,12 +5,12 @@
 // in golden/known_mistakes.jsonl, from samples of their own, and it is tried which of them are
 // named by the pictures that were judged. The reference with other chances to survive is added on
 // an adaptive recipe: right, and drawn with another variance.
-#include "grader/judge/files.h"
-#include "grader/judge/isolation.h"
-#include "grader/judge/parallel.h"
+#include "grader/base/files.h"
+#include "grader/base/parallel.h"
+#include "grader/base/sha256.h"
+#include "grader/judge/alone.h"
 #include "grader/judge/picture_trial.h"
-#include "grader/judge/sha256.h"
-#include "grader/recipes/recipes.h"
+#include "grader/pictures/recipes.h"
 #include "grader/self_check/mistake_pictures.h"
 #include "grader/self_check/mistake_rows.h"
 #include "grader/self_check/task_folder.h"
@@ -27,6 +27,7 @@
 namespace {
 
 using namespace grader;
+using namespace grader::self_check;
 namespace fs = std::filesystem;
 
 constexpr int kStages = 3;
@@ -48,14 +49,14 @@ struct Options {
 
 // One file, and what is to be found out about it.
 struct Job {
-  const TaskConfig* task;
+  const judge::TaskConfig* task;
   std::string kind;
   fs::path file;
   std::string text;
-  std::vector<const Recipe*> recipes;
+  std::vector<const pictures::Recipe*> recipes;
 };
 
-MistakeRow empty_row(const Job& job, const Recipe& recipe) {
+MistakeRow empty_row(const Job& job, const pictures::Recipe& recipe) {
   MistakeRow row;
   row.task = job.task->slug;
   row.kind = job.kind;
@@ -65,7 +66,7 @@ MistakeRow empty_row(const Job& job, const Recipe& recipe) {
   return row;
 }
 
-std::string golden_rates(const Config& config, const Recipe& recipe) {
+std::string golden_rates(const judge::Config& config, const pictures::Recipe& recipe) {
   return config.root + "/golden/" + recipe.name + "_rates.json";
 }
 
@@ -74,16 +75,17 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
 }
 
 // The solutions that are not known yet, with the recipes that are missing.
-std::vector<Job> find_jobs(const Config& config, const Options& options,
-                           const std::vector<Recipe>& recipes, const std::set<std::string>& known) {
+std::vector<Job> find_jobs(const judge::Config& config, const Options& options,
+                           const std::vector<pictures::Recipe>& recipes,
+                           const std::set<std::string>& known) {
   std::vector<Job> jobs;
-  for (const TaskConfig& task : config.tasks) {
+  for (const judge::TaskConfig& task : config.tasks) {
     if (!options.tasks.empty() && !contains(options.tasks, task.slug)) continue;
     for (const char* kind : {"wrong", "right", "noisy"}) {
       const fs::path folder = fs::path(config.root) / "grader/tasks" / task.slug / kind;
       for (const fs::path& file : sources_in(folder)) {
-        Job job{&task, kind, file, read_file(file), {}};
-        for (const Recipe& recipe : recipes) {
+        Job job{&task, kind, file, base::read_file(file), {}};
+        for (const pictures::Recipe& recipe : recipes) {
           const auto& judged = recipe.tasks;
           const bool wanted = options.recipes.empty() || contains(options.recipes, recipe.name);
           if (wanted && contains(judged, task.slug) &&
@@ -115,13 +117,14 @@ class Book {
   }
 
   // What the picture that was judged looks like, and what is to be known of it.
-  void add(const Job& job, const Recipe& recipe, const KnownMistake::Picture& seen,
-           const KnownMistake::Picture& known) {
-    KnownMistake mistake{job.task->slug,
-                         job.file.stem(),
-                         content_of(job.text),
-                         sentence_of(job.text),
-                         {{recipe.name, seen}}};
+  void add(const Job& job, const pictures::Recipe& recipe,
+           const pictures::KnownMistake::Picture& seen,
+           const pictures::KnownMistake::Picture& known) {
+    pictures::KnownMistake mistake{job.task->slug,
+                                   job.file.stem(),
+                                   content_of(job.text),
+                                   sentence_of(job.text),
+                                   {{recipe.name, seen}}};
     const std::lock_guard lock(mutex_);
     seen_ << to_line(mistake) << std::flush;
     mistake.pictures[recipe.name] = known;
@@ -139,8 +142,8 @@ class Book {
   std::size_t ended_ = 0;
 };
 
-MistakeRow row_of(const Job& job, const Recipe& recipe, const PictureResult& result, int stages,
-                  const Config& config) {
+MistakeRow row_of(const Job& job, const pictures::Recipe& recipe,
+                  const results::PictureResult& result, int stages, const judge::Config& config) {
   MistakeRow row = empty_row(job, recipe);
   row.most_stages = stages;
   row.state = name(result.state);
@@ -153,28 +156,29 @@ MistakeRow row_of(const Job& job, const Recipe& recipe, const PictureResult& res
 }
 
 // In a folder of its own, which goes: three hundred workers fill a disk.
-void judge(Config config, const GradeRequest& request, const Options& options, const Job& job,
-           Book& book) {
+void judge(judge::Config config, const judge::GradeRequest& request, const Options& options,
+           const Job& job, Book& book) {
   config.work += "/mistakes/" + job.task->slug + "." + job.kind + "." + job.file.stem().string();
-  const Builder builder(config, request.isolation.tier, request.compile_limit);
-  Judged judged;
+  const judge::Builder builder(config, request.isolation.tier, request.compile_limit);
+  judge::Judged judged;
   judged.config = job.task;
   judged.object = builder.compile(*job.task, job.text);
   if (!judged.object.ok()) {
     throw pt::Error(job.file.string() + " does not compile: " + judged.object.error +
                     judged.object.rejected);
   }
-  const Built worker = link_alone(config, builder, judged, Elsewhere::reference);
+  const judge::Built worker =
+      judge::link_alone(config, builder, judged, judge::Elsewhere::reference);
   if (!worker.ok()) throw pt::Error(job.file.string() + " does not link: " + worker.error);
-  const auto trial = [&](const Recipe& recipe, const std::string& content, int stages) {
-    return try_picture(config, builder, request,
-                       {recipe, *job.task, worker, sha256(content), false, stages});
+  const auto trial = [&](const pictures::Recipe& recipe, const std::string& content, int stages) {
+    return judge::try_picture(config, builder, request,
+                              {recipe, *job.task, worker, base::sha256(content), false, stages});
   };
-  for (const Recipe* recipe : job.recipes) {
-    const PictureResult result = trial(*recipe, job.text, options.stages);
+  for (const pictures::Recipe* recipe : job.recipes) {
+    const results::PictureResult result = trial(*recipe, job.text, options.stages);
     if (options.pictures && job.kind == "wrong") {
       book.add(job, *recipe, picture_of(result),
-               result.state == State::pass
+               result.state == results::State::pass
                    ? picture_of(result)
                    : known_picture(trial(*recipe, "known " + job.text, options.known_stages)));
     }
@@ -184,8 +188,8 @@ void judge(Config config, const GradeRequest& request, const Options& options, c
 }
 
 // The reference in this program, not in a worker, on the coarse adaptive recipe.
-void judge_survivals(const std::vector<Recipe>& recipes, const std::set<std::string>& known,
-                     Book& book) {
+void judge_survivals(const std::vector<pictures::Recipe>& recipes,
+                     const std::set<std::string>& known, Book& book) {
   const std::vector<double> survivals{0.7, 0.65, 0.6, 0.5, 0.8};
   std::vector<MistakeRow> rows;
   for (const double survival : survivals) {
@@ -200,38 +204,39 @@ void judge_survivals(const std::vector<Recipe>& recipes, const std::set<std::str
   }
   if (rows.size() != survivals.size()) return;
   const std::vector<MapFigures> maps =
-      figures_of_survivals(find(recipes, "adaptive_coarse"), survivals);
+      figures_of_survivals(pictures::find(recipes, "adaptive_coarse"), survivals);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].map = maps[i];
     book.add(rows[i]);
   }
 }
 
-void print_tables(const Options& options, const std::vector<Recipe>& recipes) {
+void print_tables(const Options& options, const std::vector<pictures::Recipe>& recipes) {
   const std::vector<MistakeRow> rows = read_rows(options.out);
   fmt::print("{}\n", table_of_mistakes(rows));
-  for (const Recipe& recipe : recipes) {
+  for (const pictures::Recipe& recipe : recipes) {
     if (recipe.adaptive) fmt::print("{}\n", table_of_maps(rows, recipe.name));
   }
 }
 
 int run(const Options& options) {
-  const Config config = load_config(default_config_path());
-  const std::vector<Recipe> recipes = load_recipes(config.root + "/scenes/recipes.json");
-  for (const std::string& task : options.tasks) tasks_meant(config, task);
-  for (const std::string& recipe : options.recipes) find(recipes, recipe);
+  const judge::Config config = judge::load_config(judge::default_config_path());
+  const std::vector<pictures::Recipe> recipes =
+      pictures::load_recipes(config.root + "/scenes/recipes.json");
+  for (const std::string& task : options.tasks) judge::tasks_meant(config, task);
+  for (const std::string& recipe : options.recipes) pictures::find(recipes, recipe);
   if (!options.tables_only) {
     std::set<std::string> known;
     // What passes by the first stage passes.
     for (const MistakeRow& row : read_rows(options.out)) {
       if (row.state == "pass" || row.most_stages >= options.stages) known.insert(row.key());
     }
-    GradeRequest request;
+    judge::GradeRequest request;
     request.call_limit = kCallLimit;
-    request.isolation = probe_isolation(config.root, config.work);
+    request.isolation = sandbox::probe_isolation(config.root, config.work);
     const std::vector<Job> jobs = find_jobs(config, options, recipes, known);
     Book book(options.out);
-    for_each(jobs.size(), options.threads, [&](std::size_t i) {
+    base::for_each(jobs.size(), options.threads, [&](std::size_t i) {
       judge(config, request, options, jobs[i], book);
       book.ended(jobs.size());
     });

@@ -1,4 +1,4 @@
-#include "grader/judge/parallel.h"
+#include "grader/base/parallel.h"
 #include "grader/self_check/submission.h"
 #include "grader/self_check/task_folder.h"
 
@@ -11,7 +11,7 @@
 
 // The grader graded, for every task that has properties; or, named on the command line, for some.
 
-namespace grader {
+namespace grader::self_check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,7 +86,7 @@ std::vector<Submission> find_submissions(const std::vector<Task>& tasks) {
 
 void judge_all(std::vector<Submission>& submissions) {
   const auto threads = static_cast<int>(std::thread::hardware_concurrency());
-  for_each(submissions.size(), threads, [&](std::size_t i) {
+  base::for_each(submissions.size(), threads, [&](std::size_t i) {
     Submission& s = submissions[i];
     const std::string filter = s.kind == Kind::wrong  ? s.slug + "." + s.label
                                : s.kind == Kind::stub ? "*"
@@ -198,10 +198,10 @@ TEST(SelfCheck, has_a_solution_that_keeps_every_bonus_promise) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::self_check
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  grader::chosen.assign(argv + 1, argv + argc);
+  grader::self_check::chosen.assign(argv + 1, argv + argc);
   return RUN_ALL_TESTS();
 }

@@ -4,10 +4,10 @@
 
 // The files of this folder, as the build embeds them (cmake/embed.cmake).
 
-namespace grader {
+namespace grader::report {
 
 extern const std::string_view page_html;  // a template in Mustache
 extern const std::string_view page_css;
 extern const std::string_view page_js;
 
-}  // namespace grader
+}  // namespace grader::report

@@ -14,7 +14,7 @@
 #include <unistd.h>
 #endif
 
-namespace grader::box {
+namespace grader::sandbox::box {
 
 #if FIRSTLIGHT_SECCOMP
 
@@ -108,4 +108,4 @@ void filter_system_calls(int, bool) {}
 
 #endif
 
-}  // namespace grader::box
+}  // namespace grader::sandbox::box

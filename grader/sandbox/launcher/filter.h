@@ -1,6 +1,6 @@
 #pragma once
 
-namespace grader::box {
+namespace grader::sandbox::box {
 
 // From now on this process and all that come from it make only the system calls that a worker
 // needs, or a compiler if `tools`; all others fail with EPERM. One program may still be started:
@@ -8,4 +8,4 @@ namespace grader::box {
 // kernel refuses.
 void filter_system_calls(int program, bool tools);
 
-}  // namespace grader::box
+}  // namespace grader::sandbox::box

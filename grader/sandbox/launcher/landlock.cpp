@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 
-namespace grader::box {
+namespace grader::sandbox::box {
 
 namespace {
 
@@ -43,8 +43,8 @@ Ruleset all_of(long version) {
 
 std::size_t size_of(long version) { return version >= 6 ? 24 : version >= 4 ? 16 : 8; }
 
-void allow(const Descriptor& rules, const std::string& path, std::uint64_t rights) {
-  const Descriptor place(open(path.c_str(), O_PATH | O_CLOEXEC));
+void allow(const base::Descriptor& rules, const std::string& path, std::uint64_t rights) {
+  const base::Descriptor place(open(path.c_str(), O_PATH | O_CLOEXEC));
   struct stat found {};
   if (!place.is_open() || fstat(place.number(), &found) != 0) {
     throw pt::Error(path + ": " + std::strerror(errno));
@@ -58,12 +58,12 @@ void allow(const Descriptor& rules, const std::string& path, std::uint64_t right
 
 }  // namespace
 
-Descriptor file_rules(const Options& options) {
+base::Descriptor file_rules(const Options& options) {
   const long version =
       syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
   if (version < 1) return {};
   const Ruleset all = all_of(version);
-  Descriptor rules(
+  base::Descriptor rules(
       static_cast<int>(syscall(SYS_landlock_create_ruleset, &all, size_of(version), 0)));
   if (!rules.is_open()) throw pt::Error(std::string("no Landlock: ") + std::strerror(errno));
   for (const std::string& path : options.visible) allow(rules, path, kReadFolder);
@@ -72,11 +72,11 @@ Descriptor file_rules(const Options& options) {
   return rules;
 }
 
-void enforce(const Descriptor& rules) {
+void enforce(const base::Descriptor& rules) {
   if (!rules.is_open()) return;
   if (syscall(SYS_landlock_restrict_self, rules.number(), 0) != 0) {
     throw pt::Error(std::string("Landlock cannot be used: ") + std::strerror(errno));
   }
 }
 
-}  // namespace grader::box
+}  // namespace grader::sandbox::box

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "grader/process/descriptor.h"
+#include "grader/base/descriptor.h"
 #include "grader/sandbox/launcher/options.h"
 
-namespace grader::box {
+namespace grader::sandbox::box {
 
 // The rules that let a program read what is visible, write in the folder, and touch no other file,
 // no port and no process outside; not open where the kernel has no Landlock. The paths are looked
 // up now, by the user that this process is now. Throws pt::Error if one of them is not there.
-Descriptor file_rules(const Options& options);
+base::Descriptor file_rules(const Options& options);
 
 // They hold from now on, for this process and all that come from it. Nothing if there are none.
-void enforce(const Descriptor& rules);
+void enforce(const base::Descriptor& rules);
 
-}  // namespace grader::box
+}  // namespace grader::sandbox::box

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string_view>
 
-namespace grader::box {
+namespace grader::sandbox::box {
 
 namespace {
 
@@ -57,4 +57,4 @@ Options parse(int count, char** words) {
   return options;
 }
 
-}  // namespace grader::box
+}  // namespace grader::sandbox::box

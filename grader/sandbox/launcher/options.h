@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace grader::box {
+namespace grader::sandbox::box {
 
 // What the launcher is told (by grader/sandbox/box.cpp).
 struct Options {
@@ -13,11 +13,11 @@ struct Options {
   bool tools = false;                // the program may start others
   std::string folder;                // where it may write; empty: nowhere
   std::vector<std::string> visible;  // what it may read
-  Limits limits;
+  process::Limits limits;
   std::vector<char*> command;  // ends with nullptr, as exec wants it
 };
 
 // Throws pt::Error for what it does not know.
 Options parse(int count, char** words);
 
-}  // namespace grader::box
+}  // namespace grader::sandbox::box

@@ -20,22 +20,22 @@
 #include <sys/un.h>
 #include <sys/wait.h>
 
-namespace grader::box {
+namespace grader::sandbox::box {
 
 namespace {
 
 // Numbers that no distribution gives to anyone (systemd's table of user ids calls them unused).
 constexpr uid_t kFirst = 60578, kLast = 61183;
 
-Descriptor open_process(pid_t pid) {
-  Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
+base::Descriptor open_process(pid_t pid) {
+  base::Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
   if (!process.is_open()) throw pt::Error(std::string("no pidfd: ") + std::strerror(errno));
   return process;
 }
 
 // A name that goes with its last descriptor, and is no file that others could put there first.
-Descriptor lock(uid_t id) {
-  Descriptor socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+base::Descriptor lock(uid_t id) {
+  base::Descriptor socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_un name{};
   name.sun_family = AF_UNIX;
   const int length = std::snprintf(name.sun_path + 1, sizeof name.sun_path - 1, "firstlight-box-%u",
@@ -77,7 +77,7 @@ User take_user() {
   for (uid_t i = 0; i < kCount; ++i) {
     const uid_t id = kFirst + (start + i) % kCount;
     if (getpwuid(id) != nullptr) continue;
-    Descriptor held = lock(id);
+    base::Descriptor held = lock(id);
     if (held.is_open()) return {id, std::move(held)};
   }
   throw pt::Error("all users for boxes are taken");
@@ -95,11 +95,11 @@ void become(const User& user) {
 
 void start_keeper(const std::optional<User>& user) {
   const pid_t self = getpid();
-  const Descriptor program = open_process(self), judge = open_process(getppid());
+  const base::Descriptor program = open_process(self), judge = open_process(getppid());
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw pt::Error("no pipe");
-  const Descriptor ready(ends[0]);
-  Descriptor signal(ends[1]);
+  const base::Descriptor ready(ends[0]);
+  base::Descriptor signal(ends[1]);
   const pid_t keeper = fork();
   if (keeper < 0) throw pt::Error(std::string("no process: ") + std::strerror(errno));
   if (keeper > 0) {
@@ -136,4 +136,4 @@ void continue_as_child() {
   }
 }
 
-}  // namespace grader::box
+}  // namespace grader::sandbox::box

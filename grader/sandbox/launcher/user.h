@@ -1,17 +1,17 @@
 #pragma once
 
-#include "grader/process/descriptor.h"
+#include "grader/base/descriptor.h"
 
 #include <optional>
 
 #include <sys/types.h>
 
-namespace grader::box {
+namespace grader::sandbox::box {
 
 // A user that no other box has as long as `lock` is open anywhere.
 struct User {
   uid_t id = 0;
-  Descriptor lock;
+  base::Descriptor lock;
 };
 
 // Only root can have one. Throws pt::Error if all are taken.
@@ -29,4 +29,4 @@ void start_keeper(const std::optional<User>& user);
 // with the child's exit status, or 128 and the number of its signal. All others end with it.
 void continue_as_child();
 
-}  // namespace grader::box
+}  // namespace grader::sandbox::box

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "grader/property/cameras.h"
-#include "grader/property/generators.h"
-#include "grader/property/property.h"
-#include "grader/stand_ins/scripted_radiance.h"
+#include "grader/check/cameras.h"
+#include "grader/check/generators.h"
+#include "grader/check/property.h"
+#include "grader/check/scripted_radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 // Pixels that see what a script says, and after how many samples a right solution may stop.
 
-namespace grader::adaptive {
+namespace grader::check::adaptive {
 
 using pt::AdaptiveSettings;
 using pt::PixelEstimate;
@@ -319,4 +319,4 @@ inline rc::Gen<Case> anything_long() {
   return rc::gen::oneOf(constant(many_samples), noise(many_samples), two_values(many_samples));
 }
 
-}  // namespace grader::adaptive
+}  // namespace grader::check::adaptive

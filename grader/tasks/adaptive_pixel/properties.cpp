@@ -1,9 +1,9 @@
-#include "grader/property/closed_forms.h"
+#include "grader/check/closed_forms.h"
 #include "grader/tasks/adaptive_pixel/cases.h"
 
 #include <array>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace adaptive;
@@ -220,4 +220,4 @@ PROMISE(adaptive_pixel, forgets_the_pixel_before) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/property/generators.h"
-#include "grader/property/many.h"
-#include "grader/property/show.h"
+#include "grader/check/generators.h"
+#include "grader/check/many.h"
+#include "grader/check/show.h"
 #include "pt/geometry/box.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 // Boxes in all the arrangements that a splitting rule may stumble over.
 
-namespace grader::build_bvh_cases {
+namespace grader::check::build_bvh_cases {
 
 struct Input {
   std::vector<pt::Box> boxes;
@@ -239,4 +239,4 @@ inline rc::Gen<Rows> in_rows(int along, int count, int each) {
   });
 }
 
-}  // namespace grader::build_bvh_cases
+}  // namespace grader::check::build_bvh_cases

@@ -1,4 +1,4 @@
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 #include "grader/tasks/build_bvh/cases.h"
 #include "grader/tasks/build_bvh/walk.h"
 #include "pt/tasks/build_bvh.h"
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace build_bvh_cases;
@@ -196,12 +196,12 @@ PROMISE(build_bvh, separates_along_the_longest_axis) {
           const double limit = 5 * std::log2(2 * count * each);
           const double entered = boxes_entered(rows, build(rows.input));
           expect(entered >= 1, "a root whose box holds the middles of all boxes",
-                 "a ray across the row enters " + grader::show(entered) +
+                 "a ray across the row enters " + show(entered) +
                      " boxes of the tree, in the mean: for most rays not even the root's");
           expect(entered <= limit,
-                 "at most " + grader::show(std::round(limit)) +
+                 "at most " + show(std::round(limit)) +
                      " boxes of the tree entered by a ray across the row, in the mean",
-                 grader::show(entered) + " of " + std::to_string(2 * count * each));
+                 show(entered) + " of " + std::to_string(2 * count * each));
         },
         30);
   }
@@ -224,4 +224,4 @@ PROMISE(build_bvh, stays_shallow_on_clustered_centroids_bonus) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 #include "grader/tasks/build_bvh/cases.h"
 #include "pt/geometry/bvh.h"
 #include "pt/tasks/build_bvh.h"
@@ -12,7 +12,7 @@
 // Walking a tree that may be none: every index is looked at before it is used, and every node is
 // visited once, so that any answer of a submission ends the walk.
 
-namespace grader::build_bvh_cases {
+namespace grader::check::build_bvh_cases {
 
 inline std::string name_of(int number) { return std::to_string(number); }
 inline std::string node_name(int index) { return "node " + name_of(index); }
@@ -92,4 +92,4 @@ inline void expect_a_tree_at_all() {
          std::to_string(depth(bvh)) + " levels");
 }
 
-}  // namespace grader::build_bvh_cases
+}  // namespace grader::check::build_bvh_cases

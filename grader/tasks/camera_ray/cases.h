@@ -1,13 +1,13 @@
 #pragma once
 
-#include "grader/property/cameras.h"
+#include "grader/check/cameras.h"
 
 #include <algorithm>
 #include <cmath>
 
 // Cameras from the whole domain, and where rays meet the camera's window.
 
-namespace grader::camera_ray_cases {
+namespace grader::check::camera_ray_cases {
 
 // The contract's precision: of a point on the window, as a part of its width and height, and of
 // everything in single precision.
@@ -89,4 +89,4 @@ inline double tolerance(double size, pt::Vec2 at) {
   return kPrecision * size + kSingle * (1 + at.x * at.x + at.y * at.y);
 }
 
-}  // namespace grader::camera_ray_cases
+}  // namespace grader::check::camera_ray_cases

@@ -1,4 +1,4 @@
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 #include "grader/tasks/camera_ray/cases.h"
 #include "pt/tasks/camera_ray.h"
 
@@ -9,7 +9,7 @@
 // relative to the task's own rays where it is about their differences. That position and frame
 // change nothing is a promise of its own.
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace camera_ray_cases;
@@ -129,4 +129,4 @@ PROMISE(camera_ray, keeps_the_clip_range) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

@@ -1,9 +1,9 @@
-#include "grader/property/closed_forms.h"
-#include "grader/property/directions_found.h"
-#include "grader/property/generators.h"
-#include "grader/property/in_a_row.h"
-#include "grader/property/property.h"
-#include "grader/property/repeat.h"
+#include "grader/check/closed_forms.h"
+#include "grader/check/directions_found.h"
+#include "grader/check/generators.h"
+#include "grader/check/in_a_row.h"
+#include "grader/check/property.h"
+#include "grader/check/repeat.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using pt::Rgb;
@@ -222,4 +222,4 @@ PROMISE(diffuse_bsdf, goes_on_with_the_sampler) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

@@ -1,11 +1,11 @@
-#include "grader/property/closed_forms.h"
-#include "grader/property/directions_found.h"
-#include "grader/property/generators.h"
-#include "grader/property/in_a_row.h"
-#include "grader/property/property.h"
-#include "grader/property/repeat.h"
-#include "grader/property/scenes.h"
-#include "grader/property/textbook.h"
+#include "grader/check/closed_forms.h"
+#include "grader/check/directions_found.h"
+#include "grader/check/generators.h"
+#include "grader/check/in_a_row.h"
+#include "grader/check/property.h"
+#include "grader/check/repeat.h"
+#include "grader/check/scenes.h"
+#include "grader/check/textbook.h"
 #include "grader/tasks/direct_hemisphere/surroundings.h"
 #include "pt/tasks/direct_hemisphere.h"
 
@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace direct_hemisphere_cases;
@@ -243,4 +243,4 @@ PROMISE(direct_hemisphere, goes_on_with_the_sampler) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "grader/property/closed_forms.h"
-#include "grader/property/generators.h"
-#include "grader/property/scenes.h"
+#include "grader/check/closed_forms.h"
+#include "grader/check/generators.h"
+#include "grader/check/scenes.h"
 
 #include <vector>
 
 // What direct_hemisphere looks at: scenes around a shaded point, which is the origin of the stage
 // and has its normal along z.
 
-namespace grader::direct_hemisphere_cases {
+namespace grader::check::direct_hemisphere_cases {
 
 inline pt::Rgb any_radiance() { return *color(0.25, 4); }
 
@@ -130,4 +130,4 @@ inline rc::Gen<Situation> in_a_room_lit_at_the_horizon() {
   });
 }
 
-}  // namespace grader::direct_hemisphere_cases
+}  // namespace grader::check::direct_hemisphere_cases

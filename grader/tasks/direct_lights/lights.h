@@ -1,12 +1,12 @@
 #pragma once
 
-#include "grader/property/generators.h"
-#include "grader/property/scenes.h"
+#include "grader/check/generators.h"
+#include "grader/check/scenes.h"
 
 // The lights that direct_lights is tried with: each function puts one of random size and place on a
 // stage, where the shaded point is the origin and its normal along z.
 
-namespace grader::direct_lights_cases {
+namespace grader::check::direct_lights_cases {
 
 inline pt::Rgb any_radiance() { return *color(0.25, 4); }
 
@@ -174,4 +174,4 @@ inline void under_a_lid(Stage& stage) {
   stage.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
 }
 
-}  // namespace grader::direct_lights_cases
+}  // namespace grader::check::direct_lights_cases

@@ -1,9 +1,9 @@
-#include "grader/property/generators.h"
-#include "grader/property/in_a_row.h"
-#include "grader/property/property.h"
-#include "grader/property/repeat.h"
-#include "grader/property/scenes.h"
-#include "grader/property/textbook.h"
+#include "grader/check/generators.h"
+#include "grader/check/in_a_row.h"
+#include "grader/check/property.h"
+#include "grader/check/repeat.h"
+#include "grader/check/scenes.h"
+#include "grader/check/textbook.h"
 #include "grader/tasks/direct_lights/lights.h"
 #include "pt/tasks/direct_lights.h"
 
@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace direct_lights_cases;
@@ -260,4 +260,4 @@ PROMISE(direct_lights, goes_on_with_the_sampler) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

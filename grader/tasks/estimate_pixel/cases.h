@@ -1,9 +1,9 @@
 #pragma once
 
-#include "grader/property/cameras.h"
-#include "grader/property/generators.h"
-#include "grader/property/show.h"
-#include "grader/stand_ins/scripted_radiance.h"
+#include "grader/check/cameras.h"
+#include "grader/check/generators.h"
+#include "grader/check/scripted_radiance.h"
+#include "grader/check/show.h"
 #include "pt/tasks/estimate_pixel.h"
 
 #include <cmath>
@@ -15,7 +15,7 @@
 
 // Pixels of pictures of any shape, and what estimate_pixel asked of radiance() for them.
 
-namespace grader::estimate_pixel_cases {
+namespace grader::check::estimate_pixel_cases {
 
 struct Pixel {
   pt::Camera camera;
@@ -140,4 +140,4 @@ inline pt::Vec2 in_pixel(const Pixel& p, const pt::Ray& ray) {
   return {at.x * p.width - p.x, at.y * p.height - p.y};
 }
 
-}  // namespace grader::estimate_pixel_cases
+}  // namespace grader::check::estimate_pixel_cases

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/property/closed_forms.h"
-#include "grader/property/property.h"
+#include "grader/check/closed_forms.h"
+#include "grader/check/property.h"
 #include "pt/math/vec3.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 // Whether points are spread evenly over a pixel, and where they are not.
 
-namespace grader::estimate_pixel_cases {
+namespace grader::check::estimate_pixel_cases {
 
 using Points = std::vector<pt::Vec2>;  // each in [0, 1] on both axes
 
@@ -96,4 +96,4 @@ inline void expect_even(const Points& points) {
          what_is_missing(points, cells));
 }
 
-}  // namespace grader::estimate_pixel_cases
+}  // namespace grader::check::estimate_pixel_cases

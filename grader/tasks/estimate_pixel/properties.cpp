@@ -1,4 +1,4 @@
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 #include "grader/tasks/estimate_pixel/cases.h"
 #include "grader/tasks/estimate_pixel/points.h"
 
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace estimate_pixel_cases;
@@ -189,4 +189,4 @@ PROMISE(estimate_pixel, forgets_the_pixel_before) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/property/generators.h"
-#include "grader/property/show.h"
+#include "grader/check/generators.h"
+#include "grader/check/show.h"
 #include "pt/geometry/box.h"
 #include "pt/geometry/ray.h"
 
@@ -10,7 +10,7 @@
 
 // Boxes, and rays that are known to meet or to miss them.
 
-namespace grader::hit_box_cases {
+namespace grader::check::hit_box_cases {
 
 struct Case {
   pt::Box box;
@@ -278,4 +278,4 @@ inline rc::Gen<Case> grazing() {
   });
 }
 
-}  // namespace grader::hit_box_cases
+}  // namespace grader::check::hit_box_cases

@@ -1,16 +1,16 @@
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 #include "grader/tasks/hit_box/cases.h"
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace hit_box_cases;
 
 std::string show(const std::optional<pt::Interval>& interval) {
-  return interval ? "t from " + grader::show(interval->min) + " to " + grader::show(interval->max)
+  return interval ? "t from " + check::show(interval->min) + " to " + check::show(interval->max)
                   : "no interval";
 }
 
@@ -203,4 +203,4 @@ PROMISE(hit_box, takes_rays_in_its_sides_bonus) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

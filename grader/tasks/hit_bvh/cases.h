@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/property/generators.h"
-#include "grader/property/many.h"
-#include "grader/property/show.h"
+#include "grader/check/generators.h"
+#include "grader/check/many.h"
+#include "grader/check/show.h"
 #include "pt/geometry/bvh.h"
 #include "pt/geometry/primitives.h"
 
@@ -13,7 +13,7 @@
 
 // Primitives, trees of all shapes over them, which the test builds itself, and rays.
 
-namespace grader::hit_bvh_cases {
+namespace grader::check::hit_bvh_cases {
 
 // How a range of primitives is divided.
 enum class Shape { balanced, random, chain, left_chain, right_chain, leaf };
@@ -142,4 +142,4 @@ inline pt::Bvh tree_in_order(const pt::Primitives& primitives, Shape shape, Many
   return maker.bvh;
 }
 
-}  // namespace grader::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_cases

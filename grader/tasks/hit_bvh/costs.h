@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 #include "grader/tasks/hit_bvh/queries.h"
 #include "pt/tasks/hit_box.h"
 
@@ -10,7 +10,7 @@
 
 // What a query asked about, held against the tree.
 
-namespace grader::hit_bvh_cases {
+namespace grader::check::hit_bvh_cases {
 
 inline bool same(const pt::Box& a, const pt::Box& b) { return a.min == b.min && a.max == b.max; }
 inline bool same(const pt::Sphere& a, const pt::Sphere& b) { return a.center == b.center; }
@@ -100,4 +100,4 @@ inline void expect_no_test_twice(const Case& c, bool any) {
   }
 }
 
-}  // namespace grader::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_cases

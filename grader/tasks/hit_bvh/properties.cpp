@@ -1,5 +1,5 @@
-#include "grader/property/property.h"
-#include "grader/stand_ins/counting.h"
+#include "grader/check/counting.h"
+#include "grader/check/property.h"
 #include "grader/tasks/hit_bvh/costs.h"
 #include "grader/tasks/hit_bvh/queries.h"
 #include "grader/tasks/hit_bvh/scenes.h"
@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace hit_bvh_cases;
@@ -236,4 +236,4 @@ PROMISE(hit_bvh, stops_at_any_hit) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

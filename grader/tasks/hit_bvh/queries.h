@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/property/property.h"
-#include "grader/stand_ins/counting.h"
+#include "grader/check/counting.h"
+#include "grader/check/property.h"
 #include "grader/tasks/hit_bvh/scenes.h"
 #include "grader/tasks/hit_bvh/truth.h"
 #include "pt/tasks/hit_bvh.h"
@@ -12,7 +12,7 @@
 
 // Queries of the function under test, and what they asked of the tasks that it calls.
 
-namespace grader::hit_bvh_cases {
+namespace grader::check::hit_bvh_cases {
 
 inline std::optional<pt::Hit> ask(const Case& c) { return pt::hit_bvh(c.bvh, c.primitives, c.ray); }
 
@@ -129,4 +129,4 @@ inline double t_error(const Truth& truth) {
   return error;
 }
 
-}  // namespace grader::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_cases

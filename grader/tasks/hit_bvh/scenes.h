@@ -8,7 +8,7 @@
 // Random scenes with trees over them, and rays of which every right hit_triangle and hit_sphere say
 // the same.
 
-namespace grader::hit_bvh_cases {
+namespace grader::check::hit_bvh_cases {
 
 struct Wanted {
   int least = 1, most = 40;
@@ -144,4 +144,4 @@ inline rc::Gen<Case> deep_tree() {
       {.least = 1100, .most = 1300, .padding = 20, .max_leaf = 1, .size = 0.5, .all_of_ray = true});
 }
 
-}  // namespace grader::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_cases

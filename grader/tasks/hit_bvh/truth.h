@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/property/show.h"
+#include "grader/check/show.h"
 #include "grader/tasks/hit_bvh/cases.h"
 #include "pt/geometry/primitives.h"
 
@@ -15,7 +15,7 @@
 // only as precise as its contract; where hit_bvh is judged by itself, the judge answers, and what
 // hit_bvh returns has to be that, unchanged.
 
-namespace grader::hit_bvh_cases {
+namespace grader::check::hit_bvh_cases {
 
 // One primitive and one ray.
 struct Meeting {
@@ -115,4 +115,4 @@ inline std::string shown(const std::optional<pt::Hit>& hit) {
   return hit ? "t " + show(hit->t) + " of primitive " + std::to_string(hit->primitive) : "no hit";
 }
 
-}  // namespace grader::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_cases

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/property/generators.h"
-#include "grader/property/show.h"
+#include "grader/check/generators.h"
+#include "grader/check/show.h"
 #include "pt/geometry/ray.h"
 #include "pt/geometry/sphere.h"
 
@@ -11,7 +11,7 @@
 // Spheres, and rays along lines whose two points on the sphere are known. Lengths are in radii
 // where nothing else is said.
 
-namespace grader::hit_sphere_cases {
+namespace grader::check::hit_sphere_cases {
 
 // The contract's precision: of a point and of a normal, and how near to touching is too near to
 // call.
@@ -156,4 +156,4 @@ inline double distance_from_centre(const pt::Sphere& sphere, const pt::Ray& ray,
   return pt::length(ray.at(t) - sphere.center) / sphere.radius;
 }
 
-}  // namespace grader::hit_sphere_cases
+}  // namespace grader::check::hit_sphere_cases

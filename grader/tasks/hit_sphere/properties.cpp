@@ -1,11 +1,11 @@
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 #include "grader/tasks/hit_sphere/cases.h"
 #include "pt/tasks/hit_sphere.h"
 
 #include <array>
 #include <optional>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace hit_sphere_cases;
@@ -232,4 +232,4 @@ PROMISE(hit_sphere, stays_accurate_at_any_distance_bonus) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/property/generators.h"
-#include "grader/property/show.h"
+#include "grader/check/generators.h"
+#include "grader/check/show.h"
 #include "pt/geometry/ray.h"
 #include "pt/geometry/triangle.h"
 
@@ -11,7 +11,7 @@
 
 // Triangles, and rays at known points of their planes.
 
-namespace grader::hit_triangle_cases {
+namespace grader::check::hit_triangle_cases {
 
 // The contract's precision: of t, as a part of the largest length that is involved, and of n.
 inline constexpr double kPrecision = 1e-9;
@@ -228,4 +228,4 @@ inline rc::Gen<Fan> aimed_between() {
   });
 }
 
-}  // namespace grader::hit_triangle_cases
+}  // namespace grader::check::hit_triangle_cases

@@ -1,10 +1,10 @@
-#include "grader/property/property.h"
+#include "grader/check/property.h"
 #include "grader/tasks/hit_triangle/cases.h"
 #include "pt/tasks/hit_triangle.h"
 
 #include <algorithm>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace hit_triangle_cases;
@@ -249,4 +249,4 @@ PROMISE(hit_triangle, leaves_no_gap_at_shared_edges_bonus) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

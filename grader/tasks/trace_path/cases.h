@@ -1,10 +1,10 @@
 #pragma once
 
-#include "grader/property/closed_forms.h"
-#include "grader/property/generators.h"
-#include "grader/property/property.h"
-#include "grader/property/repeat.h"
-#include "grader/property/rooms.h"
+#include "grader/check/closed_forms.h"
+#include "grader/check/generators.h"
+#include "grader/check/property.h"
+#include "grader/check/repeat.h"
+#include "grader/check/rooms.h"
 #include "pt/tasks/trace_path.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 // Rooms, what is asked of them, and how noisy an answer may be.
 
-namespace grader::paths {
+namespace grader::check::paths {
 
 using pt::PathSettings;
 using pt::Rgb;
@@ -184,4 +184,4 @@ inline double correlation(const std::vector<double>& a, const std::vector<double
   return products / std::sqrt(squares_a * squares_b);
 }
 
-}  // namespace grader::paths
+}  // namespace grader::check::paths

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace grader {
+namespace grader::check {
 namespace {
 
 using namespace paths;
@@ -299,4 +299,4 @@ PROMISE(trace_path, stays_finite) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::check

@@ -1,0 +1,126 @@
+#include "grader/base/files.h"
+
+#include "grader/base/descriptor.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <sstream>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+namespace grader::base {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw pt::Error(path + ": cannot be read");
+  return text.str();
+}
+
+std::string temporary_name(const std::string& path) {
+  static std::atomic<int> serial{0};
+  return fmt::format("{}.{}.{}", path, getpid(), ++serial);
+}
+
+void write_file(const std::string& path, std::string_view text) {
+  const std::string temporary = temporary_name(path);
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(temporary, path, error);
+  if (!file || error) throw pt::Error(path + ": cannot be written");
+}
+
+std::string stamp(const std::string& path) {
+  struct stat found {};
+  if (stat(path.c_str(), &found) != 0)
+    throw pt::Error(path + " is missing: build the target grade");
+  return fmt::format("{} {} {}.{}\n", path, found.st_size, found.st_mtim.tv_sec,
+                     found.st_mtim.tv_nsec);
+}
+
+Submitted read_plain_file(int folder, const std::string& name, std::size_t most) {
+  // Without O_NONBLOCK, opening a named pipe would wait for a writer.
+  const Descriptor file(
+      openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (!file.is_open()) {
+    if (errno == ENOENT) return {};
+    return {true, "the file is a link, or cannot be read", ""};
+  }
+  struct stat found {};
+  if (fstat(file.number(), &found) != 0 || !S_ISREG(found.st_mode)) {
+    return {true, "the file is no regular file", ""};
+  }
+  const std::string too_large = fmt::format("the file is larger than {} MiB", most >> 20);
+  if (found.st_size > static_cast<off_t>(most)) return {true, too_large, ""};
+  // It may still grow.
+  std::string text(static_cast<std::size_t>(found.st_size) + 1, '\0');
+  std::size_t size = 0;
+  for (ssize_t got = 1; got > 0; size += static_cast<std::size_t>(got)) {
+    if (size == text.size()) text.resize(std::min(most + 1, 2 * size));
+    if (size == text.size()) return {true, too_large, ""};
+    got = read(file.number(), text.data() + size, text.size() - size);
+    if (got < 0) return {true, "the file cannot be read", ""};
+  }
+  text.resize(size);
+  return {true, "", text};
+}
+
+namespace {
+
+// The file at the end of a way through folders.
+Submitted read_along(int top, std::span<const std::string> way, const std::string& name) {
+  if (way.empty()) return read_plain_file(top, name, kMaxFile);
+  const Descriptor inner(
+      openat(top, way[0].c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (inner.is_open()) return read_along(inner.number(), way.subspan(1), name);
+  if (errno == ENOENT) return {};
+  return {true, way[0] + " is no plain folder", ""};
+}
+
+bool starts_tree(const std::string& name) {
+  return name == "student" || (name.size() > 1 && std::isdigit(name[0]) != 0 && name[1] == '_');
+}
+
+}  // namespace
+
+Submitted read_submitted(const std::string& folder, const std::string& part,
+                         const std::string& slug) {
+  const Descriptor top(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!top.is_open()) throw pt::Error(folder + " is no folder; name one with --submission");
+  const std::vector<std::string> ways[] = {{part}, {"student", part}, {}, {"student"}};
+  for (const std::vector<std::string>& way : ways) {
+    Submitted found = read_along(top.number(), way, slug + ".cpp");
+    if (found.present) return found;
+  }
+  return {};
+}
+
+std::string submission_root(const std::string& folder) {
+  std::string root = folder;
+  for (int depth = 0; depth < 4; ++depth) {
+    std::vector<fs::directory_entry> inside;
+    for (const auto& entry : fs::directory_iterator(root)) inside.push_back(entry);
+    if (inside.size() != 1) break;
+    const bool plain = inside[0].is_directory() && !inside[0].is_symlink();
+    if (!plain || starts_tree(inside[0].path().filename())) break;
+    root = inside[0].path();
+  }
+  return root;
+}
+
+}  // namespace grader::base

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace grader::base {
+
+// The whole file. Throws pt::Error if it cannot be read.
+std::string read_file(const std::string& path);
+
+// A name for a file next to `path` that no one else uses.
+std::string temporary_name(const std::string& path);
+
+// Written next to `path` and renamed, so that no one reads half of it.
+void write_file(const std::string& path, std::string_view text);
+
+// A file that changes whenever the content may have: its path, size and time, as text.
+std::string stamp(const std::string& path);
+
+// A file that somebody else made.
+struct Submitted {
+  bool present = false;
+  std::string rejected;  // why the file is not accepted; empty if it is
+  std::string text;
+};
+
+// The file `name` in an open folder: what is a link, no regular file, or larger than `most` bytes,
+// is rejected.
+Submitted read_plain_file(int folder, const std::string& name, std::size_t most);
+
+inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
+
+// Reads the file of a task, without following a link below the folder: what is no regular file, or
+// larger than kMaxFile, is rejected. It is the first there is of <part>/<slug>.cpp,
+// student/<part>/<slug>.cpp, <slug>.cpp and student/<slug>.cpp.
+Submitted read_submitted(const std::string& folder, const std::string& part,
+                         const std::string& slug);
+
+// Where the tree of a submission starts: the folder, or what is in it as long as that is one folder
+// and nothing else, as archives unpack. The folders of a tree (student, 1_rays) are never entered.
+std::string submission_root(const std::string& folder);
+
+}  // namespace grader::base

@@ -1,0 +1,34 @@
+#include "grader/check/cameras.h"
+
+#include <cmath>
+#include <limits>
+
+namespace grader::check {
+
+rc::Gen<pt::Camera> camera() {
+  return rc::gen::exec([] {
+    pt::Camera made;
+    made.position = *point();
+    made.camera_to_world = *rotation();
+    made.hfov_deg = *real(10, 130);
+    made.vfov_deg = *real(10, 130);
+    made.near_clip = *real(0, 2);
+    made.far_clip = *rc::gen::element(10.0, 1000.0, pt::kInfinity);
+    return made;
+  });
+}
+
+pt::Vec2 on_window(const pt::Camera& camera, pt::Vec3 direction) {
+  const pt::Vec3 local = camera.camera_to_world.to_local(direction);
+  const double ahead = local.z < 0 ? -local.z : std::numeric_limits<double>::quiet_NaN();
+  const double width = std::tan(camera.hfov_deg * pt::kPi / 360);
+  const double height = std::tan(camera.vfov_deg * pt::kPi / 360);
+  return {local.x / ahead / width, local.y / ahead / height};
+}
+
+pt::Vec2 on_picture(const pt::Camera& camera, pt::Vec3 direction) {
+  const pt::Vec2 at = on_window(camera, direction);
+  return {0.5 + 0.5 * at.x, 0.5 + 0.5 * at.y};
+}
+
+}  // namespace grader::check

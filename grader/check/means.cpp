@@ -1,0 +1,136 @@
+#include "grader/check/fail.h"
+#include "grader/check/property.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+// Means of random draws: what they may be by chance, and how noisy the draws may be.
+
+namespace grader::check {
+
+using pt::Rgb;
+
+namespace {
+
+Rgb sqrt(Rgb c) { return {std::sqrt(c.r), std::sqrt(c.g), std::sqrt(c.b)}; }
+Rgb abs(Rgb c) { return {std::abs(c.r), std::abs(c.g), std::abs(c.b)}; }
+
+Rgb larger(Rgb a, Rgb b) { return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)}; }
+
+// More than half of a sum in one draw: another sample of draws would have had another mean.
+bool hangs_on_one_draw(const Mean& got, int channel) {
+  return got.n > 2 && got.largest_share[channel] > 0.5;
+}
+
+// The standard deviation that draws of the largest right one exceed less than once in a million
+// samples of this size: what is measured of n draws has a relative variance of about kurtosis / n.
+double most_measured(const Noise& at_most, int channel, int n) {
+  const double by_chance = kStandardErrors * std::sqrt(at_most.kurtosis / n);
+  return at_most.deviation[channel] * std::sqrt(1 + by_chance);
+}
+
+double deviation(const Mean& got, int channel) {
+  return got.standard_error[channel] * std::sqrt(static_cast<double>(got.n));
+}
+
+[[noreturn]] void fail_mean(const std::string& what, const Mean& got, Rgb expected, double allowed,
+                            int channel) {
+  const double off = std::abs(got.value[channel] - expected[channel]);
+  const double ratio = got.value[channel] / expected[channel];
+  fail(what, fmt::format("{} as the mean of {}", brief(got.value), got.n),
+       fmt::format("{}, give or take {:.2g}", brief(expected), allowed),
+       std::isfinite(ratio) ? fmt::format("{:.3g} ({:.4g} times what was expected)", off, ratio)
+                            : fmt::format("{:.3g}", off));
+}
+
+// The first word of such a failure: whether the mean would do if the noise were none.
+std::string too_noisy(bool right) {
+  return right ? "right on average, but too noisy" : "too noisy to judge";
+}
+
+[[noreturn]] void fail_one_draw(const std::string& what, const Mean& got, int channel, bool right) {
+  fail(what,
+       fmt::format("{}: one of {} estimates is {:.0f} % of their sum", too_noisy(right), got.n,
+                   100 * got.largest_share[channel]),
+       "estimates of about the same size");
+}
+
+[[noreturn]] void fail_noise(const std::string& what, const Mean& got, double most, int channel,
+                             bool right) {
+  fail(what,
+       fmt::format("{}: estimates with a standard deviation of {:.3g}, mean {}", too_noisy(right),
+                   deviation(got, channel), brief(got.value)),
+       fmt::format("a standard deviation of {:.3g} at most", most));
+}
+
+}  // namespace
+
+Mean mean_of(const std::vector<Rgb>& draws) {
+  const double n = static_cast<double>(draws.size());
+  Rgb mean, squares, sum, largest;
+  for (const Rgb& draw : draws) {
+    mean += draw / n;
+    sum += abs(draw);
+    largest = larger(largest, abs(draw));
+  }
+  for (const Rgb& draw : draws) squares += (draw - mean) * (draw - mean);
+  Rgb share;
+  for (int channel = 0; channel < 3; ++channel) {
+    if (sum[channel] > 0) share[channel] = largest[channel] / sum[channel];
+  }
+  return {mean, sqrt(squares / (n * (n - 1))), static_cast<int>(draws.size()), share};
+}
+
+Noise noise_of(const std::vector<Rgb>& usual, double factor) {
+  const Mean mean = mean_of(usual);
+  const double n = static_cast<double>(mean.n);
+  Rgb fourth;
+  for (const Rgb& draw : usual) {
+    const Rgb squared = (draw - mean.value) * (draw - mean.value);
+    fourth += squared * squared / n;
+  }
+  Noise noise{factor * std::sqrt(n) * mean.standard_error};
+  for (int channel = 0; channel < 3; ++channel) {
+    const double variance = n * mean.standard_error[channel] * mean.standard_error[channel];
+    if (variance > 0) {
+      noise.kurtosis = std::max(noise.kurtosis, fourth[channel] / (variance * variance));
+    }
+  }
+  return noise;
+}
+
+void expect_mean(const std::string& what, const Mean& got, Rgb expected, double slack) {
+  for (int channel = 0; channel < 3; ++channel) {
+    const double allowed = kStandardErrors * got.standard_error[channel] + slack;
+    if (!(std::abs(got.value[channel] - expected[channel]) <= allowed)) {
+      fail_mean(what, got, expected, allowed, channel);
+    }
+    if (hangs_on_one_draw(got, channel)) fail_one_draw(what, got, channel, false);
+  }
+}
+
+void expect_mean(const std::string& what, const Mean& got, Rgb expected, const Noise& at_most,
+                 double slack) {
+  for (int channel = 0; channel < 3; ++channel) {
+    const double off = std::abs(got.value[channel] - expected[channel]);
+    const double allowed = kStandardErrors * got.standard_error[channel] + slack;
+    if (!(off <= allowed)) fail_mean(what, got, expected, allowed, channel);
+    const double most = most_measured(at_most, channel, got.n);
+    const bool right = off <= kStandardErrors * most / std::sqrt(got.n) + slack;
+    if (!(deviation(got, channel) <= most + slack)) {
+      fail_noise(what, got, most + slack, channel, right);
+    }
+    if (hangs_on_one_draw(got, channel)) fail_one_draw(what, got, channel, right);
+  }
+}
+
+void expect_noise(const std::string& what, const Mean& got, const Noise& at_most, double slack) {
+  for (int channel = 0; channel < 3; ++channel) {
+    const double most = most_measured(at_most, channel, got.n) + slack;
+    if (!(deviation(got, channel) <= most)) fail_noise(what, got, most, channel, true);
+  }
+}
+
+}  // namespace grader::check

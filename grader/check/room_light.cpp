@@ -1,0 +1,102 @@
+#include "grader/check/property.h"
+#include "grader/check/rooms.h"
+
+#include <algorithm>
+#include <cmath>
+
+// How much light leaves the point of a room, and how noisy a path tracer is there.
+
+namespace grader::check {
+
+using pt::Rgb;
+
+namespace {
+
+Rgb squared(Rgb c) { return c * c; }
+
+Rgb root(Rgb c) {
+  const auto positive = [](double x) { return std::sqrt(std::max(0.0, x)); };
+  return {positive(c.r), positive(c.g), positive(c.b)};
+}
+
+// What is found from bounce k on, for each place.
+using Moments = std::vector<Rgb>;
+
+Rgb expected_next(const Place& place, const Moments& next) {
+  Rgb sum;
+  for (std::size_t i = 0; i < next.size(); ++i) sum += place.leads[i] * next[i];
+  return sum;
+}
+
+// The means after exactly one more bounce.
+Moments one_bounce_more(const std::vector<Place>& places, const Moments& radiance) {
+  Moments all;
+  all.reserve(places.size());
+  for (const Place& place : places) {
+    all.push_back(place.albedo * expected_next(place, radiance));
+  }
+  return all;
+}
+
+template <class Visit>
+void each_bounce(const Room& room, int from, int to, Visit visit) {
+  Moments radiance;
+  for (const Place& place : room.places) radiance.push_back(place.direct);
+  for (int k = 1; k <= to; ++k) {
+    if (k >= from) visit(k, radiance[0]);
+    radiance = one_bounce_more(room.places, radiance);
+  }
+}
+
+// Of one estimate of the direct light at any point of the place. Light without noise stays so.
+Rgb variance_of_direct(const Place& place, int samples, const PathNoise& noise) {
+  Rgb one = place.variance_of_a_sample;
+  if (noise.most_of_direct > 0 && !is_black(one)) {
+    const Rgb mean = squared(place.direct);
+    const double factor = noise.most_of_direct * noise.most_of_direct;
+    one = factor * Rgb{std::max(one.r, mean.r), std::max(one.g, mean.g), std::max(one.b, mean.b)};
+  }
+  return place.variance + one / samples;
+}
+
+}  // namespace
+
+Rgb Room::sum(int from, int to) const {
+  Rgb sum;
+  each_bounce(*this, from, to, [&](int, Rgb radiance) { sum += radiance; });
+  return sum;
+}
+
+// Bounce k has k - 1 factors f, cos and pdf, and direct light, which has as many itself.
+double Room::precision(int from, int to) const {
+  double sum = 0;
+  each_bounce(*this, from, to,
+              [&](int k, Rgb radiance) { sum += 4 * k * kColorPrecision * max_channel(radiance); });
+  return sum;
+}
+
+// With D the direct light at a place, w the throughput of a bounce and X' what is found from the
+// next bounce on, X = D + w X', and D does not depend on w X':
+//   E X = E D + E w E X'    E X^2 = E D^2 + 2 E D E w E X' + E w^2 E X'^2
+Rgb deviation(const Room& room, const pt::PathSettings& settings, const PathNoise& noise) {
+  const std::size_t n = room.places.size();
+  Moments mean(n), mean_square(n);
+  for (int k = settings.to; k >= 1; --k) {
+    const Moments later = mean, later_square = mean_square;
+    const double survival = k == 1 ? 1 : noise.survival;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Place& place = room.places[i];
+      const Rgb rest = place.albedo * expected_next(place, later);
+      mean[i] = rest;
+      mean_square[i] = squared(place.albedo) * expected_next(place, later_square) *
+                       (noise.mean_square / survival);
+      if (k < settings.from) continue;
+      mean[i] += place.direct;
+      mean_square[i] += squared(place.direct) + 2 * place.direct * rest +
+                        variance_of_direct(place, settings.light_samples, noise);
+    }
+  }
+  return root(mean_square[0] - squared(mean[0]));
+}
+
+}  // namespace grader::check

@@ -1,0 +1,195 @@
+#include "grader/judge/alone.h"
+
+#include "grader/base/files.h"
+#include "grader/base/parallel.h"
+#include "grader/base/sha256.h"
+#include "grader/results/promises.h"
+#include "grader/tasks.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include <fmt/format.h>
+
+namespace grader::judge {
+
+namespace {
+
+// One entry a promise of the contract, not kept so far. Promises without a property do not count.
+std::vector<results::PromiseResult> promises_to_judge(const Config& config,
+                                                      const std::string& slug) {
+  std::vector<results::PromiseResult> promises;
+  for (const results::Promise& promise :
+       results::promises_of(base::read_file(config.root + "/pt/tasks/" + slug + ".h"))) {
+    results::PromiseResult result;
+    result.name = promise.name;
+    result.words = promise.title + (promise.words.empty() ? "" : ": " + promise.words);
+    result.bonus = promise.bonus;
+    promises.push_back(result);
+  }
+  return promises;
+}
+
+void refuse(results::TaskResult& result, results::State state, const std::string& reason,
+            const std::string& output = "") {
+  result.state = state;
+  result.reason = reason;
+  result.compiler_output = output;
+}
+
+// Compilers name the file as they were given it; people look for it in the submission.
+std::string in_folder(std::string text, const TaskConfig& task, const std::string& folder) {
+  for (std::size_t at = text.find(task.file()); at != std::string::npos;
+       at = text.find(task.file(), at + folder.size() + 1 + task.file().size())) {
+    text.insert(at, folder + "/");
+  }
+  return text;
+}
+
+void compile_one(const Builder& builder, const GradeRequest& request, Judged& judged) {
+  const TaskConfig& task = *judged.config;
+  results::TaskResult& result = judged.result;
+  const base::Submitted file = base::read_submitted(request.submission, task.part, task.slug);
+  if (!file.present)
+    return refuse(result, results::State::not_attempted, "there is no " + task.file());
+  if (!file.rejected.empty()) return refuse(result, results::State::rejected, file.rejected);
+  judged.content = base::sha256(file.text);
+  judged.object = builder.compile(task, file.text);
+  result.warnings = in_folder(judged.object.warnings, task, request.submission);
+  if (!judged.object.rejected.empty()) {
+    return refuse(result, results::State::rejected, judged.object.rejected);
+  }
+  if (!judged.object.ok()) {
+    return refuse(result, results::State::fail, "it does not compile",
+                  in_folder(judged.object.error, task, request.submission));
+  }
+}
+
+void judge_one(const Config& config, const Builder& builder, const GradeRequest& request,
+               Judged& judged) {
+  if (!judged.object.ok()) return;
+  const TaskConfig& task = *judged.config;
+  results::TaskResult& result = judged.result;
+  const Built worker = link_alone(config, builder, judged, Elsewhere::answers);
+  if (!worker.ok()) return refuse(result, results::State::fail, "it does not link", worker.error);
+  const Findings findings = try_worker(builder, {task, worker, false, request, {}});
+  // The properties say what can be judged; that each promise has one is checked elsewhere.
+  if (findings.broken.empty()) {
+    std::erase_if(result.promises, [&](const results::PromiseResult& promise) {
+      return std::none_of(
+          findings.promises.begin(), findings.promises.end(),
+          [&](const results::PromiseResult& found) { return found.name == promise.name; });
+    });
+  }
+  enter(findings, request, result);
+  judged.right_alone = result.state == results::State::pass;
+}
+
+results::State state_of(const std::vector<results::PromiseResult>& promises) {
+  results::State state = results::State::pass;
+  for (const results::PromiseResult& promise : promises) {
+    if (promise.bonus || promise.held) continue;
+    if (state == results::State::pass) state = results::State::fail;
+    for (const results::FailureReport& failure : promise.failures) {
+      if (failure.cause == "crash") state = results::State::crash;
+      if (failure.cause == "timeout" && state != results::State::crash)
+        state = results::State::timeout;
+    }
+  }
+  return state;
+}
+
+// The result's own entry for a promise; one is made for a property that the contract does not list.
+results::PromiseResult& entry(results::TaskResult& result, const results::PromiseResult& found) {
+  for (results::PromiseResult& promise : result.promises) {
+    if (promise.name == found.name) return promise;
+  }
+  result.promises.push_back(found);
+  result.promises.back().failures.clear();
+  result.promises.back().words = found.name;
+  return result.promises.back();
+}
+
+}  // namespace
+
+void enter(const Findings& findings, const GradeRequest& request, results::TaskResult& result) {
+  if (!findings.broken.empty()) return refuse(result, results::State::fail, findings.broken);
+  if (!findings.printed.empty()) result.printed = findings.printed;
+  if (findings.todo.contains(result.slug)) {
+    return refuse(result, results::State::not_attempted, "it is not written yet");
+  }
+  for (const results::PromiseResult& found : findings.promises) {
+    results::PromiseResult& promise = entry(result, found);
+    if (promise.bonus && !promise.failures.empty()) continue;  // known from before
+    promise.held = found.held;
+    promise.seconds += found.seconds;
+    for (results::FailureReport failure : found.failures) {
+      failure.replay = fmt::format("./run grade {} --seed {}", result.slug, request.seed);
+      if (request.submission != "student") failure.replay += " --submission " + request.submission;
+      promise.failures.push_back(failure);
+    }
+  }
+  result.state = state_of(result.promises);
+  if (findings.kept.empty()) return;
+  result.keeps_state = true;
+  result.reason = fmt::format(
+      "it keeps {} between calls, and tasks are called from several threads at once: "
+      "make it a local variable, a constant, or thread_local",
+      findings.kept);
+  if (result.state == results::State::pass) result.state = results::State::fail;
+}
+
+Judged not_judged(const Config& config, const TaskConfig& task) {
+  Judged judged;
+  judged.config = &task;
+  judged.result.part = task.part;
+  judged.result.number = task.number;
+  judged.result.slug = task.slug;
+  judged.result.promises = promises_to_judge(config, task.slug);
+  return judged;
+}
+
+Built link_alone(const Config& config, const Builder& builder, const Judged& judged,
+                 Elsewhere elsewhere) {
+  Paths objects;
+  std::string key = judged.object.key;
+  const Task& task = task_of(judged.config->slug);
+  const auto add = [&](const std::string& name, const Paths& reference) {
+    const bool answer =
+        elsewhere == Elsewhere::answers && (std::ranges::count(task.judge_answers, name) > 0 ||
+                                            std::ranges::count(task.mocks, name) > 0);
+    for (const std::string& path : answer ? config.callbacks.at(name) : reference) {
+      objects.push_back(path);
+      key += base::stamp(path);
+    }
+  };
+  for (const TaskConfig& other : config.tasks) {
+    if (other.slug != judged.config->slug) add(other.slug, other.reference);
+  }
+  add("radiance", config.radiance);
+  // Last: where inline functions are in several objects, the linker takes the first.
+  objects.push_back(judged.object.path);
+  return builder.link(objects, key, false);
+}
+
+void compile_all(const Builder& builder, const GradeRequest& request, std::vector<Judged>& judged) {
+  base::for_each(judged.size(), request.threads,
+                 [&](std::size_t i) { compile_one(builder, request, judged[i]); });
+}
+
+void judge_alone(const Config& config, const Builder& builder, const GradeRequest& request,
+                 std::vector<Judged>& judged, const std::function<void()>& progress) {
+  std::mutex mutex;
+  base::for_each(judged.size(), request.threads, [&](std::size_t i) {
+    Judged found = judged[i];  // the others report what they know of it meanwhile
+    judge_one(config, builder, request, found);
+    // Without a reference, what fails may fail because another task does.
+    found.settled =
+        found.right_alone ? needs(found.config->slug).empty() : config.no_reference.empty();
+    const std::lock_guard lock(mutex);
+    judged[i] = std::move(found);
+    progress();
+  });
+}
+
+}  // namespace grader::judge

@@ -1,0 +1,167 @@
+#include "grader/judge/together.h"
+
+#include "grader/base/files.h"
+#include "grader/base/parallel.h"
+#include "grader/tasks.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace grader::judge {
+
+namespace {
+
+const Judged* right_alone(const std::vector<Judged>& judged, const std::string& slug) {
+  for (const Judged& each : judged) {
+    if (each.config->slug == slug && each.right_alone) return &each;
+  }
+  return nullptr;
+}
+
+class Integration {
+ public:
+  Integration(const Config& config, const Builder& builder, const GradeRequest& request,
+              std::vector<Judged>& judged, const std::function<void()>& progress)
+      : config_(config),
+        builder_(builder),
+        request_(request),
+        judged_(judged),
+        progress_(progress) {}
+
+  void run() {
+    std::vector<Judged*> together;
+    for (Judged& each : judged_) {
+      if (each.result.state == results::State::pass && !needs(each.config->slug).empty() &&
+          !block(each)) {
+        together.push_back(&each);
+      }
+    }
+    if (!together.empty()) judge_all(together);
+    for (Judged& each : judged_) each.settled = true;
+  }
+
+ private:
+  void judge_all(std::vector<Judged*> together) {
+    const Built worker = link_together(config_, builder_, judged_, Elsewhere::answers);
+    std::mutex mutex;
+    base::for_each(together.size(), request_.threads, [&](std::size_t i) {
+      Judged found = *together[i];  // the others report what they know of it meanwhile
+      judge(found, worker);
+      found.settled = found.result.state == results::State::pass;
+      const std::lock_guard lock(mutex);
+      *together[i] = std::move(found);
+      progress_();
+    });
+    std::erase_if(together, [&](Judged* each) { return block_by_failed(*each, together); });
+    base::for_each(together.size(), request_.threads, [&](std::size_t i) { blame(*together[i]); });
+  }
+
+  void block(Judged& judged, const std::vector<std::string>& by) const {
+    judged.settled = true;
+    judged.result.state = results::State::blocked;
+    judged.result.blocked_by = by;
+    judged.result.reason = fmt::format("right by itself; judged with your own tasks when {} {}",
+                                       fmt::join(by, ", "), by.size() == 1 ? "passes" : "pass");
+  }
+
+  bool block(Judged& judged) const {
+    std::vector<std::string> by;
+    for (const std::string& slug : needs(judged.config->slug)) {
+      if (!right_alone(judged_, slug)) by.push_back(slug);
+    }
+    if (!by.empty()) block(judged, by);
+    return !by.empty();
+  }
+
+  // What fails because a task it asks fails in the same way waits for that one.
+  bool block_by_failed(Judged& judged, const std::vector<Judged*>& together) const {
+    if (judged.result.state == results::State::pass) return true;
+    std::vector<std::string> by;
+    for (const std::string& slug : needs(judged.config->slug)) {
+      for (const Judged* other : together) {
+        const bool fails = other->result.state != results::State::pass;
+        if (other->config->slug == slug && fails) by.push_back(slug);
+      }
+    }
+    if (!by.empty()) block(judged, by);
+    return !by.empty();
+  }
+
+  void judge(Judged& judged, const Built& worker) const {
+    if (!worker.ok()) {
+      judged.result.state = results::State::fail;
+      judged.result.reason = "it does not link together with your other tasks";
+      judged.result.compiler_output = worker.error;
+      return;
+    }
+    enter(try_worker(builder_, {*judged.config, worker, true, request_, {}}), request_,
+          judged.result);
+  }
+
+  void blame(Judged& judged) const {
+    if (!judged.result.compiler_output.empty()) return;
+    std::vector<std::string> failed;
+    for (const results::PromiseResult& promise : judged.result.promises) {
+      if (!promise.held && !promise.bonus) failed.push_back(promise.name);
+    }
+    for (const std::string& slug : needs(judged.config->slug)) {
+      const Built worker = link_together(config_, builder_, judged_, Elsewhere::answers, slug);
+      if (!worker.ok()) continue;
+      const Findings findings =
+          try_worker(builder_, {*judged.config, worker, true, request_, failed});
+      const bool mended =
+          findings.broken.empty() &&
+          std::all_of(findings.promises.begin(), findings.promises.end(),
+                      [](const results::PromiseResult& promise) { return promise.held; });
+      if (mended) judged.result.blamed.push_back(slug);
+    }
+    judged.result.reason = judged.result.blamed.empty()
+                               ? "right by itself; it fails only together with your other tasks"
+                               : fmt::format("right by itself; it fails only with your {}",
+                                             fmt::join(judged.result.blamed, " or "));
+  }
+
+  const Config& config_;
+  const Builder& builder_;
+  const GradeRequest& request_;
+  std::vector<Judged>& judged_;
+  const std::function<void()>& progress_;
+};
+
+}  // namespace
+
+// A task that is not right by itself must not spoil others.
+Built link_together(const Config& config, const Builder& builder, const std::vector<Judged>& judged,
+                    Elsewhere elsewhere, const std::string& swapped) {
+  Paths objects, own_objects;
+  std::string key;
+  const auto add = [&](const Paths& paths) {
+    for (const std::string& path : paths) {
+      objects.push_back(path);
+      key += base::stamp(path);
+    }
+  };
+  for (const TaskConfig& task : config.tasks) {
+    const Judged* own = right_alone(judged, task.slug);
+    if (own != nullptr && task.slug != swapped) {
+      own_objects.push_back(own->object.path);
+      key += own->object.key;
+    } else {
+      add(task.reference);
+    }
+  }
+  add(elsewhere == Elsewhere::answers ? config.callbacks.at("radiance") : config.radiance);
+  // Last: where inline functions are in several objects, the linker takes the first.
+  objects.insert(objects.end(), own_objects.begin(), own_objects.end());
+  return builder.link(objects, key, true);
+}
+
+void judge_together(const Config& config, const Builder& builder, const GradeRequest& request,
+                    std::vector<Judged>& judged, const std::function<void()>& progress) {
+  Integration(config, builder, request, judged, progress).run();
+}
+
+}  // namespace grader::judge

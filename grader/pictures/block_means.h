@@ -1,0 +1,48 @@
+#pragma once
+
+#include "pt/image/film.h"
+#include "pt/image/sample_map.h"
+
+#include <string>
+#include <vector>
+
+// A picture as means over blocks of 8 x 8 pixels: little enough to be kept for every mistake that
+// is known, and so little noise that one mistake is told from another.
+
+namespace grader::pictures {
+
+struct BlockMean {
+  double mean = 0;
+  double error = 0;  // its standard deviation
+
+  bool operator==(const BlockMean&) const = default;
+};
+
+struct BlockMeans {
+  int samples = 0;  // per pixel; of an adaptive picture, runs
+  // Red, green and blue, and of an adaptive picture the samples that its pixels took; in each the
+  // blocks row by row, the top row first. What a ragged border leaves of a block is a block.
+  std::vector<std::vector<BlockMean>> planes;
+
+  bool operator==(const BlockMeans&) const = default;
+};
+
+// Precondition: the film knows its samples and variances.
+BlockMeans block_means(const pt::Film& film);
+
+// Adds the plane of the samples per pixel, of one run. How much they vary between runs is not known
+// and taken from how much they vary within a block, which is more.
+void add_counts(BlockMeans& blocks, const pt::SampleMap& counts);
+
+// In letters and digits, means to 0.01 % and errors to 1 %; 5 characters for each value.
+std::string to_text(const BlockMeans& blocks);
+
+// Throws pt::Error for anything that to_text does not write.
+BlockMeans block_means_from(const std::string& text);
+
+// Whether both can be of one program, as far as their noise lets one see: a picture that is of the
+// program that made `known` is refused less than once in a thousand times. False for pictures of
+// different shapes.
+bool can_be(const BlockMeans& picture, const BlockMeans& known);
+
+}  // namespace grader::pictures

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "grader/pictures/golden.h"
+#include "grader/results/results.h"
+
+#include <vector>
+
+// The averages of a picture that are compared with the golden's: every pixel, blocks of three
+// sizes, and two sums over the whole picture.
+
+namespace grader::pictures {
+
+enum class Scale { pixel, block4, block8, block24, sum };
+inline constexpr int kScales = 5;
+
+struct Cell {
+  Scale scale = Scale::pixel;
+  int plane = kLuminance;
+  bool weighted = false;  // the sum that favours the pixels known best
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+// All that hold a pixel that is not constant. Blocks at a ragged border are what is left of them.
+std::vector<Cell> cells_of(const Golden& golden);
+
+// A cell that deviates too much.
+struct Complaint {
+  Cell cell;
+  double z = 0;          // how far beyond its margin, in standard deviations; at most 1e6
+  double threshold = 0;  // that |z| exceeds
+  double off_by = 0;     // relative to the golden
+
+  double evidence() const;  // |z| / threshold
+};
+
+// Of two complaints about one place: luminance says most, unless a channel is much further off.
+bool says_more(const Complaint& a, const Complaint& b);
+
+// The deviation of every cell and the threshold at which, over all cells together, a right picture
+// deviates so with a chance of at most `level`.
+std::vector<Complaint> measure(const Comparison& pictures, const std::vector<Cell>& cells,
+                               double level);
+
+// Those beyond their thresholds, the clearest first; at most `most`.
+std::vector<Complaint> exceeding(const std::vector<Complaint>& measured, std::size_t most);
+
+// What is left of `kept` on new samples: the same cells with the same sign.
+std::vector<Complaint> repeated(const Comparison& pictures, const std::vector<Complaint>& kept,
+                                double level);
+
+// Those that hold no smaller one, the clearest first; of several channels of a block the one that
+// says most.
+std::vector<Complaint> smallest(std::vector<Complaint> complaints);
+
+results::FailingCell failing_cell(const Complaint& complaint);
+
+}  // namespace grader::pictures

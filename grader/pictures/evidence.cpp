@@ -1,0 +1,59 @@
+#include "grader/pictures/evidence.h"
+
+#include "grader/pictures/guards.h"
+
+#include <algorithm>
+
+namespace grader::pictures {
+namespace {
+
+void lift(pt::Image& evidence, const Cell& cell, double value) {
+  value = std::min(value, kMostEvidence);
+  for (int y = cell.y; y < cell.y + cell.height; ++y) {
+    for (int x = cell.x; x < cell.x + cell.width; ++x) {
+      if (evidence.at(x, y).r < value) evidence.at(x, y) = pt::gray(value);
+    }
+  }
+}
+
+double blend(double old, double now, double part) { return old + (now - old) * part; }
+
+}  // namespace
+
+void PooledFilm::add(const Moments& stage) {
+  const int samples = stage.batches * stage.samples;
+  samples_ += samples;
+  freedom_ += stage.batches - 1;
+  const double part = static_cast<double>(samples) / samples_;
+  const double variance_part = static_cast<double>(stage.batches - 1) / freedom_;
+  for (std::size_t i = 0; i < film_.pixels.size(); ++i) {
+    pt::FilmPixel& pixel = film_.pixels[i];
+    pixel.samples = samples_;
+    for (int c = 0; c < 3; ++c) {
+      pixel.mean[c] = blend(pixel.mean[c], stage.mean[c][i], part);
+      pixel.variance[c] =
+          blend(pixel.variance[c], stage.variance[c][i] * stage.samples, variance_part);
+    }
+    pixel.variance_y =
+        blend(pixel.variance_y, stage.variance[kLuminance][i] * stage.samples, variance_part);
+  }
+}
+
+pt::Image evidence_map(const Golden& golden, const Moments& stage,
+                       const std::vector<Complaint>& measured, const std::vector<Complaint>& kept) {
+  pt::Image evidence(golden.width, golden.height);
+  for (const auto* complaints : {&measured, &kept}) {
+    for (const Complaint& one : *complaints) {
+      // Constant pixels take no part in the blocks that they lie in; they are set below.
+      if (one.cell.scale != Scale::sum) lift(evidence, one.cell, one.evidence());
+    }
+  }
+  for (std::size_t i = 0; i < golden.constant.size(); ++i) {
+    if (!golden.constant[i]) continue;
+    const double value = constant_error(golden, stage, i).evidence;
+    evidence.pixels[i] = pt::gray(std::min(value, kMostEvidence));
+  }
+  return evidence;
+}
+
+}  // namespace grader::pictures

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "pt/image/film.h"
+#include "pt/image/image.h"
+
+#include <array>
+#include <vector>
+
+// A golden and a submission's batches as planes of numbers: what the tests of a picture compute
+// with.
+
+namespace grader::pictures {
+
+// Red, green, blue, luminance.
+inline constexpr int kPlanes = 4;
+inline constexpr int kLuminance = 3;
+
+using Plane = std::vector<double>;  // a value a pixel, row by row
+using Planes = std::array<Plane, kPlanes>;
+
+inline double value(const pt::Rgb& color, int plane) {
+  return plane == kLuminance ? luminance(color) : color[plane];
+}
+
+struct Golden {
+  int width = 0;
+  int height = 0;
+  Planes mean;
+  Planes variance;                      // of one sample
+  Plane samples;                        // a pixel
+  std::array<double, kPlanes> scale{};  // what counts as bright: the mean over all pixels
+  std::vector<char> constant;           // pixels whose samples are all alike
+  Plane plain;                          // weights: 1, and 0 for constant pixels
+  Plane weighted;  // weights that favour the pixels known best, by their neighbours; 0 as above
+};
+
+Golden prepare(const pt::Film& film);
+
+// The batches of one stage.
+struct Moments {
+  int batches = 0;
+  int samples = 0;  // a pixel, of each batch
+  Planes mean;
+  Planes variance;  // between the batches, unbiased
+};
+
+// Precondition: at least two images, all of one size.
+Moments moments(const std::vector<pt::Image>& images, int samples);
+
+// Two pictures, and the variances of their difference that are known.
+struct Comparison {
+  const Golden& golden;
+  Planes difference;    // of the means
+  Planes own;           // by the judged picture's own batches
+  Planes expected;      // by the golden's variance
+  Planes golden_error;  // the golden's own
+};
+
+Comparison compare(const Golden& golden, const Moments& stage);
+
+}  // namespace grader::pictures

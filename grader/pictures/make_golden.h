@@ -1,0 +1,51 @@
+#pragma once
+
+#include "grader/pictures/moments.h"
+#include "grader/pictures/recipes.h"
+#include "pt/image/sample_map.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+// Renders goldens with the tasks that are linked, part by part.
+
+namespace grader::pictures {
+
+// How much is rendered of a recipe: `parts` pictures, each with a seed of its own and so many
+// samples a pixel; of an adaptive recipe each part is a run.
+struct Effort {
+  int parts = 16;
+  int samples = 256;
+};
+
+// 4096 samples a pixel, 16384 of a noisy recipe, 256 runs of an adaptive one: at least 64 times
+// what the first stage of a verdict takes, and 16 times the last.
+Effort usual_effort(const Recipe& recipe);
+
+// What has been rendered so far.
+struct GoldenState {
+  std::string hash;  // of the recipe's picture, and of the program that renders it
+  int samples = 0;   // a part
+  int parts = 0;     // that are in it
+  double cpu_seconds = 0;
+  std::vector<PixelMoments> pixels;      // row 0 is the top row
+  std::vector<std::vector<int>> counts;  // of an adaptive recipe, for each run; as `pixels`
+};
+
+// Goes on from what `partial` holds, if it is of the same picture, effort and program, and saves
+// there after every part. `progress` gets the part done, in [0, 1]. Throws pt::Error if a sample is
+// not finite.
+GoldenState render_golden(const Recipe& recipe, const Effort& effort, int threads,
+                          const std::filesystem::path& partial,
+                          const std::function<void(double)>& progress);
+
+// Of an adaptive recipe: 1 for each pixel whose first batch was all zero in one of the runs.
+std::vector<char> dark_starts(const Recipe& recipe, int runs, int threads);
+
+pt::Film film_of(const Recipe& recipe, const GoldenState& state);
+std::vector<pt::SampleMap> maps_of(const Recipe& recipe, const GoldenState& state);
+
+}  // namespace grader::pictures

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "grader/pictures/recipes.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+// Where a golden comes from: golden/<recipe>.json, beside <recipe>.exr.
+
+namespace grader::pictures {
+
+struct Provenance {
+  std::string recipe;
+  std::string command;
+  std::string commit;  // of the reference that rendered it, as git describes it
+  std::uint64_t first_seed = 0;
+  int parts = 0;    // each with the next seed
+  int samples = 0;  // a pixel in all; of an adaptive recipe the runs, of which each is a sample
+  double cpu_seconds = 0;
+  std::string because;   // why it replaced one that contradicted it; mostly empty
+  std::string settings;  // of the recipe, as recipe_settings says them
+  std::string sha256;    // picture_hash() of the recipe
+};
+
+// What determines a recipe's picture, as JSON in one line: neither name, title, tasks nor seed.
+std::string recipe_settings(const Recipe& recipe);
+
+// Of those settings and the bytes of the scene. A golden with another hash is out of date.
+std::string picture_hash(const Recipe& recipe);
+
+void write_provenance(const std::filesystem::path& file, const Provenance& provenance);
+
+// Throws pt::Error, with the file, if it is missing or is not what write_provenance wrote.
+Provenance read_provenance(const std::filesystem::path& file);
+
+// The files of a recipe's golden.
+struct GoldenFiles {
+  std::filesystem::path film;  // mean and variance of a sample
+  std::filesystem::path provenance;
+  std::filesystem::path rates;  // of an adaptive recipe: the reference of its sample map
+};
+GoldenFiles golden_files(const std::filesystem::path& folder, const std::string& recipe);
+
+}  // namespace grader::pictures

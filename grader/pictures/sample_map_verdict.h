@@ -1,0 +1,67 @@
+#pragma once
+
+#include "pt/image/film.h"
+#include "pt/image/sample_map.h"
+#include "pt/tasks/adaptive_pixel.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+// Whether an adaptive render spends its samples as the reference does. A right picture says little
+// of that: with any number of samples it is right on average. docs/verdicts.md has the figures.
+
+namespace grader::pictures {
+
+// What many runs of the reference, with different seeds, took. Row 0 is the TOP row, as in
+// pt::SampleMap.
+struct SampleMapReference {
+  int width = 0;
+  int height = 0;
+  pt::AdaptiveSettings settings;
+  int runs = 0;
+  std::vector<double> mean;            // of the samples a pixel took
+  std::vector<double> deviation;       // of the same, between the runs; one run's, not the mean's
+  std::vector<char> always_one_batch;  // pixels that took one batch in every run
+  std::vector<char> constant;          // whose value was the same in every run,
+  std::vector<char> all_zero;          // and was 0
+  // Whose first batch was all zero in a run: there < and <= part ways, and both are right. Not
+  // known to reference_of; all 0 until somebody sets it.
+  std::vector<char> dark_start;
+};
+
+// `runs`: the maps; `picture`: mean and variance of the runs' pictures, a run as a sample. Throws
+// pt::Error if the sizes differ, there are fewer than 8 runs, or fewer than 100 pixels take between
+// 1.5 batches and 0.9 of the maximum: such a map says too little.
+SampleMapReference reference_of(std::span<const pt::SampleMap> runs, const pt::Film& picture,
+                                const pt::AdaptiveSettings& settings);
+
+// As JSON, a line a row; the deviation with three digits. Throws pt::Error as pt::write_file.
+void write_reference(const std::filesystem::path& path, const SampleMapReference& reference);
+
+// Throws pt::Error, with the file, if it is missing or is not what write_reference wrote.
+SampleMapReference read_reference(const std::filesystem::path& path);
+
+// The samples that the reference takes on average, in whole numbers: to look at, and to compare by.
+pt::SampleMap usual_counts(const SampleMapReference& reference);
+
+struct SampleMapVerdict {
+  bool pass = false;
+  // What is wrong, for a person. If it passes: empty, or how it differs from the reference all the
+  // same, where that has a likely cause.
+  std::string sentence;
+  double off_batch = 0;    // fraction of the pixels whose count is no multiple of the batch
+  double outside = 0;      // fraction with less than a batch or more than the maximum
+  double constant_on = 0;  // fraction of the constant lit pixels that took more than one batch
+  // On the active pixels, those which take more than 1.5 batches and less than 0.9 of the maximum:
+  double ratio = 0;        // all samples over the reference's
+  double correlation = 0;  // of the logarithms
+  double a = 0;            // n = a + b nbar, weighted by what the runs vary; a in batches
+  double b = 0;
+};
+
+// One run of the submission, with the settings of the reference.
+SampleMapVerdict judge_sample_map(const SampleMapReference& reference, const pt::SampleMap& counts);
+
+}  // namespace grader::pictures

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "grader/pictures/recipes.h"
+
+#include <cassert>
+#include <cstdint>
+
+// No seed of a golden is ever one that a submission is rendered with: else the two would share
+// their noise, and a wrong picture could lie too close to the golden. The highest bit tells them
+// apart.
+
+namespace grader::pictures {
+
+inline constexpr std::uint64_t kGoldenSeeds = std::uint64_t{1} << 63;
+
+// Of the part-th slice (or run, for adaptive recipes) of a recipe's golden: different for every
+// recipe and part.
+constexpr std::uint64_t golden_seed(const Recipe& recipe, std::uint32_t part) {
+  assert(recipe.seed < kGoldenSeeds >> 32);
+  return kGoldenSeeds | recipe.seed << 32 | part;
+}
+
+// Of a render that is judged, from any number that its submission, recipe, stage and batch
+// determine.
+constexpr std::uint64_t judged_seed(std::uint64_t number) { return number & ~kGoldenSeeds; }
+
+}  // namespace grader::pictures

@@ -1,0 +1,70 @@
+// box: becomes a program that can do little. It shows the program the files that it may see, takes
+// from it what it may not do, and runs it; grader/sandbox/box.cpp writes the command line. Nothing
+// of a submission runs before the last line.
+#include "grader/sandbox/launcher/filter.h"
+#include "grader/sandbox/launcher/landlock.h"
+#include "grader/sandbox/launcher/options.h"
+#include "grader/sandbox/launcher/user.h"
+#include "pt/error.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+
+namespace {
+
+using namespace grader;
+using namespace grader::sandbox::box;
+
+[[noreturn]] void fail(const std::string& what) {
+  throw pt::Error(what + ": " + std::strerror(errno));
+}
+
+// By a descriptor each, as the other user may not be allowed to come by the folders above them.
+void enter(const std::string& folder, const std::optional<User>& user) {
+  if (folder.empty()) {
+    if (chdir("/") != 0) fail("/");
+    return;
+  }
+  const base::Descriptor place(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!place.is_open() || fchdir(place.number()) != 0) fail(folder);
+  if (user && fchownat(place.number(), "", user->id, user->id, AT_EMPTY_PATH) != 0) fail(folder);
+}
+
+[[noreturn]] void run(Options options) {
+  if (options.inside) continue_as_child();
+  const base::Descriptor program(open(options.command[0], O_PATH | O_CLOEXEC));
+  if (!program.is_open()) fail(options.command[0]);
+  const base::Descriptor rules = file_rules(options);
+
+  std::optional<User> user;
+  if (!options.inside) {
+    if (geteuid() == 0) user = take_user();
+    start_keeper(user);
+  }
+  enter(options.folder, user);
+  if (user) become(*user);
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  enforce(rules);
+  // A user's processes are counted together: a limit says something of a user that has no others.
+  if (!user && options.limits.processes != 0) options.limits.processes.reset();
+  if (!process::set_limits(options.limits)) fail("limits");
+  filter_system_calls(program.number(), options.tools);
+  syscall(SYS_execveat, program.number(), "", options.command.data(), environ, AT_EMPTY_PATH);
+  fail(options.command[0]);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run(parse(argc, argv));
+  } catch (const pt::Error& error) {
+    std::fprintf(stderr, "box: %s\n", error.what());
+    return 127;
+  }
+}

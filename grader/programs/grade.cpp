@@ -1,0 +1,134 @@
+// grade: judges a submission, and never runs a line of it itself. Exit status 0 if all that was
+// asked for passes, 1 if something that was judged does not, 2 if nothing could be judged.
+#include "grader/judge/grade.h"
+
+#include "grader/base/files.h"
+#include "grader/process/spawn.h"
+#include "grader/programs/grade_options.h"
+#include "grader/report/hint_memory.h"
+#include "grader/report/terminal.h"
+#include "grader/results/read_json.h"
+#include "pt/error.h"
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <sstream>
+
+namespace {
+
+using namespace grader;
+using namespace grader::programs;
+using Words = std::vector<std::string>;
+
+judge::Config config_for(const GradeOptions& options) {
+  return judge::load_config(options.config.empty() ? judge::default_config_path() : options.config);
+}
+
+sandbox::Isolation isolation(const judge::Config& config, const GradeOptions& options) {
+  std::optional<sandbox::Tier> forced;
+  if (!options.isolation.empty()) forced = sandbox::tier_of(options.isolation);
+  sandbox::Isolation found = sandbox::probe_isolation(config.root, config.work, forced);
+  if (options.require_isolation && found.tier == sandbox::Tier::limits) {
+    throw pt::Error("--require-isolation refuses to grade in C" +
+                    (forced ? ", which was asked for" : ": " + found.why_not_better));
+  }
+  return found;
+}
+
+int show(const results::Results& results, const GradeOptions& options) {
+  const std::string text = report::to_text(results, {report::terminal_has_color(), options.all});
+  std::fputs(text.c_str(), stdout);
+  return results.complete && results::passes(results) ? 0 : 1;
+}
+
+int report_again(const GradeOptions& options) {
+  const results::Results results = results::read_results(options.from_results);
+  report::write_reports(results, options.files);
+  return show(results, options);
+}
+
+// The words of a run that has not ended, a line each, so that it can go on. What it has found out
+// so far is in the cache. Runs without pictures are too short for that.
+class Unfinished {
+ public:
+  explicit Unfinished(const judge::Config& config) : path_(config.work + "/unfinished") {}
+
+  void begin(const Words& words) const {
+    std::string lines;
+    for (const std::string& word : words) lines += word + '\n';
+    std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
+    base::write_file(path_, lines);
+  }
+  void end() const { std::filesystem::remove(path_); }
+
+  Words words() const {
+    if (!std::filesystem::exists(path_)) {
+      throw pt::Error("no run was interrupted: there is nothing to --resume");
+    }
+    std::istringstream lines(base::read_file(path_));
+    Words words;
+    for (std::string word; std::getline(lines, word);) words.push_back(word);
+    return words;
+  }
+
+ private:
+  std::string path_;
+};
+
+judge::GradeRequest request_for(const judge::Config& config, const GradeOptions& options) {
+  judge::GradeRequest request;
+  request.submission = base::submission_root(options.submission);
+  request.seed = options.seed;
+  request.call_limit = options.call_limit;
+  request.compile_limit = options.compile_limit;
+  request.threads = options.threads;
+  request.isolation = isolation(config, options);
+  request.pictures = !options.no_pictures;
+  request.command = programs::command(options);
+  std::set<std::string> asked;
+  for (const std::string& word : options.what) {
+    for (const std::string& slug : judge::tasks_meant(config, word)) asked.insert(slug);
+  }
+  for (const judge::TaskConfig& task : config.tasks) {
+    if (options.what.empty() || asked.contains(task.slug)) request.asked.push_back(task.slug);
+  }
+  return request;
+}
+
+int run(Words words) {
+  programs::GradeOptions options = parse_options(words);
+  report::check_targets(options.files);
+  if (!options.from_results.empty()) return report_again(options);
+  const judge::Config config = config_for(options);
+  const Unfinished unfinished(config);
+  if (options.resume) {
+    words = unfinished.words();
+    options = programs::parse_options(words);
+  }
+  const judge::GradeRequest request = request_for(config, options);
+  if (request.pictures) unfinished.begin(words);
+  report::ProgressReports reports(options.files);
+  const results::Results results =
+      judge::grade(config, request, [&](const results::Results& so_far) { reports.write(so_far); });
+  if (request.pictures) unfinished.end();
+  report::remember_failures(config.work, results);
+  return show(results, options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  process::hide_process();
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run(Words(argv + 1, argv + argc));
+  } catch (const CommandLine& done) {
+    return done.status == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

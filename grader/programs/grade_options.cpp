@@ -1,0 +1,50 @@
+#include "grader/programs/grade_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace grader::programs {
+
+std::string command(const GradeOptions& options) {
+  std::string words = "./run grade";
+  for (const std::string& word : options.what) words += " " + word;
+  if (options.submission != "student") words += " --submission " + options.submission;
+  if (options.no_pictures) words += " --no-pictures";
+  return words + " --seed " + std::to_string(options.seed);
+}
+
+GradeOptions parse_options(const std::vector<std::string>& words) {
+  GradeOptions options;
+  CLI::App app{"Judges a submission: every task, or those asked for", "grade"};
+  app.add_option("what", options.what, "tasks (hit_triangle), parts (1) or exercises (1.3)");
+  app.add_option("--submission", options.submission, "a folder with the tree of student/")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--all", options.all, "show every failure, not only the first");
+  app.add_flag("--no-pictures", options.no_pictures, "judge the promises only");
+  app.add_option("--json", options.files.json, "also write the results to this file");
+  app.add_option("--html", options.files.html, "also write a page with all pictures");
+  app.add_option("--junit", options.files.junit, "also write JUnit's XML");
+  app.add_option("--gradescope", options.files.gradescope, "also write Gradescope's results.json");
+  app.add_option("--csv", options.files.csv, "also write a table, a line a task");
+  app.add_option("--from-results", options.from_results, "judge nothing: report what --json wrote");
+  app.add_option("--seed", options.seed, "of all random inputs");
+  app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--compile-limit", options.compile_limit, "seconds that compiling a file may take")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", options.threads, "how much is done at the same time")
+      ->check(CLI::Range(1, 256));
+  app.add_option("--isolation", options.isolation,
+                 "A (bubblewrap), B (another user) or C (none); default: the best that works here");
+  app.add_flag("--require-isolation", options.require_isolation, "refuse to grade in C");
+  app.add_flag("--resume", options.resume, "go on with the run that was interrupted");
+  app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+  std::vector<std::string> reversed(words.rbegin(), words.rend());
+  try {
+    app.parse(reversed);
+  } catch (const CLI::ParseError& error) {
+    throw CommandLine{app.exit(error)};
+  }
+  return options;
+}
+
+}  // namespace grader::programs

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "grader/report/write_reports.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace grader::programs {
+
+// What a person asks of `grade`.
+struct GradeOptions {
+  std::vector<std::string> what;
+  std::string submission = "student";
+  report::ReportFiles files;
+  std::string from_results;
+  std::string config;
+  std::uint64_t seed = 1;
+  int call_limit = 2000;
+  int compile_limit = 60;
+  int threads = 2;
+  std::string isolation;
+  bool require_isolation = false;
+  bool all = false;
+  bool no_pictures = false;
+  bool resume = false;  // what an interrupted run was asked; all else here is what it was
+};
+
+// As a person would type it, so that it gives the same verdicts again.
+std::string command(const GradeOptions& options);
+
+// There is nothing to do: help was printed, or what is wrong with the words.
+struct CommandLine {
+  int status = 0;  // 0 for help
+};
+
+// Reads the words after the program's name. Throws CommandLine.
+GradeOptions parse_options(const std::vector<std::string>& words);
+
+}  // namespace grader::programs

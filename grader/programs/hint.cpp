@@ -1,0 +1,105 @@
+// hint: gives the next hint for a task. Exit status 0, or 2 if there is no such task or promise.
+#include "grader/base/files.h"
+#include "grader/base/wrap.h"
+#include "grader/judge/config.h"
+#include "grader/report/hint_memory.h"
+#include "grader/report/hints.h"
+#include "grader/results/promises.h"
+#include "pt/command_line.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace {
+
+using namespace grader;
+
+struct Options {
+  std::string task;
+  std::vector<std::string> promise;  // its words
+  std::string config;
+  bool first = false;
+};
+
+const judge::TaskConfig& find_task(const judge::Config& config, const std::string& word) {
+  std::vector<std::string> slugs;
+  for (const judge::TaskConfig& task : config.tasks) {
+    if (word == task.slug || word == task.number) return task;
+    slugs.push_back(task.slug);
+  }
+  throw pt::Error(fmt::format("'{}' is no task; choose one of {}", word, fmt::join(slugs, ", ")));
+}
+
+// The promise that the words or the name of a property mean.
+results::Promise find_promise(const std::vector<results::Promise>& promises,
+                              const std::string& slug, const std::string& words) {
+  const std::string name = results::property_name(words);
+  std::vector<std::string> titles;
+  for (const results::Promise& promise : promises) {
+    if (name == promise.name || name + "_bonus" == promise.name) return promise;
+    titles.push_back(promise.title);
+  }
+  throw pt::Error(fmt::format("{} does not promise '{}'; choose one of: {}", slug, words,
+                              fmt::join(titles, "; ")));
+}
+
+// Paragraphs wrapped anew: the files are wider than many a terminal.
+std::string paragraphs(const std::string& text) {
+  std::string all, paragraph;
+  for (const std::string& line : base::lines_of(text + "\n\n")) {
+    paragraph += line + ' ';
+    if (!line.empty()) continue;
+    for (const std::string& wrapped : base::wrap(paragraph, 80)) all += wrapped + '\n';
+    if (!base::wrap(paragraph, 80).empty()) all += '\n';
+    paragraph.clear();
+  }
+  return all;
+}
+
+int run(const Options& options) {
+  const judge::Config config =
+      judge::load_config(options.config.empty() ? judge::default_config_path() : options.config);
+  const std::string slug = find_task(config, options.task).slug;
+  const std::string path = config.root + "/grader/tasks/" + slug + "/hints.md";
+  const report::Hints hints = report::parse_hints(base::read_file(path), path);
+  const auto promises =
+      results::promises_of(base::read_file(config.root + "/pt/tasks/" + slug + ".h"));
+
+  report::Memory memory = report::recall(config.work, slug);
+  std::string asked = fmt::format("{}", fmt::join(options.promise, " "));
+  if (asked.empty() && !memory.fails.empty()) asked = memory.fails[0];
+  const results::Promise about_it =
+      asked.empty() ? results::Promise{} : find_promise(promises, slug, asked);
+
+  int& tier = memory.given[about_it.name];
+  if (options.first) tier = 0;
+  const std::string name = slug + (asked.empty() ? "" : " " + about_it.title);
+  if (tier < 0 || tier >= static_cast<int>(report::kTiers.size())) {
+    fmt::print("There are no more hints for \"{}\"; ./run hint {} --first starts again.\n", name,
+               slug);
+    return 0;
+  }
+  const auto index = static_cast<std::size_t>(tier++);
+  fmt::print("{}\n{} ({} of {}):\n\n{}", name, report::kTiers[index], tier, report::kTiers.size(),
+             paragraphs(report::about(hints[index], about_it.name)));
+  report::remember(config.work, slug, memory);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Gives the next hint for a task: a question, a direction, the usual mistake"};
+  app.add_option("task", options.task, "hit_triangle, or 1.3")->required();
+  app.add_option("promise", options.promise,
+                 "what the hint is about (default: what failed when the task was last graded)");
+  app.add_flag("--first", options.first, "start again with the first hint");
+  app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+  return pt::run_command_line(app, argc, argv, [&] { return run(options); });
+}

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "grader/judge/config.h"
+#include "grader/programs/watch/files.h"
+#include "grader/programs/watch/raw_terminal.h"
+#include "grader/programs/watch/running.h"
+#include "grader/programs/watch/verdicts.h"
+#include "grader/report/terminal.h"
+
+#include <deque>
+#include <optional>
+#include <string>
+
+namespace grader::programs {
+
+struct WatchOptions {
+  std::string submission;
+  std::string programs;  // the folder of the programs grade and hint
+  std::string config;    // what to hand on to them
+  report::TerminalStyle style;
+};
+
+// One sitting of a learner: judges everything once, then each task whose file is saved, and answers
+// keys meanwhile.
+class WatchSession {
+ public:
+  WatchSession(const judge::Config& config, WatchOptions options);
+
+  // Returns when the learner quits: 0, or 128 and the signal that asked for it.
+  int run(RawTerminal& terminal);
+
+ private:
+  void wait(const RawTerminal& terminal) const;
+  void take_signals(RawTerminal& terminal);
+  void take_keys();
+  void take_saves();
+  void take_verdict();
+  void start_next();
+
+  void press(char key);
+  void give_hint();
+  void show_verdict(const std::string& output, int status, double seconds);
+
+  // Prints text above the status line, which is then printed again.
+  void print(const std::string& text);
+  void show_status() const;
+
+  const judge::Config& config_;
+  WatchOptions options_;
+  std::string results_path_;
+  Files files_;
+  Verdicts verdicts_;
+  std::deque<std::string> waiting_{""};  // slugs to judge; empty: all tasks
+  std::string judging_;                  // what running_ judges
+  std::optional<Running> running_;
+  bool judged_ = false;  // something, so far
+  std::optional<int> quit_;
+};
+
+}  // namespace grader::programs

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "grader/judge/config.h"
+#include "grader/report/terminal.h"
+#include "grader/results/results.h"
+
+#include <string>
+#include <vector>
+
+namespace grader::programs {
+
+// What is known of all tasks while they are watched, and which failure is being looked at.
+class Verdicts {
+ public:
+  Verdicts(const std::vector<judge::TaskConfig>& tasks, std::string folder,
+           report::TerminalStyle style);
+
+  // Takes in the tasks of a run; those it did not judge stay as they are.
+  void update(const results::Results& results);
+
+  // A row for each task judged so far, and the points.
+  std::string table() const;
+
+  // Where each task stands and which file it is written in.
+  std::string list() const;
+
+  // The first failure of the task, or that it passes and what comes next.
+  std::string show(const std::string& slug);
+
+  // The first failure of all; if there is none, what next() says.
+  std::string show_first();
+
+  // The failure after the one shown last, or the next task that is not written yet; after the last
+  // task comes the first.
+  std::string next();
+
+  // What was shown last: the task, and the promise if it was one that failed.
+  const std::string& slug() const { return tasks_[task_].slug; }
+  const std::string& promise() const { return promise_; }
+
+ private:
+  const results::TaskResult* find(const std::string& slug) const;
+  std::vector<report::FailureText> items(std::size_t task) const;
+  std::string show_item(const report::FailureText& item);
+
+  const std::vector<judge::TaskConfig>& tasks_;
+  std::string folder_;
+  report::TerminalStyle style_;
+  results::Results known_;  // tasks in the order of the course
+  std::size_t task_ = 0;    // looked at
+  std::size_t item_ = 0;    // of that task: the next to show
+  std::string promise_;
+};
+
+}  // namespace grader::programs

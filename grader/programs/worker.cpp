@@ -1,0 +1,45 @@
+// The untrusted side: runs tasks of a submission on request, until the judge closes the connection
+// or kills it. Whatever happens in here is the judge's to handle (grader/wire/worker_process.h);
+// the judge has set all limits before this program started.
+#include "grader/process/limits.h"
+#include "grader/wire/connection.h"
+#include "grader/wire/crash.h"
+#include "grader/wire/serve.h"
+
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <typeinfo>
+
+#include <cxxabi.h>
+
+namespace {
+
+// "std::out_of_range: vector::_M_range_check: ..."
+std::string describe(const std::exception& error) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> type(
+      abi::__cxa_demangle(typeid(error).name(), nullptr, nullptr, &status), &std::free);
+  return (type ? std::string(type.get()) + ": " : "") + error.what();
+}
+
+}  // namespace
+
+int main() {
+  using grader::wire::Kind;
+  if (!grader::process::kSanitized) grader::wire::tell_stack_overflow();
+  while (true) {
+    const std::string call = grader::wire::receive(Kind::call);
+    try {
+      grader::wire::send(Kind::reply, grader::wire::serve(call));
+    } catch (const std::bad_alloc&) {
+      grader::wire::send(Kind::threw, "std::bad_alloc: there is no more memory");
+    } catch (const std::exception& error) {
+      grader::wire::send(Kind::threw, describe(error));
+    } catch (...) {
+      grader::wire::send(Kind::threw, "something that is not a std::exception");
+    }
+  }
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "grader/results/results.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace grader::report {
+
+// What `grade` leaves behind about a task for `hint` and for ./run debug, and how far the hints
+// went: a text file a task, in the folder hints/ below `work`, in lines
+//   seed 1
+//   fails <property>            for each promise that failed, in the order of the report
+//   given <tier> <property>     no property: the general hint
+struct Memory {
+  std::uint64_t seed = 1;
+  std::vector<std::string> fails;
+  std::map<std::string, int> given;  // by property: the last tier, counted from 1
+};
+
+// An empty memory if there is none.
+Memory recall(const std::string& work, const std::string& slug);
+
+// Written in one piece. Throws pt::Error if it cannot be.
+void remember(const std::string& work, const std::string& slug, const Memory& memory);
+
+// After a run of `grade`: what fails now. The hints of a task that passes start again.
+void remember_failures(const std::string& work, const results::Results& results);
+
+}  // namespace grader::report

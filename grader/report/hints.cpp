@@ -1,0 +1,71 @@
+#include "grader/report/hints.h"
+
+#include "grader/base/wrap.h"
+#include "grader/results/promises.h"
+#include "pt/error.h"
+
+#include <fmt/format.h>
+
+namespace grader::report {
+
+namespace {
+
+// The text that the lines after the latest heading belong to, and where that heading is.
+struct Section {
+  std::string* text = nullptr;
+  std::size_t line = 0;
+};
+
+[[noreturn]] void fail(const std::string& path, std::size_t line, const std::string& what) {
+  throw pt::Error(fmt::format("{}:{}: {}", path, line, what));
+}
+
+void end(const Section& section, const std::string& path) {
+  if (section.text == nullptr) return;
+  std::string& text = *section.text;
+  text.erase(0, text.find_first_not_of('\n'));
+  text.erase(text.find_last_not_of('\n') + 1);
+  if (text.empty()) fail(path, section.line, "there is no text below this heading; write some");
+}
+
+}  // namespace
+
+Hints parse_hints(const std::string& text, const std::string& path) {
+  Hints hints;
+  Section section;
+  std::size_t tiers = 0, number = 0;
+  for (const std::string& line : base::lines_of(text)) {
+    ++number;
+    if (line.starts_with("## ")) {
+      end(section, path);
+      if (tiers == kTiers.size()) fail(path, number, "a tier too many; leave it out");
+      if (line.substr(3) != kTiers[tiers]) {
+        fail(path, number, fmt::format("write the heading '## {}' here", kTiers[tiers]));
+      }
+      section = {&hints[tiers++].general, number};
+    } else if (line.starts_with("### ")) {
+      if (tiers == 0) fail(path, number, "a promise comes below a tier; write '## Question' first");
+      end(section, path);
+      auto& promises = hints[tiers - 1].promises;
+      promises.push_back({line.substr(4), ""});
+      section = {&promises.back().text, number};
+    } else if (section.text != nullptr) {
+      *section.text += line + '\n';
+    }
+  }
+  end(section, path);
+  if (tiers < kTiers.size()) {
+    fail(path, number, fmt::format("the tier '## {}' is missing; write it", kTiers[tiers]));
+  }
+  return hints;
+}
+
+const std::string& about(const Tier& tier, const std::string& promise) {
+  for (const PromiseHint& hint : tier.promises) {
+    const std::string name = results::property_name(hint.title);
+    if (promise == name || promise == name + "_bonus") return hint.text;
+  }
+  return tier.general;
+}
+
+}  // namespace grader::report

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader::report {
+
+// Hints come in tiers, each giving away more than the one before. A hints.md has one heading "## "
+// for each, in this order, with a general part first and then sections "### <promise in words>".
+inline constexpr std::array<std::string_view, 3> kTiers{"Question", "Direction", "Usual mistake"};
+
+// What a tier says about one promise.
+struct PromiseHint {
+  std::string title;  // "keeps t inside the ray"
+  std::string text;
+};
+
+struct Tier {
+  std::string general;
+  std::vector<PromiseHint> promises;
+};
+
+using Hints = std::array<Tier, kTiers.size()>;
+
+// Throws pt::Error, naming `path` and the line, if a tier is missing, out of order, twice there, or
+// has an empty part.
+Hints parse_hints(const std::string& text, const std::string& path);
+
+// What the tier says about a promise (the property's name), or else in general.
+const std::string& about(const Tier& tier, const std::string& promise);
+
+}  // namespace grader::report

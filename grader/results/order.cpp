@@ -1,0 +1,80 @@
+#include "grader/results/order.h"
+
+#include "grader/results/summary.h"
+
+#include <algorithm>
+#include <array>
+
+namespace grader::results {
+
+namespace {
+
+int rank_of_cause(const std::string& cause) {
+  if (cause == "crash") return 0;
+  if (cause == "timeout") return 1;
+  return cause == "wrong" || cause.empty() ? 3 : 2;
+}
+
+// Of the texts of properties (expect_mean and the chi-square tests).
+bool is_statistical(const FailureReport& failure) {
+  for (const std::string* text : {&failure.what, &failure.got, &failure.expected}) {
+    for (const char* sign : {"as the mean of", "chi-square", "standard error", "the mean of"}) {
+      if (text->find(sign) != std::string::npos) return true;
+    }
+  }
+  return false;
+}
+
+using Rank = std::array<int, 5>;
+
+Rank rank_of(const PromiseResult& promise) {
+  constexpr int kFirstInputs = 3, kShortLines = 3, kLongLines = 12;
+  Rank best{promise.bonus ? 1 : 0, 4, 1, 1, 2};
+  for (const FailureReport& failure : promise.failures) {
+    const int lines = static_cast<int>(failure.input.size());
+    best = std::min(
+        best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause),
+                   is_statistical(failure) ? 1 : 0, failure.cases_before > kFirstInputs ? 1 : 0,
+                   lines > kLongLines    ? 2
+                   : lines > kShortLines ? 1
+                                         : 0});
+  }
+  return best;
+}
+
+}  // namespace
+
+int importance(const TaskResult& task) {
+  if (!is_fault(task.state)) return 9;
+  if (!task.mistake.empty()) return 0;
+  const auto promises = by_importance(task);
+  const bool broken = !promises.empty() && !promises[0]->bonus;
+  if (broken && !promises[0]->failures.empty()) {
+    const int cause = rank_of(*promises[0])[1];
+    return cause == 0 ? 1 : cause < 3 ? 3 : 4;
+  }
+  if (!task.compiler_output.empty() || task.state == State::rejected) return 2;
+  return broken ? 4 : 5;
+}
+
+std::vector<const PromiseResult*> by_importance(const TaskResult& task) {
+  std::vector<const PromiseResult*> broken;
+  for (const PromiseResult& promise : task.promises) {
+    if (!promise.held) broken.push_back(&promise);
+  }
+  std::stable_sort(
+      broken.begin(), broken.end(),
+      [](const PromiseResult* a, const PromiseResult* b) { return rank_of(*a) < rank_of(*b); });
+  return broken;
+}
+
+std::vector<const TaskResult*> by_importance(const Results& results) {
+  std::vector<const TaskResult*> tasks;
+  for (const TaskResult& task : results.tasks) tasks.push_back(&task);
+  std::stable_sort(tasks.begin(), tasks.end(), [](const TaskResult* a, const TaskResult* b) {
+    return importance(*a) < importance(*b);
+  });
+  return tasks;
+}
+
+}  // namespace grader::results

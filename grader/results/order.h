@@ -1,0 +1,30 @@
+#pragma once
+
+#include "grader/results/results.h"
+
+#include <vector>
+
+namespace grader::results {
+
+// The most telling failure first. Between tasks, smaller comes first; where two are equal, the
+// course decides:
+//   - a task whose mistake is named: that one sentence explains all that fails;
+//   - a crash, whose cause is certain and which hides everything after it;
+//   - a file that does not compile, or is rejected: nothing else is known of that task;
+//   - no answer in time; then an answer that is wrong; then a picture.
+int importance(const TaskResult& task);
+
+// The promises of a task that are not kept, the most telling first. Decided by, in this order:
+//   - bonus promises last;
+//   - a crash before an answer that takes too long or makes no sense, and these before wrong
+//   numbers;
+//   - exact answers before means of many draws: one input shows the fault, and no noise is in it;
+//   - what fails at the first inputs before what fails rarely;
+//   - a short input before a long one;
+//   - the contract's order, which goes from what is basic to what is special.
+std::vector<const PromiseResult*> by_importance(const TaskResult& task);
+
+// The tasks with faults, the most telling first.
+std::vector<const TaskResult*> by_importance(const Results& results);
+
+}  // namespace grader::results

@@ -1,0 +1,129 @@
+#include "grader/results/points.h"
+
+#include "grader/base/files.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace grader::results {
+
+namespace {
+
+using nlohmann::json;
+
+int read_number(const json& from, const std::string& where) {
+  if (!from.is_number_unsigned() || from.get<long long>() > 1000) {
+    throw pt::Error(where + " is not a whole number from 0 to 1000");
+  }
+  return from.get<int>();
+}
+
+double read_share(const json& from, const std::string& where) {
+  if (!from.is_number() || !(from.get<double>() >= 0 && from.get<double>() <= 1)) {
+    throw pt::Error(where + " is not a number from 0 to 1");
+  }
+  return from.get<double>();
+}
+
+std::map<std::string, int> read_numbers(const json& from, const std::string& where) {
+  std::map<std::string, int> numbers;
+  for (const auto& [name, value] : from.items()) {
+    numbers[name] = read_number(value, fmt::format("{}.{}", where, name));
+  }
+  return numbers;
+}
+
+TaskPoints read_task(const json& from, TaskPoints points, const std::string& where) {
+  if (!from.is_object()) throw pt::Error(where + " is not an object");
+  for (const auto& [name, value] : from.items()) {
+    const std::string place = fmt::format("{}.{}", where, name);
+    if (name == "promise") {
+      points.promise = read_number(value, place);
+    } else if (name == "picture") {
+      points.picture = read_number(value, place);
+    } else if (name == "too_noisy") {
+      points.too_noisy = read_number(value, place);
+    } else if (name == "keeps_state") {
+      points.keeps_state = read_number(value, place);
+    } else if (name == "one_cause") {
+      points.one_cause = read_share(value, place);
+    } else if (name == "promises" || name == "pictures") {
+      (name == "promises" ? points.promises : points.pictures) = read_numbers(value, place);
+    } else {
+      throw pt::Error(place +
+                      " means nothing; write promise, picture, too_noisy, keeps_state, "
+                      "one_cause, promises or "
+                      "pictures");
+    }
+  }
+  return points;
+}
+
+int worth(int usual, const std::map<std::string, int>& special, const std::string& name) {
+  const auto found = special.find(name);
+  return found == special.end() ? usual : found->second;
+}
+
+// What broken promises would take beyond what one cause may; whole points. It is no more than what
+// the promises that hold are worth, and nothing where the task always gives the same answer: such a
+// task has shown nothing, whatever the name of its mistake.
+int spared_by(const TaskPoints& task, const TaskResult& result) {
+  int all = 0, lost = 0;
+  for (const PromiseResult& promise : result.promises) {
+    if (promise.bonus) continue;
+    all += promise.points;
+    lost += promise.held ? 0 : promise.points;
+  }
+  // .1 x 30 is a little more than 3, in doubles, and 3 in points.
+  const int most = static_cast<int>(std::ceil(task.one_cause * all - 1e-9));
+  const bool one_cause = !result.mistake.empty() && !result.mistake.always_the_same;
+  return !one_cause ? 0 : std::clamp(lost - most, 0, all - lost);
+}
+
+}  // namespace
+
+Points load_points(const std::string& path) {
+  try {
+    const json all = json::parse(base::read_file(path));
+    const TaskPoints usual = read_task(all.at("default"), {}, "default");
+    Points points;
+    for (const auto& [slug, task] : all.at("tasks").items()) {
+      points[slug] = read_task(task, usual, "tasks." + slug);
+    }
+    return points;
+  } catch (const json::exception& error) {
+    throw pt::Error(fmt::format("{}: {}; see grader/results/points.h", path, error.what()));
+  } catch (const pt::Error& error) {
+    throw pt::Error(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+void count_points(const Points& points, TaskResult& result) {
+  const auto found = points.find(result.slug);
+  const TaskPoints& task = found == points.end() ? TaskPoints{} : found->second;
+  result.points = result.max_points = result.bonus_points = 0;
+  for (PromiseResult& promise : result.promises) {
+    promise.points = worth(task.promise, task.promises, promise.name);
+    const int earned = promise.held ? promise.points : 0;
+    (promise.bonus ? result.bonus_points : result.points) += earned;
+    if (!promise.bonus) result.max_points += promise.points;
+  }
+  result.spared = spared_by(task, result);
+  result.points += result.spared;
+  for (PictureResult& picture : result.pictures) {
+    picture.max_points = worth(task.picture, task.pictures, picture.recipe);
+    picture.points = picture.state == State::pass ? picture.max_points
+                     : picture.state == State::too_noisy
+                         ? std::min(task.too_noisy, picture.max_points)
+                         : 0;
+    result.points += picture.points;
+    result.max_points += picture.max_points;
+  }
+  if (result.keeps_state) result.points = std::max(0, result.points - task.keeps_state);
+}
+
+}  // namespace grader::results

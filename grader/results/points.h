@@ -1,0 +1,37 @@
+#pragma once
+
+#include "grader/results/results.h"
+
+#include <map>
+#include <string>
+
+namespace grader::results {
+
+// What the promises and pictures of one task are worth.
+struct TaskPoints {
+  int promise = 1;
+  int picture = 1;
+  int too_noisy = 0;                    // of a picture that is right on average
+  int keeps_state = 0;                  // what a variable that lives on between calls costs
+  double one_cause = 1;                 // the share of the promises' points that one cause may take
+  std::map<std::string, int> promises;  // by name: those that are worth something else
+  std::map<std::string, int> pictures;  // by recipe
+};
+
+using Points = std::map<std::string, TaskPoints>;  // by slug
+
+// Reads grader/points.json:
+//   {"default": {"promise": n, "picture": n, "too_noisy": n, "keeps_state": n,
+//                "one_cause": share},
+//    "tasks": {slug: {as above, "promises": {name: n}, "pictures": {recipe: n}}}}
+// Throws pt::Error, with the file and what to do, for anything else.
+Points load_points(const std::string& path);
+
+// Fills in what each promise and picture earns, and the sums. Where a mistake is named, it is the
+// one cause of all that is wrong: then broken promises together take at most the share `one_cause`
+// of what the task's promises are worth, rounded up to a whole point; what they would take beyond
+// that is `spared`, but no more than the promises that hold earn, and nothing where the task always
+// gives the same answer.
+void count_points(const Points& points, TaskResult& result);
+
+}  // namespace grader::results

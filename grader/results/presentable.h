@@ -1,0 +1,22 @@
+#pragma once
+
+#include "grader/results/results.h"
+
+#include <string>
+
+// Some texts of a report come from a submission: what it printed, threw, or named its files.
+
+namespace grader::results {
+
+inline constexpr std::size_t kMaxText = 8192;  // bytes
+inline constexpr std::size_t kMaxList = 100;   // failures of a promise, lines of an input, cells
+
+// Valid UTF-8 that every format can hold and no reader is misled by: what is not UTF-8, control
+// characters but for newline and tab, and the characters that turn the direction of writing become
+// U+FFFD; of a text longer than kMaxText the beginning, and how much is missing.
+std::string presentable(const std::string& text);
+
+// All texts presentable, no list longer than kMaxList. Doing it twice changes nothing more.
+Results presentable(Results results);
+
+}  // namespace grader::results

@@ -1,0 +1,85 @@
+#include "grader/results/read_json.h"
+
+#include "grader/results/members.h"
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace grader::results {
+
+namespace {
+
+using nlohmann::json;
+
+// Twelve tasks whose texts are all as long as they may be need less.
+constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
+
+template <class T>
+void read(const json& from, T& value) {
+  from.get_to(value);
+}
+
+// What is not finite is written as null.
+void read(const json& from, double& value) {
+  value = from.is_null() ? std::numeric_limits<double>::quiet_NaN() : from.get<double>();
+}
+
+void read(const json& from, State& state) {
+  const std::string text = from;
+  for (const State each : kStates) {
+    if (text == name(each)) {
+      state = each;
+      return;
+    }
+  }
+  throw pt::Error("there is no state '" + text + "'");
+}
+
+template <class T>
+void read(const json& from, std::vector<T>& values);
+
+// A member that is missing keeps its default: an older file of the same version has fewer.
+template <class T>
+requires requires(T& value) {
+  members(value, [](auto&&...) {});
+}
+void read(const json& from, T& value) {
+  if (!from.is_object()) throw pt::Error("an object was expected");
+  members(value, [&](const char* member, auto& each) {
+    if (from.contains(member)) read(from.at(member), each);
+  });
+}
+
+template <class T>
+void read(const json& from, std::vector<T>& values) {
+  if (!from.is_array()) throw pt::Error("a list was expected");
+  values.clear();
+  for (const json& each : from) read(each, values.emplace_back());
+}
+
+}  // namespace
+
+Results results_from_json(const std::string& text, const std::string& path) {
+  try {
+    const json from = json::parse(text);
+    if (from.at("schema_version") != kSchemaVersion) {
+      throw pt::Error(fmt::format("the schema is not version {}", kSchemaVersion));
+    }
+    from.at("tasks");
+    Results results;
+    read(from, results);
+    return results;
+  } catch (const std::exception& error) {
+    throw pt::Error(path + " holds no results of this grader: " + error.what());
+  }
+}
+
+Results read_results(const std::string& path) {
+  return results_from_json(pt::read_file(path, kMaxBytes), path);
+}
+
+}  // namespace grader::results

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "grader/results/results.h"
+
+#include <string>
+
+namespace grader::results {
+
+// What to_json wrote. Throws pt::Error, naming `path`, if the text is something else.
+Results results_from_json(const std::string& text, const std::string& path);
+
+// The results in a file, likewise.
+Results read_results(const std::string& path);
+
+}  // namespace grader::results

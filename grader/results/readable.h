@@ -1,0 +1,20 @@
+#pragma once
+
+#include "grader/results/results.h"
+
+#include <string>
+#include <vector>
+
+// Failures as a person reads them. results.json has all lines and all digits.
+
+namespace grader::results {
+
+// Six significant digits of each number, more where the number is so close to a simpler one that it
+// would become that one: 0.30000004 stays. Whole numbers stay as they are.
+std::string with_few_digits(const std::string& text);
+
+// The failure with the first ten lines of an input of more than twelve, and numbers with few
+// digits: as many as show how far `got` is from `expected`.
+FailureReport readable(FailureReport failure);
+
+}  // namespace grader::results

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// What a grading run found: the one model that the judge fills and every writer reads. No writer
+// decides anything. docs/results.md describes its JSON.
+
+namespace grader::results {
+
+inline constexpr int kSchemaVersion = 1;
+
+enum class State {
+  pass,
+  fail,
+  crash,          // the process died, or the task threw
+  timeout,        // no answer within the limit
+  not_attempted,  // the task calls todo(), or its file is missing
+  blocked,        // right by itself; not judged with the submission's other tasks, as one fails
+  too_noisy,      // of a picture: too few samples to decide
+  rejected,       // the file is not one that the judge accepts
+  not_judged,     // not yet: only in the results of a run that has not ended
+};
+
+inline constexpr std::array kStates{State::pass,      State::fail,          State::crash,
+                                    State::timeout,   State::not_attempted, State::blocked,
+                                    State::too_noisy, State::rejected,      State::not_judged};
+
+// "pass", "not_attempted": as it stands in JSON.
+const char* name(State state);
+
+// A promise that was not kept, on the smallest input found. All texts are for a person to read.
+struct FailureReport {
+  std::vector<std::string> input;  // a line a value
+  std::string what;                // what was compared; may be empty
+  std::string got;
+  std::string expected;
+  std::string off_by;  // empty where there is no number
+  std::string cause;   // "wrong", "crash", "timeout", "bad reply", "not attempted"
+  int cases_before = 0;
+  std::uint64_t seed = 0;
+  bool integrated = false;  // found with the submission's other tasks, not by itself
+  std::string replay;       // the command that shows it again
+
+  bool operator==(const FailureReport&) const = default;
+};
+
+struct PromiseResult {
+  std::string name;   // "keeps_t_inside_the_ray": the property's
+  std::string words;  // "keeps t inside the ray: no hit before t_min, ...": the contract's
+  bool bonus = false;
+  bool held = false;
+  int points = 1;  // for keeping it
+  double seconds = 0;
+  std::vector<FailureReport> failures;
+
+  bool operator==(const PromiseResult&) const = default;
+};
+
+// A part of a picture that is wrong, in pixels from the top left.
+struct FailingCell {
+  int x = 0, y = 0, width = 0, height = 0;
+  std::string channel;  // "Y" (luminance), "R", "G" or "B"
+  double off_by = 0;    // relative to the golden: -0.094 is 9.4 % too dark
+  double evidence = 0;  // |z| over its threshold, of the last stage
+
+  bool operator==(const FailingCell&) const = default;
+};
+
+// A recipe rendered with the submission, and the verdict on it. The files are EXRs (pt/image) that
+// the judge made: they stay in its cache, next to it on the same machine.
+struct PictureResult {
+  std::string recipe;  // its name in scenes/recipes.json
+  std::string title;   // and what it shows, in words
+  State state = State::not_judged;
+  std::string text;         // the one sentence; empty if it passes
+  bool integrated = false;  // rendered with all tasks of the submission; else with this one only
+  int samples = 0;          // a pixel, of all stages together
+  int stages = 0;           // that were rendered; more than one where the first one complained
+  double noise = 0;         // variance of the submission's samples over the golden's
+  double seconds = 0;
+  int points = 0;
+  int max_points = 0;
+  std::string replay;  // the command that shows it again
+  int width = 0;
+  int height = 0;
+  std::string golden;         // mean and variance; a path, as are the next four
+  std::string render;         // the same of the submission; empty if there is no picture
+  std::string evidence;       // R: the largest |z| / threshold of the cells that hold the pixel
+  std::string golden_counts;  // of an adaptive recipe: samples a pixel, written by write_counts
+  std::string counts;         // and the submission's
+  std::vector<FailingCell> cells;  // the smallest that fail
+  std::string mistake;             // of those kept in grader/tasks, the one that made it; or empty
+  // Known mistakes of the task that make this picture, and that do not: for the judge, and empty in
+  // the end.
+  std::vector<std::string> like, unlike;
+
+  bool operator==(const PictureResult&) const = default;
+};
+
+// A mistake that alone explains all that is wrong with a task. Where nothing is certain, there is
+// none.
+struct Mistake {
+  std::string name;      // as the file of a wrong solution is called; several are joined by ", "
+  std::string sentence;  // that says it
+  std::string found_by;  // "battery": by the task's answers; "picture"
+  bool always_the_same = false;  // the answer to every question: nothing of its own is computed
+
+  bool empty() const { return name.empty(); }
+  bool operator==(const Mistake&) const = default;
+};
+
+struct TaskResult {
+  std::string part;    // "1_rays"
+  std::string number;  // "1.3"
+  std::string slug;
+  State state = State::not_judged;
+  std::string reason;  // one sentence where the promises do not say it: why blocked, rejected, ...
+  int points = 0;      // for promises kept and pictures that are right
+  int max_points = 0;  // of the pictures, and of the promises that are no bonus
+  int bonus_points = 0;
+  int spared = 0;  // of `points`: for broken promises, as one cause takes no more than its share
+  Mistake mistake;
+  std::vector<std::string> blocked_by;  // slugs: why it was not judged with the submission's others
+  std::vector<std::string> blamed;      // slugs: with the reference in their place it would pass
+  std::string compiler_output;
+  std::string warnings;      // of the compiler, about a file that compiles
+  bool keeps_state = false;  // a variable lives on between calls, which costs points
+  std::string printed;       // the beginning of what the task printed while it was judged
+  std::vector<PromiseResult> promises;
+  std::vector<PictureResult> pictures;
+
+  bool operator==(const TaskResult&) const = default;
+};
+
+// How long a part of the run took: "properties", "pictures".
+struct Phase {
+  std::string name;
+  double seconds = 0;
+
+  bool operator==(const Phase&) const = default;
+};
+
+struct Results {
+  std::string submission;  // the folder
+  std::uint64_t seed = 0;
+  std::string isolation;              // the tier, "C: rlimits only, not isolated"
+  std::vector<std::string> versions;  // "g++ 12.2.0", "firstlight 336aeb9": what it was judged with
+  std::string command;                // that reproduces the run
+  double seconds = 0;
+  std::vector<Phase> phases;
+  bool complete = false;           // false in a file that a killed run left
+  std::vector<std::string> asked;  // slugs
+  std::vector<TaskResult> tasks;   // in the order of the course
+
+  bool operator==(const Results&) const = default;
+};
+
+// Whether all that was asked for passes.
+bool passes(const Results& results);
+
+}  // namespace grader::results

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "grader/results/results.h"
+
+#include <string>
+#include <vector>
+
+// What the writers say in the same words.
+
+namespace grader::results {
+
+// "not attempted": as people say it.
+std::string words(State state);
+
+// A character that stands for it beside the words.
+const char* symbol(State state);
+
+// Whether it is the submission that is at fault: neither right, nor not written, nor waiting for
+// another task.
+bool is_fault(State state);
+
+struct Totals {
+  int points = 0;
+  int max_points = 0;
+  int bonus_points = 0;
+  int passed = 0;      // tasks
+  int not_judged = 0;  // tasks
+};
+Totals totals(const std::vector<TaskResult>& tasks);
+
+// Whether there is a verdict on a promise of the task. Before the run has ended, the promises of a
+// task wait for their verdict together.
+bool is_judged(const TaskResult& task, const PromiseResult& promise);
+
+// "7 of 12 tasks pass", "2 of 12 tasks pass, 9 not judged yet"
+std::string passed(const Results& results);
+
+// "7 of 12 tasks pass. 61 of 97 points and 2 bonus."
+std::string verdict(const Results& results);
+
+// What the report of an unfinished run has to say.
+inline constexpr const char* kStopped =
+    "This run was stopped before it ended: what is not judged yet has no points.";
+
+// "27.0 s (properties 5.9 s, pictures 21.0 s)"
+std::string times(const Results& results);
+
+// Of its promises and pictures, together.
+double seconds(const TaskResult& task);
+
+// "1" and "rays" of "1_rays".
+std::string part_number(const std::string& part);
+std::string part_name(const std::string& part);
+
+// "This is a known mistake: Compares t with zero where it should be t_min." Empty if none is named.
+std::string mistake_text(const TaskResult& task);
+
+// "One cause: 9 promises fail, 6 points taken." Empty where nothing is spared.
+std::string spared_text(const TaskResult& task);
+
+// The command that writes a page on which the picture can be seen.
+std::string how_to_see(const TaskResult& task, const PictureResult& picture);
+
+}  // namespace grader::results

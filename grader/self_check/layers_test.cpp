@@ -1,0 +1,108 @@
+// The rooms of the grader: which folder may include which. A folder uses those that stand before it
+// in the list; so no two use each other, and who reads one from the bottom up needs no other.
+#include "grader/base/files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace grader::self_check {
+namespace {
+
+namespace fs = std::filesystem;
+
+// From the bottom up. The same word is the folder, the namespace and, with grader_, the library.
+const std::vector<std::string> kRooms{"base",   "process", "sandbox",  "results",
+                                      "check",  "wire",    "mistakes", "pictures",
+                                      "report", "judge",   "programs", "self_check"};
+
+// Where the order alone would allow more than is good: what these may include, all told.
+const std::map<std::string, std::set<std::string>> kOnly{
+    {"results", {"base"}},
+    {"check", {"base", "process"}},
+    {"mistakes", {"base", "check"}},
+    {"report", {"base", "results", "pictures"}}};
+
+struct Source {
+  fs::path path;
+  std::string room, text;
+};
+
+// Folders without a room: solutions and editions are not the grader's own code.
+std::vector<Source> sources() {
+  std::vector<Source> all;
+  const fs::path grader = FIRSTLIGHT_ROOT "/grader";
+  for (const auto& entry : fs::recursive_directory_iterator(grader)) {
+    const fs::path below = fs::relative(entry.path(), grader);
+    const std::string room = *below.begin();
+    const std::string type = entry.path().extension();
+    const bool code = type == ".cpp" || type == ".h";
+    if (code && std::ranges::count(kRooms, room) > 0) {
+      all.push_back({below, room, base::read_file(entry.path())});
+    }
+  }
+  return all;
+}
+
+// The rooms that a text includes headers of, with the line.
+std::map<std::string, std::string> included(const std::string& text) {
+  static const std::regex include(R"(^#include "grader/(\w+)/.*)");
+  std::map<std::string, std::string> rooms;
+  std::istringstream lines(text);
+  std::smatch found;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, found, include)) rooms[found[1]] = line;
+  }
+  return rooms;
+}
+
+bool may_include(const std::string& room, const std::string& other) {
+  if (room == other) return true;
+  // A battery asks what the properties of its task ask too.
+  if (other == "tasks") return room == "mistakes";
+  const auto only = kOnly.find(room);
+  if (only != kOnly.end() && !only->second.contains(other)) return false;
+  return std::ranges::find(kRooms, other) < std::ranges::find(kRooms, room);
+}
+
+TEST(layers, point_downwards) {
+  const std::vector<Source> all = sources();
+  ASSERT_GT(all.size(), 150U);
+  for (const Source& source : all) {
+    // Submissions that attack, and right ones, are not our code.
+    const std::string folder = source.path.parent_path();
+    if (folder != "self_check" && source.room == "self_check") continue;
+    for (const auto& [other, line] : included(source.text)) {
+      EXPECT_TRUE(may_include(source.room, other))
+          << "grader/" << source.path.string() << ": " << line;
+    }
+  }
+}
+
+TEST(layers, are_namespaces) {
+  for (const Source& source : sources()) {
+    if (source.path.extension() != ".h" || source.path.begin()->string() == "self_check") continue;
+    const std::string name = "namespace grader::" + source.room;
+    const bool own = source.text.find(name) != std::string::npos;
+    EXPECT_TRUE(own || source.text.find("namespace ") == std::string::npos)
+        << "grader/" << source.path.string() << " is not in " << name;
+  }
+}
+
+TEST(layers, of_the_renderer_and_the_tests_stand_apart) {
+  for (const auto& entry : fs::recursive_directory_iterator(FIRSTLIGHT_ROOT "/pt")) {
+    const std::string type = entry.path().extension();
+    if (type != ".cpp" && type != ".h") continue;
+    EXPECT_EQ(base::read_file(entry.path()).find("#include \"grader/"), std::string::npos)
+        << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace grader::self_check

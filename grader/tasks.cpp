@@ -1,0 +1,90 @@
+#include "grader/tasks.h"
+
+#include "pt/error.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+namespace grader {
+
+namespace {
+
+using nlohmann::json;
+using Names = std::vector<std::string>;
+
+Task read_task(const json& from, const Names& scene) {
+  Task task;
+  from.at("slug").get_to(task.slug);
+  from.at("part").get_to(task.part);
+  task.functions = from.value("functions", Names{task.slug});
+  task.calls = from.value("calls", Names{});
+  task.judge_answers = from.value("judge_answers", Names{});
+  task.mocks = from.value("mocks", Names{});
+  task.traces = from.value("traces", false);
+  if (task.traces) task.framework = scene;
+  if (std::ranges::count(task.judge_answers, "radiance") > 0) {
+    task.framework.push_back("pt::radiance");
+  }
+  return task;
+}
+
+std::vector<Task> read_tasks() {
+  const json all = json::parse(tasks_json);
+  const Names scene = all.at("scene");
+  std::vector<Task> tasks;
+  std::map<std::string, int> number;
+  for (const json& each : all.at("tasks")) {
+    tasks.push_back(read_task(each, scene));
+    Task& task = tasks.back();
+    task.number =
+        task.part.substr(0, task.part.find('_')) + "." + std::to_string(++number[task.part]);
+  }
+  return tasks;
+}
+
+void add_needs(const Task& task, std::set<std::string>& needed) {
+  Names calls = task.calls;
+  if (task.traces) calls.insert(calls.end(), {"build_bvh", "hit_bvh"});
+  for (const std::string& slug : calls) {
+    if (needed.insert(slug).second) add_needs(task_of(slug), needed);
+  }
+}
+
+std::map<std::string, Names, std::less<>> find_needs() {
+  std::map<std::string, Names, std::less<>> all;
+  for (const Task& task : tasks()) {
+    std::set<std::string> needed;
+    add_needs(task, needed);
+    for (const Task& other : tasks()) {
+      if (needed.contains(other.slug)) all[task.slug].push_back(other.slug);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Task>& tasks() {
+  static const std::vector<Task> all = read_tasks();
+  return all;
+}
+
+const Task& task_of(std::string_view slug) {
+  const auto found = std::ranges::find(tasks(), slug, &Task::slug);
+  if (found == tasks().end()) {
+    throw pt::Error("'" + std::string(slug) + "' is not a task: see grader/tasks.json");
+  }
+  return *found;
+}
+
+const std::vector<std::string>& needs(std::string_view slug) {
+  static const auto all = find_needs();
+  static const Names none;
+  const auto found = all.find(slug);
+  return found == all.end() ? none : found->second;
+}
+
+}  // namespace grader

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader {
+
+// What the grader knows about one task of the course: a line of grader/tasks.json, which the build
+// and the script ./run read too. The functions with their types are in grader/calls.h, what they
+// promise in pt/tasks/, what that is worth in grader/points.json.
+struct Task {
+  std::string slug;                          // "hit_triangle"
+  std::string part;                          // "1_rays"
+  std::string number;                        // "1.3": the third line of its part
+  std::vector<std::string> functions{};      // of the contract, in namespace pt; without: the slug
+  std::vector<std::string> calls{};          // the other tasks that it may call: slugs
+  std::vector<std::string> judge_answers{};  // of what it calls: answered by the judge, alone
+  std::vector<std::string> mocks{};          // and what a mock stands for
+  std::vector<std::string> framework{};      // functions of the renderer: "pt::Scene::closest"
+  bool traces = false;                       // it sends rays through a scene, and so through a tree
+
+  std::string file() const { return part + "/" + slug + ".cpp"; }
+};
+
+// In the order of the course.
+const std::vector<Task>& tasks();
+
+// Throws pt::Error if there is no such task.
+const Task& task_of(std::string_view slug);
+
+// The tasks whose code a task's calls reach, in the order of the course: all of them, not only
+// those it calls itself. Scenes are traced by build_bvh and hit_bvh.
+const std::vector<std::string>& needs(std::string_view slug);
+
+// The text of grader/tasks.json.
+extern const std::string_view tasks_json;
+
+}  // namespace grader

@@ -1,0 +1,229 @@
+#include "grader/wire/session.h"
+
+#include "grader/base/printable.h"
+#include "grader/check/counting.h"
+#include "pt/error.h"
+#include "pt/scene/scene.h"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace grader::wire {
+
+namespace {
+
+constexpr std::size_t kMaxKnown = 256;                         // objects
+constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
+constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // in a call; sums do not overflow
+constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
+
+std::unique_ptr<Session> the_session;
+
+double seconds(std::chrono::nanoseconds time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+void open_session(const SessionSettings& settings) {
+  the_session = std::make_unique<Session>(settings);
+}
+
+Session& session() {
+  if (!the_session) throw pt::Error("there is no session with a worker: main has to open one");
+  return *the_session;
+}
+
+void Session::begin() {
+  definitions_.clear();
+  scenes_.clear();
+}
+
+Handle Session::define(ObjectKind kind, std::string_view bytes) {
+  const Handle handle = content_hash(kind, bytes);
+  const bool named = std::any_of(definitions_.begin(), definitions_.end(),
+                                 [&](const Definition& each) { return each.handle == handle; });
+  if (!named) definitions_.push_back({handle, kind, std::string(bytes)});
+  return handle;
+}
+
+Handle Session::name(const pt::Scene& scene) {
+  Writer content;
+  Codec<pt::Scene>::put(content, scene,
+                        settings_.integrated ? pt::Engine::task : scene.tracer.engine());
+  const Handle handle = define(ObjectKind::scene, content.bytes());
+  scenes_[handle] = &scene;
+  return handle;
+}
+
+Handle Session::name(const pt::Primitives& primitives) {
+  Writer content;
+  put(content, primitives);
+  return define(ObjectKind::primitives, content.bytes());
+}
+
+Handle Session::name(const pt::Bvh& bvh) {
+  Writer content;
+  put(content, bvh);
+  return define(ObjectKind::bvh, content.bytes());
+}
+
+const pt::Scene& Session::scene(Handle handle) const {
+  const auto found = scenes_.find(handle);
+  if (found == scenes_.end()) throw BadMessage("it asked about a scene that it was not given");
+  return *found->second;
+}
+
+std::string_view Session::call(Function function, std::uint64_t code, const Repetition& repetition,
+                               const Writer& arguments) {
+  expect_attempted();
+  expect_time_left();
+  drop_known_definitions();
+  record_.calls += std::max(1, repetition.count);
+  try {
+    reply_ = converse(message(function, code, repetition, arguments));
+    Reader reply(reply_);
+    take_head(reply, code);
+    expect_attempted();
+    for (const Definition& each : definitions_) {
+      known_.insert(each.handle);
+      known_bytes_ += each.content.size();
+    }
+    return reply.raw(reply.left());
+  } catch (const WorkerFailed& failure) {
+    fail(failure);
+  } catch (const BadMessage& bad) {
+    reject(bad.what());
+  }
+}
+
+void Session::expect_attempted() const {
+  if (record_.todo.contains(settings_.task)) {
+    settings_.give_up(check::Cause::not_attempted, "the task is not written yet");
+  }
+}
+
+void Session::expect_time_left() {
+  if (timeouts_ >= settings_.max_timeouts) {
+    settings_.give_up(last_cause_, fmt::format("not asked any more: {} {} no answer within {} s",
+                                               timeouts_, timeouts_ == 1 ? "call got" : "calls got",
+                                               seconds(settings_.call_limit)));
+  }
+  if (failures_ >= settings_.max_failures) {
+    settings_.give_up(last_cause_,
+                      fmt::format("not asked any more: {} calls came to nothing", failures_));
+  }
+  expect_total_time_left();
+}
+
+// What workers slept counts too, but only where it is far more than they may compute.
+void Session::expect_total_time_left() {
+  const auto give_up = [&](std::chrono::nanoseconds took) {
+    settings_.give_up(
+        check::Cause::timeout,
+        fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(took)));
+  };
+  const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
+  if (running > settings_.total_limit) give_up(running);
+  const auto waited = waited_ + (worker_ ? worker_->waited() : Clock::duration::zero());
+  const auto patience = process::TimeLimit::kPatience * settings_.total_limit;
+  if (waited - running <= patience) return;
+  const auto starved = starved_ + (worker_ ? worker_->starved() : Clock::duration::zero());
+  const auto slept = waited - running - starved;
+  if (slept > patience) give_up(slept);
+}
+
+// A dead process does not tell how long it waited for a processor, so that nothing may be held
+// against it.
+void Session::keep_times(check::Cause cause) {
+  running_ += worker_->running();
+  if (cause != check::Cause::timeout) return;
+  waited_ += worker_->waited();
+  starved_ += worker_->starved();
+}
+
+void Session::drop_known_definitions() {
+  std::size_t bytes = known_bytes_;
+  for (const Definition& each : definitions_) bytes += each.content.size();
+  forget_ = !worker_ || known_.size() > kMaxKnown || bytes > kMaxKnownBytes;
+  if (forget_) {
+    known_.clear();
+    known_bytes_ = 0;
+  }
+  std::erase_if(definitions_, [&](const Definition& each) { return known_.contains(each.handle); });
+}
+
+Writer Session::message(Function function, std::uint64_t code, const Repetition& repetition,
+                        const Writer& arguments) {
+  Writer out;
+  put(out, CallHead{static_cast<std::uint32_t>(function), code, repetition, forget_,
+                    definitions_.size()});
+  for (const Definition& each : definitions_) put(out, each);
+  out.raw(arguments.bytes().data(), arguments.bytes().size());
+  return out;
+}
+
+std::string Session::converse(const Writer& call) {
+  if (!worker_)
+    worker_ = std::make_unique<WorkerProcess>(settings_.program, settings_.tier, kMaxPrinted);
+  worker_->allow(settings_.call_limit);
+  worker_->send(Kind::call, ++sequence_, call.bytes());
+  while (true) {
+    Message message = worker_->receive(sequence_);
+    if (message.kind == Kind::reply) return std::move(message.payload);
+    if (message.kind == Kind::threw) {
+      throw WorkerFailed{check::Cause::crash, "it threw: " + base::printable(message.payload, 200),
+                         true};
+    }
+    if (!settings_.answers) throw BadMessage("it asked the judge, who has nothing to say");
+    const Writer reply = answer(settings_.task, message.payload, *this);
+    worker_->send(Kind::answer, sequence_, reply.bytes());
+  }
+}
+
+void Session::take_head(Reader& reply, std::uint64_t code) {
+  const auto head = get<ReplyHead>(reply);
+  if (head.code != code) throw BadMessage("the reply is of another type");
+  for (const std::int64_t count : {head.closest, head.occluded}) {
+    if (count < 0 || count > kMaxRays) throw BadMessage("a count of rays that cannot be");
+  }
+  for (std::size_t i = 0; i < kTasks.size(); ++i) {
+    if (head.todo >> i & 1) record_.todo.emplace(kTasks[i]);
+  }
+  if (record_.kept == 0) record_.kept = head.kept;
+  pt::count_rays({head.closest, head.occluded});
+  if (!settings_.integrated) return;
+  for (const pt::Box& box : head.tests.boxes) check::count(box);
+  for (const pt::Triangle& triangle : head.tests.triangles) check::count(triangle);
+  for (const pt::Sphere& sphere : head.tests.spheres) check::count(sphere);
+}
+
+void Session::reject(const std::string& why) {
+  fail({check::Cause::bad_reply, "a reply that cannot be: " + why, false});
+}
+
+void Session::fail(const WorkerFailed& failure) {
+  last_cause_ = failure.cause;
+  ++(failure.cause == check::Cause::timeout ? timeouts_ : failures_);
+  if (!failure.alive) {
+    if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
+    if (worker_) keep_times(failure.cause);
+    worker_.reset();
+    ++record_.restarts;
+  }
+  settings_.give_up(failure.cause,
+                    failure.cause == check::Cause::timeout
+                        ? fmt::format("no answer within {} s", seconds(settings_.call_limit))
+                        : failure.text);
+  std::abort();  // give_up has returned
+}
+
+SessionRecord Session::record() const {
+  SessionRecord record = record_;
+  if (worker_ && record.printed.size() < kMaxPrinted) record.printed += worker_->printed();
+  record.printed = base::printable(record.printed, kMaxPrinted, true);
+  return record;
+}
+
+}  // namespace grader::wire

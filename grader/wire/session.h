@@ -1,0 +1,111 @@
+#pragma once
+
+#include "grader/wire/worker_process.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace grader::wire {
+
+// How the one worker of this program is run.
+struct SessionSettings {
+  std::string task;                            // the slug that is judged
+  std::string program;                         // the worker
+  sandbox::Tier tier = sandbox::Tier::limits;  // of the box it runs in
+  bool integrated = false;  // all tasks are the submission's: its scenes are traced by its own tree
+  bool answers = true;      // the worker may ask back
+  // What to do when a call comes to nothing; does not return.
+  std::function<void(check::Cause, const std::string&)> give_up = check::fail_call;
+  // Of processor time (grader/process/time_limit.h).
+  std::chrono::milliseconds call_limit{2000};    // of one call, and of kBatch repetitions
+  std::chrono::milliseconds total_limit{30000};  // of all calls together
+  // After so many calls that came to nothing the worker is not asked any more. Counted, as time
+  // would depend on what else the machine does.
+  int max_timeouts = 3;
+  int max_failures = 500;
+};
+
+// What happened in a session, for the report.
+struct SessionRecord {
+  long long calls = 0;  // repetitions included
+  int restarts = 0;
+  std::set<std::string> todo;  // slugs of tasks that are not written yet
+  std::string printed;         // the beginning of what the workers printed
+  std::uint64_t kept = 0;      // 1 + the place of a variable that the task keeps between calls
+};
+
+// The judge's connection to the submission: starts the worker when it is needed, starts it again
+// after it died, and turns everything that goes wrong into a failed case (fail_call).
+class Session {
+ public:
+  explicit Session(SessionSettings settings) : settings_(std::move(settings)) {}
+
+  // Begins a call. Name the arguments' objects while they are written to `arguments`.
+  void begin();
+  Handle name(const pt::Scene& scene);
+  Handle name(const pt::Primitives& primitives);
+  Handle name(const pt::Bvh& bvh);
+
+  // Ends it: sends the call and returns the reply's payload, after the ReplyHead. The arguments are
+  // those of a function of the given number and signature.
+  std::string_view call(Function function, std::uint64_t code, const Repetition& repetition,
+                        const Writer& arguments);
+
+  // The reply to the last call makes no sense. The worker is not asked again.
+  [[noreturn]] void reject(const std::string& why);
+
+  // The scene of this call that has the name; throws BadMessage if there is none.
+  template <class Object>
+  const Object& find(Handle handle) const {
+    static_assert(std::is_same_v<Object, pt::Scene>, "inner calls name nothing else");
+    return scene(handle);
+  }
+
+  SessionRecord record() const;
+
+ private:
+  Handle define(ObjectKind kind, std::string_view bytes);
+  const pt::Scene& scene(Handle handle) const;
+  void expect_attempted() const;
+  void expect_time_left();
+  void expect_total_time_left();
+  void keep_times(check::Cause cause);  // of the worker that has ended
+  void drop_known_definitions();
+  Writer message(Function function, std::uint64_t code, const Repetition& repetition,
+                 const Writer& arguments);
+  std::string converse(const Writer& call);
+  void take_head(Reader& reply, std::uint64_t code);
+  [[noreturn]] void fail(const WorkerFailed& failure);
+
+  SessionSettings settings_;
+  SessionRecord record_;
+  std::unique_ptr<WorkerProcess> worker_;
+  std::uint64_t sequence_ = 0;
+  std::set<Handle> known_;  // to the worker
+  std::size_t known_bytes_ = 0;
+  bool forget_ = false;                        // this call begins with a worker that knows nothing
+  std::vector<Definition> definitions_;        // that this call needs
+  std::map<Handle, const pt::Scene*> scenes_;  // of this call
+  std::string reply_;
+  // Of workers that have ended.
+  std::chrono::nanoseconds running_{0}, waited_{0}, starved_{0};
+  int timeouts_ = 0, failures_ = 0;
+  check::Cause last_cause_ = check::Cause::timeout;
+};
+
+// How many repetitions go into one message: enough that its cost does not count, few enough that
+// the limit of a call is a limit for all of them.
+inline constexpr int kBatch = 256;
+
+// The session of this program, opened once by main.
+void open_session(const SessionSettings& settings);
+Session& session();
+
+// The judge's own answer to an inner call of the task (from its stand-ins). Throws BadMessage for
+// what it does not answer.
+Writer answer(std::string_view task, std::string_view question, const Session& session);
+
+}  // namespace grader::wire

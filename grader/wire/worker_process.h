@@ -1,0 +1,77 @@
+#pragma once
+
+#include "grader/base/descriptor.h"
+#include "grader/check/property.h"
+#include "grader/process/time_limit.h"
+#include "grader/sandbox/box.h"
+#include "grader/wire/message.h"
+
+#include <chrono>
+#include <string>
+
+namespace grader::wire {
+
+using Clock = std::chrono::steady_clock;
+
+// A conversation that came to nothing. The text says what the worker did, for a person to read.
+struct WorkerFailed {
+  check::Cause cause = check::Cause::crash;
+  std::string text;
+  bool alive = false;  // the worker may be asked again
+};
+
+struct Message {
+  Kind kind = Kind::reply;
+  std::string payload;
+};
+
+// One life of a worker, seen from the judge: it starts with the constructor and ends, whatever the
+// worker does, with the destructor. Nothing it sends is believed but what the checks let through,
+// and nothing waits longer than a limit allows, which counts what the worker computes: a verdict
+// does not depend on what else the machine does.
+class WorkerProcess {
+ public:
+  // In a box of the tier.
+  WorkerProcess(const std::string& program, sandbox::Tier tier, std::size_t max_printed);
+  ~WorkerProcess();
+  WorkerProcess(const WorkerProcess&) = delete;
+  WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+  // From now on it may take so much time (grader/process/time_limit.h).
+  void allow(std::chrono::milliseconds limit);
+
+  // Both throw WorkerFailed.
+  void send(Kind kind, std::uint64_t sequence, std::string_view payload);
+  Message receive(std::uint64_t sequence);
+
+  // How long it has run until the last call of allow().
+  std::chrono::nanoseconds running() const { return running_; }
+  // How long this process did nothing but wait for it.
+  std::chrono::nanoseconds waited() const { return waited_; }
+  // How long it has waited for a processor until now. Asks the kernel, which takes a while.
+  std::chrono::nanoseconds starved() const { return process::time_of_tree(pid_).waiting; }
+
+  // The beginning of what it has printed.
+  const std::string& printed() const { return printed_; }
+
+ private:
+  // Waits until the descriptor is ready, and meanwhile takes what the worker prints.
+  void wait(const base::Descriptor& descriptor, short event);
+  void take_output();
+  void fill(std::size_t size);  // until buffer_ has so many bytes
+  [[noreturn]] void ended();
+
+  pid_t pid_ = -1;     // of what was started: the program, or the box around it
+  pid_t worker_ = -1;  // the program, once that is known
+  sandbox::Tier tier_;
+  process::TimeLimit limit_;
+  std::chrono::nanoseconds running_{0}, waited_{0};
+  base::Descriptor to_worker_, from_worker_, output_;
+  std::string buffer_;  // received and not yet used
+  std::string printed_, last_words_;
+  std::size_t max_printed_;
+  std::size_t bytes_printed_ = 0;
+  bool has_answered_ = false;
+};
+
+}  // namespace grader::wire
