@@ -153,6 +153,35 @@ TEST(Mean, without_noise_may_be_as_imprecise_as_the_contract_says) {
   failure_of([&] { expect_mean("the mean", mean_of(draws), pt::gray(kNan), Noise{}, 1); });
 }
 
+TEST(Mean, that_is_not_a_number_is_never_right) {
+  const pt::Rgb one = pt::gray(1);
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<pt::Rgb> draws(100, one);
+    draws[30][channel] = kNan;
+    const Mean bad = mean_of(draws);
+    failure_of([&] { expect_mean("the mean", bad, one); });
+    failure_of([&] { expect_mean("the mean", bad, one, 1e9); });
+    failure_of([&] { expect_mean("the mean", bad, one, Noise{one}, 1e9); });
+    failure_of([&] { expect_noise("the mean", bad, Noise{one}, 1e9); });
+
+    // Each of the numbers by itself.
+    Mean only_value{one, {}, 100, {}}, only_error{one, {}, 100, {}};
+    only_value.value[channel] = kNan;
+    only_error.standard_error[channel] = kNan;
+    for (const Mean& mean : {only_value, only_error}) {
+      failure_of([&] { expect_mean("the mean", mean, one, 1e9); });
+      failure_of([&] { expect_mean("the mean", mean, one, Noise{one}, 1e9); });
+    }
+    failure_of([&] { expect_noise("the mean", only_error, Noise{one}, 1e9); });
+
+    pt::Rgb truth = one;
+    truth[channel] = kNan;
+    const Mean good = mean_of(std::vector<pt::Rgb>(100, one));
+    failure_of([&] { expect_mean("the mean", good, truth, 1e9); });
+    failure_of([&] { expect_mean("the mean", good, truth, Noise{one}, 1e9); });
+  }
+}
+
 TEST(Cameras, know_the_way_back_to_the_picture) {
   pt::Camera camera;
   camera.hfov_deg = 90;
