@@ -1,6 +1,6 @@
-# Where the implementation `reference` comes from: its sources; in the learners' edition, objects that
-# were compiled elsewhere, if they fit here; and where they do not, untouched stubs, so that all programs
-# link. Sets FIRSTLIGHT_REFERENCE to sources, objects or stubs, and FIRSTLIGHT_NO_REFERENCE to why there
+# Where the implementation `reference`, and `fast` for some of its tasks, come from: their sources; in the
+# learners' edition, objects that were compiled elsewhere, if they fit here; and where they do not, untouched
+# stubs, so that all programs link. Sets FIRSTLIGHT_REFERENCE to sources, objects or stubs, and FIRSTLIGHT_NO_REFERENCE to why there
 # are only stubs, in words that end a sentence.
 
 # What an object must agree with to be linked here, a line each. A newer compiler of the same make
@@ -51,12 +51,16 @@ function(firstlight_add_reference)
   set(misfit)
   if(EXISTS ${PROJECT_SOURCE_DIR}/reference)
     firstlight_add_implementation(reference ${PROJECT_SOURCE_DIR}/reference)
+    firstlight_add_implementation(fast ${PROJECT_SOURCE_DIR}/fast)
     add_custom_target(reference_objects ALL)
     foreach(task IN LISTS FIRSTLIGHT_TASKS)
       get_filename_component(slug ${task} NAME)
       add_dependencies(reference_objects ${slug}.reference)
       if(TARGET ${slug}.reference.counted)
         add_dependencies(reference_objects ${slug}.reference.counted)
+      endif()
+      if(TARGET ${slug}.fast)
+        add_dependencies(reference_objects ${slug}.fast)
       endif()
     endforeach()
     firstlight_stamp(stamp)
@@ -79,6 +83,10 @@ function(firstlight_add_reference)
           add_library(${slug}.reference.counted OBJECT IMPORTED)
           set_target_properties(${slug}.reference.counted PROPERTIES
             IMPORTED_OBJECTS ${folder}/${slug}.counted.o)
+        endif()
+        if(EXISTS ${folder}/${slug}.fast.o)
+          add_library(${slug}.fast OBJECT IMPORTED)
+          set_target_properties(${slug}.fast PROPERTIES IMPORTED_OBJECTS ${folder}/${slug}.fast.o)
         endif()
       endforeach()
     endif()

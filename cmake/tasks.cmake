@@ -63,7 +63,7 @@ function(firstlight_add_implementation name root)
     if(EXISTS ${root}/${task}.cpp)
       add_library(${slug}.${name} OBJECT ${root}/${task}.cpp)
       target_link_libraries(${slug}.${name} PRIVATE firstlight_options)
-      if(root MATCHES "/reference$")
+      if(root MATCHES "/(reference|fast)$")
         target_link_libraries(${slug}.${name} PRIVATE firstlight_warnings)
       endif()
       firstlight_add_counted(${slug} ${name} ${root}/${task}.cpp)
@@ -72,12 +72,12 @@ function(firstlight_add_implementation name root)
 endfunction()
 
 # firstlight_link_tasks(<program> FROM <implementation> [RADIANCE <implementation>]
-#                       [CHOICES <slug>=<implementation> ...] [COUNTED])
+#                       [CHOICES <slug>=<implementation> ...] [FAST] [COUNTED])
 # links one definition of every task, all FROM one implementation but for the CHOICES, and one of the
-# slot radiance (default: path; none: the program defines it itself). COUNTED takes the counting form of
-# the tasks that have one.
+# slot radiance (default: path; none: the program defines it itself). FAST takes the faster form of the
+# tasks that come FROM the reference and have one. COUNTED takes the counting form of the tasks that have one.
 function(firstlight_link_tasks program)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "COUNTED" "FROM;RADIANCE" "CHOICES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "COUNTED;FAST" "FROM;RADIANCE" "CHOICES")
   if(NOT ARG_RADIANCE)
     set(ARG_RADIANCE path)
   endif()
@@ -86,6 +86,9 @@ function(firstlight_link_tasks program)
     get_filename_component(slug ${task} NAME)
     list(APPEND slugs ${slug})
     set(choice_${slug} ${ARG_FROM})
+    if(ARG_FAST AND ARG_FROM STREQUAL reference AND TARGET ${slug}.fast)
+      set(choice_${slug} fast)
+    endif()
   endforeach()
   foreach(choice IN LISTS ARG_CHOICES)
     if(NOT choice MATCHES "^([a-z_]+)=([a-z_]+)$" OR NOT CMAKE_MATCH_1 IN_LIST slugs)

@@ -28,7 +28,7 @@ if grader/editions/handout.sh "$build" "$folder" 2>/dev/null; then
   complain "a second handout has been made over the first"
 fi
 grep -q 'todo(' "$folder/student/1_rays/hit_triangle.cpp" || complain "there are no stubs"
-for gone in .git reference tests bench grader/self_check grader/programs/bless.cpp grader/programs/grade_class.cpp \
+for gone in .git reference fast tests bench grader/self_check grader/programs/bless.cpp grader/programs/grade_class.cpp \
   grader/tasks/hit_box/wrong grader/tasks/hit_box/right grader/tasks/trace_path/noisy; do
   [ ! -e "$folder/$gone" ] || complain "$gone is in it"
 done
@@ -38,7 +38,7 @@ lines=$(mktemp)
 trap 'rm -f "$lines"' EXIT
 trimmed() { cat "$@" | sed 's/^ *//; s/ *$//' | sort -u; }
 mapfile -t open < <(find student pt -name '*.cpp' -o -name '*.h' -o -name '*.md')
-comm -23 <(trimmed reference/*/*.cpp) <(trimmed "${open[@]}") | grep -E '.{41}' >"$lines"
+comm -23 <(trimmed {reference,fast}/*/*.cpp fast/*/*.h) <(trimmed "${open[@]}") | grep -E '.{41}' >"$lines"
 [ "$(wc -l <"$lines")" -gt 100 ] || complain "the reference has hardly any lines: this looks for nothing"
 if grep -raFf "$lines" "$folder"; then complain "it has lines of the reference"; fi
 if nm "$folder"/reference-objects/*.o | grep -i ' [tbdr] .*_GLOBAL__N_'; then

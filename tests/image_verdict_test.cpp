@@ -4,10 +4,14 @@
 
 #include "grader/base/normal.h"
 #include "grader/pictures/cells.h"
+#include "grader/pictures/golden.h"
+#include "pt/file.h"
 #include "tests/synthetic_pictures.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace grader::pictures {
@@ -47,19 +51,97 @@ TEST(image_verdict, thresholds_are_those_of_the_design) {
   const std::pair<int, double> scales[] = {
       {6912, 5.13}, {432, 4.58}, {108, 4.28}, {12, 3.77}, {2, 3.29}};
   for (const auto& [count, threshold] : scales) {
-    EXPECT_NEAR(base::normal_quantile_above(1e-2 / 5 / count / 2), threshold, 0.006);
+    EXPECT_NEAR(base::normal_quantile_above(kStageLevels[0] / kScales / count / 2), threshold,
+                0.006);
   }
   const Golden golden =
       prepare(Draw(1).golden(synthetic_scene(Spread::diffuse, kWidth, kHeight), 64));
   const Moments same{16, 4, golden.mean, golden.variance};
   const Comparison pictures = compare(golden, same);
-  const std::vector<Complaint> kept(16, Complaint{cells_of(golden)[0], 9, 1, 0});
-  // Equal pictures repeat nothing; the threshold shows where they differ a lot.
-  EXPECT_TRUE(repeated(pictures, kept, 2e-3).empty());
+  const std::vector<Complaint> kept(kKeptComplaints, Complaint{cells_of(golden)[0], 9, 1, 0});
   Comparison off = pictures;
   for (double& difference : off.difference[kLuminance]) difference = 1e3;
-  ASSERT_EQ(repeated(off, kept, 2e-3).size(), 16u);
-  EXPECT_NEAR(repeated(off, kept, 2e-3)[0].threshold, 3.66, 0.005);
+  for (const double level : {kStageLevels[1], kStageLevels[2]}) {
+    // Equal pictures repeat nothing; the threshold shows where they differ a lot.
+    EXPECT_TRUE(repeated(pictures, kept, level).empty());
+    ASSERT_EQ(repeated(off, kept, level).size(), kKeptComplaints);
+    EXPECT_NEAR(repeated(off, kept, level)[0].threshold, 3.66, 0.005);
+  }
+}
+
+// The evidence of a cell is |z| over the threshold that the level of its stage leads to.
+TEST(image_verdict, judges_each_stage_by_its_level) {
+  const SyntheticScene scene = synthetic_scene(Spread::diffuse, kWidth, kHeight);
+  const pt::Film film = Draw(7).golden(scene, 16384);
+  SyntheticScene dark = scene;
+  for (SyntheticPixel& pixel : dark.pixels) {
+    if (!pixel.constant) pixel.direct *= 0.9;
+  }
+  const Golden golden = prepare(film);
+  std::vector<Batches> rendered;
+  for (const Stage& stage : stages_of(NoiseClass::ordinary)) {
+    rendered.push_back(Draw(8).batches(dark, stage.batches, stage.samples));
+  }
+  const RenderStage render = [&](int stage, int, int) { return rendered[stage - 1]; };
+  std::vector<Complaint> expected;
+  for (int stage = 1; stage <= 3; ++stage) {
+    const Batches& batches = rendered[stage - 1];
+    const Comparison pictures = compare(golden, moments(batches.images, batches.samples));
+    const double level = kStageLevels[stage - 1];
+    expected = stage == 1 ? exceeding(measure(pictures, cells_of(golden), level), kKeptComplaints)
+                          : repeated(pictures, expected, level);
+    const ImageVerdict verdict = judge_image(film, NoiseClass::ordinary, render, stage);
+    const results::FailingCell clearest = failing_cell(smallest(expected).front());
+    const bool found = std::any_of(
+        verdict.cells.begin(), verdict.cells.end(), [&](const results::FailingCell& cell) {
+          return cell.x == clearest.x && cell.y == clearest.y && cell.width == clearest.width &&
+                 std::abs(cell.evidence / clearest.evidence - 1) < 1e-9;
+        });
+    EXPECT_TRUE(found) << "stage " << stage;
+  }
+}
+
+// An even picture, five times as noisy as it may be, with one block that is too dark.
+ImageVerdict verdict_on_dark_block(double off_by) {
+  SyntheticScene even{kWidth, kHeight, Spread::diffuse, {}};
+  even.pixels.resize(kWidth * kHeight);
+  for (SyntheticPixel& pixel : even.pixels) pixel.direct = pt::gray(1);
+  SyntheticScene noisy = even;
+  for (int i = 0; i < kWidth * kHeight; ++i) {
+    noisy.pixels[i].shape = 1.0 / 5;
+    const bool in_block = i % kWidth / 8 == 2 && i / kWidth / 8 == 1;
+    if (in_block) noisy.pixels[i].direct *= 1 - off_by;
+  }
+  return judge_image(Draw(51).golden(even, 16384), NoiseClass::ordinary, submission(noisy, 52));
+}
+
+TEST(image_verdict, a_block_beyond_the_blatant_limit_is_wrong_however_noisy) {
+  EXPECT_EQ(verdict_on_dark_block(0.5 * kBlatant).outcome, Outcome::too_noisy);
+  const ImageVerdict verdict = verdict_on_dark_block(2 * kBlatant);
+  EXPECT_EQ(verdict.outcome, Outcome::wrong);
+  ASSERT_FALSE(verdict.cells.empty());
+  EXPECT_EQ(verdict.cells[0].x, 16);
+  EXPECT_EQ(verdict.cells[0].y, 8);
+}
+
+TEST(image_verdict, has_the_numbers_of_its_page) {
+  const std::string page = pt::read_file(FIRSTLIGHT_ROOT "/docs/verdicts.md", 1 << 20);
+  const auto row = [](const std::string& name, const auto& number) {
+    return fmt::format("| {} | {:g} | {:g} | {:g} |\n", name, number(0), number(1), number(2));
+  };
+  const auto samples = [](NoiseClass noise) {
+    return [noise](int i) {
+      const Stage stage = stages_of(noise)[i];
+      return static_cast<double>(stage.batches * stage.samples);
+    };
+  };
+  for (const std::string& text :
+       {row("level", [](int i) { return kStageLevels[i]; }),
+        row("samples a pixel", samples(NoiseClass::ordinary)),
+        row("of a noisy picture", samples(NoiseClass::noisy)),
+        fmt::format("more than {:g} % off in every stage", 100 * kBlatant)}) {
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  }
 }
 
 // Else a golden's error would choose how much it counts, and the sum would be off for every
@@ -108,7 +190,8 @@ TEST(image_verdict, right_pictures_pass) {
       }
     }
     std::printf("stage 1 complains of %d in %d right pictures\n", complaints, kGoldens * kPictures);
-    EXPECT_LE(complaints, binomial_bound(kGoldens * kPictures, 1e-2)) << static_cast<int>(spread);
+    EXPECT_LE(complaints, binomial_bound(kGoldens * kPictures, kStageLevels[0]))
+        << static_cast<int>(spread);
   }
 }
 
@@ -125,15 +208,16 @@ TEST(image_verdict, later_stages_repeat_no_false_complaint) {
       Draw draw(3000 + i);
       for (int j = 0; j < kPictures; ++j) {
         std::vector<Complaint> kept;
-        while (kept.size() < 16) {
+        while (kept.size() < kKeptComplaints) {
           kept.push_back(
               {cells[draw.random()() % cells.size()], draw.random()() % 2 == 0 ? 9.0 : -9.0, 1, 0});
         }
         const Moments stage = moments(draw.batches(scene, 16, samples).images, samples);
-        if (!repeated(compare(golden, stage), kept, 2e-3).empty()) ++complaints;
+        if (!repeated(compare(golden, stage), kept, kStageLevels[1]).empty()) ++complaints;
       }
     }
-    EXPECT_LE(complaints, binomial_bound(kGoldens * kPictures, 2e-3)) << static_cast<int>(spread);
+    EXPECT_LE(complaints, binomial_bound(kGoldens * kPictures, kStageLevels[1]))
+        << static_cast<int>(spread);
   }
 }
 

@@ -71,18 +71,20 @@ class RenderProgram : public testing::Test {
   }
 
   // Runs the program in the folder; what it says goes to said().
-  int run(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "' && " + RENDER_PROGRAM + " " +
-                                arguments + " > said 2>&1 < /dev/null";
+  int run(const std::string& arguments, const std::string& program = RENDER_PROGRAM) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" + program + "' " + arguments +
+                                " > said 2>&1 < /dev/null";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
-  std::string said() const {
+  std::string contents(const std::string& file) const {
     std::ostringstream text;
-    text << std::ifstream(folder_ / "said").rdbuf();
+    text << std::ifstream(folder_ / file, std::ios::binary).rdbuf();
     return text.str();
   }
+
+  std::string said() const { return contents("said"); }
 
   std::vector<std::string> files() const {
     std::vector<std::string> names;
@@ -162,6 +164,19 @@ TEST_F(Options, count_bounces_and_choose_those_shown) {
   EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show bounce --bounce 2")), 0);
   // The floor's normal is (0, 1, 0), shown as (n + 1) / 2.
   EXPECT_NEAR(brightest(rendered("-s 1 --show normals")), 1, 1e-6);
+}
+
+// The program links fast/, the other one the plain reference.
+TEST_F(Options, give_the_pictures_of_the_plain_reference) {
+  for (const char* scene : {"two_lights", "sheet", "box_gems", "coloured_lights"}) {
+    for (const char* options : {"-s 2 -l 3 -m 1", "-s 1 -l 20 -m 4"}) {
+      const std::string arguments =
+          std::string(FIRSTLIGHT_SCENES "/") + scene + ".dae -r 48 36 " + options;
+      ASSERT_EQ(run(arguments + " -f fast.exr"), 0) << said();
+      ASSERT_EQ(run(arguments + " -f plain.exr", PLAIN_RENDER_PROGRAM), 0) << said();
+      EXPECT_EQ(contents("fast.exr"), contents("plain.exr")) << arguments;
+    }
+  }
 }
 
 // Directions over the hemisphere never meet a point.

@@ -1,5 +1,6 @@
 #include "pt/render/pixel_record.h"
 #include "pt/render/render_film.h"
+#include "pt/render/render_rows.h"
 
 #include <atomic>
 #include <cmath>
@@ -67,6 +68,28 @@ TEST(RenderFilm, gives_the_same_bits_for_any_number_of_threads) {
   }
   settings.seed = 6;
   EXPECT_FALSE(same_bits(render_film(view, settings).film, render_film(view, {4, {}, 5, 2}).film));
+}
+
+// A worker renders rows of means; the render program a film, from the top.
+TEST(RenderRows, are_the_rows_of_the_film) {
+  const Scene scene = make_scene({1, 2, 3});
+  const View view = make_view(scene);
+  for (const bool adaptive : {false, true}) {
+    RenderSettings settings{4, {}, 5, 1};
+    if (adaptive) settings.adaptive = AdaptiveSettings{64, 8, .1};
+    const Film film = render_film(view, settings).film;
+    const int first = 3, count = 20;
+    const PictureRows rows = render_rows(view, {first, count, 4, settings.adaptive, 5});
+    ASSERT_EQ(rows.mean.size(), static_cast<std::size_t>(count * view.width));
+    ASSERT_EQ(rows.counts.size(), adaptive ? rows.mean.size() : 0);
+    for (int i = 0; i < count * view.width; ++i) {
+      const FilmPixel& pixel = film.at(i % view.width, view.height - 1 - first - i / view.width);
+      EXPECT_EQ(rows.mean[i], pixel.mean);
+      if (adaptive) {
+        EXPECT_EQ(rows.counts[i], pixel.samples);
+      }
+    }
+  }
 }
 
 // Sky above the wall is black and constant: no variance at all. The floor is noisy.

@@ -21,7 +21,7 @@ BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler) {
   const Vec2 xi = sampler.next_2d();
   Vec3 wi = seen_from_above(wo) ? uniform_hemisphere(xi) : cosine_hemisphere(xi);
   if (wo.z < 0) wi.z = -wi.z;
-  return {wi, diffuse_f(albedo, wo, wi), diffuse_pdf(wo, wi)};
+  return {wi, albedo / kPi, diffuse_pdf(wo, wi)};
 }
 
 double diffuse_pdf(Vec3 wo, Vec3 wi) {

@@ -14,13 +14,7 @@ namespace {
 
 using Outcome = ImageVerdict::Outcome;
 
-constexpr std::array<double, 3> kLevels{1e-2, 2e-3, 2e-3};
-constexpr std::size_t kKept = 16;
 constexpr double kMostCorrelated = 3;
-
-// A block that is so far off is wrong however noisy the picture is: noise that hides as much would
-// show in the whole picture's energy.
-constexpr double kBlatant = 0.2;
 
 double usual_limit(NoiseClass noise) { return noise == NoiseClass::noisy ? 6 : 3; }
 
@@ -126,7 +120,7 @@ bool Judge::judge(const Batches& batches) {
   const Moments stage = moments(batches.images, batches.samples);
   const Comparison pictures = compare(golden_, stage);
   const Noise noise = measure_noise(golden_, stage, batches.images);
-  const std::vector<Complaint> measured = measure(pictures, cells_, kLevels[number]);
+  const std::vector<Complaint> measured = measure(pictures, cells_, kStageLevels[number]);
 
   Suspicion now;
   now.constants = wrong_constants(golden_, stage, batches.images);
@@ -136,14 +130,14 @@ bool Judge::judge(const Batches& batches) {
     now.energy_off = noise.energy_off;
   }
   if (number == 0) {
-    now.cells = exceeding(measured, kKept);
-    if (now.noisy) now.blatant = exceeding(blatant(measured), kKept);
+    now.cells = exceeding(measured, kKeptComplaints);
+    if (now.noisy) now.blatant = exceeding(blatant(measured), kKeptComplaints);
   } else {
-    now.cells = repeated(pictures, suspicion_.cells, kLevels[number]);
+    now.cells = repeated(pictures, suspicion_.cells, kStageLevels[number]);
     now.constants = also_before(now.constants, suspicion_.constants);
     now.correlated = now.correlated && suspicion_.correlated;
     now.noisy = now.noisy && suspicion_.noisy;
-    now.blatant = blatant(repeated(pictures, suspicion_.blatant, kLevels[number]));
+    now.blatant = blatant(repeated(pictures, suspicion_.blatant, kStageLevels[number]));
     now.energy_off = agreed(now.energy_off, suspicion_.energy_off);
   }
   suspicion_ = now;
@@ -184,7 +178,7 @@ void Judge::decide() {
   for (const Complaint& one : parts) verdict_.cells.push_back(failing_cell(one));
   std::stable_sort(verdict_.cells.begin(), verdict_.cells.end(),
                    [](const auto& a, const auto& b) { return a.evidence > b.evidence; });
-  if (verdict_.cells.size() > kKept) verdict_.cells.resize(kKept);
+  if (verdict_.cells.size() > kKeptComplaints) verdict_.cells.resize(kKeptComplaints);
 
   // What covers more of the picture says more about it.
   if (!suspicion_.constants.empty() && suspicion_.constants.size() >= area(parts)) {

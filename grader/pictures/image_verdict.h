@@ -32,6 +32,16 @@ std::array<Stage, 3> stages_of(NoiseClass noise);
 // between the reference's runs, and `samples` counts those runs.
 inline constexpr std::array<Stage, 3> kAdaptiveStages{{{16, 1}, {16, 1}, {16, 1}}};
 
+// How often a right picture may be complained of in each stage, all cells together.
+inline constexpr std::array<double, 3> kStageLevels{1e-2, 2e-3, 2e-3};
+
+// So many complaints of the first stage go on to the others.
+inline constexpr std::size_t kKeptComplaints = 16;
+
+// A block that is so far off, relative to the golden, is wrong however noisy the picture is: noise
+// that hides as much would show in the whole picture's energy.
+inline constexpr double kBlatant = 0.2;
+
 struct Batches {
   int samples = 0;                // a pixel, of each image
   std::vector<pt::Image> images;  // at least 2, independent of each other

@@ -164,6 +164,35 @@ TEST(Mean, without_noise_may_be_as_imprecise_as_the_contract_says) {
   });
 }
 
+TEST(Mean, that_is_not_a_number_is_never_right) {
+  const pt::Rgb one = pt::gray(1);
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<pt::Rgb> draws(100, one);
+    draws[30][channel] = kNan;
+    const check::Mean bad = check::mean_of(draws);
+    failure_of([&] { check::expect_mean("the mean", bad, one); });
+    failure_of([&] { check::expect_mean("the mean", bad, one, 1e9); });
+    failure_of([&] { check::expect_mean("the mean", bad, one, check::Noise{one}, 1e9); });
+    failure_of([&] { check::expect_noise("the mean", bad, check::Noise{one}, 1e9); });
+
+    // Each of the numbers by itself.
+    check::Mean only_value{one, {}, 100, {}}, only_error{one, {}, 100, {}};
+    only_value.value[channel] = kNan;
+    only_error.standard_error[channel] = kNan;
+    for (const check::Mean& mean : {only_value, only_error}) {
+      failure_of([&] { check::expect_mean("the mean", mean, one, 1e9); });
+      failure_of([&] { check::expect_mean("the mean", mean, one, check::Noise{one}, 1e9); });
+    }
+    failure_of([&] { check::expect_noise("the mean", only_error, check::Noise{one}, 1e9); });
+
+    pt::Rgb truth = one;
+    truth[channel] = kNan;
+    const check::Mean good = check::mean_of(std::vector<pt::Rgb>(100, one));
+    failure_of([&] { check::expect_mean("the mean", good, truth, 1e9); });
+    failure_of([&] { check::expect_mean("the mean", good, truth, check::Noise{one}, 1e9); });
+  }
+}
+
 TEST(Cameras, know_the_way_back_to_the_picture) {
   pt::Camera camera;
   camera.hfov_deg = 90;

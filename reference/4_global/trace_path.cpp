@@ -23,24 +23,25 @@ Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& se
 Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings& settings,
                Sampler& sampler) {
   Rgb sum;
-  Rgb weight = gray(1);  // what the turns so far leave of light that is found now
+  Rgb throughput = gray(1);  // the part of the light at `point` that reaches `start`
   SurfacePoint point = start;
   for (int bounce = 1; bounce <= settings.to; ++bounce) {
-    if (bounce >= settings.from) sum += weight * direct(scene, point, settings, sampler);
+    if (bounce >= settings.from) sum += throughput * direct(scene, point, settings, sampler);
     if (bounce == settings.to) break;
 
-    // Russian roulette, from the second turn on: whoever survives stands for those who did not.
+    // Russian roulette, from the second bounce on: a path that survives stands for those that
+    // did not.
     if (bounce > 1) {
       if (!(sampler.next_1d() < settings.survival)) break;
-      weight /= settings.survival;
+      throughput /= settings.survival;
     }
 
     const Vec3 wo = point.frame.to_local(point.wo);
-    const BsdfSample turn = diffuse_sample(point.albedo, wo, sampler);
-    if (!(turn.pdf > 0)) break;  // a direction that grazes the surface brings nothing
-    weight *= turn.f * (std::abs(turn.wi.z) / turn.pdf);
+    const BsdfSample next = diffuse_sample(point.albedo, wo, sampler);
+    if (!(next.pdf > 0)) break;  // a direction that grazes the surface brings nothing
+    throughput *= next.f * (std::abs(next.wi.z) / next.pdf);
 
-    const Ray ray = spawn_ray(point, point.frame.to_world(turn.wi));
+    const Ray ray = spawn_ray(point, point.frame.to_world(next.wi));
     const std::optional<Hit> hit = scene.closest(ray);
     if (!hit) break;
     point = surface_point(scene, ray, *hit);
