@@ -18,7 +18,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 using Outcome = pictures::ImageVerdict::Outcome;
@@ -173,7 +173,7 @@ void print_sample_maps(int maps) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures
 
 int main(int count, char** arguments) {
   CLI::App app("How often the verdict on a picture is wrong", "verdict_power");

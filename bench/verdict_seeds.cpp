@@ -18,6 +18,7 @@
 namespace {
 
 using namespace grader;
+using namespace grader::pictures;
 
 struct Options {
   std::string root = FIRSTLIGHT_ROOT;
