@@ -67,6 +67,8 @@ TEST(Materials, default_to_one_half) {
 
 TEST(Materials, reflect_at_most_all) {
   EXPECT_EQ(load_material(common_diffuse("2 .5 1")).albedo, (Rgb{1, .5, 1}));
+  EXPECT_EQ(load_material(common_diffuse("1 2 .5")).albedo, (Rgb{1, 1, .5}));
+  EXPECT_EQ(load_material(common_diffuse(".5 1 2")).albedo, (Rgb{.5, 1, 1}));
 }
 
 TEST(Materials, outside_the_model_load_and_are_refused_for_light_transport) {

@@ -87,6 +87,48 @@ TEST(sample_map, every_mistake_of_the_table_fails) {
   }
 }
 
+// Pixels that take from 20 to 319 batches, the same in every run.
+struct ManyBatches {
+  SampleMapReference reference;
+  pt::SampleMap map;
+};
+
+ManyBatches many_batches(int max_samples) {
+  ManyBatches many{reference(), {scene().width, scene().height, {}, max_samples}};
+  many.reference.settings.max_samples = max_samples;
+  for (std::size_t i = 0; i < many.reference.mean.size(); ++i) {
+    const int count = (20 + static_cast<int>(i % 300)) * kSettings.batch;
+    many.map.counts.push_back(count);
+    many.reference.mean[i] = count;
+    many.reference.deviation[i] = kSettings.batch;
+    many.reference.constant[i] = 0;
+  }
+  return many;
+}
+
+// Where pixels take many batches, one more or less hardly changes the ratio.
+TEST(sample_map, a_batch_more_or_less_everywhere_fails) {
+  const auto [golden, map] = many_batches(500 * kSettings.batch);
+  EXPECT_TRUE(judge_sample_map(golden, map).pass);
+  for (const int off : {-kSettings.batch, kSettings.batch}) {
+    pt::SampleMap shifted = map;
+    for (int& count : shifted.counts) count += off;
+    EXPECT_FALSE(judge_sample_map(golden, shifted).pass) << off;
+  }
+}
+
+TEST(sample_map, the_last_batch_may_be_cut_short_by_the_maximum) {
+  const int max_samples = 400 * kSettings.batch + 3;
+  auto [golden, map] = many_batches(max_samples);
+  for (std::size_t i = 0; i < map.counts.size(); i += 10) {
+    golden.mean[i] = map.counts[i] = max_samples;
+  }
+  const SampleMapVerdict verdict = judge_sample_map(golden, map);
+  EXPECT_TRUE(verdict.pass) << verdict.sentence;
+  for (std::size_t i = 0; i < map.counts.size(); i += 10) map.counts[i] -= 1;
+  EXPECT_FALSE(judge_sample_map(golden, map).pass);
+}
+
 TEST(sample_map, the_maximum_everywhere_is_said_to_be_that) {
   pt::SampleMap map = map_of(StoppingRule::right);
   for (int& count : map.counts) count = kSettings.max_samples;
