@@ -184,10 +184,10 @@ int main(int count, char** arguments) {
       ->check(CLI::Range(2, 1000000));
   app.add_option("--wrong", wrong, "wrong pictures of each kind")->check(CLI::Range(1, 100000));
   return pt::run_command_line(app, count, arguments, [&] {
-    grader::print_sample_maps(std::min(pictures, 400));
-    grader::measure_power(folder, wrong);
-    grader::print_false_failures(pictures);
-    grader::print_later_stages(pictures);
+    grader::pictures::print_sample_maps(std::min(pictures, 400));
+    grader::pictures::measure_power(folder, wrong);
+    grader::pictures::print_false_failures(pictures);
+    grader::pictures::print_later_stages(pictures);
     return 0;
   });
 }
