@@ -130,6 +130,14 @@ TEST_F(RenderProgram, shows_every_view) {
   }
 }
 
+TEST_F(RenderProgram, refuses_a_survival_that_is_no_chance) {
+  for (const char* chance : {"0", "1.1", "-0.5", "nan", "often"}) {
+    EXPECT_EQ(run(std::string("scene.dae -s 1 -r 8 6 --survival ") + chance), 2) << chance;
+    EXPECT_NE(said().find("--survival"), std::string::npos) << said();
+  }
+  EXPECT_EQ(run("scene.dae -s 1 -r 8 6 --survival 1"), 0) << said();
+}
+
 // What the options mean, seen in the picture. The floor is diffuse with albedo .5, and the only
 // light a point light of intensity 9, 3 above its middle: a point of the floor at distance d sees
 // .5 / pi * 9 / d^2 * 3 / d, at most .5 / pi.

@@ -1,12 +1,11 @@
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 #include "pt/image/sample_map.h"
+#include "pt/render/choose_engine.h"
 #include "pt/render/options.h"
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/load_collada.h"
-#include "pt/tasks/hit_bvh.h"
-#include "pt/todo.h"
 
 #include <algorithm>
 #include <atomic>
@@ -22,23 +21,6 @@ std::atomic<bool> interrupted = false;                  // set by Ctrl-C
 static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler could not set it
 
 constexpr int kInterruptedExit = 130;  // as shells have it for Ctrl-C
-
-// Asks the scene's tree once, and goes back to no tree at all where one of its tasks is a stub: so
-// that part 1 shows its pictures before part 2 is written.
-void choose_engine(Scene& scene, const RenderOptions& options) {
-  scene.tracer = Tracer(options.engine, scene.primitives, options.max_leaf);
-  if (options.engine != Engine::task || scene.primitives.size() == 0) return;
-  const Vec3 target = bounds(scene.primitives, 0).center();
-  const Ray probe{target - Vec3{1, 2, 3}, {1, 2, 3}, 0, kInfinity};
-  hit_bvh(scene.tracer.bvh(), scene.primitives, probe);
-  occluded_bvh(scene.tracer.bvh(), scene.primitives, probe);
-  for (const char* slug : {"build_bvh", "hit_box", "hit_bvh"}) {
-    if (!todo_reached(slug)) continue;
-    std::fprintf(stderr, "%s is not written yet: tracing without a tree (--engine linear)\n", slug);
-    scene.tracer = Tracer(Engine::linear, scene.primitives);
-    return;
-  }
-}
 
 std::filesystem::path beside(const std::filesystem::path& picture, const char* ending) {
   std::filesystem::path path = picture;
@@ -88,7 +70,7 @@ int run(int argc, const char* const* argv) {
   LoadedScene loaded = load_collada(options.scene, {options.lambertian});
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
   if (options.show != Show::normals) require_supported(loaded, options.scene);
-  choose_engine(loaded.scene, options);
+  choose_engine(loaded.scene, options.engine, options.max_leaf);
 
   const View view{loaded.scene,
                   frame_camera(loaded, options.framing, options.width, options.height),

@@ -80,6 +80,13 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
                  "How often light may bounce: 0 emitters only, 1 direct light, more: indirect")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
+  app.add_option("--survival", options.survival,
+                 "The chance of a path to go on after each bounce but the first; 1: no roulette")
+      ->check([](const std::string& word) {
+        const double chance = std::strtod(word.c_str(), nullptr);
+        return chance > 0 && chance <= 1 ? "" : "takes a chance above 0 and at most 1, as .7";
+      })
+      ->capture_default_str();
   app.add_flag("-H,--hemisphere", options.hemisphere,
                "Direct light by looking around, not by asking the lights");
   app.add_option("-a,--adaptive", pairs.adaptive,
@@ -151,6 +158,7 @@ PathSettings path_settings(const RenderOptions& options) {
   settings.light_samples = options.light_samples;
   settings.direct =
       options.hemisphere ? PathSettings::Direct::hemisphere : PathSettings::Direct::lights;
+  settings.survival = options.survival;
   settings.show_normals = options.show == Show::normals;
   settings.from = 0;
   settings.to = options.bounces;

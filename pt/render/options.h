@@ -23,6 +23,7 @@ struct RenderOptions {
   int light_samples = 1;
   int bounces = 5;
   std::optional<AdaptiveSettings> adaptive;
+  double survival = 0.7;  // of Russian roulette
   bool hemisphere = false;
   Show show = Show::full;
   int bounce = 1;  // for Show::bounce

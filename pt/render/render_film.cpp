@@ -48,31 +48,6 @@ void note_bad(Share& share, BadPixel pixel) {
   if (!share.first_bad || comes_before(pixel, *share.first_bad)) share.first_bad = pixel;
 }
 
-void render_pixel(const View& view, int x, int y, const RenderSettings& settings, Film& film,
-                  Share& share) {
-  PixelRecord& record = pixel_record();
-  record = {};
-  Sampler sampler = Sampler::for_pixel(settings.seed, x, y);
-  PixelEstimate estimate = ask_task(view, x, y, settings, sampler);
-
-  // The task counted samples that were not finite as black: take them out of its mean.
-  int not_finite = record.not_finite;
-  if (not_finite > 0 && estimate.samples > not_finite) {
-    estimate.mean *= static_cast<double>(estimate.samples) / (estimate.samples - not_finite);
-  }
-  if (!is_finite(estimate.mean)) {
-    estimate.mean = {};
-    ++not_finite;
-  }
-  if (not_finite > 0) {
-    share.not_finite += not_finite;
-    note_bad(share, {x, y});
-  }
-  const RunningMoments& moments = record.moments;
-  film.set(x, view.height - 1 - y,
-           {estimate.mean, moments.variance(), moments.variance_y(), estimate.samples});
-}
-
 // Everything the threads share: the tiles not yet taken, and how far the picture is.
 struct Tiles {
   int columns, count;
@@ -98,7 +73,11 @@ Share render_tiles(const View& view, const RenderSettings& settings, Film& film,
     for (int y = y0; y < std::min(y0 + kTileSize, view.height); ++y) {
       for (int x = x0; x < std::min(x0 + kTileSize, view.width); ++x) {
         if (stopped()) return share;
-        render_pixel(view, x, y, settings, film, share);
+        const RenderedPixel rendered = render_pixel(view, x, y, settings);
+        film.set(x, view.height - 1 - y, rendered.pixel);
+        if (rendered.not_finite == 0) continue;
+        share.not_finite += rendered.not_finite;
+        note_bad(share, {x, y});
       }
     }
     ++tiles.done;
@@ -129,6 +108,25 @@ void add(RenderResult& result, const Share& share) {
 }
 
 }  // namespace
+
+RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings& settings) {
+  PixelRecord& record = pixel_record();
+  record = {};
+  Sampler sampler = Sampler::for_pixel(settings.seed, x, y);
+  PixelEstimate estimate = ask_task(view, x, y, settings, sampler);
+
+  // The task counted samples that were not finite as black: take them out of its mean.
+  int not_finite = record.not_finite;
+  if (not_finite > 0 && estimate.samples > not_finite) {
+    estimate.mean *= static_cast<double>(estimate.samples) / (estimate.samples - not_finite);
+  }
+  if (!is_finite(estimate.mean)) {
+    estimate.mean = {};
+    ++not_finite;
+  }
+  const RunningMoments& moments = record.moments;
+  return {{estimate.mean, moments.variance(), moments.variance_y(), estimate.samples}, not_finite};
+}
 
 RenderResult render_film(const View& view, const RenderSettings& settings,
                          const std::function<void(double)>& progress,

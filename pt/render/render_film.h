@@ -37,6 +37,13 @@ struct RenderResult {
   bool complete = false;              // false if it was stopped before the end
 };
 
+// One pixel, (x, y) as the tasks count, and how many of its samples were not finite.
+struct RenderedPixel {
+  FilmPixel pixel;
+  int not_finite = 0;
+};
+RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings& settings);
+
 // The picture of a view, tile by tile. Same seed, same bits, for any number of threads: each pixel
 // has its own random numbers. `progress` is called from time to time with the part done, in [0, 1],
 // by one thread at a time. Setting *stop ends the render within about a pixel.

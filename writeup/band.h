@@ -1,0 +1,40 @@
+#pragma once
+
+#include "writeup/rows.h"
+#include "writeup/spec.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// Part of a render: some rows, made by one process.
+
+namespace writeup {
+
+struct Band {
+  std::filesystem::path folder;  // of the render
+  int first_row = 0, rows = 0;
+
+  std::string name() const { return std::to_string(first_row) + "+" + std::to_string(rows); }
+  std::filesystem::path file() const { return folder / (name() + ".rows"); }
+  std::filesystem::path done() const { return folder / (name() + ".json"); }
+};
+
+// From "FOLDER/FIRST+ROWS". Throws pt::Error.
+Band band_of(const std::string& words);
+
+// What a band says of itself when all its rows are there.
+struct BandEnd {
+  std::vector<std::string> missing;  // tasks that are not written yet
+  std::string engine;
+  int primitives = 0;
+};
+
+// The first row that is not there yet; what is after it is cut off.
+int start_band(const Band& band, int width);
+void finish_band(const Band& band, const BandEnd& end);
+BandEnd read_end(const Band& band);
+
+Spec read_spec(const std::filesystem::path& file);
+
+}  // namespace writeup

@@ -1,0 +1,40 @@
+#include "writeup/boxed_code.h"
+
+#include "grader/base/files.h"
+#include "grader/base/sha256.h"
+#include "grader/process/run_command.h"
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <chrono>
+
+namespace writeup {
+
+namespace {
+
+constexpr std::chrono::minutes kBuildTime{20};
+constexpr std::size_t kMaxJson = std::size_t{1} << 22;
+
+}  // namespace
+
+Code code_of_submission(const Options& options) {
+  const std::string built = options.work + "/submission.json";
+  const auto result =
+      grader::process::run_command({{options.boxed, "build", options.submission, built},
+                                    {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"},
+                                    {},
+                                    "",
+                                    {}},
+                                   kBuildTime);
+  if (!result.ok()) throw pt::Error("the submission cannot be built: " + result.output);
+  const auto in = nlohmann::json::parse(pt::read_file(built, kMaxJson));
+  Code code;
+  code.command = {options.boxed, "render", in.at("worker"), in.at("tier")};
+  code.hash = in.at("hash").get<std::map<std::string, std::string>>();
+  code.hash["framework"] += grader::base::sha256(grader::base::stamp(options.boxed));
+  code.unusable = in.at("unusable").get<std::map<std::string, std::string>>();
+  code.measures = false;
+  return code;
+}
+
+}  // namespace writeup

@@ -1,0 +1,169 @@
+// writeup_boxed: a submission's pictures, without running a line of it here.
+//   writeup_boxed build SUBMISSION OUT.json       compiles it in the box and links a worker
+//   writeup_boxed render WORKER TIER SPEC BAND    some rows of one render, by that worker
+#include "grader/base/sha256.h"
+#include "grader/judge/together.h"
+#include "grader/pictures/worker_rows.h"
+#include "grader/process/process_time.h"
+#include "grader/process/spawn.h"
+#include "grader/wire/session.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/scene/frame_camera.h"
+#include "pt/scene/load_collada.h"
+#include "writeup/band.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <map>
+
+namespace writeup {
+namespace {
+
+using namespace grader;
+using namespace grader::judge;
+using Words = std::vector<std::string>;
+
+constexpr int kChunk = 6;  // rows that are asked for at once
+constexpr int kCompileSeconds = 60;
+constexpr std::chrono::minutes kCallLimit{5};  // the write-up's own limit is usually shorter
+constexpr std::chrono::hours kTotalLimit{5};
+
+std::string why_not(const Judged& judged) {
+  const results::TaskResult& result = judged.result;
+  return result.reason + (result.compiler_output.empty() ? "" : ":\n" + result.compiler_output);
+}
+
+// The reference stands for what cannot be compiled, so that the rest can be looked at; a figure that
+// needs it says so instead.
+int build(const std::string& submission, const std::string& out) {
+  const Config config = load_config(default_config_path());
+  GradeRequest request;
+  request.submission = base::submission_root(submission);
+  request.isolation = sandbox::probe_isolation(config.root, config.work);
+  const Builder builder(config, request.isolation.tier, kCompileSeconds);
+  std::vector<Judged> judged;
+  for (const TaskConfig& task : config.tasks) judged.push_back(not_judged(config, task));
+  compile_all(builder, request, judged);
+  std::map<std::string, std::string> hash, unusable;
+  for (Judged& each : judged) {
+    each.right_alone = each.object.ok();  // link_together() leaves out what is not
+    hash[each.config->slug] = base::sha256(each.content);
+    if (!each.object.ok()) unusable[each.config->slug] = why_not(each);
+  }
+  const Built worker = link_together(config, builder, judged, Elsewhere::reference);
+  if (!worker.ok()) throw pt::Error("it does not link: " + worker.error);
+  std::string framework;
+  for (const std::string& object : config.framework) framework += base::stamp(object);
+  hash["framework"] = base::sha256(framework);
+  const nlohmann::json all{{"worker", worker.path},
+                           {"tier", std::string(1, letter(request.isolation.tier))},
+                           {"hash", hash},
+                           {"unusable", unusable}};
+  pt::write_file(out, all.dump());
+  return 0;
+}
+
+void open_worker(const std::string& worker, const std::string& tier) {
+  wire::SessionSettings settings;
+  settings.task = "the write-up";
+  settings.program = worker;
+  settings.tier = sandbox::tier_of(tier);
+  settings.answers = false;
+  settings.give_up = [](check::Cause, const std::string& text) { throw pt::Error(text); };
+  settings.call_limit = kCallLimit;
+  settings.total_limit = kTotalLimit;
+  settings.max_timeouts = 1;
+  settings.max_failures = 1;
+  wire::open_session(settings);
+}
+
+double worker_seconds() {
+  return std::chrono::duration<double>(process::time_of_tree(getpid()).running).count();
+}
+
+// One file row for each row of the answer.
+void append(const Band& band, const Spec& spec, const pt::PictureRows& answer, int rows,
+            double seconds) {
+  for (int y = 0; y < rows; ++y) {
+    Row row;
+    row.head.cpu_seconds = seconds / rows;
+    for (int x = 0; x < spec.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * spec.width + x;
+      const pt::Rgb mean = is_finite(answer.mean[i]) ? answer.mean[i] : pt::Rgb{};
+      row.head.not_finite += is_finite(answer.mean[i]) ? 0 : 1;
+      row.pixels.push_back(
+          {{static_cast<float>(mean.r), static_cast<float>(mean.g), static_cast<float>(mean.b)},
+           -1,
+           answer.counts.empty() ? spec.samples : answer.counts[i],
+           -1});
+    }
+    append_row(band.file(), row);
+  }
+}
+
+bool tree_is_missing() {
+  const auto& todo = wire::session().record().todo;
+  return todo.contains("build_bvh") || todo.contains("hit_box") || todo.contains("hit_bvh");
+}
+
+std::vector<std::string> missing_tasks(const Spec& spec, bool tree_missing) {
+  std::vector<std::string> missing;
+  for (const std::string& task : tasks_used(spec)) {
+    const bool of_tree = task == "build_bvh" || task == "hit_box" || task == "hit_bvh";
+    if (of_tree && tree_missing) continue;
+    if (wire::session().record().todo.contains(task)) missing.push_back(task);
+  }
+  return missing;
+}
+
+int render(const std::string& worker, const std::string& tier, const std::string& spec_file,
+           const Band& band) {
+  const Spec spec = read_spec(spec_file);
+  pt::LoadedScene loaded = pt::load_collada(spec.scene);
+  if (!spec.path.show_normals) require_supported(loaded, spec.scene);
+  // The worker builds a tree of its own, as this engine says.
+  loaded.scene.tracer = pt::Tracer(spec.engine, loaded.scene.primitives);
+  const pt::View view{
+      loaded.scene, frame_camera(loaded, pt::Framing::course, spec.frame_width, spec.frame_height),
+      spec.path, spec.width, spec.height};
+  open_worker(worker, tier);
+  // Whether there is a tree is known after one row.
+  pictures::worker_rows(view, {band.first_row, 1, 1, {}, spec.seed});
+  const bool without_tree = spec.engine == pt::Engine::task && tree_is_missing();
+  if (without_tree) loaded.scene.tracer = pt::Tracer(pt::Engine::linear, loaded.scene.primitives);
+  const int end = band.first_row + band.rows;
+  for (int y = start_band(band, spec.width); y < end; y += kChunk) {
+    const int rows = std::min(kChunk, end - y);
+    const double before = worker_seconds();
+    const pt::PictureRows answer =
+        pictures::worker_rows(view, {y, rows, spec.samples, spec.adaptive, spec.seed});
+    append(band, spec, answer, rows, worker_seconds() - before);
+  }
+  const std::string engine(pt::name(loaded.scene.tracer.engine()));
+  finish_band(band, {missing_tasks(spec, without_tree), engine, loaded.scene.primitives.size()});
+  return 0;
+}
+
+int run(const Words& words) {
+  if (words.size() == 3 && words[0] == "build") return build(words[1], words[2]);
+  if (words.size() == 5 && words[0] == "render") {
+    return render(words[1], words[2], words[3], band_of(words[4]));
+  }
+  throw pt::Error("writeup_boxed build SUBMISSION OUT.json | render WORKER TIER SPEC BAND");
+}
+
+}  // namespace
+}  // namespace writeup
+
+int main(int argc, char** argv) {
+  grader::process::hide_process();
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return writeup::run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,147 @@
+#include "writeup/catalogue.h"
+
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <set>
+
+namespace writeup {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t kMaxCatalogue = std::size_t{1} << 22;
+
+const std::set<std::string> kSettings{
+    "id",   "label",    "scene",   "size",          "frame",      "samples",    "adaptive",
+    "seed", "engine",   "normals", "light_samples", "survival",   "hemisphere", "bounces",
+    "look", "exposure", "mistake", "time_of",       "in_bounces", "show"};
+const std::set<std::string> kFigure{"id",    "part",     "title",    "kind",   "caption", "flip",
+                                    "small", "settings", "pictures", "golden", "scenes"};
+
+void expect_known(const json& object, const std::set<std::string>& known) {
+  for (const auto& [name, value] : object.items()) {
+    if (!known.contains(name)) throw pt::Error("nobody reads '" + name + "'");
+  }
+}
+
+Look look_of(const std::string& word) {
+  static const std::map<std::string, Look> looks{{"radiance", Look::radiance},
+                                                 {"rates", Look::rates},
+                                                 {"boxes", Look::boxes},
+                                                 {"predicted", Look::predicted}};
+  const auto found = looks.find(word);
+  if (found == looks.end()) throw pt::Error("there is no look '" + word + "'");
+  return found->second;
+}
+
+// What a figure need not say.
+json defaults() {
+  Spec spec;
+  spec.path.to = 5;
+  json all = to_json(spec);
+  all["show"] = "full";
+  return all;
+}
+
+// "show" in the words of ./run render, as a range of bounces.
+void apply_show(const std::string& show, json& settings) {
+  const int most = settings.at("bounces").at(1);
+  if (show == "normals") settings["normals"] = true;
+  if (show == "direct") settings["bounces"] = {1, 1};
+  if (show == "indirect") settings["bounces"] = {2, most};
+  if (show != "full" && show != "normals" && show != "direct" && show != "indirect") {
+    throw pt::Error("there is nothing called '" + show + "' to show");
+  }
+}
+
+Picture picture_from(const json& figure, const json& own) {
+  json all = defaults();
+  if (figure.contains("settings")) all.update(figure.at("settings"));
+  all.update(own);
+  expect_known(all, kSettings);
+  if (all.at("bounces").is_number()) {
+    const int most = all.at("bounces");
+    all["bounces"] = {0, most};
+  }
+  apply_show(all.at("show"), all);
+  if (all.contains("adaptive") && all.at("adaptive").is_array()) {
+    all["adaptive"] = {{"batch", all["adaptive"][0]}, {"tolerance", all["adaptive"][1]}};
+  }
+  Picture picture;
+  picture.id = all.value("id", "golden");
+  picture.label = all.value("label", picture.id);
+  picture.scene = all.at("scene");
+  picture.spec = spec_from_json(all);
+  picture.look = look_of(all.value("look", "radiance"));
+  picture.in_bounces = all.value("in_bounces", false);
+  picture.exposure = all.value("exposure", 1.0);
+  picture.mistake = all.value("mistake", "");
+  picture.time_of = all.value("time_of", "");
+  return picture;
+}
+
+Figure figure_from(const json& in) {
+  expect_known(in, kFigure);
+  Figure figure;
+  figure.part = in.at("part");
+  figure.title = in.at("title");
+  figure.kind = in.value("kind", "pictures");
+  figure.caption = in.value("caption", "");
+  figure.flip = in.value("flip", true);
+  figure.small = in.value("small", false);
+  figure.scenes = in.value("scenes", std::vector<std::string>{});
+  for (const json& picture : in.value("pictures", json::array())) {
+    figure.pictures.push_back(picture_from(in, picture));
+  }
+  if (in.contains("golden")) figure.golden = picture_from(in, in.at("golden"));
+  return figure;
+}
+
+SceneSource scene_from(const json& in) {
+  return {in.value("title", ""), in.value("course", ""),   in.value("own", ""),
+          in.value("mesh", ""),  in.value("triangles", 0), in.value("room", false)};
+}
+
+void expect_scenes(const Catalogue& catalogue, const Figure& figure) {
+  std::vector<std::string> names = figure.scenes;
+  for (const Picture& picture : figure.pictures) names.push_back(picture.scene);
+  for (const std::string& name : names) {
+    if (!catalogue.scenes.contains(name)) throw pt::Error("there is no scene '" + name + "'");
+  }
+}
+
+}  // namespace
+
+const Figure* Catalogue::find(const std::string& id) const {
+  for (const Figure& figure : figures) {
+    if (figure.id == id) return &figure;
+  }
+  return nullptr;
+}
+
+Catalogue read_catalogue(const std::filesystem::path& file) {
+  Catalogue catalogue;
+  std::string at = "it";
+  try {
+    const json in = json::parse(pt::read_file(file, kMaxCatalogue));
+    for (const auto& [name, scene] : in.at("scenes").items()) {
+      at = "scene " + name;
+      catalogue.scenes[name] = scene_from(scene);
+    }
+    for (const json& entry : in.at("figures")) {
+      at = "figure " + entry.value("id", "without an id");
+      Figure figure = figure_from(entry);
+      figure.id = entry.at("id");
+      if (catalogue.find(figure.id) != nullptr) throw pt::Error("the name is used twice");
+      expect_scenes(catalogue, figure);
+      catalogue.figures.push_back(std::move(figure));
+    }
+  } catch (const std::exception& error) {
+    throw pt::Error(file.string() + ": " + at + " cannot be used: " + error.what());
+  }
+  return catalogue;
+}
+
+}  // namespace writeup

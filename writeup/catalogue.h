@@ -1,0 +1,60 @@
+#pragma once
+
+#include "writeup/spec.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the write-up shows, read from figures.json. docs/writeup.md lists the fields.
+
+namespace writeup {
+
+// Where a scene comes from: the course's file if there is one here, else a stand-in of our own.
+struct SceneSource {
+  std::string title;
+  std::string course;  // below the folder of the course's scenes; may be empty
+  std::string own;     // below the root of the project, or:
+  std::string mesh;    // a kind of the generator, and
+  int triangles = 0;   // how many; of the other kinds about how many there are
+  bool room = false;   // around the mesh
+};
+
+// How the numbers of a render become colours.
+enum class Look { radiance, rates, boxes, predicted };
+
+struct Picture {
+  std::string id, label;
+  std::string scene;  // name in the catalogue
+  Spec spec;          // in full quality; the scene's path is filled in later
+  Look look = Look::radiance;
+  bool in_bounces = false;  // made of one render per group of bounces, which other pictures share
+  double exposure = 1;
+  std::string mistake;  // rendered by the reference with this wrong solution in it
+  std::string time_of;  // take so many samples that it takes as long as this picture
+};
+
+struct Figure {
+  std::string id, part, title;
+  std::string kind;     // "pictures" or "speedup"
+  std::string caption;  // Markdown; may hold numbers
+  bool flip = false;    // the pictures can be laid over each other
+  bool small = false;   // few pixels, shown as squares
+  std::vector<Picture> pictures;
+  std::optional<Picture> golden;    // what errors are measured against
+  std::vector<std::string> scenes;  // of a speed-up table
+};
+
+struct Catalogue {
+  std::map<std::string, SceneSource> scenes;
+  std::vector<Figure> figures;
+
+  const Figure* find(const std::string& id) const;
+};
+
+// Throws pt::Error, with the figure's name, for what it cannot use.
+Catalogue read_catalogue(const std::filesystem::path& file);
+
+}  // namespace writeup

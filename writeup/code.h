@@ -1,0 +1,29 @@
+#pragma once
+
+#include "writeup/spec.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace writeup {
+
+// Whose code renders: a program, and what stands for the content of all that is in it.
+struct Code {
+  std::vector<std::string> command;         // of writeup_render or writeup_boxed, with its options
+  std::map<std::string, std::string> hash;  // by task, and "framework"
+  std::map<std::string, std::string> unusable;  // tasks that cannot run, each with the reason
+  bool measures = true;  // knows variances and counts boxes: a submission in the box does not
+};
+
+// Of writeup_render.<name>, by the list of objects beside it.
+Code code_of_program(const std::filesystem::path& program);
+
+// What stands for the code that the pixels of a render depend on.
+std::string identity(const Code& code, const Spec& spec);
+
+// "" or why the render cannot be made at all.
+std::string obstacle(const Code& code, const Spec& spec);
+
+}  // namespace writeup

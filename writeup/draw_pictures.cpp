@@ -1,0 +1,258 @@
+#include "writeup/compose.h"
+#include "writeup/figure.h"
+#include "writeup/files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace writeup {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kNotMeasured = "not measured";  // begins a note that is not a problem
+
+std::string short_number(double value) {
+  if (value >= 100) return fmt::format("{:.0f}", value);
+  if (value < 0.1) return fmt::format("{:.1g}", value);
+  return fmt::format("{:.{}f}", value, value >= 10 ? 1 : 2);
+}
+
+std::string settings_text(const Spec& spec, int from, int to) {
+  if (spec.path.show_normals) return fmt::format("normals, s = {}", spec.samples);
+  std::string text = spec.adaptive
+                         ? fmt::format("s up to {}, batches of {}, tolerance {:g}", spec.samples,
+                                       spec.adaptive->batch, spec.adaptive->tolerance)
+                         : fmt::format("s = {}", spec.samples);
+  text += fmt::format(", l = {}", spec.path.light_samples);
+  text += from == 0    ? fmt::format(", m = {}", to)
+          : from == to ? fmt::format(", bounce {}", to)
+                       : fmt::format(", bounces {} to {}", from, to);
+  if (spec.path.survival != pt::PathSettings{}.survival) {
+    text += fmt::format(", survival {:g}", spec.path.survival);
+  }
+  return text;
+}
+
+// Draws the pictures of one figure, one after the other.
+class Artist {
+ public:
+  Artist(const Plan& plan, const Figure& figure, const fs::path& folder)
+      : plan_(plan), figure_(figure), folder_(folder) {
+    if (figure.golden) {
+      golden_units_ = plan.units(figure, *figure.golden);
+      golden_ = compose(plan.store(), golden_units_);
+    }
+  }
+
+  Drawn draw() {
+    std::vector<Composed> composed;
+    for (const Picture& picture : figure_.pictures) composed.push_back(of(picture));
+    find_scale(composed);
+    for (std::size_t i = 0; i < composed.size(); ++i) draw(figure_.pictures[i], composed[i]);
+    add_table();
+    return drawn_;
+  }
+
+ private:
+  std::vector<Unit> units(const Picture& picture) const {
+    if (picture.look == Look::predicted) return {plan_.uniform(picture)};
+    return plan_.units(figure_, picture);
+  }
+
+  Composed of(const Picture& picture) const {
+    if (!plan_.unavailable(picture).empty()) return {};
+    return compose(plan_.store(), units(picture));
+  }
+
+  std::vector<float> values(const Picture& picture, const Rendered& sum) const {
+    if (picture.look == Look::boxes) return sum.boxes;
+    std::vector<float> values;
+    if (picture.look == Look::predicted) {
+      const pt::AdaptiveSettings settings = *plan_.units(figure_, picture)[0].spec.adaptive;
+      const std::vector<int> counts = predicted_samples(sum.film, settings);
+      values.assign(counts.begin(), counts.end());
+    } else {
+      for (const pt::FilmPixel& pixel : sum.film.pixels) {
+        values.push_back(static_cast<float>(pixel.samples));
+      }
+    }
+    return values;
+  }
+
+  // All maps of a figure have the same colours.
+  void find_scale(const std::vector<Composed>& composed) {
+    low_ = INFINITY;
+    for (std::size_t i = 0; i < composed.size(); ++i) {
+      if (figure_.pictures[i].look == Look::radiance) continue;
+      for (const float value : values(figure_.pictures[i], composed[i].sum)) {
+        low_ = std::min(low_, value);
+        high_ = std::max(high_, value);
+      }
+    }
+  }
+
+  void draw(const Picture& picture, const Composed& composed) {
+    Shown shown;
+    shown.id = picture.id;
+    shown.label = label(picture);
+    shown.note = problem(picture, composed);
+    if (plan_.unavailable(picture).empty()) describe(picture, composed, shown);
+    const bool anything = composed.rows > 0 && composed.sum.missing.empty();
+    if (anything) draw_file(picture, composed, shown);
+    if (!shown.note.empty() && !shown.note.starts_with(kNotMeasured)) {
+      drawn_.problems.push_back(fmt::format("{}: {}", shown.label, shown.note));
+    }
+    drawn_.pictures.push_back(shown);
+  }
+
+  // What is called after its scene is called after what stands in for it.
+  std::string label(const Picture& picture) const {
+    const bool by_scene = picture.label == picture.scene;
+    return by_scene ? plan_.scenes().short_name(picture.scene) : picture.label;
+  }
+
+  std::string problem(const Picture& picture, const Composed& composed) const {
+    const std::string missing_here = plan_.unavailable(picture);
+    if (!missing_here.empty()) return missing_here;
+    const Rendered& sum = composed.sum;
+    if (!sum.failed.empty()) {
+      return fmt::format("{}{}", composed.rows > 0 ? "only in part: " : "", sum.failed);
+    }
+    if (!sum.missing.empty()) {
+      std::vector<std::string> missing = sum.missing;
+      std::sort(missing.begin(), missing.end());
+      missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+      return fmt::format("not written yet: {}", fmt::join(missing, ", "));
+    }
+    const bool unknown = (picture.look == Look::predicted && !sum.has_variance) ||
+                         (picture.look == Look::boxes && (sum.boxes.empty() || sum.boxes[0] < 0));
+    return unknown ? kNotMeasured + std::string(": code in the box is not asked for this") : "";
+  }
+
+  void describe(const Picture& picture, const Composed& composed, Shown& shown) {
+    const Spec spec = units(picture)[0].spec;
+    const int from = picture.spec.path.from, to = picture.spec.path.to;
+    shown.facts =
+        fmt::format("{}; {} s", settings_text(spec, from, to), short_number(composed.sum.seconds));
+    Spec whole = spec;
+    whole.path.from = from;
+    whole.path.to = to;
+    shown.command = render_command(whole, picture.id + ".png");
+    drawn_.seconds += composed.sum.seconds;
+    if (!composed.complete || !composed.sum.missing.empty()) return;
+    const auto enter = [&](const char* name, const std::string& value) {
+      drawn_.numbers[picture.id + "." + name] = value;
+    };
+    enter("seconds", short_number(composed.sum.seconds));
+    enter("samples", std::to_string(spec.samples));
+    enter("rays", short_number(1e-6 * static_cast<double>(composed.sum.total.rays)));
+    enter("mean", fmt::format("{:.4f}", mean_luminance(composed.sum.film)));
+    if (picture.look != Look::radiance) {
+      const std::vector<float> all = values(picture, composed.sum);
+      double sum = 0;
+      for (const float value : all) sum += value;
+      enter("average", short_number(sum / static_cast<double>(all.size())));
+      enter("most", short_number(*std::max_element(all.begin(), all.end())));
+      enter_ratio(picture, all);
+    } else if (composed.sum.has_variance) {
+      enter("noise", short_number(100 * noise(composed.sum)));
+    }
+    if (has_error(picture, composed)) {
+      const bool itself =
+          plan_.store().key(units(picture)[0]) == plan_.store().key(golden_units_[0]);
+      const double off = itself ? noise(golden_->sum) : error(composed.sum, golden_->sum);
+      enter("error", short_number(100 * off));
+      errors_.push_back({label(picture), composed.sum.seconds, off});
+    }
+  }
+
+  // How many more samples it took than the figure's first map, where that one is neither at one
+  // batch nor at the maximum.
+  void enter_ratio(const Picture& picture, const std::vector<float>& counts) {
+    if (picture.look != Look::rates) return;
+    if (first_rates_.empty()) first_rates_ = counts;
+    if (first_rates_.size() != counts.size()) return;
+    const pt::AdaptiveSettings settings = *units(picture)[0].spec.adaptive;
+    double first = 0, now = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const bool active =
+          first_rates_[i] > 1.5 * settings.batch && first_rates_[i] < 0.9 * settings.max_samples;
+      first += active ? first_rates_[i] : 0;
+      now += active ? counts[i] : 0;
+    }
+    if (first > 0) drawn_.numbers[picture.id + ".ratio"] = fmt::format("{:.2f}", now / first);
+  }
+
+  bool has_error(const Picture& picture, const Composed& composed) const {
+    return golden_ && golden_->complete && golden_->sum.missing.empty() &&
+           picture.look == Look::radiance &&
+           golden_->sum.film.pixels.size() == composed.sum.film.pixels.size();
+  }
+
+  void draw_file(const Picture& picture, const Composed& composed, Shown& shown) {
+    const Rendered& sum = composed.sum;
+    if (shown.note.starts_with(kNotMeasured)) return;
+    shown.file = figure_.id + "." + picture.id;
+    shown.width = sum.film.width;
+    shown.height = sum.film.height;
+    if (picture.look == Look::radiance) {
+      shown.kind = "film";
+      write_film(folder_ / shown.file, sum.film, picture.exposure);
+      return;
+    }
+    shown.kind = "map";
+    shown.low = fmt::format("{:g}", low_);
+    shown.high = fmt::format("{:g}", high_);
+    write_map(folder_ / shown.file, values(picture, sum), shown.width, low_, high_);
+  }
+
+  // Time times variance is what a method costs for a given accuracy.
+  void add_table() {
+    if (errors_.empty()) return;
+    drawn_.columns = {"", "seconds", "error", "time for the error of the best"};
+    const auto cost = [](const Measured& each) { return each.seconds * each.error * each.error; };
+    double best = INFINITY;
+    for (const Measured& each : errors_) best = std::min(best, cost(each));
+    for (const Measured& each : errors_) {
+      const double factor = cost(each) / best;
+      drawn_.rows.push_back({each.label, short_number(each.seconds),
+                             short_number(100 * each.error) + " %",
+                             factor == 1 ? "1" : short_number(factor) + " times"});
+    }
+    for (const Shown& shown : drawn_.pictures) {
+      for (const Measured& each : errors_) {
+        if (each.label != shown.label) continue;
+        drawn_.numbers[shown.id + ".factor"] = short_number(cost(each) / best);
+      }
+    }
+  }
+
+  struct Measured {
+    std::string label;
+    double seconds, error;
+  };
+
+  const Plan& plan_;
+  const Figure& figure_;
+  const fs::path& folder_;
+  std::vector<Unit> golden_units_;
+  std::optional<Composed> golden_;
+  float low_ = 0, high_ = 0;
+  std::vector<float> first_rates_;
+  std::vector<Measured> errors_;
+  Drawn drawn_;
+};
+
+}  // namespace
+
+Drawn draw_pictures(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  return Artist(plan, figure, folder).draw();
+}
+
+}  // namespace writeup

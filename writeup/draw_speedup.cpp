@@ -1,0 +1,157 @@
+#include "grader/process/run_command.h"
+#include "pt/file.h"
+#include "writeup/figure.h"
+
+#include <chrono>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace writeup {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kPixels = 480.0 * 360;
+
+// One engine in one scene.
+struct Cell {
+  double seconds = 0;  // per picture of 480 x 360
+  double tests = 0;    // of boxes and surfaces, per ray
+  int primitives = 0;
+  std::string problem;
+};
+
+Cell measured(const Plan& plan, const std::string& scene, pt::Engine engine) {
+  const Rendered render = plan.store().load(plan.cell(scene, engine));
+  Cell cell;
+  cell.primitives = render.primitives;
+  cell.problem = render.failed;
+  for (const std::string& task : render.missing) cell.problem = "not written yet: " + task;
+  if (engine == pt::Engine::task && render.engine == "linear") {
+    cell.problem = "not written yet: the tree";
+  }
+  if (cell.problem.empty() && render.seconds <= 0) cell.problem = "not measured";
+  if (!cell.problem.empty()) return cell;
+  const RowHead& total = render.total;
+  cell.seconds = render.seconds / static_cast<double>(render.film.pixels.size()) * kPixels;
+  if (total.rays > 0) {
+    cell.tests = static_cast<double>(total.boxes + total.triangles + total.spheres) /
+                 static_cast<double>(total.rays);
+  }
+  return cell;
+}
+
+std::string digits(double value) {
+  return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+std::string shown(const Cell& cell, double value) {
+  if (!cell.problem.empty()) return "\u2013";
+  return value > 0 ? digits(value) : "\u2013";
+}
+
+const char* const kChart = R"(set datafile separator ","
+set datafile missing "nan"
+set terminal svg size 760,440 font "sans-serif,13"
+set output "{0}.svg"
+set logscale xy
+set xlabel "triangles"
+set ylabel "seconds per picture"
+set key top left
+set grid lc rgb "#c8ccd0"
+set border lc rgb "#8a9299"
+set format x "%.0s%c"
+plot "{0}.csv" using 2:3 skip 1 with linespoints lc rgb "#a33708" lw 2 pt 7 ps .6 title "no tree", \
+     "" using 2:4 skip 1 with linespoints lc rgb "#1b5288" lw 2 pt 5 ps .6 title "the tree of part 2", \
+     "" using 2:5 skip 1 with linespoints lc rgb "#0b6b5b" lw 2 pt 9 ps .6 title "the fast engine"
+)";
+
+// A line for each scene, by its number of triangles.
+void draw_chart(const fs::path& folder, const std::string& id,
+                const std::map<int, std::string>& lines) {
+  std::string csv =
+      "scene,triangles,linear_seconds,task_seconds,wide_seconds,linear_tests,task_tests\n";
+  for (const auto& [triangles, line] : lines) csv += line;
+  pt::write_file(folder / (id + ".csv"), csv);
+  pt::write_file(folder / (id + ".gp"), fmt::format(fmt::runtime(kChart), id));
+  const grader::process::Child child{
+      {"/usr/bin/gnuplot", id + ".gp"}, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, folder.string(), {}};
+  grader::process::run_command(child, std::chrono::seconds(20));
+  fs::remove(folder / (id + ".gp"));
+}
+
+}  // namespace
+
+Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  Drawn drawn;
+  drawn.columns = {"scene",
+                   "triangles",
+                   "no tree, s",
+                   "tree, s",
+                   "fast engine, s",
+                   "speed-up",
+                   "tests per ray, no tree",
+                   "tests per ray, tree"};
+  std::map<int, std::string> lines;
+  for (const std::string& scene : figure.scenes) {
+    const Cell linear = measured(plan, scene, pt::Engine::linear);
+    const Cell tree = measured(plan, scene, pt::Engine::task);
+    const Cell wide = measured(plan, scene, pt::Engine::wide);
+    const bool both = linear.problem.empty() && tree.problem.empty() && tree.seconds > 0;
+    const std::string factor = both ? digits(linear.seconds / tree.seconds) : "\u2013";
+    drawn.rows.push_back({plan.scenes().description(scene), std::to_string(wide.primitives),
+                          shown(linear, linear.seconds), shown(tree, tree.seconds),
+                          shown(wide, wide.seconds), both ? factor + "\u00d7" : factor,
+                          shown(linear, linear.tests), shown(tree, tree.tests)});
+    if (both) {
+      drawn.numbers[scene] = factor;
+      drawn.numbers[scene + ".linear"] = digits(linear.seconds);
+      drawn.numbers[scene + ".tree"] = digits(tree.seconds);
+    }
+    if (both && tree.tests > 0) {
+      drawn.numbers[scene + ".linear_tests"] = digits(linear.tests);
+      drawn.numbers[scene + ".tests"] = digits(tree.tests);
+    }
+    for (const Cell& cell : {linear, tree}) {
+      const std::string problem = plan.scenes().short_name(scene) + ": " + cell.problem;
+      const bool is_new = drawn.problems.empty() || drawn.problems.back() != problem;
+      if (!cell.problem.empty() && is_new) drawn.problems.push_back(problem);
+    }
+    const auto number = [](const Cell& cell, double value) {
+      return cell.problem.empty() ? fmt::format("{:.6g}", value) : "nan";
+    };
+    lines[wide.primitives] += fmt::format("{},{},{},{},{},{},{}\n", scene, wide.primitives,
+                                          number(linear, linear.seconds),
+                                          number(tree, tree.seconds), number(wide, wide.seconds),
+                                          number(linear, linear.tests), number(tree, tree.tests));
+    for (const pt::Engine engine : kEngines) {
+      drawn.seconds += plan.store().load(plan.cell(scene, engine)).seconds;
+    }
+  }
+  draw_chart(folder, figure.id, lines);
+  drawn.table = figure.id + ".csv";
+  if (fs::exists(folder / (figure.id + ".svg"))) drawn.chart = figure.id + ".svg";
+  return drawn;
+}
+
+std::vector<std::string> number_names(const Figure& figure) {
+  std::vector<std::string> names;
+  for (const std::string& scene : figure.scenes) {
+    for (const char* end : {"", ".linear", ".tree", ".linear_tests", ".tests"}) {
+      names.push_back(scene + end);
+    }
+  }
+  for (const Picture& picture : figure.pictures) {
+    for (const char* end : {"seconds", "samples", "rays", "mean", "average", "most", "ratio",
+                            "noise", "error", "factor"}) {
+      names.push_back(picture.id + "." + end);
+    }
+  }
+  return names;
+}
+
+}  // namespace writeup

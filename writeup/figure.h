@@ -1,0 +1,48 @@
+#pragma once
+
+#include "writeup/plan.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+// What a figure is on a page: files, and words about them.
+
+namespace writeup {
+
+struct Shown {
+  std::string id, label;
+  std::string file;  // without extension; .png, .exr and .js are there, or .png and .csv for a map
+  std::string kind;  // "film", "map", or "" where there is no picture
+  int width = 0, height = 0;
+  std::string note;       // "partial", what is in its way
+  std::string facts;      // "s = 16, l = 8, m = 1; 4.2 s"
+  std::string command;    // that renders it alone
+  std::string low, high;  // the ends of a map's colours
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shown, id, label, file, kind, width, height, note, facts,
+                                   command, low, high)
+
+struct Drawn {
+  std::vector<Shown> pictures;
+  std::vector<std::string> columns;            // of a table
+  std::vector<std::vector<std::string>> rows;  // of it; the first cell is its head
+  std::string chart, table;                    // files: .svg, .csv
+  std::vector<std::string> problems;           // why something is missing, a sentence each
+  std::map<std::string, std::string> numbers;  // "l16.seconds": "4.2"
+  double seconds = 0;                          // of processor time
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Drawn, pictures, columns, rows, chart, table, problems, numbers,
+                                   seconds)
+
+// Draws into the folder, which is there. All of the figure's renders are settled.
+Drawn draw_pictures(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
+Drawn draw_speedup(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
+
+// The names of the numbers that a figure has, whether or not they could be measured.
+std::vector<std::string> number_names(const Figure& figure);
+
+}  // namespace writeup

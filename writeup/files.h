@@ -1,0 +1,20 @@
+#pragma once
+
+#include "pt/image/film.h"
+
+#include <filesystem>
+#include <vector>
+
+// The files of a picture: for the eye, for a page's script, and for other programs.
+
+namespace writeup {
+
+// NAME.png, NAME.exr and NAME.js. Pixels without samples are hatched. The EXR has 11 bits of each
+// number, which halves its size.
+void write_film(const std::filesystem::path& name, const pt::Film& film, double exposure);
+
+// One number per pixel, in colours from `low` to `high`: NAME.png, NAME.csv and NAME.js.
+void write_map(const std::filesystem::path& name, const std::vector<float>& values, int width,
+               float low, float high);
+
+}  // namespace writeup

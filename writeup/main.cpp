@@ -1,0 +1,191 @@
+// writeup: plans the figures of the write-up, makes what is missing or out of date, and writes the
+// pages. ./run writeup builds what it needs and starts it.
+#include "grader/process/run_command.h"
+#include "pt/error.h"
+#include "writeup/boxed_code.h"
+#include "writeup/make_site.h"
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace writeup {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One at a time may write to the renders.
+void lock(const fs::path& work) {
+  fs::create_directories(work);
+  const int file = open((work / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0 || flock(file, LOCK_EX | LOCK_NB) != 0) {
+    throw pt::Error("another ./run writeup is at work here: wait until it has ended");
+  }
+}
+
+bool traces_with_reference(const std::string& mixture) {
+  if (!mixture.starts_with("reference")) return false;
+  for (const char* task : {"hit_triangle", "hit_sphere", "build_bvh", "hit_box", "hit_bvh"}) {
+    if (mixture.find(std::string(task) + "=") != std::string::npos) return false;
+  }
+  return true;
+}
+
+Codes read_codes(const Options& options) {
+  Codes codes;
+  codes.chosen =
+      options.submission.empty() ? code_of_program(options.renderer) : code_of_submission(options);
+  codes.reference_rays = options.submission.empty() && traces_with_reference(options.from);
+  if (options.mistakes.empty()) return codes;
+  for (const char* wrong : {"range_overwritten", "first_child_that_hits", "bsdf_applied_twice",
+                            "running_total_as_the_sample"}) {
+    const fs::path program = fs::path(options.mistakes) / (std::string("writeup_render.") + wrong);
+    if (fs::exists(program)) codes.mistakes[wrong] = code_of_program(program);
+  }
+  return codes;
+}
+
+// The command that made the pages, as a person types it.
+std::string as_typed(const Options& options) {
+  std::string words = "./run writeup";
+  if (options.draft) words += " --quality draft";
+  if (!options.submission.empty())
+    words += " --submission " + options.submission;
+  else if (options.from != "reference")
+    words += " --from " + options.from;
+  if (!options.scenes.empty()) words += " --scenes " + options.scenes;
+  return words;
+}
+
+void print_list(const Plan& plan, const std::vector<const Figure*>& figures) {
+  for (const Figure* figure : figures) {
+    plan.prepare(*figure);
+    double seconds = 0;
+    for (const Unit& unit : plan.units(*figure)) seconds += plan.store().seconds(unit);
+    fmt::print("{:5} {:17} {:12} {:7.1f} s  {}\n", figure->part, figure->id,
+               is_settled(plan, *figure) ? "up to date" : "to be made", seconds, figure->title);
+  }
+}
+
+void retry(const Plan& plan, const std::vector<const Figure*>& figures) {
+  for (const Figure* figure : figures) {
+    for (const Unit& unit : plan.units(*figure)) plan.store().forget_failure(unit);
+  }
+}
+
+void write_pdfs(const fs::path& folder) {
+  const char* const chromium = "/usr/bin/chromium";
+  if (!fs::exists(chromium)) {
+    fmt::print("no PDF: there is no Chromium here; print the pages from your browser\n");
+    return;
+  }
+  for (const std::string& page : page_names()) {
+    const fs::path pdf = folder / (page + ".pdf");
+    const std::vector<std::string> words{chromium,
+                                         "--headless",
+                                         "--no-sandbox",
+                                         "--disable-gpu",
+                                         "--no-pdf-header-footer",
+                                         "--virtual-time-budget=10000",
+                                         "--user-data-dir=" + (folder / ".chromium").string(),
+                                         "--print-to-pdf=" + pdf.string(),
+                                         "file://" + (folder / (page + ".html")).string()};
+    grader::process::run_command(
+        {words, {"PATH=/usr/bin:/bin", "HOME=" + folder.string()}, {}, "", {}},
+        std::chrono::minutes(2));
+    if (!fs::exists(pdf)) fmt::print(stderr, "Chromium did not make {}\n", pdf.string());
+  }
+  fs::remove_all(folder / ".chromium");
+}
+
+// What each figure took, where some were made.
+void print_times(const std::vector<const Figure*>& figures,
+                 const std::map<std::string, Drawn>& drawn) {
+  for (const Figure* figure : figures) {
+    const auto found = drawn.find(figure->id);
+    if (found == drawn.end()) continue;
+    fmt::print("{:17} {:8.1f} s of processor time\n", figure->id, found->second.seconds);
+  }
+}
+
+// The first thing that is wrong with each figure; whether anything is.
+bool report(const std::vector<const Figure*>& figures, const std::map<std::string, Drawn>& drawn) {
+  bool failed = false;
+  for (const Figure* figure : figures) {
+    const auto found = drawn.find(figure->id);
+    if (found == drawn.end() || found->second.problems.empty()) continue;
+    const std::vector<std::string>& problems = found->second.problems;
+    fmt::print("{}: {}\n", figure->id, problems[0]);
+    if (problems.size() > 1) fmt::print("  and {} more, on the page\n", problems.size() - 1);
+    failed = true;
+  }
+  return failed;
+}
+
+void make_absolute(Options& options) {
+  for (std::string* path : {&options.scenes, &options.submission, &options.out, &options.texts}) {
+    if (!path->empty()) *path = fs::absolute(*path).lexically_normal().string();
+  }
+  fs::current_path(FIRSTLIGHT_ROOT);
+}
+
+int run(Options options) {
+  const std::string command = as_typed(options);
+  make_absolute(options);
+  const fs::path work = options.work;
+  const Catalogue catalogue = read_catalogue("writeup/figures.json");
+  const std::vector<const Figure*> figures = figures_meant(catalogue, options.what);
+  lock(work);
+  const Codes codes = read_codes(options);
+  const Scenes scenes(catalogue, options.scenes, work / "scenes", options.generate, options.draft);
+  const Store store(work / "renders");
+  const Plan plan(catalogue, codes, scenes, store, options.draft ? Quality::draft : Quality::full);
+  if (options.list) {
+    print_list(plan, figures);
+    return 0;
+  }
+  for (const Figure* figure : figures) plan.prepare(*figure);
+  if (options.retry) retry(plan, figures);
+
+  Site site{catalogue, scenes, {}, options.draft, command, options.texts};
+  const fs::path out =
+      options.out.empty() ? work / (options.draft ? "draft" : "pages") : fs::path(options.out);
+  fs::create_directories(out);
+  write_pages(site, out);  // a wrong name in a text must not be found after an hour
+  const bool made = make_renders(plan, figures, options);
+  site.figures = draw_figures(plan, catalogue, work / "drawn", out / "figures", options.threads);
+  write_pages(site, out);
+  if (made) print_times(figures, site.figures);
+  if (options.pdf) write_pdfs(fs::absolute(out));
+  const bool failed = report(figures, site.figures);
+  fmt::print("{}\n", (out / "index.html").string());
+  return failed ? 1 : 0;
+}
+
+// What is finished is on disk, and the children end with this process.
+void stop(int) {
+  const char words[] = "\nstopped; the same command goes on here\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
+  _exit(130);
+}
+
+}  // namespace
+}  // namespace writeup
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, writeup::stop);
+  std::signal(SIGTERM, writeup::stop);
+  try {
+    return writeup::run(writeup::parse_options(argc, argv));
+  } catch (const writeup::CommandLine& done) {
+    return done.status;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,154 @@
+#include "writeup/make_site.h"
+
+#include "grader/base/files.h"
+#include "grader/base/parallel.h"
+#include "grader/base/sha256.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/render/progress.h"
+#include "writeup/work.h"
+
+#include <algorithm>
+#include <mutex>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace writeup {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMaxDrawn = std::size_t{1} << 24;
+constexpr double kDraftPatience = 5;
+
+// Renders of several figures that are not settled, each once.
+std::vector<Unit> missing_units(const Plan& plan, const std::vector<const Figure*>& figures) {
+  std::vector<Unit> units;
+  std::set<std::string> keys;
+  for (const Figure* figure : figures) {
+    for (const Unit& unit : plan.units(*figure)) {
+      if (keys.insert(plan.store().key(unit)).second && !plan.store().is_settled(unit)) {
+        units.push_back(unit);
+      }
+    }
+  }
+  return units;
+}
+
+void print_plan(const Plan& plan, const std::vector<const Figure*>& figures,
+                const std::vector<Unit>& units, int threads) {
+  int unsettled = 0;
+  for (const Figure* figure : figures) unsettled += is_settled(plan, *figure) ? 0 : 1;
+  double seconds = 0;
+  for (const Unit& unit : units) seconds += plan.store().seconds(unit);
+  fmt::print("{} of {} figures to make, {} renders: about {:.1f} minutes on {} processors\n",
+             unsettled, figures.size(), units.size(), seconds / 60 / threads, threads);
+  std::fflush(stdout);
+}
+
+// Everything that the look of a figure depends on.
+std::string drawing_key(const Plan& plan, const Figure& figure) {
+  std::string text = figure.id + grader::base::stamp("/proc/self/exe");
+  for (const std::string& scene : figure.scenes) text += plan.scenes().description(scene);
+  for (const Picture& picture : figure.pictures) text += plan.unavailable(picture);
+  for (const Unit& unit : plan.units(figure)) {
+    text += plan.store().key(unit) + unit.spec.scene + plan.store().failure(unit);
+  }
+  return grader::base::sha256(text).substr(0, 32);
+}
+
+Drawn drawn_figure(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  const fs::path kept = folder / "figure.json";
+  if (fs::exists(kept)) {
+    return nlohmann::json::parse(pt::read_file(kept, kMaxDrawn)).get<Drawn>();
+  }
+  fs::create_directories(folder);
+  const Drawn drawn = figure.kind == "speedup" ? draw_speedup(plan, figure, folder)
+                                               : draw_pictures(plan, figure, folder);
+  pt::write_file(kept, nlohmann::json(drawn).dump());
+  return drawn;
+}
+
+// Links, or copies where the folder is on another disk, what is not there yet.
+void publish(const fs::path& from, const fs::path& to) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    const fs::path target = to / entry.path().filename();
+    std::error_code error;
+    if (entry.path().extension() == ".json" || fs::equivalent(entry.path(), target, error))
+      continue;
+    fs::remove(target);
+    fs::create_hard_link(entry.path(), target, error);
+    if (error) fs::copy_file(entry.path(), target);
+  }
+}
+
+}  // namespace
+
+std::vector<const Figure*> figures_meant(const Catalogue& catalogue,
+                                         const std::vector<std::string>& words) {
+  std::vector<const Figure*> figures;
+  for (const Figure& figure : catalogue.figures) {
+    const auto named = [&](const std::string& word) {
+      return word == figure.id || word == figure.part || word == "part" + figure.part;
+    };
+    if (words.empty() || std::any_of(words.begin(), words.end(), named)) figures.push_back(&figure);
+  }
+  for (const std::string& word : words) {
+    const bool known =
+        std::any_of(catalogue.figures.begin(), catalogue.figures.end(), [&](const Figure& figure) {
+          return word == figure.id || word == figure.part || word == "part" + figure.part;
+        });
+    if (!known) {
+      throw pt::Error("there is no part and no figure '" + word +
+                      "'; ./run writeup --list has all");
+    }
+  }
+  return figures;
+}
+
+bool is_settled(const Plan& plan, const Figure& figure) {
+  const std::vector<Unit> units = plan.units(figure);
+  return std::all_of(units.begin(), units.end(),
+                     [&](const Unit& unit) { return plan.store().is_settled(unit); });
+}
+
+bool make_renders(const Plan& plan, const std::vector<const Figure*>& figures,
+                  const Options& options) {
+  std::vector<Unit> units = missing_units(plan, figures);
+  if (units.empty()) return false;
+  print_plan(plan, figures, units, options.threads);
+  // Some renders are settled only when the times of others are known.
+  while (!units.empty()) {
+    pt::Progress progress;
+    WorkSettings settings;
+    settings.threads = options.threads;
+    if (options.draft) settings.least_seconds = kDraftPatience;
+    settings.progress = [&](double part) { progress.show(part); };
+    make(plan.store(), units, settings);
+    progress.clear();
+    units = missing_units(plan, figures);
+  }
+  return true;
+}
+
+std::map<std::string, Drawn> draw_figures(const Plan& plan, const Catalogue& catalogue,
+                                          const fs::path& drawn, const fs::path& folder,
+                                          int threads) {
+  fs::create_directories(folder);
+  std::map<std::string, Drawn> figures;
+  std::mutex mutex;
+  grader::base::for_each(catalogue.figures.size(), threads, [&](std::size_t i) {
+    const Figure& figure = catalogue.figures[i];
+    if (!plan.is_prepared(figure) || !is_settled(plan, figure)) return;
+    const fs::path files = drawn / drawing_key(plan, figure);
+    Drawn result = drawn_figure(plan, figure, files);
+    publish(files, folder);
+    const std::lock_guard lock(mutex);
+    figures[figure.id] = std::move(result);
+  });
+  return figures;
+}
+
+}  // namespace writeup

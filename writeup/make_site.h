@@ -1,0 +1,29 @@
+#pragma once
+
+#include "writeup/options.h"
+#include "writeup/pages.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace writeup {
+
+// The figures that are asked for: all, or those of the parts and names given. Throws pt::Error for
+// a word that is neither.
+std::vector<const Figure*> figures_meant(const Catalogue& catalogue,
+                                         const std::vector<std::string>& words);
+
+// Makes what is missing for the figures, in as many rounds as it takes. False if nothing was.
+bool make_renders(const Plan& plan, const std::vector<const Figure*>& figures,
+                  const Options& options);
+
+// Whether all renders of a figure are there, or have failed for good.
+bool is_settled(const Plan& plan, const Figure& figure);
+
+// All figures that are settled, as files in `folder`; drawn anew only where something has changed.
+std::map<std::string, Drawn> draw_figures(const Plan& plan, const Catalogue& catalogue,
+                                          const std::filesystem::path& drawn,
+                                          const std::filesystem::path& folder, int threads);
+
+}  // namespace writeup

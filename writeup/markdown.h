@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+// The text of a page: Markdown in which a line {{figure NAME}} stands for a figure, and {{NAME}} in a
+// sentence for a number that was measured.
+
+namespace writeup {
+
+struct Names {
+  // HTML of a figure; text of a number. Empty where there is none of that name.
+  std::function<std::string(const std::string&)> figure, number;
+};
+
+// `file` is what messages call the text. Throws pt::Error, "FILE:LINE: ...", for a name that is not
+// known.
+std::string page_from_text(const std::string& file, const std::string& text, const Names& names);
+
+// Plain Markdown, without names.
+std::string html_from_markdown(const std::string& text);
+
+// HTML's own characters, written so that they stand for themselves.
+std::string escaped(const std::string& text);
+
+}  // namespace writeup

@@ -1,0 +1,66 @@
+#include "writeup/options.h"
+
+#include <algorithm>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+namespace writeup {
+
+namespace {
+
+const char* const kFooter =
+    "Examples:\n"
+    "  ./run writeup                    all pages, from the reference (learners: from student/)\n"
+    "  ./run writeup --quality draft    a minute: small pictures of few samples\n"
+    "  ./run writeup 3 adaptive         a part, and a figure\n"
+    "  ./run writeup --from student     your own code; --from hit_bvh=student a mixture\n\n"
+    "Whatever ends it, the same command goes on where it was. Exit codes: 0 all is made, 1 a "
+    "figure\n"
+    "is not (its place says why), 2 the call cannot be used.";
+
+void describe(CLI::App& app, Options& options) {
+  app.add_option("what", options.what, "Parts (1 to 5, bugs) and figures; default: all");
+  app.add_flag("--list", options.list, "Name every figure, whether it is up to date, and its time");
+  app.add_option_function<std::string>(
+         "--quality", [&](const std::string& word) { options.draft = word == "draft"; },
+         "draft: a quarter of the width and height, a sixteenth of the samples")
+      ->check(CLI::IsMember({"full", "draft"}))
+      ->type_name("full|draft");
+  app.add_option("--scenes", options.scenes, "Folder of the course's .dae files")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--submission", options.submission, "Somebody else's code, in the box")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--out", options.out, "Folder for the pages");
+  app.add_option("--text", options.texts, "Folder of the texts, part1.md and so on")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--pdf", options.pdf, "Also one PDF per page, by Chromium");
+  app.add_flag("--retry", options.retry, "Try again what crashed or took too long");
+  app.add_option("-t,--threads", options.threads, "Renders at a time; default: one per processor")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--from", options.from)->group("");
+  app.add_option("--renderer", options.renderer)->group("");
+  app.add_option("--generate", options.generate)->group("");
+  app.add_option("--mistakes", options.mistakes)->group("");
+  app.add_option("--work", options.work)->group("");
+  app.add_option("--boxed", options.boxed)->group("");
+}
+
+}  // namespace
+
+Options parse_options(int argc, const char* const* argv) {
+  Options options;
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  CLI::App app("Makes the write-up: every comparison figure of the course, on pages.",
+               "./run writeup");
+  app.footer(kFooter);
+  describe(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    throw CommandLine{app.exit(error) == 0 ? 0 : 2};
+  }
+  return options;
+}
+
+}  // namespace writeup

@@ -1,0 +1,177 @@
+#include "writeup/plan.h"
+
+#include "pt/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace writeup {
+
+namespace {
+
+constexpr int kDraftSize = 4;      // times fewer pixels on each side
+constexpr int kDraftSamples = 16;  // times fewer
+constexpr int kUniformBatches = 2;
+constexpr int kSmall = 100;  // pixels wide: small enough for a draft
+// Tests of one triangle by one ray that a cell without a tree may take.
+constexpr double kLinearTests = 3e8;
+constexpr double kDraftLinearTests = 1e7;
+
+Spec draft(Spec spec) {
+  if (spec.width > kSmall) {
+    spec.width /= kDraftSize;
+    spec.height = std::max(spec.height / kDraftSize, 1);
+  }
+  spec.samples = std::max(spec.samples / kDraftSamples, 1);
+  if (spec.adaptive) {
+    spec.samples = std::max(spec.samples, 32);
+    spec.adaptive->batch = 8;
+    spec.adaptive->tolerance *= std::sqrt(kDraftSamples);  // as accurate as so few samples can be
+    spec.adaptive->max_samples = spec.samples;
+  }
+  return spec;
+}
+
+std::string without_bounces(const Spec& spec, const std::string& scene) {
+  nlohmann::json all = to_json(spec);
+  all.erase("bounces");
+  all.erase("engine");
+  all["scene"] = scene;
+  return all.dump();
+}
+
+}  // namespace
+
+Plan::Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes, const Store& store,
+           Quality quality)
+    : codes_(codes), scenes_(scenes), store_(store), quality_(quality) {
+  const auto cut = [&](const Picture& picture) {
+    if (!picture.in_bounces) return;
+    const Spec spec = quality == Quality::draft ? draft(picture.spec) : picture.spec;
+    std::set<int>& cuts = cuts_[without_bounces(spec, picture.scene)];
+    cuts.insert({spec.path.from, spec.path.to + 1});
+  };
+  for (const Figure& figure : catalogue.figures) {
+    for (const Picture& picture : figure.pictures) cut(picture);
+    if (figure.golden) cut(*figure.golden);
+  }
+}
+
+const Code& Plan::code_of(const Picture& picture) const {
+  if (picture.mistake.empty()) return codes_.chosen;
+  return codes_.mistakes.at(picture.mistake);
+}
+
+std::string Plan::unavailable(const Picture& picture) const {
+  if (picture.mistake.empty() || codes_.mistakes.contains(picture.mistake)) return "";
+  return "This edition comes without the wrong solution " + picture.mistake + ".";
+}
+
+Unit Plan::unit(const Picture& picture) const {
+  Spec spec = quality_ == Quality::draft ? draft(picture.spec) : picture.spec;
+  spec.scene = scenes_.path(picture.scene);
+  // The fast engine gives the same pictures, bit for bit, as the reference's own tree.
+  const bool reference_rays = codes_.reference_rays || !picture.mistake.empty();
+  if (reference_rays && spec.engine == pt::Engine::task && !spec.path.show_normals) {
+    spec.engine = pt::Engine::wide;
+  }
+  return {spec, &code_of(picture)};
+}
+
+std::vector<Unit> Plan::layers(const Unit& whole, const std::string& scene) const {
+  const std::set<int>& cuts = cuts_.at(without_bounces(whole.spec, scene));
+  std::vector<Unit> layers;
+  for (auto cut = cuts.lower_bound(whole.spec.path.from); *cut <= whole.spec.path.to;) {
+    Unit layer = whole;
+    layer.spec.path.from = *cut;
+    layer.spec.path.to = *++cut - 1;
+    layers.push_back(layer);
+  }
+  return layers;
+}
+
+Unit Plan::for_time_of(const Picture& target, Unit pilot) const {
+  const Unit other = unit(target);
+  const bool known = store_.is_complete(pilot) && store_.is_complete(other);
+  if (!known) return pilot;
+  const double factor = store_.load(other).seconds / std::max(store_.load(pilot).seconds, 1e-3);
+  pilot.spec.samples = std::max(1, static_cast<int>(std::lround(pilot.spec.samples * factor)));
+  return pilot;
+}
+
+std::vector<Unit> Plan::units(const Figure& figure, const Picture& picture) const {
+  const Unit whole = unit(picture);
+  if (picture.in_bounces) return layers(whole, picture.scene);
+  if (picture.time_of.empty()) return {whole};
+  for (const Picture& target : figure.pictures) {
+    if (target.id == picture.time_of) return {for_time_of(target, whole)};
+  }
+  throw pt::Error("figure " + figure.id + " has no picture '" + picture.time_of + "'");
+}
+
+Unit Plan::uniform(const Picture& picture) const {
+  Unit uniform = unit(picture);
+  uniform.spec.samples = kUniformBatches * uniform.spec.adaptive->batch;
+  uniform.spec.adaptive.reset();
+  return uniform;
+}
+
+Unit Plan::cell(const std::string& scene, pt::Engine engine) const {
+  Spec spec;
+  spec.path.show_normals = true;
+  spec.path.to = 5;
+  spec.engine = engine;
+  spec.scene = scenes_.path(scene);
+  const bool is_draft = quality_ == Quality::draft;
+  if (is_draft) spec = draft(spec);
+  if (engine == pt::Engine::linear) {
+    const double tests = is_draft ? kDraftLinearTests : kLinearTests;
+    const double rays = tests / scenes_.triangles(scene);
+    const double shrink = std::min(1.0, std::sqrt(rays / spec.pixels()));
+    spec.width = std::max(16, static_cast<int>(spec.width * shrink));
+    spec.height = std::max(12, static_cast<int>(spec.height * shrink));
+  }
+  return {spec, &codes_.chosen};
+}
+
+namespace {
+
+std::set<std::string> scenes_of(const Figure& figure) {
+  std::set<std::string> names(figure.scenes.begin(), figure.scenes.end());
+  for (const Picture& picture : figure.pictures) names.insert(picture.scene);
+  return names;
+}
+
+}  // namespace
+
+bool Plan::is_prepared(const Figure& figure) const {
+  const std::set<std::string> names = scenes_of(figure);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::filesystem::exists(scenes_.path(name));
+  });
+}
+
+void Plan::prepare(const Figure& figure) const {
+  for (const std::string& name : scenes_of(figure)) scenes_.prepare(name);
+}
+
+std::vector<Unit> Plan::units(const Figure& figure) const {
+  std::vector<Unit> all;
+  for (const std::string& scene : figure.scenes) {
+    for (const pt::Engine engine : kEngines) all.push_back(cell(scene, engine));
+  }
+  std::vector<Picture> pictures = figure.pictures;
+  if (figure.golden) pictures.push_back(*figure.golden);
+  for (const Picture& picture : pictures) {
+    if (!unavailable(picture).empty()) continue;
+    if (picture.look == Look::predicted) {
+      all.push_back(uniform(picture));
+      continue;
+    }
+    const std::vector<Unit> of_picture = units(figure, picture);
+    all.insert(all.end(), of_picture.begin(), of_picture.end());
+  }
+  return all;
+}
+
+}  // namespace writeup

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "writeup/catalogue.h"
+#include "writeup/scenes.h"
+#include "writeup/store.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace writeup {
+
+enum class Quality { full, draft };
+
+// Who renders what.
+struct Codes {
+  Code chosen;
+  bool reference_rays = false;           // `chosen` traces with the reference's tasks
+  std::map<std::string, Code> mistakes;  // by wrong solution; empty in the learners' edition
+};
+
+// Which renders each picture comes from.
+class Plan {
+ public:
+  Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes, const Store& store,
+       Quality quality);
+
+  // The renders whose sum the picture is. Where their settings depend on the time of others that
+  // have not been made, what has to be made first.
+  std::vector<Unit> units(const Figure& figure, const Picture& picture) const;
+
+  // Everything a figure needs that can be named so far.
+  std::vector<Unit> units(const Figure& figure) const;
+
+  // The uniform render from which the rates of an adaptive picture are predicted.
+  Unit uniform(const Picture& picture) const;
+
+  // The cells of a speed-up table: a scene by an engine.
+  Unit cell(const std::string& scene, pt::Engine engine) const;
+
+  // Whether the files of all its scenes are there; and makes them.
+  bool is_prepared(const Figure& figure) const;
+  void prepare(const Figure& figure) const;
+
+  // Whether this edition has what the picture needs; else why not.
+  std::string unavailable(const Picture& picture) const;
+
+  Quality quality() const { return quality_; }
+  const Store& store() const { return store_; }
+  const Scenes& scenes() const { return scenes_; }
+
+ private:
+  const Code& code_of(const Picture& picture) const;
+  Unit unit(const Picture& picture) const;
+  std::vector<Unit> layers(const Unit& whole, const std::string& scene) const;
+  Unit for_time_of(const Picture& target, Unit pilot) const;
+
+  const Codes& codes_;
+  const Scenes& scenes_;
+  const Store& store_;
+  Quality quality_;
+  // The bounces at which renders are cut, by everything else in their settings.
+  std::map<std::string, std::set<int>> cuts_;
+};
+
+inline constexpr pt::Engine kEngines[] = {pt::Engine::linear, pt::Engine::task, pt::Engine::wide};
+
+}  // namespace writeup

@@ -1,0 +1,99 @@
+// writeup_render SPEC.json BAND: renders some rows of one render, and goes on where the file of the
+// band ends. A program of its own, so that a crash or an endless loop in a learner's code ends this
+// and nothing else.
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/render/choose_engine.h"
+#include "pt/render/render_film.h"
+#include "pt/render/test_count.h"
+#include "pt/scene/frame_camera.h"
+#include "pt/scene/load_collada.h"
+#include "pt/todo.h"
+#include "writeup/band.h"
+
+#include <cstdio>
+
+#include <time.h>
+
+namespace writeup {
+namespace {
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+constexpr int kMaxLeaf = 4;  // as ./run render has it
+
+std::int64_t rays() { return pt::rays_traced().closest + pt::rays_traced().occluded; }
+
+RowPixel row_pixel(const pt::FilmPixel& pixel, long long boxes) {
+  return {{static_cast<float>(pixel.mean.r), static_cast<float>(pixel.mean.g),
+           static_cast<float>(pixel.mean.b)},
+          pixel.samples < 2 ? -1 : static_cast<float>(pixel.variance_y),
+          pixel.samples,
+          static_cast<float>(boxes)};
+}
+
+Row render_row(const pt::View& view, int y, const pt::RenderSettings& settings) {
+  Row row;
+  const double start = cpu_seconds();
+  const std::int64_t rays_before = rays();
+  const pt::TestCount before = pt::test_count;
+  for (int x = 0; x < view.width; ++x) {
+    const long long boxes = pt::test_count.boxes;
+    const pt::RenderedPixel rendered = render_pixel(view, x, y, settings);
+    row.head.not_finite += rendered.not_finite;
+    row.pixels.push_back(row_pixel(rendered.pixel, pt::test_count.boxes - boxes));
+  }
+  row.head.cpu_seconds = cpu_seconds() - start;
+  row.head.rays = rays() - rays_before;
+  row.head.boxes = pt::test_count.boxes - before.boxes;
+  row.head.triangles = pt::test_count.triangles - before.triangles;
+  row.head.spheres = pt::test_count.spheres - before.spheres;
+  return row;
+}
+
+// The tasks that were called and are not written yet. Without a tree the picture is right all the
+// same.
+std::vector<std::string> missing_tasks(const Spec& spec, pt::Engine engine) {
+  std::vector<std::string> missing;
+  for (const std::string& task : tasks_used(spec)) {
+    const bool of_tree = task == "build_bvh" || task == "hit_box" || task == "hit_bvh";
+    if (of_tree && engine == pt::Engine::linear) continue;
+    if (pt::todo_reached(task)) missing.push_back(task);
+  }
+  return missing;
+}
+
+int run(const std::string& spec_file, const Band& band) {
+  const Spec spec = read_spec(spec_file);
+  pt::LoadedScene loaded = pt::load_collada(spec.scene);
+  if (!spec.path.show_normals) require_supported(loaded, spec.scene);
+  choose_engine(loaded.scene, spec.engine, kMaxLeaf);
+  const pt::View view{
+      loaded.scene, frame_camera(loaded, pt::Framing::course, spec.frame_width, spec.frame_height),
+      spec.path, spec.width, spec.height};
+  const pt::RenderSettings settings{spec.samples, spec.adaptive, spec.seed, 1};
+  for (int y = start_band(band, spec.width); y < band.first_row + band.rows; ++y) {
+    append_row(band.file(), render_row(view, y, settings));
+  }
+  const pt::Engine engine = loaded.scene.tracer.engine();
+  finish_band(band, {missing_tasks(spec, engine), std::string(pt::name(engine)),
+                     loaded.scene.primitives.size()});
+  return 0;
+}
+
+}  // namespace
+}  // namespace writeup
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 3) throw pt::Error("writeup_render SPEC.json FOLDER/FIRST+ROWS");
+    return writeup::run(argv[1], writeup::band_of(argv[2]));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

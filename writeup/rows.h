@@ -1,0 +1,41 @@
+#pragma once
+
+#include "pt/image/film.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+// Rows of a render on their way from the program that renders them: a file that grows by one row at
+// a time, so that whatever ends that program, what it had finished is there and need not be made
+// again. Rows count from the bottom, as the tasks do.
+
+namespace writeup {
+
+struct RowPixel {
+  float mean[3];
+  float variance_y;  // of one sample's luminance; negative: not known
+  std::int32_t samples;
+  float boxes;  // tested by this pixel's rays; negative: not known
+};
+
+struct RowHead {
+  double cpu_seconds = 0;
+  std::int64_t rays = 0, boxes = 0, triangles = 0, spheres = 0, not_finite = 0;
+};
+
+struct Row {
+  RowHead head;
+  std::vector<RowPixel> pixels;
+};
+
+// How many whole rows the file holds; 0 if it is not there.
+int rows_in(const std::filesystem::path& file, int width);
+
+// Cuts off what is no whole row. Throws pt::Error if it cannot.
+void cut_to_rows(const std::filesystem::path& file, int width, int rows);
+
+void append_row(const std::filesystem::path& file, const Row& row);
+std::vector<Row> read_rows(const std::filesystem::path& file, int width);
+
+}  // namespace writeup

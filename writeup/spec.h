@@ -1,0 +1,39 @@
+#pragma once
+
+#include "pt/scene/tracer.h"
+#include "pt/scene/view.h"
+#include "pt/tasks/adaptive_pixel.h"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace writeup {
+
+// One render: everything its pixels depend on but the code and the content of the scene file.
+struct Spec {
+  std::string scene;  // path
+  int width = 480, height = 360;
+  int frame_width = 480, frame_height = 360;  // the camera is framed for a picture of this size
+  int samples = 1;                            // per pixel; of an adaptive render: at most
+  std::optional<pt::AdaptiveSettings> adaptive;
+  pt::PathSettings path;
+  pt::Engine engine = pt::Engine::task;
+  std::uint64_t seed = 1;
+
+  int pixels() const { return width * height; }
+};
+
+nlohmann::json to_json(const Spec& spec);
+Spec spec_from_json(const nlohmann::json& json);
+
+// The tasks whose code the pixels depend on.
+std::set<std::string> tasks_used(const Spec& spec);
+
+// The options of ./run render that make the same picture in full size.
+std::string render_command(const Spec& spec, const std::string& output);
+
+}  // namespace writeup

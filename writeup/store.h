@@ -1,0 +1,71 @@
+#pragma once
+
+#include "pt/image/film.h"
+#include "writeup/band.h"
+#include "writeup/code.h"
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace writeup {
+
+// A render by somebody's code.
+struct Unit {
+  Spec spec;
+  const Code* code = nullptr;
+};
+
+// What came of it.
+struct Rendered {
+  pt::Film film;             // samples 0 where a row is missing; variances of luminance alone
+  std::vector<float> boxes;  // per pixel, as the film; empty if not counted
+  RowHead total;
+  bool has_variance = false;
+  std::vector<std::string> missing;  // tasks that are not written yet
+  std::string engine;
+  int primitives = 0;
+  std::string failed;  // why it ended early; empty: it did not
+  double seconds = 0;  // of processor time
+};
+
+// All renders ever made, on disk: each in a folder that is named by a hash of what it depends on.
+// Safe from any thread.
+class Store {
+ public:
+  explicit Store(std::filesystem::path folder);
+
+  std::string key(const Unit& unit) const;
+  std::filesystem::path folder(const Unit& unit) const { return folder_ / key(unit); }
+
+  // The render's bands, in `count` of about equal size; as they were cut when it was begun. Makes
+  // the folder.
+  std::vector<Band> begin(const Unit& unit, int count) const;
+
+  bool is_complete(const Unit& unit) const;
+  std::string failure(const Unit& unit) const;  // "" if there was none
+  void fail(const Unit& unit, const std::string& reason) const;
+  void forget_failure(const Unit& unit) const;
+  // Complete, or failed for good.
+  bool is_settled(const Unit& unit) const { return is_complete(unit) || !failure(unit).empty(); }
+
+  // The render, as far as it is there.
+  Rendered load(const Unit& unit) const;
+
+  // Seconds of processor time; of a similar render if this one has not been made.
+  double seconds(const Unit& unit) const;
+  void remember_seconds(const Unit& unit) const;
+
+ private:
+  std::vector<Band> bands(const Unit& unit) const;
+  std::string scene_hash(const std::string& file) const;
+  std::filesystem::path time_file(const Unit& unit) const;
+
+  std::filesystem::path folder_;
+  mutable std::mutex mutex_;
+  mutable std::map<std::string, std::string> scene_hashes_, keys_;
+};
+
+}  // namespace writeup
