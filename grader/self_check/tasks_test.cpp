@@ -1,0 +1,143 @@
+// The table of tasks (grader/tasks.json) against what the compiled reference really does: which
+// functions it defines, which other tasks it calls, whether it traces rays.
+#include "grader/tasks.h"
+
+#include "grader/base/files.h"
+#include "grader/calls.h"
+#include "grader/judge/object_file.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+
+#include <cxxabi.h>
+#include <elf.h>
+#include <gtest/gtest.h>
+
+namespace grader::self_check {
+namespace {
+
+using Names = std::set<std::string>;
+
+// "pt::hit_box" of "pt::hit_box(pt::Box const&, pt::Ray const&)".
+std::string name_of(const std::string& symbol) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> text(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+  return text ? std::string(text.get()).substr(0, std::string(text.get()).find('(')) : symbol;
+}
+
+// Names of functions in namespace pt, without it: of the reference's object of a task.
+struct Object {
+  Names defined, called;
+};
+
+Object object_of(const Task& task) {
+  std::ifstream paths(FIRSTLIGHT_OBJECTS "/" + task.slug + ".contract");
+  Object object;
+  for (std::string path; std::getline(paths, path);) {
+    for (const judge::ObjectSymbol& symbol : judge::read_object(base::read_file(path)).symbols) {
+      const std::string name = name_of(symbol.name);
+      // What is whole in a header is no function of the task.
+      if (!name.starts_with("pt::") || symbol.in_group) continue;
+      (symbol.section == SHN_UNDEF ? object.called : object.defined).insert(name.substr(4));
+    }
+  }
+  return object;
+}
+
+std::map<std::string, std::string> tasks_by_function() {
+  std::map<std::string, std::string> all;
+  for (const Task& task : tasks()) {
+    for (const std::string& function : task.functions) all[function] = task.slug;
+  }
+  return all;
+}
+
+Names called_tasks(const Object& object) {
+  static const auto by_function = tasks_by_function();
+  Names called;
+  for (const std::string& name : object.called) {
+    const auto found = by_function.find(name);
+    if (found != by_function.end()) called.insert(found->second);
+  }
+  return called;
+}
+
+bool traces(const Object& object) {
+  return object.called.contains("Scene::closest") || object.called.contains("Scene::occluded");
+}
+
+TEST(tasks, define_the_functions_of_the_table) {
+  for (const Task& task : tasks()) {
+    EXPECT_EQ(object_of(task).defined, Names(task.functions.begin(), task.functions.end()))
+        << task.slug;
+  }
+}
+
+TEST(tasks, call_the_tasks_of_the_table) {
+  for (const Task& task : tasks()) {
+    const Object object = object_of(task);
+    EXPECT_EQ(called_tasks(object), Names(task.calls.begin(), task.calls.end())) << task.slug;
+    EXPECT_EQ(traces(object), task.traces) << task.slug;
+    EXPECT_EQ(object.called.contains("radiance"),
+              std::ranges::count(task.judge_answers, "radiance") > 0)
+        << task.slug;
+  }
+}
+
+// By following the calls of the objects from task to task.
+TEST(tasks, need_what_their_calls_reach) {
+  for (const Task& task : tasks()) {
+    Names reached, next{task.slug};
+    while (!next.empty()) {
+      const std::string slug = *next.begin();
+      next.erase(next.begin());
+      const Object object = object_of(task_of(slug));
+      Names calls = called_tasks(object);
+      if (traces(object)) calls.insert({"build_bvh", "hit_bvh"});
+      for (const std::string& call : calls) {
+        if (reached.insert(call).second) next.insert(call);
+      }
+    }
+    const std::vector<std::string>& needed = needs(task.slug);
+    EXPECT_EQ(Names(needed.begin(), needed.end()), reached) << task.slug;
+  }
+}
+
+TEST(tasks, are_answered_only_where_they_are_called) {
+  for (const Task& task : tasks()) {
+    Names answered(task.judge_answers.begin(), task.judge_answers.end());
+    answered.insert(task.mocks.begin(), task.mocks.end());
+    answered.erase("radiance");
+    for (const std::string& slug : answered) {
+      EXPECT_GT(std::ranges::count(task.calls, slug), 0) << task.slug << " " << slug;
+    }
+  }
+}
+
+TEST(tasks, stand_in_the_same_order_in_the_calls) {
+  std::vector<std::string> slugs, functions;
+  for (const Task& task : tasks()) {
+    slugs.push_back(task.slug);
+    functions.insert(functions.end(), task.functions.begin(), task.functions.end());
+  }
+  functions.insert(functions.end(), {"radiance", "render_rows"});
+  EXPECT_EQ(std::vector<std::string>(wire::kTasks.begin(), wire::kTasks.end()), slugs);
+  EXPECT_EQ(std::vector<std::string>(wire::kFunctionNames.begin(), wire::kFunctionNames.end()),
+            functions);
+}
+
+TEST(tasks, are_found_by_their_slugs_only) {
+  EXPECT_EQ(task_of("hit_triangle").number, "1.3");
+  EXPECT_EQ(task_of("adaptive_pixel").file(), "5_adaptive/adaptive_pixel.cpp");
+  EXPECT_THROW(task_of("hit_everything"), pt::Error);
+  EXPECT_TRUE(needs("hit_everything").empty());
+}
+
+}  // namespace
+}  // namespace grader::self_check
