@@ -188,7 +188,7 @@ Results full_results() {
                   .max_points = 3,
                   .bonus_points = 4,
                   .spared = 1,
-                  .mistake = {"absolute_epsilon", "It is an epsilon.", "battery", false},
+                  .mistake = {"absolute_epsilon", "It is an epsilon.", "battery", "", false},
                   .blocked_by = {"m"},
                   .blamed = {"n", "o"},
                   .compiler_output = "p\nq\n",

@@ -248,7 +248,7 @@ TEST(name_by_pictures, promises_and_pictures_never_contradict_each_other) {
                          std::vector<std::string> unlike) {
     results::TaskResult task;
     task.slug = "hit_box";
-    task.mistake = {by_promises, "It does.", "battery", false};
+    task.mistake = {by_promises, "It does.", "battery", "", false};
     task.pictures.resize(2);
     task.pictures[0].like = std::move(like);
     task.pictures[1].unlike = std::move(unlike);

@@ -76,7 +76,7 @@ TEST(points, that_one_named_cause_takes_are_bounded) {
       TaskResult task = example(promises, broken);
       EXPECT_EQ(counted(task, half).points, promises - broken);
       EXPECT_EQ(counted(task, half).spared, 0);
-      task.mistake = {"absolute_epsilon", "It is an epsilon.", "battery", false};
+      task.mistake = {"absolute_epsilon", "It is an epsilon.", "battery", "", false};
       const int most = (promises + 1) / 2;  // rounded up
       const int kept = promises - broken;
       task = counted(task, half);
@@ -93,7 +93,7 @@ TEST(points, are_not_given_back_to_a_task_that_keeps_no_promise) {
   free.one_cause = 0;
   TaskResult task = example(6, 6);
   task.promises[5].bonus = task.promises[5].held = true;  // a bonus earns nothing back
-  task.mistake = {"missing_return", "The sum is never returned.", "battery", false};
+  task.mistake = {"missing_return", "The sum is never returned.", "battery", "", false};
   EXPECT_EQ(counted(task, free).points, 0);
   task.promises[0].held = true;
   EXPECT_EQ(counted(task, free).points, 2);

@@ -5,6 +5,7 @@
 #include "grader/report/terminal.h"
 #include "grader/results/order.h"
 #include "grader/results/readable.h"
+#include "grader/results/summary.h"
 #include "tests/example_run.h"
 
 #include <gmock/gmock.h>
@@ -75,7 +76,7 @@ TEST(order, puts_the_most_telling_task_first) {
   TaskResult picture = failing("picture", {});
   picture.pictures.emplace_back().state = State::fail;
   TaskResult named = failing("named", {broken("a", failure("wrong"))});
-  named.mistake = {"epsilon", "It is an epsilon.", "battery", false};
+  named.mistake = {"epsilon", "It is an epsilon.", "battery", "", false};
   TaskResult unbuilt = failing("unbuilt", {broken("a", {})});
   unbuilt.promises[0].failures.clear();
   unbuilt.compiler_output = "error";
@@ -101,7 +102,7 @@ class Named : public ExampleRun {
   Results named() const {
     Results results = run;
     results.tasks[1].mistake = {"t_min_taken_as_zero", "It compares t with 0 & not t_min.",
-                                "battery", false};
+                                "battery", "", false};
     results.tasks[1].spared = 0;
     return results;
   }
@@ -118,6 +119,16 @@ TEST_F(Named, a_mistake_stands_first_in_every_report) {
   const std::string page = report::to_html(results);
   EXPECT_THAT(page, HasSubstr(escaped));
   EXPECT_THAT(report::to_html(run), Not(HasSubstr("known mistake")));
+}
+
+TEST_F(Named, the_hint_stands_behind_the_mistake) {
+  Results results = named();
+  results.tasks[1].mistake.hint = "Compare t with t_min.";
+  const std::string sentence = "compares t with 0 & not t_min. Hint: Compare t with t_min.";
+  EXPECT_THAT(results::mistake_text(results.tasks[1]), HasSubstr(sentence));
+  const std::string escaped = "not t_min. Hint: Compare t with t_min.";
+  EXPECT_THAT(report::to_html(results), HasSubstr(escaped));
+  EXPECT_THAT(report::to_junit(results), HasSubstr(escaped));
 }
 
 TEST_F(Named, what_one_cause_costs_is_said) {

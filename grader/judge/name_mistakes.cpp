@@ -4,7 +4,10 @@
 #include "grader/base/parallel.h"
 #include "grader/judge/ask_battery.h"
 #include "grader/mistakes/naming.h"
+#include "grader/report/hints.h"
+#include "grader/results/order.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -50,6 +53,21 @@ results::Mistake described(const std::vector<const mistakes::Fingerprint*>& foun
 
 }  // namespace
 
+std::string hint_for(const Config& config, const results::TaskResult& task) {
+  const std::string path = config.root + "/grader/tasks/" + task.slug + "/hints.md";
+  if (!std::filesystem::exists(path)) return "";
+  const report::Hints hints = report::parse_hints(base::read_file(path), path);
+  for (const std::size_t tier : {1, 2}) {
+    for (const results::PromiseResult* promise : results::by_importance(task)) {
+      std::string text = report::about(hints[tier], promise->name);
+      if (text == hints[tier].general) continue;
+      std::ranges::replace(text, '\n', ' ');
+      return text.substr(0, text.find_last_not_of(' ') + 1);
+    }
+  }
+  return "";
+}
+
 void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,
                    std::vector<Judged>& judged, const std::function<void()>& progress) {
   std::vector<Judged*> failing;
@@ -68,6 +86,7 @@ void name_mistakes(const Config& config, const Builder& builder, const GradeRequ
     results::Mistake mistake = described(mistakes::name_by_battery(task->second, *evidence));
     if (mistake.empty()) return;
     mistake.always_the_same = mistakes::always_the_same(evidence->answers);
+    mistake.hint = hint_for(config, failing[i]->result);
     const std::lock_guard lock(mutex);
     failing[i]->result.mistake = mistake;
     progress();

@@ -76,6 +76,7 @@ void members(Is<Mistake> auto& mistake, auto&& each) {
   each("name", mistake.name);
   each("sentence", mistake.sentence);
   each("found_by", mistake.found_by);
+  each("hint", mistake.hint);
   each("always_the_same", mistake.always_the_same);
 }
 

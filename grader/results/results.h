@@ -106,6 +106,7 @@ struct Mistake {
   std::string name;      // as the file of a wrong solution is called; several are joined by ", "
   std::string sentence;  // that says it
   std::string found_by;  // "battery": by the task's answers; "picture"
+  std::string hint{};    // how to mend it, about the promise that tells most
   bool always_the_same = false;  // the answer to every question: nothing of its own is computed
 
   bool empty() const { return name.empty(); }

@@ -96,9 +96,9 @@ std::string part_name(const std::string& part) {
 std::string mistake_text(const TaskResult& task) {
   if (task.mistake.empty()) return "";
   const bool several = task.mistake.name.find(", ") != std::string::npos;
-  return fmt::format("{}: {}",
-                     several ? "This is one of these known mistakes" : "This is a known mistake",
-                     task.mistake.sentence);
+  return fmt::format(
+      "{}: {}{}", several ? "This is one of these known mistakes" : "This is a known mistake",
+      task.mistake.sentence, task.mistake.hint.empty() ? "" : " Hint: " + task.mistake.hint);
 }
 
 std::string spared_text(const TaskResult& task) {

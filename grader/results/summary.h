@@ -52,7 +52,8 @@ double seconds(const TaskResult& task);
 std::string part_number(const std::string& part);
 std::string part_name(const std::string& part);
 
-// "This is a known mistake: Compares t with zero where it should be t_min." Empty if none is named.
+// "This is a known mistake: Compares t with zero where it should be t_min. Hint: ..." Empty if none
+// is named.
 std::string mistake_text(const TaskResult& task);
 
 // "One cause: 9 promises fail, 6 points taken." Empty where nothing is spared.
