@@ -18,7 +18,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-namespace grader {
+namespace grader::pictures {
 namespace {
 
 using Outcome = pictures::ImageVerdict::Outcome;
@@ -91,7 +91,7 @@ void print_false_failures(int pictures) {
 }
 
 // The later rounds by themselves: 16 cells chosen at random, each with a sign.
-void print_later_stages(int pictures) {
+void print_later_rounds(int pictures) {
   fmt::print("\nStage 2 on 16 cells at random: of {} right pictures, level 0.002\n", pictures);
   for (const auto& [spread, name] : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
@@ -173,7 +173,7 @@ void print_sample_maps(int maps) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::pictures
 
 int main(int count, char** arguments) {
   CLI::App app("How often the verdict on a picture is wrong", "verdict_power");
@@ -184,10 +184,10 @@ int main(int count, char** arguments) {
       ->check(CLI::Range(2, 1000000));
   app.add_option("--wrong", wrong, "wrong pictures of each kind")->check(CLI::Range(1, 100000));
   return pt::run_command_line(app, count, arguments, [&] {
-    grader::print_sample_maps(std::min(pictures, 400));
-    grader::measure_power(folder, wrong);
-    grader::print_false_failures(pictures);
-    grader::print_later_stages(pictures);
+    grader::pictures::print_sample_maps(std::min(pictures, 400));
+    grader::pictures::measure_power(folder, wrong);
+    grader::pictures::print_false_failures(pictures);
+    grader::pictures::print_later_rounds(pictures);
     return 0;
   });
 }

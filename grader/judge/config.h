@@ -34,8 +34,8 @@ struct Config {
   std::map<std::string, Paths> callbacks;    // by slug or "radiance": objects
   std::string picture;                       // the program graded_picture
   std::string compiler_version;              // "GNU 12.2.0"
-  std::string no_reference;                  // why the reference consists of stubs here; empty: it does not
-  std::vector<TaskConfig> tasks;             // in the order of the course
+  std::string no_reference;       // why the reference consists of stubs here; empty: it does not
+  std::vector<TaskConfig> tasks;  // in the order of the course
 };
 
 // The file that CMake wrote next to the program that runs.
