@@ -13,7 +13,7 @@ struct BenchSettings {
   int rounds = 7;            // of which medians are taken
   int rays = 100000;         // of each kind
   int width = 480;           // of the pictures; the height is three quarters of it
-  int samples = 16;          // camera rays a pixel
+  int samples = 16;          // camera rays per pixel
 };
 
 // Single rays, each kind, ours and Embree's by turns, on blobs of so many triangles and in scene

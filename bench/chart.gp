@@ -6,7 +6,7 @@ set terminal svg size 800,560 background 'white'
 set output folder."/rays.svg"
 set logscale xy
 set xlabel "triangles"
-set ylabel "nanoseconds a ray"
+set ylabel "nanoseconds per ray"
 set key top left
 set grid
 of(kind, column) = stringcolumn(3) eq kind && strstrt(stringcolumn(1), "blob") == 1 ? column : NaN

@@ -130,7 +130,7 @@ Line line(const char* kind, const std::vector<double>& ours, const std::vector<d
 struct Result {
   struct Line {
     std::string kind;
-    double nanoseconds;  // a ray
+    double nanoseconds;  // per ray
     double ratio;        // times Embree
   };
   std::string scene;
@@ -194,7 +194,7 @@ void add_goals(const Result& result, std::vector<Goal>& goals) {
     if (line.kind == "primary") continue;
     goals.push_back({result.scene + ", " + line.kind + " rays, times Embree", wanted, line.ratio});
   }
-  goals.push_back({result.scene + ", bytes a triangle", 100, result.bytes, true});
+  goals.push_back({result.scene + ", bytes per triangle", 100, result.bytes, true});
 }
 
 // From the first blob to the last: by how much more a bounce ray's time grew than the logarithm of

@@ -20,7 +20,7 @@ std::vector<std::vector<double>> interleave(const std::vector<std::function<void
 // The median over the rounds of how many times faster b was than a.
 double ratio(const std::vector<double>& a, const std::vector<double>& b);
 
-// A table as comma-separated values, a line a row.
+// A table as comma-separated values, a line per row.
 class Csv {
  public:
   Csv(const std::string& file, const std::string& header);

@@ -33,7 +33,7 @@ pt::Scene blob_scene(int triangles) {
   pt::Scene scene;
   scene.primitives = scenes::to_primitives(scenes::make_blob(triangles));
   scene.material_of.assign(scene.primitives.size(), 0);
-  scene.materials = {{"matt", {.7, .7, .7}, {}, ""}};
+  scene.materials = {{"diffuse", {.7, .7, .7}, {}, ""}};
   return scene;
 }
 

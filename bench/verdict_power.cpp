@@ -33,18 +33,18 @@ pictures::NoiseClass noise_of(Spread spread) {
   return spread == Spread::diffuse ? pictures::NoiseClass::ordinary : pictures::NoiseClass::noisy;
 }
 
-// 16 times the samples of the last stage, as a golden must have.
-int golden_samples(const std::array<Stage, 3>& stages) { return 16 * 16 * stages[2].samples; }
+// 16 times the samples of the last round, as a golden must have.
+int golden_samples(const std::array<Round, 3>& rounds) { return 16 * 16 * rounds[2].samples; }
 
 struct Tally {
-  std::array<int, 3> complaints{};  // pictures that stage 1, 2, 3 still complained of
+  std::array<int, 3> failing{};  // pictures that failed round 1, 2, 3
   int wrong = 0;
   int too_noisy = 0;
   double noisiest = 0;
 };
 
 Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted,
-                 pictures::NoiseClass noise, const std::array<Stage, 3>& stages, int pictures,
+                 pictures::NoiseClass noise, const std::array<Round, 3>& rounds, int pictures,
                  std::uint64_t seed) {
   constexpr int kPicturesAGolden = 50;
   Tally tally;
@@ -52,13 +52,13 @@ Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted,
   for (int i = 0; i < pictures; ++i) {
     const std::uint64_t own = seed + static_cast<std::uint64_t>(i);
     if (i % kPicturesAGolden == 0) {
-      golden = Draw(~own).golden(right, golden_samples(stages));
+      golden = Draw(~own).golden(right, golden_samples(rounds));
     }
     const auto verdict =
-        pictures::judge_image(golden, noise, submission(submitted, own), 3, stages);
+        pictures::judge_image(golden, noise, submission(submitted, own), 3, rounds);
     const bool passed = verdict.outcome == Outcome::pass;
-    const int complained = passed ? verdict.stages - 1 : verdict.stages;
-    for (int stage = 0; stage < complained; ++stage) ++tally.complaints[stage];
+    const int complained = passed ? verdict.rounds - 1 : verdict.rounds;
+    for (int round = 0; round < complained; ++round) ++tally.failing[round];
     if (verdict.outcome == Outcome::too_noisy) {
       ++tally.too_noisy;
     } else if (!passed) {
@@ -70,49 +70,49 @@ Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted,
 }
 
 void print_false_failures(int pictures) {
-  fmt::print("Right pictures: of {}, how many each stage complains of\n", pictures);
-  fmt::print("{:<34}{:>9}{:>9}{:>9}{:>11}{:>16}\n", "", "stage 1", "stage 2", "stage 3",
+  fmt::print("Right pictures: of {}, how many fail each round\n", pictures);
+  fmt::print("{:<34}{:>9}{:>9}{:>9}{:>11}{:>16}\n", "", "round 1", "round 2", "round 3",
              "too noisy", "largest noise");
   for (const auto& [spread, name] : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
     for (const double variance : {1.0, 2.0, 0.5}) {
       SyntheticScene submitted = scene;
       for (SyntheticPixel& pixel : submitted.pixels) pixel.shape /= variance;
-      const auto stages = pictures::stages_of(noise_of(spread));
+      const auto rounds = pictures::rounds_of(noise_of(spread));
       const Tally tally =
-          judge_many(scene, submitted, noise_of(spread), stages, pictures, 1'000'000);
+          judge_many(scene, submitted, noise_of(spread), rounds, pictures, 1'000'000);
       const std::string what =
           variance == 1 ? name : fmt::format("{}, variance x {}", name, variance);
-      fmt::print("{:<34}{:>9}{:>9}{:>9}{:>11}{:>16.2f}\n", what, tally.complaints[0],
-                 tally.complaints[1], tally.complaints[2], tally.too_noisy, tally.noisiest);
+      fmt::print("{:<34}{:>9}{:>9}{:>9}{:>11}{:>16.2f}\n", what, tally.failing[0], tally.failing[1],
+                 tally.failing[2], tally.too_noisy, tally.noisiest);
       std::fflush(stdout);
     }
   }
 }
 
-// The later stages by themselves: 16 cells chosen at random, each with a sign.
-void print_later_stages(int pictures) {
+// The later rounds by themselves: 16 cells chosen at random, each with a sign.
+void print_later_rounds(int pictures) {
   fmt::print("\nStage 2 on 16 cells at random: of {} right pictures, level 0.002\n", pictures);
   for (const auto& [spread, name] : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
-    const auto stages = pictures::stages_of(noise_of(spread));
+    const auto rounds = pictures::rounds_of(noise_of(spread));
     const pictures::Golden golden =
-        pictures::prepare(Draw(5).golden(scene, golden_samples(stages)));
+        pictures::prepare(Draw(5).golden(scene, golden_samples(rounds)));
     const std::vector<pictures::Cell> cells = pictures::cells_of(golden);
     Draw draw(6);
-    int complaints = 0;
+    int failing = 0;
     for (int i = 0; i < pictures; ++i) {
-      std::vector<pictures::Complaint> kept;
+      std::vector<pictures::MeasuredCell> kept;
       while (kept.size() < 16) {
         kept.push_back(
             {cells[draw.random()() % cells.size()], draw.random()() % 2 == 0 ? 9.0 : -9.0, 1, 0});
       }
-      const int samples = stages[1].samples;
-      const pictures::Moments stage =
+      const int samples = rounds[1].samples;
+      const pictures::Moments round =
           pictures::moments(draw.batches(scene, 16, samples).images, samples);
-      if (!pictures::repeated(pictures::compare(golden, stage), kept, 2e-3).empty()) ++complaints;
+      if (!pictures::repeated(pictures::compare(golden, round), kept, 2e-3).empty()) ++failing;
     }
-    fmt::print("{:<34}{:>9}\n", name, complaints);
+    fmt::print("{:<34}{:>9}\n", name, failing);
     std::fflush(stdout);
   }
 }
@@ -120,7 +120,7 @@ void print_later_stages(int pictures) {
 void measure_power(const std::string& folder, int pictures) {
   pt::Csv csv(folder + "/verdict_power.csv", "spread,error,samples,found");
   constexpr std::array<int, 6> kSamples{16, 32, 64, 128, 256, 512};
-  fmt::print("\nFound of {} wrong pictures, against the samples a pixel of stage 1\n", pictures);
+  fmt::print("\nFound of {} wrong pictures, against the samples per pixel of round 1\n", pictures);
   fmt::print("{:<46}", "");
   for (const int samples : kSamples) fmt::print("{:>7}", samples);
   fmt::print("\n");
@@ -130,9 +130,9 @@ void measure_power(const std::string& folder, int pictures) {
       fmt::print("{:<46}", fmt::format("{}: {}", name, error.name));
       for (const int samples : kSamples) {
         const int one = samples / 16;
-        const std::array<Stage, 3> stages{{{16, one}, {16, 2 * one}, {16, 4 * one}}};
+        const std::array<Round, 3> rounds{{{16, one}, {16, 2 * one}, {16, 4 * one}}};
         const Tally tally =
-            judge_many(right, with(right, error), noise_of(spread), stages, pictures, 2'000'000);
+            judge_many(right, with(right, error), noise_of(spread), rounds, pictures, 2'000'000);
         csv.row(fmt::format("{},{},{},{}", name, error.name, samples,
                             static_cast<double>(tally.wrong) / pictures));
         fmt::print("{:>6.0f}%", 100.0 * tally.wrong / pictures);
@@ -187,7 +187,7 @@ int main(int count, char** arguments) {
     grader::pictures::print_sample_maps(std::min(pictures, 400));
     grader::pictures::measure_power(folder, wrong);
     grader::pictures::print_false_failures(pictures);
-    grader::pictures::print_later_stages(pictures);
+    grader::pictures::print_later_rounds(pictures);
     return 0;
   });
 }

@@ -80,10 +80,10 @@ int run(const Options& options) {
     csv << fmt::format("{},{},{},{},{:.3f},{:.3f},\"{}\"\n", jobs[i].recipe->name, jobs[i].seed,
                        name(result.state), result.stages, result.noise, result.seconds, result.text)
         << std::flush;
-    std::fprintf(stderr, "\r%zu of %zu, %zu asked for a second stage, %zu failed", ++ended,
+    std::fprintf(stderr, "\r%zu of %zu, %zu needed a second round, %zu failed", ++ended,
                  jobs.size(), later, failed);
   });
-  fmt::print("\n{} verdicts new, {} known before: {} failed, {} asked for a second stage\n",
+  fmt::print("\n{} verdicts new, {} known before: {} failed, {} needed a second round\n",
              jobs.size(), known.size(), failed, later);
   return failed == 0 ? 0 : 1;
 }
@@ -97,6 +97,6 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", options.seeds, "Seeds 1 to this")->check(CLI::PositiveNumber);
   app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
   app.add_option("--out", options.out,
-                 "The CSV: recipe, seed, state, stages, noise, seconds, text");
+                 "The CSV: recipe, seed, state, rounds, noise, seconds, text");
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

@@ -1,4 +1,4 @@
-# How everything is compiled. Target `firstlight_options` carries what all code shares;
+# The flags of all code. Target `firstlight_options` carries what all code shares;
 # `firstlight_warnings` what our own code is held to (a learner's file is not: a warning there must
 # not stop the program).
 find_package(Threads REQUIRED)
@@ -30,7 +30,7 @@ endfunction()
 if(FIRSTLIGHT_SANITIZE)
   set(flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # What sanitisers add makes g++ warn of std::regex (its manual: -fsanitize and false warnings).
+    # Code that sanitisers add makes g++ warn of std::regex (its manual: -fsanitize and false warnings).
     list(APPEND flags -Wno-maybe-uninitialized)
   endif()
   target_compile_options(firstlight_options INTERFACE ${flags})

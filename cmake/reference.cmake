@@ -1,9 +1,9 @@
-# Where the implementation `reference`, and `fast` for some of its tasks, come from: their sources; in the
-# learners' edition, objects that were compiled elsewhere, if they fit here; and where they do not, untouched
+# The implementation `reference`, and `fast` for some of its tasks, come from their sources; in the
+# learners' edition, from objects that were compiled elsewhere, if they fit here; and where they do not, untouched
 # stubs, so that all programs link. Sets FIRSTLIGHT_REFERENCE to sources, objects or stubs, and FIRSTLIGHT_NO_REFERENCE to why there
 # are only stubs, in words that end a sentence.
 
-# What an object must agree with to be linked here, a line each. A newer compiler of the same make
+# The facts with which an object must agree to be linked here, one per line. A newer compiler of the same make
 # links what an older one has made: the version is compared apart.
 function(firstlight_stamp result)
   file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/pt/*.h)
@@ -21,7 +21,7 @@ flags ${CMAKE_CXX_FLAGS} ${options}\n\
 headers ${hash}\n" PARENT_SCOPE)
 endfunction()
 
-# Why the objects in the folder cannot be used here; empty if they can.
+# Sets `result` to the reason why the objects in the folder cannot be used here; empty if they can.
 function(firstlight_misfit folder result)
   firstlight_stamp(here)
   file(READ ${folder}/stamp there)

@@ -7,8 +7,8 @@
 
 namespace pt {
 
-// What main returns: what `run` does once the arguments fit the app's options, 0 where they ask for
-// help, and 2 after one sentence where they do not fit or run throws.
+// The exit status for main: that of `run` once the arguments fit the app's options, 0 where they
+// ask for help, and 2 after one sentence where they do not fit or run throws.
 template <class Run>
 int run_command_line(CLI::App& app, int argc, const char* const* argv, Run run) {
   try {

@@ -9,12 +9,12 @@
 
 namespace pt {
 
-// The file's bytes. Throws pt::Error if it is missing, no regular file, unreadable, or longer than
-// `max_bytes`.
+// The file's bytes. Throws pt::Error if it is missing, not a regular file, unreadable, or longer
+// than `max_bytes`.
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
 // Throws pt::Error if write_file(path) could not work: no such folder, or `path` is itself a folder
-// or a device. To be asked before the work whose result will be written.
+// or a device. To be called before the work whose result will be written.
 void check_target(const std::filesystem::path& path);
 
 // Makes `bytes` the content of the file at `path`, whole or not at all: they go to

@@ -4,11 +4,12 @@
 
 namespace pt {
 
-// What a task that is not written yet calls before it returns a neutral value. The first call with
+// Called by a task that is not written yet, before it returns a neutral value. The first call with
 // a slug prints one line to standard error; the program goes on. Safe from any thread.
 void todo(std::string_view slug);
 
-// Whether todo(slug) was called in this process: a task that reached it counts as not attempted.
+// Returns whether todo(slug) was called in this process: a task that reached it counts as not
+// attempted.
 bool todo_reached(std::string_view slug);
 
 }  // namespace pt

@@ -187,7 +187,8 @@ TEST_P(Wide, answers_groups_from_one_point_like_asking_every_primitive) {
         place(rays[k], scale, shift);
         const Brute hit = brute_force(primitives, rays[k]);
         expected |= std::uint32_t{hit.primitive >= 0} << k;
-        if (i % 4 == 0 && k > 0) rays[k - 1].leaves = if_missed(primitives, hit, rays[k - 1]);
+        if (i % 4 == 0 && k > 0)
+          rays[k - 1].source_triangle = if_missed(primitives, hit, rays[k - 1]);
       }
       hits += std::popcount(expected);
       for (std::size_t k = 0; k < all.size(); ++k) {

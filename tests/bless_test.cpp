@@ -163,7 +163,7 @@ class Bless : public ::testing::Test {
 
 TEST_F(Bless, makes_a_golden_and_says_where_it_comes_from) {
   ASSERT_EQ(bless("box"), 0) << said_;
-  EXPECT_EQ(said_, "box: 64 samples a pixel in 0 CPU seconds\n");
+  EXPECT_EQ(said_, "box: 64 samples per pixel in 0 CPU seconds\n");
   const pt::Film film = pt::read_exr(folder_ / "golden/box.exr");
   EXPECT_EQ(film.width, 12);
   EXPECT_EQ(film.height, 9);
@@ -221,7 +221,7 @@ TEST_F(Bless, goes_on_where_it_was_stopped) {
     EXPECT_EQ(resumed.pixels[i].mean, whole.pixels[i].mean);
     EXPECT_EQ(resumed.pixels[i].squares, whole.pixels[i].squares);
   }
-  // What is half done of another picture, or no longer readable, is no beginning.
+  // A state of another picture, or one that cannot be read, is not continued.
   write_recipe("box", "box_empty.dae", R"("bounces": [0, 2])");
   render_golden(recipe(), effort, 1, partial, [&](double) { ++parts; });
   EXPECT_EQ(parts, 6);
@@ -296,7 +296,7 @@ TEST_F(Bless, checks_what_is_there) {
   ASSERT_EQ(bless("box"), 0);
   EXPECT_EQ(bless("--check"), 1);
   EXPECT_EQ(said_,
-            "recipe 'box': its golden has 64 samples a pixel where 4096 are needed; run ./run "
+            "recipe 'box': its golden has 64 samples per pixel where 4096 are needed; run ./run "
             "bless box\n");
   write_recipe("box", "box_empty.dae", R"("size": [8, 6], "bounces": [0, 1])");
   EXPECT_EQ(bless("--check"), 1);

@@ -1,4 +1,4 @@
-// What the judge forgets when its cache has grown too large, and what it must not forget.
+// The judge's cache: which files are removed when it is too large, and which must stay.
 #include "grader/judge/cache.h"
 
 #include "grader/base/files.h"

@@ -1,4 +1,4 @@
-// Which children a wide node gets, against every choice that there is.
+// The children that a wide node gets, against every possible choice.
 #include "pt/accel/child_choice.h"
 
 #include "pt/sampling/sampler.h"

@@ -1,4 +1,4 @@
-// The course's own files, which are no part of this project: read from the folder that
+// The course's own files, which are not part of this project: read from the folder that
 // FIRSTLIGHT_COURSE_SCENES names, else from ../shared/scenes beside the source tree.
 #include "collada_text.h"
 #include "pt/error.h"

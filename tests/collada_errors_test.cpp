@@ -40,8 +40,8 @@ TEST(BadFiles, are_named) {
   EXPECT_THROW(load_collada(std::filesystem::path(::testing::TempDir()) / "none.dae"), Error);
   EXPECT_THROW(load_collada(::testing::TempDir()), Error);
   expect_error("", "is empty");
-  expect_error("hello", "no COLLADA file");
-  expect_error("<svg/>", "no COLLADA file");
+  expect_error("hello", "not a COLLADA file");
+  expect_error("<svg/>", "not a COLLADA file");
   expect_error("<a><COLLADA/></a>", "outermost element");
   expect_error(std::string("<COLLADA>\0</COLLADA>", 20), "zero byte");
   expect_error("<COLLADA></COLLADA>", "has no <scene>");
@@ -49,7 +49,7 @@ TEST(BadFiles, are_named) {
 
 TEST(BadFiles, of_any_size_are_refused_at_once) {
   std::string garbage(100 << 20, 'x');
-  expect_error(garbage, "no COLLADA file");
+  expect_error(garbage, "not a COLLADA file");
   garbage.replace(0, 9, "<COLLADA>");
   expect_error(garbage, "malformed");
   std::string tags = "<COLLADA>";
@@ -68,12 +68,12 @@ TEST(BadXml, is_named_with_its_line) {
 
 TEST(BadNumbers, are_named) {
   expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 nan"), "'nan' in <float_array>");
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 inf"), "is no finite number");
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 1e999"), "is no finite number");
+  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 inf"), "is not a finite number");
+  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 1e999"), "is not a finite number");
   expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 2m"), "'2m' in");
   expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 1e200"), "beyond 1e30");
-  expect_error(one_triangle("<p>0 1 2.5</p>"), "is no integer");
-  expect_error(one_triangle("<p>0 1 99999999999</p>"), "is no integer");
+  expect_error(one_triangle("<p>0 1 2.5</p>"), "is not an integer");
+  expect_error(one_triangle("<p>0 1 99999999999</p>"), "is not an integer");
   expect_error(one_triangle("<p>0 <b/> 1 2</p>"), "more than numbers");
   expect_error(with_node("<scale>1 1</scale>"), "holds 2 numbers; write 3");
   expect_error(with_node("<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0</matrix>"), "holds 15 numbers");
@@ -114,7 +114,7 @@ TEST(BadMeshes, are_named) {
   text.geometries = mesh("g", "0 0 0 1 0 0 2 0 0", 9, "triangles", "", "<p>0 1 2</p>");
   expect_error(text, "no surface");
   text.geometries = mesh("g", "0 0 0", 3, "triangles", "count=\"-1\"", "<p>0 0 0</p>");
-  expect_error(text, "is no count");
+  expect_error(text, "is not a count");
 }
 
 TEST(BadAccessors, are_named) {
@@ -195,7 +195,7 @@ TEST(BadCamerasAndLights, are_named) {
   };
   expect_error(camera(""), "has no xfov");
   expect_error(camera("<xfov>180</xfov>"), "between 0 and 180");
-  expect_error(camera("<xfov>nan</xfov>"), "is no finite number");
+  expect_error(camera("<xfov>nan</xfov>"), "is not a finite number");
   expect_error(camera("<xfov>50</xfov><aspect_ratio>0</aspect_ratio>"), "aspect_ratio");
   expect_error(camera("<xfov>50</xfov><znear>2</znear><zfar>1</zfar>"), "znear");
   SceneText flat = camera("<xfov>50</xfov>");

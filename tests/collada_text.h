@@ -130,7 +130,7 @@ inline LoadedScene load(const SceneText& text, const LoadOptions& options = {}) 
   return load_text(text.str(), options);
 }
 
-// Whether some note contains the text.
+// Returns whether some note contains the text.
 inline bool has_note(const LoadedScene& loaded, const std::string& text) {
   for (const std::string& note : loaded.notes) {
     if (note.find(text) != std::string::npos) return true;

@@ -15,8 +15,8 @@ namespace {
 constexpr int kWidth = 40;
 constexpr int kHeight = 30;
 
-// 32, 64 and 128 samples a pixel; the golden has 16 times the last.
-constexpr std::array<grader::pictures::Stage, 3> kStages{{{16, 2}, {16, 4}, {16, 8}}};
+// 32, 64 and 128 samples per pixel; the golden has 16 times the last.
+constexpr std::array<grader::pictures::Round, 3> kRounds{{{16, 2}, {16, 4}, {16, 8}}};
 constexpr int kGoldenSamples = 16 * 16 * 8;
 
 Film render(const LoadedScene& loaded, int samples, std::uint64_t seed) {
@@ -40,7 +40,7 @@ grader::pictures::ImageVerdict judge_wide_by_task(const char* file, bool broken)
     }
   }
   loaded.scene.tracer = Tracer(Engine::wide, loaded.scene.primitives);
-  const auto stage = [&](int number, int batches, int samples) {
+  const auto round = [&](int number, int batches, int samples) {
     grader::pictures::Batches result{samples, {}};
     for (int i = 0; i < batches; ++i) {
       const std::uint64_t seed = 1000u * static_cast<unsigned>(number) + static_cast<unsigned>(i);
@@ -48,7 +48,7 @@ grader::pictures::ImageVerdict judge_wide_by_task(const char* file, bool broken)
     }
     return result;
   };
-  return judge_image(golden, grader::pictures::NoiseClass::ordinary, stage, 3, kStages);
+  return judge_image(golden, grader::pictures::NoiseClass::ordinary, round, 3, kRounds);
 }
 
 class PictureOf : public ::testing::TestWithParam<const char*> {};

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-// What the grader's programs need around them: a folder of its own for each test, with a grade.json
+// Surroundings of the grader's programs: a folder of its own for each test, with a grade.json
 // for tasks of which nothing has been built.
 class GraderFolder {
  public:

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Whether the pages of the project agree with its files: every relative link and its anchor lead
+# Checks that the pages of the project agree with its files: every relative link and its anchor lead
 # somewhere, every scene that a command names exists, every task has a chapter, and every picture of the
-# handbook is small and has its command below it.
+# handbook is small and has its command below it; and that sample tables have points that can occur.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -48,8 +48,22 @@ check_picture() {
   grep -qE -- "-f ${name%_rate}\.png" "$page" || complain "$page: no command makes $name.png"
 }
 
+# The rows of a sample table, "1.3  hit_triangle  fail  13/23", have as many points as there are to be
+# had, by the usual worth of a promise and of a picture.
+check_points() {
+  local page=$1 slug points got most promises pictures
+  while read -r _ slug _ points _; do
+    got=${points%/*} most=${points#*/}
+    promises=$(grep '^//   - ' "pt/tasks/$slug.h" | grep -vc '(bonus)' || true)
+    pictures=$(grep '"tasks"' scenes/recipes.json | grep -c "\"$slug\"" || true)
+    [ "$most" -eq $((promises + 3 * pictures)) ] && [ "$got" -le "$most" ] ||
+      complain "$page: $slug has $((promises + 3 * pictures)) points, not $points"
+  done < <(grep -E '^ +[1-5]\.[0-9]  [a-z_]+ +[a-z]+ +[0-9]+/[0-9]+' "$page")
+}
+
 pages=0
 while read -r page; do
+  check_points "$page"
   check_page "$page"
   pages=$((pages + 1))
 done < <(find . -name '*.md' -not -path './build/*' -not -path './.git/*')

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-// What the tests of the wide engine share: rays that are hard to answer, and the answer.
+// Shared by the tests of the wide engine: rays that are hard to answer, and the answer.
 
 namespace pt {
 

@@ -166,7 +166,7 @@ TEST(hint_program, refuses_what_it_does_not_know) {
   const Answer task = hint(folder, {"hit_cone"});
   EXPECT_EQ(task.status, 2);
   EXPECT_EQ(task.text,
-            "'hit_cone' is no task; choose one of hit_triangle, hit_sphere, build_bvh\n");
+            "'hit_cone' is not a task; choose one of hit_triangle, hit_sphere, build_bvh\n");
   const Answer promise = hint(folder, {"hit_sphere", "is round"});
   EXPECT_EQ(promise.status, 2);
   EXPECT_THAT(promise.text, HasSubstr("hit_sphere does not promise 'is round'; choose one of: "));

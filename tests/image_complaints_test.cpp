@@ -1,5 +1,4 @@
-// What the verdict on a picture says of a mistake, and which complaints count; two goldens
-// compared.
+// The sentence and the failing cells of a wrong picture; two goldens compared.
 #include "grader/pictures/image_verdict.h"
 #include "pt/error.h"
 #include "tests/judged_picture.h"
@@ -53,28 +52,28 @@ TEST_F(Judged, a_colour_that_is_off_is_named) {
                                                       "too bright in three independent renders"));
 }
 
-TEST_F(Judged, a_complaint_that_is_not_repeated_is_dropped) {
+TEST_F(Judged, a_cell_that_fails_once_is_dropped) {
   const auto brighter_in = [&](int which) {
-    return changed([which](pt::Image& image, int, int stage) {
-      if (stage != which) return;
+    return changed([which](pt::Image& image, int, int round) {
+      if (round != which) return;
       for (pt::Rgb& color : image.pixels) color = color.r < 4 ? color * 1.05 : color;
     });
   };
   EXPECT_EQ(judge(brighter_in(1)).outcome, Outcome::pass);
-  EXPECT_EQ(judge(brighter_in(1)).stages, 2);
-  EXPECT_EQ(judge(brighter_in(2)).stages, 1);
+  EXPECT_EQ(judge(brighter_in(1)).rounds, 2);
+  EXPECT_EQ(judge(brighter_in(2)).rounds, 1);
   const auto one = judge(brighter_in(1), 1);
   EXPECT_EQ(one.outcome, Outcome::wrong);
   EXPECT_THAT(one.sentence, testing::MatchesRegex("the whole picture was [45][.]. % too bright"));
 }
 
-TEST_F(Judged, a_complaint_that_turns_round_is_dropped) {
-  const auto verdict = judge(changed([](pt::Image& image, int, int stage) {
+TEST_F(Judged, a_cell_that_changes_its_sign_is_dropped) {
+  const auto verdict = judge(changed([](pt::Image& image, int, int round) {
     for (pt::Rgb& color : image.pixels)
-      color = color.r < 4 ? color * (stage == 2 ? 0.95 : 1.05) : color;
+      color = color.r < 4 ? color * (round == 2 ? 0.95 : 1.05) : color;
   }));
   EXPECT_EQ(verdict.outcome, Outcome::pass);
-  EXPECT_EQ(verdict.stages, 2);
+  EXPECT_EQ(verdict.rounds, 2);
 }
 
 // A run of an adaptive render is a sample, and so is each of the golden's 64.
@@ -92,16 +91,16 @@ TEST_F(Judged, adaptive_pictures_are_judged_run_by_run) {
   };
   golden_ = golden_of(scene_);
   const auto judged = [&](const SyntheticScene& scene, std::uint64_t seed) {
-    const RenderStage runs = submission(scene, seed);
+    const RenderRound runs = submission(scene, seed);
     return judge_image(
         golden_, NoiseClass::ordinary,
-        [&](int stage, int batches, int samples) {
+        [&](int round, int batches, int samples) {
           EXPECT_EQ(samples, 1);
-          Batches result = runs(stage, batches, 100);
+          Batches result = runs(round, batches, 100);
           result.samples = 1;
           return result;
         },
-        3, kAdaptiveStages);
+        3, kAdaptiveRounds);
   };
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     EXPECT_EQ(judged(scene_, seed).outcome, Outcome::pass);

@@ -20,7 +20,7 @@ TEST_F(Judged, what_is_no_radiance_is_refused_at_once) {
       if (b == 7) image.at(5, 20).g = value;
     }));
     EXPECT_EQ(verdict.outcome, Outcome::unusable);
-    EXPECT_EQ(verdict.stages, 1);
+    EXPECT_EQ(verdict.rounds, 1);
     EXPECT_NE(verdict.sentence.find("pixel (5, 20)"), std::string::npos) << verdict.sentence;
     ASSERT_EQ(verdict.cells.size(), 1u);
     EXPECT_EQ(verdict.cells[0].x, 5);
@@ -41,8 +41,8 @@ TEST_F(Judged, another_size_or_number_of_images_is_refused) {
 }
 
 TEST_F(Judged, repeated_random_numbers_are_refused) {
-  const auto verdict = judge([&](int stage, int batches, int samples) {
-    Batches result = submission(scene_, 9)(stage, batches, samples);
+  const auto verdict = judge([&](int round, int batches, int samples) {
+    Batches result = submission(scene_, 9)(round, batches, samples);
     result.images[11] = result.images[3];
     return result;
   });
@@ -68,7 +68,7 @@ TEST_F(Judged, a_picture_without_chance_may_repeat_itself) {
   ASSERT_EQ(wrong.cells.size(), 1u);
   EXPECT_EQ(wrong.cells[0].x, 3);
   EXPECT_EQ(wrong.cells[0].y, 9);
-  // A thousandth is allowed; a half of that is no mistake.
+  // A thousandth is allowed; a half of that is not a mistake.
   EXPECT_EQ(judge(changed([](pt::Image& image, int, int) {
               for (pt::Rgb& color : image.pixels) color *= 1.0005;
             })).outcome,
@@ -97,14 +97,14 @@ TEST_F(Judged, a_constant_that_changes_once_may_be_luck) {
 
 TEST_F(Judged, a_wrong_constant_must_be_the_same_pixel_each_time) {
   const auto verdict = judge(
-      changed([](pt::Image& image, int, int stage) { image.at(1 + stage, 1) = pt::gray(0.5); }));
+      changed([](pt::Image& image, int, int round) { image.at(1 + round, 1) = pt::gray(0.5); }));
   EXPECT_EQ(verdict.outcome, Outcome::pass);
-  EXPECT_EQ(verdict.stages, 2);
+  EXPECT_EQ(verdict.rounds, 2);
 }
 
 TEST_F(Judged, pixels_that_vary_together_are_found) {
-  const auto verdict = judge(changed([](pt::Image& image, int b, int stage) {
-    const double factor = 1 + 0.02 * std::sin(7.0 * b + stage);
+  const auto verdict = judge(changed([](pt::Image& image, int b, int round) {
+    const double factor = 1 + 0.02 * std::sin(7.0 * b + round);
     for (pt::Rgb& color : image.pixels) color = color.r < 4 ? color * factor : color;
   }));
   EXPECT_EQ(verdict.outcome, Outcome::wrong);

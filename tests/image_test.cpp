@@ -166,7 +166,7 @@ TEST(SampleMap, picture_shows_the_map_above_a_legend_with_its_limits) {
 }
 
 TEST(SampleMap, picture_is_wide_enough_for_its_legend) {
-  EXPECT_GE(sample_picture(ascending_map(2, 10)).width, text_width(1, "samples a pixel"));
+  EXPECT_GE(sample_picture(ascending_map(2, 10)).width, text_width(1, "samples per pixel"));
   EXPECT_GE(sample_picture(ascending_map(2, 1000000000)).width,
             text_width(1, "1000000000 1500000000 2000000000"));
 }

@@ -51,25 +51,25 @@ TEST(image_verdict, thresholds_are_those_of_the_design) {
   const std::pair<int, double> scales[] = {
       {6912, 5.13}, {432, 4.58}, {108, 4.28}, {12, 3.77}, {2, 3.29}};
   for (const auto& [count, threshold] : scales) {
-    EXPECT_NEAR(base::normal_quantile_above(kStageLevels[0] / kScales / count / 2), threshold,
+    EXPECT_NEAR(base::normal_quantile_above(kRoundLevels[0] / kScales / count / 2), threshold,
                 0.006);
   }
   const Golden golden =
       prepare(Draw(1).golden(synthetic_scene(Spread::diffuse, kWidth, kHeight), 64));
   const Moments same{16, 4, golden.mean, golden.variance};
   const Comparison pictures = compare(golden, same);
-  const std::vector<Complaint> kept(kKeptComplaints, Complaint{cells_of(golden)[0], 9, 1, 0});
+  const std::vector<MeasuredCell> kept(kKeptCells, MeasuredCell{cells_of(golden)[0], 9, 1, 0});
   Comparison off = pictures;
   for (double& difference : off.difference[kLuminance]) difference = 1e3;
-  for (const double level : {kStageLevels[1], kStageLevels[2]}) {
+  for (const double level : {kRoundLevels[1], kRoundLevels[2]}) {
     // Equal pictures repeat nothing; the threshold shows where they differ a lot.
     EXPECT_TRUE(repeated(pictures, kept, level).empty());
-    ASSERT_EQ(repeated(off, kept, level).size(), kKeptComplaints);
+    ASSERT_EQ(repeated(off, kept, level).size(), kKeptCells);
     EXPECT_NEAR(repeated(off, kept, level)[0].threshold, 3.66, 0.005);
   }
 }
 
-// The evidence of a cell is |z| over the threshold that the level of its stage leads to.
+// The evidence of a cell is |z| over the threshold that the level of its round leads to.
 TEST(image_verdict, judges_each_stage_by_its_level) {
   const SyntheticScene scene = synthetic_scene(Spread::diffuse, kWidth, kHeight);
   const pt::Film film = Draw(7).golden(scene, 16384);
@@ -79,25 +79,25 @@ TEST(image_verdict, judges_each_stage_by_its_level) {
   }
   const Golden golden = prepare(film);
   std::vector<Batches> rendered;
-  for (const Stage& stage : stages_of(NoiseClass::ordinary)) {
-    rendered.push_back(Draw(8).batches(dark, stage.batches, stage.samples));
+  for (const Round& round : rounds_of(NoiseClass::ordinary)) {
+    rendered.push_back(Draw(8).batches(dark, round.batches, round.samples));
   }
-  const RenderStage render = [&](int stage, int, int) { return rendered[stage - 1]; };
-  std::vector<Complaint> expected;
-  for (int stage = 1; stage <= 3; ++stage) {
-    const Batches& batches = rendered[stage - 1];
+  const RenderRound render = [&](int round, int, int) { return rendered[round - 1]; };
+  std::vector<MeasuredCell> expected;
+  for (int round = 1; round <= 3; ++round) {
+    const Batches& batches = rendered[round - 1];
     const Comparison pictures = compare(golden, moments(batches.images, batches.samples));
-    const double level = kStageLevels[stage - 1];
-    expected = stage == 1 ? exceeding(measure(pictures, cells_of(golden), level), kKeptComplaints)
+    const double level = kRoundLevels[round - 1];
+    expected = round == 1 ? exceeding(measure(pictures, cells_of(golden), level), kKeptCells)
                           : repeated(pictures, expected, level);
-    const ImageVerdict verdict = judge_image(film, NoiseClass::ordinary, render, stage);
+    const ImageVerdict verdict = judge_image(film, NoiseClass::ordinary, render, round);
     const results::FailingCell clearest = failing_cell(smallest(expected).front());
     const bool found = std::any_of(
         verdict.cells.begin(), verdict.cells.end(), [&](const results::FailingCell& cell) {
           return cell.x == clearest.x && cell.y == clearest.y && cell.width == clearest.width &&
                  std::abs(cell.evidence / clearest.evidence - 1) < 1e-9;
         });
-    EXPECT_TRUE(found) << "stage " << stage;
+    EXPECT_TRUE(found) << "round " << round;
   }
 }
 
@@ -131,15 +131,15 @@ TEST(image_verdict, has_the_numbers_of_its_page) {
   };
   const auto samples = [](NoiseClass noise) {
     return [noise](int i) {
-      const Stage stage = stages_of(noise)[i];
-      return static_cast<double>(stage.batches * stage.samples);
+      const Round round = rounds_of(noise)[i];
+      return static_cast<double>(round.batches * round.samples);
     };
   };
   for (const std::string& text :
-       {row("level", [](int i) { return kStageLevels[i]; }),
-        row("samples a pixel", samples(NoiseClass::ordinary)),
+       {row("level", [](int i) { return kRoundLevels[i]; }),
+        row("samples per pixel", samples(NoiseClass::ordinary)),
         row("of a noisy picture", samples(NoiseClass::noisy)),
-        fmt::format("more than {:g} % off in every stage", 100 * kBlatant)}) {
+        fmt::format("more than {:g} % off in every round", 100 * kBlatant)}) {
     EXPECT_NE(page.find(text), std::string::npos) << text;
   }
 }
@@ -172,12 +172,12 @@ TEST(image_verdict, cells_cover_the_picture_with_ragged_borders) {
   }
 }
 
-// A right picture: the first stage complains at most as often as its level, and never do all three.
+// A right picture fails the first round at most as often as its level says, and never all three.
 TEST(image_verdict, right_pictures_pass) {
   constexpr int kGoldens = 6, kPictures = 75;
   for (const Spread spread : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
-    int complaints = 0;
+    int failing = 0;
     for (std::uint64_t i = 0; i < kGoldens; ++i) {
       const pt::Film golden = Draw(1000 + i).golden(scene, golden_samples(spread));
       for (std::uint64_t j = 0; j < kPictures; ++j) {
@@ -186,37 +186,37 @@ TEST(image_verdict, right_pictures_pass) {
         EXPECT_EQ(verdict.outcome, Outcome::pass) << verdict.sentence;
         EXPECT_EQ(verdict.sentence, "");
         EXPECT_TRUE(verdict.cells.empty());
-        if (verdict.stages > 1) ++complaints;
+        if (verdict.rounds > 1) ++failing;
       }
     }
-    std::printf("stage 1 complains of %d in %d right pictures\n", complaints, kGoldens * kPictures);
-    EXPECT_LE(complaints, binomial_bound(kGoldens * kPictures, kStageLevels[0]))
+    std::printf("round 1 fails %d of %d right pictures\n", failing, kGoldens * kPictures);
+    EXPECT_LE(failing, binomial_bound(kGoldens * kPictures, kRoundLevels[0]))
         << static_cast<int>(spread);
   }
 }
 
-// The later stages see 16 cells that somebody complained of: here, of any cells at random.
-TEST(image_verdict, later_stages_repeat_no_false_complaint) {
+// The later rounds see the 16 cells that failed the first: here, any cells at random.
+TEST(image_verdict, later_rounds_repeat_no_false_failure) {
   constexpr int kGoldens = 5, kPictures = 60;
   for (const Spread spread : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
-    const int samples = stages_of(noise_of(spread))[1].samples;
-    int complaints = 0;
+    const int samples = rounds_of(noise_of(spread))[1].samples;
+    int failing = 0;
     for (std::uint64_t i = 0; i < kGoldens; ++i) {
       const Golden golden = prepare(Draw(2000 + i).golden(scene, golden_samples(spread)));
       const std::vector<Cell> cells = cells_of(golden);
       Draw draw(3000 + i);
       for (int j = 0; j < kPictures; ++j) {
-        std::vector<Complaint> kept;
-        while (kept.size() < kKeptComplaints) {
+        std::vector<MeasuredCell> kept;
+        while (kept.size() < kKeptCells) {
           kept.push_back(
               {cells[draw.random()() % cells.size()], draw.random()() % 2 == 0 ? 9.0 : -9.0, 1, 0});
         }
-        const Moments stage = moments(draw.batches(scene, 16, samples).images, samples);
-        if (!repeated(compare(golden, stage), kept, kStageLevels[1]).empty()) ++complaints;
+        const Moments round = moments(draw.batches(scene, 16, samples).images, samples);
+        if (!repeated(compare(golden, round), kept, kRoundLevels[1]).empty()) ++failing;
       }
     }
-    EXPECT_LE(complaints, binomial_bound(kGoldens * kPictures, kStageLevels[1]))
+    EXPECT_LE(failing, binomial_bound(kGoldens * kPictures, kRoundLevels[1]))
         << static_cast<int>(spread);
   }
 }
@@ -230,7 +230,7 @@ TEST(image_verdict, errors_are_found) {
       const pt::Film golden = Draw(500 + seed).golden(right, 16384);
       const auto verdict = judge_image(golden, NoiseClass::ordinary, submission(wrong, 600 + seed));
       EXPECT_EQ(verdict.outcome, Outcome::wrong) << error.name;
-      EXPECT_EQ(verdict.stages, 3);
+      EXPECT_EQ(verdict.rounds, 3);
       EXPECT_EQ(verdict.samples, 64 + 128 + 256);
       EXPECT_FALSE(verdict.cells.empty());
       std::printf("%s: %s\n", error.name.c_str(), verdict.sentence.c_str());

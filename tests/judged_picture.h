@@ -11,16 +11,16 @@ namespace grader::pictures {
 class Judged : public testing::Test {
  protected:
   static constexpr int kWidth = 48, kHeight = 36;
-  ImageVerdict judge(const RenderStage& render, int max_stages = 3) const {
-    return judge_image(golden_, NoiseClass::ordinary, render, max_stages);
+  ImageVerdict judge(const RenderRound& render, int max_rounds = 3) const {
+    return judge_image(golden_, NoiseClass::ordinary, render, max_rounds);
   }
   // A right submission whose images are changed before they are handed in.
   template <class Change>
-  RenderStage changed(Change change) const {
-    return [this, change](int stage, int batches, int samples) {
-      Batches result = submission(scene_, 77)(stage, batches, samples);
+  RenderRound changed(Change change) const {
+    return [this, change](int round, int batches, int samples) {
+      Batches result = submission(scene_, 77)(round, batches, samples);
       for (std::size_t b = 0; b < result.images.size(); ++b) {
-        change(result.images[b], static_cast<int>(b), stage);
+        change(result.images[b], static_cast<int>(b), round);
       }
       return result;
     };

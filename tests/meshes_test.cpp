@@ -44,7 +44,7 @@ std::vector<int> joined(const std::vector<Vec3>& points) {
   return indices;
 }
 
-// Whether each edge occurs exactly once in either direction.
+// Returns whether each edge occurs exactly once in either direction.
 bool is_closed(const Mesh& mesh) {
   const std::vector<int> place = joined(mesh.points);
   std::set<std::pair<int, int>> edges;

@@ -1,4 +1,5 @@
-// Which known mistake made the pictures of a task: means over blocks, and what they say of it.
+// Naming the known mistake that made the pictures of a task: means over blocks, and what they say
+// of it.
 #include "grader/pictures/name_mistake.h"
 
 #include "grader/judge/name_by_pictures.h"

@@ -1,4 +1,4 @@
-// When a mistake is named: on constructed answers, with numbers whose errors are known.
+// Naming a mistake: on constructed answers, with numbers whose errors are known.
 #include "grader/mistakes/naming.h"
 
 #include "grader/mistakes/compare.h"

@@ -1,4 +1,4 @@
-// What promises and pictures earn, and what one cause costs.
+// Points: what promises and pictures earn, and what one cause costs.
 #include "grader/results/points.h"
 
 #include "pt/error.h"

@@ -13,7 +13,7 @@
 
 PseudoTerminal::PseudoTerminal(std::vector<std::string> command) {
   if (openpty(&screen_, &device_, nullptr, nullptr, nullptr) != 0) {
-    throw std::runtime_error("there is no pseudo-terminal to be had");
+    throw std::runtime_error("cannot open a pseudo-terminal");
   }
   before_ = mode();
   std::vector<char*> arguments;

@@ -41,7 +41,7 @@ void expect_round_trip(const T& value) {
   const T back = get<T>(in);
   EXPECT_NO_THROW(in.expect_end());
   EXPECT_EQ(encode(back), bytes);
-  EXPECT_GE(bytes.size(), Codec<T>::kLeast);
+  EXPECT_GE(bytes.size(), Codec<T>::kMinSize);
 }
 
 TEST(remote, values_come_back) {

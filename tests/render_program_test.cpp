@@ -105,7 +105,7 @@ TEST_F(RenderProgram, writes_the_picture_asked_for) {
   EXPECT_EQ(run("scene.dae -f a.png -s 2 -r 16 12"), 0) << said();
   EXPECT_EQ(run("scene.dae -f b.exr -s 4 -l 2 -m 2 -t 2 -H -r 16 12"), 0) << said();
   EXPECT_EQ(files(), (Names{"a.png", "b.exr"}));
-  EXPECT_NE(said().find("tests a ray"), std::string::npos) << said();
+  EXPECT_NE(said().find("tests per ray"), std::string::npos) << said();
 }
 
 TEST_F(RenderProgram, names_the_picture_after_the_scene_where_no_name_is_given) {
@@ -138,9 +138,9 @@ TEST_F(RenderProgram, refuses_a_survival_that_is_no_chance) {
   EXPECT_EQ(run("scene.dae -s 1 -r 8 6 --survival 1"), 0) << said();
 }
 
-// What the options mean, seen in the picture. The floor is diffuse with albedo .5, and the only
-// light a point light of intensity 9, 3 above its middle: a point of the floor at distance d sees
-// .5 / pi * 9 / d^2 * 3 / d, at most .5 / pi.
+// The meaning of the options, seen in the picture. The floor is diffuse with albedo .5, and the
+// only light a point light of intensity 9, 3 above its middle: a point of the floor at distance d
+// sees .5 / pi * 9 / d^2 * 3 / d, at most .5 / pi.
 class Options : public RenderProgram {
  protected:
   pt::Film rendered(const std::string& options, const std::string& scene = "scene.dae") {
@@ -255,7 +255,7 @@ TEST_F(RenderProgram, refuses_what_it_cannot_use) {
   EXPECT_EQ(files(), Names{});
 }
 
-// Glass can be shown, not lit, unless it is asked to be matt.
+// Glass can be shown, not lit, unless it is treated as diffuse.
 TEST_F(RenderProgram, names_a_material_outside_the_model) {
   write("glass.dae",
         scene_with("<extra><technique profile='CGL'><glass>"
@@ -267,7 +267,7 @@ TEST_F(RenderProgram, names_a_material_outside_the_model) {
   EXPECT_EQ(run("glass.dae -s 1 -r 8 6 --lambertian"), 0) << said();
 }
 
-// Whether a process has installed its handler of Ctrl-C yet (or is gone).
+// Returns whether a process has installed its handler of Ctrl-C yet (or is gone).
 bool catches_interrupts(pid_t process) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string line; std::getline(status, line);) {

@@ -21,7 +21,7 @@ Scene make_scene(Rgb glow) {
       flat_triangle({-4, 0, -4}, {4, 0, -4}, {0, 4, -4}),
   };
   scene.primitives.spheres = {{{0, 1, 0}, 1}};
-  scene.materials = {{"matt", {.7, .5, .3}, {}, ""}, {"glowing", {.2, .2, .2}, glow, ""}};
+  scene.materials = {{"diffuse", {.7, .5, .3}, {}, ""}, {"glowing", {.2, .2, .2}, glow, ""}};
   scene.material_of = {0, 0, 1, 0};
   scene.lights = {RectangleLight{{0, 5, 1}, {2, 0, 0}, {0, 0, 2}, {0, -1, 0}, {8, 8, 8}}};
   scene.tracer = Tracer(Engine::task, scene.primitives);

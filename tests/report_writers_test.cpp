@@ -1,4 +1,4 @@
-// What the writers make of one run: each format is held to its own rules, and says the same.
+// The reports of one run: each format is held to its own rules, and says the same.
 #include "grader/report/csv.h"
 #include "grader/report/gradescope.h"
 #include "grader/report/terminal.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether ./run refuses what cannot be meant before it builds anything: status 2, and one sentence.
+# Checks that ./run refuses what cannot be meant before it builds anything: status 2, and one sentence.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -23,7 +23,7 @@ refuses "--from takes student or reference" grade --from theirs hit_triangle
 refuses "--seed takes a whole number" grade hit_triangle --from student --seed one
 refuses "--html does not go with --from" grade hit_triangle --from student --html page.html
 refuses "say which task" debug
-refuses "'hit_me' is no task" debug hit_me
+refuses "'hit_me' is not a task" debug hit_me
 
 echo "$failures complaints"
 [ "$failures" -eq 0 ]

@@ -1,4 +1,4 @@
-// What a report says of a task whose run has not ended.
+// The report on a task whose run has not ended.
 #include "grader/judge/so_far.h"
 
 #include "grader/results/points.h"

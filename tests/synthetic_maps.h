@@ -25,7 +25,7 @@ enum class StoppingRule {
   constant_goes_on,  // rounding keeps constant pixels going
 };
 
-// How a pixel's samples are spread: mean 1 and this deviation, exponential.
+// The distribution of a pixel's samples: mean 1 and this deviation, exponential.
 struct AdaptiveScene {
   int width = 0;
   int height = 0;

@@ -152,9 +152,9 @@ pt::Film Draw::golden(const SyntheticScene& scene, int samples) {
   return film;
 }
 
-RenderStage submission(const SyntheticScene& scene, std::uint64_t seed) {
-  return [scene, seed](int stage, int batches, int samples) {
-    return Draw(seed * 4 + static_cast<std::uint64_t>(stage)).batches(scene, batches, samples);
+RenderRound submission(const SyntheticScene& scene, std::uint64_t seed) {
+  return [scene, seed](int round, int batches, int samples) {
+    return Draw(seed * 4 + static_cast<std::uint64_t>(round)).batches(scene, batches, samples);
   };
 }
 

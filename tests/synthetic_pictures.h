@@ -15,7 +15,7 @@
 
 namespace grader::pictures {
 
-// How the samples of the direct light are spread.
+// The distribution of the samples of the direct light.
 enum class Spread {
   diffuse,      // relative deviation 0.3 to 3
   fireflies,    // the same, but one sample in a thousand is some thirty times as bright
@@ -47,7 +47,7 @@ class Draw {
  public:
   explicit Draw(std::uint64_t seed) : random_(seed) {}
 
-  // The means of `samples` samples a pixel, exactly distributed as such.
+  // The means of `samples` samples per pixel, exactly distributed as such.
   pt::Image image(const SyntheticScene& scene, int samples);
   Batches batches(const SyntheticScene& scene, int batches, int samples);
   // With the variance as the samples drawn show it.
@@ -73,8 +73,8 @@ class Draw {
   std::normal_distribution<double> normal_;
 };
 
-// The stages of a submission that renders `scene`.
-RenderStage submission(const SyntheticScene& scene, std::uint64_t seed);
+// The rounds of a submission that renders `scene`.
+RenderRound submission(const SyntheticScene& scene, std::uint64_t seed);
 
 // A mistake that a program could make, and its picture.
 struct SyntheticError {

@@ -14,7 +14,7 @@ namespace grader::base {
 Pipe make_pipe() {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) {
-    throw pt::Error(fmt::format("there is no pipe to be had: {}", std::strerror(errno)));
+    throw pt::Error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
   }
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }

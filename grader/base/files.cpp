@@ -63,7 +63,7 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
   }
   struct stat found {};
   if (fstat(file.number(), &found) != 0 || !S_ISREG(found.st_mode)) {
-    return {true, "the file is no regular file", ""};
+    return {true, "it is not a regular file", ""};
   }
   const std::string too_large = fmt::format("the file is larger than {} MiB", most >> 20);
   if (found.st_size > static_cast<off_t>(most)) return {true, too_large, ""};
@@ -89,7 +89,7 @@ Submitted read_along(int top, std::span<const std::string> way, const std::strin
       openat(top, way[0].c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (inner.is_open()) return read_along(inner.number(), way.subspan(1), name);
   if (errno == ENOENT) return {};
-  return {true, way[0] + " is no plain folder", ""};
+  return {true, way[0] + " is not a plain folder", ""};
 }
 
 bool starts_tree(const std::string& name) {
@@ -101,7 +101,7 @@ bool starts_tree(const std::string& name) {
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug) {
   const Descriptor top(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-  if (!top.is_open()) throw pt::Error(folder + " is no folder; name one with --submission");
+  if (!top.is_open()) throw pt::Error(folder + " is not a folder; name one with --submission");
   const std::vector<std::string> ways[] = {{part}, {"student", part}, {}, {"student"}};
   for (const std::vector<std::string>& way : ways) {
     Submitted found = read_along(top.number(), way, slug + ".cpp");

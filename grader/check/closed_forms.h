@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// What light does where a formula says it exactly: the oracles of the tasks that estimate light.
+// Light where a formula gives it exactly: the oracles of the tasks that estimate light.
 
 namespace grader::check {
 

@@ -21,7 +21,7 @@ struct Tested {
   long long answered_here = 0;  // by these implementations; else by the submission's own
 };
 
-// What was asked since the last call of forget_tests().
+// The tests that were called since the last forget_tests().
 const Tested& tested();
 void forget_tests();
 
@@ -35,7 +35,8 @@ void count(const pt::Sphere& sphere);
 // ray itself.
 void answer_for(const std::optional<pt::Ray>& other);
 
-// For the implementations themselves: they were asked, and about which ray they have to answer.
+// For the implementations themselves: notes the call, and returns the ray for which they have to
+// answer.
 pt::Ray asked(const pt::Ray& ray);
 
 }  // namespace grader::check

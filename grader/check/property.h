@@ -47,7 +47,7 @@ const char* name(Cause cause);
 struct Failure {
   std::string task;
   std::string promise;             // the property's name
-  std::vector<std::string> input;  // the shrunk counterexample, a line a value
+  std::vector<std::string> input;  // the shrunk counterexample, a line per value
   std::string what;                // what was compared
   std::string got;
   std::string expected;
@@ -62,8 +62,8 @@ struct Failure {
 // name.
 void for_all(const std::function<void()>& property, int cases = 100);
 
-// From now on, the first failing input is kept and no smaller one is looked for: for who only has to
-// know which promises hold.
+// From now on, the first failing input is kept and no smaller one is looked for: for who only has
+// to know which promises hold.
 void never_shrink();
 
 // For a property with nothing random in it.

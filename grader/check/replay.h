@@ -9,8 +9,8 @@
 
 namespace grader::check {
 
-// Where a debugger stops (./run debug): with FIRSTLIGHT_REPLAY set, the smallest failing case of
-// each property runs once more, and this is called just before.
+// The place where a debugger stops (./run debug): with FIRSTLIGHT_REPLAY set, the smallest failing
+// case of each property runs once more, and this is called just before.
 [[gnu::noinline]] inline void at_smallest_failure() { asm volatile(""); }
 
 // Counts the runs of a property, so that one of them can be found again.

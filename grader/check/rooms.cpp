@@ -219,7 +219,8 @@ Wall wall_above(const rc::Gen<Rgb>& albedo, double tilt) {
 
 namespace {
 
-// Whether a ray from the origin along d meets the rectangle, or passes it by less than 2 % of it.
+// Returns whether a ray from the origin along d meets the rectangle, or passes it by less than 2 %
+// of it.
 bool meets(const Rectangle& shape, Vec3 d) {
   const double t = dot(shape.center, shape.n()) / dot(d, shape.n());
   if (!(t > 0)) return false;

@@ -13,7 +13,7 @@
 #include <ostream>
 #include <string>
 
-// How inputs and answers are written for people: every number with just as many digits as bring it
+// Writes inputs and answers for people: every number with just as many digits as bring it
 // back exactly.
 
 namespace grader::check {

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Which files copies of the project for others consist of, and how such a copy is made.
+# The files of a copy of the project for others, and the function that makes such a copy.
 
 # edition_files PATTERN: the files that every edition has, but those that match; in a working copy, only
 # those that git knows.
@@ -12,7 +12,7 @@ edition_files() {
   } | grep -vE "$1"
 }
 
-# What only those need who teach or work on the project, and the solutions of tasks.
+# Files that only those need who teach or work on the project, and the solutions of tasks.
 # shellcheck disable=SC2034
 not_for_learners='^grader/(editions|self_check)/|^grader/programs/(bless|class|grade_class)[.]|^grader/tasks/[a-z_]+/(wrong|right|noisy)/|^writeup/[a-z0-9]+\.md$|^docs/(decisions/|instructors|four_bugs|box_spheres)|^README'
 

@@ -16,7 +16,7 @@ fail() {
 for contract in pt/tasks/*.h; do
   slug=$(basename "$contract" .h)
   grep -qF "todo(\"$slug\")" student/*/"$slug.cpp" ||
-    fail "student/*/$slug.cpp is no stub: learners would get what is in it"
+    fail "student/*/$slug.cpp is not a stub: learners would get what is in it"
 done
 
 mkdir -p "$(dirname "$folder")"
@@ -47,7 +47,7 @@ for source in fast/*/*.cpp; do
   slug=$(basename "$source" .cpp)
   copy_object "$build/CMakeFiles/$slug.fast.dir/$source.o" "$objects/$slug.fast.o"
 done
-# What stands for the reference where the objects do not fit.
+# The stubs stand for the reference where the objects do not fit.
 for stub in student/*/*.cpp; do
   mkdir -p "$objects/stubs/$(basename "$(dirname "$stub")")"
   cp "$stub" "$objects/stubs/${stub#student/}"

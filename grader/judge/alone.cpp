@@ -15,7 +15,7 @@ namespace grader::judge {
 
 namespace {
 
-// One entry a promise of the contract, not kept so far. Promises without a property do not count.
+// One entry per promise of the contract, not kept so far. Promises without a property do not count.
 std::vector<results::PromiseResult> promises_to_judge(const Config& config,
                                                       const std::string& slug) {
   std::vector<results::PromiseResult> promises;

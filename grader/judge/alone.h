@@ -13,7 +13,8 @@ struct Judged {
   Built object;              // of the submission's file, if it compiles
   std::string content;       // a hash of that file; the same on every machine
   bool right_alone = false;  // every promise holds with the reference elsewhere
-  bool settled = false;      // what the promises say is final: by itself, and together where asked
+  bool settled =
+      false;  // the verdict of the promises is final: by itself, and together where asked
   results::TaskResult result;
 };
 
@@ -33,7 +34,7 @@ void judge_alone(const Config& config, const Builder& builder, const GradeReques
 // Puts findings into a result: the state, and every failure with the command that replays it.
 void enter(const Findings& findings, const GradeRequest& request, results::TaskResult& result);
 
-// What the worker of one task consists of: it, and in all other places the judge's answers (for
+// The parts of the worker of one task: the task, and in all other places the judge's answers (for
 // its properties) or the reference (for its pictures).
 enum class Elsewhere { answers, reference };
 Built link_alone(const Config& config, const Builder& builder, const Judged& judged,

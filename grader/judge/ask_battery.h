@@ -7,9 +7,9 @@
 
 namespace grader::judge {
 
-// What a task answers to its battery, unless the same was asked before. The seed is of the draws,
-// `draws` how many times the usual number. Nothing if the program that asks fails. Safe from any
-// thread.
+// A task's answers to its battery; those of an earlier run are used again. The seed is of the
+// draws, `draws` how many times the usual number. Nothing if the program that asks fails. Safe from
+// any thread.
 std::optional<mistakes::Answers> ask_battery(const Builder& builder, const Trial& trial,
                                              std::uint64_t seed, int draws);
 

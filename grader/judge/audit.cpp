@@ -25,7 +25,8 @@ constexpr std::uint32_t kLinkerOptions = 0x6fff4c01;  // SHT_LLVM_LINKER_OPTIONS
 constexpr std::uint32_t kAddresses = 0x6fff4c03;      // SHT_LLVM_ADDRSIG, of clang
 constexpr std::uint32_t kUnwind = 0x70000001;         // SHT_X86_64_UNWIND, of clang
 
-// What compilers make of C++. Others have a meaning for linkers, or for what starts a program.
+// Types of sections that compilers of C++ make. Others have a meaning for linkers, or for what
+// starts a program.
 constexpr std::uint32_t kSectionTypes[] = {
     SHT_NULL, SHT_PROGBITS, SHT_SYMTAB,     SHT_STRTAB,     SHT_RELA,   SHT_NOBITS, SHT_NOTE,
     SHT_REL,  SHT_GROUP,    SHT_INIT_ARRAY, SHT_FINI_ARRAY, kAddresses, kUnwind};
@@ -58,7 +59,7 @@ std::string readable(const std::string& name) {
   return base::printable(text.empty() ? name : text, 200);
 }
 
-// Whether a name as C++ writes it has to do with a namespace, anywhere in it: "pt::".
+// Returns whether a name as C++ writes it has to do with a namespace, anywhere in it: "pt::".
 bool mentions(string_view name, string_view space) {
   const auto is_part_of_a_name = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -86,8 +87,8 @@ bool places(string_view name) {
   return name == "_ZnwmPv" || name == "_ZnamPv" || name == "_ZdlPvS_" || name == "_ZdaPvS_";
 }
 
-// What a definition that the linker merges may be called. "DW.ref.X" holds the address of X, which
-// is the type of an exception that is caught.
+// Names that a definition may have which the linker merges. "DW.ref.X" holds the address of X,
+// which is the type of an exception that is caught.
 bool may_be_merged(string_view name) {
   constexpr string_view kReference = "DW.ref.";
   if (begins(name, kReference)) {
@@ -123,7 +124,7 @@ std::string judge_definition(const ObjectSymbol& symbol, const std::set<std::str
       readable(symbol.name));
 }
 
-// What the linker would have to find elsewhere.
+// Judges a symbol that the linker would have to find elsewhere.
 std::string judge_request(const ObjectSymbol& symbol, const Task& task) {
   const std::string words = begins(symbol.name, "_Z") ? demangled(symbol.name) : "";
   if (mentions(words, "pt::")) {
@@ -162,7 +163,7 @@ std::string audit(string_view bytes, const std::set<std::string>& contract, cons
     }
     return "";
   } catch (const pt::Error& error) {
-    return std::string("what it compiles to is not accepted: ") + error.what();
+    return std::string("the compiled object is not accepted: ") + error.what();
   }
 }
 

@@ -10,10 +10,10 @@
 namespace grader::judge {
 
 // The functions that an object of ours defines for others: those of a contract, if it is the
-// reference's. Throws pt::Error if it is no object.
+// reference's. Throws pt::Error if it is not an object.
 std::set<std::string> functions_in(std::string_view object);
 
-// Why an object compiled from a submission is not linked, in one sentence; empty if it is. It may
+// Returns in one sentence why an object of a submission is not linked; empty if it is. It may
 // define the functions of its contract, and what the linker merges with the same in other objects
 // (inline functions, templates); it may need the standard library of C++, functions of C that
 // compute or print, and of pt what the task may call. Nothing in it may speak to the linker. This

@@ -34,8 +34,8 @@ constexpr std::size_t kMaxErrorLines = 12;
 // Far above what any task compiles to.
 constexpr std::size_t kMaxObject = std::size_t{16} << 20;
 
-// How a submission is compiled beside what the build says. Warnings that name the guilty line of a
-// mistake, and not what everybody writes (int i < size()). And a function that has to return a
+// Flags for a submission, in addition to those of the build. Warnings that name the guilty line of
+// a mistake, and not what everybody writes (int i < size()). And a function that has to return a
 // value and ends without a return ends the program there, where it would do anything otherwise.
 constexpr std::array kSubmissionFlags{
     "-Wall",
@@ -112,7 +112,7 @@ Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
       cache_(config.work + "/cache"),
       headers_(public_headers(config.root)) {
   fs::create_directories(cache_);
-  // What was compiled where more can be read, or audited by another judge, is no object of ours.
+  // An object that was compiled where more can be read, or audited by another judge, is not used.
   std::string tools = base::stamp(config.compiler) +
                       base::stamp(fs::read_symlink("/proc/self/exe")) + sandbox::letter(tier);
   for (const char* flag : kSubmissionFlags) tools += std::string(flag) + '\0';
@@ -163,7 +163,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   }
   const base::Submitted object = stage.take("task.o", kMaxObject);
   if (!object.present || !object.rejected.empty()) {
-    return {"", key, "", "what it compiles to is not accepted: " + object.rejected, ""};
+    return {"", key, "", "the compiled object is not accepted: " + object.rejected, ""};
   }
   std::set<std::string> contract;
   for (const std::string& reference : task.reference) {

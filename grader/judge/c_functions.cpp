@@ -61,14 +61,14 @@ constexpr string_view kOthers[] = {
     "fetestexcept", "feupdateenv", "longjmp", "_setjmp", "setjmp", "__sigsetjmp", "__assert_fail",
     "__assert_perror_fail", "__assert", "__errno_location", "__ctype_b_loc", "__ctype_tolower_loc",
     "__ctype_toupper_loc", "__ctype_get_mb_cur_max",
-    // What the headers of C++ call where the standard has classes: shared_ptr (is there more than
-    // one thread?), mutexes, call_once, condition variables, this_thread, chrono. None starts a
-    // thread.
+    // Functions that the headers of C++ call where the standard has classes: shared_ptr (is there
+    // more than one thread?), mutexes, call_once, condition variables, this_thread, chrono. None
+    // starts a thread.
     "__libc_single_threaded", "__once_proxy", "pthread_once", "pthread_self", "pthread_equal",
     "pthread_key_create", "pthread_key_delete", "pthread_getspecific", "pthread_setspecific",
     "clock_gettime", "nanosleep", "sched_yield", "get_nprocs", "random", "lgamma_r", "lgammaf_r",
     "lgammal_r",
-    // What compilers call by themselves.
+    // Functions that compilers call by themselves.
     "_GLOBAL_OFFSET_TABLE_", "__dso_handle", "__tls_get_addr", "__stack_chk_fail", "__dynamic_cast",
     "__cpu_model", "__cpu_indicator_init", "__emutls_get_address", "__fentry__"};
 

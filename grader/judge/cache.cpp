@@ -33,12 +33,13 @@ void remove_quietly(const fs::path& path) {
   fs::remove_all(path, ignored);
 }
 
-// What is in the folder. Temporary files last touched before `in_use_since` are removed on the way.
+// The entries of the folder. Temporary files last touched before `in_use_since` are removed on the
+// way.
 std::vector<Entry> entries_of(const std::string& folder, fs::file_time_type in_use_since) {
   std::map<std::string, Entry> entries;
   std::error_code error;
   for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
-    // What another judge takes away in between is none of ours.
+    // Another judge may have removed the file in between.
     const fs::file_time_type used = file.last_write_time(error);
     if (error) continue;
     if (is_temporary(file.path())) {

@@ -10,7 +10,7 @@
 namespace grader::judge {
 
 // A cache that is larger than this when the judge starts is trimmed to less than half of it.
-inline constexpr std::uintmax_t kMostCached = std::uintmax_t{1} << 30;
+inline constexpr std::uintmax_t kMaxCached = std::uintmax_t{1} << 30;
 
 // For so long after its last use another judge may still count on an entry, and a temporary file or
 // folder may still be written. Longer than any run takes.
@@ -21,7 +21,7 @@ void mark_used(const std::string& path);
 
 // Removes temporary files and folders that killed runs left, and, if the folder holds more than
 // `most` bytes, the entries least recently used, until it holds less than half. Nothing that was
-// used within kInUse goes. A file that cannot be removed, or is gone already, is no error.
-void trim_cache(const std::string& folder, std::uintmax_t most = kMostCached);
+// used within kInUse goes. A file that cannot be removed, or is gone already, is not an error.
+void trim_cache(const std::string& folder, std::uintmax_t most = kMaxCached);
 
 }  // namespace grader::judge

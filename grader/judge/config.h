@@ -8,7 +8,7 @@ namespace grader::judge {
 
 using Paths = std::vector<std::string>;
 
-// What the build knows about one task.
+// The build's knowledge of one task.
 struct TaskConfig {
   std::string part;    // "1_rays"
   std::string number;  // "1.3"
@@ -19,12 +19,13 @@ struct TaskConfig {
   std::string file() const { return part + "/" + slug + ".cpp"; }
 };
 
-// How to build workers: written by CMake for this build (grader/programs/CMakeLists.txt), trusted.
+// The settings for building workers: written by CMake for this build
+// (grader/programs/CMakeLists.txt), trusted.
 struct Config {
   std::string root;  // of the project
   std::string work;  // where `grade` keeps what it builds
   std::string compiler;
-  std::vector<std::string> compile_flags;  // but where the headers are
+  std::vector<std::string> compile_flags;  // all but the folder of the headers
   std::vector<std::string> link_flags;
   std::vector<std::string> recording_flags;  // for the linker, of the integrated worker
   Paths framework;                           // objects of every worker
@@ -32,9 +33,9 @@ struct Config {
   Paths radiance;                            // the implementation path
   std::map<std::string, Paths> callbacks;    // by slug or "radiance": objects
   std::string picture;                       // the program graded_picture
-  std::string compiler_version;              // "g++ 12.2.0"
-  std::string no_reference;                  // why what is called so are stubs; empty: it is none
-  std::vector<TaskConfig> tasks;             // in the order of the course
+  std::string compiler_version;              // "GNU 12.2.0"
+  std::string no_reference;       // why the reference consists of stubs here; empty: it does not
+  std::vector<TaskConfig> tasks;  // in the order of the course
 };
 
 // The file that CMake wrote next to the program that runs.

@@ -10,13 +10,13 @@
 
 namespace grader::judge {
 
-// What a property program found out about one task on one worker.
+// The findings of a property program about one task on one worker.
 struct Findings {
   std::vector<results::PromiseResult> promises;  // name, held, seconds and failures are filled
   std::set<std::string> todo;                    // slugs of tasks that are not written
   std::string printed;
   std::string kept;    // the name of a variable that the task keeps between calls; may be empty
-  std::string broken;  // why there is nothing to go by; empty if there is
+  std::string broken;  // why there are no findings; empty if there are
 };
 
 struct Trial {

@@ -36,7 +36,7 @@ std::vector<const TaskConfig*> to_judge(const Config& config, const GradeRequest
   return tasks;
 }
 
-// What the verdicts depend on beside the submission.
+// The versions on which verdicts depend, besides the submission.
 std::vector<std::string> versions(const Config& config) {
   std::vector<std::string> all{config.compiler_version};
   const process::CommandResult commit =
@@ -120,7 +120,7 @@ class Run {
     results_.phases.push_back({name, seconds_since(start)});
   }
 
-  // What is known so far.
+  // The results so far.
   results::Results summary() const {
     results::Results results = results_;
     for (const Judged& each : judged_) {
@@ -155,7 +155,7 @@ std::vector<std::string> tasks_meant(const Config& config, const std::string& wo
   }
   if (slugs.empty()) {
     throw pt::Error("'" + word +
-                    "' is no task and no part: write a name like hit_triangle, or a "
+                    "' is neither a task nor a part: write a name like hit_triangle, or a "
                     "part like 1");
   }
   return slugs;

@@ -18,13 +18,13 @@ struct GradeRequest {
   int call_limit = 2000;  // milliseconds
   int threads = 2;
   bool pictures = true;            // rendered and judged too, not the promises only
-  std::string command;             // that asks for all this, for the report
+  std::string command;             // the command line, for the report
   sandbox::Isolation isolation{};  // of all that runs of the submission
   int compile_limit = 60;          // seconds that a file may take
 };
 
 // Judges the tasks asked for, each by itself and then together with the submission's other tasks.
-// `progress` gets what is known so far: at first that nothing is, then after every verdict.
+// `progress` gets the results so far: at first without a verdict, then after every verdict.
 results::Results grade(const Config& config, const GradeRequest& request,
                        const std::function<void(const results::Results&)>& progress);
 

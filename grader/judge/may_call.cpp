@@ -13,7 +13,7 @@ bool is_of(const Task& task, std::string_view function) {
 
 }  // namespace
 
-// What a stub calls may stay in a file that is finished.
+// Functions that a stub calls are allowed too: the call may stay in a finished file.
 bool may_call(const Task& task, std::string_view function) {
   return function == "pt::todo" || std::ranges::count(task.framework, function) > 0 ||
          std::ranges::any_of(

@@ -7,9 +7,9 @@
 
 namespace grader::judge {
 
-// Whether a task may call the function, "pt::Scene::closest", which is not in its own file: the
-// tasks and functions of its line in grader/tasks.json. Functions that are whole in a header are
-// the task's own once it includes them. The contract of the task says the same, in the sentence
+// Returns whether a task may call the function, "pt::Scene::closest", which is not in its own file:
+// the tasks and functions of its line in grader/tasks.json. Functions that are whole in a header
+// are the task's own once it includes them. The contract of the task says the same, in the sentence
 // "May call: ...".
 bool may_call(const Task& task, std::string_view function);
 

@@ -33,7 +33,7 @@ std::set<std::string> names_in(const std::string& text) {
   return names;
 }
 
-// What promises and pictures say must not contradict each other: of the mistakes that the pictures
+// Promises and pictures must not contradict each other: of the mistakes that the pictures
 // allow, those that the task's answers allow too are left. Where none is left, nothing is named.
 std::vector<std::string> agreed(results::TaskResult& task, std::vector<std::string> by_pictures) {
   if (task.mistake.empty()) return by_pictures;

@@ -11,7 +11,7 @@ namespace grader::judge {
 // reference.
 Config with_own_tasks(Config config, const std::vector<Judged>& judged);
 
-// What fails may do so because a task that it asks is wrong: then it waits for that one.
+// A task that fails may do so because a task that it calls is wrong: then it waits for that one.
 void block_by_own_tasks(std::vector<Judged>& judged);
 
 // The tasks that have to be right before a picture by these can be: they and all that come before.

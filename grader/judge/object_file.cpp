@@ -19,14 +19,14 @@ class Bytes {
 
   Bytes part(std::uint64_t offset, std::uint64_t size) const {
     if (offset > bytes_.size() || size > bytes_.size() - offset) {
-      throw pt::Error("it is no complete object file");
+      throw pt::Error("the object file is incomplete");
     }
     return Bytes(bytes_.substr(offset, size));
   }
 
   template <class Struct>
   Struct at(std::uint64_t index) const {
-    if (index > bytes_.size() / sizeof(Struct)) throw pt::Error("it is no complete object file");
+    if (index > bytes_.size() / sizeof(Struct)) throw pt::Error("the object file is incomplete");
     Struct value;
     std::memcpy(&value, part(index * sizeof(Struct), sizeof(Struct)).bytes_.data(), sizeof value);
     return value;
@@ -57,7 +57,7 @@ Elf64_Ehdr header_of(const Bytes& file, std::initializer_list<int> types = {ET_R
   if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64 ||
       header.e_ident[EI_DATA] != kOrder || !is_one_of(header.e_type, types) ||
       header.e_shentsize != sizeof(Elf64_Shdr)) {
-    throw pt::Error("it is no object file of this machine");
+    throw pt::Error("it is not an object file of this machine");
   }
   return header;
 }
@@ -104,7 +104,7 @@ bool is_state(const Elf64_Shdr& section, const std::string& name) {
   return written && named && (section.sh_type == SHT_PROGBITS || section.sh_type == SHT_NOBITS);
 }
 
-// Where the sections of state are one after the other; 0 if there is no such place.
+// The address of the sections of state, one after the other; 0 if there is no such place.
 std::uint64_t address_of_state(const std::vector<Elf64_Shdr>& headers, const Bytes& names,
                                std::uint64_t place) {
   for (const std::string_view name : kStateSections) {

@@ -7,7 +7,7 @@
 
 namespace grader::judge {
 
-// What a relocatable ELF object says about itself. Numbers are those of <elf.h>.
+// The contents of a relocatable ELF object. Numbers are those of <elf.h>.
 struct ObjectSection {
   std::string name;
   std::uint32_t type = 0;  // SHT_...
@@ -28,9 +28,9 @@ struct ObjectFile {
   std::vector<ObjectSymbol> symbols;  // but the local ones
 };
 
-// Reads what may be anything. Our own, as the texts of nm and readelf can be forged by names with
-// blanks in them, and a program in a box costs more than all of this. Throws pt::Error with one
-// sentence if the bytes are no 64-bit relocatable object of this machine's byte order.
+// Reads bytes that may be anything. Our own reader, as the texts of nm and readelf can be forged by
+// names with blanks in them, and a program in a box costs more than all of this. Throws pt::Error
+// with one sentence if the bytes are not a 64-bit relocatable object of this machine's byte order.
 ObjectFile read_object(std::string_view bytes);
 
 // The object with its variables that live as long as the program and may be written in sections of

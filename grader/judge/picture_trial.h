@@ -6,7 +6,7 @@
 
 namespace grader::judge {
 
-// How often the limit of a call a few rows of a picture may take.
+// A few rows of a picture may take so many times the limit of a call.
 inline constexpr int kPatience = 5;
 
 // The file of the pictures of known mistakes (grader/pictures/name_mistake.h).

@@ -189,7 +189,7 @@ class Gallery {
     return trial(recipe, task, alone_.at(task.config->slug), task.content, false);
   }
 
-  // A picture of a task that is wrong already: one stage, and little patience with one that does
+  // A picture of a task that is wrong already: one round, and little patience with one that does
   // not answer, or a submission of endless loops would take ten minutes.
   results::PictureResult look_at(const pictures::Recipe& recipe, const Judged& task) const {
     return trial(recipe, task, alone_.at(task.config->slug), task.content, false, 1,

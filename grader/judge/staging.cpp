@@ -46,7 +46,7 @@ std::set<std::string> reached_from(const std::string& path, const Headers& all) 
   return reached;
 }
 
-// What tasks are made of; all else is the renderer, which is made of tasks.
+// Returns whether a header is part of what tasks are made of; all others belong to the renderer.
 bool is_common(const std::string& path) {
   for (const char* folder : {"pt/math/", "pt/geometry/", "pt/sampling/", "pt/tasks/"}) {
     if (path.rfind(folder, 0) == 0) return true;
@@ -90,7 +90,7 @@ Headers headers_for(const Task& task, const Headers& all) {
     headers[path] =
         known.contains(path)
             ? text
-            : fmt::format("#error \"{} may not include {}: it has no use for what is in there\"\n",
+            : fmt::format("#error \"{} may not include {}: it does not need that header\"\n",
                           task.slug, path);
   }
   return headers;

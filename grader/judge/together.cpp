@@ -76,7 +76,7 @@ class Integration {
     return !by.empty();
   }
 
-  // What fails because a task it asks fails in the same way waits for that one.
+  // A task that fails because a task it calls fails in the same way waits for that one.
   bool block_by_failed(Judged& judged, const std::vector<Judged*>& together) const {
     if (judged.result.state == results::State::pass) return true;
     std::vector<std::string> by;

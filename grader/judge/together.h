@@ -10,7 +10,7 @@ Built link_together(const Config& config, const Builder& builder, const std::vec
                     Elsewhere elsewhere, const std::string& swapped = "");
 
 // Judges again, together with the submission's other tasks, every task that is right by itself and
-// asks others: its state becomes blocked where one of those is not right itself, and fails where
+// calls others: its state becomes blocked where one of those is not right itself, and fails where
 // only the combination does; then the tasks are named with whose reference it would pass. Settles
 // all tasks. `progress` is called after every task that passes, by one thread at a time.
 void judge_together(const Config& config, const Builder& builder, const GradeRequest& request,

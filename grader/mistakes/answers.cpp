@@ -81,7 +81,7 @@ Answers answers_from_json(const std::string& text) {
     for (const auto& each : json::parse(text)) answers.push_back(read_answer(each));
     return answers;
   } catch (const json::exception& error) {
-    throw pt::Error(std::string("these are no answers of a battery: ") + error.what());
+    throw pt::Error(std::string("these are not the answers of a battery:  ") + error.what());
   }
 }
 

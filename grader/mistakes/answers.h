@@ -7,7 +7,7 @@
 
 namespace grader::mistakes {
 
-// What a task answers to one call of its battery, or to many draws (grader/mistakes/battery.h).
+// A task's answer to one call of its battery, or to many draws (grader/mistakes/battery.h).
 struct Answer {
   std::string ended;           // "crash", "timeout", "bad reply": then there are no numbers
   std::vector<double> values;  // none: "no hit"
@@ -17,8 +17,8 @@ struct Answer {
 };
 using Answers = std::vector<Answer>;
 
-// Whether the task looks at nothing that it is given: all answers with the same number of values
-// are the same. A crash or a timeout is an answer too.
+// Returns whether the task looks at nothing that it is given: all answers with the same number of
+// values are the same. A crash or a timeout is an answer too.
 bool always_the_same(const Answers& answers);
 
 // In JSON: "crash"; [1, 0.5], numbers that are exact; {"value": [1.02], "error": [0.03]}, means.

@@ -12,7 +12,7 @@
 
 namespace grader::mistakes {
 
-// How one wrong solution shows.
+// The answers and broken promises of one wrong solution.
 struct Fingerprint {
   std::string name;                 // of its file: "absolute_epsilon"
   std::string sentence;             // that says the mistake

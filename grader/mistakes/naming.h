@@ -15,8 +15,8 @@ struct Evidence {
   std::set<std::string> kept;
 };
 
-// Whether the mistake alone explains all of the evidence: its answers agree everywhere, it breaks
-// what is broken, and nothing else.
+// Returns whether the mistake alone explains all of the evidence: its answers agree everywhere, it
+// breaks what is broken, and nothing else.
 bool explains(const Fingerprint& mistake, const Evidence& evidence);
 
 // The mistake that alone explains the evidence, or several that no battery can tell apart: three at

@@ -74,8 +74,8 @@ double value_of(std::string_view text) {
   return kSmallest * std::exp2((code - 1) / (most - 1) * std::log2(kLargest / kSmallest));
 }
 
-// What the sum of the squares of so many standard normal numbers exceeds with this probability
-// (Wilson and Hilferty 1931).
+// The value that the sum of the squares of so many standard normal numbers exceeds with this
+// probability (Wilson and Hilferty 1931).
 double chi_square_above(double count, double probability) {
   const double part = 2 / (9 * count);
   const double root = 1 - part + base::normal_quantile_above(probability) * std::sqrt(part);

@@ -40,9 +40,9 @@ std::string to_text(const BlockMeans& blocks);
 // Throws pt::Error for anything that to_text does not write.
 BlockMeans block_means_from(const std::string& text);
 
-// Whether both can be of one program, as far as their noise lets one see: a picture that is of the
-// program that made `known` is refused less than once in a thousand times. False for pictures of
-// different shapes.
+// Returns whether both can be of one program, as far as their noise lets one see: a picture that is
+// of the program that made `known` is refused less than once in a thousand times. False for
+// pictures of different shapes.
 bool can_be(const BlockMeans& picture, const BlockMeans& known);
 
 }  // namespace grader::pictures

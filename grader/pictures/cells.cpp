@@ -44,7 +44,7 @@ void add_blocks(std::vector<Cell>& cells, const Golden& golden, Scale scale, int
   }
 }
 
-Complaint measure(const Comparison& pictures, const Cell& cell) {
+MeasuredCell measure(const Comparison& pictures, const Cell& cell) {
   const Golden& golden = pictures.golden;
   const Plane& weight = weights(golden, cell);
   double sum = 0, difference = 0, mean = 0, own = 0, expected = 0, golden_error = 0;
@@ -72,7 +72,7 @@ Complaint measure(const Comparison& pictures, const Cell& cell) {
   return {cell, std::copysign(z, difference), 0, difference / std::max(mean, 1e-3 * scale)};
 }
 
-bool clearer(const Complaint& a, const Complaint& b) { return a.evidence() > b.evidence(); }
+bool clearer(const MeasuredCell& a, const MeasuredCell& b) { return a.evidence() > b.evidence(); }
 
 bool same_place(const Cell& a, const Cell& b) {
   return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
@@ -86,10 +86,10 @@ bool holds(const Cell& outer, const Cell& inner) {
 
 }  // namespace
 
-double Complaint::evidence() const { return std::abs(z) / threshold; }
+double MeasuredCell::evidence() const { return std::abs(z) / threshold; }
 
-bool says_more(const Complaint& a, const Complaint& b) {
-  const auto weight = [](const Complaint& one) {
+bool says_more(const MeasuredCell& a, const MeasuredCell& b) {
+  const auto weight = [](const MeasuredCell& one) {
     const double plane = one.cell.plane == kLuminance ? 2.5 : 1;
     return std::abs(one.off_by) * plane * (one.cell.weighted ? 0.9 : 1);
   };
@@ -111,8 +111,8 @@ std::vector<Cell> cells_of(const Golden& golden) {
   return cells;
 }
 
-std::vector<Complaint> measure(const Comparison& pictures, const std::vector<Cell>& cells,
-                               double level) {
+std::vector<MeasuredCell> measure(const Comparison& pictures, const std::vector<Cell>& cells,
+                                  double level) {
   std::array<int, kScales> counts{};
   for (const Cell& cell : cells) ++counts[index(cell.scale)];
   std::array<double, kScales> thresholds{};
@@ -121,7 +121,7 @@ std::vector<Complaint> measure(const Comparison& pictures, const std::vector<Cel
       thresholds[scale] = base::normal_quantile_above(level / kScales / counts[scale] / 2);
     }
   }
-  std::vector<Complaint> measured;
+  std::vector<MeasuredCell> measured;
   measured.reserve(cells.size());
   for (const Cell& cell : cells) {
     measured.push_back(measure(pictures, cell));
@@ -130,9 +130,9 @@ std::vector<Complaint> measure(const Comparison& pictures, const std::vector<Cel
   return measured;
 }
 
-std::vector<Complaint> exceeding(const std::vector<Complaint>& measured, std::size_t most) {
-  std::vector<Complaint> found;
-  for (const Complaint& one : measured) {
+std::vector<MeasuredCell> exceeding(const std::vector<MeasuredCell>& measured, std::size_t most) {
+  std::vector<MeasuredCell> found;
+  for (const MeasuredCell& one : measured) {
     if (!(std::abs(one.z) <= one.threshold)) found.push_back(one);
   }
   std::stable_sort(found.begin(), found.end(), clearer);
@@ -140,11 +140,11 @@ std::vector<Complaint> exceeding(const std::vector<Complaint>& measured, std::si
   return found;
 }
 
-std::vector<Complaint> repeated(const Comparison& pictures, const std::vector<Complaint>& kept,
-                                double level) {
-  std::vector<Complaint> found;
-  for (const Complaint& before : kept) {
-    Complaint now = measure(pictures, before.cell);
+std::vector<MeasuredCell> repeated(const Comparison& pictures,
+                                   const std::vector<MeasuredCell>& kept, double level) {
+  std::vector<MeasuredCell> found;
+  for (const MeasuredCell& before : kept) {
+    MeasuredCell now = measure(pictures, before.cell);
     now.threshold = base::normal_quantile_above(level / static_cast<double>(kept.size()));
     const bool same_sign = std::signbit(now.z) == std::signbit(before.z);
     if (same_sign && !(std::abs(now.z) <= now.threshold)) found.push_back(now);
@@ -153,13 +153,13 @@ std::vector<Complaint> repeated(const Comparison& pictures, const std::vector<Co
   return found;
 }
 
-std::vector<Complaint> smallest(std::vector<Complaint> complaints) {
-  std::stable_sort(complaints.begin(), complaints.end(), says_more);
-  std::vector<Complaint> found;
-  for (const Complaint& one : complaints) {
-    const bool larger = std::any_of(complaints.begin(), complaints.end(),
-                                    [&](const Complaint& o) { return holds(one.cell, o.cell); });
-    const bool known = std::any_of(found.begin(), found.end(), [&](const Complaint& o) {
+std::vector<MeasuredCell> smallest(std::vector<MeasuredCell> cells) {
+  std::stable_sort(cells.begin(), cells.end(), says_more);
+  std::vector<MeasuredCell> found;
+  for (const MeasuredCell& one : cells) {
+    const bool larger = std::any_of(cells.begin(), cells.end(),
+                                    [&](const MeasuredCell& o) { return holds(one.cell, o.cell); });
+    const bool known = std::any_of(found.begin(), found.end(), [&](const MeasuredCell& o) {
       return same_place(one.cell, o.cell);
     });
     if (!larger && !known) found.push_back(one);
@@ -168,16 +168,16 @@ std::vector<Complaint> smallest(std::vector<Complaint> complaints) {
   return found;
 }
 
-results::FailingCell failing_cell(const Complaint& complaint) {
+results::FailingCell failing_cell(const MeasuredCell& measured) {
   constexpr std::array<const char*, kPlanes> kNames{"R", "G", "B", "Y"};
-  const Cell& cell = complaint.cell;
+  const Cell& cell = measured.cell;
   return {cell.x,
           cell.y,
           cell.width,
           cell.height,
           kNames[cell.plane],
-          complaint.off_by,
-          complaint.evidence()};
+          measured.off_by,
+          measured.evidence()};
 }
 
 }  // namespace grader::pictures

@@ -23,8 +23,8 @@ struct Cell {
 // All that hold a pixel that is not constant. Blocks at a ragged border are what is left of them.
 std::vector<Cell> cells_of(const Golden& golden);
 
-// A cell that deviates too much.
-struct Complaint {
+// A cell and its deviation from the golden. It fails beyond its threshold.
+struct MeasuredCell {
   Cell cell;
   double z = 0;          // how far beyond its margin, in standard deviations; at most 1e6
   double threshold = 0;  // that |z| exceeds
@@ -33,25 +33,25 @@ struct Complaint {
   double evidence() const;  // |z| / threshold
 };
 
-// Of two complaints about one place: luminance says most, unless a channel is much further off.
-bool says_more(const Complaint& a, const Complaint& b);
+// Of two failing cells at one place: luminance says most, unless a channel is much further off.
+bool says_more(const MeasuredCell& a, const MeasuredCell& b);
 
 // The deviation of every cell and the threshold at which, over all cells together, a right picture
 // deviates so with a chance of at most `level`.
-std::vector<Complaint> measure(const Comparison& pictures, const std::vector<Cell>& cells,
-                               double level);
+std::vector<MeasuredCell> measure(const Comparison& pictures, const std::vector<Cell>& cells,
+                                  double level);
 
 // Those beyond their thresholds, the clearest first; at most `most`.
-std::vector<Complaint> exceeding(const std::vector<Complaint>& measured, std::size_t most);
+std::vector<MeasuredCell> exceeding(const std::vector<MeasuredCell>& measured, std::size_t most);
 
-// What is left of `kept` on new samples: the same cells with the same sign.
-std::vector<Complaint> repeated(const Comparison& pictures, const std::vector<Complaint>& kept,
-                                double level);
+// The cells of `kept` that fail again on new samples, with the same sign.
+std::vector<MeasuredCell> repeated(const Comparison& pictures,
+                                   const std::vector<MeasuredCell>& kept, double level);
 
 // Those that hold no smaller one, the clearest first; of several channels of a block the one that
 // says most.
-std::vector<Complaint> smallest(std::vector<Complaint> complaints);
+std::vector<MeasuredCell> smallest(std::vector<MeasuredCell> cells);
 
-results::FailingCell failing_cell(const Complaint& complaint);
+results::FailingCell failing_cell(const MeasuredCell& measured);
 
 }  // namespace grader::pictures

@@ -36,7 +36,7 @@ void check_film(const Recipe& recipe, const pt::Film& film, Sentences& found) {
   };
   if (const auto pixel = std::find_if(film.pixels.begin(), film.pixels.end(), too_few);
       pixel != film.pixels.end()) {
-    found.push_back(fmt::format("its golden has {} samples a pixel where {} are needed",
+    found.push_back(fmt::format("its golden has {} samples per pixel where {} are needed",
                                 pixel->samples, effort.parts * effort.samples));
   }
   if (recipe.uniform) {

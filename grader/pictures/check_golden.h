@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-// Whether goldens are what they have to be: a sentence for each thing that is not.
+// Checks of goldens: a sentence for each fault.
 
 namespace grader::pictures {
 
-// How a picture differs from the radiance that theory says every pixel has: by more than five
-// standard errors on average, or six and a half at one pixel.
+// Compares a picture with the radiance that theory gives for every pixel. It fails by more than
+// five standard errors on average, or six and a half at one pixel.
 std::vector<std::string> against_closed_form(const pt::Film& film, pt::Rgb radiance);
 
 // Of one recipe: its files are there, of the right size, with enough samples, made from the recipe

@@ -20,7 +20,7 @@ constexpr int kGap = 6;
 constexpr int kTextHeight = 12;
 constexpr pt::Color8 kGround{40, 40, 40}, kText{230, 230, 230};
 
-// What the picture's noise comes to, a sample, relative to the radiance.
+// The noise of a picture, per sample and relative to the radiance.
 struct Noise {
   double middle = 0;  // the median of the pixels that are neither black nor constant
   double mean = 0;    // the root of the mean variance over the mean radiance

@@ -16,7 +16,7 @@ inline constexpr const char* kSheetName = "contact_sheet.png";
 // Every golden that there is, with its name below. Nothing else has that place in the folder.
 pt::Picture contact_sheet(const std::vector<Recipe>& recipes, const std::filesystem::path& folder);
 
-// In Markdown, a row a recipe: what it shows and judges, how much one sample deviates, how long a
+// In Markdown, a row per recipe: what it shows and judges, how much one sample deviates, how long a
 // first verdict takes.
 std::string golden_table(const std::vector<Recipe>& recipes, const std::filesystem::path& folder);
 

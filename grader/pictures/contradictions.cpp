@@ -11,7 +11,7 @@ namespace grader::pictures {
 namespace {
 
 constexpr double kLevel = 5e-7;
-constexpr std::size_t kMostCells = 16;
+constexpr std::size_t kMaxCells = 16;
 
 // Both films as one: the older's means, and the variance that all samples together have.
 pt::Film pooled(const pt::Film& older, const pt::Film& newer) {
@@ -42,7 +42,7 @@ std::vector<results::FailingCell> contradictions(const pt::Film& older, const pt
   const Golden golden = prepare(pooled(older, newer));
   const Golden before = prepare(older), after = prepare(newer);
   Comparison pictures{golden, {}, {}, {}, {}};
-  Moments stage{1, 1, after.mean, {}};
+  Moments round{1, 1, after.mean, {}};
   for (int plane = 0; plane < kPlanes; ++plane) {
     for (std::size_t i = 0; i < golden.samples.size(); ++i) {
       const double variance = golden.variance[plane][i];
@@ -55,12 +55,12 @@ std::vector<results::FailingCell> contradictions(const pt::Film& older, const pt
   }
   const auto measured = measure(pictures, cells_of(golden), kLevel);
   std::vector<results::FailingCell> found;
-  for (const Complaint& one : smallest(exceeding(measured, measured.size()))) {
+  for (const MeasuredCell& one : smallest(exceeding(measured, measured.size()))) {
     found.push_back(failing_cell(one));
   }
   for (std::size_t i = 0; i < golden.constant.size(); ++i) {
     if (!golden.constant[i]) continue;
-    const WrongConstant error = constant_error(golden, stage, i);
+    const WrongConstant error = constant_error(golden, round, i);
     if (error.evidence <= 1) continue;
     const int x = static_cast<int>(i) % golden.width, y = static_cast<int>(i) / golden.width;
     found.push_back(failing_cell(
@@ -68,7 +68,7 @@ std::vector<results::FailingCell> contradictions(const pt::Film& older, const pt
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.evidence > b.evidence; });
-  if (found.size() > kMostCells) found.resize(kMostCells);
+  if (found.size() > kMaxCells) found.resize(kMaxCells);
   return found;
 }
 

@@ -8,7 +8,7 @@ namespace grader::pictures {
 namespace {
 
 void lift(pt::Image& evidence, const Cell& cell, double value) {
-  value = std::min(value, kMostEvidence);
+  value = std::min(value, kMaxEvidence);
   for (int y = cell.y; y < cell.y + cell.height; ++y) {
     for (int x = cell.x; x < cell.x + cell.width; ++x) {
       if (evidence.at(x, y).r < value) evidence.at(x, y) = pt::gray(value);
@@ -20,38 +20,39 @@ double blend(double old, double now, double part) { return old + (now - old) * p
 
 }  // namespace
 
-void PooledFilm::add(const Moments& stage) {
-  const int samples = stage.batches * stage.samples;
+void PooledFilm::add(const Moments& round) {
+  const int samples = round.batches * round.samples;
   samples_ += samples;
-  freedom_ += stage.batches - 1;
+  freedom_ += round.batches - 1;
   const double part = static_cast<double>(samples) / samples_;
-  const double variance_part = static_cast<double>(stage.batches - 1) / freedom_;
+  const double variance_part = static_cast<double>(round.batches - 1) / freedom_;
   for (std::size_t i = 0; i < film_.pixels.size(); ++i) {
     pt::FilmPixel& pixel = film_.pixels[i];
     pixel.samples = samples_;
     for (int c = 0; c < 3; ++c) {
-      pixel.mean[c] = blend(pixel.mean[c], stage.mean[c][i], part);
+      pixel.mean[c] = blend(pixel.mean[c], round.mean[c][i], part);
       pixel.variance[c] =
-          blend(pixel.variance[c], stage.variance[c][i] * stage.samples, variance_part);
+          blend(pixel.variance[c], round.variance[c][i] * round.samples, variance_part);
     }
     pixel.variance_y =
-        blend(pixel.variance_y, stage.variance[kLuminance][i] * stage.samples, variance_part);
+        blend(pixel.variance_y, round.variance[kLuminance][i] * round.samples, variance_part);
   }
 }
 
-pt::Image evidence_map(const Golden& golden, const Moments& stage,
-                       const std::vector<Complaint>& measured, const std::vector<Complaint>& kept) {
+pt::Image evidence_map(const Golden& golden, const Moments& round,
+                       const std::vector<MeasuredCell>& measured,
+                       const std::vector<MeasuredCell>& kept) {
   pt::Image evidence(golden.width, golden.height);
-  for (const auto* complaints : {&measured, &kept}) {
-    for (const Complaint& one : *complaints) {
+  for (const auto* cells : {&measured, &kept}) {
+    for (const MeasuredCell& one : *cells) {
       // Constant pixels take no part in the blocks that they lie in; they are set below.
       if (one.cell.scale != Scale::sum) lift(evidence, one.cell, one.evidence());
     }
   }
   for (std::size_t i = 0; i < golden.constant.size(); ++i) {
     if (!golden.constant[i]) continue;
-    const double value = constant_error(golden, stage, i).evidence;
-    evidence.pixels[i] = pt::gray(std::min(value, kMostEvidence));
+    const double value = constant_error(golden, round, i).evidence;
+    evidence.pixels[i] = pt::gray(std::min(value, kMaxEvidence));
   }
   return evidence;
 }

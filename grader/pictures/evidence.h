@@ -7,18 +7,18 @@
 
 #include <vector>
 
-// What a person is shown of a verdict, beside the sentence.
+// The pictures that explain a verdict, beside its sentence.
 
 namespace grader::pictures {
 
-inline constexpr double kMostEvidence = 1000;
+inline constexpr double kMaxEvidence = 1000;
 
-// The picture of all stages together.
+// The picture of all rounds together.
 class PooledFilm {
  public:
   PooledFilm(int width, int height) : film_(width, height) {}
 
-  void add(const Moments& stage);
+  void add(const Moments& round);
   const pt::Film& film() const { return film_; }
   int samples() const { return samples_; }
 
@@ -28,8 +28,9 @@ class PooledFilm {
   int freedom_ = 0;  // of the variances
 };
 
-// ImageVerdict::evidence, of one stage: `kept` are the cells with thresholds of their own.
-pt::Image evidence_map(const Golden& golden, const Moments& stage,
-                       const std::vector<Complaint>& measured, const std::vector<Complaint>& kept);
+// ImageVerdict::evidence, of one round: `kept` are the cells with thresholds of their own.
+pt::Image evidence_map(const Golden& golden, const Moments& round,
+                       const std::vector<MeasuredCell>& measured,
+                       const std::vector<MeasuredCell>& kept);
 
 }  // namespace grader::pictures

@@ -10,7 +10,7 @@ namespace {
 constexpr double kConstantDeviation = 1e-4;
 
 // A channel may be black in the whole picture; this much of the luminance then counts as its
-// brightness, so that a rounding error is no light.
+// brightness, so that a rounding error does not count as light.
 constexpr double kBlackChannel = 1e-3;
 
 constexpr int kReach = 2;  // pixels, to each side
@@ -114,14 +114,14 @@ Moments moments(const std::vector<pt::Image>& images, int samples) {
   return result;
 }
 
-Comparison compare(const Golden& golden, const Moments& stage) {
+Comparison compare(const Golden& golden, const Moments& round) {
   Comparison result{golden, {}, {}, {}, {}};
-  const double samples = static_cast<double>(stage.batches) * stage.samples;
+  const double samples = static_cast<double>(round.batches) * round.samples;
   for (int plane = 0; plane < kPlanes; ++plane) {
     for (std::size_t i = 0; i < golden.samples.size(); ++i) {
       const double variance = golden.variance[plane][i];
-      result.difference[plane].push_back(stage.mean[plane][i] - golden.mean[plane][i]);
-      result.own[plane].push_back(stage.variance[plane][i] / stage.batches);
+      result.difference[plane].push_back(round.mean[plane][i] - golden.mean[plane][i]);
+      result.own[plane].push_back(round.variance[plane][i] / round.batches);
       result.expected[plane].push_back(variance / samples);
       result.golden_error[plane].push_back(variance / golden.samples[i]);
     }

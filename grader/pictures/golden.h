@@ -15,7 +15,7 @@ namespace grader::pictures {
 inline constexpr int kPlanes = 4;
 inline constexpr int kLuminance = 3;
 
-using Plane = std::vector<double>;  // a value a pixel, row by row
+using Plane = std::vector<double>;  // a value per pixel, row by row
 using Planes = std::array<Plane, kPlanes>;
 
 inline double value(const pt::Rgb& color, int plane) {
@@ -27,7 +27,7 @@ struct Golden {
   int height = 0;
   Planes mean;
   Planes variance;                      // of one sample
-  Plane samples;                        // a pixel
+  Plane samples;                        // per pixel
   std::array<double, kPlanes> scale{};  // what counts as bright: the mean over all pixels
   std::vector<char> constant;           // pixels whose samples are all alike
   Plane plain;                          // weights: 1, and 0 for constant pixels
@@ -36,10 +36,10 @@ struct Golden {
 
 Golden prepare(const pt::Film& film);
 
-// The batches of one stage.
+// The batches of one round.
 struct Moments {
   int batches = 0;
-  int samples = 0;  // a pixel, of each batch
+  int samples = 0;  // per pixel, of each batch
   Planes mean;
   Planes variance;  // between the batches, unbiased
 };
@@ -56,6 +56,6 @@ struct Comparison {
   Planes golden_error;  // the golden's own
 };
 
-Comparison compare(const Golden& golden, const Moments& stage);
+Comparison compare(const Golden& golden, const Moments& round);
 
 }  // namespace grader::pictures

@@ -35,9 +35,9 @@ std::optional<Unusable> bad_value(const pt::Image& image) {
     const pt::Rgb& color = image.pixels[i];
     const int x = static_cast<int>(i) % image.width, y = static_cast<int>(i) / image.width;
     if (!is_finite(color)) {
-      return Unusable{
-          fmt::format("pixel ({}, {}) is no number: {}, {}, {}", x, y, color.r, color.g, color.b),
-          i};
+      return Unusable{fmt::format("pixel ({}, {}) is not a number: {}, {}, {}", x, y, color.r,
+                                  color.g, color.b),
+                      i};
     }
     if (std::min({color.r, color.g, color.b}) < 0) {
       return Unusable{fmt::format("pixel ({}, {}) has negative radiance: {:.4g}, {:.4g}, {:.4g}", x,
@@ -117,11 +117,11 @@ std::optional<Unusable> unusable(const Golden& golden, const Batches& batches, i
   return {};
 }
 
-WrongConstant constant_error(const Golden& golden, const Moments& stage, std::size_t i) {
+WrongConstant constant_error(const Golden& golden, const Moments& round, std::size_t i) {
   WrongConstant worst{i, 0, 0, 0, -1};
   for (int plane = 0; plane < kPlanes; ++plane) {
     const double bright = std::max(golden.mean[plane][i], golden.scale[plane]);
-    const double difference = stage.mean[plane][i] - golden.mean[plane][i];
+    const double difference = round.mean[plane][i] - golden.mean[plane][i];
     const double allowed = kConstantTolerance * bright;
     const double evidence = difference == 0 ? 0 : std::abs(difference) / allowed;
     if (evidence > worst.evidence) {
@@ -132,31 +132,31 @@ WrongConstant constant_error(const Golden& golden, const Moments& stage, std::si
   return worst;
 }
 
-std::vector<WrongConstant> wrong_constants(const Golden& golden, const Moments& stage,
+std::vector<WrongConstant> wrong_constants(const Golden& golden, const Moments& round,
                                            const std::vector<pt::Image>& images) {
   std::vector<WrongConstant> found;
   for (std::size_t i = 0; i < golden.samples.size(); ++i) {
     if (!golden.constant[i]) continue;
-    const WrongConstant error = constant_error(golden, stage, i);
+    const WrongConstant error = constant_error(golden, round, i);
     if (error.evidence <= 1) continue;
     const double mean = golden.mean[error.plane][i];
     const double allowed = std::abs(error.difference) / error.evidence;
     const auto off = std::count_if(images.begin(), images.end(), [&](const pt::Image& image) {
       return !(std::abs(value(image.pixels[i], error.plane) - mean) <= allowed);
     });
-    if (off >= std::min(kFewestBatches, stage.batches)) found.push_back(error);
+    if (off >= std::min(kFewestBatches, round.batches)) found.push_back(error);
   }
   return found;
 }
 
-Noise measure_noise(const Golden& golden, const Moments& stage,
+Noise measure_noise(const Golden& golden, const Moments& round,
                     const std::vector<pt::Image>& images) {
   double ratio = 0, independent = 0, pixels = 0, energy = 0;
   for (std::size_t i = 0; i < golden.samples.size(); ++i) {
     if (golden.constant[i]) continue;
-    const double own = stage.variance[kLuminance][i], expected = golden.variance[kLuminance][i];
+    const double own = round.variance[kLuminance][i], expected = golden.variance[kLuminance][i];
     ++pixels;
-    if (expected > 0) ratio += own * stage.samples / expected;
+    if (expected > 0) ratio += own * round.samples / expected;
     independent += golden.weighted[i] * golden.weighted[i] * own;
     energy += golden.mean[kLuminance][i];
   }
@@ -168,7 +168,7 @@ Noise measure_noise(const Golden& golden, const Moments& stage,
   const Spread plain = spread_of(images, golden.plain);
   const double error = plain.mean - energy;
   if (energy > 0) noise.energy_off = error / energy;
-  if (plain.variance > 0) noise.energy_t = error / std::sqrt(plain.variance / stage.batches);
+  if (plain.variance > 0) noise.energy_t = error / std::sqrt(plain.variance / round.batches);
   return noise;
 }
 

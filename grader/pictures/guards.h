@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// What is wrong with a picture apart from its averages.
+// Faults of a picture that are not in its averages.
 
 namespace grader::pictures {
 
@@ -17,7 +17,7 @@ struct Unusable {
   std::optional<std::size_t> pixel;  // where, if it is a pixel
 };
 
-// Values that are no radiance, images of another size than the golden's, fewer images than asked
+// Values that are not a radiance, images of another size than the golden's, fewer images than asked
 // for, or two that are the same bit for bit though their samples should not be.
 std::optional<Unusable> unusable(const Golden& golden, const Batches& batches, int asked);
 
@@ -26,21 +26,21 @@ struct WrongConstant {
   std::size_t pixel = 0;
   int plane = 0;          // the channel that is furthest off
   double difference = 0;  // in that channel
-  double off_by = 0;      // relative to the golden, as in Complaint
+  double off_by = 0;      // relative to the golden, as in MeasuredCell
   double evidence = 0;    // the difference over what is allowed
 };
 
-// How far off the constant pixel i is, in units of what is allowed.
-WrongConstant constant_error(const Golden& golden, const Moments& stage, std::size_t i);
+// The error of the constant pixel i, in units of what is allowed.
+WrongConstant constant_error(const Golden& golden, const Moments& round, std::size_t i);
 
 // The pixels that deviate on average, and in at least three of the batches: one that changes only
 // once in as many samples as the golden has is constant by luck, and another picture may see it
 // change.
-std::vector<WrongConstant> wrong_constants(const Golden& golden, const Moments& stage,
+std::vector<WrongConstant> wrong_constants(const Golden& golden, const Moments& round,
                                            const std::vector<pt::Image>& images);
 
-// What the batches say of a picture's noise, in luminance and without the constant pixels. All 0
-// where every pixel is constant.
+// The noise of a picture as its batches show it, in luminance and without the constant pixels. All
+// 0 where every pixel is constant.
 struct Noise {
   double ratio = 0;        // variance of a sample over the golden's, mean over the pixels
   double correlation = 0;  // variance of the weighted sum over that of independent pixels
@@ -48,7 +48,7 @@ struct Noise {
   double energy_t = 0;     // the same in standard deviations, as the batches have them
 };
 
-Noise measure_noise(const Golden& golden, const Moments& stage,
+Noise measure_noise(const Golden& golden, const Moments& round,
                     const std::vector<pt::Image>& images);
 
 }  // namespace grader::pictures

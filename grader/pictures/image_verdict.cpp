@@ -14,18 +14,18 @@ namespace {
 
 using Outcome = ImageVerdict::Outcome;
 
-constexpr double kMostCorrelated = 3;
+constexpr double kMaxCorrelation = 3;
 
 double usual_limit(NoiseClass noise) { return noise == NoiseClass::noisy ? 6 : 3; }
 
-// What the stages so far have all complained of.
+// The faults that all rounds so far have found.
 struct Suspicion {
-  std::vector<Complaint> cells;
+  std::vector<MeasuredCell> cells;
   std::vector<WrongConstant> constants;
   bool correlated = false;
   bool noisy = false;
-  double energy_off = 0;           // of a noisy picture; 0: as it should be
-  std::vector<Complaint> blatant;  // of a noisy picture: blocks that no noise explains
+  double energy_off = 0;              // of a noisy picture; 0: as it should be
+  std::vector<MeasuredCell> blatant;  // of a noisy picture: blocks that no noise explains
 
   bool any() const { return !cells.empty() || !constants.empty() || correlated || noisy; }
 };
@@ -40,27 +40,27 @@ std::vector<WrongConstant> also_before(const std::vector<WrongConstant>& now,
   return both;
 }
 
-std::vector<Complaint> blatant(const std::vector<Complaint>& complaints) {
-  std::vector<Complaint> found;
+std::vector<MeasuredCell> blatant(const std::vector<MeasuredCell>& measured) {
+  std::vector<MeasuredCell> found;
   std::copy_if(
-      complaints.begin(), complaints.end(), std::back_inserter(found), [](const Complaint& one) {
+      measured.begin(), measured.end(), std::back_inserter(found), [](const MeasuredCell& one) {
         const bool block = one.cell.scale == Scale::block8 || one.cell.scale == Scale::block24;
         return block && std::abs(one.off_by) > kBlatant;
       });
   return found;
 }
 
-// Two stages' complaints about the energy of a noisy picture are one if they agree on the sign.
+// The error of the energy of a noisy picture, if two rounds agree on its sign; else 0.
 double agreed(double now, double before) { return now * before > 0 ? now : 0; }
 
 // In pixels, as if no two overlapped.
-std::size_t area(const std::vector<Complaint>& parts) {
+std::size_t area(const std::vector<MeasuredCell>& parts) {
   std::size_t sum = 0;
-  for (const Complaint& one : parts) sum += one.cell.width * one.cell.height;
+  for (const MeasuredCell& one : parts) sum += one.cell.width * one.cell.height;
   return sum;
 }
 
-// Judges one stage after the other.
+// Judges one round after the other.
 class Judge {
  public:
   Judge(const pt::Film& film, double most_noise)
@@ -73,7 +73,7 @@ class Judge {
   const ImageVerdict& verdict() const { return verdict_; }
 
   void refuse(const Unusable& what, const Batches& batches);
-  // Whether a complaint is left that another stage could repeat.
+  // Returns whether a fault is left that another round could repeat.
   bool judge(const Batches& batches);
   void decide();
 
@@ -87,7 +87,7 @@ class Judge {
 };
 
 void Judge::refuse(const Unusable& what, const Batches& batches) {
-  ++verdict_.stages;
+  ++verdict_.rounds;
   verdict_.samples = sum_.samples() + batches.samples * static_cast<int>(batches.images.size());
   verdict_.outcome = Outcome::unusable;
   verdict_.sentence = what.sentence;
@@ -103,55 +103,55 @@ void Judge::refuse(const Unusable& what, const Batches& batches) {
       if (!is_finite(color)) color = {};
     }
   }
-  const Moments stage = moments(images, batches.samples);
-  sum_.add(stage);
+  const Moments round = moments(images, batches.samples);
+  sum_.add(round);
   verdict_.render = sum_.film();
-  verdict_.evidence = evidence_map(golden_, stage, {}, {});
+  verdict_.evidence = evidence_map(golden_, round, {}, {});
   if (what.pixel) {
     const int x = static_cast<int>(*what.pixel) % golden_.width;
     const int y = static_cast<int>(*what.pixel) / golden_.width;
-    verdict_.cells = {{x, y, 1, 1, "Y", 0, kMostEvidence}};
-    verdict_.evidence.at(x, y) = pt::gray(kMostEvidence);
+    verdict_.cells = {{x, y, 1, 1, "Y", 0, kMaxEvidence}};
+    verdict_.evidence.at(x, y) = pt::gray(kMaxEvidence);
   }
 }
 
 bool Judge::judge(const Batches& batches) {
-  const int number = verdict_.stages++;
-  const Moments stage = moments(batches.images, batches.samples);
-  const Comparison pictures = compare(golden_, stage);
-  const Noise noise = measure_noise(golden_, stage, batches.images);
-  const std::vector<Complaint> measured = measure(pictures, cells_, kStageLevels[number]);
+  const int number = verdict_.rounds++;
+  const Moments round = moments(batches.images, batches.samples);
+  const Comparison pictures = compare(golden_, round);
+  const Noise noise = measure_noise(golden_, round, batches.images);
+  const std::vector<MeasuredCell> measured = measure(pictures, cells_, kRoundLevels[number]);
 
   Suspicion now;
-  now.constants = wrong_constants(golden_, stage, batches.images);
-  now.correlated = !(noise.correlation <= kMostCorrelated);
+  now.constants = wrong_constants(golden_, round, batches.images);
+  now.correlated = !(noise.correlation <= kMaxCorrelation);
   now.noisy = !(noise.ratio <= most_noise_);
   if (std::abs(noise.energy_t) > 5 && std::abs(noise.energy_off) > 0.03) {
     now.energy_off = noise.energy_off;
   }
   if (number == 0) {
-    now.cells = exceeding(measured, kKeptComplaints);
-    if (now.noisy) now.blatant = exceeding(blatant(measured), kKeptComplaints);
+    now.cells = exceeding(measured, kKeptCells);
+    if (now.noisy) now.blatant = exceeding(blatant(measured), kKeptCells);
   } else {
-    now.cells = repeated(pictures, suspicion_.cells, kStageLevels[number]);
+    now.cells = repeated(pictures, suspicion_.cells, kRoundLevels[number]);
     now.constants = also_before(now.constants, suspicion_.constants);
     now.correlated = now.correlated && suspicion_.correlated;
     now.noisy = now.noisy && suspicion_.noisy;
-    now.blatant = blatant(repeated(pictures, suspicion_.blatant, kStageLevels[number]));
+    now.blatant = blatant(repeated(pictures, suspicion_.blatant, kRoundLevels[number]));
     now.energy_off = agreed(now.energy_off, suspicion_.energy_off);
   }
   suspicion_ = now;
 
-  sum_.add(stage);
+  sum_.add(round);
   verdict_.samples = sum_.samples();
   verdict_.noise = noise.ratio;
-  verdict_.evidence = evidence_map(golden_, stage, measured, now.cells);
+  verdict_.evidence = evidence_map(golden_, round, measured, now.cells);
   return suspicion_.any();
 }
 
 void Judge::decide() {
   verdict_.render = sum_.film();
-  const int stages = verdict_.stages;
+  const int rounds = verdict_.rounds;
   if (!suspicion_.any()) return;
   verdict_.outcome = Outcome::wrong;
   const bool wrong_anyway = !suspicion_.constants.empty() || !suspicion_.blatant.empty();
@@ -161,7 +161,7 @@ void Judge::decide() {
       verdict_.outcome = Outcome::too_noisy;
       verdict_.sentence = too_noisy_sentence(verdict_.noise);
     } else {
-      verdict_.sentence = noisy_and_wrong_sentence(verdict_.noise, suspicion_.energy_off, stages);
+      verdict_.sentence = noisy_and_wrong_sentence(verdict_.noise, suspicion_.energy_off, rounds);
     }
     return;
   }
@@ -174,41 +174,41 @@ void Judge::decide() {
                                            one.off_by}));
   }
   if (suspicion_.noisy) suspicion_.cells = suspicion_.blatant;
-  const std::vector<Complaint> parts = smallest(suspicion_.cells);
-  for (const Complaint& one : parts) verdict_.cells.push_back(failing_cell(one));
+  const std::vector<MeasuredCell> parts = smallest(suspicion_.cells);
+  for (const MeasuredCell& one : parts) verdict_.cells.push_back(failing_cell(one));
   std::stable_sort(verdict_.cells.begin(), verdict_.cells.end(),
                    [](const auto& a, const auto& b) { return a.evidence > b.evidence; });
-  if (verdict_.cells.size() > kKeptComplaints) verdict_.cells.resize(kKeptComplaints);
+  if (verdict_.cells.size() > kKeptCells) verdict_.cells.resize(kKeptCells);
 
-  // What covers more of the picture says more about it.
+  // The fault that covers more of the picture is the one to name.
   if (!suspicion_.constants.empty() && suspicion_.constants.size() >= area(parts)) {
-    verdict_.sentence = sentence(suspicion_.constants, golden_, stages);
+    verdict_.sentence = sentence(suspicion_.constants, golden_, rounds);
   } else if (!parts.empty()) {
-    verdict_.sentence = sentence(suspicion_.cells, parts, stages);
+    verdict_.sentence = sentence(suspicion_.cells, parts, rounds);
   } else {
-    verdict_.sentence = correlated_sentence(stages);
+    verdict_.sentence = correlated_sentence(rounds);
   }
 }
 
 }  // namespace
 
-std::array<Stage, 3> stages_of(NoiseClass noise) {
+std::array<Round, 3> rounds_of(NoiseClass noise) {
   const int samples = noise == NoiseClass::noisy ? 16 : 4;
   return {{{16, samples}, {16, 2 * samples}, {16, 4 * samples}}};
 }
 
-ImageVerdict judge_image(const pt::Film& golden, NoiseClass noise, const RenderStage& render,
-                         int max_stages, double most_noise) {
-  return judge_image(golden, noise, render, max_stages, stages_of(noise), most_noise);
+ImageVerdict judge_image(const pt::Film& golden, NoiseClass noise, const RenderRound& render,
+                         int max_rounds, double most_noise) {
+  return judge_image(golden, noise, render, max_rounds, rounds_of(noise), most_noise);
 }
 
-ImageVerdict judge_image(const pt::Film& golden, NoiseClass noise, const RenderStage& render,
-                         int max_stages, const std::array<Stage, 3>& stages, double most_noise) {
-  assert(max_stages >= 1 && max_stages <= 3);
+ImageVerdict judge_image(const pt::Film& golden, NoiseClass noise, const RenderRound& render,
+                         int max_rounds, const std::array<Round, 3>& rounds, double most_noise) {
+  assert(max_rounds >= 1 && max_rounds <= 3);
   Judge judge(golden, most_noise > 0 ? most_noise : usual_limit(noise));
-  for (int i = 0; i < max_stages; ++i) {
-    const Batches batches = render(i + 1, stages[i].batches, stages[i].samples);
-    if (const auto what = unusable(judge.golden(), batches, stages[i].batches)) {
+  for (int i = 0; i < max_rounds; ++i) {
+    const Batches batches = render(i + 1, rounds[i].batches, rounds[i].samples);
+    if (const auto what = unusable(judge.golden(), batches, rounds[i].batches)) {
       judge.refuse(*what, batches);
       return judge.verdict();
     }

@@ -55,12 +55,12 @@ void enter(const ImageVerdict& verdict, results::PictureResult& result) {
   result.state = state_of(verdict.outcome);
   result.text = verdict.sentence;
   result.samples = verdict.samples;
-  result.stages = verdict.stages;
+  result.stages = verdict.rounds;
   result.noise = verdict.noise;
   result.cells = verdict.cells;
 }
 
-// A film of one value a pixel, as an EXR holds it.
+// A film of one value per pixel, as an EXR holds it.
 pt::Film film_of(const pt::Image& image) {
   pt::Film film(image.width, image.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) film.pixels[i].mean = image.pixels[i];
@@ -107,13 +107,13 @@ void judge_adaptive(const Recipe& recipe, const pt::View& view, const Rendering&
   blacken(reference.dark_start, golden);
   ImageVerdict verdict = judge_image(
       golden, NoiseClass::ordinary,
-      [&](int stage, int batches, int samples) {
+      [&](int round, int batches, int samples) {
         Batches all =
-            render_stage(recipe, view, rendering.rows, rendering.source, stage, batches, samples);
+            render_round(recipe, view, rendering.rows, rendering.source, round, batches, samples);
         for (pt::Image& image : all.images) blacken(reference.dark_start, image);
         return all;
       },
-      rendering.max_stages, kAdaptiveStages);
+      rendering.max_rounds, kAdaptiveRounds);
   enter(verdict, result);
   for (std::size_t i = 0; i < verdict.render.pixels.size(); ++i) {
     if (reference.dark_start[i] != 0) verdict.render.pixels[i] = whole.pixels[i];
@@ -132,11 +132,11 @@ void judge(const Recipe& recipe, const pt::View& view, const Rendering& renderin
   }
   const ImageVerdict verdict = judge_image(
       read_golden(files.golden, recipe), recipe.noisy ? NoiseClass::noisy : NoiseClass::ordinary,
-      [&](int stage, int batches, int samples) {
-        return render_stage(recipe, view, rendering.rows, rendering.source, stage, batches,
+      [&](int round, int batches, int samples) {
+        return render_round(recipe, view, rendering.rows, rendering.source, round, batches,
                             samples);
       },
-      rendering.max_stages, recipe.most_noise);
+      rendering.max_rounds, recipe.most_noise);
   enter(verdict, result);
   keep(verdict, files, result);
 }

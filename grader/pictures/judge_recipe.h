@@ -4,22 +4,22 @@
 
 namespace grader::pictures {
 
-// What one recipe is judged by, and where what was seen is kept.
+// The files by which one recipe is judged, and those that keep what was rendered.
 struct PictureFiles {
   std::string golden;  // an EXR, made by bless
   std::string rates;   // of an adaptive recipe: the reference of its sample map
   // Written: mean and variance of the submission's picture, an EXR; the evidence, another; and for
-  // an adaptive recipe the samples a pixel that it took, and that the reference takes. Empty: not
+  // an adaptive recipe the samples per pixel that it took, and that the reference takes. Empty: not
   // written.
   std::string render, evidence, counts, golden_counts;
 };
 
-// How a recipe is rendered to be judged.
+// The settings for rendering a recipe that is judged.
 struct Rendering {
   RowRenderer rows;
   pt::Engine engine = pt::Engine::wide;  // of the scene, unless a worker runs all tasks
   SeedSource source;
-  int max_stages = 3;
+  int max_rounds = 3;
 };
 
 // The verdict. Throws pt::Error for goldens that are not there.

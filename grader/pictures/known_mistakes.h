@@ -7,7 +7,7 @@
 
 namespace grader::pictures {
 
-// What a picture that was judged shows of known mistakes, by the files that it names.
+// Compares a judged picture with known mistakes, by the files that it names.
 JudgedPicture judged_picture(const results::PictureResult& result);
 
 // The same of the golden that it names.

@@ -21,7 +21,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
-// What another build of the reference began may be another picture.
+// Another build of the reference may have begun another picture.
 std::string program_hash() { return base::sha256(pt::read_file("/proc/self/exe", kMaxBytes)); }
 
 // CBOR keeps every bit of a number: a golden made in two sittings is the golden made in one.
@@ -57,7 +57,7 @@ GoldenState read(const std::string& bytes) {
   return state;
 }
 
-// Nothing where there is no state of this picture. What cannot be read is no state.
+// Nothing where there is no state of this picture. A file that cannot be read counts as none.
 std::optional<GoldenState> load(const std::filesystem::path& file, const GoldenState& fresh,
                                 int most_parts) {
   if (!std::filesystem::exists(file)) return {};

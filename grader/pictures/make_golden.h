@@ -14,18 +14,18 @@
 
 namespace grader::pictures {
 
-// How much is rendered of a recipe: `parts` pictures, each with a seed of its own and so many
-// samples a pixel; of an adaptive recipe each part is a run.
+// The amount of work for a recipe: `parts` pictures, each with a seed of its own and so many
+// samples per pixel; of an adaptive recipe each part is a run.
 struct Effort {
   int parts = 16;
   int samples = 256;
 };
 
-// 4096 samples a pixel, 16384 of a noisy recipe, 256 runs of an adaptive one: at least 64 times
-// what the first stage of a verdict takes, and 16 times the last.
+// 4096 samples per pixel, 16384 of a noisy recipe, 256 runs of an adaptive one: at least 64 times
+// what the first round of a verdict takes, and 16 times the last.
 Effort usual_effort(const Recipe& recipe);
 
-// What has been rendered so far.
+// The sum of all parts so far.
 struct GoldenState {
   std::string hash;  // of the recipe's picture, and of the program that renders it
   int samples = 0;   // a part

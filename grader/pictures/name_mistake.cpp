@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Outcome = JudgedPicture::Outcome;
 
-// What stands for a picture that is right, and for one that is not known, after the hash.
+// Words after the hash for a picture that is right, and for one that is not known.
 constexpr const char* kRight = "right";
 constexpr const char* kUnknown = "unknown";
 
@@ -54,7 +54,7 @@ void add(std::vector<KnownMistake>& mistakes, KnownMistake mistake) {
     mistakes.push_back(std::move(mistake));
     return;
   }
-  // What insert() finds already stays.
+  // An entry that insert() finds already stays.
   if (before->content == mistake.content)
     mistake.pictures.insert(before->pictures.begin(), before->pictures.end());
   *before = std::move(mistake);
@@ -95,7 +95,7 @@ Likeness compare(const std::string& recipe, const std::string& recipe_hash,
                  const JudgedPicture& picture, const BlockMeans& golden,
                  std::span<const KnownMistake> mistakes) {
   const bool wrong = picture.outcome == Outcome::wrong && picture.blocks;
-  // What is wrong may not show in these means: a sequence of random numbers that repeats itself.
+  // Some faults do not show in these means: a sequence of random numbers that repeats itself.
   const bool shows = wrong && !can_be(*picture.blocks, golden);
   Likeness found;
   for (const KnownMistake& mistake : mistakes) {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-// Which known mistake made the pictures of a task: one whose own pictures they are, all of them,
-// where no other known mistake could have made them. A wrong name costs a learner hours: in doubt
-// there is none. docs/verdicts.md says how, and how often it is right.
+// Finds the known mistake that made the pictures of a task: one whose own pictures they are, all of
+// them, where no other known mistake could have made them. A wrong name costs a learner hours: in
+// doubt there is none. docs/verdicts.md says how, and how often it is right.
 
 namespace grader::pictures {
 
@@ -40,13 +40,13 @@ std::vector<KnownMistake> read_mistakes(const std::filesystem::path& file, const
 // One line, with its end.
 std::string to_line(const KnownMistake& mistake);
 
-// What one picture of a task says: the names of the mistakes that make it, and of those that
+// The evidence of one picture of a task: the names of the mistakes that make it, and of those that
 // do not. Of all others it says nothing.
 struct Likeness {
   std::vector<std::string> like, unlike;
 };
 
-// What is judged: a picture that passed, one that was wrong with its means, or anything else.
+// A picture that is judged: one that passed, one that was wrong with its means, or anything else.
 struct JudgedPicture {
   enum class Outcome { right, wrong, none } outcome = Outcome::none;
   std::optional<BlockMeans> blocks;

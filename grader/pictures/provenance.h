@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-// Where a golden comes from: golden/<recipe>.json, beside <recipe>.exr.
+// The origin of a golden: golden/<recipe>.json, beside <recipe>.exr.
 
 namespace grader::pictures {
 
@@ -16,14 +16,15 @@ struct Provenance {
   std::string commit;  // of the reference that rendered it, as git describes it
   std::uint64_t first_seed = 0;
   int parts = 0;    // each with the next seed
-  int samples = 0;  // a pixel in all; of an adaptive recipe the runs, of which each is a sample
+  int samples = 0;  // per pixel in all; of an adaptive recipe the runs, of which each is a sample
   double cpu_seconds = 0;
   std::string because;   // why it replaced one that contradicted it; mostly empty
   std::string settings;  // of the recipe, as recipe_settings says them
   std::string sha256;    // picture_hash() of the recipe
 };
 
-// What determines a recipe's picture, as JSON in one line: neither name, title, tasks nor seed.
+// The settings that determine a recipe's picture, as JSON in one line: neither name, title, tasks
+// nor seed.
 std::string recipe_settings(const Recipe& recipe);
 
 // Of those settings and the bytes of the scene. A golden with another hash is out of date.

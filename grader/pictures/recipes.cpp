@@ -25,7 +25,7 @@ nlohmann::json parse(const std::string& text, const std::filesystem::path& file)
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const std::string message = error.what();
     const std::size_t reason = message.find("syntax error");
-    throw pt::Error(fmt::format("{}:{}: this is no JSON ({}); mend it here or just before",
+    throw pt::Error(fmt::format("{}:{}: this is not JSON ({}); mend it here or just before",
                                 file.string(), 1 + std::count(text.begin(), end, '\n'),
                                 reason == std::string::npos ? message : message.substr(reason)));
   }

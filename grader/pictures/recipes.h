@@ -31,14 +31,15 @@ struct Recipe {
   std::uint64_t seed = 0;          // of its own: 1 .. 2^31 - 1
   std::vector<std::string> tasks;  // the slugs of those that it judges
   bool noisy = false;              // needs four times the samples
-  // The variance of a sample that a right submission may have, over the golden's; 0: the usual 3, or
-  // 6 if noisy. More where the contracts allow it: roulette and densities of many bounces add up.
+  // The variance of a sample that a right submission may have, over the golden's; 0: the usual 3,
+  // or 6 if noisy. More where the contracts allow it: roulette and densities of many bounces add
+  // up.
   double most_noise = 0;
   std::optional<pt::Rgb> uniform;  // the radiance of every pixel, where theory knows it
 };
 
 // Reads scenes/recipes.json. Scenes are named relative to the file. Throws pt::Error, "file:line:
-// what is wrong; what to do", where it is no JSON, and "file: recipe 'name': ..." for all else.
+// what is wrong; what to do", where it is not JSON, and "file: recipe 'name': ..." for all else.
 std::vector<Recipe> load_recipes(const std::filesystem::path& file);
 
 // Throws pt::Error, with the names there are, for any other.
@@ -47,7 +48,7 @@ const Recipe& find(const std::vector<Recipe>& recipes, const std::string& name);
 // The slugs of all tasks, in the order of the course.
 const std::vector<std::string>& task_slugs();
 
-// What a recipe renders, ready to be traced.
+// The scene of a recipe, ready to be traced.
 struct RecipeScene {
   pt::Scene scene;
   pt::Camera camera;

@@ -14,9 +14,9 @@ constexpr int kRows = 8;
 
 }  // namespace
 
-std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch) {
+std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int round, int batch) {
   const std::string hash = base::sha256(
-      fmt::format("{} {} {} {} {}", source.content, source.seed, recipe.name, stage, batch));
+      fmt::format("{} {} {} {} {}", source.content, source.seed, recipe.name, round, batch));
   return judged_seed(std::stoull(hash.substr(0, 16), nullptr, 16));
 }
 
@@ -41,11 +41,11 @@ Rendered render(const Recipe& recipe, const pt::View& view, const RowRenderer& r
   return picture;
 }
 
-Batches render_stage(const Recipe& recipe, const pt::View& view, const RowRenderer& rows,
-                     const SeedSource& source, int stage, int batches, int samples) {
+Batches render_round(const Recipe& recipe, const pt::View& view, const RowRenderer& rows,
+                     const SeedSource& source, int round, int batches, int samples) {
   Batches all{samples, {}};
   for (int batch = 0; batch < batches; ++batch) {
-    const std::uint64_t seed = batch_seed(source, recipe, stage, batch);
+    const std::uint64_t seed = batch_seed(source, recipe, round, batch);
     all.images.push_back(render(recipe, view, rows, samples, seed).mean);
   }
   return all;

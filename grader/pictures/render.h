@@ -24,15 +24,15 @@ struct NoPicture {
   std::string text;
 };
 
-// Which random numbers a picture takes: those of a submission's content, so that the same files get
-// the same numbers and no others can be tried without changing them.
+// Chooses the random numbers of a picture: those of a submission's content, so that the same files
+// get the same numbers and no others can be tried without changing them.
 struct SeedSource {
   std::string content;     // a hash of what is judged
   std::uint64_t seed = 1;  // of the run
 };
 
-// The seed of one batch of a stage; never a golden's (grader/pictures/seeds.h).
-std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int stage, int batch);
+// The seed of one batch of a round; never a golden's (grader/pictures/seeds.h).
+std::uint64_t batch_seed(const SeedSource& source, const Recipe& recipe, int round, int batch);
 
 struct Rendered {
   pt::Image mean;        // as the task returned it, NaN included
@@ -42,8 +42,8 @@ struct Rendered {
 Rendered render(const Recipe& recipe, const pt::View& view, const RowRenderer& rows, int samples,
                 std::uint64_t seed);
 
-// The batches of one stage; of an adaptive recipe each is one run.
-Batches render_stage(const Recipe& recipe, const pt::View& view, const RowRenderer& rows,
-                     const SeedSource& source, int stage, int batches, int samples);
+// The batches of one round; of an adaptive recipe each is one run.
+Batches render_round(const Recipe& recipe, const pt::View& view, const RowRenderer& rows,
+                     const SeedSource& source, int round, int batches, int samples);
 
 }  // namespace grader::pictures

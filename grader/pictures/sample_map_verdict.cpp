@@ -8,13 +8,13 @@
 namespace grader::pictures {
 namespace {
 
-constexpr double kMostOffBatch = 1e-3;
-constexpr double kMostConstantOn = 0.01;
-constexpr double kLeastCorrelation = 0.75;
-constexpr double kLeastSlope = 0.88, kMostSlope = 1.14;
-constexpr double kMostOffset = 0.45;  // batches
+constexpr double kMaxOffBatch = 1e-3;
+constexpr double kMaxConstantOn = 0.01;
+constexpr double kMinCorrelation = 0.75;
+constexpr double kMinSlope = 0.88, kMaxSlope = 1.14;
+constexpr double kMaxOffset = 0.45;  // batches
 // Counts jump by batches: pixels that hardly vary between runs weigh no more than this many.
-constexpr double kLeastDeviation = 0.15;
+constexpr double kMinDeviation = 0.15;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
 
@@ -78,7 +78,7 @@ void fit(SampleMapVerdict& verdict, const SampleMapReference& reference,
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (!is_active(reference, i)) continue;
     const double n = counts[i], mean = reference.mean[i];
-    const double deviation = std::max(reference.deviation[i], kLeastDeviation * batch);
+    const double deviation = std::max(reference.deviation[i], kMinDeviation * batch);
     logarithms.add(1, std::log(mean), std::log(std::max(n, 1.0)));
     weighted.add(1 / (deviation * deviation), mean, n);
     plain.add(1, mean, n);
@@ -93,16 +93,16 @@ void fit(SampleMapVerdict& verdict, const SampleMapReference& reference,
 }
 
 bool fits(const SampleMapVerdict& v) {
-  return v.correlation > kLeastCorrelation && within(v.b, kLeastSlope, kMostSlope) &&
-         std::abs(v.a) <= kMostOffset && within(v.ratio, kLeastSlope, kMostSlope);
+  return v.correlation > kMinCorrelation && within(v.b, kMinSlope, kMaxSlope) &&
+         std::abs(v.a) <= kMaxOffset && within(v.ratio, kMinSlope, kMaxSlope);
 }
 
 // The rule that is broken first, and how; empty if all hold.
 std::string broken_rule(const SampleMapVerdict& v, const SampleMapReference& reference) {
   const int max = reference.settings.max_samples, batch = reference.settings.batch;
-  if (!(v.off_batch <= kMostOffBatch)) {
+  if (!(v.off_batch <= kMaxOffBatch)) {
     return fmt::format(
-        "{:.1f} % of the pixels took a number of samples that is no multiple of the "
+        "{:.1f} % of the pixels took a number of samples that is not a multiple of the "
         "batch ({}): is the condition checked after every batch, and only then?",
         100 * v.off_batch, batch);
   }
@@ -112,7 +112,7 @@ std::string broken_rule(const SampleMapVerdict& v, const SampleMapReference& ref
         "maximum ({})",
         100 * v.outside, batch, max);
   }
-  if (!(v.constant_on <= kMostConstantOn)) {
+  if (!(v.constant_on <= kMaxConstantOn)) {
     return fmt::format(
         "{:.0f} % of the pixels whose samples are all alike took more than one "
         "batch",
@@ -125,11 +125,11 @@ std::string broken_rule(const SampleMapVerdict& v, const SampleMapReference& ref
       v.ratio, v.a, v.b, v.correlation);
 }
 
-// What the figures of docs/verdicts.md tell apart; empty for anything else, as a wrong hint is
-// worse than none.
+// Names a mistake that the figures of docs/verdicts.md tell apart; empty for anything else, as a
+// wrong hint is worse than none.
 std::string likely_cause(const SampleMapVerdict& v, double mean_batches, double most_batches) {
   const bool flat = std::abs(v.b) < 0.05;
-  const bool follows = v.correlation > kLeastCorrelation;
+  const bool follows = v.correlation > kMinCorrelation;
   if (flat && std::abs(v.a - 1) < 0.1 && mean_batches > 1.5) {
     return "nearly every pixel stops after its first batch";
   }

@@ -9,12 +9,13 @@
 #include <string>
 #include <vector>
 
-// Whether an adaptive render spends its samples as the reference does. A right picture says little
-// of that: with any number of samples it is right on average. docs/verdicts.md has the figures.
+// Judges whether an adaptive render spends its samples as the reference does. A right picture says
+// little of that: with any number of samples it is right on average. docs/verdicts.md has the
+// figures.
 
 namespace grader::pictures {
 
-// What many runs of the reference, with different seeds, took. Row 0 is the TOP row, as in
+// The counts of many runs of the reference, with different seeds. Row 0 is the TOP row, as in
 // pt::SampleMap.
 struct SampleMapReference {
   int width = 0;
@@ -37,7 +38,7 @@ struct SampleMapReference {
 SampleMapReference reference_of(std::span<const pt::SampleMap> runs, const pt::Film& picture,
                                 const pt::AdaptiveSettings& settings);
 
-// As JSON, a line a row; the deviation with three digits. Throws pt::Error as pt::write_file.
+// As JSON, a line per row; the deviation with three digits. Throws pt::Error as pt::write_file.
 void write_reference(const std::filesystem::path& path, const SampleMapReference& reference);
 
 // Throws pt::Error, with the file, if it is missing or is not what write_reference wrote.
@@ -51,7 +52,7 @@ struct SampleMapVerdict {
   // What is wrong, for a person. If it passes: empty, or how it differs from the reference all the
   // same, where that has a likely cause.
   std::string sentence;
-  double off_batch = 0;    // fraction of the pixels whose count is no multiple of the batch
+  double off_batch = 0;    // fraction of the pixels whose count is not a multiple of the batch
   double outside = 0;      // fraction with less than a batch or more than the maximum
   double constant_on = 0;  // fraction of the constant lit pixels that took more than one batch
   // On the active pixels, those which take more than 1.5 batches and less than 0.9 of the maximum:

@@ -20,7 +20,7 @@ constexpr std::uint64_t golden_seed(const Recipe& recipe, std::uint32_t part) {
   return kGoldenSeeds | recipe.seed << 32 | part;
 }
 
-// Of a render that is judged, from any number that its submission, recipe, stage and batch
+// Of a render that is judged, from any number that its submission, recipe, round and batch
 // determine.
 constexpr std::uint64_t judged_seed(std::uint64_t number) { return number & ~kGoldenSeeds; }
 

@@ -41,9 +41,9 @@ std::string channel_of(int plane) {
 }
 
 // The sum that the sentence is about, if the picture as a whole is off as much as its parts.
-const Complaint* off_everywhere(const std::vector<Complaint>& all, const Complaint& part) {
-  const Complaint* best = nullptr;
-  for (const Complaint& one : all) {
+const MeasuredCell* off_everywhere(const std::vector<MeasuredCell>& all, const MeasuredCell& part) {
+  const MeasuredCell* best = nullptr;
+  for (const MeasuredCell& one : all) {
     const bool alike =
         one.off_by * part.off_by > 0 && std::abs(one.off_by) >= 0.5 * std::abs(part.off_by);
     const bool plane = one.cell.plane == kLuminance || one.cell.plane == part.cell.plane;
@@ -55,11 +55,11 @@ const Complaint* off_everywhere(const std::vector<Complaint>& all, const Complai
 
 }  // namespace
 
-std::string sentence(const std::vector<Complaint>& all, const std::vector<Complaint>& smallest,
-                     int renders) {
-  const Complaint& part = smallest.front();
-  const Complaint* whole = off_everywhere(all, part);
-  const Complaint& what = whole ? *whole : part;
+std::string sentence(const std::vector<MeasuredCell>& all,
+                     const std::vector<MeasuredCell>& smallest, int renders) {
+  const MeasuredCell& part = smallest.front();
+  const MeasuredCell* whole = off_everywhere(all, part);
+  const MeasuredCell& what = whole ? *whole : part;
   return fmt::format("{}{} was {}{}", channel_of(what.cell.plane), place(what.cell),
                      too_much(what.off_by), times(renders));
 }

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-// What a person reads of a picture that failed: what to look at, how far off it is, which way.
+// The sentence about a picture that failed: where to look, how far off it is, and which way.
 
 namespace grader::pictures {
 
 // "this block (8x8 at 32, 40) was 9.4 % too dark in three independent renders". One sentence for
-// all complaints: about the whole picture if it is off as much as any part of it. None may be
-// empty.
-std::string sentence(const std::vector<Complaint>& all, const std::vector<Complaint>& smallest,
-                     int renders);
+// all failing cells: about the whole picture if it is off as much as any part of it. No list may
+// be empty.
+std::string sentence(const std::vector<MeasuredCell>& all,
+                     const std::vector<MeasuredCell>& smallest, int renders);
 
 std::string sentence(const std::vector<WrongConstant>& constants, const Golden& golden,
                      int renders);

@@ -12,7 +12,7 @@ namespace grader::process {
 
 namespace {
 
-// What assert(), or a program that an exception ends, prints before it calls abort(); empty if it
+// The message of assert(), or of a program that an exception ends, before abort(); empty if it
 // is not among the words. "PROGRAM: FILE:LINE: FUNCTION: Assertion `x > 0' failed."
 std::string reason_of_abort(const std::string& words) {
   std::istringstream lines(words);

@@ -5,7 +5,7 @@
 
 namespace grader::process {
 
-// What a process may use at most; nothing means no limit of our own. They are a process's, not its
+// Limits of a process; an empty one means no limit of our own. They are a process's, not its
 // children's.
 struct Limits {
   std::optional<std::uint64_t> cpu_seconds;
@@ -19,7 +19,7 @@ struct Limits {
 // Allocates nothing: it may be called between fork and exec.
 bool set_limits(const Limits& limits);
 
-// Whether this build uses AddressSanitizer, which reserves more address space than any limit.
+// True if this build uses AddressSanitizer, which reserves more address space than any limit.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool kSanitized = true;
 #elif defined(__has_feature)

@@ -4,8 +4,8 @@
 
 #include <sys/types.h>
 
-// How long processes ran and had to wait. A limit that counts what a process computed, and not what
-// the clock says, is the same on a busy machine.
+// Measures how long processes ran and had to wait. A limit that counts what a process computed, and
+// not what the clock says, is the same on a busy machine.
 
 namespace grader::process {
 
@@ -24,7 +24,7 @@ ProcessTime time_of_tree(pid_t pid);
 // Of one process, what it ran; takes less than a microsecond.
 std::chrono::nanoseconds running_time(pid_t pid);
 
-// How long this thread was ready to run while no processor was given to it.
+// The time in which this thread was ready to run and had no processor.
 std::chrono::nanoseconds own_waiting_time();
 
 // The youngest of a process's descendants that has no children; the process itself if it has none.

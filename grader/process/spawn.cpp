@@ -26,14 +26,14 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 
 // From here to exec nothing may allocate: another thread may have held the allocator's lock.
 
-// First out of the way of the numbers they are to have, then to those numbers.
+// Moves the descriptors out of the way of their final numbers first, then to those numbers.
 void arrange(const int* descriptors, int count) {
-  constexpr int kAway = 100;
+  constexpr int kMovedTo = 100;
   for (int i = 0; i < count; ++i) {
-    if (dup2(descriptors[i], kAway + i) < 0) _exit(127);
+    if (dup2(descriptors[i], kMovedTo + i) < 0) _exit(127);
   }
   for (int i = 0; i < count; ++i) {
-    if (dup2(kAway + i, i) < 0) _exit(127);
+    if (dup2(kMovedTo + i, i) < 0) _exit(127);
   }
   close_range(static_cast<unsigned>(count), ~0U, 0);
 }
@@ -56,7 +56,7 @@ void arrange(const int* descriptors, int count) {
 // left the session, and what a compiler leaves is in the compiler's group.
 bool is_orphan(pid_t pid) { return getsid(pid) != getsid(0) || getpgid(pid) != pid; }
 
-// What our children leave behind comes to us, not to a first process that may not ask how it ended:
+// Orphans of our children come to us, not to a first process that may not ask for their status:
 // in a container, hundreds of dead processes would pile up.
 void reap_orphans() {
   prctl(PR_SET_CHILD_SUBREAPER, 1);

@@ -22,7 +22,7 @@ class TimeLimit {
   TimeLimit(pid_t pid, std::chrono::nanoseconds limit,
             std::chrono::nanoseconds running_before = std::chrono::nanoseconds(0));
 
-  // When it is worth asking whether it is over.
+  // The earliest time at which the limit can be reached.
   Clock::time_point next_look() const { return next_look_; }
 
   // This process did nothing for so long but wait for the other one (see Wait).

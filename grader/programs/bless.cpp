@@ -39,7 +39,7 @@ struct Options {
   fs::path work = "build/bless";
   std::string commit = "unknown";
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  int samples = 0;  // a pixel, or runs; 0 for as many as a golden needs
+  int samples = 0;  // per pixel, or runs; 0 for as many as a golden needs
 };
 
 pictures::Effort effort_of(const pictures::Recipe& recipe, const Options& options) {
@@ -83,7 +83,8 @@ bool is_up_to_date(const pictures::Recipe& recipe, const pictures::Effort& effor
   }
 }
 
-// Why the old golden cannot be right if the new one is; empty if there is none or they agree.
+// The reason why the old golden cannot be right if the new one is; empty if there is none or they
+// agree.
 std::string contradiction(const pictures::Recipe& recipe, const pt::Film& film,
                           const fs::path& folder) {
   const fs::path file = pictures::golden_files(folder, recipe.name).film;
@@ -132,7 +133,7 @@ void refuse(const pictures::Recipe& recipe, const std::string& why) {
       recipe.name, why, recipe.name);
 }
 
-// Whether the golden is now in the folder.
+// Returns whether the golden is now in the folder.
 bool bless(const pictures::Recipe& recipe, const Options& options) {
   const pictures::Effort effort = effort_of(recipe, options);
   if (!options.again && is_up_to_date(recipe, effort, options.folder)) {
@@ -155,7 +156,7 @@ bool bless(const pictures::Recipe& recipe, const Options& options) {
   if (!why.empty()) provenance.because = options.because;  // a reason that was not needed is none
   write_golden(recipe, state, film, provenance, options);
   fs::remove(partial);
-  fmt::print("{}: {} samples a pixel in {:.0f} CPU seconds\n", recipe.name, provenance.samples,
+  fmt::print("{}: {} samples per pixel in {:.0f} CPU seconds\n", recipe.name, provenance.samples,
              provenance.cpu_seconds);
   return true;
 }
@@ -194,21 +195,21 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--check", options.check,
                "Render nothing; say which goldens are missing, out of date or wrong");
   app.add_flag("--table", options.table, "Render nothing; print the table of docs/recipes.md");
-  app.add_option("-t,--threads", options.threads, "Default: one a processor")
+  app.add_option("-t,--threads", options.threads, "Default: one per processor")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--samples", options.samples, "Samples a pixel, or runs: too few, for a test")
+  app.add_option("--samples", options.samples, "Samples per pixel, or runs: too few, for a test")
       ->check(CLI::Range(8, 1 << 20));
   app.add_option("--recipes", options.recipes, "The file of recipes");
   app.add_option("--golden", options.folder, "Where goldens are");
-  app.add_option("--work", options.work, "Where what is half done is kept");
-  app.add_option("--commit", options.commit, "Of what is rendered with");
+  app.add_option("--work", options.work, "Where half-finished goldens are kept");
+  app.add_option("--commit", options.commit, "The commit that renders, for the provenance");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Makes the goldens that submissions are judged by.", "./run bless");
+  CLI::App app("Makes the goldens by which submissions are judged.", "./run bless");
   describe(app, options);
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

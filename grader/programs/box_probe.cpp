@@ -1,4 +1,4 @@
-// box_probe FILE USER: says, a word a line, what holds in the box in which it runs.
+// box_probe FILE USER: says, a word per line, what holds in the box in which it runs.
 #include <cstdio>
 #include <cstdlib>
 

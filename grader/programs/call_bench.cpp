@@ -1,5 +1,5 @@
-// What a call to a worker costs: one at a time, repeated in batches, and with a scene named by its
-// content. Prints microseconds.
+// Measures the cost of a call to a worker: one at a time, repeated in batches, and with a scene
+// named by its content. Prints microseconds.
 #include "grader/check/repeat.h"
 #include "grader/wire/session.h"
 #include "pt/tasks/diffuse_bsdf.h"

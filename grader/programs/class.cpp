@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Far beyond the slowest submission there is.
-constexpr std::chrono::hours kMostTime{2};
+constexpr std::chrono::hours kMaxTime{2};
 
 // Stands for all that the reports depend on.
 std::string key_of(const judge::Config& config, const ClassRequest& request,
@@ -56,14 +56,14 @@ std::string last_line(const std::string& text) {
   return text.substr(start == std::string::npos ? 0 : start + 1, end - start);
 }
 
-// Why it could not be judged; empty if it was.
+// Returns why it could not be judged; empty if it was.
 std::string run_grade(const ClassRequest& request, const std::string& submission,
                       const std::string& path) {
   std::vector<std::string> command{request.grade, "--submission=" + submission,
                                    "--json=" + path + ".json", "--html=" + path + ".html"};
   command.insert(command.end(), request.words.begin(), request.words.end());
-  const process::CommandResult run = process::run_command(
-      {command, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}}, kMostTime);
+  const process::CommandResult run =
+      process::run_command({command, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}}, kMaxTime);
   if (!run.timed_out && WIFEXITED(run.status) && WEXITSTATUS(run.status) <= 1) return "";
   if (run.timed_out) return "it took too long";
   const std::string said = base::printable(last_line(run.output), 400, false);
@@ -86,7 +86,7 @@ std::vector<std::string> submissions_of(const std::string& folder) {
     if (entry.is_directory() && !entry.is_symlink() && name[0] != '.') names.push_back(name);
   }
   if (names.empty()) {
-    throw pt::Error(folder + " has no folders in it: there is to be one a submission");
+    throw pt::Error(folder + " has no folders in it: there must be one per submission");
   }
   std::sort(names.begin(), names.end());
   return names;

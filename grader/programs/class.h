@@ -17,7 +17,7 @@ struct ClassRequest {
   std::vector<std::string> words;  // of its command line, the same for all
 };
 
-// What became of one submission.
+// The outcome for one submission.
 struct Graded {
   std::string name;          // of its folder
   results::Results results;  // if there is no problem
@@ -33,7 +33,7 @@ std::vector<std::string> submissions_of(const std::string& folder);
 // same files with the same words by the same judge.
 Graded grade_one(const judge::Config& config, const ClassRequest& request, const std::string& name);
 
-// A line a submission: points, and the state and points of every task (RFC 4180).
+// A line per submission: points, and the state and points of every task (RFC 4180).
 std::string class_table(const judge::Config& config, const std::vector<Graded>& all);
 
 }  // namespace grader::programs

@@ -33,7 +33,7 @@ sandbox::Isolation isolation(const judge::Config& config, const GradeOptions& op
   sandbox::Isolation found = sandbox::probe_isolation(config.root, config.work, forced);
   if (options.require_isolation && found.tier == sandbox::Tier::limits) {
     throw pt::Error("--require-isolation refuses to grade in C" +
-                    (forced ? ", which was asked for" : ": " + found.why_not_better));
+                    (forced ? ", which --isolation chose" : ": " + found.why_not_better));
   }
   return found;
 }

@@ -23,7 +23,7 @@ struct Options {
 
 void describe(CLI::App& app, Options& options) {
   programs::ClassRequest& request = options.request;
-  app.add_option("folder", request.folder, "a folder with a folder a submission")
+  app.add_option("folder", request.folder, "a folder with a folder per submission")
       ->required()
       ->check(CLI::ExistingDirectory);
   app.add_option("--out", request.out, "where reports go; default: <folder>-graded");
@@ -68,7 +68,7 @@ int run(Options options, const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Grades every submission in a folder; what follows -- is for grade", "grade-class"};
+  CLI::App app{"Grades every submission in a folder; options after -- go to grade", "grade-class"};
   describe(app, options);
   return pt::run_command_line(app, argc, argv, [&] { return run(options, app.remaining()); });
 }

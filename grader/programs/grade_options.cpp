@@ -24,14 +24,14 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_option("--html", options.files.html, "also write a page with all pictures");
   app.add_option("--junit", options.files.junit, "also write JUnit's XML");
   app.add_option("--gradescope", options.files.gradescope, "also write Gradescope's results.json");
-  app.add_option("--csv", options.files.csv, "also write a table, a line a task");
+  app.add_option("--csv", options.files.csv, "also write a table, a line per task");
   app.add_option("--from-results", options.from_results, "judge nothing: report what --json wrote");
-  app.add_option("--seed", options.seed, "of all random inputs");
+  app.add_option("--seed", options.seed, "the seed of all random inputs");
   app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
   app.add_option("--compile-limit", options.compile_limit, "seconds that compiling a file may take")
       ->check(CLI::PositiveNumber);
-  app.add_option("--threads", options.threads, "how much is done at the same time")
+  app.add_option("--threads", options.threads, "how many jobs run at the same time")
       ->check(CLI::Range(1, 256));
   app.add_option("--isolation", options.isolation,
                  "A (bubblewrap), B (another user) or C (none); default: the best that works here");

@@ -8,7 +8,7 @@
 
 namespace grader::programs {
 
-// What a person asks of `grade`.
+// The options of `grade`.
 struct GradeOptions {
   std::vector<std::string> what;
   std::string submission = "student";

@@ -32,7 +32,8 @@ const judge::TaskConfig& find_task(const judge::Config& config, const std::strin
     if (word == task.slug || word == task.number) return task;
     slugs.push_back(task.slug);
   }
-  throw pt::Error(fmt::format("'{}' is no task; choose one of {}", word, fmt::join(slugs, ", ")));
+  throw pt::Error(
+      fmt::format("'{}' is not a task; choose one of {}", word, fmt::join(slugs, ", ")));
 }
 
 // The promise that the words or the name of a property mean.

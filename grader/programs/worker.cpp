@@ -35,7 +35,7 @@ int main() {
     try {
       grader::wire::send(Kind::reply, grader::wire::serve(call));
     } catch (const std::bad_alloc&) {
-      grader::wire::send(Kind::threw, "std::bad_alloc: there is no more memory");
+      grader::wire::send(Kind::threw, "std::bad_alloc: out of memory");
     } catch (const std::exception& error) {
       grader::wire::send(Kind::threw, describe(error));
     } catch (...) {

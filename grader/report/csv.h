@@ -6,9 +6,9 @@
 
 namespace grader::report {
 
-// A table (RFC 4180): a line that names the columns, then one a task. Those of many submissions may
-// be joined, without all first lines but one. `complete` is false of an unfinished run. A text that
-// a spreadsheet would take for a formula has an apostrophe before it.
+// A table (RFC 4180): a line that names the columns, then one per task. Those of many submissions
+// may be joined, without all first lines but one. `complete` is false of an unfinished run. A text
+// that a spreadsheet would take for a formula has an apostrophe before it.
 std::string to_csv(const results::Results& results);
 
 // A text as a field of such a table.

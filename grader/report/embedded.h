@@ -24,7 +24,7 @@ std::uint16_t to_half(double value);
 // Halves, little-endian, in base64: r, g and b of every pixel, row by row, the top row first.
 std::string embedded_pixels(const pt::Film& film);
 
-// Likewise one value a pixel: the standard deviation of the difference of the luminances. Empty
+// Likewise one value per pixel: the standard deviation of the difference of the luminances. Empty
 // where one of the films does not have the variances. The sizes are equal.
 std::string embedded_noise(const pt::Film& render, const pt::Film& golden);
 

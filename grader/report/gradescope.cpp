@@ -49,7 +49,7 @@ std::string output_of(const results::TaskResult& task) {
     text += fmt::format("It waits for {}.\n", fmt::join(task.blocked_by, ", "));
   }
   if (task.state == results::State::not_judged) {
-    text += "What is not judged yet has no points, right or wrong.\n";
+    text += "A promise or picture that is not judged yet has no points, right or wrong.\n";
   }
   return text + "\n" + counts_of(task) + ".\n";
 }

@@ -9,8 +9,8 @@
 
 namespace grader::report {
 
-// What `grade` leaves behind about a task for `hint` and for ./run debug, and how far the hints
-// went: a text file a task, in the folder hints/ below `work`, in lines
+// Facts about a task that `grade` keeps for `hint` and for ./run debug, and how far the hints
+// went: a text file per task, in the folder hints/ below `work`, in lines
 //   seed 1
 //   fails <property>            for each promise that failed, in the order of the report
 //   given <tier> <property>     no property: the general hint

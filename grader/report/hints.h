@@ -11,7 +11,7 @@ namespace grader::report {
 // for each, in this order, with a general part first and then sections "### <promise in words>".
 inline constexpr std::array<std::string_view, 3> kTiers{"Question", "Direction", "Usual mistake"};
 
-// What a tier says about one promise.
+// The text of a tier about one promise.
 struct PromiseHint {
   std::string title;  // "keeps t inside the ray"
   std::string text;
@@ -28,7 +28,7 @@ using Hints = std::array<Tier, kTiers.size()>;
 // has an empty part.
 Hints parse_hints(const std::string& text, const std::string& path);
 
-// What the tier says about a promise (the property's name), or else in general.
+// The tier's text about a promise (the property's name), or else its general text.
 const std::string& about(const Tier& tier, const std::string& promise);
 
 }  // namespace grader::report

@@ -47,7 +47,7 @@ data failure_data(const results::FailureReport& exact) {
   return out;
 }
 
-// A bonus promise that is not kept is no fault; nor is one of a task that was not written.
+// A bonus promise that is not kept is not a fault; nor is a promise of a task that was not written.
 results::State state_of(const results::TaskResult& task, const results::PromiseResult& promise) {
   if (promise.held) return results::State::pass;
   if (!results::is_judged(task, promise)) return results::State::not_judged;

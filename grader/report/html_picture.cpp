@@ -39,12 +39,12 @@ data map_data(const Map& map) {
   return out;
 }
 
-// Where there should be no light, what is relative says no more.
-constexpr double kMostPercent = 1000;
+// Beyond this a relative error says nothing more: there should be almost no light.
+constexpr double kMaxPercent = 1000;
 
 std::string percent(double ratio) {
   if (!std::isfinite(ratio)) return "not a number";
-  if (ratio > kMostPercent / 100) return fmt::format("> +{} %", kMostPercent);
+  if (ratio > kMaxPercent / 100) return fmt::format("> +{} %", kMaxPercent);
   return fmt::format("{}{:.1f} %", ratio < 0 ? "\u2212" : "+", std::abs(100 * ratio));
 }
 
@@ -74,7 +74,7 @@ void check_sizes(const Sized& render, const Sized& golden) {
   }
 }
 
-// What film_view and counts_view have in common.
+// The common part of film_view and counts_view.
 data view(const char* kind, int width, int height) {
   data out;
   out.set("kind", kind);
@@ -102,12 +102,12 @@ data film_maps(const results::PictureResult& picture, const pt::Image& render,
   if (picture.evidence.empty()) return maps;
   const pt::Image evidence = mean(pt::read_exr(picture.evidence));
   check_sizes(evidence, golden);
-  maps.push_back(
-      map_data({"Evidence",
-                picture.cells.empty() ? "against the render, in thresholds"
-                                      : "against the render, in thresholds; what fails is outlined",
-                evidence_map(evidence), legend_bar([](double t) { return evidence_color(2 * t); }),
-                "0", "2 or more", true}));
+  maps.push_back(map_data(
+      {"Evidence",
+       picture.cells.empty() ? "against the render, in thresholds"
+                             : "against the render, in thresholds; failing cells are outlined",
+       evidence_map(evidence), legend_bar([](double t) { return evidence_color(2 * t); }), "0",
+       "2 or more", true}));
   return maps;
 }
 
@@ -151,7 +151,7 @@ data counts_view(const results::PictureResult& picture) {
   out.set("render_data", embedded_counts(render));
   out.set("golden_data", embedded_counts(golden));
   out.set("compare_name", "Sample map");
-  out.set("compare_text", "samples a pixel, the brighter the more");
+  out.set("compare_text", "samples per pixel, the brighter the more");
   out.set("bar", true);
   out.set("low", std::to_string(min));
   out.set("high", std::to_string(max));
@@ -165,13 +165,13 @@ data counts_view(const results::PictureResult& picture) {
   return out;
 }
 
-// How it was made, in one line.
+// One line about the rendering.
 std::string made(const results::PictureResult& picture) {
   std::string text = picture.integrated ? "Rendered with all tasks of the submission"
                                         : "Rendered with this task of the submission, and the "
                                           "reference in all other places";
   if (picture.samples > 0) {
-    text += fmt::format("; {} samples a pixel in {} stage{}", picture.samples, picture.stages,
+    text += fmt::format("; {} samples per pixel in {} round{}", picture.samples, picture.stages,
                         picture.stages == 1 ? "" : "s");
   }
   if (picture.noise > 0) {

@@ -9,8 +9,8 @@
 
 namespace grader::report {
 
-// Where on a page each picture is. One that judges several tasks is in it once, with the first of
-// them; the others refer to that place.
+// The place of each picture on a page. One that judges several tasks is in it once, with the first
+// of them; the others refer to that place.
 class Places {
  public:
   // The place of the same picture, the same in all that is shown of it, if it has one already;
@@ -21,11 +21,11 @@ class Places {
   std::map<std::string, std::string> places_;  // by what is shown
 };
 
-// What the template is told about a picture of a task.
+// The data of a picture of a task for the template.
 kainjow::mustache::data picture_data(const results::PictureResult& picture, const std::string& slug,
                                      Places& places);
 
-// How a state is coloured: a class of page.css.
+// The class of page.css that colours a state.
 const char* tone(results::State state);
 
 }  // namespace grader::report

@@ -11,7 +11,7 @@ namespace grader::report {
 
 namespace {
 
-// How a testcase came out. `element` is empty if it passed.
+// The outcome of a testcase. `element` is empty if it passed.
 struct Case {
   std::string name;
   double seconds = 0;
@@ -99,7 +99,7 @@ Suite suite_of(const results::TaskResult& task) {
     suite.cases.push_back(promise_case(task, each));
   for (const results::PictureResult& each : task.pictures)
     suite.cases.push_back(picture_case(task, each));
-  // What concerns the whole task: a file that is missing, or does not compile.
+  // A fault of the whole task: a file that is missing, or does not compile.
   const std::string expected = element_of(task.state);
   bool said = expected.empty();
   for (const Case& each : suite.cases) {

@@ -11,7 +11,7 @@
 
 namespace grader::report {
 
-// What render and golden are shown with: 1, which is what `render` writes, unless the golden would
+// The exposure of render and golden: 1, which is what `render` writes, unless the golden would
 // be nearly black or nearly white; then the power of two that brings its bright pixels to about 1.
 double exposure_for(const pt::Image& golden);
 
@@ -36,7 +36,7 @@ pt::Picture count_map(const pt::SampleMap& map, int min, int max);
 // The relative difference of two maps of one size, full at 20 %.
 pt::Picture count_difference_map(const pt::SampleMap& map, const pt::SampleMap& golden);
 
-// What stands in a legend: the colours at t = 0..1, from left to right, one pixel high.
+// The bar of a legend: the colours at t = 0..1, from left to right, one pixel high.
 pt::Picture legend_bar(const std::function<pt::Color8(double)>& color);
 
 }  // namespace grader::report

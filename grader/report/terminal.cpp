@@ -45,7 +45,7 @@ const char* color_of(results::State state) {
 bool has_row(const results::PictureResult& picture) { return results::is_fault(picture.state); }
 std::string label_of(const results::PictureResult& picture) { return "  " + picture.recipe; }
 
-// What the longest label needs, and all tasks of the course.
+// The width of the longest label, of all tasks of the course too.
 std::size_t label_width(const results::Results& results) {
   std::size_t width = 18;
   for (const results::TaskResult& task : results.tasks) {
@@ -153,7 +153,7 @@ std::string warnings_text(const results::TaskResult& task) {
   return text;
 }
 
-// What explains all failures of the task, before the first of them.
+// The mistake that explains all failures of the task, before the first of them.
 std::string mistake_lines(const results::TaskResult& task, const TerminalStyle& style) {
   if (task.mistake.empty()) return "";
   std::string text = "\n";

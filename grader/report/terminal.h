@@ -25,7 +25,7 @@ struct FailureText {
 };
 std::vector<FailureText> failure_texts(const results::TaskResult& task, const TerminalStyle& style);
 
-// Whether standard output is a terminal that shows colours and NO_COLOR is not set.
+// Returns whether standard output is a terminal that shows colours and NO_COLOR is not set.
 bool terminal_has_color();
 
 }  // namespace grader::report

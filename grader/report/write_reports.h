@@ -8,7 +8,7 @@
 
 namespace grader::report {
 
-// Where each report goes; an empty path: nowhere.
+// The path of each report; none is written where it is empty.
 struct ReportFiles {
   std::string json;
   std::string html;
@@ -20,7 +20,7 @@ struct ReportFiles {
 // Throws pt::Error if one of them could not be written.
 void check_targets(const ReportFiles& files);
 
-// Writes all that are asked for, each the whole file or none. Results of an unfinished run are
+// Writes all reports with a path, each the whole file or none. Results of an unfinished run are
 // written too; each report says that it is one. Throws pt::Error for a file that cannot be written.
 void write_reports(const results::Results& results, const ReportFiles& files);
 

@@ -68,8 +68,8 @@ int worth(int usual, const std::map<std::string, int>& special, const std::strin
   return found == special.end() ? usual : found->second;
 }
 
-// What broken promises would take beyond what one cause may; whole points. It is no more than what
-// the promises that hold are worth, and nothing where the task always gives the same answer: such a
+// The points that broken promises take beyond the limit for one cause. It is not more than
+// the promises that hold are worth, and 0 where the task always gives the same answer: such a
 // task has shown nothing, whatever the name of its mistake.
 int spared_by(const TaskPoints& task, const TaskResult& result) {
   int all = 0, lost = 0;

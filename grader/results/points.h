@@ -7,12 +7,12 @@
 
 namespace grader::results {
 
-// What the promises and pictures of one task are worth.
+// The worth of the promises and pictures of one task.
 struct TaskPoints {
   int promise = 1;
   int picture = 1;
   int too_noisy = 0;                    // of a picture that is right on average
-  int keeps_state = 0;                  // what a variable that lives on between calls costs
+  int keeps_state = 0;                  // the cost of a variable that lives on between calls
   double one_cause = 1;                 // the share of the promises' points that one cause may take
   std::map<std::string, int> promises;  // by name: those that are worth something else
   std::map<std::string, int> pictures;  // by recipe

@@ -23,7 +23,7 @@ void read(const json& from, T& value) {
   from.get_to(value);
 }
 
-// What is not finite is written as null.
+// A number that is not finite is written as null.
 void read(const json& from, double& value) {
   value = from.is_null() ? std::numeric_limits<double>::quiet_NaN() : from.get<double>();
 }

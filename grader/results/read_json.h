@@ -6,7 +6,7 @@
 
 namespace grader::results {
 
-// What to_json wrote. Throws pt::Error, naming `path`, if the text is something else.
+// Reads the text of to_json. Throws pt::Error, naming `path`, if the text is something else.
 Results results_from_json(const std::string& text, const std::string& path);
 
 // The results in a file, likewise.

@@ -91,7 +91,7 @@ std::string with_digits(const std::string& text, int digits) {
   return replaced(text, [&](const std::string& number) { return rounded(number, digits); });
 }
 
-// Whether differences of numbers at the same places stay what they are, to a tenth.
+// Returns whether differences of numbers at the same places stay what they are, to a tenth.
 bool shows_differences(const std::vector<double>& a, const std::vector<double>& b,
                        const std::vector<double>& short_a, const std::vector<double>& short_b) {
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {

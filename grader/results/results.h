@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-// What a grading run found: the one model that the judge fills and every writer reads. No writer
-// decides anything. docs/results.md describes its JSON.
+// The findings of a grading run: the one model that the judge fills and every writer reads. No
+// writer decides anything. docs/results.md describes its JSON.
 
 namespace grader::results {
 
@@ -19,7 +19,7 @@ enum class State {
   timeout,        // no answer within the limit
   not_attempted,  // the task calls todo(), or its file is missing
   blocked,        // right by itself; not judged with the submission's other tasks, as one fails
-  too_noisy,      // of a picture: too few samples to decide
+  too_noisy,      // of a picture: right on average, but too much noise
   rejected,       // the file is not one that the judge accepts
   not_judged,     // not yet: only in the results of a run that has not ended
 };
@@ -33,7 +33,7 @@ const char* name(State state);
 
 // A promise that was not kept, on the smallest input found. All texts are for a person to read.
 struct FailureReport {
-  std::vector<std::string> input;  // a line a value
+  std::vector<std::string> input;  // a line per value
   std::string what;                // what was compared; may be empty
   std::string got;
   std::string expected;
@@ -64,7 +64,7 @@ struct FailingCell {
   int x = 0, y = 0, width = 0, height = 0;
   std::string channel;  // "Y" (luminance), "R", "G" or "B"
   double off_by = 0;    // relative to the golden: -0.094 is 9.4 % too dark
-  double evidence = 0;  // |z| over its threshold, of the last stage
+  double evidence = 0;  // |z| over its threshold, of the last round
 
   bool operator==(const FailingCell&) const = default;
 };
@@ -77,9 +77,9 @@ struct PictureResult {
   State state = State::not_judged;
   std::string text;         // the one sentence; empty if it passes
   bool integrated = false;  // rendered with all tasks of the submission; else with this one only
-  int samples = 0;          // a pixel, of all stages together
-  int stages = 0;           // that were rendered; more than one where the first one complained
-  double noise = 0;         // variance of the submission's samples over the golden's
+  int samples = 0;          // per pixel, of all rounds together
+  int stages = 0;    // that were rendered; more than one where the first found a failing cell
+  double noise = 0;  // variance of the submission's samples over the golden's
   double seconds = 0;
   int points = 0;
   int max_points = 0;
@@ -89,7 +89,7 @@ struct PictureResult {
   std::string golden;         // mean and variance; a path, as are the next four
   std::string render;         // the same of the submission; empty if there is no picture
   std::string evidence;       // R: the largest |z| / threshold of the cells that hold the pixel
-  std::string golden_counts;  // of an adaptive recipe: samples a pixel, written by write_counts
+  std::string golden_counts;  // of an adaptive recipe: samples per pixel, written by write_counts
   std::string counts;         // and the submission's
   std::vector<FailingCell> cells;  // the smallest that fail
   std::string mistake;             // of those kept in grader/tasks, the one that made it; or empty
@@ -120,7 +120,7 @@ struct TaskResult {
   State state = State::not_judged;
   std::string reason;  // one sentence where the promises do not say it: why blocked, rejected, ...
   int points = 0;      // for promises kept and pictures that are right
-  int max_points = 0;  // of the pictures, and of the promises that are no bonus
+  int max_points = 0;  // of the pictures, and of all promises but bonus ones
   int bonus_points = 0;
   int spared = 0;  // of `points`: for broken promises, as one cause takes no more than its share
   Mistake mistake;
@@ -136,7 +136,7 @@ struct TaskResult {
   bool operator==(const TaskResult&) const = default;
 };
 
-// How long a part of the run took: "properties", "pictures".
+// A part of the run and its time: "properties", "pictures".
 struct Phase {
   std::string name;
   double seconds = 0;
@@ -148,7 +148,7 @@ struct Results {
   std::string submission;  // the folder
   std::uint64_t seed = 0;
   std::string isolation;              // the tier, "C: rlimits only, not isolated"
-  std::vector<std::string> versions;  // "g++ 12.2.0", "firstlight 336aeb9": what it was judged with
+  std::vector<std::string> versions;  // "GNU 12.2.0", "Firstlight 336aeb9": what it was judged with
   std::string command;                // that reproduces the run
   double seconds = 0;
   std::vector<Phase> phases;
@@ -159,7 +159,7 @@ struct Results {
   bool operator==(const Results&) const = default;
 };
 
-// Whether all that was asked for passes.
+// Returns whether all that was asked for passes.
 bool passes(const Results& results);
 
 }  // namespace grader::results

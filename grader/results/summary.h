@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// What the writers say in the same words.
+// Sentences that all writers share.
 
 namespace grader::results {
 
@@ -15,8 +15,8 @@ std::string words(State state);
 // A character that stands for it beside the words.
 const char* symbol(State state);
 
-// Whether it is the submission that is at fault: neither right, nor not written, nor waiting for
-// another task.
+// Returns whether it is the submission that is at fault: neither right, nor not written, nor
+// waiting for another task.
 bool is_fault(State state);
 
 struct Totals {
@@ -28,8 +28,8 @@ struct Totals {
 };
 Totals totals(const std::vector<TaskResult>& tasks);
 
-// Whether there is a verdict on a promise of the task. Before the run has ended, the promises of a
-// task wait for their verdict together.
+// Returns whether there is a verdict on a promise of the task. Before the run has ended, the
+// promises of a task wait for their verdict together.
 bool is_judged(const TaskResult& task, const PromiseResult& promise);
 
 // "7 of 12 tasks pass", "2 of 12 tasks pass, 9 not judged yet"
@@ -38,7 +38,7 @@ std::string passed(const Results& results);
 // "7 of 12 tasks pass. 61 of 97 points and 2 bonus."
 std::string verdict(const Results& results);
 
-// What the report of an unfinished run has to say.
+// The sentence in the report of an unfinished run.
 inline constexpr const char* kStopped =
     "This run was stopped before it ended: what is not judged yet has no points.";
 

@@ -28,7 +28,7 @@ std::string launcher_path() {
   return path;
 }
 
-// What of the system a program needs. Not all of /usr: a project may lie in there.
+// The folders of the system that a program needs. Not all of /usr: a project may lie in there.
 Words system_files(bool tools) {
   Words names{"/usr/lib",       "/usr/lib32",       "/usr/lib64",      "/usr/libx32",
               "/usr/local/lib", "/usr/local/lib64", "/etc/ld.so.cache"};
@@ -100,7 +100,7 @@ Tier tier_of(std::string_view word) {
   for (const Tier tier : {Tier::bubblewrap, Tier::restricted, Tier::limits}) {
     if (word.size() == 1 && word[0] == letter(tier)) return tier;
   }
-  throw pt::Error(fmt::format("'{}' is no tier of isolation: write A, B or C", word));
+  throw pt::Error(fmt::format("'{}' is not a tier of isolation: write A, B or C", word));
 }
 
 process::Child boxed(const Box& box, Tier tier) {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-// Where programs that come from a submission run, and programs that read one: a box.
-// docs/decisions/ 0020-sandbox.md says what each tier holds.
+// The box in which programs run that come from a submission, or that read one.
+// docs/decisions/0020-sandbox.md says what each tier holds.
 
 namespace grader::sandbox {
 
@@ -40,7 +40,7 @@ struct Box {
 // 127 and one sentence.
 process::Child boxed(const Box& box, Tier tier);
 
-// How the program itself ended, given how the child ended (as waitpid gives both).
+// The exit status of the program itself, given that of the child (as waitpid gives both).
 int program_status(int status, Tier tier);
 
 }  // namespace grader::sandbox

@@ -7,7 +7,7 @@
 
 namespace grader::sandbox {
 
-// How submissions are kept away from the machine, and in words for every report: "A:
+// The isolation of submissions from the machine, and its description for every report: "A:
 // bubblewrap with seccomp in it". For C, the words say why nothing better works here.
 struct Isolation {
   Tier tier = Tier::limits;
@@ -15,7 +15,7 @@ struct Isolation {
   std::string why_not_better;  // why each better tier does not work here; empty for A
 };
 
-// What each letter means, where nothing has been tried.
+// The meaning of each letter, where nothing has been tried.
 const char* describe(Tier tier);
 
 // Finds the best tier that works here, or the one that is `forced`, by running a small program in

@@ -57,7 +57,7 @@ std::string drawn(const results::PictureResult& picture) {
     const pt::SampleMap render = pt::read_counts(picture.counts);
     const pt::SampleMap golden = pt::read_counts(picture.golden_counts);
     const int min = *std::min_element(golden.counts.begin(), golden.counts.end());
-    return svg({{"samples a pixel, with the bug", report::count_map(render, min, golden.max)},
+    return svg({{"samples per pixel, with the bug", report::count_map(render, min, golden.max)},
                 {"of the reference", report::count_map(golden, min, golden.max)},
                 {"blue too few, orange too many", report::count_difference_map(render, golden)}},
                {});

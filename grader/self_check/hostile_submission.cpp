@@ -58,7 +58,7 @@ fs::path Submission::file_of(const std::string& slug) const {
     fs::path file = part.path() / (slug + ".cpp");
     if (fs::exists(file)) return file;
   }
-  ADD_FAILURE() << slug << " is no task";
+  ADD_FAILURE() << slug << " is not a task";
   return folder_ / slug;
 }
 

@@ -134,7 +134,7 @@ TEST(hostile, crashes_are_named_by_their_cause) {
       {"hit_triangle", "ended without a return"},
       {"hit_sphere", "divided by zero"},
       {"build_bvh", "endless recursion: the stack overflowed"},
-      {"hit_box", "there is no more memory"},
+      {"hit_box", "out of memory"},
       {"hit_bvh", "the stack overflowed"}};
   const auto said = [&](const std::string& slug, const std::string& cause) {
     const std::string all = outcome.task(slug).at("promises").dump();

@@ -91,7 +91,7 @@ std::vector<MistakeRow> read_rows(const std::filesystem::path& path) {
         *before = row;
       }
     } catch (const std::logic_error&) {
-      throw pt::Error(fmt::format("{}:{}: is no line of this benchmark; choose another --out",
+      throw pt::Error(fmt::format("{}:{}: is not a line of this benchmark; choose another --out",
                                   path.string(), number));
     }
   }

@@ -20,7 +20,8 @@ struct MistakeRow {
   std::string recipe;
   int most_stages = 0;  // that it was given
   std::string state;    // of the picture: "pass", "fail", "too_noisy" ...
-  int stages = 0;       // more than one where the first complained; 0 where there was no picture
+  int stages =
+      0;  // more than one where the first found a failing cell; 0 where there was no picture
   double noise = 0;
   double seconds = 0;
   std::optional<MapFigures> map;  // of an adaptive recipe

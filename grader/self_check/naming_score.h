@@ -15,7 +15,7 @@ class Score {
   void add(const mistakes::KnownTask& known, const std::string& slug, const std::string& kind,
            const std::string& name, const mistakes::Evidence& evidence);
 
-  // A table with a line a task; with `verbose` also a line for each that was not named right.
+  // A table with a line per task; with `verbose` also a line for each that was not named right.
   std::string text(bool verbose) const;
 
   // Wrong names given to anything that was handed in whole.

@@ -18,7 +18,7 @@ bool answers(std::string_view task, Function function) {
 template <auto Pointer>
 Writer answer_with(Reader& in, std::uint64_t code, const Session& session) {
   using Signature = SignatureOf<Pointer>;
-  if (code != Signature::code()) throw BadMessage("it asked with other types");
+  if (code != Signature::code()) throw BadMessage("it called the judge with other types");
   auto held = Signature::get(in, session);
   in.expect_end();
   Writer out;
@@ -34,7 +34,8 @@ Writer answer(std::string_view task, std::string_view question, const Session& s
   Reader in(question);
   const auto head = get<AskHead>(in);
   const auto function = static_cast<Function>(head.function);
-  if (!answers(task, function)) throw BadMessage("it asked for what the judge does not answer");
+  if (!answers(task, function))
+    throw BadMessage("it called a function that the judge does not answer");
   switch (function) {
     case Function::radiance:
       return answer_with<&pt::radiance>(in, head.code, session);

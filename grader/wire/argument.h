@@ -7,9 +7,9 @@
 #include <span>
 #include <tuple>
 
-// How each parameter of a contract travels. By value, but for scenes, primitives and trees, which
-// are sent once and then named: `names` gives the name of an object to write, `objects` the object
-// of a name that was read.
+// The form in which each parameter of a contract is sent. By value, except for scenes, primitives
+// and trees, which are sent once and then named: `names` gives the name of an object to write,
+// `objects` the object of a name that was read.
 
 namespace grader::wire {
 
@@ -88,7 +88,7 @@ struct Signature<R (*)(Parameters...)> {
   using Result = R;
   using Held = std::tuple<typename Argument<Parameters>::Held...>;
 
-  // Whether the last parameter is a Sampler&, whose state also travels back.
+  // True if the last parameter is a Sampler&, whose state is also sent back.
   static constexpr bool kDraws = (std::is_same_v<Parameters, pt::Sampler&> || ...);
 
   // Both sides must mean the same types.

@@ -1,5 +1,5 @@
 // The implementation `callback` of one task or slot, FIRSTLIGHT_TASK: compiled once for each. The
-// call goes back to the judge, who answers it from stand-ins of its own.
+// call goes back to the judge, who answers it with mocks of its own.
 #include "grader/wire/connection.h"
 #include "grader/wire/store.h"
 

@@ -32,7 +32,7 @@ T get(Reader& in) {
   return Codec<T>::get(in);
 }
 
-// Of every codec: kLeast, the fewest bytes that a value takes; kPlain, whether every value is
+// Of every codec: kMinSize, the fewest bytes that a value takes; kPlain, whether every value is
 // encoded as exactly the bytes it has in memory, so that arrays can be copied; kCode, a number that
 // two types share only if they are encoded alike.
 constexpr std::uint64_t mix_code(std::uint64_t a, std::uint64_t b) {
@@ -42,7 +42,7 @@ constexpr std::uint64_t mix_code(std::uint64_t a, std::uint64_t b) {
 template <class T>
 requires std::is_arithmetic_v<T>
 struct Codec<T> {
-  static constexpr std::size_t kLeast = sizeof(T);
+  static constexpr std::size_t kMinSize = sizeof(T);
   static constexpr bool kPlain = true;
   static constexpr std::uint64_t kCode = mix_code(sizeof(T), std::is_floating_point_v<T> ? 1 : 2);
   static void put(Writer& out, T value) { out.number(value); }
@@ -51,7 +51,7 @@ struct Codec<T> {
 
 template <>
 struct Codec<bool> {
-  static constexpr std::size_t kLeast = 1;
+  static constexpr std::size_t kMinSize = 1;
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = 3;
   static void put(Writer& out, bool value) { out.number<std::uint8_t>(value ? 1 : 0); }
@@ -66,7 +66,7 @@ template <class T>
 requires std::is_enum_v<T>
 struct Codec<T> {
   static_assert(kLargest<T> >= 0, "name the largest value in fields.h");
-  static constexpr std::size_t kLeast = sizeof(int);
+  static constexpr std::size_t kMinSize = sizeof(int);
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = mix_code(4, kLargest<T>);
   static void put(Writer& out, T value) { out.number(static_cast<int>(value)); }
@@ -81,7 +81,7 @@ template <HasFields T>
 struct Codec<T> {
   template <class... Members>
   static constexpr std::size_t least(std::tuple<Members&...>*) {
-    return (Codec<std::remove_cv_t<Members>>::kLeast + ... + 0);
+    return (Codec<std::remove_cv_t<Members>>::kMinSize + ... + 0);
   }
   template <class... Members>
   static constexpr bool plain(std::tuple<Members&...>*) {
@@ -94,9 +94,9 @@ struct Codec<T> {
     return sum;
   }
   using Tuple = decltype(Fields<T>::of(std::declval<T&>()));
-  static constexpr std::size_t kLeast = least(static_cast<Tuple*>(nullptr));
-  static constexpr bool kPlain =
-      std::is_trivially_copyable_v<T> && kLeast == sizeof(T) && plain(static_cast<Tuple*>(nullptr));
+  static constexpr std::size_t kMinSize = least(static_cast<Tuple*>(nullptr));
+  static constexpr bool kPlain = std::is_trivially_copyable_v<T> && kMinSize == sizeof(T) &&
+                                 plain(static_cast<Tuple*>(nullptr));
   static constexpr std::uint64_t kCode = code(static_cast<Tuple*>(nullptr));
 
   static void put(Writer& out, const T& value) {
@@ -126,13 +126,13 @@ struct Codec<T> {
 template <class Element>
 std::size_t get_length(Reader& in) {
   const auto length = in.number<std::uint64_t>();
-  if (length > in.left() / Codec<Element>::kLeast) throw BadMessage("a list is cut short");
+  if (length > in.left() / Codec<Element>::kMinSize) throw BadMessage("a list is cut short");
   return static_cast<std::size_t>(length);
 }
 
 template <class Element>
 struct Codec<std::vector<Element>> {
-  static constexpr std::size_t kLeast = sizeof(std::uint64_t);
+  static constexpr std::size_t kMinSize = sizeof(std::uint64_t);
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = mix_code(6, Codec<Element>::kCode);
   static void put(Writer& out, const std::vector<Element>& list) {
@@ -159,7 +159,7 @@ struct Codec<std::vector<Element>> {
 
 template <>
 struct Codec<std::string> {
-  static constexpr std::size_t kLeast = sizeof(std::uint64_t);
+  static constexpr std::size_t kMinSize = sizeof(std::uint64_t);
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = 7;
   static void put(Writer& out, const std::string& text) {
@@ -171,7 +171,7 @@ struct Codec<std::string> {
 
 template <class T>
 struct Codec<std::optional<T>> {
-  static constexpr std::size_t kLeast = 1;
+  static constexpr std::size_t kMinSize = 1;
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = mix_code(8, Codec<T>::kCode);
   static void put(Writer& out, const std::optional<T>& value) {
@@ -187,7 +187,7 @@ struct Codec<std::optional<T>> {
 template <class... Alternatives>
 struct Codec<std::variant<Alternatives...>> {
   using Variant = std::variant<Alternatives...>;
-  static constexpr std::size_t kLeast = 1;
+  static constexpr std::size_t kMinSize = 1;
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = 9;
   static void put(Writer& out, const Variant& value) {
@@ -205,7 +205,7 @@ struct Codec<std::variant<Alternatives...>> {
 
 template <>
 struct Codec<pt::Sampler> {
-  static constexpr std::size_t kLeast = sizeof(pt::Sampler::State);
+  static constexpr std::size_t kMinSize = sizeof(pt::Sampler::State);
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = 10;
   static void put(Writer& out, const pt::Sampler& sampler) {

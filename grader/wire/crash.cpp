@@ -13,7 +13,8 @@ namespace {
 // The same on every machine, whatever its own limit is.
 constexpr std::uintptr_t kStackSize = std::uintptr_t{8} << 20;
 
-// Where an overflow is noticed: around the end of the stack, or beyond it by a large variable.
+// The range of addresses in which an overflow is noticed: around the end of the stack, or beyond it
+// by a large variable.
 constexpr std::uintptr_t kAbove = std::uintptr_t{1} << 16, kBelow = std::uintptr_t{64} << 20;
 
 std::uintptr_t stack_top = 0;

@@ -38,7 +38,7 @@ concept HasFields = requires(T& value) {
 FIRSTLIGHT_FIELDS(pt::Vec3, x, y, z);
 FIRSTLIGHT_FIELDS(pt::Rgb, r, g, b);
 FIRSTLIGHT_FIELDS(pt::Frame, x, y, z);
-FIRSTLIGHT_FIELDS(pt::Ray, origin, direction, t_min, t_max, leaves);
+FIRSTLIGHT_FIELDS(pt::Ray, origin, direction, t_min, t_max, source_triangle);
 FIRSTLIGHT_FIELDS(pt::Interval, min, max);
 FIRSTLIGHT_FIELDS(pt::Triangle, p0, p1, p2, n0, n1, n2);
 FIRSTLIGHT_FIELDS(pt::Sphere, center, radius);

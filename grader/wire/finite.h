@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-// Whether an answer has numbers where numbers must be. No answer may hold a NaN, and only the end
-// of a range may be infinite.
+// Checks that an answer has numbers where numbers must be. No answer may hold a NaN, and only the
+// end of a range may be infinite.
 
 namespace grader::wire {
 

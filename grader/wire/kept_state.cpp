@@ -24,7 +24,7 @@ namespace grader::wire {
 
 namespace {
 
-// What new and delete below do not see.
+// An allocator that new and delete below do not see.
 template <class T>
 struct Malloc {
   using value_type = T;

@@ -42,7 +42,7 @@ void run(Reader& in, const CallHead& head, Writer& results) {
     }
     put(results, all);
   } else {
-    throw BadMessage("what draws nothing is not repeated");
+    throw BadMessage("a function that draws nothing is not repeated");
   }
 }
 

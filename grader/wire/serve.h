@@ -7,7 +7,7 @@ namespace grader::wire {
 // Answers one call, a message's payload, by the functions that this program is linked with.
 std::string serve(std::string_view call);
 
-// Where hit_bvh's inner tests are written down while a call of it runs; else nullptr.
+// The record of hit_bvh's inner tests while a call of it runs; else nullptr.
 Tests* tests_of_this_call();
 
 }  // namespace grader::wire

@@ -31,7 +31,7 @@ void open_session(const SessionSettings& settings) {
 }
 
 Session& session() {
-  if (!the_session) throw pt::Error("there is no session with a worker: main has to open one");
+  if (!the_session) throw pt::Error("no session with a worker is open: main has to open one");
   return *the_session;
 }
 
@@ -71,7 +71,7 @@ Handle Session::name(const pt::Bvh& bvh) {
 
 const pt::Scene& Session::scene(Handle handle) const {
   const auto found = scenes_.find(handle);
-  if (found == scenes_.end()) throw BadMessage("it asked about a scene that it was not given");
+  if (found == scenes_.end()) throw BadMessage("it named a scene that it was not given");
   return *found->second;
 }
 
@@ -106,23 +106,23 @@ void Session::expect_attempted() const {
 
 void Session::expect_time_left() {
   if (timeouts_ >= settings_.max_timeouts) {
-    settings_.give_up(last_cause_, fmt::format("not asked any more: {} {} no answer within {} s",
+    settings_.give_up(last_cause_, fmt::format("not called any more: {} {} no answer within {} s",
                                                timeouts_, timeouts_ == 1 ? "call got" : "calls got",
                                                seconds(settings_.call_limit)));
   }
   if (failures_ >= settings_.max_failures) {
     settings_.give_up(last_cause_,
-                      fmt::format("not asked any more: {} calls came to nothing", failures_));
+                      fmt::format("not called any more: {} calls came to nothing", failures_));
   }
   expect_total_time_left();
 }
 
-// What workers slept counts too, but only where it is far more than they may compute.
+// Time in which workers slept counts too, but only if it is far more than they may compute.
 void Session::expect_total_time_left() {
   const auto give_up = [&](std::chrono::nanoseconds took) {
     settings_.give_up(
         check::Cause::timeout,
-        fmt::format("not asked any more: all calls so far took {:.1f} s", seconds(took)));
+        fmt::format("not called any more: all calls so far took {:.1f} s", seconds(took)));
   };
   const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
   if (running > settings_.total_limit) give_up(running);
@@ -176,7 +176,7 @@ std::string Session::converse(const Writer& call) {
       throw WorkerFailed{check::Cause::crash, "it threw: " + base::printable(message.payload, 200),
                          true};
     }
-    if (!settings_.answers) throw BadMessage("it asked the judge, who has nothing to say");
+    if (!settings_.answers) throw BadMessage("it called the judge, which answers nothing here");
     const Writer reply = answer(settings_.task, message.payload, *this);
     worker_->send(Kind::answer, sequence_, reply.bytes());
   }
@@ -186,7 +186,7 @@ void Session::take_head(Reader& reply, std::uint64_t code) {
   const auto head = get<ReplyHead>(reply);
   if (head.code != code) throw BadMessage("the reply is of another type");
   for (const std::int64_t count : {head.closest, head.occluded}) {
-    if (count < 0 || count > kMaxRays) throw BadMessage("a count of rays that cannot be");
+    if (count < 0 || count > kMaxRays) throw BadMessage("a count of rays that is impossible");
   }
   for (std::size_t i = 0; i < kTasks.size(); ++i) {
     if (head.todo >> i & 1) record_.todo.emplace(kTasks[i]);
@@ -200,7 +200,7 @@ void Session::take_head(Reader& reply, std::uint64_t code) {
 }
 
 void Session::reject(const std::string& why) {
-  fail({check::Cause::bad_reply, "a reply that cannot be: " + why, false});
+  fail({check::Cause::bad_reply, "an impossible reply: " + why, false});
 }
 
 void Session::fail(const WorkerFailed& failure) {

@@ -10,25 +10,25 @@
 
 namespace grader::wire {
 
-// How the one worker of this program is run.
+// The settings for the one worker of this program.
 struct SessionSettings {
   std::string task;                            // the slug that is judged
   std::string program;                         // the worker
   sandbox::Tier tier = sandbox::Tier::limits;  // of the box it runs in
   bool integrated = false;  // all tasks are the submission's: its scenes are traced by its own tree
-  bool answers = true;      // the worker may ask back
-  // What to do when a call comes to nothing; does not return.
+  bool answers = true;      // the worker may call back
+  // Called when a call comes to nothing; does not return.
   std::function<void(check::Cause, const std::string&)> give_up = check::fail_call;
   // Of processor time (grader/process/time_limit.h).
   std::chrono::milliseconds call_limit{2000};    // of one call, and of kBatch repetitions
   std::chrono::milliseconds total_limit{30000};  // of all calls together
-  // After so many calls that came to nothing the worker is not asked any more. Counted, as time
+  // After so many calls that came to nothing the worker is not called any more. Counted, as time
   // would depend on what else the machine does.
   int max_timeouts = 3;
   int max_failures = 500;
 };
 
-// What happened in a session, for the report.
+// The record of a session, for the report.
 struct SessionRecord {
   long long calls = 0;  // repetitions included
   int restarts = 0;
@@ -54,7 +54,7 @@ class Session {
   std::string_view call(Function function, std::uint64_t code, const Repetition& repetition,
                         const Writer& arguments);
 
-  // The reply to the last call makes no sense. The worker is not asked again.
+  // The reply to the last call makes no sense. The worker is not called again.
   [[noreturn]] void reject(const std::string& why);
 
   // The scene of this call that has the name; throws BadMessage if there is none.
@@ -96,7 +96,7 @@ class Session {
   check::Cause last_cause_ = check::Cause::timeout;
 };
 
-// How many repetitions go into one message: enough that its cost does not count, few enough that
+// The number of repetitions in one message: enough that its cost does not count, few enough that
 // the limit of a call is a limit for all of them.
 inline constexpr int kBatch = 256;
 
@@ -104,7 +104,7 @@ inline constexpr int kBatch = 256;
 void open_session(const SessionSettings& settings);
 Session& session();
 
-// The judge's own answer to an inner call of the task (from its stand-ins). Throws BadMessage for
+// The judge's own answer to an inner call of the task (from its mocks). Throws BadMessage for
 // what it does not answer.
 Writer answer(std::string_view task, std::string_view question, const Session& session);
 

@@ -7,7 +7,7 @@
 
 namespace grader::wire {
 
-// What the judge has sent once and names by handle, and the way back.
+// Objects that the judge has sent once and names by handle, and the way back.
 class Store {
  public:
   void define(const Definition& definition);

@@ -15,7 +15,7 @@ namespace grader::wire {
 
 namespace {
 
-// What one worker may use. The judge's own clock is what stops a call; the limit on processor time
+// The limits of one worker. The judge's own clock is what stops a call; the limit on processor time
 // only matters if the judge itself is gone.
 constexpr process::Limits kWorkerLimits{
     .cpu_seconds = 120,
@@ -28,7 +28,7 @@ constexpr process::Limits kWorkerLimits{
 // After this much, nobody reads what it prints any more.
 constexpr std::size_t kMaxTaken = std::size_t{1} << 20;
 
-// Where a program is ended, it says why at last.
+// The end of what a program printed, which says why it ended.
 constexpr std::size_t kMaxLastWords = 2000;
 
 int milliseconds_until(Clock::time_point deadline) {
@@ -94,7 +94,7 @@ Message WorkerProcess::receive(std::uint64_t sequence) {
   const bool known =
       header.kind == Kind::reply || header.kind == Kind::ask || header.kind == Kind::threw;
   if (header.magic != kMagic || !known || header.sequence != sequence) {
-    throw WorkerFailed{check::Cause::bad_reply, "bytes that are no reply"};
+    throw WorkerFailed{check::Cause::bad_reply, "bytes that are not a reply"};
   }
   if (header.length > kMaxPayload) {
     throw WorkerFailed{check::Cause::bad_reply, fmt::format("a reply of {} bytes", header.length)};
@@ -142,7 +142,7 @@ void WorkerProcess::wait(const base::Descriptor& descriptor, short event) {
   }
 }
 
-// What is printed after the limit goes to a pipe that nobody reads: the worker's writes fail.
+// Output after the limit goes to a pipe that nobody reads: the worker's writes fail.
 void WorkerProcess::take_output() {
   char chunk[1 << 16];
   const ssize_t count = read(output_.number(), chunk, sizeof chunk);

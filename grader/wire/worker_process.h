@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 struct WorkerFailed {
   check::Cause cause = check::Cause::crash;
   std::string text;
-  bool alive = false;  // the worker may be asked again
+  bool alive = false;  // the worker may be called again
 };
 
 struct Message {
@@ -44,11 +44,11 @@ class WorkerProcess {
   void send(Kind kind, std::uint64_t sequence, std::string_view payload);
   Message receive(std::uint64_t sequence);
 
-  // How long it has run until the last call of allow().
+  // The time that it has run until the last call of allow().
   std::chrono::nanoseconds running() const { return running_; }
-  // How long this process did nothing but wait for it.
+  // The time in which this process did nothing but wait for it.
   std::chrono::nanoseconds waited() const { return waited_; }
-  // How long it has waited for a processor until now. Asks the kernel, which takes a while.
+  // The time that it has waited for a processor until now. Calls the kernel, which takes a while.
   std::chrono::nanoseconds starved() const { return process::time_of_tree(pid_).waiting; }
 
   // The beginning of what it has printed.

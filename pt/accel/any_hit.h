@@ -1,4 +1,4 @@
-// Whether anything is in the way of one ray. Internal like simd.h.
+// Tests whether anything is in the way of one ray. Internal like simd.h.
 #pragma once
 
 #include "pt/accel/block_test.h"
@@ -21,7 +21,7 @@ PT_INLINE bool is_blocked(const WideQuery& query, const Ray& ray, const FloatRay
   return false;
 }
 
-// The children of a node are asked in any order.
+// The children of a node are visited in any order.
 PT_INLINE bool trace_any(const WideQuery& query, const Ray& ray, const FloatRay& r) {
   const Node* nodes = static_cast<const Node*>(query.view.nodes);
   const Block* blocks = static_cast<const Block*>(query.view.blocks);

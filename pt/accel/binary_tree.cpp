@@ -26,7 +26,7 @@ struct Bin {
   }
 };
 
-// Where a range of primitives is cut: those with a bin up to `plane` on `axis` go left.
+// A cut of a range of primitives: those with a bin up to `plane` on `axis` go left.
 struct Cut {
   float cost = kHuge;
   int axis = -1;

@@ -12,7 +12,7 @@ namespace {
 
 using Block = WideBlock<kWidth>;
 
-// What is known of W pairs of a ray and a triangle: none meet but those in `maybe`, and for certain
+// The result for W pairs of a ray and a triangle: none meet but those in `maybe`, and for certain
 // those in `surely`. t lies in [(distance - error) / det, (distance + error) / det].
 template <int W>
 struct Verdict {
@@ -83,7 +83,7 @@ PT_INLINE Verdict<kWidth> test_block(const Block& b, const FloatRay& r, float t_
       {rows(b.p0) - splat3<kWidth>(r.origin), splat3<kWidth>(r.direction), splat<kWidth>(r.t_min),
        splat<kWidth>(t_max), rows(b.e1), rows(b.e2), rows(b.n), r.edge_error * load<kWidth>(b.size),
        r.plane_error * load<kWidth>(b.area)});
-  verdict.maybe &= not_equal<kWidth>(b.primitive, r.leaves);
+  verdict.maybe &= not_equal<kWidth>(b.primitive, r.source_triangle);
   return verdict;
 }
 

@@ -58,7 +58,7 @@ WideBlock<W> empty_block() {
   return block;
 }
 
-// A slot that every ray has to ask: see WideBlock.
+// A slot that every ray has to test: see WideBlock.
 template <int W>
 void put_sphere(WideBlock<W>& block, int slot) {
   put(block.p0, slot, {});

@@ -9,7 +9,7 @@
 #endif
 
 // The wide engine's own decision, in double precision, whether a ray meets a surface. Whatever the
-// engine finds in single precision is decided here, so its answers are those of asking every
+// engine finds in single precision is decided here, so its answers are those of testing every
 // primitive in turn. All machines compute the same bits: nothing here depends on the instruction
 // set. Functions have internal linkage, because this file is compiled for several of them.
 //
@@ -17,7 +17,7 @@
 
 namespace pt {
 
-// What was decided: t, and for a triangle the weights of its corners (they sum to 1).
+// The decision: t, and for a triangle the weights of its corners (they sum to 1).
 struct ExactHit {
   bool hit;
   double t;
@@ -28,8 +28,8 @@ struct ExactHit {
 
 namespace exact {
 
-// What maps the ray's direction to the axis `axis`, that of the direction's largest component, so
-// that all shears are at most 1.
+// The shear that maps the ray's direction to the axis `axis`, that of the direction's largest
+// component, so that all shears are at most 1.
 struct Shear {
   int axis;
   int next;        // the axis after `axis`, in the order x y z x
@@ -173,11 +173,11 @@ static inline Weights weights(const Triangle& triangle, const Ray& ray, const Sh
 
 #endif
 
-// Whether the triangle's plane is met so far outside the range that rounding does not matter, as it
-// is by a ray that has just left this triangle or ends before it. Most decisions in a rendering are
-// of this kind, and this is half the work. The margin is 2^13 rounding errors of the distance from
-// the plane. (Where det is nothing but rounding, and its sign may be wrong, a t in the range would
-// be 2^12 times as far as the corner.)
+// Returns whether the triangle's plane is met so far outside the range that rounding does not
+// matter, as it is by a ray that has just left this triangle or ends before it. Most decisions in a
+// rendering are of this kind, and this is half the work. The margin is 2^13 rounding errors of the
+// distance from the plane. (Where det is nothing but rounding, and its sign may be wrong, a t in
+// the range would be 2^12 times as far as the corner.)
 static inline bool is_clearly_outside(const Triangle& triangle, const Ray& ray) {
   const Plane p = plane(triangle, ray);
   const double size = magnitude(p.det);

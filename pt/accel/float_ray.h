@@ -1,4 +1,4 @@
-// The ray as the single-precision tests of traverse.cpp want it. Internal like simd.h.
+// The ray in the form that the single-precision tests of traverse.h need. Internal like simd.h.
 #pragma once
 
 #include "pt/accel/simd.h"
@@ -30,15 +30,15 @@ constexpr float kUnit = 0x1p-24f;
 constexpr float kSlab = 16 * kUnit;
 constexpr float kVolume = 50 * kUnit;
 
-// What is prepared without further thought: origins up to kNear away, farther ones are moved along
+// Rays that need no special preparation: origins up to kNear away, farther ones are moved along
 // the ray to where the tree begins; directions with a largest component between kShort and kLong,
 // others are scaled. A component of less than kFlat does not leave the plane within reach, so it
-// may as well be that: then nothing is infinite. No t of such rays is as large as kEndless.
+// may as well be that: then nothing is infinite. No t of such rays is as large as kMaxT.
 constexpr float kNear = 6;
 constexpr float kShort = 0x1p-40f;
 constexpr float kLong = 0x1p40f;
 constexpr float kFlat = 0x1p-100f;
-constexpr float kEndless = 0x1p60f;
+constexpr float kMaxT = 0x1p60f;
 
 typedef double Doubles4 __attribute__((vector_size(32)));
 using Floats4 = Floats<4>;
@@ -71,16 +71,14 @@ struct alignas(16) FloatRay {
   float t_slack;      // u C / D where t was shifted
   double t_scale;     // t here = t of the ray * t_scale - t_shift, in double
   double t_shift;
-  std::uint32_t leaves;  // the triangle that need not be asked
-  bool is_usual;         // prepared without further thought
+  std::uint32_t source_triangle;  // the source triangle, which need not be tested
+  bool is_usual;                  // prepared without further thought
 
   // A bound of t from above, rounded by no more than kVolume allows for.
   float upper(double t) const { return here(t) * (1 + 4 * kUnit) + t_slack; }
 
  private:
-  float here(double t) const {
-    return static_cast<float>(smaller(t * t_scale - t_shift, kEndless));
-  }
+  float here(double t) const { return static_cast<float>(smaller(t * t_scale - t_shift, kMaxT)); }
 };
 
 // The bits of the exponent of a > 0, and the power of two with such an exponent.
@@ -143,7 +141,7 @@ static bool prepare_any(const WideView& view, const Ray& ray, FloatRay& r) {
   return true;
 }
 
-// What follows from the direction, once the rest of r is known.
+// Sets what depends on the direction, once the rest of r is known.
 PT_INLINE void set_direction(FloatRay& r, Floats4 direction, Floats4 length) {
   const Floats4 origin = load<4>(r.origin);
   r.edge_error = r.plane_error * largest(length);
@@ -181,16 +179,16 @@ PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
     r.t_shift = 0;
     r.t_slack = 0;
     r.reach = 1.0001f + largest(away);
-    r.t_min = static_cast<float>(smaller(ray.t_min, kEndless)) * (1 - 4 * kUnit);
-    r.t_max = static_cast<float>(smaller(ray.t_max, kEndless)) * (1 + 4 * kUnit);
+    r.t_min = static_cast<float>(smaller(ray.t_min, kMaxT)) * (1 - 4 * kUnit);
+    r.t_max = static_cast<float>(smaller(ray.t_max, kMaxT)) * (1 + 4 * kUnit);
     store<4>(r.origin, origin);
   } else {
     if (!prepare_any(view, ray, r)) return false;
     direction = load<4>(r.direction);
     length = magnitude<4>(direction);
   }
-  const auto left = static_cast<std::uint32_t>(ray.leaves);
-  r.leaves = left < view.triangle_count ? left : kNothing;
+  const auto source = static_cast<std::uint32_t>(ray.source_triangle);
+  r.source_triangle = source < view.triangle_count ? source : kNothing;
   r.plane_error = kVolume * r.reach;
   set_direction(r, direction, length);
   return true;
@@ -208,7 +206,7 @@ PT_INLINE bool prepare_like(const FloatRay& usual, const WideView& view, const R
   r.t_max = usual.t_max;
   r.reach = usual.reach;
   r.plane_error = usual.plane_error;
-  r.leaves = usual.leaves;
+  r.source_triangle = usual.source_triangle;
   set_direction(r, direction, length);
   return is_usual(length);
 }

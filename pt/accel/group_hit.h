@@ -1,4 +1,4 @@
-// Whether anything is in the way of each of up to kGroup rays. Internal like simd.h.
+// Tests whether anything is in the way of each of up to kGroup rays. Internal like simd.h.
 //
 // A ray's tests wait for each other if it goes down the tree alone, and a processor foresees badly
 // where it goes next. Here all rays take their steps together, and no step of one depends on
@@ -39,10 +39,10 @@ struct Visits {
 constexpr int kNodeVisits = kGroup * (kWidth - 1) * kMaxTreeDepth + kGroup;
 constexpr int kBlockVisits = kGroup * kWidth;
 
-// What a query of a group writes. A processor takes a load for one of what was just stored at the
-// same place within another page, and waits. The root, which every ray reads, begins a page
-// (huge_pages.h), so this begins one too and leaves out what the root fills. Without that, one run
-// in 64, by where its stack happened to lie, needed half as long again.
+// The memory that a query of a group writes. A processor takes a load for one of what was just
+// stored at the same place within another page, and waits. The root, which every ray reads, begins
+// a page (huge_pages.h), so this begins one too and leaves out what the root fills. Without that,
+// one run in 64, by where its stack happened to lie, needed half as long again.
 struct alignas(kSmallPage) GroupWork {
   char root[sizeof(Node)];
   FloatRay r[kGroup];

@@ -32,7 +32,7 @@ struct HugePages {
     const std::size_t bytes = count * sizeof(T);
     void* memory = ::operator new(bytes, alignment(bytes));
 #if defined(__linux__)
-    if (bytes >= kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: failing is no error
+    if (bytes >= kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: failing is not an error
 #endif
     return static_cast<T*>(memory);
   }

@@ -17,7 +17,7 @@ extern const Kernel kernel_v4;
 
 namespace {
 
-// The instructions that each level adds and that traverse.cpp can make use of; machines that have
+// The instructions that each level adds and that traverse.h can make use of; machines that have
 // these have the rest of the level.
 bool can_run(std::string_view name) {
 #if defined(PT_X86_KERNELS)

@@ -7,7 +7,7 @@
 
 namespace pt {
 
-// What a query found: `primitive` is kNothing where there is no hit.
+// The answer to a query: `primitive` is kNothing if there is no hit.
 struct WideHit {
   ExactHit hit;
   std::uint32_t primitive;

@@ -1,4 +1,4 @@
-// What the queries have still to visit. Internal like simd.h.
+// The stack of nodes that a query has still to visit. Internal like simd.h.
 #pragma once
 
 #include "pt/accel/node_test.h"

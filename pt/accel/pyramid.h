@@ -18,11 +18,11 @@ struct Pyramid {
   float t_max;
   float edge_error;   // as in FloatRay: the largest
   float plane_error;  // of all
-  std::uint32_t leaves;
+  std::uint32_t source_triangle;
   Lanes3<kGroup> direction;  // of each ray; where there are less, of the first again
 };
 
-// Whether the rays differ in nothing but their direction.
+// Returns whether the rays differ in nothing but their direction.
 PT_INLINE bool are_alike(const Ray* rays, int count) {
   const auto differ = [](double a, double b) __attribute__((always_inline)) {
     return __builtin_bit_cast(std::uint64_t, a) ^ __builtin_bit_cast(std::uint64_t, b);
@@ -33,7 +33,7 @@ PT_INLINE bool are_alike(const Ray* rays, int count) {
     other |= differ(rays[i].origin.x, first.origin.x) | differ(rays[i].origin.y, first.origin.y) |
              differ(rays[i].origin.z, first.origin.z) | differ(rays[i].t_min, first.t_min) |
              differ(rays[i].t_max, first.t_max);
-    other |= static_cast<std::uint64_t>(rays[i].leaves ^ first.leaves);
+    other |= static_cast<std::uint64_t>(rays[i].source_triangle ^ first.source_triangle);
   }
   return other == 0;
 }
@@ -58,7 +58,7 @@ PT_INLINE Pyramid pyramid_of(const FloatRay* r, int count) {
   store<4>(pyramid.spread, 0.5f * (high - low) + 4 * kUnit * longest);
   pyramid.t_max = r[0].t_max;
   pyramid.plane_error = r[0].plane_error;
-  pyramid.leaves = r[0].leaves;
+  pyramid.source_triangle = r[0].source_triangle;
   return pyramid;
 }
 
@@ -87,7 +87,7 @@ PT_INLINE std::uint32_t test_block(const Block& b, const Pyramid& pyramid) {
   const Floats<W> edge_error = 2 * pyramid.edge_error * load<W>(b.size);
   const Floats<W> error = 2 * pyramid.plane_error * load<W>(b.area);
   return less_equal<W>(Floats<W>{}, min<W>(inside + edge_error, min<W>(above, below) + error)) &
-         not_equal<W>(b.primitive, pyramid.leaves);
+         not_equal<W>(b.primitive, pyramid.source_triangle);
 }
 
 // One of the block's triangles and all rays of the pyramid; they begin and end like `r`.

@@ -1,6 +1,6 @@
 // Several floats at once, by the vector extensions of gcc and clang: + - * work lane by lane, also
 // with one float for all lanes. What the extensions lack is below, with the instruction where there
-// is one. Included by traverse.cpp alone, which is compiled for several instruction sets; all is
+// is one. Included through traverse.h only, which is compiled for several instruction sets; all is
 // internal, so that no function compiled for one of them stands in for another.
 #pragma once
 
@@ -225,7 +225,7 @@ PT_INLINE std::uint32_t less_equal(Floats<W> a, Floats<W> b) {
   return bits<W>(a <= b);
 }
 
-// Points or directions, a row a component. `p` is x, y, z.
+// Points or directions, a row per component. `p` is x, y, z.
 template <int W>
 struct Lanes3 {
   Floats<W> x;

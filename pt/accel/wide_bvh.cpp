@@ -26,7 +26,7 @@ WideFrame frame_of(const Box& box) {
 }
 
 // A sphere that dwarfs all else (a ground that is one) would leave the rest no digits of single
-// precision. It stays out of the tree, and every query asks it.
+// precision. It stays out of the tree, and every query tests it.
 bool dwarfs(const Sphere& sphere, const Box& others) {
   return !others.is_empty() && sphere.radius > 32 * max_abs(others.extent());
 }

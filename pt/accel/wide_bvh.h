@@ -26,7 +26,7 @@ namespace pt {
 // All this happens in single precision, with bounds that err on the safe side only: it finds
 // candidates, and tells those that are hit for certain. Where the nearest is hit, and whether one
 // that is not certain is, is decided in double precision by exact_hit.h from the primitive itself.
-// The triangle that a ray says it leaves is not asked. So the answers are those of asking every
+// The source triangle of a ray is not tested. So the answers are those of testing every
 // primitive in turn with exact_hit: the smallest t in the ray's range, of several at the same t the
 // primitive with the smallest index, and the same bits on every machine and for every kernel.
 //

@@ -9,7 +9,7 @@
 
 namespace pt {
 
-// What a node's slot points at: the index of a node or, with kLeaf, of a block.
+// A reference from a slot of a node: the index of a node or, with kLeaf, of a block.
 using WideRef = std::uint32_t;
 inline constexpr WideRef kLeaf = 0x80000000u;
 inline constexpr WideRef kNothing = 0xffffffffu;
@@ -45,12 +45,12 @@ struct WideView {
   WideRef root;                 // kNothing where nothing is in the tree
   double center[4];             // x, y, z, and 0
   double scale;                 // a power of two
-  const std::uint32_t* beside;  // primitives outside the tree, asked by every query
+  const std::uint32_t* beside;  // primitives outside the tree, tested by every query
   std::uint32_t beside_count;
   std::uint32_t triangle_count;
 };
 
-// What is asked: the tree, and the primitives it was built for.
+// A tree and the primitives it was built for.
 struct WideQuery {
   const WideView& view;
   const Triangle* triangles;

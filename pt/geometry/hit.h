@@ -4,8 +4,8 @@
 
 namespace pt {
 
-// Where a ray meets one surface: the ray parameter t, and the surface's unit normal n there, in
-// world space, on the side the surface itself says (never turned towards the ray).
+// The place where a ray meets one surface: the ray parameter t, and the surface's unit normal n
+// there, in world space, on the side the surface itself says (never turned towards the ray).
 struct SurfaceHit {
   double t = 0;
   Vec3 n;

@@ -33,7 +33,7 @@ inline Box bounds(const Primitives& primitives) {
   return box;
 }
 
-// Asks the task for the kind of surface that primitive is.
+// Calls hit_triangle or hit_sphere, by the kind of the primitive.
 inline std::optional<SurfaceHit> hit_primitive(const Primitives& primitives, int primitive,
                                                const Ray& ray) {
   return primitives.is_triangle(primitive) ? hit_triangle(primitives.triangle(primitive), ray)

@@ -13,18 +13,18 @@ struct Interval {
 };
 
 // The points origin + t direction with t_min <= t <= t_max, in world space; t_min >= 0. Where the
-// direction has unit length, t is a distance; every interface says whether it asks for that. A hit
-// whose t lies outside the range is no hit. Rays never change: what shortens a query is a local
-// variable.
+// direction has unit length, t is a distance; every interface says whether it needs that. A hit
+// whose t lies outside the range is not a hit. Rays never change: a query that gets shorter keeps
+// its end in a local variable.
 struct Ray {
   Vec3 origin;
   Vec3 direction;
   double t_min = 0;
   double t_max = kInfinity;
-  // The triangle that the ray starts on and moves away from, if that is known: an engine need not
-  // ask it. No task has to look at it. Of 64 bits because g++ copies a struct that ends in padding
+  // The triangle that the ray starts on and moves away from, or -1: an engine need not test it. No
+  // task has to look at it. Of 64 bits because g++ copies a struct that ends in padding
   // through memory, piece by piece, and waits for each: a tenth of a picture's time.
-  std::int64_t leaves = -1;
+  std::int64_t source_triangle = -1;
 
   Vec3 at(double t) const { return origin + t * direction; }
 };

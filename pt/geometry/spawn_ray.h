@@ -24,12 +24,12 @@ inline Ray spawn_ray(const SurfacePoint& point, Vec3 direction) {
   return {offset_point(point, direction), direction, 0, kInfinity, point.triangle};
 }
 
-// A ray that asks whether anything stands between the point and a light at `distance` along the
+// A ray that tests whether anything stands between the point and a light at `distance` along the
 // unit direction `wi`, both as sample_light gives them (the distance may be infinite). It ends a
 // little before the light, which may be a surface of the scene itself. To a light at a finite
 // distance its direction is the whole way there, so that t runs from 0 to almost 1.
 inline Ray shadow_ray(const SurfacePoint& point, Vec3 wi, double distance) {
-  // So much that single precision can tell the light from the ray's end.
+  // Enough that single precision can tell the light from the ray's end.
   constexpr double kShorten = 1 - 0x1p-14;
   const Vec3 origin = offset_point(point, wi);
   if (!(distance < kInfinity)) return {origin, wi, 0, kInfinity, point.triangle};

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-// How far a picture a is from another, b, that is taken for right.
+// Compares a picture a with another, b, that is taken for right.
 
 namespace pt {
 
@@ -28,8 +28,8 @@ struct Comparison {
 // Throws pt::Error if the sizes differ.
 Comparison compare(const Image& a, const Image& b);
 
-// Whether the mean luminances of two renders differ by more than their noise: z is about normal
-// where only noise separates them.
+// The difference of the mean luminances of two renders, against their noise: z is about normal
+// if only noise separates them.
 struct MeanTest {
   double difference = 0;      // mean of Y over a, less that over b
   double standard_error = 0;  // from the variances in both films

@@ -32,10 +32,10 @@ enum Channel {
 constexpr std::array<const char*, kChannels> kNames{
     "B", "G", "R", "Y", "samples", "variance.B", "variance.G", "variance.R", "variance.Y"};
 
-// Where a file has each of our channels, -1 where it has not.
+// For each of our channels its place in the file, or -1.
 using ChannelPlaces = std::array<int, kChannels>;
 
-// What tinyexr allocates is freed whichever way a function is left.
+// Frees the memory of tinyexr whichever way a function is left.
 struct ReadHeader : EXRHeader {
   ReadHeader() { InitEXRHeader(this); }
   ~ReadHeader() { FreeEXRHeader(this); }
@@ -166,7 +166,7 @@ Film to_film(const ReadPixels& image, const ChannelPlaces& places, const std::st
     pixel.variance = {value(kVarianceR, i), value(kVarianceG, i), value(kVarianceB, i)};
     pixel.variance_y = value(kVarianceY, i);
     pixel.samples = reinterpret_cast<const std::int32_t*>(image.images[places[kSamples]])[i];
-    if (pixel.samples < 0) fail(name, "its channel samples holds a number that is no count");
+    if (pixel.samples < 0) fail(name, "its channel samples holds a number that is not a count");
   }
   return film;
 }

@@ -17,7 +17,7 @@ bool starts_as_exr(std::string_view bytes);
 
 std::string encode_exr(const Film& film);
 
-// Throws pt::Error, with `name`, if the bytes are no picture that can be used.
+// Throws pt::Error, with `name`, if the bytes are not a picture that can be used.
 Film decode_exr(const std::string& bytes, const std::string& name);
 
 }  // namespace pt

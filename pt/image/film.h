@@ -10,9 +10,9 @@
 
 namespace pt {
 
-// What the samples of one pixel came to. The variances are those of one sample, unbiased; the
-// variance of `mean` is variance / samples. Luminance has a variance of its own, which depends on
-// how the channels vary together.
+// The mean and the variances of the samples of one pixel. The variances are those of one sample,
+// unbiased; the variance of `mean` is variance / samples. Luminance has a variance of its own,
+// which depends on how the channels vary together.
 struct FilmPixel {
   Rgb mean;
   Rgb variance;           // 0 where samples < 2

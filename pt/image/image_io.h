@@ -33,10 +33,10 @@ void write_exr(const std::filesystem::path& path, const Film& film);
 Film read_exr(const std::filesystem::path& path);
 
 // A picture in linear radiance, by what the file holds, not by its name: EXR and Radiance HDR as
-// they are; PNG, JPEG and BMP by decode(), as 8 bits a channel, without their alpha.
+// they are; PNG, JPEG and BMP by decode(), as 8 bits per channel, without their alpha.
 Image read_image(const std::filesystem::path& path);
 
-// Whether the file starts as an EXR does.
+// Returns whether the file starts as an EXR does.
 bool is_exr(const std::filesystem::path& path);
 
 }  // namespace pt

@@ -13,7 +13,7 @@ namespace pt {
 // A colour as a screen takes it: 8 bits of r, g and b, gamma applied.
 using Color8 = std::array<std::uint8_t, 3>;
 
-// What goes into a PNG. Row 0 is the TOP row.
+// The picture in a PNG. Row 0 is the TOP row.
 struct Picture {
   int width = 0;
   int height = 0;
@@ -33,11 +33,11 @@ struct Picture {
   }
 };
 
-// The colour at t in 0..1 on the straight lines between `stops` (at least two, evenly spaced). What
-// lies outside takes the colour of the nearer end; NaN that of the first.
+// The colour at t in 0..1 on the straight lines between `stops` (at least two, evenly spaced). A t
+// outside takes the colour of the nearer end, and NaN that of the first.
 Color8 ramp(std::span<const Color8> stops, double t);
 
-// What a legend says at the ends of its bar and in the middle of it; `title` stands below.
+// The texts of a legend: at the ends of its bar and in the middle of it; `title` stands below.
 struct Legend {
   std::string left, middle, right, title;
 };

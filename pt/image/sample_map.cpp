@@ -38,7 +38,7 @@ Picture sample_picture(const SampleMap& map) {
   }
   return with_legend(picture, kStops,
                      {std::to_string(min), std::to_string(min + (map.max - min) / 2),
-                      std::to_string(map.max), "samples a pixel"});
+                      std::to_string(map.max), "samples per pixel"});
 }
 
 void write_counts(const std::filesystem::path& path, const SampleMap& map) {

@@ -8,12 +8,12 @@
 
 namespace pt {
 
-// How many samples each pixel of an adaptive render took. Row 0 is the TOP row.
+// The number of samples that each pixel of an adaptive render took. Row 0 is the TOP row.
 struct SampleMap {
   int width = 0;
   int height = 0;
   std::vector<int> counts;  // width * height, row by row
-  int max = 0;              // what the settings allowed a pixel
+  int max = 0;              // allowed per pixel by the settings
 };
 
 SampleMap sample_map(const Film& film, int max);
@@ -26,7 +26,7 @@ Color8 sample_color(int count, int min, int max);
 // both.
 Picture sample_picture(const SampleMap& map);
 
-// The raw counts as text: a line a row, the top row first, the counts separated by commas, no
+// The raw counts as text: a line per row, the top row first, the counts separated by commas, no
 // header (numpy.loadtxt(path, delimiter=','), or any spreadsheet). map.max is not kept.
 void write_counts(const std::filesystem::path& path, const SampleMap& map);
 

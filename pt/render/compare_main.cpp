@@ -8,8 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-// compare A B [-o difference.png]: how far picture A is from picture B, which is taken for right.
-// Exit code 0 whatever the difference, 2 for input that cannot be used.
+// compare A B [-o difference.png]: prints how far picture A is from picture B, which is taken for
+// right. Exit code 0 whatever the difference, 2 for input that cannot be used.
 
 namespace {
 

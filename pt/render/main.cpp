@@ -44,7 +44,7 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
   fmt::print("{} primitives, {} lights, engine {}, {} threads, seed {}\n", scene.primitives.size(),
              scene.lights.size(), name(scene.tracer.engine()), options.threads, options.seed);
   fmt::print(
-      "{:.2f} s, {:.2f} CPU s; {:.3g} M rays ({:.0f} % shadow), {:.3g} M a second, "
+      "{:.2f} s, {:.2f} CPU s; {:.3g} M rays ({:.0f} % shadow), {:.3g} M per second, "
       "{:.3g} M a CPU second\n",
       result.seconds, result.cpu_seconds, rays * 1e-6,
       100 * static_cast<double>(result.rays.occluded) / std::max(rays, 1.0),
@@ -52,7 +52,7 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
   const auto a_ray = [&](long long count) {
     return static_cast<double>(count) / std::max(rays, 1.0);
   };
-  fmt::print("tests a ray: {:.2f} boxes, {:.2f} triangles, {:.2f} spheres\n",
+  fmt::print("tests per ray: {:.2f} boxes, {:.2f} triangles, {:.2f} spheres\n",
              a_ray(result.tests.boxes), a_ray(result.tests.triangles), a_ray(result.tests.spheres));
   if (result.not_finite > 0) {
     fmt::print(

@@ -69,7 +69,7 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
 }
 
 void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
-  app.add_option("-s,--samples", options.samples, "Camera rays a pixel (with -a: at most)")
+  app.add_option("-s,--samples", options.samples, "Camera rays per pixel (with -a: at most)")
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();
   app.add_option("-l,--light-samples", options.light_samples,
@@ -88,18 +88,18 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
       })
       ->capture_default_str();
   app.add_flag("-H,--hemisphere", options.hemisphere,
-               "Direct light by looking around, not by asking the lights");
+               "Direct light by hemisphere sampling, not by light sampling");
   app.add_option("-a,--adaptive", pairs.adaptive,
                  "Stop a pixel when its 95 % interval is narrower than TOLERANCE x mean, checked "
                  "every BATCH samples")
       ->expected(2)
       ->type_name("BATCH TOLERANCE");
   app.add_flag("--lambertian", options.lambertian,
-               "Treat mirrors, glass and the like as matt, albedo 0.5");
+               "Treat mirrors, glass and the like as diffuse, albedo 0.5");
 }
 
 void describe_machine(CLI::App& app, RenderOptions& options) {
-  app.add_option("-t,--threads", options.threads, "Threads; default: one a processor")
+  app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")
       ->check(CLI::Range(1, 1024));
   app.add_option("--engine", options.engine, "How rays are traced")
       ->transform(CLI::CheckedTransformer(kEngines, CLI::ignore_case).description(""))

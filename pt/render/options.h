@@ -13,7 +13,7 @@ namespace pt {
 
 enum class Show { full, direct, indirect, bounce, normals };
 
-// What a person asks of the render program.
+// The options of the render program.
 struct RenderOptions {
   std::filesystem::path scene;
   std::filesystem::path output;

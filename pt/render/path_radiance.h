@@ -5,7 +5,7 @@
 
 namespace pt {
 
-// What the implementations `path` and `recorded` of radiance() share.
+// The common part of the implementations `path` and `recorded` of radiance().
 inline Rgb path_radiance(const Scene& scene, const Ray& ray, const PathSettings& settings,
                          Sampler& sampler) {
   const std::optional<Hit> hit = scene.closest(ray);

@@ -4,7 +4,7 @@
 
 namespace pt {
 
-// What the samples of the pixel that this thread is at had to say, whichever task asked for them:
+// The statistics of the samples of the pixel that this thread renders, whichever task drew them:
 // the picture's variance comes from here, and the mean from the task. The render loop empties it
 // before each pixel; the implementation `recorded` of radiance() fills it.
 struct PixelRecord {

@@ -31,7 +31,7 @@ PixelEstimate ask_task(const View& view, int x, int y, const RenderSettings& set
   return {estimate_pixel(view, x, y, settings.samples, sampler), settings.samples};
 }
 
-// What one thread has to report besides its pixels.
+// Results of one thread, besides its pixels.
 struct Share {
   RayCount rays;
   TestCount tests;

@@ -14,7 +14,7 @@
 namespace pt {
 
 struct RenderSettings {
-  int samples = 1;                           // a pixel; unless adaptive
+  int samples = 1;                           // per pixel; unless adaptive
   std::optional<AdaptiveSettings> adaptive;  // adaptive_pixel in place of estimate_pixel
   std::uint64_t seed = 0;
   int threads = 1;

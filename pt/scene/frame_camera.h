@@ -5,7 +5,7 @@
 
 namespace pt {
 
-// Where the camera of a picture stands and how much it sees.
+// Chooses where the camera of a picture stands and how much it sees.
 //   course  the course's rule, for laying our pictures beside theirs: only the direction is the
 //           file's. The camera looks at the centre of the scene's bounding box from 1.5 times the
 //           box's diagonal, y up. The fields of view are widened to 4:3 (the narrower grows); then

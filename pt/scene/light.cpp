@@ -48,7 +48,7 @@ LightSample sample(const SphereLight& light, Vec3 p, Sampler& sampler) {
   const double one_minus_cos = sine * sine / (1 + std::sqrt(1 - sine * sine));
   const Vec3 local = uniform_cone(xi, one_minus_cos);
   const Vec3 wi = frame_from_normal(to_center / center_distance).to_world(local);
-  // How far the direction passes the centre; 1 - z^2 would lose it in a narrow cone.
+  // The distance at which the direction passes the centre; 1 - z^2 would lose it in a narrow cone.
   const double side = center_distance * std::sqrt(local.x * local.x + local.y * local.y);
   const double half_chord = std::sqrt(std::max(0.0, light.radius * light.radius - side * side));
   const double distance = center_distance * local.z - half_chord;

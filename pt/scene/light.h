@@ -40,7 +40,7 @@ struct MeshLight {
 
 struct PointLight {
   Vec3 position;
-  Rgb intensity;  // a steradian: what arrives falls off with the distance squared
+  Rgb intensity;  // per steradian: what arrives falls off with the distance squared
 };
 
 struct DirectionalLight {
@@ -66,13 +66,13 @@ struct LightSample {
   double distance = 0;  // from p along wi to the light; infinite for the sky and directional lights
   Rgb radiance;         // arriving at p along wi if nothing is in the way; for a delta light the
                         // irradiance on a surface that faces it; black where p is on the dark side
-  double pdf = 1;       // of wi, a steradian, always > 0; 1 for a delta light
+  double pdf = 1;       // of wi, per steradian, always > 0; 1 for a delta light
   bool delta = false;   // the light has this one direction only, so one sample says everything
 };
 
 LightSample sample_light(const Light& light, Vec3 p, Sampler& sampler);
 
-// Whether all samples of the light towards one point are the same direction.
+// Returns whether all samples of the light towards one point are the same direction.
 inline bool is_delta(const Light& light) {
   return std::holds_alternative<PointLight>(light) ||
          std::holds_alternative<DirectionalLight>(light);

@@ -37,7 +37,7 @@ struct LoadedScene {
 // area, its numbers are finite.
 //
 // Throws Error, "file:line: what is wrong; what to do", for anything it cannot read. A material or
-// a light outside the model is no error here: its scene can still be shown by its normals.
+// a light outside the model is not an error here: its scene can still be shown by its normals.
 LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& options = {});
 
 // Throws Error, naming file and material or light, if the scene holds any that the model of light

@@ -13,7 +13,7 @@ struct Material {
   Rgb albedo{0.5, 0.5, 0.5};  // in [0, 1]
   Rgb emission;               // radiance
 
-  // What the file asks for and no task models ("mirror", "glass", ...); empty for what we model.
+  // A kind of material that no task models ("mirror", "glass", ...); empty for what we model.
   // Such a surface can be shown by its normals, not lit.
   std::string unsupported;
 };

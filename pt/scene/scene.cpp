@@ -8,7 +8,7 @@ namespace {
 
 thread_local RayCount ray_count;
 
-// How large the numbers are from which the point of a hit was computed: its rounding error is a
+// The size of the numbers from which the point of a hit was computed: its rounding error is a
 // small multiple of this times 2^-53.
 double error_scale(const Primitives& primitives, const Ray& ray, const Hit& hit, Vec3 p) {
   double scale = std::max({max_abs(ray.origin), max_abs(p), hit.t * max_abs(ray.direction)});

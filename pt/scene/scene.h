@@ -25,7 +25,7 @@ struct Scene {
   // The nearest surface within the ray's range.
   std::optional<Hit> closest(const Ray& ray) const;
 
-  // Whether any surface lies within the ray's range.
+  // Returns whether any surface lies within the ray's range.
   bool occluded(const Ray& ray) const;
 
   // For up to 32 rays, best from one point towards one light: bit i says it of ray i.

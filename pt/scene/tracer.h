@@ -13,7 +13,7 @@
 
 namespace pt {
 
-// How a scene answers "what does this ray meet": by asking every primitive in turn, through the
+// The way in which a scene finds what a ray meets: by testing every primitive in turn, through the
 // tasks of part 2 as they are linked, or through the fast engine of pt/accel.
 enum class Engine { linear, task, wide };
 

@@ -5,7 +5,7 @@
 
 namespace pt {
 
-// What radiance() adds up along one ray.
+// The light that radiance() adds up along one ray.
 struct PathSettings {
   enum class Direct { hemisphere, lights };  // how direct light is estimated
 

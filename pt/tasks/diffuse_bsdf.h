@@ -7,7 +7,7 @@
 namespace pt {
 
 // A direction wi that light may come from, the value f of the BSDF for it, and the density pdf with
-// which it was chosen, a steradian.
+// which it was chosen, per steradian.
 struct BsdfSample {
   Vec3 wi;
   Rgb f;

@@ -7,7 +7,7 @@
 
 namespace pt {
 
-// Where a ray is inside a box.
+// Finds where a ray is inside a box.
 //
 // In:  world space. The box is not empty, but may be flat in one or more axes. The direction may
 //      have any length but zero, and any of its components may be 0 or -0; t counts in that length.

@@ -9,7 +9,7 @@
 
 namespace pt {
 
-// What a ray meets among many primitives, with the help of a tree over their boxes.
+// Finds what a ray meets among many primitives, with the help of a tree over their boxes.
 //
 // In:  any tree that keeps the invariants of pt/geometry/bvh.h over the boxes of `primitives`, also
 //      an empty one, or one of a thousand levels.

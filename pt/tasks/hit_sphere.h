@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// Where a ray first meets a sphere, from outside or from inside.
+// Finds where a ray first meets a sphere, from outside or from inside.
 //
 // In:  world space. The direction may have any length but zero; t counts in that length.
 // Out: nothing, or the smallest t with t_min <= t <= t_max on the sphere, and the unit normal

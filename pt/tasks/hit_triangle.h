@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// Where a ray meets a triangle.
+// Finds where a ray meets a triangle.
 //
 // In:  world space. The direction may have any length but zero; t counts in that length. The corner
 //      normals are unit vectors.

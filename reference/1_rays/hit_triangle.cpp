@@ -4,11 +4,11 @@ namespace pt {
 
 namespace {
 
-// Whether the triple product of three vectors is more than what rounding makes of zero. Without
-// this, a ray in the triangle's plane, or at a triangle that is only a line, would divide one
-// rounding error by another and find itself anywhere. The error is at most some ten roundings of
-// the product of the three lengths (Higham 2002, Accuracy and Stability of Numerical
-// Algorithms, 3.1).
+// Returns whether the triple product of three vectors is more than what rounding makes of zero.
+// Without this, a ray in the triangle's plane, or at a triangle that is only a line, would divide
+// one rounding error by another and find itself anywhere. The error is at most some ten roundings
+// of the product of the three lengths (Higham 2002, Accuracy and Stability of Numerical Algorithms,
+// 3.1).
 bool exceeds_rounding(double product, Vec3 a, Vec3 b, Vec3 c) {
   constexpr double kRounding = 16 * 0x1p-53;
   return product * product >

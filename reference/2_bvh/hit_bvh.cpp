@@ -8,9 +8,9 @@ namespace pt {
 
 namespace {
 
-// The search for the nearest hit. `ray` is a copy of the one asked about, and always ends at the
-// nearest hit so far: what lies behind that is no hit any more. (A hit ends the ray. That the ray
-// enters or leaves a box does not.)
+// The search for the nearest hit. `ray` is a copy of the ray of the query, and always ends at the
+// nearest hit so far: what lies behind that is not a hit any more. (A hit ends the ray. That the
+// ray enters or leaves a box does not.)
 struct Nearest {
   const Bvh& bvh;
   const Primitives& primitives;
@@ -47,8 +47,8 @@ struct Nearest {
   }
 };
 
-// Whether there is any hit at or below a node whose box the ray enters. Goes down one child in a
-// loop, and into the other by a call where both are entered.
+// Returns whether there is any hit at or below a node whose box the ray enters. Goes down one child
+// in a loop, and into the other by a call where both are entered.
 bool any(const Bvh& bvh, const Primitives& primitives, const Ray& ray, int start) {
   const BvhNode* node = &bvh.nodes[start];
   while (!node->is_leaf()) {

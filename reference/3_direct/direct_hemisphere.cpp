@@ -8,7 +8,7 @@ namespace pt {
 
 namespace {
 
-// What arrives at the point along wi straight from an emitter.
+// The radiance that arrives at the point along wi straight from an emitter.
 Rgb arriving(const Scene& scene, const SurfacePoint& point, Vec3 wi) {
   const Ray ray = spawn_ray(point, wi);
   const std::optional<Hit> hit = scene.closest(ray);

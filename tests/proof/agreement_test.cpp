@@ -5,8 +5,8 @@
 #include "tests/proof/image_verdict.h"
 #include "tests/proof/scenes.h"
 
-// Looking around and asking the lights are two estimates of the same light, in scenes for which no
-// closed form exists. So are both engines', and the pictures of any survival.
+// Hemisphere sampling and light sampling are two estimates of the same light, in scenes for which
+// no closed form exists. So are both engines', and the pictures of any survival.
 
 namespace pt::proof {
 namespace {
@@ -16,14 +16,14 @@ using Direct = PathSettings::Direct;
 constexpr int kWidth = 24, kHeight = 18;
 
 // A room with a lamp below its ceiling, a glowing ball, a glowing tetrahedron, and a ball and a
-// block that cast shadows. The lamps are large, so that looking around finds them.
+// block that cast shadows. The lamps are large, so that hemisphere sampling finds them.
 SceneBuilder room() {
   SceneBuilder builder;
   builder.room({-1, -1, -1}, {1, 1, 1}, builder.material({0.7, 0.5, 0.3}));
-  const int matt = builder.material({0.3, 0.5, 0.7});
-  builder.sphere({-0.5, -0.6, -0.2}, 0.4, matt);
-  builder.quad({0.2, -0.4, -0.6}, {0.5, 0, 0.1}, {0, 0.1, 0.5}, matt);
-  builder.quad({0.2, -0.4, -0.6}, {0.1, -0.6, 0}, {0.5, 0, 0.1}, matt);
+  const int diffuse = builder.material({0.3, 0.5, 0.7});
+  builder.sphere({-0.5, -0.6, -0.2}, 0.4, diffuse);
+  builder.quad({0.2, -0.4, -0.6}, {0.5, 0, 0.1}, {0, 0.1, 0.5}, diffuse);
+  builder.quad({0.2, -0.4, -0.6}, {0.1, -0.6, 0}, {0.5, 0, 0.1}, diffuse);
 
   const Rgb lamp{2, 3, 4}, ball{6, 4, 2}, glow{1, 1, 5};
   builder.quad({-0.6, 0.8, -0.6}, {1.2, 0, 0}, {0, 0, 1.2}, builder.material(gray(0.2), lamp));

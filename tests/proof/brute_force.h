@@ -112,7 +112,7 @@ struct Meetings {
     nearest = std::min(nearest, m.t + m.error);
   }
 
-  // Whether one answer only is right.
+  // Returns whether one answer only is right.
   bool decided() const { return sure || list.empty(); }
 
   // One of the meetings, and no sure one is nearer.

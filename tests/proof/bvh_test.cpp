@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-// What pt/geometry/bvh.h and pt/tasks/build_bvh.h promise of every tree.
+// The promises of pt/geometry/bvh.h and pt/tasks/build_bvh.h for every tree.
 
 namespace pt::proof {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-// What light does where mathematics can say it.
+// Closed forms for light.
 
 namespace pt::proof {
 

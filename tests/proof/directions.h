@@ -33,7 +33,7 @@ struct Bins {
     return height * kAngles + std::min(kAngles - 1, static_cast<int>(turn * kAngles));
   }
 
-  // The density's integral over each bin, by 40 x 40 points a bin.
+  // The density's integral over each bin, by 40 x 40 points per bin.
   std::vector<double> integrals(const std::function<double(Vec3)>& density) const {
     constexpr int kFine = 40;
     std::vector<double> sums(kHeights * kAngles);

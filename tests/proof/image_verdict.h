@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// How two pictures of one scene are compared: a z for each pixel, each block and each whole-image
+// Compares two pictures of one scene: a z for each pixel, each block and each whole-image
 // sum, with the larger of both pictures' own variances, so that neither a lack nor a wealth of
 // bright hits in one of them alone is taken for an error. Here no margin is added: both pictures
 // are right or one is wrong, and the level is divided by the number of comparisons (Bonferroni).
@@ -47,7 +47,7 @@ struct Worst {
   }
 };
 
-// z of the weighted difference. Pixels without any variance are no part of it.
+// z of the weighted difference. Pixels without any variance are not part of it.
 inline double z_of(const Plane& a, const Plane& golden, const std::vector<double>& weights) {
   double difference = 0, own = 0, expected = 0, of_golden = 0;
   for (std::size_t p = 0; p < weights.size(); ++p) {

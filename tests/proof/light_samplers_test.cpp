@@ -7,7 +7,7 @@
 namespace pt::proof {
 namespace {
 
-// The density a steradian, along w from p, of a point chosen evenly on triangles of that total
+// The density per steradian, along w from p, of a point chosen evenly on triangles of that total
 // area, found by asking where w meets them. Triangles that face away have none.
 double triangles_density(const std::vector<MeshLight::Face>& faces, Vec3 p, Vec3 w) {
   double area = 0, density = 0;

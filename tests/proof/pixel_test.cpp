@@ -127,7 +127,7 @@ Expected expected_samples(const AdaptiveSettings& settings, const std::function<
     for (const long double v : seen) squares += (v - mean) * (v - mean);
     const long double interval = 1.96L * std::sqrt(squares / (n - 1) / n);
     const long double allowed = settings.tolerance * mean;
-    // All alike: rounding in long double is no deviation.
+    // All alike: rounding in long double is not a deviation.
     const bool constant = std::equal(seen.begin() + 1, seen.end(), seen.begin());
     if (!constant && std::abs(interval - allowed) < 1e-12L * allowed) expected.close = true;
     if (constant ? allowed > 0 : interval < allowed) break;

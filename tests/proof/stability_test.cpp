@@ -206,14 +206,14 @@ TEST(Stability, rectangles_do_not_hide_themselves) {
         const auto along = [&](Vec3 local) { return place.direction(size * local); };
         for (const double sheet : {0.0, 0.99, 1.01}) {
           SceneBuilder builder;
-          const int matt = builder.material(gray(0.5));
-          builder.quad(at({-1, -0.7, 0}), along({2, 0, 0}), along({0, 2, 0}), matt);
+          const int diffuse = builder.material(gray(0.5));
+          builder.quad(at({-1, -0.7, 0}), along({2, 0, 0}), along({0, 2, 0}), diffuse);
           const Vec3 u = along({0.3, 1, 0.02}), v = along({1, -0.1, 0.01});
           const Vec3 center = at({0.2, 0.1, distance});
-          builder.quad(center - 0.5 * u - 0.5 * v, u, v, matt);
+          builder.quad(center - 0.5 * u - 0.5 * v, u, v, diffuse);
           if (sheet > 0) {
             const Vec3 middle = at({0.2, 0.1, distance + (sheet - 1) * 2});
-            builder.quad(middle - u - v, 2 * u, 2 * v, matt);
+            builder.quad(middle - u - v, 2 * u, 2 * v, diffuse);
           }
           const Light light = RectangleLight{center, u, v, normalize(cross(u, v)), gray(1)};
           expect_visible(
@@ -234,10 +234,10 @@ TEST(Stability, spheres_of_light_do_not_hide_themselves) {
         const Place place{askew().frame, shift(size, shifts, sampler)};
         const Vec3 center = place.point({0, 0, size * distance});
         SceneBuilder builder;
-        const int matt = builder.material(gray(0.5));
+        const int diffuse = builder.material(gray(0.5));
         builder.quad(place.point({-size, -0.7 * size, 0}), place.direction({2 * size, 0, 0}),
-                     place.direction({0, 2 * size, 0}), matt);
-        builder.sphere(center, size, matt);
+                     place.direction({0, 2 * size, 0}), diffuse);
+        builder.sphere(center, size, diffuse);
         expect_visible(builder, SphereLight{center, size, gray(1)},
                        place.point(size * Vec3{0.013, 0.01, 0.02}),
                        place.point(size * Vec3{0.013, 0.02, 0}), true,

@@ -79,7 +79,7 @@ void RawTerminal::enter() const {
   tcsetattr(STDIN_FILENO, TCSADRAIN, &raw);
 }
 
-// What was typed and not read is dropped: it was meant for us, not for the shell.
+// Keys that were typed and not read are dropped: they were meant for us, not for the shell.
 void RawTerminal::leave() const { tcsetattr(STDIN_FILENO, TCSAFLUSH, &found_); }
 
 }  // namespace grader::programs

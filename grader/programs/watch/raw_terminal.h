@@ -14,7 +14,7 @@ namespace grader::programs {
 // first. Only one may live at a time.
 class RawTerminal {
  public:
-  // Throws pt::Error if standard input is no terminal.
+  // Throws pt::Error if standard input is not a terminal.
   RawTerminal();
   ~RawTerminal();
   RawTerminal(const RawTerminal&) = delete;

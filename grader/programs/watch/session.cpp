@@ -93,7 +93,7 @@ void WatchSession::take_keys() {
   }
 }
 
-// What is being judged and was saved again is judged anew; a run over everything makes way.
+// A task that is being judged and was saved again is judged anew; a run over everything makes way.
 void WatchSession::take_saves() {
   for (const std::string& slug : files_.saved()) {
     if (running_ && judging_.empty()) waiting_.push_back("");

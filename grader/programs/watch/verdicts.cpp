@@ -77,7 +77,7 @@ const results::TaskResult* Verdicts::find(const std::string& slug) const {
   return nullptr;
 }
 
-// What there is to do about a task: nothing if it passes.
+// The failures of a task that remain to be mended: none if it passes.
 std::vector<report::FailureText> Verdicts::items(std::size_t task) const {
   const judge::TaskConfig& config = tasks_[task];
   const results::TaskResult* result = find(config.slug);

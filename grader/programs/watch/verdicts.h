@@ -9,7 +9,7 @@
 
 namespace grader::programs {
 
-// What is known of all tasks while they are watched, and which failure is being looked at.
+// The verdicts on all tasks while they are watched, and the failure that is being looked at.
 class Verdicts {
  public:
   Verdicts(const std::vector<judge::TaskConfig>& tasks, std::string folder,
@@ -21,7 +21,7 @@ class Verdicts {
   // A row for each task judged so far, and the points.
   std::string table() const;
 
-  // Where each task stands and which file it is written in.
+  // Lists the state and the file of each task.
   std::string list() const;
 
   // The first failure of the task, or that it passes and what comes next.
@@ -34,7 +34,7 @@ class Verdicts {
   // task comes the first.
   std::string next();
 
-  // What was shown last: the task, and the promise if it was one that failed.
+  // The task that was shown last, and the promise if it was one that failed.
   const std::string& slug() const { return tasks_[task_].slug; }
   const std::string& promise() const { return promise_; }
 

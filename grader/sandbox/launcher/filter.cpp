@@ -36,7 +36,7 @@ constexpr const char* kWorkerCalls[] = {
     // Time, and what the machine is.
     "clock_gettime", "clock_getres", "clock_nanosleep", "nanosleep", "gettimeofday", "time",
     "times", "getrusage", "getrandom", "uname", "sysinfo",
-    // Who it is, signals of its own, and the end.
+    // The process's own identity, its signals, and its end.
     "getpid", "gettid", "getppid", "getuid", "geteuid", "getgid", "getegid", "getpgrp", "getrlimit",
     "rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "rt_sigpending", "sigaltstack",
     "restart_syscall", "exit", "exit_group"};
@@ -56,7 +56,7 @@ constexpr std::uint64_t kNewNamespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_N
 class Filter {
  public:
   Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM)), &seccomp_release) {
-    if (!context_) throw pt::Error("there is no filter of system calls to be had");
+    if (!context_) throw pt::Error("no filter of system calls can be made");
   }
 
   // `condition`s are about the call's arguments; all must hold.

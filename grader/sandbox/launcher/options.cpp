@@ -13,7 +13,7 @@ std::uint64_t number(std::string_view text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    throw pt::Error("'" + std::string(text) + "' is no limit");
+    throw pt::Error("'" + std::string(text) + "' is not a limit");
   }
   return value;
 }

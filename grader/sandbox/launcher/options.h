@@ -7,7 +7,7 @@
 
 namespace grader::sandbox::box {
 
-// What the launcher is told (by grader/sandbox/box.cpp).
+// The options of the launcher (written by grader/sandbox/box.cpp).
 struct Options {
   bool inside = false;               // bubblewrap: this is the first process of a namespace
   bool tools = false;                // the program may start others

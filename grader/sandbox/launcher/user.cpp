@@ -33,7 +33,7 @@ base::Descriptor open_process(pid_t pid) {
   return process;
 }
 
-// A name that goes with its last descriptor, and is no file that others could put there first.
+// A name that goes with its last descriptor, and is not a file that others could put there first.
 base::Descriptor lock(uid_t id) {
   base::Descriptor socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_un name{};

@@ -22,7 +22,7 @@ using pt::PixelEstimate;
 using pt::Rgb;
 
 // What one pixel sees, sample by sample, and how it is asked for. The scene is empty: radiance() is
-// a stand-in that returns `seen`, and the last of them if it is asked more often.
+// a mock that returns `seen`, and the last of them if it is called more often.
 struct Case {
   std::vector<Rgb> seen;  // max_samples of them
   std::string kind;
@@ -75,9 +75,10 @@ inline Statistics statistics(const Case& c, int n) {
 
 enum class Verdict { done, not_done, either };
 
-// Whether a pixel is done after n samples; sigma divides by n or by n - 1. `either` where the two
-// sides are equal to the precision of the contract, or rounding errors decide: those of a variance
-// that is computed as a small difference, s2 - s1^2 / n, are up to n 2^-52 of the squared mean.
+// Returns whether a pixel is done after n samples; sigma divides by n or by n - 1. `either` where
+// the two sides are equal to the precision of the contract, or rounding errors decide: those of a
+// variance that is computed as a small difference, s2 - s1^2 / n, are up to n 2^-52 of the squared
+// mean.
 inline Verdict done_after(const Case& c, int n, bool divides_by_n) {
   const Statistics s = statistics(c, n);
   const double share = divides_by_n ? 1 : static_cast<double>(n) / (n - 1);
@@ -88,7 +89,7 @@ inline Verdict done_after(const Case& c, int n, bool divides_by_n) {
   return half_interval_squared > limit_squared + doubt ? Verdict::not_done : Verdict::either;
 }
 
-// Whether a right solution may stop after n samples.
+// Returns whether a right solution may stop after n samples.
 inline bool may_stop(const Case& c, int n, bool divides_by_n) {
   const int batch = c.settings.batch, most = c.settings.max_samples;
   if (n < 1 || n > most || (n != most && n % batch != 0)) return false;

@@ -100,8 +100,8 @@ void expect_split(const Input& input, const pt::Bvh& bvh) {
 
 using Check = void (*)(const Input&, const pt::Bvh&);
 
-// Whether all boxes are divided, and into leaves that are small enough. What else holds for a tree
-// does not depend on where boxes coincide or axes tie, and has promises of its own.
+// Returns whether all boxes are divided, and into leaves that are small enough. What else holds for
+// a tree does not depend on where boxes coincide or axes tie, and has promises of its own.
 void expect_divided(const Input& input, const pt::Bvh& bvh) {
   expect_every_primitive_once(input, bvh);
   expect_small_leaves(input, bvh);

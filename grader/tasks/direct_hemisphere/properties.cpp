@@ -36,13 +36,13 @@ std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
 int calls_of(int samples) { return std::clamp(24000 / samples, 100, 4000); }
 
 void expect_estimate(const Situation& s, int samples) {
-  expect_mean(fmt::format("the mean, {} samples a call", samples),
+  expect_mean(fmt::format("the mean, {} samples per call", samples),
               mean_of(estimates(s, calls_of(samples), samples)), s.expected,
               noise_of_directions(s, samples), tolerance(s));
 }
 
 void expect_estimate(const Situation& s) {
-  expect_estimate(s, draw("samples a call", rc::gen::element(1, 2, 3, 5, 16, 17)));
+  expect_estimate(s, draw("samples per call", rc::gen::element(1, 2, 3, 5, 16, 17)));
 }
 
 // Every single estimate is black.
@@ -161,10 +161,10 @@ PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
   const auto expect_samples = [](int samples) {
     const Situation s = *in_a_glowing_room(pose(1));
     const Noise most{s.expected / std::sqrt(3.0 * samples), 3};
-    expect_mean(fmt::format("the mean, {} samples a call", samples),
+    expect_mean(fmt::format("the mean, {} samples per call", samples),
                 mean_of(estimates(s, calls_of(samples), samples)), s.expected, most, tolerance(s));
   };
-  for_all([&] { expect_samples(draw("samples a call", rc::gen::element(1, 2, 3, 7, 16, 33))); },
+  for_all([&] { expect_samples(draw("samples per call", rc::gen::element(1, 2, 3, 7, 16, 33))); },
           kCases);
   for (const int many : {100, 1000}) for_all([&] { expect_samples(many); }, 1);
 }
@@ -231,7 +231,7 @@ PROMISE(direct_hemisphere, goes_on_with_the_sampler) {
   for_all(
       [] {
         const Situation s = *under_a_rectangle(unturned_pose(), rc::gen::just(0.0));
-        const int samples = draw("samples a call", rc::gen::element(1, 2, 16));
+        const int samples = draw("samples per call", rc::gen::element(1, 2, 16));
         const auto answers =
             expect_goes_on(draw("seed", sampler_seed()), [&](pt::Sampler& sampler) {
               return pt::direct_hemisphere(s.scene, s.point, samples, sampler);

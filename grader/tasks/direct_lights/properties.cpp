@@ -22,7 +22,7 @@ using pt::Vec3;
 
 constexpr int kCases = 20;
 
-int any_samples() { return draw("samples a call", rc::gen::element(1, 2, 3, 5, 16, 17)); }
+int any_samples() { return draw("samples per call", rc::gen::element(1, 2, 3, 5, 16, 17)); }
 
 // What the contract allows beside noise: 1e-5 of the size for the task and as much for diffuse_f,
 // which it may call, and a millionth of each light for its cosine.
@@ -47,7 +47,7 @@ double missed(const Situation& s, int draws) {
 void expect_estimate(const Situation& s, int samples) {
   const int lights = std::max(1, static_cast<int>(s.scene.lights.size()));
   const int calls = std::clamp(32000 / samples / lights, 100, 4000);
-  expect_mean(fmt::format("the mean, {} samples a call", samples),
+  expect_mean(fmt::format("the mean, {} samples per call", samples),
               mean_of(estimates(s, calls, samples)), s.expected, noise_of_lights(s, samples),
               tolerance(s) + missed(s, calls * samples));
 }
@@ -55,7 +55,7 @@ void expect_estimate(const Situation& s, int samples) {
 // Where nothing is left to chance, every single estimate has to be right.
 void expect_always(const Situation& s, int samples) {
   for (const Rgb& one : estimates(s, 8, samples)) {
-    expect_near(fmt::format("each estimate, {} samples a call", samples), one, s.expected,
+    expect_near(fmt::format("each estimate, {} samples per call", samples), one, s.expected,
                 tolerance(s));
   }
 }
@@ -143,7 +143,7 @@ PROMISE(direct_lights, averages_over_the_samples) {
       [&] {
         const Situation s = *under_a_lamp();
         expect_estimate(s, 1);
-        expect_estimate(s, draw("samples a call", whole(2, 33)));
+        expect_estimate(s, draw("samples per call", whole(2, 33)));
       },
       12);
   for (const int many : {100, 1000}) {
@@ -158,14 +158,14 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
       [] {
         const Situation s = *lit_by(half_hidden_lamp);
         const std::vector<Rgb> of_one = estimates(s, 4000, 1);
-        expect_mean("the mean, 1 sample a call", mean_of(of_one), s.expected, noise_of_lights(s, 1),
-                    tolerance(s));
+        expect_mean("the mean, 1 sample per call", mean_of(of_one), s.expected,
+                    noise_of_lights(s, 1), tolerance(s));
         for (const int samples : {2, 3, 7, 16, 100, 1000}) {
           const int calls = std::clamp(32000 / samples, 100, 2000);
           // Between 4000 draws and 4000 others the variance differs by less than a sixth.
           Noise most = noise_of(of_one, std::sqrt(1.15 / samples));
           most.kurtosis = 3;
-          expect_noise(fmt::format("the noise with {} samples a call, against that with 1, which "
+          expect_noise(fmt::format("the noise with {} samples per call, against that with 1, which "
                                    "is {:.3g}",
                                    samples, noise_of(of_one, 1).deviation.g),
                        mean_of(estimates(s, calls, samples)), most);
@@ -179,7 +179,7 @@ PROMISE(direct_lights, is_exact_for_delta_lights) {
     const Situation s = *lit_by([](Stage& stage) {
       for (int k = *whole(1, 3); k > 0; --k) any_delta_light(stage);
     });
-    expect_always(s, draw("samples a call", rc::gen::element(1, 2, 3, 16, 17, 100, 1000)));
+    expect_always(s, draw("samples per call", rc::gen::element(1, 2, 3, 16, 17, 100, 1000)));
   });
 }
 
@@ -248,7 +248,7 @@ PROMISE(direct_lights, goes_on_with_the_sampler) {
   for_all(
       [] {
         const Situation s = *lit_by(half_hidden_lamp);
-        const int samples = draw("samples a call", rc::gen::element(1, 2, 16));
+        const int samples = draw("samples per call", rc::gen::element(1, 2, 16));
         const auto answers =
             expect_goes_on(draw("seed", sampler_seed()), [&](pt::Sampler& sampler) {
               return pt::direct_lights(s.scene, s.point, samples, sampler);

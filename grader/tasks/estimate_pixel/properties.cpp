@@ -140,8 +140,8 @@ PROMISE(estimate_pixel, passes_the_settings_on) {
 
 // Goes on until the sampler is in that state; false if it takes too many numbers.
 bool draw_up_to(const pt::Sampler::State& state, pt::Sampler& sampler) {
-  constexpr int kMost = 2000;  // by a right solution some ten for each sample, or all at once
-  for (int drawn = 0; drawn <= kMost; ++drawn) {
+  constexpr int kMaxDraws = 2000;  // by a right solution some ten for each sample, or all at once
+  for (int drawn = 0; drawn <= kMaxDraws; ++drawn) {
     if (sampler.state() == state) return true;
     sampler.next_1d();
   }

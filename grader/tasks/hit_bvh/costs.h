@@ -28,8 +28,8 @@ inline long long times_asked(const Tested& log, const pt::Primitives& primitives
                                    : times(log.spheres, primitives.sphere(i));
 }
 
-// Whether the ray clearly misses the box: a right hit_box may find it some rounding errors wider
-// than it is (pt/tasks/hit_box.h: 1e-12 of the largest coordinate).
+// Returns whether the ray clearly misses the box: a right hit_box may find it some rounding errors
+// wider than it is (pt/tasks/hit_box.h: 1e-12 of the largest coordinate).
 inline bool is_missed(pt::Box box, const pt::Ray& ray) {
   const double size = std::max({max_abs(box.min), max_abs(box.max), max_abs(ray.origin)});
   const double more = 1e-11 * size;

@@ -61,7 +61,8 @@ inline Case plain_case(int aim) {
   return c;
 }
 
-// Whether hit_box was asked about the leaf of this primitive of the plain case, or its parent.
+// Returns whether hit_box was called for the leaf of this primitive of the plain case, or its
+// parent.
 inline bool came_by_its_leaf(const Case& plain, int primitive, const Tested& log) {
   const int leaf = 7 + primitive, parent = (leaf - 1) / 2;
   return std::ranges::any_of(log.boxes, [&](const pt::Box& box) {

@@ -49,7 +49,7 @@ std::string read_file(const std::filesystem::path& file) {
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (text.find("<COLLADA") == std::string::npos) {
     throw Error(name +
-                ":1: is no COLLADA file (no <COLLADA> near its beginning); name a .dae file");
+                ":1: is not a COLLADA file (no <COLLADA> near its beginning); name a .dae file");
   }
   const std::size_t head = text.size();
   text.resize(size);
@@ -74,7 +74,7 @@ ColladaDocument::~ColladaDocument() = default;
 
 void ColladaDocument::parse(const std::string& text) {
   if (text.find('\0') != std::string::npos) {
-    throw Error(file_ + ": holds a zero byte, so it is no text; export the scene again");
+    throw Error(file_ + ": holds a zero byte, so it is not text; export the scene again");
   }
   if (std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; }) >
       kMaxMarkup) {

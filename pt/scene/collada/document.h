@@ -16,8 +16,8 @@ namespace pt {
 using tinyxml2::XMLElement;
 
 // A COLLADA file as a tree of elements, which live as long as the document does. Throws Error for a
-// file that is missing, no regular file, empty, too large, not COLLADA or malformed, and for an id
-// that two elements of one kind share.
+// file that is missing, not a regular file, empty, too large, not COLLADA or malformed, and for an
+// id that two elements of one kind share.
 class ColladaDocument {
  public:
   explicit ColladaDocument(const std::filesystem::path& file);
@@ -56,7 +56,7 @@ class ColladaDocument {
 // CMU462], of an element; null if there is none. With an empty name, the first child of all.
 const XMLElement* course_child(const XMLElement& element, const char* name);
 
-// What a message calls an element: its name, else its id, in quotes, fit to be printed.
+// The name of an element in messages: its name, else its id, in quotes, fit to be printed.
 std::string label(const XMLElement& element);
 
 // Text from a file in quotes: shortened, and without bytes that a terminal might obey.

@@ -68,7 +68,7 @@ LightNodes read_lights(const ColladaDocument& document, const std::vector<Instan
     if (kind == "ambient") light = AmbientLight{color};
     if (!light) {
       document.fail(kind_of, "<" + std::string(kind) +
-                                 "> is no kind of light; write area, point, "
+                                 "> is not a kind of light; write area, point, "
                                  "directional or ambient");
     }
     if (is_black(color)) {

@@ -36,7 +36,8 @@ Rgb radiance(const Light& light) {
   return std::get<MeshLight>(light).radiance;
 }
 
-// Whether two rectangles are the same but for rounding: sides compared as they lie in space.
+// Returns whether two rectangles are the same but for rounding: sides compared as they lie in
+// space.
 bool same_sides(const RectangleLight& a, const RectangleLight& b) {
   const auto parallel = [](Vec3 p, Vec3 q) {
     const double tolerance = 1e-3 * length(q);
@@ -45,7 +46,7 @@ bool same_sides(const RectangleLight& a, const RectangleLight& b) {
   return (parallel(a.u, b.u) && parallel(a.v, b.v)) || (parallel(a.u, b.v) && parallel(a.v, b.u));
 }
 
-// What the light node says that its surface does not; empty where the two agree.
+// The values of the light node with which its surface does not agree; empty where the two agree.
 std::string correction(const LightNode& node, const Emitter& emitter) {
   const std::string which = "light node " + node.name + " lies on the emitting surface " +
                             emitter.name + ", which is the light";

@@ -47,7 +47,7 @@ std::vector<Number> read_list(const ColladaDocument& document, const XMLElement&
     if (!whole || !std::isfinite(static_cast<double>(number))) {
       const std::string_view shown_word(word, end_of_word(word, end) - word);
       document.fail(element,
-                    quoted(shown_word) + " in " + tag(element) + " is no " + kind + "; write one");
+                    quoted(shown_word) + " in " + tag(element) + " is not " + kind + "; write one");
     }
     numbers.push_back(number);
     at = rest;
@@ -57,7 +57,7 @@ std::vector<Number> read_list(const ColladaDocument& document, const XMLElement&
 }  // namespace
 
 std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element) {
-  return read_list<double>(document, element, "finite number");
+  return read_list<double>(document, element, "a finite number");
 }
 
 std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element,
@@ -71,7 +71,7 @@ std::vector<double> read_numbers(const ColladaDocument& document, const XMLEleme
 }
 
 std::vector<int> read_integers(const ColladaDocument& document, const XMLElement& element) {
-  return read_list<int>(document, element, "integer");
+  return read_list<int>(document, element, "an integer");
 }
 
 double read_number(const ColladaDocument& document, const XMLElement& element) {
@@ -99,7 +99,7 @@ std::optional<std::size_t> read_count(const ColladaDocument& document, const XML
   const auto [rest, error] = std::from_chars(text, text + digits.size(), value);
   if (error != std::errc{} || rest != text + digits.size()) {
     document.fail(element, std::string(attribute) + "=" + quoted(digits) + " of " + tag(element) +
-                               " is no count; write an integer from 0 up");
+                               " is not a count; write an integer from 0 up");
   }
   return value;
 }

@@ -10,7 +10,8 @@
 namespace pt {
 
 // The numbers that stand in elements, separated by white space. All throw Error, with the element's
-// line, for text that is no number, for numbers that are not finite, and for too few or too many.
+// line, for text that is not a number, for numbers that are not finite, and for too few or too
+// many.
 
 std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element);
 std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element,

@@ -15,7 +15,7 @@ namespace pt {
 // whose square a double can hold).
 std::optional<Triangle> place(const FileTriangle& triangle, const Transform& to_world);
 
-// A sphere around the origin moved to the world; nothing where the map is no uniform scaling,
+// A sphere around the origin moved to the world; nothing where the map is not a uniform scaling,
 // rotation and mirroring: axes of different length, or not at right angles, by more than 1e-5.
 std::optional<Sphere> place_sphere(double radius, const Transform& to_world);
 

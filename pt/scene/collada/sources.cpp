@@ -21,7 +21,8 @@ const XMLElement* find_input(const XMLElement& parent, std::string_view semantic
   return nullptr;
 }
 
-// How the accessor cuts the array into vectors; three numbers each where there is no accessor.
+// The way in which the accessor cuts the array into vectors; three numbers each where there is no
+// accessor.
 struct Accessor {
   std::size_t count, stride, offset;
 };

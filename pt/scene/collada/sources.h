@@ -16,7 +16,7 @@ using Sources = std::unordered_map<const XMLElement*, std::vector<Vec3>>;
 struct FaceInputs {
   const std::vector<Vec3>* positions = nullptr;
   const std::vector<Vec3>* normals = nullptr;  // null where the file has none
-  int stride = 1;                              // indices a corner
+  int stride = 1;                              // indices per corner
   int position_offset = 0;
   int normal_offset = 0;
 
