@@ -208,7 +208,7 @@ TEST(BadCamerasAndLights, are_named) {
     return text;
   };
   expect_error(light(""), "has no kind");
-  expect_error(light("<glow><color>1 1 1</color></glow>"), "no kind of light");
+  expect_error(light("<glow><color>1 1 1</color></glow>"), "not a kind of light");
   expect_error(light("<point/>"), "has no <color>");
   expect_error(light("<point><color>1 1</color></point>"), "red, green and blue");
   expect_error(light("<point><color>1 -1 1</color></point>"), "negative");

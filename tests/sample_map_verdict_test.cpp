@@ -70,7 +70,7 @@ TEST(sample_map, every_mistake_of_the_table_fails) {
     const char* words;
   };
   const Row rows[] = {{StoppingRule::running_total, "do not depend on the pixel"},
-                      {StoppingRule::every_sample, "no multiple of the batch"},
+                      {StoppingRule::every_sample, "not a multiple of the batch"},
                       {StoppingRule::sigma_over_n, "stops after its first batch"},
                       {StoppingRule::no_1_96, "1.96"},
                       {StoppingRule::absolute, ""},

@@ -13,8 +13,7 @@ struct Judged {
   Built object;              // of the submission's file, if it compiles
   std::string content;       // a hash of that file; the same on every machine
   bool right_alone = false;  // every promise holds with the reference elsewhere
-  bool settled =
-      false;  // the verdict of the promises is final: by itself, and together where asked
+  bool settled = false;      // every promise is decided: alone, and together where asked
   results::TaskResult result;
 };
 
