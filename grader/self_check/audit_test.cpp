@@ -7,13 +7,10 @@
 #include "pt/error.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
 #include <random>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -212,53 +209,6 @@ static int x = camera_ray(1) + Engine().closest(3) + pointer(1) + (todo("task"),
 }
 )"),
             "");
-}
-
-// The words of the paragraph "May call: ..." of a contract; none where there is no such paragraph.
-std::set<std::string> promised_calls(const std::string& slug) {
-  const std::string text = base::read_file(fmt::format("{}/pt/tasks/{}.h", FIRSTLIGHT_ROOT, slug));
-  constexpr std::string_view kBegin = "// May call:";
-  const std::size_t at = text.find(kBegin);
-  if (at == std::string::npos) return {};
-  std::set<std::string> words;
-  std::string word;
-  for (const char c : text.substr(at + kBegin.size(), text.find("\n//\n", at) - at)) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
-      word += c;
-    } else {
-      words.insert(std::exchange(word, ""));
-    }
-  }
-  return words;
-}
-
-TEST(may_call, says_what_the_contracts_say) {
-  std::set<std::string> slugs;
-  for (const auto& entry : fs::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
-    slugs.insert(entry.path().stem());
-  }
-  for (const std::string& slug : slugs) {
-    const std::set<std::string> words = promised_calls(slug);
-    EXPECT_TRUE(words.contains("Threads")) << slug << " does not say what it may call";
-    const Task& task = task_of(slug);
-    std::set<std::string> named;
-    std::ranges::set_intersection(words, slugs, std::inserter(named, named.end()));
-    named.erase(slug);
-    EXPECT_EQ(named, std::set<std::string>(task.calls.begin(), task.calls.end()))
-        << "pt/tasks/" << slug << ".h and grader/tasks.json";
-    for (const std::string& function : task.framework) {
-      const std::string name = function.substr(function.rfind(':') + 1);
-      // Names of kinds are for messages: a header's functions use them.
-      EXPECT_TRUE(name == "kind_name" || words.contains(name)) << slug << ": " << name;
-    }
-  }
-}
-
-TEST(may_call, knows_every_task_and_no_other) {
-  for (const auto& entry : fs::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
-    EXPECT_EQ(task_of(entry.path().stem().string()).slug, entry.path().stem());
-  }
-  EXPECT_THROW(task_of("hit_everything"), pt::Error);
 }
 
 // Functions that are whole in a header need no linker: such a header is not there.

@@ -1,5 +1,5 @@
-// The table of tasks (grader/tasks.json) against what the compiled reference really does: which
-// functions it defines, which other tasks it calls, whether it traces rays.
+// The table of tasks (grader/tasks.json) against what the compiled reference really does (which
+// functions it defines, which other tasks it calls, whether it traces rays) and against the contracts.
 #include "grader/tasks.h"
 
 #include "grader/base/files.h"
@@ -8,19 +8,25 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include <cxxabi.h>
 #include <elf.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace grader::self_check {
 namespace {
 
+namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
 // "pt::hit_box" of "pt::hit_box(pt::Box const&, pt::Ray const&)".
@@ -137,6 +143,53 @@ TEST(tasks, are_found_by_their_slugs_only) {
   EXPECT_EQ(task_of("adaptive_pixel").file(), "5_adaptive/adaptive_pixel.cpp");
   EXPECT_THROW(task_of("hit_everything"), pt::Error);
   EXPECT_TRUE(needs("hit_everything").empty());
+}
+
+// The words of the paragraph "May call: ..." of a contract; none where there is no such paragraph.
+Names promised_calls(const std::string& slug) {
+  const std::string text = base::read_file(fmt::format("{}/pt/tasks/{}.h", FIRSTLIGHT_ROOT, slug));
+  constexpr std::string_view kBegin = "// May call:";
+  const std::size_t at = text.find(kBegin);
+  if (at == std::string::npos) return {};
+  Names words;
+  std::string word;
+  for (const char c : text.substr(at + kBegin.size(), text.find("\n//\n", at) - at)) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      word += c;
+    } else {
+      words.insert(std::exchange(word, ""));
+    }
+  }
+  return words;
+}
+
+TEST(tasks, may_call_what_their_contracts_say) {
+  Names slugs;
+  for (const auto& entry : fs::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
+    slugs.insert(entry.path().stem());
+  }
+  for (const std::string& slug : slugs) {
+    const Names words = promised_calls(slug);
+    EXPECT_TRUE(words.contains("Threads")) << slug << " does not say what it may call";
+    const Task& task = task_of(slug);
+    Names named;
+    std::ranges::set_intersection(words, slugs, std::inserter(named, named.end()));
+    named.erase(slug);
+    EXPECT_EQ(named, Names(task.calls.begin(), task.calls.end()))
+        << "pt/tasks/" << slug << ".h and grader/tasks.json";
+    for (const std::string& function : task.framework) {
+      const std::string name = function.substr(function.rfind(':') + 1);
+      // Names of kinds are for messages: a header's functions use them.
+      EXPECT_TRUE(name == "kind_name" || words.contains(name)) << slug << ": " << name;
+    }
+  }
+}
+
+TEST(tasks, are_those_that_have_a_contract) {
+  for (const auto& entry : fs::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
+    EXPECT_EQ(task_of(entry.path().stem().string()).slug, entry.path().stem());
+  }
+  EXPECT_THROW(task_of("hit_everything"), pt::Error);
 }
 
 }  // namespace
