@@ -111,6 +111,25 @@ function(firstlight_link_tasks program)
   endif()
 endfunction()
 
+# firstlight_inner_choices(<slug> <implementation> <radiance>): what answers the inner calls of a task that is
+# judged alone, for firstlight_link_tasks. Sets INNER_CHOICES: the implementation for the tasks that the judge
+# answers, and mocks; and INNER_RADIANCE: the one given, or path where the judge does not answer radiance().
+function(firstlight_inner_choices slug implementation radiance)
+  set(choices)
+  set(INNER_RADIANCE path PARENT_SCOPE)
+  foreach(inner IN LISTS FIRSTLIGHT_JUDGE_ANSWERS_${slug})
+    if("${inner}" STREQUAL "radiance")
+      set(INNER_RADIANCE ${radiance} PARENT_SCOPE)
+    else()
+      list(APPEND choices ${inner}=${implementation})
+    endif()
+  endforeach()
+  foreach(inner IN LISTS FIRSTLIGHT_MOCKS_${slug})
+    list(APPEND choices ${inner}=mock)
+  endforeach()
+  set(INNER_CHOICES ${choices} PARENT_SCOPE)
+endfunction()
+
 # A mixture in words, "reference" or "reference+hit_bvh=student+...", turned into the arguments of
 # firstlight_link_tasks (in MIXTURE_FROM and MIXTURE_CHOICES) and a suffix for targets and files.
 macro(firstlight_parse_mixture mixture)
