@@ -135,16 +135,16 @@ TaskResult task(const std::string& part, const std::string& number, const std::s
   return out;
 }
 
-void fail_promise(TaskResult& task, const std::string& cause) {
+void fail_promise(TaskResult& task, Cause cause) {
   task.promises[0].held = true;
   task.points = 1;
-  FailureReport failure;
+  Failure failure;
   failure.input = {"triangle {(0, 0, 0), (1, 0, 0), (0, 1, 0)}",
                    "ray {o (0.25, 0.25, 1), d (0, 0, -1)}"};
   failure.what = "t of the hit";
-  failure.got = cause == "wrong" ? "-1" : "no answer";
+  failure.got = cause == Cause::wrong ? "-1" : "no answer";
   failure.expected = "1";
-  failure.off_by = cause == "wrong" ? "2" : "";
+  failure.off_by = cause == Cause::wrong ? "2" : "";
   failure.cause = cause;
   failure.cases_before = 17;
   failure.seed = 7;
@@ -155,7 +155,7 @@ void fail_promise(TaskResult& task, const std::string& cause) {
 }  // namespace
 
 Results full_results() {
-  const FailureReport failure{{"a", "b"}, "c", "d", "e", "f", "g", 1, 1ULL << 63, true, "h"};
+  const Failure failure{{"a", "b"}, "c", "d", "e", "f", Cause::bad_reply, 1, 1ULL << 63, true, "h"};
   const PictureResult picture{"w",
                               "x1",
                               State::too_noisy,
@@ -207,11 +207,11 @@ Results example_results(const std::string& folder) {
   TaskResult right = task("1_rays", "1.1", "estimate_pixel", State::pass);
   right.bonus_points = 1;
   TaskResult wrong = task("1_rays", "1.3", "hit_triangle", State::fail);
-  fail_promise(wrong, "wrong");
+  fail_promise(wrong, Cause::wrong);
   TaskResult dead = task("1_rays", "1.4", "hit_sphere", State::crash);
-  fail_promise(dead, "crash");
+  fail_promise(dead, Cause::crash);
   TaskResult endless = task("2_bvh", "2.1", "build_bvh", State::timeout);
-  fail_promise(endless, "timeout");
+  fail_promise(endless, Cause::timeout);
   TaskResult refused = task("2_bvh", "2.2", "hit_box", State::rejected);
   refused.reason = "2_bvh/hit_box.cpp is a link; the judge takes regular files.";
   TaskResult waits = task("2_bvh", "2.3", "hit_bvh", State::blocked);

@@ -92,6 +92,20 @@ TEST(remote, lengths_are_held_against_what_is_there) {
   }
 }
 
+// Where one more byte than an element takes is there, and one less.
+TEST(remote, lengths_are_held_against_the_size_of_an_element) {
+  constexpr std::size_t kSize = Codec<double>::kMinSize;
+  for (const std::size_t bytes : {2 * kSize - 1, 2 * kSize, 2 * kSize + 1}) {
+    const std::string message = encode(std::uint64_t{2}) + std::string(bytes, '\0');
+    Reader in(message);
+    if (bytes < 2 * kSize) {
+      EXPECT_THROW(get_length<double>(in), BadMessage);
+    } else {
+      EXPECT_EQ(get_length<double>(in), 2U);
+    }
+  }
+}
+
 TEST(remote, flags_and_choices_that_do_not_exist_are_refused) {
   Reader flag("\2"), light("\6");
   EXPECT_THROW(get<bool>(flag), BadMessage);

@@ -18,9 +18,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-FailureReport failure(const std::string& cause, const std::string& got = "2", int cases_before = 0,
-                      std::size_t lines = 1) {
-  FailureReport out;
+Failure failure(Cause cause, const std::string& got = "2", int cases_before = 0,
+                std::size_t lines = 1) {
+  Failure out;
   out.input.assign(lines, "a line");
   out.got = got;
   out.expected = "1";
@@ -29,7 +29,7 @@ FailureReport failure(const std::string& cause, const std::string& got = "2", in
   return out;
 }
 
-PromiseResult broken(const std::string& name, const FailureReport& failure) {
+PromiseResult broken(const std::string& name, const Failure& failure) {
   return {name, name, false, false, 1, 0, {failure}};
 }
 
@@ -48,26 +48,27 @@ std::vector<std::string> order(const TaskResult& task) {
 }
 
 TEST(order, puts_the_most_telling_promise_first) {
-  PromiseResult bonus = broken("bonus", failure("crash"));
+  PromiseResult bonus = broken("bonus", failure(Cause::crash));
   bonus.bonus = true;
   PromiseResult kept = broken("kept", {});
   kept.held = true;
   const TaskResult task = failing(
       "hit_bvh",
-      {bonus, broken("long", failure("wrong", "2", 0, 40)),
-       broken("mean", failure("wrong", "2 as the mean of 4000")),
-       broken("rare", failure("wrong", "2", 90)), broken("basic", failure("wrong")), kept,
-       broken("special", failure("wrong")), broken("slow", failure("timeout")),
-       broken("odd", failure("bad reply")), broken("dead", failure("crash", "signal 11", 50, 40))});
+      {bonus, broken("long", failure(Cause::wrong, "2", 0, 40)),
+       broken("mean", failure(Cause::wrong, "2 as the mean of 4000")),
+       broken("rare", failure(Cause::wrong, "2", 90)), broken("basic", failure(Cause::wrong)), kept,
+       broken("special", failure(Cause::wrong)), broken("slow", failure(Cause::timeout)),
+       broken("odd", failure(Cause::bad_reply)),
+       broken("dead", failure(Cause::crash, "signal 11", 50, 40))});
   EXPECT_THAT(order(task), ElementsAre("dead", "slow", "odd", "basic", "special", "long", "rare",
                                        "mean", "bonus"));
 }
 
 // A promise that fails in several ways counts as the most telling of them.
 TEST(order, takes_the_best_failure_of_a_promise) {
-  PromiseResult both = broken("both", failure("wrong", "2", 90));
-  both.failures.push_back(failure("crash"));
-  EXPECT_THAT(order(failing("a", {broken("plain", failure("wrong")), both})),
+  PromiseResult both = broken("both", failure(Cause::wrong, "2", 90));
+  both.failures.push_back(failure(Cause::crash));
+  EXPECT_THAT(order(failing("a", {broken("plain", failure(Cause::wrong)), both})),
               ElementsAre("both", "plain"));
 }
 
@@ -75,20 +76,21 @@ TEST(order, puts_the_most_telling_task_first) {
   Results results;
   TaskResult picture = failing("picture", {});
   picture.pictures.emplace_back().state = State::fail;
-  TaskResult named = failing("named", {broken("a", failure("wrong"))});
+  TaskResult named = failing("named", {broken("a", failure(Cause::wrong))});
   named.mistake = {"epsilon", "It is an epsilon.", "battery", "", false};
   TaskResult unbuilt = failing("unbuilt", {broken("a", {})});
   unbuilt.promises[0].failures.clear();
   unbuilt.compiler_output = "error";
   TaskResult passing = failing("passing", {});
   passing.state = State::pass;
-  results.tasks = {passing,
-                   picture,
-                   failing("wrong", {broken("a", failure("wrong"))}),
-                   failing("slow", {broken("a", failure("timeout"))}),
-                   unbuilt,
-                   failing("dead", {broken("a", failure("wrong")), broken("b", failure("crash"))}),
-                   named};
+  results.tasks = {
+      passing,
+      picture,
+      failing("wrong", {broken("a", failure(Cause::wrong))}),
+      failing("slow", {broken("a", failure(Cause::timeout))}),
+      unbuilt,
+      failing("dead", {broken("a", failure(Cause::wrong)), broken("b", failure(Cause::crash))}),
+      named};
   std::vector<std::string> slugs;
   for (const TaskResult* task : by_importance(results)) slugs.push_back(task->slug);
   EXPECT_THAT(slugs,
@@ -160,10 +162,10 @@ TEST(readable, a_number_next_to_a_simple_one_keeps_its_digits) {
 }
 
 TEST(readable, a_difference_keeps_the_digits_that_show_it) {
-  FailureReport report;
+  Failure report;
   report.got = "0.123456789012345";
   report.expected = "0.123456789512345, give or take 1e-12";
-  FailureReport shown = readable(report);
+  Failure shown = readable(report);
   EXPECT_EQ(shown.got, "0.123456789");
   EXPECT_EQ(shown.expected, "0.1234567895, give or take 1e-12");
   report.expected = "0.987654321987, give or take 1e-12";
@@ -173,9 +175,9 @@ TEST(readable, a_difference_keeps_the_digits_that_show_it) {
 }
 
 TEST(readable, long_inputs_are_folded) {
-  FailureReport report;
+  Failure report;
   for (int i = 0; i < 172; ++i) report.input.push_back("box " + std::to_string(i));
-  const FailureReport shown = readable(report);
+  const Failure shown = readable(report);
   ASSERT_EQ(shown.input.size(), 11U);
   EXPECT_EQ(shown.input[9], "box 9");
   EXPECT_EQ(shown.input[10], "and 162 more lines; --json writes them all");

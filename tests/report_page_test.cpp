@@ -67,10 +67,10 @@ TEST_F(Page, texts_stay_texts) {
     task.blamed = task.blocked_by = {kHostile};
     for (results::PromiseResult& promise : task.promises) {
       promise.words = promise.name = kHostile;
-      for (results::FailureReport& failure : promise.failures) {
+      for (results::Failure& failure : promise.failures) {
         failure.input = {kHostile};
         failure.what = failure.got = failure.expected = failure.off_by = kHostile;
-        failure.cause = failure.replay = kHostile;
+        failure.replay = kHostile;
       }
     }
     for (results::PictureResult& picture : task.pictures) {

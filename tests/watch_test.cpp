@@ -39,7 +39,7 @@ results::TaskResult failing(const std::string& part, const std::string& number,
   task.max_points = 5;
   for (const std::string& name : promises) {
     results::PromiseResult promise{name, "words of " + name, false, false, 1, 0, {}};
-    results::FailureReport& failure = promise.failures.emplace_back();
+    results::Failure& failure = promise.failures.emplace_back();
     failure.got = "got for " + name;
     task.promises.push_back(promise);
   }

@@ -71,7 +71,7 @@ void open_worker(const std::string& worker, const std::string& tier) {
   settings.program = worker;
   settings.tier = sandbox::tier_of(tier);
   settings.answers = false;
-  settings.give_up = [](check::Cause, const std::string& text) { throw pt::Error(text); };
+  settings.give_up = [](results::Cause, const std::string& text) { throw pt::Error(text); };
   settings.call_limit = kCallLimit;
   settings.total_limit = kTotalLimit;
   settings.max_timeouts = 1;

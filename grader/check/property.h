@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/check/show.h"
+#include "grader/results/results.h"
 #include "pt/math/rgb.h"
 #include "pt/math/vec3.h"
 
@@ -32,29 +33,11 @@
 
 namespace grader::check {
 
-// Why a case failed. All but the first are known in graded runs only, where the task runs in
-// another process: the call itself came to nothing.
-enum class Cause {
-  wrong,          // the answer is not what was promised
-  crash,          // the process died, or the task threw
-  timeout,        // no answer within the limit
-  bad_reply,      // an answer that no implementation of the contract can give
-  not_attempted,  // the task calls todo()
-};
-const char* name(Cause cause);
-
-// A failed promise, as every report shows it. All texts are for a person to read.
-struct Failure {
-  std::string task;
-  std::string promise;             // the property's name
-  std::vector<std::string> input;  // the shrunk counterexample, a line per value
-  std::string what;                // what was compared
-  std::string got;
-  std::string expected;
-  std::string off_by;      // empty where there is no number
-  int cases_before = 0;    // how many cases held first
-  std::uint64_t seed = 0;  // replays it
-  Cause cause = Cause::wrong;
+// A promise that was not kept in this process.
+struct FailedPromise {
+  std::string task;     // the slug
+  std::string promise;  // the property's name
+  results::Failure failure;
 };
 
 // Runs the property on up to `cases` random inputs, or until one fails, and then looks for a
@@ -70,7 +53,7 @@ void never_shrink();
 inline void once(const std::function<void()>& property) { for_all(property, 1); }
 
 // The failures of this process so far, in the order in which they happened.
-const std::vector<Failure>& failures();
+const std::vector<FailedPromise>& failures();
 
 // The seed of this run: FIRSTLIGHT_SEED, else 1.
 std::uint64_t seed();
@@ -87,7 +70,7 @@ void expect_near(const std::string& what, pt::Rgb got, pt::Rgb expected, double 
 void expect_equal(const std::string& what, long long got, long long expected);
 
 // Makes the case fail because a call gave no answer; `got` says what it did instead.
-[[noreturn]] void fail_call(Cause cause, const std::string& got);
+[[noreturn]] void fail_call(results::Cause cause, const std::string& got);
 
 // The precision of a color, a BSDF, a pdf or a radiance that the contracts ask for, relative to its
 // size: single precision keeps it, and so does pi to six digits.

@@ -77,26 +77,12 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
   if (findings.broken.empty()) {
     std::erase_if(result.promises, [&](const results::PromiseResult& promise) {
       return std::none_of(
-          findings.promises.begin(), findings.promises.end(),
+          findings.task.promises.begin(), findings.task.promises.end(),
           [&](const results::PromiseResult& found) { return found.name == promise.name; });
     });
   }
   enter(findings, request, result);
   judged.right_alone = result.state == results::State::pass;
-}
-
-results::State state_of(const std::vector<results::PromiseResult>& promises) {
-  results::State state = results::State::pass;
-  for (const results::PromiseResult& promise : promises) {
-    if (promise.bonus || promise.held) continue;
-    if (state == results::State::pass) state = results::State::fail;
-    for (const results::FailureReport& failure : promise.failures) {
-      if (failure.cause == "crash") state = results::State::crash;
-      if (failure.cause == "timeout" && state != results::State::crash)
-        state = results::State::timeout;
-    }
-  }
-  return state;
 }
 
 // The result's own entry for a promise; one is made for a property that the contract does not list.
@@ -114,28 +100,25 @@ results::PromiseResult& entry(results::TaskResult& result, const results::Promis
 
 void enter(const Findings& findings, const GradeRequest& request, results::TaskResult& result) {
   if (!findings.broken.empty()) return refuse(result, results::State::fail, findings.broken);
-  if (!findings.printed.empty()) result.printed = findings.printed;
-  if (findings.todo.contains(result.slug)) {
-    return refuse(result, results::State::not_attempted, "it is not written yet");
-  }
-  for (const results::PromiseResult& found : findings.promises) {
-    results::PromiseResult& promise = entry(result, found);
+  const results::TaskResult& found = findings.task;
+  if (!found.printed.empty()) result.printed = found.printed;
+  if (found.state == results::State::not_attempted)
+    return refuse(result, found.state, found.reason);
+  for (const results::PromiseResult& each : found.promises) {
+    results::PromiseResult& promise = entry(result, each);
     if (promise.bonus && !promise.failures.empty()) continue;  // known from before
-    promise.held = found.held;
-    promise.seconds += found.seconds;
-    for (results::FailureReport failure : found.failures) {
+    promise.held = each.held;
+    promise.seconds += each.seconds;
+    for (results::Failure failure : each.failures) {
       failure.replay = fmt::format("./run grade {} --seed {}", result.slug, request.seed);
       if (request.submission != "student") failure.replay += " --submission " + request.submission;
       promise.failures.push_back(failure);
     }
   }
   result.state = state_of(result.promises);
-  if (findings.kept.empty()) return;
+  if (!found.keeps_state) return;
   result.keeps_state = true;
-  result.reason = fmt::format(
-      "it keeps {} between calls, and tasks are called from several threads at once: "
-      "make it a local variable, a constant, or thread_local",
-      findings.kept);
+  result.reason = found.reason;
   if (result.state == results::State::pass) result.state = results::State::fail;
 }
 

@@ -4,81 +4,24 @@
 #include "grader/base/printable.h"
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
-#include "grader/judge/object_file.h"
 #include "grader/process/run_command.h"
+#include "grader/results/read_json.h"
 #include "pt/error.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <memory>
 
-#include <cxxabi.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 
 namespace grader::judge {
 
 namespace {
 
-using nlohmann::json;
-
 // Far beyond what the program allows itself: a fault of ours if it is reached.
 constexpr std::chrono::seconds kProgramTime{1500};
 
-results::FailureReport parse_failure(const json& failure, bool integrated) {
-  results::FailureReport report;
-  failure.at("input").get_to(report.input);
-  failure.at("what").get_to(report.what);
-  failure.at("got").get_to(report.got);
-  failure.at("expected").get_to(report.expected);
-  failure.at("off_by").get_to(report.off_by);
-  failure.at("cause").get_to(report.cause);
-  failure.at("cases_before").get_to(report.cases_before);
-  failure.at("seed").get_to(report.seed);
-  report.integrated = integrated;
-  return report;
-}
-
-// "pt::(anonymous namespace)::count" is count, as is "pt::hit_bvh(...)::count". Not known: "".
-std::string variable_at(const Built& worker, std::uint64_t place) {
-  const std::string symbol = state_at(base::read_file(worker.path), place);
-  int status = 0;
-  const std::unique_ptr<char, decltype(&std::free)> text(
-      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
-  const std::string name = text ? text.get() : symbol;
-  const std::size_t last = name.rfind("::");
-  return base::printable(last == name.npos ? name : name.substr(last + 2), 100);
-}
-
-// In the integrated worker a variable may be another task's.
-std::string kept_variable(std::uint64_t kept, const Trial& trial) {
-  if (kept == 0 || trial.integrated) return "";
-  const std::string name = variable_at(trial.worker, kept - 1);
-  return name.empty() ? "a variable" : "the variable '" + name + "'";
-}
-
-Findings parse(const std::string& text, const Trial& trial) {
-  const bool integrated = trial.integrated;
-  const json report = json::parse(text);
-  Findings findings;
-  report.at("todo").get_to(findings.todo);
-  report.at("printed").get_to(findings.printed);
-  findings.kept = kept_variable(report.at("kept").get<std::uint64_t>(), trial);
-  for (const json& promise : report.at("promises")) {
-    results::PromiseResult result;
-    promise.at("name").get_to(result.name);
-    promise.at("held").get_to(result.held);
-    promise.at("seconds").get_to(result.seconds);
-    result.bonus = result.name.ends_with("_bonus");
-    for (const json& failure : promise.at("failures")) {
-      result.failures.push_back(parse_failure(failure, integrated));
-    }
-    findings.promises.push_back(result);
-  }
-  return findings;
-}
+Findings read(const std::string& path) { return {results::read_results(path).tasks.at(0), ""}; }
 
 std::vector<std::string> command(const Trial& trial, const std::string& report) {
   std::vector<std::string> words{trial.task.graded,
@@ -101,13 +44,11 @@ std::vector<std::string> command(const Trial& trial, const std::string& report) 
   return words;
 }
 
-bool timed_out(const Findings& findings) {
-  for (const results::PromiseResult& promise : findings.promises) {
-    for (const results::FailureReport& failure : promise.failures) {
-      if (failure.cause == "timeout") return true;
-    }
-  }
-  return false;
+bool timed_out(const results::TaskResult& task) {
+  return std::ranges::any_of(task.promises, [](const results::PromiseResult& promise) {
+    return std::ranges::count(promise.failures, results::Cause::timeout, &results::Failure::cause) >
+           0;
+  });
 }
 
 }  // namespace
@@ -118,7 +59,7 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
   const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (std::filesystem::exists(path)) {
     mark_used(path);
-    return parse(base::read_file(path), trial);
+    return read(path);
   }
 
   const std::string report = base::temporary_name(path);
@@ -129,19 +70,16 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
   if (!finished || !std::filesystem::exists(report)) {
     std::filesystem::remove(report);
     return {{},
-            {},
-            "",
-            "",
             fmt::format("the judge's own program {} ended with {}: {}", trial.task.graded,
                         process::describe_status(result.status),
                         base::printable(result.output, 1000, true))};
   }
-  Findings findings = parse(base::read_file(report), trial);
-  if (findings.promises.empty()) {
+  Findings findings = read(report);
+  if (findings.task.promises.empty()) {
     throw pt::Error("no property of " + trial.task.slug + " was run: nothing is judged");
   }
   // The time that a call takes depends on what else the machine does: that is asked again.
-  if (timed_out(findings)) {
+  if (timed_out(findings.task)) {
     std::filesystem::remove(report);
   } else {
     std::filesystem::rename(report, path);

@@ -4,18 +4,14 @@
 #include "grader/judge/grade.h"
 #include "grader/results/results.h"
 
-#include <optional>
-#include <set>
 #include <string>
+#include <vector>
 
 namespace grader::judge {
 
-// The findings of a property program about one task on one worker.
+// The findings of a property program about one task on one worker (grader/programs/graded_report.h).
 struct Findings {
-  std::vector<results::PromiseResult> promises;  // name, held, seconds and failures are filled
-  std::set<std::string> todo;                    // slugs of tasks that are not written
-  std::string printed;
-  std::string kept;    // the name of a variable that the task keeps between calls; may be empty
+  results::TaskResult task;
   std::string broken;  // why there are no findings; empty if there are
 };
 

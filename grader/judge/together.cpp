@@ -114,7 +114,7 @@ class Integration {
           try_worker(builder_, {*judged.config, worker, true, request_, failed});
       const bool mended =
           findings.broken.empty() &&
-          std::all_of(findings.promises.begin(), findings.promises.end(),
+          std::all_of(findings.task.promises.begin(), findings.task.promises.end(),
                       [](const results::PromiseResult& promise) { return promise.held; });
       if (mended) judged.result.blamed.push_back(slug);
     }

@@ -1,5 +1,7 @@
 #include "grader/mistakes/battery.h"
 
+#include "grader/check/fail.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,16 +68,16 @@ std::vector<double> column(const std::vector<Battery::Numbers>& rows, std::size_
 
 void Battery::record(const std::function<Answer()>& call) {
   if (timeouts_ >= kMaxTimeouts) {
-    answers_.push_back({name(check::Cause::timeout), {}, {}});
+    answers_.push_back({name(results::Cause::timeout), {}, {}});
     return;
   }
   try {
     answers_.push_back(call());
   } catch (const CallEnded& ended) {
     answers_.push_back({name(ended.cause), {}, {}});
-    timeouts_ += ended.cause == check::Cause::timeout ? 1 : 0;
-  } catch (const rc::detail::CaseResult&) {
-    answers_.push_back({name(check::Cause::bad_reply), {}, {}});  // a number that is none
+    timeouts_ += ended.cause == results::Cause::timeout ? 1 : 0;
+  } catch (const check::CaseFailed&) {
+    answers_.push_back({name(results::Cause::bad_reply), {}, {}});  // a number that is none
   }
 }
 

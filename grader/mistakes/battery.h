@@ -21,7 +21,7 @@ namespace grader::mistakes {
 
 // Thrown by a call that came to nothing, while a battery runs.
 struct CallEnded {
-  check::Cause cause;
+  results::Cause cause;
 };
 
 // How the batteries are run: what a submission is asked, and, with more draws, what is kept.

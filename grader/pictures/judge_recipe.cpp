@@ -25,16 +25,16 @@ results::State state_of(ImageVerdict::Outcome outcome) {
   return results::State::fail;
 }
 
-results::State state_of(check::Cause cause) {
+results::State state_of(results::Cause cause) {
   switch (cause) {
-    case check::Cause::crash:
+    case results::Cause::crash:
       return results::State::crash;
-    case check::Cause::timeout:
+    case results::Cause::timeout:
       return results::State::timeout;
-    case check::Cause::not_attempted:
+    case results::Cause::not_attempted:
       return results::State::not_attempted;
-    case check::Cause::wrong:
-    case check::Cause::bad_reply:
+    case results::Cause::wrong:
+    case results::Cause::bad_reply:
       break;
   }
   return results::State::fail;

@@ -20,7 +20,7 @@ using RowRenderer = std::function<pt::PictureRows(const pt::View&, const pt::Row
 
 // A worker made no picture. The text says what it did instead, for a person to read.
 struct NoPicture {
-  check::Cause cause = check::Cause::crash;
+  results::Cause cause = results::Cause::crash;
   std::string text;
 };
 

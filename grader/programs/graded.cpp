@@ -1,5 +1,5 @@
 // graded.<slug>: the properties of one task, whose calls go to a worker. Trusted: no line of a
-// submission runs in here. Writes what it found as JSON for `grade`; the exit status is 0 if every
+// submission runs in here. Writes what it found as a results.json; the exit status is 0 if every
 // promise held, 1 if one did not, 2 if nothing could be judged. With --battery it runs the task's
 // battery instead (grader/mistakes/battery.h), and writes the answers.
 #include "grader/mistakes/battery.h"
@@ -36,7 +36,7 @@ constexpr std::chrono::milliseconds kBatteryCallLimit{2000};
 int run_battery(Options options) {
   options.session.call_limit = kBatteryCallLimit;
   options.session.total_limit = std::chrono::minutes(5);
-  options.session.give_up = [](grader::check::Cause cause, const std::string&) {
+  options.session.give_up = [](grader::results::Cause cause, const std::string&) {
     throw grader::mistakes::CallEnded{cause};
   };
   grader::wire::open_session(options.session);
@@ -57,7 +57,8 @@ int run(const Options& options, const char* program) {
   const int failed = RUN_ALL_TESTS();
   const auto& test = *testing::UnitTest::GetInstance();
   if (!options.report.empty()) {
-    grader::programs::write_report(options.report, test, grader::wire::session().record());
+    grader::programs::write_report(options.report, test, options.session,
+                                   grader::wire::session().record());
   }
   if (test.test_to_run_count() == 0) throw pt::Error("no property was run: nothing is judged");
   return failed == 0 ? 0 : 1;

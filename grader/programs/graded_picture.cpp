@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
     options.session.program = std::filesystem::absolute(options.session.program);
     options.session.tier = sandbox::tier_of(options.tier);
     options.session.answers = false;
-    options.session.give_up = [](check::Cause cause, const std::string& text) {
+    options.session.give_up = [](results::Cause cause, const std::string& text) {
       throw pictures::NoPicture{cause, text};
     };
     options.session.call_limit = std::chrono::milliseconds(options.call_limit);

@@ -1,56 +1,84 @@
 #include "grader/programs/graded_report.h"
 
-#include "pt/error.h"
+#include "grader/base/files.h"
+#include "grader/base/printable.h"
+#include "grader/check/property.h"
+#include "grader/judge/object_file.h"
+#include "grader/results/json.h"
 
-#include <fstream>
+#include <cstdlib>
+#include <memory>
 
-#include <nlohmann/json.hpp>
+#include <cxxabi.h>
+#include <fmt/format.h>
 
 namespace grader::programs {
 
 namespace {
 
-using nlohmann::json;
-
-json describe(const check::Failure& failure) {
-  return {{"input", failure.input},
-          {"what", failure.what},
-          {"got", failure.got},
-          {"expected", failure.expected},
-          {"off_by", failure.off_by},
-          {"cause", name(failure.cause)},
-          {"cases_before", failure.cases_before},
-          {"seed", failure.seed}};
+results::PromiseResult describe(const testing::TestInfo& promise, bool integrated) {
+  results::PromiseResult result;
+  result.name = promise.name();
+  result.bonus = result.name.ends_with("_bonus");
+  result.held = promise.result()->Passed();
+  result.seconds = static_cast<double>(promise.result()->elapsed_time()) * 1e-3;
+  for (const check::FailedPromise& failed : check::failures()) {
+    if (failed.promise != result.name) continue;
+    result.failures.push_back(failed.failure);
+    result.failures.back().integrated = integrated;
+  }
+  return result;
 }
 
-json describe(const testing::TestInfo& promise) {
-  json failed = json::array();
-  for (const check::Failure& failure : check::failures()) {
-    if (failure.promise == promise.name()) failed.push_back(describe(failure));
-  }
-  return {{"name", promise.name()},
-          {"held", promise.result()->Passed()},
-          {"seconds", static_cast<double>(promise.result()->elapsed_time()) * 1e-3},
-          {"failures", failed}};
+// "pt::(anonymous namespace)::count" is count, as is "pt::hit_bvh(...)::count". Not known: "".
+std::string variable_at(const std::string& worker, std::uint64_t place) {
+  const std::string symbol = judge::state_at(base::read_file(worker), place);
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> text(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+  const std::string name = text ? text.get() : symbol;
+  const std::size_t last = name.rfind("::");
+  return base::printable(last == name.npos ? name : name.substr(last + 2), 100);
+}
+
+std::string kept_reason(const std::string& worker, std::uint64_t place) {
+  const std::string name = variable_at(worker, place);
+  return fmt::format(
+      "it keeps {} between calls, and tasks are called from several threads at once: "
+      "make it a local variable, a constant, or thread_local",
+      name.empty() ? "a variable" : "the variable '" + name + "'");
 }
 
 }  // namespace
 
 void write_report(const std::string& path, const testing::UnitTest& test,
-                  const wire::SessionRecord& record) {
-  json promises = json::array();
+                  const wire::SessionSettings& settings, const wire::SessionRecord& record) {
+  results::TaskResult task;
+  task.slug = settings.task;
+  task.printed = record.printed;
   for (int i = 0; i < test.total_test_suite_count(); ++i) {
     const testing::TestSuite& suite = *test.GetTestSuite(i);
     for (int j = 0; j < suite.total_test_count(); ++j) {
       const testing::TestInfo& promise = *suite.GetTestInfo(j);
-      if (promise.should_run()) promises.push_back(describe(promise));
+      if (promise.should_run()) task.promises.push_back(describe(promise, settings.integrated));
     }
   }
-  const json report{{"promises", promises}, {"todo", record.todo},   {"printed", record.printed},
-                    {"kept", record.kept},  {"calls", record.calls}, {"restarts", record.restarts}};
-  std::ofstream file(path);
-  file << report.dump(1, ' ', false, json::error_handler_t::replace) << '\n';
-  if (!file.flush()) throw pt::Error(path + ": cannot be written");
+  task.state = state_of(task.promises);
+  // In the integrated worker a variable may be another task's.
+  task.keeps_state = record.kept != 0 && !settings.integrated;
+  if (task.keeps_state) {
+    task.reason = kept_reason(settings.program, record.kept - 1);
+    if (task.state == results::State::pass) task.state = results::State::fail;
+  }
+  if (record.todo.contains(settings.task)) {
+    task.state = results::State::not_attempted;
+    task.reason = "it is not written yet";
+  }
+  results::Results results;
+  results.complete = true;
+  results.seed = check::seed();
+  results.tasks = {task};
+  results::write_json(results, path);
 }
 
 }  // namespace grader::programs

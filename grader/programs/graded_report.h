@@ -8,12 +8,11 @@
 
 namespace grader::programs {
 
-// Writes what a property program found, for `grade` (grader/judge/findings.h):
-//   {"promises": [{"name", "held", "seconds", "failures": [{"input", "what", "got", "expected",
-//     "off_by", "cause", "cases_before", "seed"}]}],
-//    "todo": [slug], "printed": text, "kept": n, "calls": n, "restarts": n}
-// Throws pt::Error if the file cannot be written.
+// Writes what a property program found as a results.json (docs/results.md) with the one task of the
+// session: its state, its promises with name, held, seconds and failures, what was printed, and
+// whether it keeps a variable between calls. What is in no program but `grade`, such as words, points
+// and replay, is left empty. Throws pt::Error if the file cannot be written.
 void write_report(const std::string& path, const testing::UnitTest& test,
-                  const wire::SessionRecord& record);
+                  const wire::SessionSettings& settings, const wire::SessionRecord& record);
 
 }  // namespace grader::programs

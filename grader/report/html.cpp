@@ -31,15 +31,15 @@ void set_texts(data& out, const std::string& list, const std::string& key,
   out.set("has_" + list, !texts.empty());
 }
 
-data failure_data(const results::FailureReport& exact) {
-  const results::FailureReport failure = results::readable(exact);
+data failure_data(const results::Failure& exact) {
+  const results::Failure failure = results::readable(exact);
   data out;
   set_texts(out, "input", "line", failure.input);
   set_text(out, "what", failure.what);
   set_text(out, "got", failure.got);
   set_text(out, "expected", failure.expected);
   set_text(out, "off_by", failure.off_by);
-  set_text(out, "cause", failure.cause == "wrong" ? "" : failure.cause);
+  set_text(out, "cause", failure.cause == results::Cause::wrong ? "" : name(failure.cause));
   set_text(out, "replay", failure.replay);
   out.set("integrated", failure.integrated);
   out.set("cases_before", std::to_string(failure.cases_before));
@@ -64,7 +64,7 @@ std::string why_no_failures(const results::TaskResult& task, results::State prom
 data promise_data(const results::TaskResult& task, const results::PromiseResult& promise) {
   const results::State state = state_of(task, promise);
   data out, failures{data::type::list};
-  for (const results::FailureReport& failure : promise.failures)
+  for (const results::Failure& failure : promise.failures)
     failures.push_back(failure_data(failure));
   out.set("promise_words", promise.words.empty() ? promise.name : promise.words);
   out.set("bonus", promise.bonus);

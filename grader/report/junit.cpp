@@ -67,11 +67,12 @@ Case promise_case(const results::TaskResult& task, const results::PromiseResult&
     result.message = "a bonus promise that is not kept";
   } else if (!promise.held) {
     const std::string mistake = results::mistake_text(task);
-    const std::string cause = promise.failures.empty() ? "" : promise.failures[0].cause;
+    const bool shown = !promise.failures.empty();
+    const std::string cause = shown ? name(promise.failures[0].cause) : "";
     const std::string whole = element_of(task.state);
-    result.type = cause.empty() ? name(task.state) : cause;
-    result.element = cause == "wrong" || (cause.empty() && whole != "error") ? "failure" : "error";
-    if (!cause.empty() || task.reason.empty()) result.message = promise.words;
+    result.type = shown ? cause : name(task.state);
+    result.element = cause == "wrong" || (!shown && whole != "error") ? "failure" : "error";
+    if (shown || task.reason.empty()) result.message = promise.words;
     result.text = text_of(task, promise.name);
     // Once in a text, and in that of every promise: a reader of JUnit shows one testcase at a time.
     if (!mistake.empty() && result.text.find(task.mistake.sentence) == std::string::npos) {

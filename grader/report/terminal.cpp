@@ -95,7 +95,7 @@ std::string labelled(const std::string& label, const std::vector<std::string>& l
   return text;
 }
 
-std::string failure_text(const results::FailureReport& failure) {
+std::string failure_text(const results::Failure& failure) {
   std::string text;
   if (failure.integrated) text += "  With your own tasks in all places:\n";
   text += labelled("input", failure.input);
@@ -113,7 +113,7 @@ std::string promise_text(const results::TaskResult& task, const results::Promise
   }
   text += "\n";
   if (promise.failures.empty()) return text + "  It failed without a counterexample.\n";
-  for (const results::FailureReport& failure : promise.failures) {
+  for (const results::Failure& failure : promise.failures) {
     text += failure_text(results::readable(failure));
     if (!style.all) break;
   }

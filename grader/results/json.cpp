@@ -17,6 +17,7 @@ ordered_json describe(const T& value) {
 }
 
 ordered_json describe(State state) { return name(state); }
+ordered_json describe(Cause cause) { return name(cause); }
 
 template <class T>
 ordered_json describe(const std::vector<T>& values);

@@ -13,7 +13,7 @@ namespace grader::results {
 template <class S, class Of>
 concept Is = std::same_as<std::remove_const_t<S>, Of>;
 
-void members(Is<FailureReport> auto& failure, auto&& each) {
+void members(Is<Failure> auto& failure, auto&& each) {
   each("input", failure.input);
   each("what", failure.what);
   each("got", failure.got);

@@ -9,14 +9,14 @@ namespace grader::results {
 
 namespace {
 
-int rank_of_cause(const std::string& cause) {
-  if (cause == "crash") return 0;
-  if (cause == "timeout") return 1;
-  return cause == "wrong" || cause.empty() ? 3 : 2;
+int rank_of_cause(Cause cause) {
+  if (cause == Cause::crash) return 0;
+  if (cause == Cause::timeout) return 1;
+  return cause == Cause::wrong ? 3 : 2;
 }
 
 // Of the texts of properties (expect_mean and the chi-square tests).
-bool is_statistical(const FailureReport& failure) {
+bool is_statistical(const Failure& failure) {
   for (const std::string* text : {&failure.what, &failure.got, &failure.expected}) {
     for (const char* sign : {"as the mean of", "chi-square", "standard error", "the mean of"}) {
       if (text->find(sign) != std::string::npos) return true;
@@ -30,7 +30,7 @@ using Rank = std::array<int, 5>;
 Rank rank_of(const PromiseResult& promise) {
   constexpr int kFirstInputs = 3, kShortLines = 3, kLongLines = 12;
   Rank best{promise.bonus ? 1 : 0, 4, 1, 1, 2};
-  for (const FailureReport& failure : promise.failures) {
+  for (const Failure& failure : promise.failures) {
     const int lines = static_cast<int>(failure.input.size());
     best = std::min(
         best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause),

@@ -4,6 +4,7 @@
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
@@ -28,16 +29,18 @@ void read(const json& from, double& value) {
   value = from.is_null() ? std::numeric_limits<double>::quiet_NaN() : from.get<double>();
 }
 
-void read(const json& from, State& state) {
+// One of `all`, by its name.
+template <class Choice, std::size_t n>
+Choice choice(const json& from, const std::array<Choice, n>& all, const std::string& kind) {
   const std::string text = from;
-  for (const State each : kStates) {
-    if (text == name(each)) {
-      state = each;
-      return;
-    }
-  }
-  throw pt::Error("there is no state '" + text + "'");
+  const auto found =
+      std::ranges::find(all, text, [](Choice each) { return std::string(name(each)); });
+  if (found == all.end()) throw pt::Error("there is no " + kind + " '" + text + "'");
+  return *found;
 }
+
+void read(const json& from, State& state) { state = choice(from, kStates, "state"); }
+void read(const json& from, Cause& cause) { cause = choice(from, kCauses, "cause"); }
 
 template <class T>
 void read(const json& from, std::vector<T>& values);

@@ -123,7 +123,7 @@ std::string with_few_digits(const std::string& text) {
   });
 }
 
-FailureReport readable(FailureReport failure) {
+Failure readable(Failure failure) {
   if (failure.input.size() > kMaxLines) {
     const std::size_t more = failure.input.size() - kShownLines;
     failure.input.resize(kShownLines);

@@ -15,6 +15,6 @@ std::string with_few_digits(const std::string& text);
 
 // The failure with the first ten lines of an input of more than twelve, and numbers with few
 // digits: as many as show how far `got` is from `expected`.
-FailureReport readable(FailureReport failure);
+Failure readable(Failure failure);
 
 }  // namespace grader::results

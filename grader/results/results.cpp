@@ -28,6 +28,35 @@ const char* name(State state) {
   return "";
 }
 
+const char* name(Cause cause) {
+  switch (cause) {
+    case Cause::wrong:
+      return "wrong";
+    case Cause::crash:
+      return "crash";
+    case Cause::timeout:
+      return "timeout";
+    case Cause::bad_reply:
+      return "bad reply";
+    case Cause::not_attempted:
+      return "not attempted";
+  }
+  return "";
+}
+
+State state_of(const std::vector<PromiseResult>& promises) {
+  State state = State::pass;
+  for (const PromiseResult& promise : promises) {
+    if (promise.bonus || promise.held) continue;
+    if (state == State::pass) state = State::fail;
+    for (const Failure& failure : promise.failures) {
+      if (failure.cause == Cause::crash) state = State::crash;
+      if (failure.cause == Cause::timeout && state != State::crash) state = State::timeout;
+    }
+  }
+  return state;
+}
+
 bool passes(const Results& results) {
   return !results.tasks.empty() &&
          std::all_of(results.tasks.begin(), results.tasks.end(),

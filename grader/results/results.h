@@ -31,20 +31,36 @@ inline constexpr std::array kStates{State::pass,      State::fail,          Stat
 // "pass", "not_attempted": as it stands in JSON.
 const char* name(State state);
 
-// A promise that was not kept, on the smallest input found. All texts are for a person to read.
-struct FailureReport {
-  std::vector<std::string> input;  // a line per value
-  std::string what;                // what was compared; may be empty
-  std::string got;
-  std::string expected;
-  std::string off_by;  // empty where there is no number
-  std::string cause;   // "wrong", "crash", "timeout", "bad reply", "not attempted"
-  int cases_before = 0;
-  std::uint64_t seed = 0;
-  bool integrated = false;  // found with the submission's other tasks, not by itself
-  std::string replay;       // the command that shows it again
+// Why a case failed. All but the first are known only where the task runs in another process: the call
+// itself came to nothing.
+enum class Cause {
+  wrong,          // the answer is not what was promised
+  crash,          // the process died, or the task threw
+  timeout,        // no answer within the limit
+  bad_reply,      // an answer that no implementation of the contract can give
+  not_attempted,  // the task calls todo()
+};
 
-  bool operator==(const FailureReport&) const = default;
+inline constexpr std::array kCauses{Cause::wrong, Cause::crash, Cause::timeout, Cause::bad_reply,
+                                    Cause::not_attempted};
+
+// "wrong", "bad reply": as it stands in JSON, and for people.
+const char* name(Cause cause);
+
+// A promise that was not kept, on the smallest input found. All texts are for a person to read.
+struct Failure {
+  std::vector<std::string> input{};  // a line per value
+  std::string what{};                // what was compared; may be empty
+  std::string got{};
+  std::string expected{};
+  std::string off_by{};  // empty where there is no number
+  Cause cause = Cause::wrong;
+  int cases_before = 0;     // how many cases held first
+  std::uint64_t seed = 0;   // of the run
+  bool integrated = false;  // found with the submission's other tasks, not by itself
+  std::string replay{};     // the command that shows it again
+
+  bool operator==(const Failure&) const = default;
 };
 
 struct PromiseResult {
@@ -54,7 +70,7 @@ struct PromiseResult {
   bool held = false;
   int points = 1;  // for keeping it
   double seconds = 0;
-  std::vector<FailureReport> failures;
+  std::vector<Failure> failures;
 
   bool operator==(const PromiseResult&) const = default;
 };
@@ -158,6 +174,9 @@ struct Results {
 
   bool operator==(const Results&) const = default;
 };
+
+// The state of a task by its promises alone. Bonus promises decide nothing.
+State state_of(const std::vector<PromiseResult>& promises);
 
 // Returns whether all that was asked for passes.
 bool passes(const Results& results);

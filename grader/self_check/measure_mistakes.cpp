@@ -5,6 +5,7 @@
 #include "grader/judge/alone.h"
 #include "grader/judge/ask_battery.h"
 #include "grader/process/run_command.h"
+#include "grader/results/read_json.h"
 #include "grader/self_check/naming_variations.h"
 #include "pt/error.h"
 
@@ -67,10 +68,9 @@ std::map<std::string, bool> promises_at(const judge::Trial& trial, const std::st
   fs::remove(report);
   process::run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kPromiseTime);
   std::map<std::string, bool> held;
-  const json all = json::parse(base::read_file(report));
-  for (const json& promise : all.at("promises")) {
-    const std::string name = promise.at("name");
-    if (!name.ends_with("_bonus")) held[name] = promise.at("held");
+  const results::Results all = results::read_results(report);
+  for (const results::PromiseResult& promise : all.tasks.at(0).promises) {
+    if (!promise.bonus) held[promise.name] = promise.held;
   }
   return held;
 }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
@@ -16,13 +17,13 @@ namespace {
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Runs a property that fails, and returns what it leaves for the reports.
-check::Failure failure_of(const std::function<void()>& property) {
+results::Failure failure_of(const std::function<void()>& property) {
   EXPECT_NONFATAL_FAILURE(check::for_all(property), "input");
-  return check::failures().back();
+  return check::failures().back().failure;
 }
 
 TEST(Property, shows_the_simplest_input_that_fails_by_its_name) {
-  const check::Failure failure = failure_of([] {
+  const results::Failure failure = failure_of([] {
     const double x = check::draw("x", check::real(-10, 10));
     const int n = check::draw("n", check::whole(2, 50));
     const pt::Vec3 d = *check::direction();
@@ -37,7 +38,7 @@ TEST(Property, shows_the_simplest_input_that_fails_by_its_name) {
 }
 
 TEST(Property, shrinks_a_magnitude_to_a_power_of_ten) {
-  const check::Failure failure = failure_of([] {
+  const results::Failure failure = failure_of([] {
     const double x = check::draw("x", check::magnitude(1e-6, 1e6));
     check::expect(x < 30, "less", "more");
   });
@@ -47,13 +48,33 @@ TEST(Property, shrinks_a_magnitude_to_a_power_of_ten) {
 TEST(Property, runs_the_smallest_failing_case_once_more_for_a_debugger) {
   setenv("FIRSTLIGHT_REPLAY", "1", 1);
   int last = 0;
-  const check::Failure failure = failure_of([&] {
+  const results::Failure failure = failure_of([&] {
     last = check::draw("n", check::whole(0, 1000));
     check::expect(last < 17, "less", "more");
   });
   unsetenv("FIRSTLIGHT_REPLAY");
   EXPECT_EQ(failure.input, std::vector<std::string>{"n: " + std::to_string(last)});
   EXPECT_EQ(last, 17);
+}
+
+TEST(Property, shows_what_was_thrown) {
+  const results::Failure failure = failure_of([] {
+    if (check::draw("n", check::whole(0, 1000)) > 16) throw std::runtime_error("too many");
+  });
+  EXPECT_NE(failure.got.find("too many"), std::string::npos) << failure.got;
+  EXPECT_EQ(failure.input, std::vector<std::string>{"n: 17"});
+}
+
+// A smaller input that fails for another reason is not shown: how far the search gets depends on the
+// machine.
+TEST(Property, keeps_the_cause_of_the_first_failure) {
+  const results::Failure failure = failure_of([] {
+    const int n = check::draw("n", check::whole(20, 1000));
+    if (n > 40) check::fail_call(results::Cause::crash, "signal 11");
+    check::expect(false, "more", "less");
+  });
+  EXPECT_EQ(failure.cause, results::Cause::crash);
+  EXPECT_EQ(failure.got, "signal 11");
 }
 
 struct Two {
@@ -63,7 +84,7 @@ struct Two {
 void showValue(const Two& two, std::ostream& out) { check::show_lines(out, two.first, two.second); }
 
 TEST(Property, shows_a_value_of_several_lines_as_several_inputs) {
-  const check::Failure failure = failure_of([] {
+  const results::Failure failure = failure_of([] {
     const Two two = *rc::gen::exec([] { return Two{*check::point(), *check::direction()}; });
     check::expect(length(two.first) < 0, "less", "more");
   });
@@ -131,18 +152,18 @@ TEST(Mean, of_estimates_as_noisy_as_they_may_be_is_right) {
 }
 
 TEST(Mean, is_too_noisy_where_few_draws_carry_it) {
-  const check::Failure noisy = failure_of([] {
+  const results::Failure noisy = failure_of([] {
     const std::vector<pt::Rgb> draws = rarely(50, 3000, check::draw("seed", check::sampler_seed()));
     check::expect_mean("the mean", check::mean_of(draws), pt::gray(1), check::Noise{pt::gray(2)});
   });
   EXPECT_TRUE(noisy.got.starts_with("right on average, but too noisy")) << noisy.got;
-  const check::Failure one = failure_of([] {
+  const results::Failure one = failure_of([] {
     std::vector<pt::Rgb> draws(1000);
     draws[17] = pt::gray(1000);
     check::expect_mean("the mean", check::mean_of(draws), pt::gray(2));
   });
   EXPECT_TRUE(one.got.starts_with("too noisy to judge")) << one.got;
-  const check::Failure far = failure_of([] {
+  const results::Failure far = failure_of([] {
     check::expect_mean(
         "the mean", check::mean_of(rarely(500, 1000, check::draw("seed", check::sampler_seed()))),
         pt::gray(3), check::Noise{pt::gray(1)});

@@ -85,7 +85,7 @@ std::string faults_of(const RightJob& job, const results::TaskResult& task) {
   for (const results::PromiseResult& promise : task.promises) {
     if (promise.held || promise.bonus) continue;
     text += ", " + promise.name;
-    for (const results::FailureReport& failure : promise.failures) {
+    for (const results::Failure& failure : promise.failures) {
       text += fmt::format(" ({} got {} expected {})", failure.what, failure.got, failure.expected);
     }
   }

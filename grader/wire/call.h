@@ -24,7 +24,7 @@ Value read_reply(std::string_view bytes, const Read& read) {
 template <class Result>
 const Result& expect_numbers(const Result& result) {
   if (!has_numbers(result)) {
-    check::fail_call(check::Cause::bad_reply,
+    check::fail_call(results::Cause::bad_reply,
                      "an answer in which a number is infinite or not a number");
   }
   return result;

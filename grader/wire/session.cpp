@@ -100,7 +100,7 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
 
 void Session::expect_attempted() const {
   if (record_.todo.contains(settings_.task)) {
-    settings_.give_up(check::Cause::not_attempted, "the task is not written yet");
+    settings_.give_up(results::Cause::not_attempted, "the task is not written yet");
   }
 }
 
@@ -121,7 +121,7 @@ void Session::expect_time_left() {
 void Session::expect_total_time_left() {
   const auto give_up = [&](std::chrono::nanoseconds took) {
     settings_.give_up(
-        check::Cause::timeout,
+        results::Cause::timeout,
         fmt::format("not called any more: all calls so far took {:.1f} s", seconds(took)));
   };
   const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
@@ -136,9 +136,9 @@ void Session::expect_total_time_left() {
 
 // A dead process does not tell how long it waited for a processor, so that nothing may be held
 // against it.
-void Session::keep_times(check::Cause cause) {
+void Session::keep_times(results::Cause cause) {
   running_ += worker_->running();
-  if (cause != check::Cause::timeout) return;
+  if (cause != results::Cause::timeout) return;
   waited_ += worker_->waited();
   starved_ += worker_->starved();
 }
@@ -173,8 +173,8 @@ std::string Session::converse(const Writer& call) {
     Message message = worker_->receive(sequence_);
     if (message.kind == Kind::reply) return std::move(message.payload);
     if (message.kind == Kind::threw) {
-      throw WorkerFailed{check::Cause::crash, "it threw: " + base::printable(message.payload, 200),
-                         true};
+      throw WorkerFailed{results::Cause::crash,
+                         "it threw: " + base::printable(message.payload, 200), true};
     }
     if (!settings_.answers) throw BadMessage("it called the judge, which answers nothing here");
     const Writer reply = answer(settings_.task, message.payload, *this);
@@ -200,12 +200,12 @@ void Session::take_head(Reader& reply, std::uint64_t code) {
 }
 
 void Session::reject(const std::string& why) {
-  fail({check::Cause::bad_reply, "an impossible reply: " + why, false});
+  fail({results::Cause::bad_reply, "an impossible reply: " + why, false});
 }
 
 void Session::fail(const WorkerFailed& failure) {
   last_cause_ = failure.cause;
-  ++(failure.cause == check::Cause::timeout ? timeouts_ : failures_);
+  ++(failure.cause == results::Cause::timeout ? timeouts_ : failures_);
   if (!failure.alive) {
     if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
     if (worker_) keep_times(failure.cause);
@@ -213,7 +213,7 @@ void Session::fail(const WorkerFailed& failure) {
     ++record_.restarts;
   }
   settings_.give_up(failure.cause,
-                    failure.cause == check::Cause::timeout
+                    failure.cause == results::Cause::timeout
                         ? fmt::format("no answer within {} s", seconds(settings_.call_limit))
                         : failure.text);
   std::abort();  // give_up has returned

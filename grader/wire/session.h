@@ -18,7 +18,7 @@ struct SessionSettings {
   bool integrated = false;  // all tasks are the submission's: its scenes are traced by its own tree
   bool answers = true;      // the worker may call back
   // Called when a call comes to nothing; does not return.
-  std::function<void(check::Cause, const std::string&)> give_up = check::fail_call;
+  std::function<void(results::Cause, const std::string&)> give_up = check::fail_call;
   // Of processor time (grader/process/time_limit.h).
   std::chrono::milliseconds call_limit{2000};    // of one call, and of kBatch repetitions
   std::chrono::milliseconds total_limit{30000};  // of all calls together
@@ -72,7 +72,7 @@ class Session {
   void expect_attempted() const;
   void expect_time_left();
   void expect_total_time_left();
-  void keep_times(check::Cause cause);  // of the worker that has ended
+  void keep_times(results::Cause cause);  // of the worker that has ended
   void drop_known_definitions();
   Writer message(Function function, std::uint64_t code, const Repetition& repetition,
                  const Writer& arguments);
@@ -93,7 +93,7 @@ class Session {
   // Of workers that have ended.
   std::chrono::nanoseconds running_{0}, waited_{0}, starved_{0};
   int timeouts_ = 0, failures_ = 0;
-  check::Cause last_cause_ = check::Cause::timeout;
+  results::Cause last_cause_ = results::Cause::timeout;
 };
 
 // The number of repetitions in one message: enough that its cost does not count, few enough that

@@ -94,10 +94,11 @@ Message WorkerProcess::receive(std::uint64_t sequence) {
   const bool known =
       header.kind == Kind::reply || header.kind == Kind::ask || header.kind == Kind::threw;
   if (header.magic != kMagic || !known || header.sequence != sequence) {
-    throw WorkerFailed{check::Cause::bad_reply, "bytes that are not a reply"};
+    throw WorkerFailed{results::Cause::bad_reply, "bytes that are not a reply"};
   }
   if (header.length > kMaxPayload) {
-    throw WorkerFailed{check::Cause::bad_reply, fmt::format("a reply of {} bytes", header.length)};
+    throw WorkerFailed{results::Cause::bad_reply,
+                       fmt::format("a reply of {} bytes", header.length)};
   }
   fill(sizeof header + header.length);
   Message message{header.kind, buffer_.substr(sizeof header, header.length)};
@@ -137,7 +138,7 @@ void WorkerProcess::wait(const base::Descriptor& descriptor, short event) {
     if (ready > 0 && waiting[0].revents != 0) return;
     if (left == 0 && limit_.is_over()) {
       running_ = process::running_time(worker_);
-      throw WorkerFailed{check::Cause::timeout, "no answer within the limit"};
+      throw WorkerFailed{results::Cause::timeout, "no answer within the limit"};
     }
   }
 }
@@ -173,11 +174,11 @@ void WorkerProcess::ended() {
     take_output();
     if (bytes_printed_ == before) break;
   }
-  if (!dead) throw WorkerFailed{check::Cause::crash, "it closed its connection to the judge"};
+  if (!dead) throw WorkerFailed{results::Cause::crash, "it closed its connection to the judge"};
   running_ = duration(used.ru_utime) + duration(used.ru_stime);
   kill(-pid_, SIGKILL);
   pid_ = -1;
-  throw WorkerFailed{check::Cause::crash,
+  throw WorkerFailed{results::Cause::crash,
                      process::cause_of_end(sandbox::program_status(status, tier_),
                                            base::printable(last_words_, 2000, true))};
 }

@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 
 // A conversation that came to nothing. The text says what the worker did, for a person to read.
 struct WorkerFailed {
-  check::Cause cause = check::Cause::crash;
+  results::Cause cause = results::Cause::crash;
   std::string text;
   bool alive = false;  // the worker may be called again
 };

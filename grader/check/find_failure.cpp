@@ -1,0 +1,180 @@
+#include "grader/check/find_failure.h"
+
+#include "grader/check/fail.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <sstream>
+
+#include <rapidcheck.h>
+#include <rapidcheck/detail/TestListener.h>
+
+namespace grader::check {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using results::Cause;
+using results::Failure;
+
+constexpr std::chrono::milliseconds kShrinkTime{500};
+
+// Thrown to end what RapidCheck does: it would go on with a search for as long as it finds
+// something.
+struct Enough {};
+
+// How many smaller inputs to try after a failure: a call that died costs a new process, one that
+// hangs the whole limit.
+int shrink_attempts(Cause cause) {
+  switch (cause) {
+    case Cause::wrong:
+      return std::numeric_limits<int>::max();
+    case Cause::crash:
+    case Cause::bad_reply:
+      return 20;
+    case Cause::timeout:
+      return 1;
+    case Cause::not_attempted:
+      return 0;
+  }
+  return 0;
+}
+
+// A property whose runs are counted, so that one of them can be found again. RapidCheck knows a
+// failure by its text alone: the failure itself waits here.
+struct Counted {
+  const std::function<void()>& property;
+  int stop_at = 0;  // the run before which a debugger stops; 0: none
+  int runs = 0;
+  std::optional<Failure> failure{};  // of the last run
+
+  void run() {
+    failure.reset();
+    if (++runs == stop_at) at_smallest_failure();
+    try {
+      property();
+    } catch (const CaseFailed& failed) {
+      failure = failed.failure;
+      throw rc::detail::CaseResult(rc::detail::CaseResult::Type::Failure, "");
+    }
+  }
+};
+
+// RapidCheck gives the type where the generator has no name; names end in a colon (draw). A value
+// of several lines, such as a sphere and a ray, is several inputs.
+void add_input(Failure& failure, const std::string& name, const std::string& value) {
+  std::istringstream lines(value);
+  for (std::string line; std::getline(lines, line);) {
+    if (name.ends_with(':')) line.insert(0, name + " ");
+    failure.input.push_back(line);
+  }
+}
+
+// Follows a search: keeps the smallest failing case, and ends the search for a smaller one after
+// a while. (RapidCheck's own listener reads its configuration from the environment and prints it.)
+class Watcher : public rc::detail::TestListener {
+ public:
+  Watcher(const Counted& counted, bool shrinks) : counted_(counted), shrinks_(shrinks) {}
+
+  void onTestCaseFinished(const rc::detail::CaseDescription& tried) override {
+    if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
+    if (tried.result.type != rc::detail::CaseResult::Type::Failure) return;
+    keep(tried);
+    deadline_ = Clock::now() + kShrinkTime;
+    cause_ = failure_.cause;
+    attempts_left_ = shrinks_ ? shrink_attempts(cause_) : 0;
+    if (attempts_left_ == 0) throw Enough{};
+  }
+
+  void onShrinkTried(const rc::detail::CaseDescription& tried, bool fails) override {
+    if (fails) {
+      // How far the search gets depends on the machine; the cause, and so the verdict, must not.
+      const Cause cause = counted_.failure ? counted_.failure->cause : Cause::wrong;
+      if (cause == cause_) keep(tried);
+      attempts_left_ = std::min(attempts_left_, shrink_attempts(cause));
+    }
+    if (--attempts_left_ <= 0 || Clock::now() > deadline_) throw Enough{};
+  }
+
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+
+  Found found() const {
+    if (!smallest_) return {};
+    Failure failure = failure_;
+    failure.cases_before = held_;
+    for (const auto& [name, value] : smallest_->example()) add_input(failure, name, value);
+    return {failure, smallest_run_, ""};
+  }
+
+ private:
+  // Where something else was thrown, RapidCheck has the words.
+  void keep(const rc::detail::CaseDescription& tried) {
+    smallest_ = tried;
+    smallest_run_ = counted_.runs;
+    failure_ = counted_.failure.value_or(Failure{.got = tried.result.description});
+  }
+
+  const Counted& counted_;
+  bool shrinks_ = true;
+  std::optional<rc::detail::CaseDescription> smallest_;
+  Failure failure_;  // of the smallest
+  int smallest_run_ = 0;
+  int held_ = 0;
+  int attempts_left_ = 0;
+  Cause cause_ = Cause::wrong;  // of the first failure
+  Clock::time_point deadline_;
+};
+
+// Ends a search after the run that it is about.
+class Replayer : public rc::detail::TestListener {
+ public:
+  explicit Replayer(const Counted& counted) : counted_(counted) {}
+
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override { stop(); }
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override { stop(); }
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+
+ private:
+  void stop() const {
+    if (counted_.runs >= counted_.stop_at) throw Enough{};
+  }
+
+  const Counted& counted_;
+};
+
+// What RapidCheck has to say if the property failed and the listener did not end it.
+std::string check(Counted& counted, const Search& search, rc::detail::TestListener& listener) {
+  rc::detail::TestParams params;
+  params.seed = search.seed;
+  params.maxSuccess = search.cases;
+  std::ostringstream text;
+  try {
+    const auto result = rc::detail::checkProperty(rc::detail::toProperty([&] { counted.run(); }),
+                                                  rc::detail::TestMetadata{}, params, listener, {});
+    if (!result.is<rc::detail::SuccessResult>()) rc::detail::printResultMessage(result, text);
+  } catch (const Enough&) {
+  }
+  return text.str();
+}
+
+}  // namespace
+
+Found find_failure(const std::function<void()>& property, const Search& search) {
+  Counted counted{property};
+  Watcher watcher(counted, search.shrinks);
+  const std::string fault = check(counted, search, watcher);
+  Found found = watcher.found();
+  if (!found.failure) found.fault = fault;
+  return found;
+}
+
+void run_again(const std::function<void()>& property, const Search& search, int run) {
+  Counted counted{property, run};
+  Replayer replayer(counted);
+  check(counted, search, replayer);
+}
+
+void at_smallest_failure() { asm volatile(""); }
+
+}  // namespace grader::check
