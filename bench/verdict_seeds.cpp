@@ -76,9 +76,9 @@ int run(const Options& options) {
     const results::PictureResult result = judge(jobs[i], options);
     const std::lock_guard lock(writing);
     failed += result.state == results::State::pass ? 0 : 1;
-    later += result.stages > 1 ? 1 : 0;
+    later += result.rounds > 1 ? 1 : 0;
     csv << fmt::format("{},{},{},{},{:.3f},{:.3f},\"{}\"\n", jobs[i].recipe->name, jobs[i].seed,
-                       name(result.state), result.stages, result.noise, result.seconds, result.text)
+                       name(result.state), result.rounds, result.noise, result.seconds, result.text)
         << std::flush;
     std::fprintf(stderr, "\r%zu of %zu, %zu needed a second round, %zu failed", ++ended,
                  jobs.size(), later, failed);

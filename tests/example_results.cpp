@@ -56,7 +56,7 @@ PictureResult picture(const std::string& folder, const std::string& recipe, Stat
   out.title = "A disc in a gradient";
   out.state = state;
   out.samples = 64;
-  out.stages = 1;
+  out.rounds = 1;
   out.noise = 1.02;
   out.seconds = 0.8;
   out.max_points = 3;
@@ -74,7 +74,7 @@ PictureResult wrong_picture(const std::string& folder) {
   PictureResult out = picture(folder, "penumbra", State::fail);
   out.text = "This block was 21.0 % too dark in three independent renders.";
   out.samples = 448;
-  out.stages = 3;
+  out.rounds = 3;
   out.cells = {{48, 24, 8, 8, "Y", -0.21, 2.4}, {56, 24, 4, 4, "R", -0.2, 1.3}};
   out.evidence = folder + "/evidence.exr";
   pt::write_exr(out.render, film({{40, 16, 24, 24, "Y"}, 0.79}, 2));

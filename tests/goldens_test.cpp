@@ -42,7 +42,7 @@ TEST(Goldens, have_a_row_and_a_title_in_the_handbook_of_recipes) {
 }
 
 // What is known of a solution that has changed since would give it a wrong name. To mend it:
-// build/check/grader/verdict_mistakes --stages 1 --pictures
+// build/check/grader/verdict_mistakes --rounds 1 --pictures
 TEST(KnownMistakes, are_of_the_solutions_and_recipes_that_we_keep) {
   const std::vector<Recipe> all = recipes();
   const std::vector<KnownMistake> known = read_mistakes(kRoot / "golden/known_mistakes.jsonl", "");

@@ -54,14 +54,14 @@ TEST(report, only_a_whole_run_passes) {
 
 TEST(report, what_is_no_report_is_refused) {
   std::string other = to_json(full_results());
-  other.replace(other.find("\"schema_version\": 1"), 19, "\"schema_version\": 0");
+  other.replace(other.find("\"schema_version\": 2"), 19, "\"schema_version\": 0");
   for (const std::string& text :
        {std::string(), std::string("{}"), std::string("[]"), other,
-        std::string(R"({"schema_version": 1})"),
-        std::string(R"({"schema_version": 1, "tasks": 5})"),
-        std::string(R"({"schema_version": 1, "tasks": [5]})"),
-        std::string(R"({"schema_version": 1, "tasks": [{"state": "perfect"}]})"),
-        std::string(R"({"schema_version": 1, "tasks": [{"slug": 5}]})")}) {
+        std::string(R"({"schema_version": 2})"),
+        std::string(R"({"schema_version": 2, "tasks": 5})"),
+        std::string(R"({"schema_version": 2, "tasks": [5]})"),
+        std::string(R"({"schema_version": 2, "tasks": [{"state": "perfect"}]})"),
+        std::string(R"({"schema_version": 2, "tasks": [{"slug": 5}]})")}) {
     EXPECT_THROW(results_from_json(text, "x"), pt::Error) << text;
   }
 }

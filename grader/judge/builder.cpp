@@ -5,11 +5,11 @@
 #include "grader/judge/audit.h"
 #include "grader/judge/cache.h"
 #include "grader/judge/object_file.h"
+#include "grader/judge/submission_flags.h"
 #include "grader/process/run_command.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
 
-#include <array>
 #include <filesystem>
 #include <sstream>
 
@@ -34,22 +34,6 @@ constexpr std::size_t kMaxErrorLines = 12;
 // Far above what any task compiles to.
 constexpr std::size_t kMaxObject = std::size_t{16} << 20;
 
-// Flags for a submission, in addition to those of the build. Warnings that name the guilty line of
-// a mistake, and not what everybody writes (int i < size()). And a function that has to return a
-// value and ends without a return ends the program there, where it would do anything otherwise.
-constexpr std::array kSubmissionFlags{
-    "-Wall",
-    "-Wextra",
-    "-Wshadow",
-    "-Wconversion",
-    "-Wno-sign-conversion",
-    "-Wno-sign-compare",
-    "-Wno-unknown-pragmas",
-};
-// Where a function has to return a value and may end without a return: it ends the program there,
-// and does not do just anything. The compiler is then silent about it, so that it is asked twice.
-constexpr std::string_view kNoReturn = "[-Wreturn-type]";
-constexpr std::array kTrapFlags{"-fsanitize=return", "-fsanitize-undefined-trap-on-error"};
 constexpr std::size_t kMaxWarningLines = 40;
 
 // The warnings about the file itself, each with the lines that explain it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/judge/config.h"
+#include "grader/process/time_limit.h"
 #include "grader/results/results.h"
 #include "grader/sandbox/probe.h"
 
@@ -15,7 +16,7 @@ struct GradeRequest {
   std::string submission;          // a folder with the tree of student/
   std::vector<std::string> asked;  // slugs
   std::uint64_t seed = 1;
-  int call_limit = 2000;  // milliseconds
+  int call_limit = static_cast<int>(process::kCallLimit.count());  // milliseconds
   int threads = 2;
   bool pictures = true;            // rendered and judged too, not the promises only
   std::string command;             // the command line, for the report

@@ -19,7 +19,7 @@ struct PictureTrial {
   const Built& worker;
   std::string content;  // stands for what of the submission is judged; the same on every machine
   bool integrated = false;
-  int stages = 3;  // at most
+  int rounds = 3;  // at most
   int patience = kPatience;
 };
 

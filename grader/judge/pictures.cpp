@@ -198,12 +198,12 @@ class Gallery {
 
   results::PictureResult trial(const pictures::Recipe& recipe, const Judged& task,
                                const Built& worker, const std::string& content, bool integrated,
-                               int stages = 3, int patience = kPatience) const {
+                               int rounds = 3, int patience = kPatience) const {
     if (!worker.ok()) {
       return without_picture(recipe, results::State::fail, "it does not link: " + worker.error);
     }
     return try_picture(config_, builder_, request_,
-                       {recipe, *task.config, worker, content, integrated, stages, patience});
+                       {recipe, *task.config, worker, content, integrated, rounds, patience});
   }
 
   void put(Judged& task, const results::PictureResult& found) {

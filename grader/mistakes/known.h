@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// The mistakes that are known: of every wrong solution that is kept, how it shows. One file,
+// The mistakes that are known: how each wrong solution (grader/tasks/*/wrong) shows. One file,
 // grader/mistakes/known.json, made by the program known_mistakes; the solutions themselves are not
 // in it.
 

@@ -1,7 +1,11 @@
 #include "grader/pictures/golden.h"
 
+#include "pt/error.h"
+#include "pt/image/image_io.h"
+
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 
 namespace grader::pictures {
 namespace {
@@ -71,6 +75,17 @@ void choose_weights(Golden& golden) {
 }
 
 }  // namespace
+
+pt::Film read_golden(const std::string& path, const Recipe& recipe) {
+  if (!std::filesystem::exists(path)) {
+    throw pt::Error(path + " is missing: make it with ./run bless " + recipe.name);
+  }
+  pt::Film golden = pt::read_exr(path);
+  if (golden.width != recipe.width || golden.height != recipe.height) {
+    throw pt::Error(path + " is not of the recipe's size: make it with ./run bless " + recipe.name);
+  }
+  return golden;
+}
 
 Golden prepare(const pt::Film& film) {
   assert(film.width > 0 && film.height > 0);

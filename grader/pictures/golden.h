@@ -1,9 +1,11 @@
 #pragma once
 
+#include "grader/pictures/recipes.h"
 #include "pt/image/film.h"
 #include "pt/image/image.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 // A golden and a submission's batches as planes of numbers: what the tests of a picture compute
@@ -33,6 +35,9 @@ struct Golden {
   Plane plain;                          // weights: 1, and 0 for constant pixels
   Plane weighted;  // weights that favour the pixels known best, by their neighbours; 0 as above
 };
+
+// The golden of a recipe, as `bless` writes it. Throws pt::Error if there is none, or one of another size.
+pt::Film read_golden(const std::string& path, const Recipe& recipe);
 
 Golden prepare(const pt::Film& film);
 

@@ -1,12 +1,12 @@
 #include "grader/pictures/judge_recipe.h"
 
+#include "grader/pictures/golden.h"
 #include "grader/pictures/sample_map_verdict.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 
 namespace grader::pictures {
 
@@ -40,22 +40,11 @@ results::State state_of(results::Cause cause) {
   return results::State::fail;
 }
 
-pt::Film read_golden(const std::string& path, const Recipe& recipe) {
-  if (!std::filesystem::exists(path)) {
-    throw pt::Error(path + " is missing: make it with ./run bless " + recipe.name);
-  }
-  pt::Film golden = pt::read_exr(path);
-  if (golden.width != recipe.width || golden.height != recipe.height) {
-    throw pt::Error(path + " is not of the recipe's size: make it with ./run bless " + recipe.name);
-  }
-  return golden;
-}
-
 void enter(const ImageVerdict& verdict, results::PictureResult& result) {
   result.state = state_of(verdict.outcome);
   result.text = verdict.sentence;
   result.samples = verdict.samples;
-  result.stages = verdict.rounds;
+  result.rounds = verdict.rounds;
   result.noise = verdict.noise;
   result.cells = verdict.cells;
 }

@@ -6,9 +6,12 @@
 
 namespace grader::process {
 
+// The usual limit of one call of a task: a right one takes microseconds.
+inline constexpr std::chrono::milliseconds kCallLimit{2000};
+
 // A limit on the time that a process and its descendants may take, whatever else the machine does:
-// so much of processor time. Neither what it waits for a processor counts nor what this process
-// computes meanwhile. A process that sleeps instead of computing ends too, after kPatience times
+// so much of processor time. Time spent waiting for a processor does not count, nor does time in
+// which this process computes. A process that sleeps instead of computing ends too, after kPatience times
 // the limit.
 //
 // The kernel is asked only when so much time has gone by that the limit may have been reached.
@@ -42,7 +45,7 @@ class TimeLimit {
 // One wait of this thread, from the constructor on. Takes some 20 microseconds.
 class Wait {
  public:
-  // How long it lasted, without what this thread was ready to go on and had no processor; `longest`
+  // How long it lasted, minus the time in which this thread was ready but had no processor; `longest`
   // is what it was to last at most: a machine that stood still meanwhile makes it longer.
   std::chrono::nanoseconds net(std::chrono::nanoseconds longest) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/process/time_limit.h"
 #include "grader/report/write_reports.h"
 
 #include <cstdint>
@@ -16,7 +17,7 @@ struct GradeOptions {
   std::string from_results;
   std::string config;
   std::uint64_t seed = 1;
-  int call_limit = 2000;
+  int call_limit = static_cast<int>(process::kCallLimit.count());
   int compile_limit = 60;
   int threads = 2;
   std::string isolation;

@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   Options options;
   CLI::App app{"Checks the properties of one task on a worker"};
-  int call_limit = 2000;
+  int call_limit = static_cast<int>(grader::process::kCallLimit.count());
   std::string tier = "C";
   app.add_option("--worker", options.session.program, "the worker program")
       ->required()

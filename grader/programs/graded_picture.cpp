@@ -27,7 +27,7 @@ struct Options {
   std::string recipes, goldens, recipe;
   std::string mistakes;
   std::string report;
-  int stages = 3;
+  int rounds = 3;
   int call_limit = 10000;
   std::string tier = "C";
 };
@@ -48,7 +48,7 @@ int run(const Options& options) {
   wire::open_session(options.session);
   results::PictureResult result = pictures::judge_recipe(
       recipe,
-      {pictures::worker_rows, engine_for(options.session.task), options.source, options.stages},
+      {pictures::worker_rows, engine_for(options.session.task), options.source, options.rounds},
       {golden + ".exr", golden + "_rates.json", beside + ".exr", beside + ".evidence.exr",
        beside + ".csv", beside + ".usual.csv"});
   result.integrated = options.session.integrated;
@@ -76,7 +76,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--content", options.source.content, "stands for what is judged: a hash");
   app.add_option("--seed", options.source.seed, "of the run");
   app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
-  app.add_option("--stages", options.stages, "at most")->check(CLI::Range(1, 3));
+  app.add_option("--rounds", options.rounds, "at most")->check(CLI::Range(1, 3));
   app.add_option("--call-limit", options.call_limit, "milliseconds that a few rows may take")
       ->check(CLI::PositiveNumber);
   app.add_option("--isolation", options.tier, "the tier of the worker's box: A, B or C");

@@ -171,8 +171,8 @@ std::string made(const results::PictureResult& picture) {
                                         : "Rendered with this task of the submission, and the "
                                           "reference in all other places";
   if (picture.samples > 0) {
-    text += fmt::format("; {} samples per pixel in {} round{}", picture.samples, picture.stages,
-                        picture.stages == 1 ? "" : "s");
+    text += fmt::format("; {} samples per pixel in {} round{}", picture.samples, picture.rounds,
+                        picture.rounds == 1 ? "" : "s");
   }
   if (picture.noise > 0) {
     text += fmt::format("; {:.2f} times the variance of the reference", picture.noise);

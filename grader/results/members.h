@@ -53,7 +53,7 @@ void members(Is<PictureResult> auto& picture, auto&& each) {
   each("text", picture.text);
   each("integrated", picture.integrated);
   each("samples", picture.samples);
-  each("stages", picture.stages);
+  each("rounds", picture.rounds);
   each("noise", picture.noise);
   each("seconds", picture.seconds);
   each("points", picture.points);

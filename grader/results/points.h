@@ -29,8 +29,8 @@ Points load_points(const std::string& path);
 
 // Fills in what each promise and picture earns, and the sums. Where a mistake is named, it is the
 // one cause of all that is wrong: then broken promises together take at most the share `one_cause`
-// of what the task's promises are worth, rounded up to a whole point; what they would take beyond
-// that is `spared`, but no more than the promises that hold earn, and nothing where the task always
+// of what the task's promises are worth, rounded up to a whole point. Anything beyond that is
+// given back as `spared`: at most what the promises that hold earn, and nothing if the task always
 // gives the same answer.
 void count_points(const Points& points, TaskResult& result);
 

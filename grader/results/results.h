@@ -10,7 +10,7 @@
 
 namespace grader::results {
 
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 enum class State {
   pass,
@@ -94,7 +94,7 @@ struct PictureResult {
   std::string text;         // the one sentence; empty if it passes
   bool integrated = false;  // rendered with all tasks of the submission; else with this one only
   int samples = 0;          // per pixel, of all rounds together
-  int stages = 0;    // that were rendered; more than one where the first found a failing cell
+  int rounds = 0;    // that were rendered; more than one where the first found a failing cell
   double noise = 0;  // variance of the submission's samples over the golden's
   double seconds = 0;
   int points = 0;

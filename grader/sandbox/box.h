@@ -13,7 +13,7 @@ namespace grader::sandbox {
 
 // From the best: each is tried (grader/sandbox/probe.h), and the first that works here is used.
 enum class Tier {
-  bubblewrap,  // A: namespaces of its own, and all of B but the other user
+  bubblewrap,  // A: namespaces of its own; Landlock and seccomp as in B
   restricted,  // B: another user where we are root, Landlock and seccomp where there are any
   limits,      // C: nothing but limits
 };
@@ -29,7 +29,7 @@ struct Box {
   std::vector<std::string> command;      // argv; the program is a path
   std::vector<std::string> environment;  // "NAME=value", all of it
   std::vector<int> descriptors;          // entry i becomes descriptor i; all others are closed
-  std::vector<std::string> visible;      // files and folders it may read; its program it may anyway
+  std::vector<std::string> visible;      // files and folders it may read, besides its program
   std::string folder;                    // it may write in, and starts in; empty: none, and "/"
   bool tools = false;                    // it may start programs, as a compiler does
   process::Limits limits;

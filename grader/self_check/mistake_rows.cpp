@@ -28,9 +28,9 @@ MistakeRow row_of(const std::string& line) {
   row.solution = word();
   row.content = word();
   row.recipe = word();
-  row.most_stages = std::stoi(word());
+  row.most_rounds = std::stoi(word());
   row.state = word();
-  row.stages = std::stoi(word());
+  row.rounds = std::stoi(word());
   row.noise = std::stod(word());
   row.seconds = std::stod(word());
   const std::string pass = word(), ratio = word(), a = word(), b = word(), correlation = word();
@@ -58,7 +58,7 @@ Solutions seen(const std::vector<MistakeRow>& rows, const std::string& task,
     Seen& solution = all[row.solution];
     if (row.state == "timeout") solution.slow.push_back(row.recipe);
     if (row.state != "pass" && row.state != "timeout") solution.by.push_back(row.recipe);
-    if (row.state == "pass" && row.stages > 1) solution.at_first.push_back(row.recipe);
+    if (row.state == "pass" && row.rounds > 1) solution.at_first.push_back(row.recipe);
   }
   return all;
 }
@@ -70,8 +70,8 @@ std::string to_line(const MistakeRow& row) {
       row.map ? fmt::format("{:d},{:.3f},{:.3f},{:.3f},{:.3f}", row.map->pass, row.map->ratio,
                             row.map->a, row.map->b, row.map->correlation)
               : ",,,,";
-  return fmt::format("{},{},{},{},{:.3f},{:.2f},{},{}", row.key(), row.most_stages, row.state,
-                     row.stages, row.noise, row.seconds, map, row.text);
+  return fmt::format("{},{},{},{},{:.3f},{:.2f},{},{}", row.key(), row.most_rounds, row.state,
+                     row.rounds, row.noise, row.seconds, map, row.text);
 }
 
 std::vector<MistakeRow> read_rows(const std::filesystem::path& path) {

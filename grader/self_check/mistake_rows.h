@@ -18,9 +18,9 @@ struct MistakeRow {
   std::string solution;  // the file's name, without .cpp
   std::string content;   // the beginning of its hash: a file that has changed is judged again
   std::string recipe;
-  int most_stages = 0;  // that it was given
+  int most_rounds = 0;  // that it was given
   std::string state;    // of the picture: "pass", "fail", "too_noisy" ...
-  int stages =
+  int rounds =
       0;  // more than one where the first found a failing cell; 0 where there was no picture
   double noise = 0;
   double seconds = 0;

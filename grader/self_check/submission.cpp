@@ -1,6 +1,8 @@
 #include "grader/self_check/submission.h"
 
 #include "grader/judge/audit.h"
+#include "grader/judge/config.h"
+#include "grader/judge/submission_flags.h"
 #include "grader/tasks.h"
 
 #include <cstdlib>
@@ -8,6 +10,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/wait.h>
 
 namespace grader::self_check {
@@ -31,6 +34,28 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
+// Through the shell; both streams go to `log`.
+int run(const std::string& command, const fs::path& log) {
+  return std::system(fmt::format("{} > {} 2>&1", command, quoted(log)).c_str());
+}
+
+// The flags with which `grade` compiles a submission.
+std::string compile_flags() {
+  static const judge::Config config =
+      judge::load_config(fs::path(FIRSTLIGHT_CHECKS) / "grade.json");
+  return fmt::format("{} {}", fmt::join(config.compile_flags, " "),
+                     fmt::join(judge::kSubmissionFlags, " "));
+}
+
+// Compiles a file as `grade` does; false if it does not compile.
+bool compile(const fs::path& file, const fs::path& object, const fs::path& log) {
+  const std::string command = fmt::format("{} {} -I{} -c {} -o {}", FIRSTLIGHT_CXX, compile_flags(),
+                                          quoted(FIRSTLIGHT_ROOT), quoted(file), quoted(object));
+  if (run(command, log) != 0) return false;
+  if (text_of(log).find(judge::kNoReturn) == std::string::npos) return true;
+  return run(fmt::format("{} {}", command, fmt::join(judge::kTrapFlags, " ")), log) == 0;
+}
+
 // What the reference defines.
 std::set<std::string> contract_of(const std::string& slug) {
   std::ifstream names(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".contract"));
@@ -38,11 +63,6 @@ std::set<std::string> contract_of(const std::string& slug) {
   for (std::string path; std::getline(names, path);)
     functions.merge(judge::functions_in(text_of(path)));
   return functions;
-}
-
-// Through the shell; both streams go to `log`.
-int run(const std::string& command, const fs::path& log) {
-  return std::system(fmt::format("{} > {} 2>&1", command, quoted(log)).c_str());
 }
 
 }  // namespace
@@ -54,13 +74,10 @@ Verdict judge(const std::string& slug, const fs::path& file, const std::string& 
   const fs::path object = folder / "task.o", program = folder / "check", log = folder / "log";
 
   Verdict verdict;
-  const std::string compile =
-      fmt::format("{} -std=c++20 -O1 -ffp-contract=off -fno-math-errno -I{} -c {} -o {}",
-                  FIRSTLIGHT_CXX, quoted(FIRSTLIGHT_ROOT), quoted(file), quoted(object));
   const std::string link =
       fmt::format("{} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, quoted(object),
                   quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
-  verdict.compiled = run(compile, log) == 0 && run(link, log) == 0;
+  verdict.compiled = compile(file, object, log) && run(link, log) == 0;
   if (verdict.compiled)
     verdict.audit = judge::audit(text_of(object), contract_of(slug), task_of(slug));
   if (verdict.compiled) {

@@ -30,7 +30,7 @@ using namespace grader;
 using namespace grader::self_check;
 namespace fs = std::filesystem;
 
-constexpr int kStages = 3;
+constexpr int kRounds = 3;
 // Milliseconds; twice what a submission has, as several are judged at a time.
 constexpr int kCallLimit = 4000;
 
@@ -39,10 +39,10 @@ struct Options {
   std::vector<std::string> tasks;
   std::vector<std::string> recipes;  // empty: all
   int threads = 2;
-  int stages = kStages;
-  // What is wrong by the number of samples asked for at a time differs between stages, and a task
+  int rounds = kRounds;
+  // What is wrong by the number of samples asked for at a time differs between rounds, and a task
   // that breaks promises is judged by the first alone.
-  int known_stages = 1;
+  int known_rounds = 1;
   bool pictures = false;
   bool tables_only = false;
 };
@@ -143,11 +143,11 @@ class Book {
 };
 
 MistakeRow row_of(const Job& job, const pictures::Recipe& recipe,
-                  const results::PictureResult& result, int stages, const judge::Config& config) {
+                  const results::PictureResult& result, int rounds, const judge::Config& config) {
   MistakeRow row = empty_row(job, recipe);
-  row.most_stages = stages;
+  row.most_rounds = rounds;
   row.state = name(result.state);
-  row.stages = result.stages;
+  row.rounds = result.rounds;
   row.noise = result.noise;
   row.seconds = result.seconds;
   if (!result.counts.empty()) row.map = figures_of(result.counts, golden_rates(config, recipe));
@@ -170,19 +170,19 @@ void judge(judge::Config config, const judge::GradeRequest& request, const Optio
   const judge::Built worker =
       judge::link_alone(config, builder, judged, judge::Elsewhere::reference);
   if (!worker.ok()) throw pt::Error(job.file.string() + " does not link: " + worker.error);
-  const auto trial = [&](const pictures::Recipe& recipe, const std::string& content, int stages) {
+  const auto trial = [&](const pictures::Recipe& recipe, const std::string& content, int rounds) {
     return judge::try_picture(config, builder, request,
-                              {recipe, *job.task, worker, base::sha256(content), false, stages});
+                              {recipe, *job.task, worker, base::sha256(content), false, rounds});
   };
   for (const pictures::Recipe* recipe : job.recipes) {
-    const results::PictureResult result = trial(*recipe, job.text, options.stages);
+    const results::PictureResult result = trial(*recipe, job.text, options.rounds);
     if (options.pictures && job.kind == "wrong") {
       book.add(job, *recipe, picture_of(result),
                result.state == results::State::pass
                    ? picture_of(result)
-                   : known_picture(trial(*recipe, "known " + job.text, options.known_stages)));
+                   : known_picture(trial(*recipe, "known " + job.text, options.known_rounds)));
     }
-    book.add(row_of(job, *recipe, result, options.stages, config));
+    book.add(row_of(job, *recipe, result, options.rounds, config));
   }
   fs::remove_all(config.work);
 }
@@ -198,7 +198,7 @@ void judge_survivals(const std::vector<pictures::Recipe>& recipes,
     row.kind = "reference";
     row.solution = fmt::format("survival_{:g}", survival);
     row.recipe = "adaptive_coarse";
-    row.most_stages = kStages;
+    row.most_rounds = kRounds;
     row.state = "none";  // only its map is judged
     if (!known.contains(row.key())) rows.push_back(row);
   }
@@ -229,7 +229,7 @@ int run(const Options& options) {
     std::set<std::string> known;
     // What passes by the first stage passes.
     for (const MistakeRow& row : read_rows(options.out)) {
-      if (row.state == "pass" || row.most_stages >= options.stages) known.insert(row.key());
+      if (row.state == "pass" || row.most_rounds >= options.rounds) known.insert(row.key());
     }
     judge::GradeRequest request;
     request.call_limit = kCallLimit;
@@ -261,17 +261,17 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
   app.add_option(
       "--out", options.out,
-      "The CSV: task, kind, solution, content, recipe, most stages, state, stages, noise, "
+      "The CSV: task, kind, solution, content, recipe, most rounds, state, rounds, noise, "
       "seconds; "
       "of a sample map whether it passes, ratio, a, b, correlation; text");
-  app.add_option("--stages", options.stages,
+  app.add_option("--rounds", options.rounds,
                  "At most; a later call with more goes on with what has complained")
-      ->check(CLI::Range(1, kStages));
+      ->check(CLI::Range(1, kRounds));
   app.add_flag("--pictures", options.pictures,
                "Keep what the pictures look like, and try which mistakes they name");
-  app.add_option("--known-stages", options.known_stages,
-                 "From how many stages what is kept of a picture comes")
-      ->check(CLI::Range(1, kStages));
+  app.add_option("--known-rounds", options.known_rounds,
+                 "From how many rounds what is kept of a picture comes")
+      ->check(CLI::Range(1, kRounds));
   app.add_flag("--tables", options.tables_only, "Judge nothing: print the tables of what is known");
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

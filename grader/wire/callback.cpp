@@ -1,5 +1,6 @@
 // The implementation `callback` of one task or slot, FIRSTLIGHT_TASK: compiled once for each. The
-// call goes back to the judge, who answers it with mocks of its own.
+// call goes back to the judge, who answers it with its counting versions
+// (grader/check/counting.h), its mocks or its scripted radiance.
 #include "grader/wire/connection.h"
 #include "grader/wire/store.h"
 

@@ -20,7 +20,8 @@ struct SessionSettings {
   // Called when a call comes to nothing; does not return.
   std::function<void(results::Cause, const std::string&)> give_up = check::fail_call;
   // Of processor time (grader/process/time_limit.h).
-  std::chrono::milliseconds call_limit{2000};    // of one call, and of kBatch repetitions
+  std::chrono::milliseconds call_limit =
+      process::kCallLimit;                       // of one call, and of kBatch repetitions
   std::chrono::milliseconds total_limit{30000};  // of all calls together
   // After so many calls that came to nothing the worker is not called any more. Counted, as time
   // would depend on what else the machine does.

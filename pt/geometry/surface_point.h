@@ -6,8 +6,9 @@
 
 namespace pt {
 
-// A point on a surface as light transport sees it, in world space; made by the framework from a
-// hit. Surfaces reflect on both sides, so n is turned to the side that is looked at.
+// A point on a surface as light transport sees it, in world space; surface_point()
+// in pt/scene/scene.h makes it from a hit. Surfaces reflect on both sides, so n is turned to the side
+// that is looked at.
 struct SurfacePoint {
   Vec3 p;
   Vec3 n;                 // unit shading normal, on wo's side: dot(n, wo) >= 0

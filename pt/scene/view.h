@@ -1,26 +1,10 @@
 #pragma once
 
 #include "pt/scene/camera.h"
+#include "pt/scene/path_settings.h"
 #include "pt/scene/scene.h"
 
 namespace pt {
-
-// The light that radiance() adds up along one ray.
-struct PathSettings {
-  enum class Direct { hemisphere, lights };  // how direct light is estimated
-
-  int light_samples = 1;  // directions for `hemisphere`; samples an area light for `lights`
-  Direct direct = Direct::lights;
-  double survival = 0.7;  // the chance of Russian roulette to go on, in (0, 1]
-
-  // The bounces to add up, both included. 0 is light that reaches the camera straight from where
-  // it is emitted, 1 direct light, 2 and more indirect. Full: 0 .. m; direct only: 1 .. 1; indirect
-  // only: 2 .. m; one bounce: k .. k.
-  int from = 0;
-  int to = 1;
-
-  bool show_normals = false;  // no light at all: the surface's normal, as (n + 1) / 2
-};
 
 // A picture to be taken: of what, from where, and how.
 struct View {

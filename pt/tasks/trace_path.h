@@ -3,8 +3,8 @@
 #include "pt/geometry/surface_point.h"
 #include "pt/math/rgb.h"
 #include "pt/sampling/sampler.h"
+#include "pt/scene/path_settings.h"
 #include "pt/scene/scene.h"
-#include "pt/scene/view.h"
 
 namespace pt {
 
@@ -45,7 +45,7 @@ namespace pt {
 //     E (a + a^2 + ... + a^to), for every `to`.
 //   - adds up the bounces asked for: from .. to and no other; nothing if from > to.
 //   - does not depend on survival: neither .05 nor 1 changes the mean.
-//   - takes the first turn always: roulette starts with the second.
+//   - takes the first bounce always: roulette starts with the second.
 //   - ends at the cap: never more than `to` bounces, also where almost every path survives.
 //   - goes on up to the cap: with survival 1, every path of a closed room reaches bounce `to`,
 //     however many bounces that is, and however small its throughput.

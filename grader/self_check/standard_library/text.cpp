@@ -50,8 +50,7 @@ double streams() {
   const std::time_t zero = 0;
   std::ostringstream out;
   out << std::setw(8) << std::setprecision(3) << std::fixed << 2.5 << std::hex << 255
-      << std::boolalpha << true
-      << std::put_time(std::gmtime(&zero), "%Y");
+      << std::boolalpha << true << std::put_time(std::gmtime(&zero), "%Y");
   out.imbue(std::locale::classic());
   std::istringstream in("1 2.5 word");
   int a = 0;

@@ -95,7 +95,7 @@ PROMISE(trace_path, does_not_depend_on_survival) {
       kCases);
 }
 
-PROMISE(trace_path, takes_the_first_turn_always) {
+PROMISE(trace_path, takes_the_first_bounce_always) {
   for_all(
       [] {
         const Case c = *asked_of(round_room(gray(0.2, 0.8)), bounces(2, 2), real(0.05, 0.9));

@@ -31,14 +31,14 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
   }
 
   const Vec3 wo = point.frame.to_local(point.wo);
-  const BsdfSample turn = diffuse_sample(point.albedo, wo, sampler);
-  if (turn.pdf <= 0) return sum;
-  const Ray ray = spawn_ray(point, point.frame.to_world(turn.wi));
+  const BsdfSample sample = diffuse_sample(point.albedo, wo, sampler);
+  if (sample.pdf <= 0) return sum;
+  const Ray ray = spawn_ray(point, point.frame.to_world(sample.wi));
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
   const SurfacePoint next = surface_point(scene, ray, *hit);
   const Rgb weight =
-      diffuse_f(point.albedo, wo, turn.wi) * (turn.wi.z / diffuse_pdf(wo, turn.wi) / chance);
+      diffuse_f(point.albedo, wo, sample.wi) * (sample.wi.z / diffuse_pdf(wo, sample.wi) / chance);
   return sum + weight * from_bounce(bounce + 1, scene, next, settings, sampler);
 }
 

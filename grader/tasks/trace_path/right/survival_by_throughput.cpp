@@ -19,15 +19,15 @@ Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings
                                ? direct_hemisphere(scene, point, settings.light_samples, sampler)
                                : direct_lights(scene, point, settings.light_samples, sampler));
     }
-    const BsdfSample turn = diffuse_sample(point.albedo, point.frame.to_local(point.wo), sampler);
-    if (!(turn.pdf > 0)) break;
-    throughput *= turn.f * (turn.wi.z / turn.pdf);
+    const BsdfSample sample = diffuse_sample(point.albedo, point.frame.to_local(point.wo), sampler);
+    if (!(sample.pdf > 0)) break;
+    throughput *= sample.f * (sample.wi.z / sample.pdf);
     if (bounce > 1) {
       const double survival = std::min(1.0, max_channel(throughput));
       if (!(sampler.next_1d() < survival)) break;
       throughput /= survival;
     }
-    const Ray ray = spawn_ray(point, point.frame.to_world(turn.wi));
+    const Ray ray = spawn_ray(point, point.frame.to_world(sample.wi));
     const std::optional<Hit> hit = scene.closest(ray);
     if (!hit) break;
     point = surface_point(scene, ray, *hit);

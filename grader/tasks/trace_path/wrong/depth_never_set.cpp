@@ -32,13 +32,13 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
     if (sampler.next_1d() >= chance) return sum;
   }
 
-  const BsdfSample turn = diffuse_sample(point.albedo, point.frame.to_local(point.wo), sampler);
-  if (turn.pdf <= 0) return sum;
-  const Ray ray = spawn_ray(point, point.frame.to_world(turn.wi));
+  const BsdfSample sample = diffuse_sample(point.albedo, point.frame.to_local(point.wo), sampler);
+  if (sample.pdf <= 0) return sum;
+  const Ray ray = spawn_ray(point, point.frame.to_world(sample.wi));
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
   const SurfacePoint next = surface_point(scene, ray, *hit);
-  const Rgb weight = turn.f * (turn.wi.z / turn.pdf / chance);
+  const Rgb weight = sample.f * (sample.wi.z / sample.pdf / chance);
   return sum + weight * from_bounce(bounce + 1, scene, next, settings, sampler);
 }
 

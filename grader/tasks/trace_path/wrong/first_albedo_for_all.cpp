@@ -1,5 +1,5 @@
 // breaks: tints_at_each_bounce
-// f of the first point is used for every turn.
+// f of the first point is used for every sample.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -31,13 +31,13 @@ Rgb from_bounce(Rgb first_albedo, int bounce, const Scene& scene, const SurfaceP
     if (sampler.next_1d() >= chance) return sum;
   }
 
-  const BsdfSample turn = diffuse_sample(first_albedo, point.frame.to_local(point.wo), sampler);
-  if (turn.pdf <= 0) return sum;
-  const Ray ray = spawn_ray(point, point.frame.to_world(turn.wi));
+  const BsdfSample sample = diffuse_sample(first_albedo, point.frame.to_local(point.wo), sampler);
+  if (sample.pdf <= 0) return sum;
+  const Ray ray = spawn_ray(point, point.frame.to_world(sample.wi));
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
   const SurfacePoint next = surface_point(scene, ray, *hit);
-  const Rgb weight = turn.f * (turn.wi.z / turn.pdf / chance);
+  const Rgb weight = sample.f * (sample.wi.z / sample.pdf / chance);
   return sum + weight * from_bounce(first_albedo, bounce + 1, scene, next, settings, sampler);
 }
 

@@ -1,4 +1,4 @@
-// breaks: takes_the_first_turn_always
+// breaks: takes_the_first_bounce_always
 // Returns the same gray for every point.
 #include "pt/tasks/trace_path.h"
 

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# one_definition.sh ROOT BUILD COMPILER: links programs of the grader with link-time optimisation, which sees where two
+# files define one type or function in different ways: undefined behaviour that no single file shows. BUILD is a folder
+# for what CMake writes.
+set -euo pipefail
+
+root=$1 build=$2 compiler=$3
+# Together these hold every room of the grader.
+programs=(grade watch hint grade_class graded.hit_bvh graded_picture known_mistakes wrong_and_right_test)
+mkdir -p "$build"
+cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -flto=auto" \
+  -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_EXE_LINKER_FLAGS="-Werror=odr -Werror=lto-type-mismatch" \
+  -DCMAKE_AR="$(command -v gcc-ar)" -DCMAKE_RANLIB="$(command -v gcc-ranlib)" \
+  -DFIRSTLIGHT_WERROR=ON >"$build/configure.log" 2>&1 || {
+  cat "$build/configure.log" >&2
+  exit 2
+}
+ninja -C "$build" "${programs[@]}" >"$build/build.log" 2>&1 || {
+  grep -vE '^(ninja: |\[[0-9]+/[0-9]+\] )' "$build/build.log" >&2
+  exit 1
+}
+echo "$compiler: ${#programs[@]} programs, one definition of everything"
