@@ -69,7 +69,14 @@ int run(int argc, const char* const* argv) {
   check_image_target(options.output);
   LoadedScene loaded = load_collada(options.scene, {options.lambertian});
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
-  if (options.show != Show::normals) require_supported(loaded, options.scene);
+  if (options.show != Show::normals) {
+    require_supported(loaded, options.scene);
+    if (loaded.scene.lights.empty()) {
+      fmt::print(stderr,
+                 "the scene has no light, so that the picture is black; give --show normals to see "
+                 "its surfaces\n");
+    }
+  }
   choose_engine(loaded.scene, options.engine, options.max_leaf);
 
   const View view{loaded.scene,
