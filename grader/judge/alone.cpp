@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
+#include "grader/results/presentable.h"
 #include "grader/results/promises.h"
 #include "grader/tasks.h"
 
@@ -55,13 +56,14 @@ void compile_one(const Builder& builder, const GradeRequest& request, Judged& ju
   if (!file.rejected.empty()) return refuse(result, results::State::rejected, file.rejected);
   judged.content = base::sha256(file.text);
   judged.object = builder.compile(task, file.text);
-  result.warnings = in_folder(judged.object.warnings, task, request.submission);
+  const std::string folder = results::one_line(request.submission);
+  result.warnings = in_folder(judged.object.warnings, task, folder);
   if (!judged.object.rejected.empty()) {
     return refuse(result, results::State::rejected, judged.object.rejected);
   }
   if (!judged.object.ok()) {
     return refuse(result, results::State::fail, "it does not compile",
-                  in_folder(judged.object.error, task, request.submission));
+                  in_folder(judged.object.error, task, folder));
   }
 }
 
@@ -74,13 +76,11 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
   if (!worker.ok()) return refuse(result, results::State::fail, "it does not link", worker.error);
   const Findings findings = try_worker(builder, {task, worker, false, request, {}});
   // The properties say what can be judged; that each promise has one is checked elsewhere.
-  if (findings.broken.empty()) {
-    std::erase_if(result.promises, [&](const results::PromiseResult& promise) {
-      return std::none_of(
-          findings.promises.begin(), findings.promises.end(),
-          [&](const results::PromiseResult& found) { return found.name == promise.name; });
-    });
-  }
+  std::erase_if(result.promises, [&](const results::PromiseResult& promise) {
+    return std::none_of(
+        findings.promises.begin(), findings.promises.end(),
+        [&](const results::PromiseResult& found) { return found.name == promise.name; });
+  });
   enter(findings, request, result);
   judged.right_alone = result.state == results::State::pass;
 }
@@ -113,7 +113,6 @@ results::PromiseResult& entry(results::TaskResult& result, const results::Promis
 }  // namespace
 
 void enter(const Findings& findings, const GradeRequest& request, results::TaskResult& result) {
-  if (!findings.broken.empty()) return refuse(result, results::State::fail, findings.broken);
   if (!findings.printed.empty()) result.printed = findings.printed;
   if (findings.todo.contains(result.slug)) {
     return refuse(result, results::State::not_attempted, "it is not written yet");

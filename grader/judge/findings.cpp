@@ -118,7 +118,11 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
   const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (std::filesystem::exists(path)) {
     mark_used(path);
-    return parse(base::read_file(path), trial);
+    try {
+      return parse(base::read_file(path), trial);
+    } catch (const json::exception&) {
+      std::filesystem::remove(path);  // damaged: it is found out again
+    }
   }
 
   const std::string report = base::temporary_name(path);
@@ -128,13 +132,8 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
       !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
   if (!finished || !std::filesystem::exists(report)) {
     std::filesystem::remove(report);
-    return {{},
-            {},
-            "",
-            "",
-            fmt::format("the judge's own program {} ended with {}: {}", trial.task.graded,
-                        process::describe_status(result.status),
-                        base::printable(result.output, 1000, true))};
+    throw pt::Error(
+        fmt::format("{} could not be judged: {}", trial.task.slug, process::fault_of(result)));
   }
   Findings findings = parse(base::read_file(report), trial);
   if (findings.promises.empty()) {

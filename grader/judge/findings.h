@@ -15,8 +15,7 @@ struct Findings {
   std::vector<results::PromiseResult> promises;  // name, held, seconds and failures are filled
   std::set<std::string> todo;                    // slugs of tasks that are not written
   std::string printed;
-  std::string kept;    // the name of a variable that the task keeps between calls; may be empty
-  std::string broken;  // why there are no findings; empty if there are
+  std::string kept;  // the name of a variable that the task keeps between calls; may be empty
 };
 
 struct Trial {
@@ -27,7 +26,8 @@ struct Trial {
   std::vector<std::string> promises;  // only these; all if empty
 };
 
-// Runs the property program, unless the same was run before. Safe from any thread.
+// Runs the property program, unless the same was run before. Safe from any thread. Throws pt::Error
+// if that program cannot judge.
 Findings try_worker(const Builder& builder, const Trial& trial);
 
 }  // namespace grader::judge

@@ -113,7 +113,6 @@ class Integration {
       const Findings findings =
           try_worker(builder_, {*judged.config, worker, true, request_, failed});
       const bool mended =
-          findings.broken.empty() &&
           std::all_of(findings.promises.begin(), findings.promises.end(),
                       [](const results::PromiseResult& promise) { return promise.held; });
       if (mended) judged.result.blamed.push_back(slug);

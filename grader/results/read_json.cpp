@@ -17,6 +17,8 @@ using nlohmann::json;
 
 // Twelve tasks whose texts are all as long as they may be need less.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
+constexpr std::size_t kMaxEntries = 1000;
+constexpr long long kMaxNumber = 1 << 24;
 
 template <class T>
 void read(const json& from, T& value) {
@@ -28,6 +30,16 @@ void read(const json& from, double& value) {
   value = from.is_null() ? std::numeric_limits<double>::quiet_NaN() : from.get<double>();
 }
 
+// So large that no grader writes it, so small that sums of such numbers fit.
+void read(const json& from, int& value) {
+  const bool whole = from.is_number_integer();
+  const auto number = whole ? from.get<long long>() : 0;
+  if (!whole || number < -kMaxNumber || number > kMaxNumber) {
+    throw pt::Error("a whole number was expected, not " + from.dump().substr(0, 40));
+  }
+  value = static_cast<int>(number);
+}
+
 void read(const json& from, State& state) {
   const std::string text = from;
   for (const State each : kStates) {
@@ -36,7 +48,7 @@ void read(const json& from, State& state) {
       return;
     }
   }
-  throw pt::Error("there is no state '" + text + "'");
+  throw pt::Error("there is no state '" + text.substr(0, 40) + "'");
 }
 
 template <class T>
@@ -57,6 +69,7 @@ void read(const json& from, T& value) {
 template <class T>
 void read(const json& from, std::vector<T>& values) {
   if (!from.is_array()) throw pt::Error("a list was expected");
+  if (from.size() > kMaxEntries) throw pt::Error("a list is longer than any of the grader's");
   values.clear();
   for (const json& each : from) read(each, values.emplace_back());
 }
@@ -74,7 +87,10 @@ Results results_from_json(const std::string& text, const std::string& path) {
     read(from, results);
     return results;
   } catch (const std::exception& error) {
-    throw pt::Error(path + " holds no results of this grader: " + error.what());
+    const std::string_view what = error.what();
+    const std::size_t label = what.starts_with("[json.") ? what.find("] ") + 2 : 0;
+    throw pt::Error(fmt::format("{} holds no results of this grader: {}; judge again", path,
+                                what.substr(label)));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/load_collada.h"
+#include "pt/end_of_program.h"
 
 #include <algorithm>
 #include <atomic>
@@ -104,9 +105,11 @@ int run(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   try {
-    return pt::run(argc, argv);
+    const int status = pt::run(argc, argv);
+    pt::flush_standard_output();
+    return status;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
     return 2;
   }
 }
