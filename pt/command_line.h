@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pt/end_of_program.h"
+
 #include <cstdio>
 #include <exception>
 
@@ -13,11 +15,13 @@ template <class Run>
 int run_command_line(CLI::App& app, int argc, const char* const* argv, Run run) {
   try {
     app.parse(argc, argv);
-    return run();
+    const int status = run();
+    flush_standard_output();
+    return status;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", sentence_of(error).c_str());
     return 2;
   }
 }

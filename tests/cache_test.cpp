@@ -8,6 +8,8 @@
 #include <set>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace grader::judge {
 namespace {
@@ -90,22 +92,44 @@ TEST_F(Cache, another_judge_finds_what_it_used_within_the_hour) {
   EXPECT_EQ(names(), (Names{"a.o", "b.o"}));
 }
 
-TEST_F(Cache, what_killed_runs_left_goes_after_an_hour) {
+// The number of a process that has ended.
+std::string dead_process() {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  return std::to_string(child);
+}
+
+TEST_F(Cache, what_dead_runs_left_goes_at_once) {
+  const std::string dead = dead_process(), here = std::to_string(getpid());
   add("a.o", 10, hours(9));
-  add("a.o.4711.1", 10, minutes(61));
-  add("b.worker.4711.2", 10, minutes(59));
-  for (const std::string name : {"c.tree.4711.3", "d.tree.4711.4"}) {
-    fs::create_directories(path(name) + "/pt/math");
-    base::write_file(path(name) + "/pt/math/vec3.h", "");
-  }
-  age("c.tree.4711.3", minutes(61));
+  add("a.o." + dead + ".1", 10, minutes(0));
+  add("a.picture.json." + dead + ".tmp", 10, minutes(0));
+  fs::create_directories(path("c.tree." + dead + ".3/pt/math"));
+  base::write_file(path("c.tree." + dead + ".3/pt/math/vec3.h"), "");
+  fs::create_directories(path("probe." + dead + ".1"));
+  remove_left_overs(folder());
+  EXPECT_EQ(names(), (Names{"a.o"}));
+  // What a process that runs may need stays, whatever a clock says.
+  const Names used{"a.o", "b.tree." + here + ".2", "b.o." + here + ".3",
+                   "b.json." + here + ".tmp"};
+  for (const std::string& name : used) add(name, 10, hours(90));
+  remove_left_overs(folder());
   trim_cache(folder(), 1000);
-  EXPECT_EQ(names(), (Names{"a.o", "b.worker.4711.2", "d.tree.4711.4"}));
+  EXPECT_EQ(names(), used);
+}
+
+TEST_F(Cache, files_with_numbers_in_their_names_are_not_temporary) {
+  const Names all{"a.o", "a.4711", "b.4711.o", "4711.3", "c.x4711.3", "d.4711.tmp.json"};
+  for (const std::string& name : all) add(name, 10, hours(9));
+  remove_left_overs(folder());
+  EXPECT_EQ(names(), all);
 }
 
 TEST_F(Cache, nothing_there_is_no_error) {
   EXPECT_NO_THROW(mark_used(path("a.o")));
   EXPECT_NO_THROW(trim_cache(path("none"), 0));
+  EXPECT_NO_THROW(remove_left_overs(path("none")));
   EXPECT_EQ(names(), Names{});
 }
 

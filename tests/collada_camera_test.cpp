@@ -27,6 +27,7 @@ TEST(FileCamera, has_the_nodes_frame_and_both_fields_of_view) {
   expect_near(loaded.camera->camera_to_world.x, {0, 0, -1});
   expect_near(loaded.camera->camera_to_world.y, {0, 1, 0});
   expect_near(loaded.camera->camera_to_world.z, {1, 0, 0});
+  expect_near(loaded.camera->backwards, {2, 0, 0});
   EXPECT_EQ(loaded.camera->hfov_deg, 60);
   // tan 30 degrees is 1 / sqrt 3, and half of it spans 2 atan(1 / sqrt 12).
   EXPECT_NEAR(loaded.camera->vfov_deg, 2 * std::atan(1 / std::sqrt(12.0)) * 180 / kPi, 1e-12);

@@ -24,6 +24,7 @@ struct CourseFile {
   std::vector<std::string> notes;  // each in some note
   const char* unsupported;         // a material that is refused, or null
   double eye_z;                    // of the course's framing, 0 where it is not stated
+  Vec3 seen_from{};                // the course's direction to the eye, zero where not stated
 };
 
 const CourseFile kFiles[] = {
@@ -45,14 +46,15 @@ const CourseFile kFiles[] = {
     {"sky/CBbunny.dae", 28588, 0, {"rectangle"}, {"gives way to 0.8 x 0 x 0.6."}, nullptr, -4.8023},
     {"sky/CBempty.dae", 12, 0, {"rectangle"}, {"the point light is left out"}, nullptr, 4.8023},
     {"sky/CBspheres.dae", 12, 2, {"rectangle"}, {"(mirror)", "(glass)"}, "'refract'", 4.8023},
-    {"sky/bunny.dae", 33696, 0, {"ambient"}, {}, nullptr, 0},
+    {"sky/bunny.dae", 33696, 0, {"ambient"}, {}, nullptr, 0, {0, .5, 1.5}},
     {"keenan/banana.dae",
      2458,
      0,
      {"ambient", "directional"},
      {"without a material (1, the first"},
      nullptr,
-     0},
+     0,
+     {2.5 - .6830127, 1 - .2588191, 2.5 - .6830127}},
     {"meshedit/teapot.dae", 2464, 0, {"directional"}, {}, nullptr, 0},
     {"meshedit/cow.dae", 5856, 0, {"directional"}, {}, nullptr, 0},
     {"meshedit/maxplanck.dae", 50801, 0, {"directional"}, {}, nullptr, 0},
@@ -114,6 +116,11 @@ TEST_P(CourseScene, is_lit_by_the_panel_under_its_ceiling) {
 TEST_P(CourseScene, is_framed_as_in_the_courses_pictures) {
   const LoadedScene loaded = load_collada(file_);
   EXPECT_TRUE(loaded.camera.has_value());
+  EXPECT_TRUE(loaded.exported);
+  if (const Vec3 from = GetParam().seen_from; from != Vec3{}) {
+    expect_near(frame_camera(loaded, Framing::course, 480, 360).camera_to_world.z, normalize(from),
+                1e-6);
+  }
   if (GetParam().eye_z == 0) return;
   EXPECT_TRUE(loaded.course_profile);
   const Camera camera = frame_camera(loaded, Framing::course, 480, 360);

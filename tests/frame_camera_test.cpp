@@ -42,6 +42,49 @@ TEST(FrameCamera, turns_with_the_files_camera_and_keeps_y_up) {
   expect_near(camera.camera_to_world.x, {0, 0, 1});
 }
 
+// The course's bunny: the camera stands at (0, .5, 2.5) and looks along -z, and the course's program
+// sees it from atan(.5 / 1.5), 18 degrees, above. So it is with any length of the axis.
+TEST(FrameCamera, adds_the_cameras_position_to_its_view_direction_as_the_course_does) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.exported = true;
+  loaded.camera->position = {0, 0.5, 2.5};
+  loaded.camera->backwards = {0, 0, 1};
+  const double distance = 1.5 * std::sqrt(10.25);
+  Camera camera = frame_camera(loaded, Framing::course, 480, 360);
+  expect_near(camera.position, Vec3{0, .75, 0} + distance / std::sqrt(10) * Vec3{0, 1, 3});
+  expect_near(camera.camera_to_world.z, Vec3{0, 1, 3} / std::sqrt(10));
+  expect_near(camera.camera_to_world.x, {1, 0, 0});
+  loaded.camera->backwards = {0, 0, 2};
+  camera = frame_camera(loaded, Framing::course, 480, 360);
+  expect_near(camera.camera_to_world.z, Vec3{0, 1, 1} / std::sqrt(2));
+  // Where the axis runs through the origin, it is the axis.
+  loaded.camera->position = {0, 0, 3};
+  camera = frame_camera(loaded, Framing::course, 480, 360);
+  expect_near(camera.camera_to_world.z, {0, 0, 1});
+}
+
+TEST(FrameCamera, keeps_to_the_cameras_axis_in_a_file_written_by_hand_and_in_other_framings) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.camera->position = {0, 0.5, 2.5};
+  expect_near(frame_camera(loaded, Framing::course, 480, 360).camera_to_world.z, {0, 0, 1});
+  loaded.exported = true;
+  expect_near(frame_camera(loaded, Framing::fit, 480, 360).camera_to_world.z, {0, 0, 1});
+  expect_near(frame_camera(loaded, Framing::file, 480, 360).camera_to_world.z, {0, 0, 1});
+}
+
+// A position that is the axis itself gives no direction; one far above gives y.
+TEST(FrameCamera, has_a_frame_wherever_the_camera_stands) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.exported = true;
+  loaded.camera->position = {0, 0, 1};
+  expect_near(frame_camera(loaded, Framing::course, 480, 360).camera_to_world.z, {0, 0, 1});
+  loaded.camera->position = {0, 7, 1};
+  const Frame frame = frame_camera(loaded, Framing::course, 480, 360).camera_to_world;
+  expect_near(frame.z, {0, 1, 0});
+  expect_near(frame.x, {1, 0, 0});
+  expect_near(frame.y, {0, 0, -1});
+}
+
 TEST(FrameCamera, widens_the_narrower_field_to_4_by_3) {
   LoadedScene loaded = box(4.0 / 3);
   loaded.camera->hfov_deg = 20;

@@ -8,16 +8,18 @@ program=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
+options=
+
 complain() {
   printf '%s\n' "$*"
   exit 1
 }
 
-# says STATUS WORDS...: calls it; each of the words is a line of its output, or part of one.
+# says STATUS WORDS...: calls it with the words of $options; each of the words is a line of its output, or part of one.
 says() {
   local status=$1 words output got=0
   shift
-  output=$("$program" "$folder/class" --not-isolated -- hit_triangle hit_sphere --no-pictures 2>&1) || got=$?
+  output=$("$program" "$folder/class" --not-isolated $options -- hit_triangle hit_sphere --no-pictures 2>&1) || got=$?
   [ "$got" -eq "$status" ] || complain "it ended with $got, not $status: $output"
   for words in "$@"; do
     grep -qF -- "$words" <<<"$output" || complain "it does not say '$words': $output"
@@ -28,7 +30,7 @@ says() {
 row() {
   python3 - "$folder/class-graded/class.csv" "$1" <<'END' || complain "not so: $1"
 import csv, sys
-row = {line["submission"]: line for line in csv.DictReader(open(sys.argv[1], newline=""))}
+row = {line["submission"]: line for line in csv.DictReader(open(sys.argv[1], newline="", encoding="utf-8-sig"))}
 assert eval(sys.argv[2]), row
 END
 }
@@ -41,6 +43,7 @@ mkdir "$folder/class/wrong/1_rays"
 cp grader/tasks/hit_triangle/wrong/absolute_offset.cpp "$folder/class/wrong/1_rays/hit_triangle.cpp"
 ln -s "$PWD/reference/1_rays/hit_sphere.cpp" "$folder/class/wrong/1_rays/hit_sphere.cpp"
 
+[ ! -e "$folder/class-graded/seed" ] || complain 'there is a seed before anything is graded'
 says 0 '1/3 a, flat: 2 of 2 tasks pass' '2/3 nested: 1 of 2' '3/3 wrong: 0 of 2'
 row 'row["a, flat"]["hit_triangle"] == row["nested"]["hit_sphere"] == "pass"'
 row 'int(row["a, flat"]["points"]) == int(row["a, flat"]["max_points"]) > 0'
@@ -53,12 +56,30 @@ cp reference/1_rays/hit_triangle.cpp "$folder/class/wrong/1_rays/"
 mkdir "$folder/class/zoe" "$folder/class-graded/zoe.json"
 says 2 'a, flat: 2 of 2 tasks pass. '"$(python3 - "$folder/class-graded/class.csv" <<'END'
 import csv, sys
-line = next(csv.DictReader(open(sys.argv[1], newline="")))
+line = next(csv.DictReader(open(sys.argv[1], newline="", encoding="utf-8-sig")))
 print(f'{line["points"]} of {line["max_points"]} points')
 END
 )" '(as before)' '3/4 wrong: 1 of 2' '4/4 zoe: '
 row 'row["wrong"]["hit_triangle"] == "pass" and row["zoe"]["problem"] != "" and row["zoe"]["points"] == ""'
 rmdir "$folder/class-graded/zoe.json"
 says 0 '3/4 wrong: 1 of 2 tasks pass' '4/4 zoe: 0 of 2 tasks pass'
+
+# The seed is drawn once for the class, printed, kept, and what the reports say; another one judges anew.
+seed=$(cat "$folder/class-graded/seed")
+says 0 "seed $seed " '1/4 a, flat: 2 of 2 tasks pass' '(as before)'
+grep -q "\"seed\": $seed," "$folder/class-graded/nested.json" || complain "the report has another seed than $seed"
+rm -r "$folder/class/"{nested,zoe,wrong}
+options='--seed 7'
+says 0 'seed 7 ' '1/1 a, flat: 2 of 2 tasks pass'
+grep -q '"seed": 7,' "$folder/class-graded/a, flat.json" || complain 'the report has another seed than 7'
+options=
+says 0 'seed 7 ' '(as before)'
+
+# A name that begins a new line, has a colour, and is a formula.
+mkdir "$folder/class/=1+1"$'\n\x1b[31mzoe'
+says 0 $'1/2 =1+1 \xef\xbf\xbd[31mzoe: 0 of 2' '2/2 a, flat'
+[ "$(wc -l <"$folder/class-graded/class.csv")" -eq 3 ] || complain "$(cat "$folder/class-graded/class.csv")"
+! grep -q $'\x1b' "$folder/class-graded/class.csv" || complain 'a colour code in the table'
+row 'len(row) == 2 and any(name.startswith("\u0027=1+1 ") for name in row)'
 rm -rf "$folder/class/"*
 says 2 'has no folders in it'

@@ -130,6 +130,25 @@ TEST_F(RenderProgram, shows_every_view) {
   }
 }
 
+TEST_F(RenderProgram, says_that_a_scene_has_no_light) {
+  std::string dark = scene_with("");
+  const std::string light = "<instance_light url=\"#l\"/>";
+  dark.erase(dark.find(light), light.size());
+  write("dark.dae", dark);
+  EXPECT_EQ(run("dark.dae -s 1 -r 8 6"), 0) << said();
+  EXPECT_NE(said().find("no light"), std::string::npos) << said();
+  EXPECT_NE(said().find("--show normals"), std::string::npos) << said();
+  EXPECT_EQ(run("dark.dae -s 1 -r 8 6 --show normals"), 0) << said();
+  EXPECT_EQ(said().find("no light"), std::string::npos) << said();
+  EXPECT_EQ(run("scene.dae -s 1 -r 8 6"), 0) << said();
+  EXPECT_EQ(said().find("no light"), std::string::npos) << said();
+}
+
+TEST_F(RenderProgram, says_in_its_help_that_the_courses_camera_crops) {
+  EXPECT_EQ(run("--help"), 0) << said();
+  EXPECT_NE(said().find("cut a window"), std::string::npos) << said();
+}
+
 TEST_F(RenderProgram, refuses_a_survival_that_is_no_chance) {
   for (const char* chance : {"0", "1.1", "-0.5", "nan", "often"}) {
     EXPECT_EQ(run(std::string("scene.dae -s 1 -r 8 6 --survival ") + chance), 2) << chance;

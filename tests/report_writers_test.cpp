@@ -62,6 +62,17 @@ TEST_F(Writers, gradescope_tells_of_failures) {
   }
 }
 
+TEST_F(Writers, gradescope_shows_no_red_for_right_work_that_waits) {
+  results::Results results = run;
+  results::TaskResult& waiting = results.tasks[5];
+  ASSERT_EQ(waiting.state, results::State::blocked);
+  waiting.max_points = 3;
+  for (const auto& [points, status] : {std::pair{3, "passed"}, std::pair{2, "failed"}}) {
+    waiting.points = points;
+    EXPECT_EQ(json::parse(to_gradescope(results)).at("tests")[5].at("status"), status);
+  }
+}
+
 TEST_F(Writers, gradescope_gives_no_points_for_what_is_not_judged) {
   const json whole = json::parse(to_gradescope(half_judged()));
   const json &lit = whole.at("tests")[6], &unwritten = whole.at("tests")[7];
@@ -96,6 +107,7 @@ TEST_F(Writers, csv_is_a_line_a_task) {
   results.submission = "a \"b\", c";
   results.tasks.resize(2);
   EXPECT_EQ(to_csv(results),
+            std::string(kByteOrderMark) +
             "submission,number,task,state,points,max_points,bonus_points,seconds,complete\r\n"
             "\"a \"\"b\"\", c\",1.1,estimate_pixel,pass,2,2,1,0.80,true\r\n"
             "\"a \"\"b\"\", c\",1.3,hit_triangle,fail,1,2,0,0.80,true\r\n");
@@ -105,10 +117,25 @@ TEST_F(Writers, csv_is_a_line_a_task) {
 
 TEST_F(Writers, csv_holds_no_formula) {
   results::Results results = run;
-  for (const char* start : {"=", "+", "-", "@", "\t"}) {
+  for (const char* start : {"=", "+", "-", "@", "\uff1d", "\uff20"}) {
     results.submission = std::string(start) + "SUM(A1)";
     EXPECT_THAT(to_csv(results), HasSubstr("\r\n'" + results.submission + ",")) << start;
   }
+  EXPECT_EQ(csv_field("\t=1"), "'\t=1");
+  EXPECT_EQ(csv_field("\r=1"), "\"'\r=1\"");
+  EXPECT_EQ(csv_field("a;b"), "\"a;b\"");
+  EXPECT_EQ(csv_field("1-2"), "1-2");
+}
+
+// A name that would begin a new line of the table, or colour it.
+TEST_F(Writers, names_stand_in_one_line) {
+  results::Results results = run;
+  results.submission = "ada\n\x1b[31mgrace\tx\xc2\x9b";
+  results.tasks.resize(1);
+  EXPECT_EQ(results::presentable(results).submission, "ada \ufffd[31mgrace x\ufffd");
+  const std::string table = to_csv(results);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2) << table;
+  EXPECT_EQ(results::one_line("plain caf\u00e9"), "plain caf\u00e9");
 }
 
 TEST_F(Writers, the_terminal_shows_pictures) {

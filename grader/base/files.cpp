@@ -37,12 +37,16 @@ std::string temporary_name(const std::string& path) {
 
 void write_file(const std::string& path, std::string_view text) {
   const std::string temporary = temporary_name(path);
+  errno = 0;
   std::ofstream file(temporary, std::ios::binary);
   file << text;
   file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (!file || error) throw pt::Error(path + ": cannot be written");
+  std::error_code error(file ? 0 : errno == 0 ? EIO : errno, std::generic_category());
+  if (!error) fs::rename(temporary, path, error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  throw pt::Error(path + ": cannot be written (" + error.message() + ")");
 }
 
 std::string stamp(const std::string& path) {
@@ -64,6 +68,9 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
   struct stat found {};
   if (fstat(file.number(), &found) != 0 || !S_ISREG(found.st_mode)) {
     return {true, "it is not a regular file", ""};
+  }
+  if (found.st_nlink > 1) {
+    return {true, "the file has a second name (a hard link); hand in a copy", ""};
   }
   const std::string too_large = fmt::format("the file is larger than {} MiB", most >> 20);
   if (found.st_size > static_cast<off_t>(most)) return {true, too_large, ""};

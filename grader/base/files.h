@@ -24,8 +24,8 @@ struct Submitted {
   std::string text;
 };
 
-// The file `name` in an open folder: what is a link, not a regular file, or larger than `most`
-// bytes, is rejected.
+// The file `name` in an open folder: what is a link, hard or soft, not a regular file, or larger
+// than `most` bytes, is rejected.
 Submitted read_plain_file(int folder, const std::string& name, std::size_t most);
 
 inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;

@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
+#include "grader/results/presentable.h"
 #include "grader/results/promises.h"
 #include "grader/tasks.h"
 
@@ -55,13 +56,14 @@ void compile_one(const Builder& builder, const GradeRequest& request, Judged& ju
   if (!file.rejected.empty()) return refuse(result, results::State::rejected, file.rejected);
   judged.content = base::sha256(file.text);
   judged.object = builder.compile(task, file.text);
-  result.warnings = in_folder(judged.object.warnings, task, request.submission);
+  const std::string folder = results::one_line(request.submission);
+  result.warnings = in_folder(judged.object.warnings, task, folder);
   if (!judged.object.rejected.empty()) {
     return refuse(result, results::State::rejected, judged.object.rejected);
   }
   if (!judged.object.ok()) {
     return refuse(result, results::State::fail, "it does not compile",
-                  in_folder(judged.object.error, task, request.submission));
+                  in_folder(judged.object.error, task, folder));
   }
 }
 
@@ -72,16 +74,14 @@ void judge_one(const Config& config, const Builder& builder, const GradeRequest&
   results::TaskResult& result = judged.result;
   const Built worker = link_alone(config, builder, judged, Elsewhere::answers);
   if (!worker.ok()) return refuse(result, results::State::fail, "it does not link", worker.error);
-  const Findings findings = try_worker(builder, {task, worker, false, request, {}});
+  const results::TaskResult found = try_worker(builder, {task, worker, false, request, {}});
   // The properties say what can be judged; that each promise has one is checked elsewhere.
-  if (findings.broken.empty()) {
-    std::erase_if(result.promises, [&](const results::PromiseResult& promise) {
-      return std::none_of(
-          findings.task.promises.begin(), findings.task.promises.end(),
-          [&](const results::PromiseResult& found) { return found.name == promise.name; });
-    });
-  }
-  enter(findings, request, result);
+  std::erase_if(result.promises, [&](const results::PromiseResult& promise) {
+    return std::none_of(
+        found.promises.begin(), found.promises.end(),
+        [&](const results::PromiseResult& each) { return each.name == promise.name; });
+  });
+  enter(found, request, result);
   judged.right_alone = result.state == results::State::pass;
 }
 
@@ -98,9 +98,8 @@ results::PromiseResult& entry(results::TaskResult& result, const results::Promis
 
 }  // namespace
 
-void enter(const Findings& findings, const GradeRequest& request, results::TaskResult& result) {
-  if (!findings.broken.empty()) return refuse(result, results::State::fail, findings.broken);
-  const results::TaskResult& found = findings.task;
+void enter(const results::TaskResult& found, const GradeRequest& request,
+           results::TaskResult& result) {
   if (!found.printed.empty()) result.printed = found.printed;
   if (found.state == results::State::not_attempted)
     return refuse(result, found.state, found.reason);

@@ -31,7 +31,8 @@ void judge_alone(const Config& config, const Builder& builder, const GradeReques
                  std::vector<Judged>& judged, const std::function<void()>& progress);
 
 // Puts findings into a result: the state, and every failure with the command that replays it.
-void enter(const Findings& findings, const GradeRequest& request, results::TaskResult& result);
+void enter(const results::TaskResult& found, const GradeRequest& request,
+           results::TaskResult& result);
 
 // The parts of the worker of one task: the task, and in all other places the judge's answers (for
 // its properties) or the reference (for its pictures).

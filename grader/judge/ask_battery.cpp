@@ -46,7 +46,12 @@ std::optional<mistakes::Answers> ask_battery(const Builder& builder, const Trial
     fs::rename(temporary, path);
   }
   mark_used(path);
-  return mistakes::answers_from_json(base::read_file(path));
+  try {
+    return mistakes::answers_from_json(base::read_file(path));
+  } catch (const std::exception&) {
+    fs::remove(path);  // damaged: it is found out again next time
+    return std::nullopt;
+  }
 }
 
 }  // namespace grader::judge

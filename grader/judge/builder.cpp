@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 namespace grader::judge {
 
@@ -21,11 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Far above what a worker has.
+constexpr std::size_t kMaxWorker = std::size_t{64} << 20;
+
 // A compiler can be made to work for ever, or to fill the disk.
 constexpr process::Limits kCompilerLimits{
     .cpu_seconds = {},
     .address_space = std::uint64_t{4} << 30,
-    .file_size = std::uint64_t{256} << 20,
+    .file_size = kMaxWorker,
     .processes = 64,
     .open_files = 256,
 };
@@ -87,6 +91,35 @@ std::string in_project(std::string text, const std::string& root) {
   return text;
 }
 
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+void add(sandbox::Box& box, const std::vector<std::string>& words) {
+  box.command.insert(box.command.end(), words.begin(), words.end());
+}
+
+// What a linker says that is about the objects it was given: all else is about the machine.
+bool is_about_objects(const std::string& error) {
+  for (const char* words : {"undefined reference to", "multiple definition of", "relocation"}) {
+    if (error.find(words) != std::string::npos) return true;
+  }
+  return false;
+}
+
+// What a box prints and how it ends that never came to run its program.
+bool never_started(const process::CommandResult& result) {
+  constexpr int kNotStarted = 127;
+  return (WIFEXITED(result.status) && WEXITSTATUS(result.status) == kNotStarted) ||
+         result.output.starts_with("bwrap: ");
+}
+
+// Somebody killed a part of the compiler: not its limit of time, which leaves it longer.
+bool was_killed(const process::CommandResult& result, int seconds) {
+  const bool killed = WIFSIGNALED(result.status) ||
+                      result.output.find("Killed signal terminated") != std::string::npos ||
+                      result.output.find("unable to execute command: Killed") != std::string::npos;
+  return killed && result.seconds < 0.9 * seconds;
+}
+
 }  // namespace
 
 Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
@@ -112,6 +145,26 @@ Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
   framework_ = base::sha256(objects);
 }
 
+process::CommandResult Builder::run(const sandbox::Box& box, const std::string& what) const {
+  const process::CommandResult result =
+      process::run_command(sandbox::boxed(box, tier_), std::chrono::seconds(seconds_));
+  if (result.ok() || result.timed_out) return result;
+  const auto give_up = [&](const std::string& why) {
+    throw pt::Error(fmt::format("{} could not be judged: {}", what, why));
+  };
+  if (never_started(result)) {
+    give_up("its box does not start (" + base::printable(first_line(result.output), 200) + ")");
+  }
+  if (was_killed(result, seconds_)) {
+    give_up(
+        "the compiler was killed, perhaps because no memory was left; give the machine more, or "
+        "grade with --threads 1");
+  }
+  const std::string room = lack_of_room(cache_);
+  if (!room.empty()) give_up(cache_ + " cannot be written (" + room + "); make room there");
+  return result;
+}
+
 Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   const std::string key = base::sha256(toolchain_ + task.file() + '\0' + text);
   const std::string path = cache_ + "/" + key + ".o";
@@ -120,27 +173,20 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
     mark_used(path);
     return {path, key, "", "", fs::exists(warnings_path) ? base::read_file(warnings_path) : ""};
   }
-  const Stage stage(base::temporary_name(cache_ + "/" + key + ".tree"),
-                    headers_for(task_of(task.slug), headers_), task.file(), text);
-  sandbox::Box box{{config_.compiler},
-                   {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=."},
-                   {},
-                   {},
-                   stage.folder(),
-                   true,
-                   kCompilerLimits};
-  box.limits.cpu_seconds = seconds_;
-  const auto& flags = config_.compile_flags;
-  box.command.insert(box.command.end(), flags.begin(), flags.end());
+  const Stage stage(base::temporary_name(cache_ + "/" + key + ".tree"));
+  for (const auto& [name, content] : headers_for(task_of(task.slug), headers_)) {
+    stage.put(name, content);
+  }
+  stage.put(task.file(), text);
+  sandbox::Box box = tool_box(stage);
+  add(box, config_.compile_flags);
   box.command.insert(box.command.end(), kSubmissionFlags.begin(), kSubmissionFlags.end());
-  box.command.insert(box.command.end(),
-                     {"-I.", "-fdiagnostics-color=never", "-c", task.file(), "-o", "task.o"});
-  process::CommandResult result =
-      process::run_command(sandbox::boxed(box, tier_), std::chrono::seconds(seconds_));
+  add(box, {"-I.", "-fdiagnostics-color=never", "-c", task.file(), "-o", "task.o"});
+  process::CommandResult result = run(box, task.slug);
   const std::string warnings = warnings_of(result.output, task.file());
   if (result.ok() && warnings.find(kNoReturn) != std::string::npos) {
     box.command.insert(box.command.end(), kTrapFlags.begin(), kTrapFlags.end());
-    result = process::run_command(sandbox::boxed(box, tier_), std::chrono::seconds(seconds_));
+    result = run(box, task.slug);
   }
   if (!result.ok()) {
     return {"", key, in_project(first_error(result, seconds_), config_.root), "", ""};
@@ -160,8 +206,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   return {path, key, "", "", warnings};
 }
 
-// Outside the box: an object that has passed the audit has nothing in it that tells the linker to
-// read other files, or to run the compiler.
+// A linker reads what a submission shaped: it works in a box as a compiler does, on copies.
 Built Builder::link(const Paths& objects, const std::string& key, bool integrated) const {
   const std::string whole = base::sha256(framework_ + toolchain_ + key + (integrated ? "i" : "s"));
   const std::string path = cache_ + "/" + whole + ".worker";
@@ -169,32 +214,51 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
     mark_used(path);
     return {path, whole, "", "", ""};
   }
-  const std::string temporary = base::temporary_name(path);
-  process::Child child{{config_.compiler},
-                       {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + config_.work},
-                       {},
-                       cache_,
-                       kCompilerLimits};
-  child.limits.processes.reset();
-  const auto add = [&](const std::vector<std::string>& more) {
-    child.command.insert(child.command.end(), more.begin(), more.end());
+  const Stage stage(base::temporary_name(cache_ + "/" + whole + ".tree"));
+  sandbox::Box box = tool_box(stage);
+  int number = 0;
+  const auto add_objects = [&](const Paths& paths) {
+    for (const std::string& object : paths) {
+      const std::string name = fmt::format("{}.o", ++number);
+      stage.copy(name, object);
+      box.command.push_back(name);
+    }
   };
-  add(config_.compile_flags);
-  add(config_.framework);
-  if (integrated) add(config_.recording);
-  add(objects);
-  add(config_.link_flags);
-  if (integrated) add(config_.recording_flags);
-  add({"-o", temporary});
-  const process::CommandResult result = process::run_command(child, std::chrono::seconds(seconds_));
+  add(box, config_.compile_flags);
+  add_objects(config_.framework);
+  if (integrated) add_objects(config_.recording);
+  add_objects(objects);
+  add(box, config_.link_flags);
+  if (integrated) add(box, config_.recording_flags);
+  add(box, {"-o", "worker"});
+  const process::CommandResult result = run(box, "what was compiled");
   if (!result.ok()) {
-    fs::remove(temporary);
-    return {"", whole, first_error(result, seconds_), "", ""};
+    const std::string error = first_error(result, seconds_);
+    if (is_about_objects(error)) return {"", whole, error, "", ""};
+    throw pt::Error("the judge's own link fails: " + base::printable(result.output, 300));
   }
+  const base::Submitted worker = stage.take("worker", kMaxWorker);
+  if (!worker.present || !worker.rejected.empty()) {
+    throw pt::Error("the linked worker is not there: " + worker.rejected);
+  }
+  const std::string temporary = base::temporary_name(path);
+  base::write_file(temporary, worker.text);
   // Another user runs it.
   fs::permissions(temporary, fs::perms(0755));
   fs::rename(temporary, path);
   return {path, whole, "", "", ""};
+}
+
+sandbox::Box Builder::tool_box(const Stage& stage) const {
+  sandbox::Box box{{config_.compiler},
+                   {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=."},
+                   {},
+                   {},
+                   stage.folder(),
+                   true,
+                   kCompilerLimits};
+  box.limits.cpu_seconds = seconds_;
+  return box;
 }
 
 }  // namespace grader::judge

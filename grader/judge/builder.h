@@ -2,6 +2,7 @@
 
 #include "grader/judge/config.h"
 #include "grader/judge/staging.h"
+#include "grader/process/run_command.h"
 #include "grader/sandbox/box.h"
 
 #include <string>
@@ -19,8 +20,9 @@ struct Built {
   bool ok() const { return !path.empty(); }
 };
 
-// Compiles files of a submission and links workers, by plain commands, each result kept under the
-// hash of everything it depends on. Safe from any thread.
+// Compiles files of a submission and links workers, by plain commands in boxes, each result kept
+// under the hash of everything it depends on. Safe from any thread. Both throw pt::Error where the
+// machine is at fault: a full disk, no memory, a box that does not start.
 class Builder {
  public:
   // Compiles in boxes of the tier, for so many seconds at most.
@@ -36,6 +38,10 @@ class Builder {
   const std::string& cache() const { return cache_; }
 
  private:
+  sandbox::Box tool_box(const Stage& stage) const;
+  // Throws pt::Error if it fails and the machine is at fault; `what` could then not be judged.
+  process::CommandResult run(const sandbox::Box& box, const std::string& what) const;
+
   const Config& config_;
   sandbox::Tier tier_;
   int seconds_;

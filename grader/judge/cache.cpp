@@ -1,6 +1,9 @@
 #include "grader/judge/cache.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -23,29 +26,31 @@ bool is_number(const std::string& extension) {
                                              [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// As temporary_name() makes them: of a process and a serial number.
-bool is_temporary(const fs::path& path) {
-  return is_number(path.extension()) && is_number(path.stem().extension());
+// The process that made a temporary file, which its name tells: "<name>.<process>.<serial>" as
+// base::temporary_name() has it, or "<name>.<process>.tmp" as pt::write_file(). 0 for other files.
+pid_t maker_of(const fs::path& path) {
+  const std::string last = path.extension(), process = path.stem().extension();
+  if (!is_number(process) || !(is_number(last) || last == ".tmp")) return 0;
+  pid_t pid = 0;
+  std::from_chars(process.data() + 1, process.data() + process.size(), pid);
+  return pid;
 }
+
+bool is_running(pid_t pid) { return kill(pid, 0) == 0 || errno != ESRCH; }
 
 void remove_quietly(const fs::path& path) {
   std::error_code ignored;
   fs::remove_all(path, ignored);
 }
 
-// The entries of the folder. Temporary files last touched before `in_use_since` are removed on the
-// way.
-std::vector<Entry> entries_of(const std::string& folder, fs::file_time_type in_use_since) {
+// The entries of the folder.
+std::vector<Entry> entries_of(const std::string& folder) {
   std::map<std::string, Entry> entries;
   std::error_code error;
   for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
     // Another judge may have removed the file in between.
     const fs::file_time_type used = file.last_write_time(error);
-    if (error) continue;
-    if (is_temporary(file.path())) {
-      if (used < in_use_since) remove_quietly(file.path());
-      continue;
-    }
+    if (error || maker_of(file.path()) != 0) continue;
     const std::uintmax_t bytes = file.file_size(error);
     if (error) continue;
     const std::string name = file.path().filename();
@@ -67,9 +72,19 @@ void mark_used(const std::string& path) {
   fs::last_write_time(path, Clock::now(), ignored);
 }
 
+void remove_left_overs(const std::string& folder) {
+  std::vector<fs::path> left;
+  std::error_code error;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
+    const pid_t maker = maker_of(file.path());
+    if (maker != 0 && !is_running(maker)) left.push_back(file.path());
+  }
+  for (const fs::path& path : left) remove_quietly(path);
+}
+
 void trim_cache(const std::string& folder, std::uintmax_t most) {
   const fs::file_time_type in_use_since = Clock::now() - kInUse;
-  std::vector<Entry> entries = entries_of(folder, in_use_since);
+  std::vector<Entry> entries = entries_of(folder);
   std::uintmax_t total = 0;
   for (const Entry& entry : entries) total += entry.bytes;
   if (total <= most) return;

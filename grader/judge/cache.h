@@ -12,16 +12,20 @@ namespace grader::judge {
 // A cache that is larger than this when the judge starts is trimmed to less than half of it.
 inline constexpr std::uintmax_t kMaxCached = std::uintmax_t{1} << 30;
 
-// For so long after its last use another judge may still count on an entry, and a temporary file or
-// folder may still be written. Longer than any run takes.
+// For so long after its last use another judge may still count on an entry. Longer than any run
+// takes.
 inline constexpr std::chrono::hours kInUse{1};
 
 // Marks an entry's file as used now. Does nothing if the file is not there.
 void mark_used(const std::string& path);
 
-// Removes temporary files and folders that killed runs left, and, if the folder holds more than
-// `most` bytes, the entries least recently used, until it holds less than half. Nothing that was
-// used within kInUse goes. A file that cannot be removed, or is gone already, is not an error.
+// Removes temporary files and folders of processes that are gone: half-made trees, files of
+// compilers, linkers and probes. No clock is asked, as clocks jump: where another process has the
+// number by now, they stay for the moment. A file that cannot be removed, or is gone already, is not an error.
+void remove_left_overs(const std::string& folder);
+
+// If the folder holds more than `most` bytes, removes the entries least recently used, until it
+// holds less than half. Nothing that was used within kInUse goes.
 void trim_cache(const std::string& folder, std::uintmax_t most = kMaxCached);
 
 }  // namespace grader::judge

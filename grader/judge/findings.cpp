@@ -21,7 +21,12 @@ namespace {
 // Far beyond what the program allows itself: a fault of ours if it is reached.
 constexpr std::chrono::seconds kProgramTime{1500};
 
-Findings read(const std::string& path) { return {results::read_results(path).tasks.at(0), ""}; }
+// Throws pt::Error if the file is damaged.
+results::TaskResult read(const std::string& path) {
+  const results::Results results = results::read_results(path);
+  if (results.tasks.empty()) throw pt::Error(path + " holds no task");
+  return results.tasks[0];
+}
 
 std::vector<std::string> command(const Trial& trial, const std::string& report) {
   std::vector<std::string> words{trial.task.graded,
@@ -53,13 +58,17 @@ bool timed_out(const results::TaskResult& task) {
 
 }  // namespace
 
-Findings try_worker(const Builder& builder, const Trial& trial) {
+results::TaskResult try_worker(const Builder& builder, const Trial& trial) {
   std::string key = base::stamp(trial.task.graded) + trial.worker.key;
   for (const std::string& word : command(trial, "")) key += '\0' + word;
   const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (std::filesystem::exists(path)) {
     mark_used(path);
-    return read(path);
+    try {
+      return read(path);
+    } catch (const pt::Error&) {
+      std::filesystem::remove(path);  // damaged: it is found out again
+    }
   }
 
   const std::string report = base::temporary_name(path);
@@ -69,22 +78,20 @@ Findings try_worker(const Builder& builder, const Trial& trial) {
       !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
   if (!finished || !std::filesystem::exists(report)) {
     std::filesystem::remove(report);
-    return {{},
-            fmt::format("the judge's own program {} ended with {}: {}", trial.task.graded,
-                        process::describe_status(result.status),
-                        base::printable(result.output, 1000, true))};
+    throw pt::Error(
+        fmt::format("{} could not be judged: {}", trial.task.slug, process::fault_of(result)));
   }
-  Findings findings = read(report);
-  if (findings.task.promises.empty()) {
+  results::TaskResult found = read(report);
+  if (found.promises.empty()) {
     throw pt::Error("no property of " + trial.task.slug + " was run: nothing is judged");
   }
   // The time that a call takes depends on what else the machine does: that is asked again.
-  if (timed_out(findings.task)) {
+  if (timed_out(found)) {
     std::filesystem::remove(report);
   } else {
     std::filesystem::rename(report, path);
   }
-  return findings;
+  return found;
 }
 
 }  // namespace grader::judge

@@ -9,12 +9,6 @@
 
 namespace grader::judge {
 
-// The findings of a property program about one task on one worker (grader/programs/graded_report.h).
-struct Findings {
-  results::TaskResult task;
-  std::string broken;  // why there are no findings; empty if there are
-};
-
 struct Trial {
   const TaskConfig& task;
   const Built& worker;
@@ -23,7 +17,9 @@ struct Trial {
   std::vector<std::string> promises;  // only these; all if empty
 };
 
-// Runs the property program, unless the same was run before. Safe from any thread.
-Findings try_worker(const Builder& builder, const Trial& trial);
+// Runs the property program, unless the same was run before, and returns what it wrote
+// (grader/programs/graded_report.h). Safe from any thread. Throws pt::Error if that program cannot
+// judge.
+results::TaskResult try_worker(const Builder& builder, const Trial& trial);
 
 }  // namespace grader::judge

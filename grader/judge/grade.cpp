@@ -80,6 +80,9 @@ class Run {
 
   results::Results judge(const std::function<void(const results::Results&)>& progress) {
     const Builder builder(config_, request_.isolation.tier, request_.compile_limit);
+    for (const std::string& folder : {config_.work, builder.cache(), config_.work + "/hints"}) {
+      remove_left_overs(folder);
+    }
     trim_cache(builder.cache());
     const auto report = [&] { progress(summary()); };
     report();

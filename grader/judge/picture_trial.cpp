@@ -1,7 +1,6 @@
 #include "grader/judge/picture_trial.h"
 
 #include "grader/base/files.h"
-#include "grader/base/printable.h"
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
 #include "grader/process/run_command.h"
@@ -9,6 +8,7 @@
 #include "pt/error.h"
 
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -70,8 +70,14 @@ std::string key_of(const Config& config, const std::vector<std::string>& words,
   return base::sha256(key);
 }
 
-results::PictureResult read_picture(const std::string& path) {
-  return results::results_from_json(base::read_file(path), path).tasks.at(0).pictures.at(0);
+std::optional<results::PictureResult> read_picture(const std::string& path) {
+  if (!fs::exists(path)) return std::nullopt;
+  try {
+    return results::results_from_json(base::read_file(path), path).tasks.at(0).pictures.at(0);
+  } catch (const std::exception&) {
+    fs::remove(path);  // damaged: it is found out again
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -80,17 +86,20 @@ results::PictureResult try_picture(const Config& config, const Builder& builder,
                                    const GradeRequest& request, const PictureTrial& trial) {
   std::vector<std::string> words = command(config, request, trial);
   const std::string path = builder.cache() + "/" + key_of(config, words, trial) + ".picture.json";
-  if (!fs::exists(path)) {
+  std::optional<results::PictureResult> known = read_picture(path);
+  if (!known) {
     words.insert(words.end(), {"--report", path});
     const process::CommandResult run =
         process::run_command({words, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
     if (run.timed_out || !WIFEXITED(run.status) || WEXITSTATUS(run.status) > 1) {
       throw pt::Error(fmt::format("the picture {} could not be judged: {}", trial.recipe.name,
-                                  base::printable(run.output, 1000, true)));
+                                  process::fault_of(run)));
     }
+    known = read_picture(path);
+    if (!known) throw pt::Error(path + " cannot be read");
   }
   mark_used(path);
-  results::PictureResult result = read_picture(path);
+  results::PictureResult& result = *known;
   result.replay = fmt::format("./run grade {} --seed {}", trial.task.slug, request.seed);
   if (request.submission != "student") result.replay += " --submission " + request.submission;
   // The time that a call takes depends on what else the machine does: that is asked again.

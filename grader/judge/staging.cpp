@@ -4,6 +4,8 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -12,6 +14,8 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
 
 namespace grader::judge {
 
@@ -19,13 +23,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// What a compiler may need, and how much of the disk has to be left.
+constexpr off_t kRoomToWrite = off_t{16} << 20;
+constexpr std::uintmax_t kRoomToHave = std::uintmax_t{64} << 20;
+
 // Whatever the umask: another user reads it.
-void put(const fs::path& path, const std::string& text) {
+void put_file(const fs::path& path, const std::string& text) {
+  errno = 0;
   const base::Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   const bool whole =
       file.is_open() && fchmod(file.number(), 0644) == 0 &&
       write(file.number(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  if (!whole) throw pt::Error(path.string() + ": cannot be written");
+  if (!whole) {
+    throw pt::Error(fmt::format("{}: cannot be written ({})", path.string(),
+                                errno == 0 ? "there is no room" : std::strerror(errno)));
+  }
 }
 
 // The path and all that it includes, and what that includes.
@@ -64,7 +76,10 @@ bool has_nothing_of_the_renderer(const std::string& path, const Headers& all) {
 }
 
 void make_folder(const fs::path& path) {
-  if (fs::create_directories(path)) fs::permissions(path, fs::perms(0755));
+  std::error_code error;
+  const bool is_new = fs::create_directories(path, error);
+  if (!error && is_new) fs::permissions(path, fs::perms(0755), error);
+  if (error) throw pt::Error(path.string() + ": cannot be made (" + error.message() + ")");
 }
 
 }  // namespace
@@ -96,17 +111,22 @@ Headers headers_for(const Task& task, const Headers& all) {
   return headers;
 }
 
-Stage::Stage(const std::string& folder, const Headers& headers, const std::string& file,
-             const std::string& text)
-    : folder_(folder) {
-  const fs::path place = folder;
-  make_folder(place);
-  for (const auto& [path, content] : headers) {
-    make_folder((place / path).parent_path());
-    put(place / path, content);
+Stage::Stage(const std::string& folder) : folder_(folder) { make_folder(folder); }
+
+void Stage::put(const std::string& file, const std::string& text) const {
+  const fs::path path = fs::path(folder_) / file;
+  make_folder(path.parent_path());
+  put_file(path, text);
+}
+
+void Stage::copy(const std::string& file, const std::string& from) const {
+  const fs::path path = fs::path(folder_) / file;
+  std::error_code error;
+  fs::copy_file(from, path, error);
+  if (!error) fs::permissions(path, fs::perms(0644), error);
+  if (error) {
+    throw pt::Error(fmt::format("{}: cannot be copied to {} ({})", from, folder_, error.message()));
   }
-  make_folder((place / file).parent_path());
-  put(place / file, text);
 }
 
 // A compiler that was killed may take a moment to be gone.
@@ -123,6 +143,20 @@ base::Submitted Stage::take(const std::string& name, std::size_t most) const {
   const base::Descriptor place(
       open(folder_.c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   return base::read_plain_file(place.number(), name, most);
+}
+
+std::string lack_of_room(const std::string& folder) {
+  struct statvfs disk {};
+  if (statvfs(folder.c_str(), &disk) != 0) return std::strerror(errno);
+  const std::uintmax_t left = std::uintmax_t{disk.f_bavail} * disk.f_frsize;
+  if (left < kRoomToHave) return fmt::format("the disk has {} MiB left", left >> 20);
+  if (disk.f_files > 0 && disk.f_favail == 0) return "the disk can hold no more files";
+  const std::string path = base::temporary_name(folder + "/room");
+  const base::Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  if (!file.is_open()) return std::strerror(errno);
+  const int problem = posix_fallocate(file.number(), 0, kRoomToWrite);
+  unlink(path.c_str());
+  return problem == 0 ? "" : std::strerror(problem);
 }
 
 }  // namespace grader::judge

@@ -19,18 +19,21 @@ Headers public_headers(const std::string& root);
 // linker, so that the audit does not see them.
 Headers headers_for(const Task& task, const Headers& all);
 
-// A new folder in which a file is compiled: the headers, the file, and nothing else. Everybody may
-// read it. It is gone with this object.
+// A new folder in which a compiler or a linker works: what is put there, and nothing else. Everybody
+// may read it. It is gone with this object.
 class Stage {
  public:
-  // `file` is a path in it, "1_rays/hit_box.cpp".
-  Stage(const std::string& folder, const Headers& headers, const std::string& file,
-        const std::string& text);
+  explicit Stage(const std::string& folder);
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
   const std::string& folder() const { return folder_; }
+
+  // `file` is a path in it, "1_rays/hit_box.cpp". Both throw pt::Error where it cannot be written.
+  void put(const std::string& file, const std::string& text) const;
+  // A copy: whoever could change a link would change the file.
+  void copy(const std::string& file, const std::string& from) const;
 
   // A file that was made in the folder.
   base::Submitted take(const std::string& name, std::size_t most) const;
@@ -38,5 +41,9 @@ class Stage {
  private:
   std::string folder_;
 };
+
+// Why nothing more can be written in the folder, or too little for a compiler, in a few words; empty
+// if there is room. Looks at the disk as somebody who is not root finds it, too.
+std::string lack_of_room(const std::string& folder);
 
 }  // namespace grader::judge

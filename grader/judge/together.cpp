@@ -110,11 +110,10 @@ class Integration {
     for (const std::string& slug : needs(judged.config->slug)) {
       const Built worker = link_together(config_, builder_, judged_, Elsewhere::answers, slug);
       if (!worker.ok()) continue;
-      const Findings findings =
+      const results::TaskResult found =
           try_worker(builder_, {*judged.config, worker, true, request_, failed});
       const bool mended =
-          findings.broken.empty() &&
-          std::all_of(findings.task.promises.begin(), findings.task.promises.end(),
+          std::all_of(found.promises.begin(), found.promises.end(),
                       [](const results::PromiseResult& promise) { return promise.held; });
       if (mended) judged.result.blamed.push_back(slug);
     }

@@ -53,6 +53,8 @@ std::string words(int signal, const std::string& last_words) {
     }
     case SIGXCPU:
       return "it used up its processor time";
+    case SIGSYS:
+      return "it asked the system for what no task needs";
     case SIGKILL:
       return "the system killed it: perhaps no memory was left";
     default:

@@ -1,6 +1,7 @@
 #include "grader/process/run_command.h"
 
 #include "grader/base/descriptor.h"
+#include "grader/base/printable.h"
 #include "grader/process/time_limit.h"
 
 #include <algorithm>
@@ -44,6 +45,16 @@ std::optional<int> await(pid_t pid, TimeLimit& limit) {
 }
 
 }  // namespace
+
+std::string fault_of(const CommandResult& result) {
+  const std::string& text = result.output;
+  const std::size_t end = text.find_last_not_of('\n');
+  if (result.timed_out) return "it took too long";
+  if (end == std::string::npos) return "it ended with " + describe_status(result.status);
+  const std::size_t start = text.rfind('\n', end);
+  const std::size_t first = start == std::string::npos ? 0 : start + 1;
+  return base::printable(text.substr(first, end + 1 - first), 400);
+}
 
 CommandResult run_command(Child child, milliseconds most) {
   CommandResult result;

@@ -3,14 +3,17 @@
 #include "grader/base/descriptor.h"
 #include "pt/error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace grader::process {
 
@@ -38,8 +41,27 @@ void arrange(const int* descriptors, int count) {
   close_range(static_cast<unsigned>(count), ~0U, 0);
 }
 
+constexpr const char* kKernelsChoice = "/proc/self/oom_score_adj";
+
+// The number by which the kernel chooses whom to kill where no memory is left: a child goes before
+// its parent, a worker before the judge. 0 where the kernel does not tell.
+int score_of_children() {
+  std::ifstream file(kKernelsChoice);
+  int own = 0;
+  return file >> own ? std::min(own + 300, 1000) : 0;
+}
+
+void set_score(int score) {
+  const int file = score > 0 ? open(kKernelsChoice, O_WRONLY | O_CLOEXEC) : -1;
+  if (file < 0) return;
+  const char digits[] = {
+      static_cast<char>('0' + score / 1000), static_cast<char>('0' + score / 100 % 10),
+      static_cast<char>('0' + score / 10 % 10), static_cast<char>('0' + score % 10)};
+  [[maybe_unused]] const ssize_t written = write(file, digits, sizeof digits);
+}
+
 [[noreturn]] void become(const Child& child, char* const* command, char* const* environment,
-                         pid_t parent) {
+                         pid_t parent, int score) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // it died before the line above
@@ -48,6 +70,7 @@ void arrange(const int* descriptors, int count) {
   arrange(child.descriptors.data(), static_cast<int>(child.descriptors.size()));
   if (!child.directory.empty() && chdir(child.directory.c_str()) != 0) _exit(127);
   if (!set_limits(child.limits)) _exit(127);
+  set_score(score);
   execve(command[0], command, environment);
   _exit(127);
 }
@@ -75,11 +98,12 @@ pid_t spawn(const Child& child) {
   const std::vector<char*> environment = pointers(child.environment);
   reap_orphans();
   const pid_t parent = getpid();
+  static const int score = score_of_children();
   const pid_t pid = fork();
   if (pid < 0) {
     throw pt::Error(fmt::format("cannot start {}: {}", child.command.at(0), std::strerror(errno)));
   }
-  if (pid == 0) become(child, command.data(), environment.data(), parent);
+  if (pid == 0) become(child, command.data(), environment.data(), parent, score);
   setpgid(pid, pid);  // in case we are first; fails once the child has run exec
   return pid;
 }

@@ -13,15 +13,39 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
+#include <unistd.h>
 
 namespace {
 
 using namespace grader;
 using namespace grader::sandbox::box;
 
+constexpr std::uint64_t kMaxFiles = 512;
+constexpr int kProgramNumber = 800;
+
 [[noreturn]] void fail(const std::string& what) {
   throw pt::Error(what + ": " + std::strerror(errno));
+}
+
+// Under a number that no descriptor of the program can have, as its limit is lower: the filter lets
+// through what is started under this number.
+base::Descriptor open_program(const char* path) {
+  rlimit files{};
+  if (getrlimit(RLIMIT_NOFILE, &files) != 0) fail("limits");
+  files.rlim_cur = files.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &files);
+  const base::Descriptor found(open(path, O_PATH | O_CLOEXEC));
+  if (!found.is_open()) fail(path);
+  base::Descriptor program(fcntl(found.number(), F_DUPFD_CLOEXEC, kProgramNumber));
+  if (!program.is_open()) fail(path);
+  return program;
+}
+
+// A byte for who waits for the start: the program itself cannot write it.
+void tell(int started) {
+  if (started >= 0 && write(started, "s", 1) != 1) fail("the judge");
 }
 
 // By a descriptor each, as the other user may not be allowed to come by the folders above them.
@@ -37,12 +61,14 @@ void enter(const std::string& folder, const std::optional<User>& user) {
 
 [[noreturn]] void run(Options options) {
   if (options.inside) continue_as_child();
-  const base::Descriptor program(open(options.command[0], O_PATH | O_CLOEXEC));
-  if (!program.is_open()) fail(options.command[0]);
+  if (options.started >= 0) fcntl(options.started, F_SETFD, FD_CLOEXEC);
+  const base::Descriptor program = open_program(options.command[0]);
   const base::Descriptor rules = file_rules(options);
 
   std::optional<User> user;
-  if (!options.inside) {
+  if (options.inside) {
+    if (options.user != 0) user = User{options.user, {}};
+  } else {
     if (geteuid() == 0) user = take_user();
     start_keeper(user);
   }
@@ -52,9 +78,15 @@ void enter(const std::string& folder, const std::optional<User>& user) {
   enforce(rules);
   // A user's processes are counted together: a limit says something of a user that has no others.
   if (!user && options.limits.processes != 0) options.limits.processes.reset();
+  if (options.limits.open_files.value_or(kMaxFiles) > kMaxFiles) {
+    throw pt::Error("a program in a box may have at most 512 open files");
+  }
+  if (!options.limits.open_files) options.limits.open_files = kMaxFiles;
   if (!process::set_limits(options.limits)) fail("limits");
   filter_system_calls(program.number(), options.tools);
+  tell(options.started);
   syscall(SYS_execveat, program.number(), "", options.command.data(), environ, AT_EMPTY_PATH);
+  tell(options.started);
   fail(options.command[0]);
 }
 

@@ -3,6 +3,8 @@
 #include "grader/judge/config.h"
 #include "grader/results/results.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@ struct ClassRequest {
   std::string out;                 // where reports go: <submission>.json and .html, and class.csv
   std::string grade;               // the program
   std::vector<std::string> words;  // of its command line, the same for all
+  std::uint64_t seed = 1;          // of all random inputs
 };
 
 // The outcome for one submission.
@@ -28,6 +31,11 @@ struct Graded {
 // The names of the folders in the class, in alphabetical order; links and hidden ones are left out.
 // Throws pt::Error if there are none.
 std::vector<std::string> submissions_of(const std::string& folder);
+
+// The seed of a class: the one asked for, else the one with which the reports in the folder were
+// made, else a new one, drawn: a table of answers to one seed is worth nothing then. It is kept in
+// the folder.
+std::uint64_t seed_for(const std::string& out, std::optional<std::uint64_t> asked);
 
 // Runs the program on one submission, unless its reports are there, complete, and made from the
 // same files with the same words by the same judge.

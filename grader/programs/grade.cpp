@@ -7,7 +7,9 @@
 #include "grader/programs/grade_options.h"
 #include "grader/report/hint_memory.h"
 #include "grader/report/terminal.h"
+#include "grader/results/presentable.h"
 #include "grader/results/read_json.h"
+#include "pt/end_of_program.h"
 #include "pt/error.h"
 
 #include <csignal>
@@ -39,7 +41,8 @@ sandbox::Isolation isolation(const judge::Config& config, const GradeOptions& op
 }
 
 int show(const results::Results& results, const GradeOptions& options) {
-  const std::string text = report::to_text(results, {report::terminal_has_color(), options.all});
+  const std::string text =
+      report::to_text(results::presentable(results), {report::terminal_has_color(), options.all});
   std::fputs(text.c_str(), stdout);
   return results.complete && results::passes(results) ? 0 : 1;
 }
@@ -50,27 +53,37 @@ int report_again(const GradeOptions& options) {
   return show(results, options);
 }
 
-// The words of a run that has not ended, a line each, so that it can go on. What it has found out
-// so far is in the cache. Runs without pictures are too short for that.
+// The folder and the words of a run that has not ended, each with a zero byte behind it, so that it
+// can go on. What it has found out so far is in the cache. Runs without pictures are too short for
+// that.
 class Unfinished {
  public:
   explicit Unfinished(const judge::Config& config) : path_(config.work + "/unfinished") {}
 
   void begin(const Words& words) const {
-    std::string lines;
-    for (const std::string& word : words) lines += word + '\n';
+    std::string all = std::filesystem::current_path().string() + '\0';
+    for (const std::string& word : words) all += word + '\0';
     std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
-    base::write_file(path_, lines);
+    base::write_file(path_, all);
   }
   void end() const { std::filesystem::remove(path_); }
 
-  Words words() const {
+  // Goes to the folder of that run, where its words mean what they said.
+  Words resume() const {
     if (!std::filesystem::exists(path_)) {
       throw pt::Error("no run was interrupted: there is nothing to --resume");
     }
-    std::istringstream lines(base::read_file(path_));
+    std::istringstream all(base::read_file(path_));
+    std::string folder;
+    std::getline(all, folder, '\0');
+    std::error_code error;
+    std::filesystem::current_path(folder, error);
+    if (error) {
+      throw pt::Error("the run was started in " + folder +
+                      ", which is not there any more; grade again");
+    }
     Words words;
-    for (std::string word; std::getline(lines, word);) words.push_back(word);
+    for (std::string word; std::getline(all, word, '\0');) words.push_back(word);
     return words;
   }
 
@@ -105,8 +118,9 @@ int run(Words words) {
   const judge::Config config = config_for(options);
   const Unfinished unfinished(config);
   if (options.resume) {
-    words = unfinished.words();
+    words = unfinished.resume();
     options = programs::parse_options(words);
+    report::check_targets(options.files);
   }
   const judge::GradeRequest request = request_for(config, options);
   if (request.pictures) unfinished.begin(words);
@@ -124,11 +138,13 @@ int main(int argc, char** argv) {
   process::hide_process();
   std::signal(SIGPIPE, SIG_IGN);
   try {
-    return run(Words(argv + 1, argv + argc));
+    const int status = run(Words(argv + 1, argv + argc));
+    pt::flush_standard_output();
+    return status;
   } catch (const CommandLine& done) {
     return done.status == 0 ? 0 : 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
     return 2;
   }
 }

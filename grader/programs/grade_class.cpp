@@ -1,12 +1,15 @@
 // grade_class: grades every submission in a folder. Exit status 0 if all could be judged, 2 if one
 // could not, or nothing could.
 #include "grader/programs/class.h"
+#include "grader/results/presentable.h"
 #include "grader/results/summary.h"
 #include "pt/command_line.h"
+#include "pt/error.h"
 #include "pt/file.h"
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,6 +21,7 @@ using namespace grader;
 struct Options {
   programs::ClassRequest request;
   std::string config;
+  std::optional<std::uint64_t> seed;
   bool not_isolated = false;
 };
 
@@ -27,6 +31,8 @@ void describe(CLI::App& app, Options& options) {
       ->required()
       ->check(CLI::ExistingDirectory);
   app.add_option("--out", request.out, "where reports go; default: <folder>-graded");
+  app.add_option("--seed", options.seed,
+                 "the seed of all random inputs; default: drawn for the class, and kept");
   app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
   app.prefix_command();
@@ -37,6 +43,9 @@ int run(Options options, const std::vector<std::string>& words) {
   programs::ClassRequest& request = options.request;
   request.words = words;
   std::erase(request.words, "--");
+  for (const std::string& word : request.words) {
+    if (word.starts_with("--seed")) throw pt::Error("write --seed before --, not after it");
+  }
   while (request.folder.size() > 1 && request.folder.back() == '/') request.folder.pop_back();
   if (request.out.empty()) request.out = request.folder + "-graded";
   if (options.config.empty()) options.config = judge::default_config_path();
@@ -46,6 +55,8 @@ int run(Options options, const std::vector<std::string>& words) {
   std::filesystem::create_directories(request.out);
   const std::string table = request.out + "/class.csv";
   pt::check_target(table);
+  request.seed = programs::seed_for(request.out, options.seed);
+  fmt::print("seed {} (--seed {} gives the same verdicts again)\n", request.seed, request.seed);
 
   std::vector<programs::Graded> all;
   bool all_judged = true;
@@ -53,9 +64,10 @@ int run(Options options, const std::vector<std::string>& words) {
   for (const std::string& name : names) {
     all.push_back(programs::grade_one(config, request, name));
     const programs::Graded& last = all.back();
-    fmt::print("{}/{} {}: {}{}\n", all.size(), names.size(), name,
-               last.problem.empty() ? results::verdict(last.results) : last.problem,
-               last.again ? " (as before)" : "");
+    fmt::print(
+        "{}/{} {}: {}{}\n", all.size(), names.size(), results::one_line(name),
+        last.problem.empty() ? results::verdict(last.results) : results::one_line(last.problem),
+        last.again ? " (as before)" : "");
     std::fflush(stdout);
     all_judged = all_judged && last.problem.empty();
     pt::write_file(table, programs::class_table(config, all));

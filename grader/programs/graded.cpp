@@ -33,6 +33,12 @@ struct Options {
 // is busy.
 constexpr std::chrono::milliseconds kBatteryCallLimit{2000};
 
+// Properties take an exception for a case that failed.
+[[noreturn]] void end_at_fault(const std::string& why) {
+  std::fprintf(stderr, "%s\n", why.c_str());
+  std::exit(2);
+}
+
 int run_battery(Options options) {
   options.session.call_limit = kBatteryCallLimit;
   options.session.total_limit = std::chrono::minutes(5);
@@ -90,6 +96,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--isolation", tier, "the tier of the worker's box: A, B or C");
   options.session.task = FIRSTLIGHT_TASK;
+  options.session.at_fault = end_at_fault;
   return pt::run_command_line(app, argc, argv, [&] {
     options.session.program = std::filesystem::absolute(options.session.program);
     options.session.tier = grader::sandbox::tier_of(tier);

@@ -5,6 +5,7 @@
 #include "grader/check/property.h"
 #include "grader/judge/object_file.h"
 #include "grader/results/json.h"
+#include "grader/results/presentable.h"
 
 #include <cstdlib>
 #include <memory>
@@ -78,7 +79,7 @@ void write_report(const std::string& path, const testing::UnitTest& test,
   results.complete = true;
   results.seed = check::seed();
   results.tasks = {task};
-  results::write_json(results, path);
+  results::write_json(results::presentable(results), path);
 }
 
 }  // namespace grader::programs

@@ -7,16 +7,29 @@
 
 namespace grader::report {
 
+namespace {
+
+// The signs of plain and of full width, and what is skipped before them.
+bool starts_formula(const std::string& text) {
+  for (const char* sign :
+       {"=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20"}) {
+    if (text.starts_with(sign)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::string csv_field(const std::string& text) {
-  const bool formula = !text.empty() && std::string("=+-@\t").find(text[0]) != std::string::npos;
-  std::string escaped = formula ? "'" : "";
+  std::string escaped = starts_formula(text) ? "'" : "";
   for (const char c : text) escaped += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return escaped.find_first_of(",\"\n") == std::string::npos ? escaped : '"' + escaped + '"';
+  return escaped.find_first_of(",;\"\r\n") == std::string::npos ? escaped : '"' + escaped + '"';
 }
 
 std::string to_csv(const results::Results& raw) {
   const results::Results results = results::presentable(raw);
   std::string text =
+      std::string(kByteOrderMark) +
       "submission,number,task,state,points,max_points,bonus_points,seconds,complete\r\n";
   for (const results::TaskResult& task : results.tasks) {
     text +=

@@ -54,10 +54,17 @@ std::string output_of(const results::TaskResult& task) {
   return text + "\n" + counts_of(task) + ".\n";
 }
 
+// A task that waits for another one and has all its points is right as far as anybody knows: red
+// would say that it is wrong.
+bool shows_green(const results::TaskResult& task) {
+  return task.state == results::State::pass ||
+         (task.state == results::State::blocked && task.points >= task.max_points);
+}
+
 ordered_json test_of(const results::TaskResult& task) {
   return {{"score", task.points + task.bonus_points},
           {"max_score", task.max_points},
-          {"status", task.state == results::State::pass ? "passed" : "failed"},
+          {"status", shows_green(task) ? "passed" : "failed"},
           {"name", task.slug},
           {"number", task.number},
           {"output", output_of(task)},

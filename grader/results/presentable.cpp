@@ -2,6 +2,8 @@
 
 #include "grader/results/members.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -80,8 +82,23 @@ std::string presentable(const std::string& text) {
   return shown.size() > kMaxText ? beginning(shown) : shown;
 }
 
+std::string one_line(const std::string& text) {
+  std::string line = presentable(text);
+  std::ranges::replace_if(
+      line, [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  return line;
+}
+
 Results presentable(Results results) {
   tidy(results);
+  for (std::string* name : {&results.submission, &results.command, &results.isolation}) {
+    *name = one_line(*name);
+  }
+  for (TaskResult& task : results.tasks) {
+    for (std::string* name : {&task.part, &task.number, &task.slug}) *name = one_line(*name);
+    for (PromiseResult& promise : task.promises) promise.name = one_line(promise.name);
+    for (PictureResult& picture : task.pictures) picture.recipe = one_line(picture.recipe);
+  }
   return results;
 }
 

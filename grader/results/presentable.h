@@ -16,7 +16,10 @@ inline constexpr std::size_t kMaxList = 100;   // failures of a promise, lines o
 // U+FFFD; of a text longer than kMaxText the beginning, and how much is missing.
 std::string presentable(const std::string& text);
 
-// All texts presentable, no list longer than kMaxList. Doing it twice changes nothing more.
+// The same without newlines and tabs: for names, which stand in the middle of lines.
+std::string one_line(const std::string& text);
+
+// All texts presentable, names in one line, no list longer than kMaxList. Doing it twice changes nothing more.
 Results presentable(Results results);
 
 }  // namespace grader::results

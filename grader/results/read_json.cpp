@@ -18,6 +18,8 @@ using nlohmann::json;
 
 // Twelve tasks whose texts are all as long as they may be need less.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
+constexpr std::size_t kMaxEntries = 1000;
+constexpr long long kMaxNumber = 1 << 24;
 
 template <class T>
 void read(const json& from, T& value) {
@@ -29,13 +31,23 @@ void read(const json& from, double& value) {
   value = from.is_null() ? std::numeric_limits<double>::quiet_NaN() : from.get<double>();
 }
 
+// So large that no grader writes it, so small that sums of such numbers fit.
+void read(const json& from, int& value) {
+  const bool whole = from.is_number_integer();
+  const auto number = whole ? from.get<long long>() : 0;
+  if (!whole || number < -kMaxNumber || number > kMaxNumber) {
+    throw pt::Error("a whole number was expected, not " + from.dump().substr(0, 40));
+  }
+  value = static_cast<int>(number);
+}
+
 // One of `all`, by its name.
 template <class Choice, std::size_t n>
 Choice choice(const json& from, const std::array<Choice, n>& all, const std::string& kind) {
   const std::string text = from;
   const auto found =
       std::ranges::find(all, text, [](Choice each) { return std::string(name(each)); });
-  if (found == all.end()) throw pt::Error("there is no " + kind + " '" + text + "'");
+  if (found == all.end()) throw pt::Error("there is no " + kind + " '" + text.substr(0, 40) + "'");
   return *found;
 }
 
@@ -60,6 +72,7 @@ void read(const json& from, T& value) {
 template <class T>
 void read(const json& from, std::vector<T>& values) {
   if (!from.is_array()) throw pt::Error("a list was expected");
+  if (from.size() > kMaxEntries) throw pt::Error("a list is longer than any of the grader's");
   values.clear();
   for (const json& each : from) read(each, values.emplace_back());
 }
@@ -77,7 +90,10 @@ Results results_from_json(const std::string& text, const std::string& path) {
     read(from, results);
     return results;
   } catch (const std::exception& error) {
-    throw pt::Error(path + " holds no results of this grader: " + error.what());
+    const std::string_view what = error.what();
+    const std::size_t label = what.starts_with("[json.") ? what.find("] ") + 2 : 0;
+    throw pt::Error(fmt::format("{} holds no results of this grader: {}; judge again", path,
+                                what.substr(label)));
   }
 }
 

@@ -3,10 +3,14 @@
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 
+#include <atomic>
 #include <filesystem>
+#include <fstream>
+#include <set>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace grader::sandbox {
 
@@ -41,6 +45,25 @@ Words system_files(bool tools) {
   return names;
 }
 
+// In a user namespace root is root of nothing else: there, no other user can be had.
+bool is_root_of_the_machine() {
+  static const bool is_root = [] {
+    std::ifstream map("/proc/self/uid_map");
+    std::uint64_t first = 1, outside = 1, count = 0;
+    map >> first >> outside >> count;
+    return geteuid() == 0 && first == 0 && outside == 0 && count == 0xffffffff;
+  }();
+  return is_root;
+}
+
+// Of the numbers that nobody has (see launcher/user.cpp). Who is in a namespace of its own meets no
+// other process of that number; a limit on processes counts them together.
+uid_t user_inside() {
+  static std::atomic<unsigned> serial{0};
+  constexpr uid_t kFirst = 60578, kCount = 606;
+  return kFirst + (static_cast<unsigned>(getpid()) * 31 + ++serial) % kCount;
+}
+
 Words launcher(const Box& box, const Words& visible, bool inside) {
   Words words{launcher_path()};
   const auto add = [&](const char* name, const std::optional<std::uint64_t>& limit) {
@@ -54,7 +77,9 @@ Words launcher(const Box& box, const Words& visible, bool inside) {
   for (const std::string& path : visible) words.push_back("--visible=" + path);
   if (!box.folder.empty()) words.push_back("--folder=" + box.folder);
   if (box.tools) words.push_back("--tools");
+  if (box.tells_start) words.push_back(fmt::format("--started={}", box.descriptors.size() - 1));
   if (inside) words.push_back("--inside");
+  if (inside && is_root_of_the_machine()) words.push_back(fmt::format("--user={}", user_inside()));
   words.push_back("--");
   return words + box.command;
 }
@@ -80,10 +105,34 @@ Words disable_userns() {
   return known ? Words{"--disable-userns"} : Words{};
 }
 
+// The folders above what is shown, which another user has to come by: bubblewrap's own are closed.
+Words open_folders(Words shown) {
+  std::set<fs::path> folders;
+  for (const std::string& path : shown) {
+    for (fs::path above = fs::path(path).parent_path(); above.has_relative_path();
+         above = above.parent_path()) {
+      folders.insert(above);
+    }
+  }
+  Words words;
+  for (const fs::path& folder : folders) words = words + Words{"--dir", folder};
+  return words;
+}
+
 Words bubblewrap(const Box& box, const Words& visible) {
-  Words words = Words{kBubblewrap, "--unshare-all",     "--unshare-user", "--cap-drop",
-                      "ALL",       "--die-with-parent", "--new-session",  "--as-pid-1"} +
-                disable_userns() + root_folders();
+  Words words{kBubblewrap, "--cap-drop", "ALL", "--die-with-parent", "--new-session", "--as-pid-1"};
+  if (is_root_of_the_machine()) {
+    // The launcher has a little of root left, to become another user.
+    words = words + Words{"--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts",
+                          "--unshare-cgroup-try"};
+    for (const char* right : {"CAP_SETUID", "CAP_SETGID", "CAP_CHOWN"}) {
+      words = words + Words{"--cap-add", right};
+    }
+  } else {
+    words = words + Words{"--unshare-all", "--unshare-user"} + disable_userns();
+  }
+  words = words + root_folders() +
+          open_folders(visible + Words{"/dev/null", launcher_path(), box.folder});
   for (const std::string& path : visible) words = words + Words{"--ro-bind", path, path};
   words = words + Words{"--dev-bind", "/dev/null", "/dev/null"} +
           Words{"--ro-bind", launcher_path(), launcher_path()};
@@ -105,7 +154,9 @@ Tier tier_of(std::string_view word) {
 
 process::Child boxed(const Box& box, Tier tier) {
   if (tier == Tier::limits) {
-    return {box.command, box.environment, box.descriptors, box.folder.empty() ? "/" : box.folder,
+    std::vector<int> descriptors = box.descriptors;
+    if (box.tells_start) descriptors.pop_back();
+    return {box.command, box.environment, descriptors, box.folder.empty() ? "/" : box.folder,
             box.limits};
   }
   Words visible = system_files(box.tools) + box.visible;

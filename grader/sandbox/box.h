@@ -33,6 +33,9 @@ struct Box {
   std::string folder;                    // it may write in, and starts in; empty: none, and "/"
   bool tools = false;                    // it may start programs, as a compiler does
   process::Limits limits;
+  // The last of the descriptors is not the program's but the launcher's: one byte comes there when
+  // nothing but the program itself is left to start, a second one if that fails. Not in tier C.
+  bool tells_start = false;
 };
 
 // The child that runs the box's program in this tier. In the tiers A and B nothing of it outlives

@@ -1,5 +1,6 @@
 #include "grader/sandbox/probe.h"
 
+#include "grader/base/files.h"
 #include "grader/base/printable.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
@@ -26,9 +27,11 @@ struct Trial {
 struct Scratch {
   std::string path;
   explicit Scratch(const std::string& work) {
-    fs::create_directories(work);
-    path = fs::canonical(work) / "probe.XXXXXX";
-    if (mkdtemp(path.data()) == nullptr) throw pt::Error(work + ": no folder can be made here");
+    std::error_code error;
+    fs::create_directories(work, error);
+    if (!error) path = base::temporary_name(fs::canonical(work, error) / "probe");
+    if (!error) fs::create_directory(path, error);
+    if (error) throw pt::Error(work + ": no folder can be made here (" + error.message() + ")");
   }
   ~Scratch() {
     std::error_code ignored;
@@ -40,7 +43,7 @@ struct Scratch {
 
 std::string words_of(Tier tier, const std::set<std::string>& holds) {
   std::vector<std::string> parts;
-  if (tier == Tier::restricted) {
+  if (tier == Tier::restricted || holds.contains("user")) {
     parts.emplace_back(holds.contains("user") ? "another user" : "the same user");
   }
   if (holds.contains("sockets")) parts.emplace_back("seccomp");

@@ -125,6 +125,15 @@ TEST_P(Attack, gets_nowhere_at_run_time) {
   EXPECT_EQ(outcome.results.at("isolation").get<std::string>().substr(0, 2), GetParam() + ":");
 }
 
+// Calls that are allowed, with commands and flags that nobody needs.
+TEST_P(Attack, gets_nowhere_by_commands_and_flags) {
+  const Outcome outcome = attack("commands");
+  SKIP_WHERE_THE_TIER_DOES_NOT_WORK(outcome);
+  for (const json& task : outcome.results.at("tasks")) {
+    EXPECT_EQ(task.at("state"), "crash") << task.dump(1).substr(0, 2000);
+  }
+}
+
 // Other people's names, other people's files, and ends that look like success.
 TEST_P(Attack, gets_nowhere_by_names_and_files) {
   const Outcome outcome = attack("names");

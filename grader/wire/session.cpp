@@ -6,8 +6,10 @@
 #include "pt/scene/scene.h"
 
 #include <cstdlib>
+#include <new>
 
 #include <fmt/format.h>
+#include <poll.h>
 
 namespace grader::wire {
 
@@ -17,6 +19,8 @@ constexpr std::size_t kMaxKnown = 256;                         // objects
 constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
 constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // in a call; sums do not overflow
 constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
+constexpr int kMaxStarts = 4;
+constexpr int kMaxAge = 20;  // times the limit of all calls, by the clock
 
 std::unique_ptr<Session> the_session;
 
@@ -77,12 +81,13 @@ const pt::Scene& Session::scene(Handle handle) const {
 
 std::string_view Session::call(Function function, std::uint64_t code, const Repetition& repetition,
                                const Writer& arguments) {
+  if (record_.calls == 0) first_call_ = Clock::now();
   expect_attempted();
   expect_time_left();
   drop_known_definitions();
   record_.calls += std::max(1, repetition.count);
   try {
-    reply_ = converse(message(function, code, repetition, arguments));
+    reply_ = converse_or_start_again(message(function, code, repetition, arguments));
     Reader reply(reply_);
     take_head(reply, code);
     expect_attempted();
@@ -95,8 +100,15 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
     fail(failure);
   } catch (const BadMessage& bad) {
     reject(bad.what());
+  } catch (const std::bad_alloc&) {
+    settings_.at_fault("there is no memory left");
+  } catch (const pt::Error& error) {
+    settings_.at_fault(error.what());
   }
+  std::abort();  // at_fault has returned
 }
+
+void cannot_judge(const std::string& why) { throw pt::Error(why); }
 
 void Session::expect_attempted() const {
   if (record_.todo.contains(settings_.task)) {
@@ -117,7 +129,8 @@ void Session::expect_time_left() {
   expect_total_time_left();
 }
 
-// Time in which workers slept counts too, but only if it is far more than they may compute.
+// Time in which workers slept counts too: nothing in a task waits. What they wait for a processor is
+// nobody's fault, and yet no run may last for ever.
 void Session::expect_total_time_left() {
   const auto give_up = [&](std::chrono::nanoseconds took) {
     settings_.give_up(
@@ -127,7 +140,9 @@ void Session::expect_total_time_left() {
   const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
   if (running > settings_.total_limit) give_up(running);
   const auto waited = waited_ + (worker_ ? worker_->waited() : Clock::duration::zero());
-  const auto patience = process::TimeLimit::kPatience * settings_.total_limit;
+  const auto age = Clock::now() - first_call_;
+  if (age > kMaxAge * settings_.total_limit) give_up(age);
+  const auto patience = settings_.total_limit / 2;
   if (waited - running <= patience) return;
   const auto starved = starved_ + (worker_ ? worker_->starved() : Clock::duration::zero());
   const auto slept = waited - running - starved;
@@ -164,9 +179,29 @@ Writer Session::message(Function function, std::uint64_t code, const Repetition&
   return out;
 }
 
-std::string Session::converse(const Writer& call) {
-  if (!worker_)
+// Processes, memory or users for boxes may be short for a moment.
+std::string Session::converse_or_start_again(const Writer& call) {
+  for (int attempt = 1;; ++attempt) {
+    try {
+      return converse(call);
+    } catch (const WorkerNotStarted& problem) {
+      worker_.reset();
+      if (attempt == kMaxStarts) throw pt::Error("a worker cannot start: " + problem.text);
+      poll(nullptr, 0, 200 * attempt);
+    }
+  }
+}
+
+void Session::start_worker() {
+  try {
     worker_ = std::make_unique<WorkerProcess>(settings_.program, settings_.tier, kMaxPrinted);
+  } catch (const pt::Error& error) {
+    throw WorkerNotStarted{error.what()};
+  }
+}
+
+std::string Session::converse(const Writer& call) {
+  if (!worker_) start_worker();
   worker_->allow(settings_.call_limit);
   worker_->send(Kind::call, ++sequence_, call.bytes());
   while (true) {

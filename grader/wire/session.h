@@ -10,6 +10,9 @@
 
 namespace grader::wire {
 
+// Throws pt::Error.
+[[noreturn]] void cannot_judge(const std::string& why);
+
 // The settings for the one worker of this program.
 struct SessionSettings {
   std::string task;                            // the slug that is judged
@@ -19,6 +22,9 @@ struct SessionSettings {
   bool answers = true;      // the worker may call back
   // Called when a call comes to nothing; does not return.
   std::function<void(results::Cause, const std::string&)> give_up = check::fail_call;
+  // Called with a sentence when the judge itself cannot go on, as without a worker: that is nobody's
+  // verdict. Does not return.
+  std::function<void(const std::string&)> at_fault = cannot_judge;
   // Of processor time (grader/process/time_limit.h).
   std::chrono::milliseconds call_limit =
       process::kCallLimit;                       // of one call, and of kBatch repetitions
@@ -77,7 +83,9 @@ class Session {
   void drop_known_definitions();
   Writer message(Function function, std::uint64_t code, const Repetition& repetition,
                  const Writer& arguments);
+  void start_worker();
   std::string converse(const Writer& call);
+  std::string converse_or_start_again(const Writer& call);
   void take_head(Reader& reply, std::uint64_t code);
   [[noreturn]] void fail(const WorkerFailed& failure);
 
@@ -91,6 +99,7 @@ class Session {
   std::vector<Definition> definitions_;        // that this call needs
   std::map<Handle, const pt::Scene*> scenes_;  // of this call
   std::string reply_;
+  Clock::time_point first_call_;
   // Of workers that have ended.
   std::chrono::nanoseconds running_{0}, waited_{0}, starved_{0};
   int timeouts_ = 0, failures_ = 0;

@@ -20,6 +20,11 @@ struct WorkerFailed {
   bool alive = false;  // the worker may be called again
 };
 
+// The worker did not come into being: nothing that a submission could have done.
+struct WorkerNotStarted {
+  std::string text;
+};
+
 struct Message {
   Kind kind = Kind::reply;
   std::string payload;
@@ -40,7 +45,7 @@ class WorkerProcess {
   // From now on it may take so much time (grader/process/time_limit.h).
   void allow(std::chrono::milliseconds limit);
 
-  // Both throw WorkerFailed.
+  // Both throw WorkerFailed, or WorkerNotStarted.
   void send(Kind kind, std::uint64_t sequence, std::string_view payload);
   Message receive(std::uint64_t sequence);
 
@@ -59,6 +64,7 @@ class WorkerProcess {
   void wait(const base::Descriptor& descriptor, short event);
   void take_output();
   void fill(std::size_t size);  // until buffer_ has so many bytes
+  bool has_started() const;     // of a worker that has ended
   [[noreturn]] void ended();
 
   pid_t pid_ = -1;     // of what was started: the program, or the box around it
@@ -67,7 +73,8 @@ class WorkerProcess {
   process::TimeLimit limit_;
   std::chrono::nanoseconds running_{0}, waited_{0};
   base::Descriptor to_worker_, from_worker_, output_;
-  std::string buffer_;  // received and not yet used
+  base::Descriptor started_;  // see Box::tells_start
+  std::string buffer_;        // received and not yet used
   std::string printed_, last_words_;
   std::size_t max_printed_;
   std::size_t bytes_printed_ = 0;

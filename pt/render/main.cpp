@@ -6,6 +6,7 @@
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/load_collada.h"
+#include "pt/end_of_program.h"
 
 #include <algorithm>
 #include <atomic>
@@ -69,7 +70,14 @@ int run(int argc, const char* const* argv) {
   check_image_target(options.output);
   LoadedScene loaded = load_collada(options.scene, {options.lambertian});
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
-  if (options.show != Show::normals) require_supported(loaded, options.scene);
+  if (options.show != Show::normals) {
+    require_supported(loaded, options.scene);
+    if (loaded.scene.lights.empty()) {
+      fmt::print(stderr,
+                 "the scene has no light, so that the picture is black; give --show normals to see "
+                 "its surfaces\n");
+    }
+  }
   choose_engine(loaded.scene, options.engine, options.max_leaf);
 
   const View view{loaded.scene,
@@ -97,9 +105,11 @@ int run(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   try {
-    return pt::run(argc, argv);
+    const int status = pt::run(argc, argv);
+    pt::flush_standard_output();
+    return status;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
     return 2;
   }
 }

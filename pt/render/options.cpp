@@ -45,7 +45,10 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
   app.add_option("scene", options.scene, "Scene file (.dae)")->required();
   app.add_option("-f,--output", options.output,
                  "Picture to write: .png, or .exr with mean and variance; default <scene>.png");
-  app.add_option("-r,--size", pairs.size, "Width and height in pixels, default 480 360")
+  app.add_option(
+         "-r,--size", pairs.size,
+         "Width and height in pixels, default 480 360; with --camera course they cut a window "
+         "out of a picture of 800 x 600, with fit and file they scale it")
       ->expected(2)
       ->check(CLI::Range(1, 16384))
       ->type_name("W H");

@@ -38,11 +38,21 @@ FileCamera default_camera() {
   return camera;
 }
 
+// From the target towards the eye. The course's program turns the view direction -z by the camera's
+// matrix as if it were a point, which adds the camera's position. Only a file that was exported is
+// meant for that program; one that was written by hand means the camera's axis.
+Vec3 towards_eye(const LoadedScene& loaded, const FileCamera& camera, Framing framing) {
+  const Vec3 course = camera.position - camera.backwards;
+  const bool as_course = framing == Framing::course && loaded.exported &&
+                         length(course) > 1e-6 * length(camera.backwards);
+  return as_course ? normalize(course) : camera.camera_to_world.z;
+}
+
 // z from the target towards the eye; y up as far as it can be.
-Frame upright_frame(const FileCamera& camera) {
-  const Vec3 z = camera.camera_to_world.z;
-  const Vec3 right = cross({0, 1, 0}, z);
-  if (!(length(right) > 1e-6)) return camera.camera_to_world;
+Frame upright_frame(Vec3 z, const FileCamera& camera) {
+  Vec3 right = cross({0, 1, 0}, z);
+  if (!(length(right) > 1e-6)) right = cross(camera.camera_to_world.y, z);
+  if (!(length(right) > 1e-6)) right = camera.camera_to_world.x;
   const Vec3 x = normalize(right);
   return {x, cross(z, x), z};
 }
@@ -68,7 +78,7 @@ Camera frame_camera(const LoadedScene& loaded, Framing framing, int width, int h
     return camera;
   }
   const Box box = bounds(loaded.scene.primitives);
-  camera.camera_to_world = upright_frame(from);
+  camera.camera_to_world = upright_frame(towards_eye(loaded, from, framing), from);
   camera.position = box.center() + 1.5 * length(box.extent()) * camera.camera_to_world.z;
   return camera;
 }

@@ -8,10 +8,12 @@ namespace pt {
 // Chooses where the camera of a picture stands and how much it sees.
 //   course  the course's rule, for laying our pictures beside theirs: only the direction is the
 //           file's. The camera looks at the centre of the scene's bounding box from 1.5 times the
-//           box's diagonal, y up. The fields of view are widened to 4:3 (the narrower grows); then
-//           a picture of 600 pixels height shows them whole and any other a window of it, pixel for
-//           pixel.
-//   fit     stands there too, and shows the file's whole field at the picture's shape.
+//           box's diagonal, y up. In a file that a program exported, the eye stands in the
+//           direction position - z axis, as the course has it; else on the camera's own z axis. The
+//           fields of view are widened to 4:3 (the narrower grows); then a picture of 600 pixels
+//           height shows them whole and any other a window of it, pixel for pixel.
+//   fit     stands at the same distance on the camera's own axis, and shows the file's whole field
+//           at the picture's shape.
 //   file    the file's own position, frame and clip range, and its whole field.
 // All pixels are square. A scene without a camera is seen from +z with the field of view of
 // Blender's first camera (49.13 degrees, 4:3), whole, whatever the framing.

@@ -9,6 +9,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include <tinyxml2.h>
+
 namespace pt {
 
 namespace {
@@ -21,6 +23,14 @@ void append_new(std::vector<std::string>& notes, const std::vector<std::string>&
   }
 }
 
+// <asset><contributor><authoring_tool>: exporters write it, people do not.
+bool names_authoring_tool(const XMLElement& root) {
+  const XMLElement* at = root.FirstChildElement("asset");
+  at = at ? at->FirstChildElement("contributor") : nullptr;
+  at = at ? at->FirstChildElement("authoring_tool") : nullptr;
+  return at != nullptr && at->GetText() != nullptr;
+}
+
 }  // namespace
 
 LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& options) {
@@ -28,6 +38,7 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   Instances instances = read_nodes(document);
   LoadedScene loaded;
   loaded.course_profile = document.has_course_profile();
+  loaded.exported = names_authoring_tool(document.root());
   loaded.camera = read_camera(document, instances.cameras, instances.notes);
   append_new(loaded.notes, instances.notes);
 
@@ -40,6 +51,7 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   append_new(loaded.notes, surfaces.notes);
   append_new(loaded.notes, nodes.notes);
   append_new(loaded.notes, lights.notes);
+  if (const std::string ids = document.note_on_ids(); !ids.empty()) loaded.notes.push_back(ids);
 
   loaded.scene.primitives = std::move(surfaces.primitives);
   loaded.scene.material_of = std::move(surfaces.material_of);

@@ -14,7 +14,8 @@ namespace pt {
 struct FileCamera {
   Vec3 position;
   Frame camera_to_world;
-  double hfov_deg = 50;  // whole angles, in (0, 180)
+  Vec3 backwards{0, 0, 1};  // the image of its z axis: camera_to_world.z, of any length
+  double hfov_deg = 50;     // whole angles, in (0, 180)
   double vfov_deg = 38;
   double near_clip = 0;
   double far_clip = kInfinity;
@@ -28,6 +29,7 @@ struct LoadedScene {
   Scene scene;  // complete but for the tracer, which is not built
   std::optional<FileCamera> camera;
   bool course_profile = false;  // the file has the course's own data (profile CGL or CMU462)
+  bool exported = false;        // a program wrote the file, as its <authoring_tool> says
   std::vector<std::string> unsupported_lights;  // "spot light 'Lamp'": what no Light can stand for
   std::vector<std::string> notes;               // what was corrected or ignored, a sentence each
 };

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 
+#include <asm/sockios.h>
 #include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
@@ -30,9 +31,9 @@ constexpr const char* kWorkerCalls[] = {
     "sched_getaffinity", "getcpu",
     // Files that are open, or may be opened.
     "read", "write", "readv", "writev", "pread64", "pwrite64", "lseek", "close", "close_range",
-    "dup", "dup2", "dup3", "fcntl", "open", "openat", "access", "faccessat", "faccessat2", "stat",
-    "lstat", "fstat", "newfstatat", "statx", "readlink", "readlinkat", "getdents64", "getcwd",
-    "poll", "ppoll", "select", "pselect6",
+    "dup", "dup2", "dup3", "access", "faccessat", "faccessat2", "stat", "lstat", "fstat",
+    "newfstatat", "statx", "readlink", "readlinkat", "getdents64", "getcwd", "poll", "ppoll",
+    "select", "pselect6",
     // Time, and what the machine is.
     "clock_gettime", "clock_getres", "clock_nanosleep", "nanosleep", "gettimeofday", "time",
     "times", "getrusage", "getrandom", "uname", "sysinfo",
@@ -49,6 +50,14 @@ constexpr const char* kToolCalls[] = {
     "fadvise64", "fsync",    "fdatasync", "utimensat", "chdir",           "fchdir",
     "statfs",    "fstatfs",  "setrlimit", "flock",     "alarm",           "setitimer",
     "getpgid",   "getsid"};
+
+// What C++ asks of a descriptor. Others would have the kernel send signals to any process of the
+// user (F_SETOWN, F_SETSIG), or tell of what others do with a file.
+constexpr int kDescriptorCommands[] = {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL};
+
+// To open a file for reading; a worker has none to write.
+constexpr std::uint64_t kToWrite =
+    O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | (O_TMPFILE & ~O_DIRECTORY) | O_ASYNC | O_DIRECT;
 
 constexpr std::uint64_t kNewNamespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS |
                                          CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
@@ -84,13 +93,39 @@ class Filter {
 
 }  // namespace
 
+namespace {
+
+// By the commands and flags that an honest program needs. The others end the process: nobody tries
+// them to find out what a machine can do.
+void allow_descriptors(Filter& filter, bool tools) {
+  for (const int command : kDescriptorCommands) {
+    filter.allow("fcntl", SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+  }
+  filter.allow("fcntl", SCMP_A1(SCMP_CMP_EQ, F_SETFL), SCMP_A2(SCMP_CMP_MASKED_EQ, O_ASYNC, 0));
+  for (const int command : {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE, F_NOTIFY}) {
+    filter.add(SCMP_ACT_KILL_PROCESS, "fcntl",
+               SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+  }
+  filter.add(SCMP_ACT_KILL_PROCESS, "fcntl", SCMP_A1(SCMP_CMP_EQ, F_SETFL),
+             SCMP_A2(SCMP_CMP_MASKED_EQ, O_ASYNC, O_ASYNC));
+  filter.allow("ioctl", SCMP_A1(SCMP_CMP_MASKED_EQ, 0xffffffff, TCGETS));
+  for (const std::uint64_t request : {FIOASYNC, FIOSETOWN, SIOCSPGRP, TIOCSTI, TIOCSCTTY}) {
+    filter.add(SCMP_ACT_KILL_PROCESS, "ioctl", SCMP_A1(SCMP_CMP_MASKED_EQ, 0xffffffff, request));
+  }
+  const std::uint64_t closed = tools ? std::uint64_t{O_ASYNC} : kToWrite;
+  filter.allow("open", SCMP_A1(SCMP_CMP_MASKED_EQ, closed, 0));
+  filter.allow("openat", SCMP_A2(SCMP_CMP_MASKED_EQ, closed, 0));
+}
+
+}  // namespace
+
 void filter_system_calls(int program, bool tools) {
   Filter filter;
+  allow_descriptors(filter, tools);
   for (const char* name : kWorkerCalls) filter.allow(name);
   const auto self = static_cast<scmp_datum_t>(getpid());
   for (const char* name : {"kill", "tgkill"}) filter.allow(name, SCMP_A0(SCMP_CMP_EQ, self));
   filter.allow("prlimit64", SCMP_A0(SCMP_CMP_EQ, 0));
-  filter.allow("ioctl", SCMP_A1(SCMP_CMP_MASKED_EQ, 0xffffffff, TCGETS));
   filter.allow("execveat", SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(program)),
                SCMP_A4(SCMP_CMP_EQ, AT_EMPTY_PATH));
   if (tools) {

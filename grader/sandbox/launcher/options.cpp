@@ -38,6 +38,10 @@ void take(Options& options, std::string_view word) {
     options.limits.file_size = number(value);
   } else if (name == "--processes") {
     options.limits.processes = number(value);
+  } else if (name == "--user") {
+    options.user = static_cast<uid_t>(number(value));
+  } else if (name == "--started") {
+    options.started = static_cast<int>(number(value));
   } else if (name == "--files") {
     options.limits.open_files = number(value);
   } else {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 namespace grader::sandbox::box {
 
 // The options of the launcher (written by grader/sandbox/box.cpp).
@@ -14,6 +16,8 @@ struct Options {
   std::string folder;                // where it may write; empty: nowhere
   std::vector<std::string> visible;  // what it may read
   process::Limits limits;
+  uid_t user = 0;              // inside: to become, not 0; 0: stay who it is
+  int started = -1;            // a descriptor that is told of the start; -1: none
   std::vector<char*> command;  // ends with nullptr, as exec wants it
 };
 

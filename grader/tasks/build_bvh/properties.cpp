@@ -11,7 +11,17 @@ namespace {
 
 using namespace build_bvh_cases;
 
-pt::Bvh build(const Input& input) { return pt::build_bvh(input.boxes, input.max_leaf); }
+// Far more nodes or entries than any tree needs would only cost time.
+pt::Bvh build(const Input& input) {
+  pt::Bvh bvh = pt::build_bvh(input.boxes, input.max_leaf);
+  const std::size_t n = input.boxes.size(), most = 4 * n + 16;
+  expect(bvh.nodes.size() <= most && bvh.order.size() <= most,
+         "at most " + std::to_string(2 * n - 1) + " nodes and " + std::to_string(n) +
+             " entries in order for " + std::to_string(n) + " boxes",
+         std::to_string(bvh.nodes.size()) + " nodes and " + std::to_string(bvh.order.size()) +
+             " entries");
+  return bvh;
+}
 
 // Of the boxes below every node. A node whose leaves lie outside `order` is kept_once's to tell.
 void expect_covered(const Input& input, const pt::Bvh& bvh) {

@@ -4,6 +4,7 @@
 #include "pt/scene/field_of_view.h"
 
 #include <cmath>
+#include <unordered_map>
 
 #include <tinyxml2.h>
 
@@ -28,10 +29,10 @@ std::optional<double> optional_fov(const ColladaDocument& document, const XMLEle
   return fov;
 }
 
-// A field of view that is stated is taken; the other follows from it and the aspect ratio, which is
-// 4:3 where the file has none.
-void read_fields(const ColladaDocument& document, const XMLElement& perspective,
-                 FileCamera& camera) {
+// A camera without a place. A field of view that is stated is taken; the other follows from it and
+// the aspect ratio, which is 4:3 where the file has none.
+FileCamera read_perspective(const ColladaDocument& document, const XMLElement& perspective) {
+  FileCamera camera;
   const std::optional<double> x = optional_fov(document, perspective, "xfov");
   const std::optional<double> y = optional_fov(document, perspective, "yfov");
   const double aspect = optional_number(document, perspective, "aspect_ratio").value_or(4.0 / 3);
@@ -48,6 +49,17 @@ void read_fields(const ColladaDocument& document, const XMLElement& perspective,
   if (!(camera.near_clip >= 0 && camera.near_clip < camera.far_clip)) {
     document.fail(perspective, "znear and zfar must satisfy 0 <= znear < zfar; mend them");
   }
+  return camera;
+}
+
+std::optional<FileCamera> read_fields(const ColladaDocument& document, const XMLElement& element,
+                                      std::vector<std::string>& notes) {
+  const XMLElement& common = document.child(document.child(element, "optics"), "technique_common");
+  if (const XMLElement* perspective = common.FirstChildElement("perspective")) {
+    return read_perspective(document, *perspective);
+  }
+  notes.push_back("camera " + label(element) + " has no perspective and is ignored.");
+  return std::nullopt;
 }
 
 // The frame keeps the direction in which the camera looks; its up is turned to a right angle.
@@ -76,21 +88,18 @@ std::optional<FileCamera> read_camera(const ColladaDocument& document,
                                       const std::vector<Instance>& cameras,
                                       std::vector<std::string>& notes) {
   std::optional<FileCamera> last;
+  std::unordered_map<const XMLElement*, std::optional<FileCamera>> fields;
   int perspectives = 0;
   for (const Instance& instance : cameras) {
-    const XMLElement& element = document.resolve(*instance.element, "url", "camera");
-    const XMLElement& common =
-        document.child(document.child(element, "optics"), "technique_common");
-    const XMLElement* perspective = common.FirstChildElement("perspective");
-    if (perspective == nullptr) {
-      notes.push_back("camera " + label(element) + " has no perspective and is ignored.");
-      continue;
-    }
-    FileCamera camera;
-    camera.position = instance.to_world.translation;
-    camera.camera_to_world = camera_frame(document, instance, notes);
-    read_fields(document, *perspective, camera);
+    const auto known = fields.find(instance.target);
+    const std::optional<FileCamera> camera =
+        known != fields.end() ? known->second : read_fields(document, *instance.target, notes);
+    if (known == fields.end()) fields.emplace(instance.target, camera);
+    if (!camera) continue;
     last = camera;
+    last->position = instance.to_world.translation;
+    last->backwards = instance.to_world.z;
+    last->camera_to_world = camera_frame(document, instance, notes);
     ++perspectives;
   }
   if (perspectives > 1) {

@@ -92,10 +92,12 @@ void ColladaDocument::parse(const std::string& text) {
 
 void ColladaDocument::index(const XMLElement& element) {
   if (const char* id = element.Attribute("id")) {
-    const auto [other, is_new] = by_id_.emplace(std::string(element.Name()) + "#" + id, &element);
-    if (!is_new) {
-      fail(element, std::string("<") + element.Name() + "> has the id " + quoted(id) + " of line " +
-                        std::to_string(other->second->GetLineNum()) + "; give each its own");
+    Identified& known = by_id_[std::string(element.Name()) + "#" + id];
+    if (known.first == nullptr) {
+      known.first = &element;
+    } else {
+      if (known.second == nullptr) known.second = &element;
+      if (duplicates_++ == 0) first_duplicate_ = &element;
     }
   }
   if (std::strcmp(element.Name(), "technique") == 0 && is_course_profile(element)) {
@@ -127,21 +129,36 @@ std::string_view ColladaDocument::attribute(const XMLElement& element, const cha
   return value;
 }
 
-const XMLElement* ColladaDocument::find(std::string_view url, const char* kind) const {
+const XMLElement* ColladaDocument::find(const XMLElement& from, std::string_view url,
+                                        const char* kind) const {
   if (url.empty() || url.front() != '#') return nullptr;
   const auto found = by_id_.find(std::string(kind) + std::string(url));
-  return found == by_id_.end() ? nullptr : found->second;
+  if (found == by_id_.end()) return nullptr;
+  const auto [first, second] = found->second;
+  if (second != nullptr) {
+    fail(from, quoted(url) + " may be the <" + kind + "> of line " +
+                   std::to_string(first->GetLineNum()) + " or that of line " +
+                   std::to_string(second->GetLineNum()) + "; give each an id of its own");
+  }
+  return first;
 }
 
 const XMLElement& ColladaDocument::resolve(const XMLElement& from, const char* name,
                                            const char* kind) const {
   const std::string_view url = attribute(from, name);
-  const XMLElement* found = find(url, kind);
+  const XMLElement* found = find(from, url, kind);
   if (found == nullptr) {
     fail(from, std::string("there is no <") + kind + "> with the id that " + quoted(url) +
                    " names; define it in this file or mend the " + name);
   }
   return *found;
+}
+
+std::string ColladaDocument::note_on_ids() const {
+  if (first_duplicate_ == nullptr) return "";
+  return std::to_string(duplicates_) + " elements have the id of another (the first: <" +
+         first_duplicate_->Name() + "> " + quoted(first_duplicate_->Attribute("id")) + " in line " +
+         std::to_string(first_duplicate_->GetLineNum()) + "): nothing that is shown refers to it.";
 }
 
 const XMLElement* course_child(const XMLElement& element, const char* name) {

@@ -16,8 +16,7 @@ namespace pt {
 using tinyxml2::XMLElement;
 
 // A COLLADA file as a tree of elements, which live as long as the document does. Throws Error for a
-// file that is missing, not a regular file, empty, too large, not COLLADA or malformed, and for an
-// id that two elements of one kind share.
+// file that is missing, not a regular file, empty, too large, not COLLADA or malformed.
 class ColladaDocument {
  public:
   explicit ColladaDocument(const std::filesystem::path& file);
@@ -35,11 +34,15 @@ class ColladaDocument {
   // The attribute's text; an error if it is missing.
   std::string_view attribute(const XMLElement& element, const char* name) const;
 
-  // The element of that kind whose id the attribute names as "#id"; an error if there is none.
+  // The element of that kind whose id the attribute names as "#id"; an error if there is none, or
+  // more than one.
   const XMLElement& resolve(const XMLElement& from, const char* attribute, const char* kind) const;
 
-  // The same, or null: for references that may lead to elements of several kinds.
-  const XMLElement* find(std::string_view url, const char* kind) const;
+  // The same for a url that stands at `from`, or null if there is none.
+  const XMLElement* find(const XMLElement& from, std::string_view url, const char* kind) const;
+
+  // A sentence about ids that several elements of one kind have; empty where there are none.
+  std::string note_on_ids() const;
 
  private:
   void parse(const std::string& text);
@@ -48,7 +51,14 @@ class ColladaDocument {
   std::string file_;
   std::unique_ptr<tinyxml2::XMLDocument> xml_;
   const XMLElement* root_ = nullptr;
-  std::unordered_map<std::string, const XMLElement*> by_id_;  // "kind#id"
+  // "kind#id": the first element that has it, and the second.
+  struct Identified {
+    const XMLElement* first = nullptr;
+    const XMLElement* second = nullptr;
+  };
+  std::unordered_map<std::string, Identified> by_id_;
+  const XMLElement* first_duplicate_ = nullptr;
+  std::size_t duplicates_ = 0;
   bool has_course_profile_ = false;
 };
 

@@ -3,7 +3,7 @@
 #include "pt/scene/collada/numbers.h"
 
 #include <cmath>
-#include <optional>
+#include <unordered_map>
 
 #include <tinyxml2.h>
 
@@ -46,36 +46,57 @@ DirectionalLight directional_light(const ColladaDocument& document, const Instan
   return {normalize(ahead), color};
 }
 
+// What the text of a <light> says, read once however often the light is instanced.
+struct LightText {
+  std::string_view kind;
+  Rgb color;
+};
+
+LightText read_text(const ColladaDocument& document, const XMLElement& light) {
+  const XMLElement& kind_of = kind_element(document, light);
+  const std::string_view kind = kind_of.Name();
+  if (kind == "spot") return {kind, {}};
+  if (kind != "area" && kind != "point" && kind != "directional" && kind != "ambient") {
+    document.fail(kind_of, "<" + std::string(kind) +
+                               "> is not a kind of light; write area, point, "
+                               "directional or ambient");
+  }
+  return {kind, read_color(document, document.child(kind_of, "color"))};
+}
+
+Light placed(const ColladaDocument& document, const Instance& instance, const LightText& text) {
+  if (text.kind == "area") return area_light(document, instance, text.color);
+  if (text.kind == "point") return PointLight{instance.to_world.translation, text.color};
+  if (text.kind == "directional") return directional_light(document, instance, text.color);
+  return AmbientLight{text.color};
+}
+
 }  // namespace
 
 LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances) {
   LightNodes lights;
+  std::unordered_map<const XMLElement*, LightText> texts;
+  if (instances.size() > kMaxLights) {
+    document.fail(*instances[kMaxLights].element,
+                  "the scene has more than 10,000 lights; instance fewer");
+  }
   for (const Instance& instance : instances) {
-    const XMLElement& element = document.resolve(*instance.element, "url", "light");
-    const XMLElement& kind_of = kind_element(document, element);
-    const std::string_view kind = kind_of.Name();
+    if (!texts.contains(instance.target)) {
+      texts.emplace(instance.target, read_text(document, *instance.target));
+    }
+    const LightText& text = texts.at(instance.target);
     const std::string name = label(*instance.node);
-    if (kind == "spot") {
+    if (text.kind == "spot") {
       lights.unsupported.push_back("spot light " + name);
       lights.notes.push_back("spot light " + name + " is outside the model and left out.");
       continue;
     }
-    const Rgb color = read_color(document, document.child(kind_of, "color"));
-    std::optional<Light> light;
-    if (kind == "area") light = area_light(document, instance, color);
-    if (kind == "point") light = PointLight{instance.to_world.translation, color};
-    if (kind == "directional") light = directional_light(document, instance, color);
-    if (kind == "ambient") light = AmbientLight{color};
-    if (!light) {
-      document.fail(kind_of, "<" + std::string(kind) +
-                                 "> is not a kind of light; write area, point, "
-                                 "directional or ambient");
-    }
-    if (is_black(color)) {
+    const Light light = placed(document, instance, text);
+    if (is_black(text.color)) {
       lights.notes.push_back("light " + name + " is black and left out.");
       continue;
     }
-    lights.nodes.push_back({*light, name, instance.to_world.translation});
+    lights.nodes.push_back({light, name, instance.to_world.translation});
   }
   return lights;
 }

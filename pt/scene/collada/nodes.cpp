@@ -4,7 +4,9 @@
 #include "pt/scene/collada/transforms.h"
 
 #include <algorithm>
-#include <cstring>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include <tinyxml2.h>
 
@@ -14,7 +16,21 @@ namespace {
 
 // Instances of instances may double with every step, so that a short file can ask for any number.
 constexpr std::size_t kMaxNodes = 100'000;
+constexpr std::size_t kMaxInstances = 100'000;
 constexpr std::size_t kMaxDepth = 200;
+
+// A child of a node that puts something into the scene: a node, or an instance of what `target` is.
+struct Child {
+  enum class Kind { node, geometry, light, camera } kind;
+  const XMLElement* element;
+  const XMLElement* target;
+};
+
+// What the text of a node says, read once however often the node is instanced.
+struct NodeContent {
+  Transform to_parent;
+  std::vector<Child> children;
+};
 
 class NodeWalk {
  public:
@@ -22,11 +38,15 @@ class NodeWalk {
 
   void visit(const XMLElement& node, const Transform& parent) {
     enter(node);
-    const Transform to_world = parent * node_transform(document_, node, found_.notes);
+    const NodeContent& content = read(node);
+    const Transform to_world = parent * content.to_parent;
     check_finite(document_, node, to_world);
-    for (const XMLElement* child = node.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-      visit_child(*child, node, to_world);
+    for (const Child& child : content.children) {
+      if (child.kind == Child::Kind::node) {
+        visit(*child.target, to_world);
+      } else {
+        place(child, node, to_world);
+      }
     }
     path_.pop_back();
   }
@@ -47,29 +67,67 @@ class NodeWalk {
     path_.push_back(&node);
   }
 
-  void visit_child(const XMLElement& child, const XMLElement& node, const Transform& to_world) {
+  const NodeContent& read(const XMLElement& node) {
+    const auto known = contents_.find(&node);
+    if (known != contents_.end()) return known->second;
+    NodeContent content;
+    content.to_parent = node_transform(document_, node, found_.notes);
+    for (const XMLElement* child = node.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      if (const std::optional<Child> kept = read_child(*child)) content.children.push_back(*kept);
+    }
+    return contents_.emplace(&node, std::move(content)).first->second;
+  }
+
+  std::optional<Child> read_child(const XMLElement& child) {
+    using Kind = Child::Kind;
     const std::string_view kind = child.Name();
-    if (kind == "node") {
-      visit(child, to_world);
-    } else if (kind == "instance_node") {
-      visit(document_.resolve(child, "url", "node"), to_world);
-    } else if (kind == "instance_geometry") {
-      found_.geometries.push_back({&child, &node, to_world});
-    } else if (kind == "instance_light") {
-      found_.lights.push_back({&child, &node, to_world});
-    } else if (kind == "instance_camera") {
-      found_.cameras.push_back({&child, &node, to_world});
-    } else if (kind == "instance_controller") {
+    if (kind == "node") return Child{Kind::node, &child, &child};
+    if (kind == "instance_node") {
+      return Child{Kind::node, &child, &document_.resolve(child, "url", "node")};
+    }
+    if (kind == "instance_geometry") {
+      return Child{Kind::geometry, &child, &document_.resolve(child, "url", "geometry")};
+    }
+    if (kind == "instance_light") return optional_child(Kind::light, child, "light");
+    if (kind == "instance_camera") return optional_child(Kind::camera, child, "camera");
+    if (kind == "instance_controller") {
       document_.fail(child,
                      "an animated mesh (<instance_controller>) cannot be read; apply its "
                      "modifiers and export it as a mesh");
     }
+    return std::nullopt;
+  }
+
+  // Exporters leave instances of lights and cameras that they did not write: the scene can be shown
+  // without.
+  std::optional<Child> optional_child(Child::Kind kind, const XMLElement& child, const char* name) {
+    const std::string_view url = document_.attribute(child, "url");
+    if (const XMLElement* target = document_.find(child, url, name)) {
+      return Child{kind, &child, target};
+    }
+    found_.notes.push_back(std::string("there is no <") + name + "> with the id that " +
+                           quoted(url) + " names: the instance is left out.");
+    return std::nullopt;
+  }
+
+  void place(const Child& child, const XMLElement& node, const Transform& to_world) {
+    if (++placed_ > kMaxInstances) {
+      document_.fail(*child.element,
+                     "the scene unfolds to more than 100,000 instances; instance fewer");
+    }
+    std::vector<Instance>& instances = child.kind == Child::Kind::geometry ? found_.geometries
+                                       : child.kind == Child::Kind::light  ? found_.lights
+                                                                           : found_.cameras;
+    instances.push_back({child.element, child.target, &node, to_world});
   }
 
   const ColladaDocument& document_;
   Instances found_;
   std::vector<const XMLElement*> path_;
+  std::unordered_map<const XMLElement*, NodeContent> contents_;
   std::size_t visited_ = 0;
+  std::size_t placed_ = 0;
 };
 
 // World space is right-handed with y up; each map is a rotation.

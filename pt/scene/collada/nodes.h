@@ -8,9 +8,11 @@
 
 namespace pt {
 
-// One <instance_...> of the visual scene and where its node puts it.
+// One <instance_...> of the visual scene, the geometry, light or camera that it names, and where its
+// node puts it.
 struct Instance {
   const XMLElement* element = nullptr;
+  const XMLElement* target = nullptr;
   const XMLElement* node = nullptr;
   Transform to_world;
 };
@@ -23,6 +25,7 @@ struct Instances {
 };
 
 // All that the file's visual scene shows, nested and instanced nodes unfolded, in document order.
+// A light or a camera that is not in the file is left out, with a note.
 Instances read_nodes(const ColladaDocument& document);
 
 }  // namespace pt

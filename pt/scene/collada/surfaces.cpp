@@ -1,10 +1,12 @@
 #include "pt/scene/collada/surfaces.h"
 
 #include "pt/scene/collada/geometry.h"
+#include "pt/scene/collada/lights.h"
 #include "pt/scene/collada/materials.h"
 #include "pt/scene/collada/place.h"
 #include "pt/scene/collada/transforms.h"
 
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -16,20 +18,32 @@ namespace {
 
 constexpr std::size_t kMaxPrimitives = 10'000'000;
 
-// The <instance_material> of a symbol. Where none has it, the only one there is serves all: a
-// sphere has no symbol to bind, and some exporters bind another name.
-const XMLElement* find_binding(const XMLElement& instance, const std::string& symbol) {
+// What an <instance_geometry> binds to the symbols of its mesh. Where none has a symbol, the only
+// binding there is serves all: a sphere has no symbol to bind, and some exporters bind another name.
+struct Bindings {
+  std::unordered_map<std::string, const XMLElement*> by_symbol;
+  const XMLElement* only = nullptr;
+};
+
+Bindings read_bindings(const XMLElement& instance) {
+  Bindings bindings;
   const XMLElement* bind = instance.FirstChildElement("bind_material");
   const XMLElement* common = bind ? bind->FirstChildElement("technique_common") : nullptr;
-  if (common == nullptr) return nullptr;
-  const XMLElement* first = common->FirstChildElement("instance_material");
-  for (const XMLElement* binding = first; binding != nullptr;
-       binding = binding->NextSiblingElement("instance_material")) {
-    const char* bound = binding->Attribute("symbol");
-    if (bound != nullptr && symbol == bound) return binding;
+  if (common == nullptr) return bindings;
+  int count = 0;
+  for (const XMLElement* binding = common->FirstChildElement("instance_material");
+       binding != nullptr; binding = binding->NextSiblingElement("instance_material")) {
+    bindings.only = count++ == 0 ? binding : nullptr;
+    if (const char* symbol = binding->Attribute("symbol")) {
+      bindings.by_symbol.emplace(symbol, binding);
+    }
   }
-  const bool is_only = first && !first->NextSiblingElement("instance_material");
-  return is_only ? first : nullptr;
+  return bindings;
+}
+
+const XMLElement* find_binding(const Bindings& bindings, const std::string& symbol) {
+  const auto found = bindings.by_symbol.find(symbol);
+  return found == bindings.by_symbol.end() ? bindings.only : found->second;
 }
 
 Material default_material() {
@@ -44,8 +58,7 @@ class SurfaceReader {
       : document_(document), options_(options) {}
 
   void add(const Instance& instance) {
-    const XMLElement& element = document_.resolve(*instance.element, "url", "geometry");
-    const ColladaGeometry& geometry = read(element);
+    const ColladaGeometry& geometry = read(*instance.target);
     if (geometry.sphere_radius) {
       add_sphere(instance, *geometry.sphere_radius);
     } else {
@@ -102,12 +115,12 @@ class SurfaceReader {
                                          "scale uniform, or make it a mesh");
     }
     check_bounds(instance, bounds(*sphere));
-    const int material = material_index(instance, "");
+    const int material = material_index(instance, nullptr);
     found_.primitives.spheres.push_back(*sphere);
     material_of_spheres_.push_back(material);
     const Rgb emission = found_.materials[material].emission;
     if (!is_black(emission)) {
-      found_.emitters.push_back(sphere_emitter(*sphere, emission, label(*instance.node)));
+      add_emitter(instance, sphere_emitter(*sphere, emission, label(*instance.node)));
     }
   }
 
@@ -124,15 +137,26 @@ class SurfaceReader {
     check_bounds(instance, box);
     without_area_ += part.triangles.size() - placed.size();
     if (placed.empty()) return;
-    const int material = material_index(instance, part.material_symbol);
+    const int material = material_index(instance, &part);
     found_.primitives.triangles.insert(found_.primitives.triangles.end(), placed.begin(),
                                        placed.end());
     found_.material_of.resize(found_.primitives.triangles.size(), material);
     const Rgb emission = found_.materials[material].emission;
-    if (!is_black(emission)) add_emitter(placed, emission, label(*instance.node));
+    if (!is_black(emission)) {
+      check_winding(placed, label(*instance.node));
+      add_emitter(instance, mesh_emitter(placed, emission, label(*instance.node)));
+    }
   }
 
-  void add_emitter(const std::vector<Triangle>& triangles, Rgb emission, const std::string& name) {
+  void add_emitter(const Instance& instance, const Emitter& emitter) {
+    found_.emitters.push_back(emitter);
+    if (found_.emitters.size() > kMaxLights) {
+      document_.fail(*instance.element,
+                     "the scene has more than 10,000 emitting surfaces; instance fewer");
+    }
+  }
+
+  void check_winding(const std::vector<Triangle>& triangles, const std::string& name) {
     double agreement = 0;
     for (const Triangle& t : triangles) agreement += dot(geometric_normal(t), t.n0 + t.n1 + t.n2);
     if (agreement < 0) {
@@ -140,22 +164,39 @@ class SurfaceReader {
                              " has normals against its winding order: it emits on the side of the "
                              "winding order.");
     }
-    found_.emitters.push_back(mesh_emitter(triangles, emission, name));
   }
 
-  int material_index(const Instance& instance, const std::string& symbol) {
-    const XMLElement* binding = find_binding(*instance.element, symbol);
-    if (binding == nullptr && without_material_++ == 0) {
+  // The material of one part of a mesh, or of a sphere (null), as the instance binds it.
+  int material_index(const Instance& instance, const MeshPart* part) {
+    const auto key = std::make_pair(instance.element, part);
+    const auto known = bound_.find(key);
+    const Bound bound = known != bound_.end() ? known->second : bind(instance, part);
+    if (known == bound_.end()) bound_.emplace(key, bound);
+    if (!bound.by_file && without_material_++ == 0) {
       first_without_material_ = label(*instance.node);
     }
+    return bound.material;
+  }
+
+  struct Bound {
+    int material;
+    bool by_file;
+  };
+
+  Bound bind(const Instance& instance, const MeshPart* part) {
+    if (!bindings_.contains(instance.element)) {
+      bindings_.emplace(instance.element, read_bindings(*instance.element));
+    }
+    const XMLElement* binding =
+        find_binding(bindings_.at(instance.element), part ? part->material_symbol : "");
     const XMLElement* element =
         binding ? &document_.resolve(*binding, "target", "material") : nullptr;
     const auto known = materials_.find(element);
-    if (known != materials_.end()) return known->second;
+    if (known != materials_.end()) return {known->second, binding != nullptr};
     found_.materials.push_back(element ? read_supported(*element) : default_material());
     const int index = static_cast<int>(found_.materials.size()) - 1;
     materials_.emplace(element, index);
-    return index;
+    return {index, binding != nullptr};
   }
 
   Material read_supported(const XMLElement& element) {
@@ -181,6 +222,8 @@ class SurfaceReader {
   std::string first_without_material_;
   std::unordered_map<const XMLElement*, ColladaGeometry> geometries_;
   std::unordered_map<const XMLElement*, int> materials_;
+  std::unordered_map<const XMLElement*, Bindings> bindings_;
+  std::map<std::pair<const XMLElement*, const MeshPart*>, Bound> bound_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "pt/scene/collada/numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <tinyxml2.h>
@@ -15,6 +16,14 @@ Vec3 read_vec3(const ColladaDocument& document, const XMLElement& element) {
   return {v[0], v[1], v[2]};
 }
 
+// Exporters compute the matrix in single precision, and its last row with it.
+constexpr double kRounding = 1e-5;
+
+// How far the last row is from 0 0 0 1.
+double off_affine(const std::vector<double>& m) {
+  return std::max({std::abs(m[12]), std::abs(m[13]), std::abs(m[14]), std::abs(m[15] - 1)});
+}
+
 // Row-major, the last row 0 0 0 1. A camera's may lack its last number (one of the course's files
 // does, and then its rows have slipped, so that the last row says nothing).
 Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix, bool holds_camera,
@@ -25,9 +34,13 @@ Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix,
     m.push_back(1);
   } else if (m.size() != 16) {
     document.fail(matrix, "<matrix> holds " + std::to_string(m.size()) + " numbers; write 16");
-  } else if (!(m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1)) {
-    document.fail(matrix,
-                  "the last row of <matrix> is not 0 0 0 1; write an affine map, row by row");
+  } else if (const double off = off_affine(m); off != 0) {
+    if (!(off <= kRounding)) {
+      document.fail(matrix,
+                    "the last row of <matrix> is not 0 0 0 1; write an affine map, row by row");
+    }
+    notes.push_back(
+        "a <matrix> ends in a row that is 0 0 0 1 but for rounding: it is read as that.");
   }
   return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}, {m[3], m[7], m[11]}};
 }

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "pt/error.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+// The last words of a program.
+
+namespace pt {
+
+// To be called at the end of main: throws Error if what was printed did not arrive, as on a full
+// disk.
+inline void flush_standard_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw Error(std::string("the output cannot be written: ") + std::strerror(errno));
+}
+
+// What an exception says, in one line that a terminal does not obey: names of files may hold
+// anything.
+inline std::string sentence_of(const std::exception& error) {
+  std::string text = error.what();
+  if (const auto* files = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+    text = files->path1().string() + ": " + files->code().message();
+  }
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = ' ';
+  }
+  return text;
+}
+
+}  // namespace pt

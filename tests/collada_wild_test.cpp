@@ -1,0 +1,185 @@
+// What files of the course's public repositories hold, each in a small file of our own: what may be
+// wrong in a file that can still be shown, and what is read once or not at all.
+#include "collada_text.h"
+#include "pt/error.h"
+
+namespace pt {
+namespace {
+
+SceneText one_triangle() {
+  SceneText text;
+  text.geometries = triangle_mesh();
+  text.nodes = node(instance("tri"));
+  return text;
+}
+
+SceneText with_last_row(const std::string& row) {
+  SceneText text = one_triangle();
+  text.nodes = node("<matrix>1 0 0 4 0 1 0 5 0 0 1 6 " + row + "</matrix>" + instance("tri"));
+  return text;
+}
+
+std::string error_of(const SceneText& text) {
+  try {
+    load(text);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(LastRows, that_an_exporter_rounded_are_read_with_a_note) {
+  for (const char* row : {"0 0 0 1.0000002", "0 0 0 0.9999998", "1e-7 0 0 1", "0 -1e-6 2e-7 1"}) {
+    const LoadedScene loaded = load(with_last_row(row));
+    expect_near(loaded.scene.primitives.triangles.at(0).p0, {4, 5, 6});
+    EXPECT_TRUE(has_note(loaded, "but for rounding")) << row;
+  }
+  EXPECT_FALSE(has_note(load(with_last_row("0 0 0 1")), "but for rounding"));
+}
+
+TEST(LastRows, of_a_projection_are_refused) {
+  for (const char* row : {"0 0 0 1.01", "0 0 .001 1", "0 0 0 0", "0 0 -1 1", "0 0 0 -1"}) {
+    EXPECT_TRUE(contains(error_of(with_last_row(row)), "last row")) << row;
+  }
+}
+
+TEST(SharedIds, that_nothing_refers_to_are_noted) {
+  SceneText text = one_triangle();
+  text.lights = "<light id=\"sun\"/><light id=\"sun\"/><light id=\"sun\"/>";
+  text.geometries += triangle_mesh("spare") + triangle_mesh("spare");
+  const LoadedScene loaded = load(text);
+  EXPECT_EQ(loaded.scene.primitives.triangles.size(), 1u);
+  // Of each spare mesh the geometry, its source and its vertices.
+  EXPECT_TRUE(has_note(loaded, "5 elements have the id of another (the first: <light> 'sun'"));
+}
+
+TEST(SharedIds, that_are_referred_to_are_refused_with_both_lines) {
+  SceneText text = one_triangle();
+  text.geometries += "\n" + triangle_mesh();
+  EXPECT_TRUE(contains(error_of(text), "'#tri' may be the <geometry> of line 8 or that of line 9"))
+      << error_of(text);
+  text = one_triangle();
+  text.nodes += node("<instance_light url=\"#sun\"/>");
+  text.lights = "<light id=\"sun\"/><light id=\"sun\"/>";
+  EXPECT_TRUE(contains(error_of(text), "'#sun' may be")) << error_of(text);
+}
+
+// The same id for elements of two kinds is not ambiguous: a reference says which kind it means.
+TEST(SharedIds, of_two_kinds_are_right) {
+  SceneText text = one_triangle();
+  text.lights = "<light id=\"tri\"/>";
+  EXPECT_FALSE(has_note(load(text), "have the id"));
+}
+
+TEST(MissingParts, that_the_picture_does_not_need_are_noted) {
+  SceneText text = one_triangle();
+  text.nodes += node("<instance_light url=\"#sun\"/>") + node("<instance_camera url=\"#cam\"/>");
+  const LoadedScene loaded = load(text);
+  EXPECT_TRUE(loaded.scene.lights.empty());
+  EXPECT_FALSE(loaded.camera.has_value());
+  EXPECT_TRUE(has_note(loaded, "no <light> with the id that '#sun' names"));
+  EXPECT_TRUE(has_note(loaded, "no <camera> with the id that '#cam' names"));
+}
+
+// Sixteen nodes that each hold the next twice: 2^15 times what stands in the last.
+SceneText doubled(const std::string& content, int steps = 15) {
+  SceneText text = one_triangle();
+  for (int i = 0; i < steps; ++i) {
+    const std::string next = "<instance_node url=\"#n" + std::to_string(i + 1) + "\"/>";
+    text.library_nodes += "<node id=\"n" + std::to_string(i) + "\">" + next + next + "</node>";
+  }
+  text.library_nodes += "<node id=\"n" + std::to_string(steps) + "\">" + content + "</node>";
+  text.nodes = node("<instance_node url=\"#n0\"/>");
+  return text;
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+TEST(ShortFiles, that_ask_for_too_many_lights_are_refused) {
+  SceneText spheres = doubled(instance("ball", "lamp"));
+  spheres.geometries += sphere("ball", ".5");
+  spheres =
+      with_material(spheres, "lamp", course("<emission><radiance>1 1 1</radiance></emission>"));
+  EXPECT_TRUE(contains(error_of(spheres), "more than 10,000 emitting surfaces; instance fewer"));
+  SceneText quads = with_material(doubled(instance("quad", "lamp")), "lamp",
+                                  course("<emission><radiance>1 1 1</radiance></emission>"));
+  quads.geometries += quad_mesh();
+  EXPECT_TRUE(contains(error_of(quads), "more than 10,000 emitting surfaces; instance fewer"));
+  SceneText lights = doubled(instance("tri") + "<instance_light url=\"#l\"/>");
+  lights.lights =
+      "<light id=\"l\"><technique_common><point><color>1 1 1</color></point></technique_common>"
+      "</light>";
+  EXPECT_TRUE(contains(error_of(lights), "more than 10,000 lights; instance fewer"));
+}
+
+TEST(ShortFiles, that_ask_for_too_many_instances_are_refused) {
+  EXPECT_TRUE(contains(error_of(doubled(repeated(instance("tri"), 2000))),
+                       "more than 100,000 instances; instance fewer"));
+}
+
+// Each takes minutes where what a node or an instance says is read again for every place that it is
+// shown at.
+TEST(ShortFiles, say_much_in_one_place_and_are_read_once) {
+  const LoadedScene moved =
+      load(doubled(repeated("<translate>0 0 .5</translate>", 2000) + instance("tri")));
+  EXPECT_EQ(moved.scene.primitives.triangles.size(), std::size_t{1} << 15);
+  expect_near(moved.scene.primitives.triangles.back().p0, {0, 0, 1000});
+
+  std::string bindings;
+  for (int i = 0; i < 20'000; ++i) {
+    bindings += "<instance_material symbol=\"s" + std::to_string(i) + "\" target=\"#none\"/>";
+  }
+  bindings += "<instance_material symbol=\"m\" target=\"#red\"/>";
+  const SceneText painted =
+      with_material(doubled("<instance_geometry url=\"#tri\"><bind_material><technique_common>" +
+                            bindings + "</technique_common></bind_material></instance_geometry>"),
+                    "red", common_diffuse("1 0 0"));
+  const LoadedScene red = load(painted);
+  EXPECT_EQ(red.scene.primitives.triangles.size(), std::size_t{1} << 15);
+  ASSERT_EQ(red.scene.materials.size(), 1u);
+  EXPECT_EQ(red.scene.materials[0].albedo, (Rgb{1, 0, 0}));
+}
+
+// The light's and the camera's own text, too: here behind 20,000 techniques of other programs.
+TEST(ShortFiles, say_much_in_a_light_or_a_camera) {
+  const std::string others = repeated("<extra><technique profile=\"X\"/></extra>", 20'000);
+  SceneText text = doubled(instance("tri") + "<instance_light url=\"#l\"/>", 13);
+  text.lights =
+      "<light id=\"l\">" + others + course("<point><color>1 1 1</color></point>") + "</light>";
+  EXPECT_EQ(load(text).scene.lights.size(), std::size_t{1} << 13);
+
+  text = doubled(instance("tri") + "<instance_camera url=\"#c\"/>");
+  text.cameras = "<camera id=\"c\">" + others +
+                 "<optics><technique_common><perspective><xfov>60</xfov></perspective>"
+                 "</technique_common></optics></camera>";
+  EXPECT_EQ(load(text).camera.value().hfov_deg, 60);
+}
+
+TEST(Bindings, fall_back_on_the_only_one_there_is) {
+  SceneText text = with_material(one_triangle(), "red", common_diffuse("1 0 0"));
+  text = with_material(text, "blue", common_diffuse("0 0 1"));
+  const auto bound = [&](const std::string& bindings) {
+    text.nodes = node("<instance_geometry url=\"#tri\"><bind_material><technique_common>" +
+                      bindings + "</technique_common></bind_material></instance_geometry>");
+    const LoadedScene loaded = load(text);
+    return loaded.scene.materials.at(loaded.scene.material_of.at(0)).name;
+  };
+  const auto binding = [](const std::string& symbol, const std::string& target) {
+    return "<instance_material symbol=\"" + symbol + "\" target=\"#" + target + "\"/>";
+  };
+  EXPECT_EQ(bound(binding("other", "blue")), "blue");
+  EXPECT_EQ(bound(binding("other", "blue") + binding("m", "red")), "red");
+  EXPECT_EQ(bound(binding("other", "blue") + binding("another", "red")), "default");
+  EXPECT_EQ(bound(binding("m", "blue") + binding("m", "red")), "blue");
+}
+
+}  // namespace
+}  // namespace pt

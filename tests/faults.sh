@@ -1,0 +1,239 @@
+#!/usr/bin/env bash
+# Faults of the machine: a full disk, an output that cannot be written, a compiler that is killed, a worker that
+# cannot start, an interrupt, damaged files. None is ever the submission's verdict, nothing half-made stays, and
+# the next run gives the right one.
+# faults.sh BUILD: the folder of the build.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=$1
+grader=$build/grader
+folder=$(mktemp -d)
+mounted=
+end() {
+  [ -z "$mounted" ] || umount "$mounted" || true
+  rm -rf "$folder"
+}
+trap end EXIT
+
+complain() {
+  printf '%s\n' "$*"
+  exit 1
+}
+
+# prepare NAME [COMPILER]: a place to grade in with nothing in its cache, in $folder/NAME.
+prepare() {
+  mkdir -p "$folder/$1"
+  python3 - "$grader/grade.json" "$folder/$1" "${2:-}" <<'END'
+import json, sys
+config = json.load(open(sys.argv[1]))
+config["work"] = sys.argv[2] + "/work"
+config["compiler"] = sys.argv[3] or config["compiler"]
+json.dump(config, open(sys.argv[2] + "/grade.json", "w"))
+END
+}
+
+# grades NAME STATUS OPTIONS...: what it says goes to $folder/said. Status 2 comes with one line and no verdict.
+grades() {
+  local name=$1 status=$2 got=0
+  shift 2
+  "$grader/grade" --config "$folder/$name/grade.json" "$@" >"$folder/said" 2>&1 || got=$?
+  [ "$got" -eq "$status" ] || complain "grade $* ended with $got, not $status:" "$(cat "$folder/said")"
+  [ "$got" -ne 2 ] || [ "$(wc -l <"$folder/said")" -eq 1 ] || complain "not one line:" "$(cat "$folder/said")"
+}
+
+says() { grep -qF -- "$1" "$folder/said" || complain "it does not say '$1':" "$(cat "$folder/said")"; }
+
+# leaves NAME: no temporary file of anybody is left there.
+leaves() {
+  local left
+  left=$(find "$folder/$1/work" -regextype posix-extended -regex '.*\.[0-9]+\.([0-9]+|tmp)$')
+  [ -z "$left" ] || complain "left behind in $1:" "$left"
+}
+
+asked=(hit_box --submission reference --no-pictures --threads 1)
+
+# A full disk: however much fits, there is a right verdict or none, and with room the right one.
+full_disk() {
+  mkdir -p "$folder/disk/work"
+  prepare disk
+  if ! mount -t tmpfs -o size=64k tmpfs "$folder/disk/work" 2>/dev/null; then
+    echo "NOT TESTED, a full disk: no file system can be mounted here"
+    return
+  fi
+  mounted=$folder/disk/work
+  local size got refused=0
+  for size in 64k 512k 1m 2m 3m 4m 6m; do
+    mount -o "remount,size=$size" "$mounted"
+    got=0
+    "$grader/grade" --config "$folder/disk/grade.json" "${asked[@]}" >"$folder/said" 2>&1 || got=$?
+    case $got in
+      0) ;;
+      2) refused=$((refused + 1)); [ "$(wc -l <"$folder/said")" -eq 1 ] || complain "$(cat "$folder/said")" ;;
+      *) complain "a full disk of $size is a verdict:" "$(cat "$folder/said")" ;;
+    esac
+  done
+  [ "$refused" -ge 2 ] || complain "no disk was full"
+  # A submission's own fault stays one.
+  mount -o remount,size=200m "$mounted"
+  grades disk 0 "${asked[@]}"
+  leaves disk
+  mkdir -p "$folder/broken"
+  echo 'int f( {' >"$folder/broken/hit_box.cpp"
+  grades disk 1 hit_box --submission "$folder/broken" --no-pictures
+  says 'it does not compile'
+  umount "$mounted"
+  mounted=
+}
+
+full_output() {
+  local status
+  [ -w /dev/full ] || { echo "NOT TESTED, an output that cannot be written: there is no /dev/full"; return; }
+  prepare output
+  "$grader/grade" --config "$folder/output/grade.json" "${asked[@]}" --json "$folder/results.json" >"$folder/said"
+  for command in "$grader/grade --from-results $folder/results.json" "$build/pt/compare golden/rays_star.exr \
+    golden/rays_star.exr" "$build/pt/render scenes/star.dae -f $folder/star.png -s 1 -r 8 6"; do
+    status=0
+    $command >/dev/full 2>"$folder/said" || status=$?
+    [ "$status" -eq 2 ] || complain "$command ended with $status and no output:" "$(cat "$folder/said")"
+    says 'cannot be written'
+  done
+}
+
+# A compiler that says what a real one says when it is killed, and a linker with its disk full.
+killed_compiler() {
+  local name
+  for name in killed linker undefined; do
+    cat >"$folder/$name.sh" <<END
+#!/bin/bash
+case "$name \$*" in
+  killed*) echo "g++: fatal error: Killed signal terminated program cc1plus" >&2; exit 1 ;;
+  *' -c '*) ;;
+  linker*) echo "/usr/bin/ld: final link failed: No space left on device" >&2; exit 1 ;;
+  *) echo "hit_box.cpp: undefined reference to \\\`pt::nothing'" >&2; exit 1 ;;
+esac
+exec c++ "\$@"
+END
+    chmod +x "$folder/$name.sh"
+    prepare "$name" "$folder/$name.sh"
+  done
+  grades killed 2 "${asked[@]}" --isolation C
+  says 'hit_box could not be judged: the compiler was killed'
+  leaves killed
+  grades linker 2 "${asked[@]}" --isolation C
+  says 'final link failed'
+  leaves linker
+  grades undefined 1 "${asked[@]}" --isolation C
+  says 'it does not link'
+}
+
+# The launcher of boxes stands beside the program that judges: here one that can start nothing.
+no_worker() {
+  prepare worker
+  mkdir "$folder/programs"
+  cp "$grader/graded.hit_box" "$folder/programs"
+  printf '#!/bin/bash\necho "box: all users for boxes are taken" >&2\nexit 127\n' >"$folder/programs/box"
+  chmod +x "$folder/programs/box"
+  sed -i "s|\"[^\"]*/graded.hit_box\"|\"$folder/programs/graded.hit_box\"|" "$folder/worker/grade.json"
+  if ! "$grader/grade" --config "$folder/output/grade.json" "${asked[@]}" --isolation B >"$folder/said" 2>&1; then
+    echo "NOT TESTED, a worker that cannot start: tier B does not work here"
+    return
+  fi
+  grades worker 2 "${asked[@]}" --isolation B
+  says 'hit_box could not be judged: a worker cannot start: box: all users for boxes are taken'
+  cp "$grader/box" "$folder/programs"
+  grades worker 0 "${asked[@]}" --isolation B
+}
+
+# Interrupted at any moment: nothing is lost, and nothing stays.
+interrupted() {
+  local pause judge
+  prepare interrupt
+  for pause in 0.02 0.2 0.5 1 1.7 2.6; do
+    "$grader/grade" --config "$folder/interrupt/grade.json" camera_ray "${asked[@]}" >"$folder/said" 2>&1 &
+    judge=$!
+    sleep "$pause"
+    { kill -INT "$judge" || true; wait "$judge" || true; } 2>/dev/null
+  done
+  sleep 0.5
+  grades interrupt 0 camera_ray "${asked[@]}"
+  leaves interrupt
+}
+
+# An interrupted run goes on from any folder, whatever its own is called.
+resumed_elsewhere() {
+  local home=$folder/"a 'b' c"
+  prepare resume
+  mkdir -p "$home/work here/1_rays"
+  cp reference/1_rays/camera_ray.cpp "$home/work here/1_rays"
+  (cd "$home" && printf '%s\0' "$PWD" --config "$folder/resume/grade.json" camera_ray --no-pictures \
+    --submission 'work here' --json it.json) >"$folder/unfinished"
+  mkdir -p "$folder/resume/work"
+  cp "$folder/unfinished" "$folder/resume/work/unfinished"
+  (cd / && grades resume 0 --resume)
+  [ -e "$home/it.json" ] || complain "the results went elsewhere"
+  cp "$folder/unfinished" "$folder/resume/work/unfinished"
+  rm -r "$home"
+  (cd / && grades resume 2 --resume)
+  says 'which is not there any more'
+}
+
+# results.json, damaged in each way: one sentence that names the file.
+damaged_results() {
+  python3 - "$folder/results.json" "$folder/damaged" <<'END'
+import json, os, sys
+text = open(sys.argv[1]).read()
+out = sys.argv[2]
+os.mkdir(out)
+kinds = {"empty": "", "half": text[:len(text) // 2], "zeros": "\0" * 100, "list": "[]", "null": "null",
+         "word": '"results"', "bytes": "\xff\xfe", "deep": "[" * 100000, "no_version": "{}"}
+def changed(name, change):
+    results = json.loads(text)
+    change(results)
+    kinds[name] = json.dumps(results)
+changed("version", lambda r: r.update(schema_version=999))
+changed("tasks", lambda r: r.update(tasks=7))
+changed("task", lambda r: r["tasks"].append("hit_box"))
+changed("state", lambda r: r["tasks"][0].update(state="right"))
+changed("points", lambda r: r["tasks"][0].update(points="many"))
+changed("half_a_point", lambda r: r["tasks"][0].update(points=0.5))
+changed("too_many_points", lambda r: r["tasks"][0].update(points=1e300))
+changed("far_too_many_points", lambda r: r["tasks"][0].update(points=2**63))
+changed("promises", lambda r: r["tasks"][0].update(promises={}))
+changed("seed", lambda r: r.update(seed=[]))
+changed("complete", lambda r: r.update(complete="yes"))
+changed("many_tasks", lambda r: r.update(tasks=[{}] * 5000))
+for name, content in kinds.items():
+    open(f"{out}/{name}.json", "w", encoding="latin-1").write(content)
+os.mkdir(f"{out}/folder.json")
+os.symlink("loop.json", f"{out}/loop.json")
+os.mkfifo(f"{out}/pipe.json")
+END
+  local file got
+  for file in "$folder"/damaged/*.json "$folder/damaged/none.json" "$folder/damaged/null.json/a.json" \
+    "$folder/$(printf 'long%.0s' {1..100}).json"; do
+    got=0
+    "$grader/grade" --from-results "$file" --html "$folder/page.html" >"$folder/said" 2>&1 || got=$?
+    [ "$got" -eq 2 ] || complain "$file is taken for results ($got)" "$(head -3 "$folder/said")"
+    [ "$(wc -l <"$folder/said")" -eq 1 ] || complain "$file: not one line" "$(cat "$folder/said")"
+    says "$file"
+    ! grep -qE 'filesystem error|\[json' "$folder/said" || complain "$file:" "$(cat "$folder/said")"
+  done
+  [ ! -e "$folder/page.html" ] || complain "there is a page of damaged results"
+}
+
+# What is damaged in the cache, as by a machine that lost its power, is made again.
+damaged_cache() {
+  local file
+  for file in "$folder"/output/work/cache/*.json; do echo '{"promises": [' >"$file"; done
+  grades output 0 "${asked[@]}"
+}
+
+full_output
+full_disk
+killed_compiler
+no_worker
+interrupted
+resumed_elsewhere
+damaged_results
+damaged_cache
+echo 'faults of the machine are nobody'\''s verdict'
