@@ -6,6 +6,7 @@
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/load_collada.h"
+#include "pt/todo_list.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +14,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace pt {
 namespace {
@@ -64,12 +66,22 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
   }
 }
 
+// In one line, however many there are.
+void name_unwritten_tasks(const RenderOptions& options, const Scene& scene) {
+  const std::vector<std::string> unwritten = todo_list();
+  if (unwritten.empty()) return;
+  const bool no_tree = options.engine == Engine::task && scene.tracer.engine() == Engine::linear;
+  fmt::print(stderr, "not written yet: {}{}\n", fmt::join(unwritten, ", "),
+             no_tree ? " (traced without a tree)" : "");
+}
+
 int run(int argc, const char* const* argv) {
   const RenderOptions options = parse_options(argc, argv);
   check_image_target(options.output);
   LoadedScene loaded = load_collada(options.scene, {options.lambertian});
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
   if (options.show != Show::normals) require_supported(loaded, options.scene);
+  print_no_todo();
   choose_engine(loaded.scene, options.engine, options.max_leaf);
 
   const View view{loaded.scene,
@@ -87,6 +99,7 @@ int run(int argc, const char* const* argv) {
     fmt::print(stderr, "interrupted: nothing was written\n");
     return kInterruptedExit;
   }
+  name_unwritten_tasks(options, loaded.scene);
   print_summary(result, options, loaded.scene);
   write_pictures(options, result.film);
   return 0;
