@@ -1,5 +1,7 @@
 #include "pt/todo.h"
 
+#include "pt/todo_list.h"
+
 #include <cstdio>
 #include <mutex>
 #include <set>
@@ -12,6 +14,7 @@ namespace {
 struct Reached {
   std::mutex mutex;
   std::set<std::string, std::less<>> slugs;
+  bool print = true;
 };
 
 Reached& reached() {
@@ -27,14 +30,24 @@ void todo(std::string_view slug) {
   if (known.contains(slug)) return;
   known.emplace(slug);
   const std::lock_guard lock(reached().mutex);
-  if (reached().slugs.emplace(slug).second) {
+  if (reached().slugs.emplace(slug).second && reached().print) {
     std::fprintf(stderr, "%.*s is not written yet\n", static_cast<int>(slug.size()), slug.data());
   }
+}
+
+void print_no_todo() {
+  const std::lock_guard lock(reached().mutex);
+  reached().print = false;
 }
 
 bool todo_reached(std::string_view slug) {
   const std::lock_guard lock(reached().mutex);
   return reached().slugs.contains(slug);
+}
+
+std::vector<std::string> todo_list() {
+  const std::lock_guard lock(reached().mutex);
+  return {reached().slugs.begin(), reached().slugs.end()};
 }
 
 }  // namespace pt

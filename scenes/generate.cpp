@@ -45,7 +45,8 @@ void generate_mesh(const MeshRequest& request) {
 }  // namespace scenes
 
 int main(int argc, char** argv) {
-  CLI::App app("Makes scene files that are too large, or too regular, to be written by hand.");
+  CLI::App app("Makes scene files that are too large, or too regular, to be written by hand.",
+               "./run");
   app.require_subcommand(1);
   scenes::MeshRequest request;
   std::vector<std::string> names;

@@ -108,6 +108,25 @@ TEST_F(RenderProgram, writes_the_picture_asked_for) {
   EXPECT_NE(said().find("tests per ray"), std::string::npos) << said();
 }
 
+// Stubs are called by many threads, some of them before the render begins.
+TEST_F(RenderProgram, names_the_tasks_that_are_not_written_in_one_line) {
+  const auto lines = [&] {
+    std::istringstream text(said());
+    Names found;
+    for (std::string line; std::getline(text, line);) {
+      if (line.find("not written") != std::string::npos) found.push_back(line);
+    }
+    return found;
+  };
+  EXPECT_EQ(run("scene.dae -s 2 -t 4 -r 8 6", STUBS_RENDER_PROGRAM), 0) << said();
+  EXPECT_EQ(lines(), Names{"not written yet: build_bvh, estimate_pixel, hit_bvh (traced without "
+                           "a tree)"});
+  EXPECT_EQ(run("scene.dae -s 2 -t 4 -r 8 6 --engine linear", STUBS_RENDER_PROGRAM), 0) << said();
+  EXPECT_EQ(lines(), Names{"not written yet: estimate_pixel"});
+  EXPECT_EQ(run("scene.dae -s 2 -t 4 -r 8 6"), 0) << said();
+  EXPECT_EQ(lines(), Names{});
+}
+
 TEST_F(RenderProgram, names_the_picture_after_the_scene_where_no_name_is_given) {
   EXPECT_EQ(run("scene.dae -s 1 -r 8 6"), 0) << said();
   EXPECT_EQ(files(), Names{"scene.png"});

@@ -4,6 +4,8 @@
 #include "grader/results/summary.h"
 #include "tests/example_run.h"
 
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 
 #include <gmock/gmock.h>
@@ -28,9 +30,15 @@ std::map<std::string, int> children(const tinyxml2::XMLElement& parent) {
   return names;
 }
 
-// The rules of the schema that CI systems share: counts are those of the elements, every testcase
+// The rules of the schema that CI systems share (tests/junit.xsd), and beyond it: counts are those of the elements, every testcase
 // has a name, a class and a time, and at most one way of not passing.
 void check_junit(const std::string& text) {
+  if (std::system("xmllint --version >/dev/null 2>&1") == 0) {
+    FILE* pipe = popen(
+        "xmllint --noout --schema '" FIRSTLIGHT_SOURCE_DIR "/tests/junit.xsd' - 2>/dev/null", "w");
+    std::fputs(text.c_str(), pipe);
+    EXPECT_EQ(pclose(pipe), 0) << "xmllint refuses\n" << text;
+  }
   tinyxml2::XMLDocument document;
   ASSERT_EQ(document.Parse(text.data(), text.size()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
   const auto* root = document.RootElement();
@@ -66,7 +74,7 @@ void check_junit(const std::string& text) {
     }
     EXPECT_EQ(found.size(), 4U) << "an element that nobody knows";
   }
-  for (const char* count : {"tests", "failures", "errors", "skipped"}) {
+  for (const char* count : {"tests", "failures", "errors"}) {
     EXPECT_EQ(root->IntAttribute(count, -1), all[count]) << count;
   }
 }
@@ -108,7 +116,7 @@ TEST_F(JUnit, has_a_way_of_not_passing_for_every_state) {
         state == State::not_attempted || state == State::blocked || state == State::not_judged;
     const bool fails = state == State::fail || state == State::too_noisy;
     const bool errs = state == State::crash || state == State::timeout || state == State::rejected;
-    EXPECT_EQ(root->IntAttribute("skipped") > 0, skips) << name(state);
+    EXPECT_EQ(root->FirstChildElement()->IntAttribute("skipped") > 0, skips) << name(state);
     EXPECT_EQ(root->IntAttribute("failures") > 0, fails) << name(state);
     EXPECT_EQ(root->IntAttribute("errors") > 0, errs) << name(state);
   }

@@ -80,7 +80,8 @@ int run(Options options, const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Grades every submission in a folder; options after -- go to grade", "grade-class"};
+  CLI::App app{"Grades every submission in a folder; options after -- go to grade",
+               "./run grade-class"};
   describe(app, options);
   return pt::run_command_line(app, argc, argv, [&] { return run(options, app.remaining()); });
 }

@@ -14,7 +14,7 @@ std::string command(const GradeOptions& options) {
 
 GradeOptions parse_options(const std::vector<std::string>& words) {
   GradeOptions options;
-  CLI::App app{"Judges a submission: every task, or those asked for", "grade"};
+  CLI::App app{"Judges a submission: every task, or those asked for", "./run grade"};
   app.add_option("what", options.what, "tasks (hit_triangle), parts (1) or exercises (1.3)");
   app.add_option("--submission", options.submission, "a folder with the tree of student/")
       ->check(CLI::ExistingDirectory);

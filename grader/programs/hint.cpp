@@ -96,7 +96,8 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Gives the next hint for a task: a question, a direction, the usual mistake"};
+  CLI::App app{"Gives the next hint for a task: a question, a direction, the usual mistake",
+               "./run hint"};
   app.add_option("task", options.task, "hit_triangle, or 1.3")->required();
   app.add_option("promise", options.promise,
                  "what the hint is about (default: what failed when the task was last graded)");

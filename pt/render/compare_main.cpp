@@ -62,7 +62,7 @@ void run(const std::string& path_a, const std::string& path_b, const std::string
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("How far picture A is from picture B, which is taken for right");
+  CLI::App app("How far picture A is from picture B, which is taken for right", "./run compare");
   std::string a, b, output;
   app.add_option("A", a, "PNG, JPEG, BMP, HDR or EXR")->required();
   app.add_option("B", b, "the picture to compare with")->required();

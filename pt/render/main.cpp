@@ -1,3 +1,4 @@
+#include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 #include "pt/image/sample_map.h"
@@ -6,7 +7,7 @@
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/load_collada.h"
-#include "pt/end_of_program.h"
+#include "pt/todo_list.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +15,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace pt {
 namespace {
@@ -65,6 +67,15 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
   }
 }
 
+// In one line, however many there are.
+void name_unwritten_tasks(const RenderOptions& options, const Scene& scene) {
+  const std::vector<std::string> unwritten = todo_list();
+  if (unwritten.empty()) return;
+  const bool no_tree = options.engine == Engine::task && scene.tracer.engine() == Engine::linear;
+  fmt::print(stderr, "not written yet: {}{}\n", fmt::join(unwritten, ", "),
+             no_tree ? " (traced without a tree)" : "");
+}
+
 int run(int argc, const char* const* argv) {
   const RenderOptions options = parse_options(argc, argv);
   check_image_target(options.output);
@@ -78,6 +89,7 @@ int run(int argc, const char* const* argv) {
                  "its surfaces\n");
     }
   }
+  print_no_todo();
   choose_engine(loaded.scene, options.engine, options.max_leaf);
 
   const View view{loaded.scene,
@@ -95,6 +107,7 @@ int run(int argc, const char* const* argv) {
     fmt::print(stderr, "interrupted: nothing was written\n");
     return kInterruptedExit;
   }
+  name_unwritten_tasks(options, loaded.scene);
   print_summary(result, options, loaded.scene);
   write_pictures(options, result.film);
   return 0;

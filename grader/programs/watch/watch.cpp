@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   programs::WatchOptions options;
   options.submission = "student";
-  CLI::App app{"Checks each task when its file is saved"};
+  CLI::App app{"Checks each task when its file is saved", "./run watch"};
   app.add_option("--submission", options.submission, "a folder with the tree of student/")
       ->check(CLI::ExistingDirectory);
   app.add_option("--config", options.config,

@@ -1,0 +1,63 @@
+# shellcheck shell=bash
+# Configures and builds, one ./run at a time. `./run` includes this file.
+# shellcheck disable=SC2154 # root, build and command are those of ./run
+
+# lock_tree: from here to unlock_tree nobody else installs, configures or builds in this tree. The file holds the
+# command that has it.
+tree_is_locked=
+lock_tree() {
+  [ -z "$tree_is_locked" ] || return 0
+  { mkdir -p "$build" && [ -w "$build" ]; } 2>/dev/null ||
+    fail "$build cannot be written: copy the whole folder to a place of your own, and work there"
+  tree_is_locked=yes
+  command -v flock >/dev/null || return 0 # macOS has none: there nobody waits
+  exec 9>>"$build/lock"
+  local start=$SECONDS
+  until flock -w 1 9; do
+    progress_show "waiting for '$(cat "$build/lock")', which is building in the same folder ($((SECONDS - start)) s)"
+  done
+  [ "$SECONDS" -eq "$start" ] || progress_clear
+  echo "./run $command" >"$build/lock"
+}
+
+unlock_tree() {
+  exec 9>&-
+  tree_is_locked=
+}
+
+# configure PRESET: with the mixtures of implementations asked for so far. FIRSTLIGHT_WERROR=ON makes
+# warnings errors.
+configure() {
+  local preset=$1 mixtures= werror=${FIRSTLIGHT_WERROR:-OFF}
+  lock_tree
+  [ -e "$build/mixtures" ] && mixtures=$(sort -u "$build/mixtures" | paste -sd';')
+  if [ "$root/CMakePresets.json" -nt "$build/$preset/build.ninja" ] ||
+    [ "$mixtures $werror" != "$(cat "$build/$preset/settings" 2>/dev/null)" ]; then
+    mkdir -p "$build/$preset"
+    with_progress "configuring ($preset)" "$build/$preset/configure.log" \
+      cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=$mixtures" "-DFIRSTLIGHT_WERROR=$werror" || {
+      # CMake's own sentence, without where in CMake it was said.
+      sed -n '/^CMake Error/,/^Call Stack/{/^CMake Error/d;/^Call Stack/d;p}' \
+        "$build/$preset/configure.log" | grep . >&2 || tail "$build/$preset/configure.log" >&2
+      return 2
+    }
+    printf '%s' "$mixtures $werror" >"$build/$preset/settings"
+  fi
+}
+
+# build PRESET TARGET...: quiet when there is nothing to do; the compiler's words when it fails.
+build() {
+  local preset=$1
+  shift
+  setup
+  lock_tree
+  configure "$preset" || exit 2
+  if ! ninja -C "$build/$preset" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
+    if ! NINJA_STATUS='[%f/%t] ' with_progress "building $1 ($preset)" "$build/$preset/build.log" \
+      ninja -C "$build/$preset" "$@"; then
+      grep -vE '^(ninja: |\[[0-9]+/[0-9]+\] )' "$build/$preset/build.log" >&2
+      fail "the build failed; the whole output is in build/$preset/build.log"
+    fi
+  fi
+  unlock_tree
+}
