@@ -79,6 +79,9 @@ Picture picture_from(const json& figure, const json& own) {
   picture.exposure = all.value("exposure", 1.0);
   picture.mistake = all.value("mistake", "");
   picture.time_of = all.value("time_of", "");
+  if (picture.in_bounces && picture.spec.adaptive) {
+    throw pt::Error("'in_bounces' does not go with 'adaptive'");
+  }
   return picture;
 }
 
@@ -87,6 +90,7 @@ Figure figure_from(const json& in) {
   Figure figure;
   figure.part = in.at("part");
   figure.title = in.at("title");
+  figure.source = in.dump();
   figure.kind = in.value("kind", "pictures");
   figure.caption = in.value("caption", "");
   figure.flip = in.value("flip", true);

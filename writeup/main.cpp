@@ -65,10 +65,9 @@ std::string as_typed(const Options& options) {
 void print_list(const Plan& plan, const std::vector<const Figure*>& figures) {
   for (const Figure* figure : figures) {
     plan.prepare(*figure);
-    double seconds = 0;
-    for (const Unit& unit : plan.units(*figure)) seconds += plan.store().seconds(unit);
     fmt::print("{:5} {:17} {:12} {:7.1f} s  {}\n", figure->part, figure->id,
-               is_settled(plan, *figure) ? "up to date" : "to be made", seconds, figure->title);
+               is_settled(plan, *figure) ? "up to date" : "to be made", plan.seconds(*figure),
+               figure->title);
   }
 }
 

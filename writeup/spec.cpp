@@ -31,6 +31,9 @@ json to_json(const Spec& spec) {
            {"hemisphere", spec.path.direct == Direct::hemisphere},
            {"survival", spec.path.survival},
            {"bounces", {spec.path.from, spec.path.to}}};
+  for (const pt::BounceRange& range : spec.ranges) {
+    out["ranges"].push_back({range.from, range.to});
+  }
   if (spec.adaptive) {
     out["adaptive"] =
         json{{"batch", spec.adaptive->batch}, {"tolerance", spec.adaptive->tolerance}};
@@ -65,6 +68,9 @@ Spec spec_from_json(const json& in) {
   spec.path.survival = in.at("survival");
   spec.path.from = in.at("bounces").at(0);
   spec.path.to = in.at("bounces").at(1);
+  for (const json& range : in.value("ranges", json::array())) {
+    spec.ranges.push_back({range.at(0), range.at(1)});
+  }
   if (in.contains("adaptive")) {
     const json& adaptive = in.at("adaptive");
     spec.adaptive = pt::AdaptiveSettings{spec.samples, adaptive.at("batch").get<int>(),
