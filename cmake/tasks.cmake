@@ -148,6 +148,27 @@ function(firstlight_inner_choices slug implementation radiance)
   set(INNER_CHOICES ${choices} PARENT_SCOPE)
 endfunction()
 
+# firstlight_wrap(<objects> <flags> <slug>...): the objects define what calls of these tasks go through in a
+# program that is linked with the flags, by the names that g++ and clang give to the functions:
+# "__wrap_" FIRSTLIGHT_SYMBOL_<slug>, and "__real_" for the task itself.
+function(firstlight_wrap objects flags)
+  set(words)
+  foreach(slug IN LISTS ARGN)
+    string(LENGTH ${slug} length)
+    if(DEFINED FIRSTLIGHT_COUNTED_${slug})
+      list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
+      string(LENGTH ${shape} shape_length)
+      set(arguments RKNS_${shape_length}${shape}ERKNS_3RayE)
+    else()
+      set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
+    endif()
+    set(symbol _ZN2pt${length}${slug}E${arguments})
+    target_compile_definitions(${objects} PRIVATE FIRSTLIGHT_SYMBOL_${slug}="${symbol}")
+    list(APPEND words -Wl,--wrap=${symbol})
+  endforeach()
+  set(${flags} ${words} PARENT_SCOPE)
+endfunction()
+
 # A mixture in words, "reference" or "reference+hit_bvh=student+...", turned into the arguments of
 # firstlight_link_tasks (in MIXTURE_FROM and MIXTURE_CHOICES) and a suffix for targets and files.
 macro(firstlight_parse_mixture mixture)

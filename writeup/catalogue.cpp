@@ -14,11 +14,11 @@ namespace {
 constexpr std::size_t kMaxCatalogue = std::size_t{1} << 22;
 
 const std::set<std::string> kSettings{
-    "id",   "label",    "scene",   "size",          "frame",      "samples",    "adaptive",
-    "seed", "engine",   "normals", "light_samples", "survival",   "hemisphere", "bounces",
-    "look", "exposure", "mistake", "time_of",       "in_bounces", "show"};
+    "id",   "label",  "scene",    "size",          "frame",    "samples",    "adaptive",
+    "seed", "engine", "normals",  "light_samples", "survival", "hemisphere", "bounces",
+    "look", "camera", "exposure", "mistake",       "time_of",  "in_bounces", "show"};
 const std::set<std::string> kFigure{"id",    "part",     "title",    "kind",   "caption", "flip",
-                                    "small", "settings", "pictures", "golden", "scenes"};
+                                    "small", "settings", "pictures", "golden", "scenes",  "file"};
 
 void expect_known(const json& object, const std::set<std::string>& known) {
   for (const auto& [name, value] : object.items()) {
@@ -93,6 +93,7 @@ Figure figure_from(const json& in) {
   figure.source = in.dump();
   figure.kind = in.value("kind", "pictures");
   figure.caption = in.value("caption", "");
+  figure.file = in.value("file", "");
   figure.flip = in.value("flip", true);
   figure.small = in.value("small", false);
   figure.scenes = in.value("scenes", std::vector<std::string>{});

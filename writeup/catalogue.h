@@ -40,6 +40,7 @@ struct Figure {
   std::string id, part, title;
   std::string kind;     // "pictures" or "speedup"
   std::string source;   // as it stands in the file
+  std::string file;     // of the handbook: where the picture is kept, below the project's root
   std::string caption;  // Markdown; may hold numbers
   bool flip = false;    // the pictures can be laid over each other
   bool small = false;   // few pixels, shown as squares

@@ -97,9 +97,9 @@ int run(const std::string& spec_file, const Band& band) {
   pt::LoadedScene loaded = pt::load_collada(spec.scene);
   if (!spec.path.show_normals) require_supported(loaded, spec.scene);
   choose_engine(loaded.scene, spec.engine, kMaxLeaf);
-  const pt::View view{
-      loaded.scene, frame_camera(loaded, pt::Framing::course, spec.frame_width, spec.frame_height),
-      spec.path, spec.width, spec.height};
+  const pt::View view{loaded.scene,
+                      frame_camera(loaded, spec.framing, spec.frame_width, spec.frame_height),
+                      spec.path, spec.width, spec.height};
   const pt::RenderSettings settings{spec.samples, spec.adaptive, spec.seed, 1};
   for (int y = start_band(band, spec.row_pixels()); y < band.first_row + band.rows; ++y) {
     append_row(band.file(), render_row(view, y, settings, spec.ranges));

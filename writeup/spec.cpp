@@ -23,6 +23,7 @@ json to_json(const Spec& spec) {
   json out{{"scene", spec.scene},
            {"size", {spec.width, spec.height}},
            {"frame", {spec.frame_width, spec.frame_height}},
+           {"camera", spec.framing == pt::Framing::file ? "file" : "course"},
            {"samples", spec.samples},
            {"engine", kEngineNames.at(spec.engine)},
            {"seed", spec.seed},
@@ -59,6 +60,7 @@ Spec spec_from_json(const json& in) {
   spec.height = in.at("size").at(1);
   spec.frame_width = in.at("frame").at(0);
   spec.frame_height = in.at("frame").at(1);
+  if (in.at("camera") == "file") spec.framing = pt::Framing::file;
   spec.samples = in.at("samples");
   spec.engine = engine_of(in.at("engine"));
   spec.seed = in.at("seed");
@@ -113,6 +115,7 @@ std::string render_command(const Spec& spec, const std::string& output) {
   if (spec.frame_width != 480 || spec.frame_height != 360) {
     words += fmt::format(" -r {} {}", spec.frame_width, spec.frame_height);
   }
+  if (spec.framing == pt::Framing::file) words += " --camera file";
   if (spec.engine != pt::Engine::task) words += " --engine " + kEngineNames.at(spec.engine);
   return words + fmt::format(" --seed {}", spec.seed);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "pt/render/bounces_apart.h"
+#include "pt/render/bounce_range.h"
+#include "pt/scene/frame_camera.h"
 #include "pt/scene/tracer.h"
 #include "pt/scene/view.h"
 #include "pt/tasks/adaptive_pixel.h"
@@ -21,6 +22,7 @@ struct Spec {
   std::string scene;  // path
   int width = 480, height = 360;
   int frame_width = 480, frame_height = 360;  // the camera is framed for a picture of this size
+  pt::Framing framing = pt::Framing::course;
   int samples = 1;                            // per pixel; of an adaptive render: at most
   std::optional<pt::AdaptiveSettings> adaptive;
   pt::PathSettings path;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pt/math/rgb.h"
+#include "pt/render/bounce_range.h"
 #include "pt/sampling/sampler.h"
 #include "pt/scene/scene.h"
 #include "pt/scene/view.h"
@@ -9,14 +10,6 @@
 #include <vector>
 
 namespace pt {
-
-// Some bounces in a row, both included.
-struct BounceRange {
-  int from = 0;
-  int to = 0;
-
-  bool operator==(const BounceRange&) const = default;
-};
 
 // The parts of one estimate of trace_path, bounce by bounce, whoever wrote it. The path is walked
 // once. Its direct light and its hits are kept on tapes, and it is walked again on these for each
