@@ -56,8 +56,8 @@ void apply_show(const std::string& show, json& settings) {
   }
 }
 
-Picture picture_from(const json& figure, const json& own) {
-  json all = defaults();
+Picture picture_from(const json& figure, const json& own, const json& defaults) {
+  json all = defaults;
   if (figure.contains("settings")) all.update(figure.at("settings"));
   all.update(own);
   expect_known(all, kSettings);
@@ -85,12 +85,12 @@ Picture picture_from(const json& figure, const json& own) {
   return picture;
 }
 
-Figure figure_from(const json& in) {
+Figure figure_from(const json& in, const json& defaults) {
   expect_known(in, kFigure);
   Figure figure;
   figure.part = in.at("part");
   figure.title = in.at("title");
-  figure.source = in.dump();
+  figure.source = in.dump() + defaults.dump();
   figure.kind = in.value("kind", "pictures");
   figure.caption = in.value("caption", "");
   figure.file = in.value("file", "");
@@ -98,9 +98,9 @@ Figure figure_from(const json& in) {
   figure.small = in.value("small", false);
   figure.scenes = in.value("scenes", std::vector<std::string>{});
   for (const json& picture : in.value("pictures", json::array())) {
-    figure.pictures.push_back(picture_from(in, picture));
+    figure.pictures.push_back(picture_from(in, picture, defaults));
   }
-  if (in.contains("golden")) figure.golden = picture_from(in, in.at("golden"));
+  if (in.contains("golden")) figure.golden = picture_from(in, in.at("golden"), defaults);
   return figure;
 }
 
@@ -135,9 +135,11 @@ Catalogue read_catalogue(const std::filesystem::path& file) {
       at = "scene " + name;
       catalogue.scenes[name] = scene_from(scene);
     }
+    json all = defaults();
+    all.update(in.value("defaults", json::object()));
     for (const json& entry : in.at("figures")) {
       at = "figure " + entry.value("id", "without an id");
-      Figure figure = figure_from(entry);
+      Figure figure = figure_from(entry, all);
       figure.id = entry.at("id");
       if (catalogue.find(figure.id) != nullptr) throw pt::Error("the name is used twice");
       expect_scenes(catalogue, figure);

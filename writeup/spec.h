@@ -23,7 +23,7 @@ struct Spec {
   int width = 480, height = 360;
   int frame_width = 480, frame_height = 360;  // the camera is framed for a picture of this size
   pt::Framing framing = pt::Framing::course;
-  int samples = 1;                            // per pixel; of an adaptive render: at most
+  int samples = 1;  // per pixel; of an adaptive render: at most
   std::optional<pt::AdaptiveSettings> adaptive;
   pt::PathSettings path;
   // If any: a picture of each of these bounces, all from the same paths; path has all of them.
