@@ -55,6 +55,18 @@ function(firstlight_add_counted slug name source)
   endif()
 endfunction()
 
+# The library <slug>.<name>.taped of a task of direct light: the same implementation, by way of the tape of
+# pt/render/bounces_apart.h.
+function(firstlight_add_taped slug name source)
+  if(slug MATCHES "^direct_")
+    set(taped ${CMAKE_CURRENT_BINARY_DIR}/taped/${slug}.${name}.cpp)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/taped.cpp.in ${taped} @ONLY)
+    add_library(${slug}.${name}.taped OBJECT EXCLUDE_FROM_ALL ${taped})
+    target_link_libraries(${slug}.${name}.taped PRIVATE firstlight_options)
+    set_property(SOURCE ${taped} APPEND PROPERTY OBJECT_DEPENDS ${source})
+  endif()
+endfunction()
+
 # Object libraries <slug>.<name> for every task file that the tree at `root` has: what is missing is
 # left out.
 function(firstlight_add_implementation name root)
@@ -67,17 +79,19 @@ function(firstlight_add_implementation name root)
         target_link_libraries(${slug}.${name} PRIVATE firstlight_warnings)
       endif()
       firstlight_add_counted(${slug} ${name} ${root}/${task}.cpp)
+      firstlight_add_taped(${slug} ${name} ${root}/${task}.cpp)
     endif()
   endforeach()
 endfunction()
 
 # firstlight_link_tasks(<program> FROM <implementation> [RADIANCE <implementation>]
-#                       [CHOICES <slug>=<implementation> ...] [FAST] [COUNTED])
+#                       [CHOICES <slug>=<implementation> ...] [FAST] [COUNTED] [TAPED])
 # links one definition of every task, all FROM one implementation but for the CHOICES, and one of the
 # slot radiance (default: path; none: the program defines it itself). FAST takes the faster form of the
-# tasks that come FROM the reference and have one. COUNTED takes the counting form of the tasks that have one.
+# tasks that come FROM the reference and have one. COUNTED takes the counting form of the tasks that have one,
+# TAPED the taped form. Sets LINKED_<slug> to the library that was linked.
 function(firstlight_link_tasks program)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "COUNTED;FAST" "FROM;RADIANCE" "CHOICES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "COUNTED;FAST;TAPED" "FROM;RADIANCE" "CHOICES")
   if(NOT ARG_RADIANCE)
     set(ARG_RADIANCE path)
   endif()
@@ -104,7 +118,11 @@ function(firstlight_link_tasks program)
     if(ARG_COUNTED AND TARGET ${library}.counted)
       set(library ${library}.counted)
     endif()
+    if(ARG_TAPED AND TARGET ${library}.taped)
+      set(library ${library}.taped)
+    endif()
     target_link_libraries(${program} PRIVATE ${library})
+    set(LINKED_${slug} ${library} PARENT_SCOPE)
   endforeach()
   if(NOT ARG_RADIANCE STREQUAL none)
     target_link_libraries(${program} PRIVATE radiance.${ARG_RADIANCE})
@@ -128,6 +146,27 @@ function(firstlight_inner_choices slug implementation radiance)
     list(APPEND choices ${inner}=mock)
   endforeach()
   set(INNER_CHOICES ${choices} PARENT_SCOPE)
+endfunction()
+
+# firstlight_wrap(<objects> <flags> <slug>...): the objects define what calls of these tasks go through in a
+# program that is linked with the flags, by the names that g++ and clang give to the functions:
+# "__wrap_" FIRSTLIGHT_SYMBOL_<slug>, and "__real_" for the task itself.
+function(firstlight_wrap objects flags)
+  set(words)
+  foreach(slug IN LISTS ARGN)
+    string(LENGTH ${slug} length)
+    if(DEFINED FIRSTLIGHT_COUNTED_${slug})
+      list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
+      string(LENGTH ${shape} shape_length)
+      set(arguments RKNS_${shape_length}${shape}ERKNS_3RayE)
+    else()
+      set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
+    endif()
+    set(symbol _ZN2pt${length}${slug}E${arguments})
+    target_compile_definitions(${objects} PRIVATE FIRSTLIGHT_SYMBOL_${slug}="${symbol}")
+    list(APPEND words -Wl,--wrap=${symbol})
+  endforeach()
+  set(${flags} ${words} PARENT_SCOPE)
 endfunction()
 
 # A mixture in words, "reference" or "reference+hit_bvh=student+...", turned into the arguments of

@@ -29,9 +29,9 @@ Band band_of(const std::string& words) {
   return band;
 }
 
-int start_band(const Band& band, int width) {
-  const int done = rows_in(band.file(), width);
-  cut_to_rows(band.file(), width, done);
+int start_band(const Band& band, int pixels) {
+  const int done = rows_in(band.file(), pixels);
+  cut_to_rows(band.file(), pixels, done);
   return band.first_row + done;
 }
 

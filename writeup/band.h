@@ -31,7 +31,7 @@ struct BandEnd {
 };
 
 // The first row that is not there yet; what is after it is cut off.
-int start_band(const Band& band, int width);
+int start_band(const Band& band, int pixels);
 void finish_band(const Band& band, const BandEnd& end);
 BandEnd read_end(const Band& band);
 

@@ -33,7 +33,6 @@ Code code_of_submission(const Options& options) {
   code.hash = in.at("hash").get<std::map<std::string, std::string>>();
   code.hash["framework"] += grader::base::sha256(grader::base::stamp(options.boxed));
   code.unusable = in.at("unusable").get<std::map<std::string, std::string>>();
-  code.measures = false;
   return code;
 }
 

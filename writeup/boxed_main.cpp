@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 
 namespace writeup {
@@ -23,9 +24,11 @@ namespace {
 
 using namespace grader;
 using namespace grader::judge;
+namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 constexpr int kChunk = 6;  // rows that are asked for at once
+constexpr std::size_t kMaxJson = std::size_t{1} << 22;
 constexpr int kCompileSeconds = 60;
 constexpr std::chrono::minutes kCallLimit{5};  // the write-up's own limit is usually shorter
 constexpr std::chrono::hours kTotalLimit{5};
@@ -35,10 +38,22 @@ std::string why_not(const Judged& judged) {
   return result.reason + (result.compiler_output.empty() ? "" : ":\n" + result.compiler_output);
 }
 
+// As `grade` has it, but for what workers are linked from besides tasks.
+Config measuring_config() {
+  Config config = load_config(default_config_path());
+  const std::string changes = fs::path(default_config_path()).parent_path() / "writeup_boxed.json";
+  const auto json = nlohmann::json::parse(pt::read_file(changes, kMaxJson));
+  json.at("recording_flags").get_to(config.recording_flags);
+  json.at("framework").get_to(config.framework);
+  json.at("recording").get_to(config.recording);
+  json.at("radiance").get_to(config.radiance);
+  return config;
+}
+
 // The reference stands for what cannot be compiled, so that the rest can be looked at; a figure that
 // needs it says so instead.
 int build(const std::string& submission, const std::string& out) {
-  const Config config = load_config(default_config_path());
+  const Config config = measuring_config();
   GradeRequest request;
   request.submission = base::submission_root(submission);
   request.isolation = sandbox::probe_isolation(config.root, config.work);
@@ -55,7 +70,9 @@ int build(const std::string& submission, const std::string& out) {
   const Built worker = link_together(config, builder, judged, Elsewhere::reference);
   if (!worker.ok()) throw pt::Error("it does not link: " + worker.error);
   std::string framework;
-  for (const std::string& object : config.framework) framework += base::stamp(object);
+  for (const auto* objects : {&config.framework, &config.recording, &config.radiance}) {
+    for (const std::string& object : *objects) framework += base::stamp(object);
+  }
   hash["framework"] = base::sha256(framework);
   const nlohmann::json all{{"worker", worker.path},
                            {"tier", std::string(1, letter(request.isolation.tier))},
@@ -83,24 +100,49 @@ double worker_seconds() {
   return std::chrono::duration<double>(process::time_of_tree(getpid()).running).count();
 }
 
-// One file row for each row of the answer.
+RowPixel row_pixel(const Spec& spec, const pt::PictureRows& answer, std::size_t i) {
+  const pt::Rgb mean = is_finite(answer.mean[i]) ? answer.mean[i] : pt::Rgb{};
+  const auto value = [&](const std::vector<double>& values) {
+    return values.empty() ? -1.F : static_cast<float>(values[i]);
+  };
+  const int samples = answer.counts.empty() ? spec.samples : answer.counts[i];
+  return {{static_cast<float>(mean.r), static_cast<float>(mean.g), static_cast<float>(mean.b)},
+          samples < 2 ? -1 : value(answer.measured.variance_y),
+          samples,
+          value(answer.measured.boxes)};
+}
+
+// A row of the file for each row of the answer. What is known of all rows together is divided among them.
 void append(const Band& band, const Spec& spec, const pt::PictureRows& answer, int rows,
-            double seconds) {
+            const RowHead& total) {
   for (int y = 0; y < rows; ++y) {
+    const auto share = [&](std::int64_t all) { return all * (y + 1) / rows - all * y / rows; };
     Row row;
-    row.head.cpu_seconds = seconds / rows;
-    for (int x = 0; x < spec.width; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * spec.width + x;
-      const pt::Rgb mean = is_finite(answer.mean[i]) ? answer.mean[i] : pt::Rgb{};
-      row.head.not_finite += is_finite(answer.mean[i]) ? 0 : 1;
+    row.head = {total.cpu_seconds / rows, share(total.rays),    share(total.boxes),
+                share(total.triangles),   share(total.spheres), share(total.not_finite)};
+    for (int x = 0; x < spec.row_pixels(); ++x) {
       row.pixels.push_back(
-          {{static_cast<float>(mean.r), static_cast<float>(mean.g), static_cast<float>(mean.b)},
-           -1,
-           answer.counts.empty() ? spec.samples : answer.counts[i],
-           -1});
+          row_pixel(spec, answer, static_cast<std::size_t>(y) * spec.row_pixels() + x));
     }
     append_row(band.file(), row);
   }
+}
+
+std::int64_t rays() { return pt::rays_traced().closest + pt::rays_traced().occluded; }
+
+// Some rows by the worker, into the file of the band.
+void make_rows(const pt::View& view, const Spec& spec, const Band& band, int y, int rows) {
+  const double before = worker_seconds();
+  const std::int64_t rays_before = rays();
+  const pt::PictureRows answer =
+      pictures::worker_rows(view, {y, rows, spec.samples, spec.adaptive, spec.seed, spec.ranges});
+  const pt::RowsMeasured& measured = answer.measured;
+  if (!measured.apart) {
+    throw pt::Error(std::string(kNotApart) + ": they do not add up to what trace_path returned");
+  }
+  append(band, spec, answer, rows,
+         {worker_seconds() - before, rays() - rays_before, measured.tests.boxes,
+          measured.tests.triangles, measured.tests.spheres, measured.not_finite});
 }
 
 bool tree_is_missing() {
@@ -125,21 +167,17 @@ int render(const std::string& worker, const std::string& tier, const std::string
   if (!spec.path.show_normals) require_supported(loaded, spec.scene);
   // The worker builds a tree of its own, as this engine says.
   loaded.scene.tracer = pt::Tracer(spec.engine, loaded.scene.primitives);
-  const pt::View view{
-      loaded.scene, frame_camera(loaded, pt::Framing::course, spec.frame_width, spec.frame_height),
-      spec.path, spec.width, spec.height};
+  const pt::View view{loaded.scene,
+                      frame_camera(loaded, spec.framing, spec.frame_width, spec.frame_height),
+                      spec.path, spec.width, spec.height};
   open_worker(worker, tier);
   // Whether there is a tree is known after one row.
-  pictures::worker_rows(view, {band.first_row, 1, 1, {}, spec.seed});
+  pictures::worker_rows(view, {band.first_row, 1, 1, {}, spec.seed, {}});
   const bool without_tree = spec.engine == pt::Engine::task && tree_is_missing();
   if (without_tree) loaded.scene.tracer = pt::Tracer(pt::Engine::linear, loaded.scene.primitives);
   const int end = band.first_row + band.rows;
-  for (int y = start_band(band, spec.width); y < end; y += kChunk) {
-    const int rows = std::min(kChunk, end - y);
-    const double before = worker_seconds();
-    const pt::PictureRows answer =
-        pictures::worker_rows(view, {y, rows, spec.samples, spec.adaptive, spec.seed});
-    append(band, spec, answer, rows, worker_seconds() - before);
+  for (int y = start_band(band, spec.row_pixels()); y < end; y += kChunk) {
+    make_rows(view, spec, band, y, std::min(kChunk, end - y));
   }
   const std::string engine(pt::name(loaded.scene.tracer.engine()));
   finish_band(band, {missing_tasks(spec, without_tree), engine, loaded.scene.primitives.size()});

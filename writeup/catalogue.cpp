@@ -14,11 +14,11 @@ namespace {
 constexpr std::size_t kMaxCatalogue = std::size_t{1} << 22;
 
 const std::set<std::string> kSettings{
-    "id",   "label",    "scene",   "size",          "frame",      "samples",    "adaptive",
-    "seed", "engine",   "normals", "light_samples", "survival",   "hemisphere", "bounces",
-    "look", "exposure", "mistake", "time_of",       "in_bounces", "show"};
+    "id",   "label",  "scene",    "size",          "frame",    "samples",    "adaptive",
+    "seed", "engine", "normals",  "light_samples", "survival", "hemisphere", "bounces",
+    "look", "camera", "exposure", "mistake",       "time_of",  "in_bounces", "show"};
 const std::set<std::string> kFigure{"id",    "part",     "title",    "kind",   "caption", "flip",
-                                    "small", "settings", "pictures", "golden", "scenes"};
+                                    "small", "settings", "pictures", "golden", "scenes",  "file"};
 
 void expect_known(const json& object, const std::set<std::string>& known) {
   for (const auto& [name, value] : object.items()) {
@@ -56,8 +56,8 @@ void apply_show(const std::string& show, json& settings) {
   }
 }
 
-Picture picture_from(const json& figure, const json& own) {
-  json all = defaults();
+Picture picture_from(const json& figure, const json& own, const json& defaults) {
+  json all = defaults;
   if (figure.contains("settings")) all.update(figure.at("settings"));
   all.update(own);
   expect_known(all, kSettings);
@@ -79,23 +79,28 @@ Picture picture_from(const json& figure, const json& own) {
   picture.exposure = all.value("exposure", 1.0);
   picture.mistake = all.value("mistake", "");
   picture.time_of = all.value("time_of", "");
+  if (picture.in_bounces && picture.spec.adaptive) {
+    throw pt::Error("'in_bounces' does not go with 'adaptive'");
+  }
   return picture;
 }
 
-Figure figure_from(const json& in) {
+Figure figure_from(const json& in, const json& defaults) {
   expect_known(in, kFigure);
   Figure figure;
   figure.part = in.at("part");
   figure.title = in.at("title");
+  figure.source = in.dump() + defaults.dump();
   figure.kind = in.value("kind", "pictures");
   figure.caption = in.value("caption", "");
+  figure.file = in.value("file", "");
   figure.flip = in.value("flip", true);
   figure.small = in.value("small", false);
   figure.scenes = in.value("scenes", std::vector<std::string>{});
   for (const json& picture : in.value("pictures", json::array())) {
-    figure.pictures.push_back(picture_from(in, picture));
+    figure.pictures.push_back(picture_from(in, picture, defaults));
   }
-  if (in.contains("golden")) figure.golden = picture_from(in, in.at("golden"));
+  if (in.contains("golden")) figure.golden = picture_from(in, in.at("golden"), defaults);
   return figure;
 }
 
@@ -130,9 +135,11 @@ Catalogue read_catalogue(const std::filesystem::path& file) {
       at = "scene " + name;
       catalogue.scenes[name] = scene_from(scene);
     }
+    json all = defaults();
+    all.update(in.value("defaults", json::object()));
     for (const json& entry : in.at("figures")) {
       at = "figure " + entry.value("id", "without an id");
-      Figure figure = figure_from(entry);
+      Figure figure = figure_from(entry, all);
       figure.id = entry.at("id");
       if (catalogue.find(figure.id) != nullptr) throw pt::Error("the name is used twice");
       expect_scenes(catalogue, figure);

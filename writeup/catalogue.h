@@ -30,7 +30,7 @@ struct Picture {
   std::string scene;  // name in the catalogue
   Spec spec;          // in full quality; the scene's path is filled in later
   Look look = Look::radiance;
-  bool in_bounces = false;  // made of one render per group of bounces, which other pictures share
+  bool in_bounces = false;  // from one render of all bounces, which other pictures share
   double exposure = 1;
   std::string mistake;  // rendered by the reference with this wrong solution in it
   std::string time_of;  // take so many samples that it takes as long as this picture
@@ -39,6 +39,8 @@ struct Picture {
 struct Figure {
   std::string id, part, title;
   std::string kind;     // "pictures" or "speedup"
+  std::string source;   // as it stands in the file
+  std::string file;     // of the handbook: where the picture is kept, below the project's root
   std::string caption;  // Markdown; may hold numbers
   bool flip = false;    // the pictures can be laid over each other
   bool small = false;   // few pixels, shown as squares

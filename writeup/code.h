@@ -14,7 +14,6 @@ struct Code {
   std::vector<std::string> command;         // of writeup_render or writeup_boxed, with its options
   std::map<std::string, std::string> hash;  // by task, and "framework"
   std::map<std::string, std::string> unusable;  // tasks that cannot run, each with the reason
-  bool measures = true;  // knows variances and counts boxes: a submission in the box does not
 };
 
 // Of writeup_render.<name>, by the list of objects beside it.

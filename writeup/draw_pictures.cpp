@@ -139,12 +139,12 @@ class Artist {
     const Spec spec = units(picture)[0].spec;
     const int from = picture.spec.path.from, to = picture.spec.path.to;
     shown.facts =
-        fmt::format("{}; {} s", settings_text(spec, from, to), short_number(composed.sum.seconds));
+        fmt::format("{}; {} s{}", settings_text(spec, from, to), short_number(composed.sum.seconds),
+                    spec.ranges.size() > 1 ? " for all bounces together" : "");
     Spec whole = spec;
     whole.path.from = from;
     whole.path.to = to;
     shown.command = render_command(whole, picture.id + ".png");
-    drawn_.seconds += composed.sum.seconds;
     if (!composed.complete || !composed.sum.missing.empty()) return;
     const auto enter = [&](const char* name, const std::string& value) {
       drawn_.numbers[picture.id + "." + name] = value;
@@ -164,8 +164,9 @@ class Artist {
       enter("noise", short_number(100 * noise(composed.sum)));
     }
     if (has_error(picture, composed)) {
-      const bool itself =
-          plan_.store().key(units(picture)[0]) == plan_.store().key(golden_units_[0]);
+      const Unit first = units(picture)[0];
+      const bool itself = first.range == golden_units_[0].range &&
+                          plan_.store().key(first) == plan_.store().key(golden_units_[0]);
       const double off = itself ? noise(golden_->sum) : error(composed.sum, golden_->sum);
       enter("error", short_number(100 * off));
       errors_.push_back({label(picture), composed.sum.seconds, off});

@@ -3,11 +3,13 @@
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 #include "writeup/boxed_code.h"
+#include "writeup/handbook.h"
 #include "writeup/make_site.h"
 
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -36,15 +38,24 @@ bool traces_with_reference(const std::string& mixture) {
   return true;
 }
 
-Codes read_codes(const Options& options) {
+// The wrong solutions that the pictures of the catalogue are rendered with.
+std::set<std::string> mistakes_in(const Catalogue& catalogue) {
+  std::set<std::string> names;
+  for (const Figure& figure : catalogue.figures) {
+    for (const Picture& picture : figure.pictures) names.insert(picture.mistake);
+  }
+  names.erase("");
+  return names;
+}
+
+Codes read_codes(const Options& options, const Catalogue& catalogue) {
   Codes codes;
   codes.chosen =
       options.submission.empty() ? code_of_program(options.renderer) : code_of_submission(options);
   codes.reference_rays = options.submission.empty() && traces_with_reference(options.from);
   if (options.mistakes.empty()) return codes;
-  for (const char* wrong : {"range_overwritten", "first_child_that_hits", "bsdf_applied_twice",
-                            "running_total_as_the_sample"}) {
-    const fs::path program = fs::path(options.mistakes) / (std::string("writeup_render.") + wrong);
+  for (const std::string& wrong : mistakes_in(catalogue)) {
+    const fs::path program = fs::path(options.mistakes) / ("writeup_render." + wrong);
     if (fs::exists(program)) codes.mistakes[wrong] = code_of_program(program);
   }
   return codes;
@@ -65,10 +76,9 @@ std::string as_typed(const Options& options) {
 void print_list(const Plan& plan, const std::vector<const Figure*>& figures) {
   for (const Figure* figure : figures) {
     plan.prepare(*figure);
-    double seconds = 0;
-    for (const Unit& unit : plan.units(*figure)) seconds += plan.store().seconds(unit);
     fmt::print("{:5} {:17} {:12} {:7.1f} s  {}\n", figure->part, figure->id,
-               is_settled(plan, *figure) ? "up to date" : "to be made", seconds, figure->title);
+               is_settled(plan, *figure) ? "up to date" : "to be made", plan.seconds(*figure),
+               figure->title);
   }
 }
 
@@ -134,25 +144,12 @@ void make_absolute(Options& options) {
   fs::current_path(FIRSTLIGHT_ROOT);
 }
 
-int run(Options options) {
-  const std::string command = as_typed(options);
-  make_absolute(options);
+// What is made of the renders: the pages; returns whether all is there.
+bool make_pages(const Plan& plan, const Catalogue& catalogue,
+                const std::vector<const Figure*>& figures, const Options& options,
+                const std::string& command) {
   const fs::path work = options.work;
-  const Catalogue catalogue = read_catalogue("writeup/figures.json");
-  const std::vector<const Figure*> figures = figures_meant(catalogue, options.what);
-  lock(work);
-  const Codes codes = read_codes(options);
-  const Scenes scenes(catalogue, options.scenes, work / "scenes", options.generate, options.draft);
-  const Store store(work / "renders");
-  const Plan plan(catalogue, codes, scenes, store, options.draft ? Quality::draft : Quality::full);
-  if (options.list) {
-    print_list(plan, figures);
-    return 0;
-  }
-  for (const Figure* figure : figures) plan.prepare(*figure);
-  if (options.retry) retry(plan, figures);
-
-  Site site{catalogue, scenes, {}, options.draft, command, options.texts};
+  Site site{catalogue, plan.scenes(), {}, options.draft, command, options.texts};
   const fs::path out =
       options.out.empty() ? work / (options.draft ? "draft" : "pages") : fs::path(options.out);
   fs::create_directories(out);
@@ -164,7 +161,43 @@ int run(Options options) {
   if (options.pdf) write_pdfs(fs::absolute(out));
   const bool failed = report(figures, site.figures);
   fmt::print("{}\n", (out / "index.html").string());
-  return failed ? 1 : 0;
+  return !failed;
+}
+
+bool make_handbook(const Plan& plan, const Catalogue& catalogue,
+                   const std::vector<const Figure*>& figures, const Options& options) {
+  if (options.mistakes.empty()) {
+    throw pt::Error("the handbook's pictures are made where the reference is, not in this edition");
+  }
+  const fs::path folder = options.out.empty() ? "." : options.out;
+  make_renders(plan, figures, options);
+  const Problems problems = options.check ? check_handbook(plan, catalogue, figures, folder)
+                                          : write_handbook(plan, figures, folder);
+  for (const std::string& problem : problems) fmt::print("{}\n", problem);
+  return problems.empty();
+}
+
+int run(Options options) {
+  const std::string command = as_typed(options);
+  make_absolute(options);
+  const fs::path work = options.work;
+  const Catalogue catalogue =
+      read_catalogue(options.handbook ? "writeup/handbook.json" : "writeup/figures.json");
+  const std::vector<const Figure*> figures = figures_meant(catalogue, options.what);
+  lock(work);
+  const Codes codes = read_codes(options, catalogue);
+  const Scenes scenes(catalogue, options.scenes, work / "scenes", options.generate, options.draft);
+  const Store store(work / "renders");
+  const Plan plan(catalogue, codes, scenes, store, options.draft ? Quality::draft : Quality::full);
+  if (options.list) {
+    print_list(plan, figures);
+    return 0;
+  }
+  for (const Figure* figure : figures) plan.prepare(*figure);
+  if (options.retry) retry(plan, figures);
+  const bool good = options.handbook ? make_handbook(plan, catalogue, figures, options)
+                                     : make_pages(plan, catalogue, figures, options, command);
+  return good ? 0 : 1;
 }
 
 // What is finished is on disk, and the children end with this process.

@@ -50,11 +50,12 @@ void print_plan(const Plan& plan, const std::vector<const Figure*>& figures,
 
 // Everything that the look of a figure depends on.
 std::string drawing_key(const Plan& plan, const Figure& figure) {
-  std::string text = figure.id + grader::base::stamp("/proc/self/exe");
+  std::string text = figure.source + grader::base::stamp("/proc/self/exe");
   for (const std::string& scene : figure.scenes) text += plan.scenes().description(scene);
   for (const Picture& picture : figure.pictures) text += plan.unavailable(picture);
   for (const Unit& unit : plan.units(figure)) {
-    text += plan.store().key(unit) + unit.spec.scene + plan.store().failure(unit);
+    text += fmt::format("{} {} {} {} ", plan.store().key(unit), unit.range, unit.spec.scene,
+                        plan.store().failure(unit));
   }
   return grader::base::sha256(text).substr(0, 32);
 }
@@ -65,8 +66,9 @@ Drawn drawn_figure(const Plan& plan, const Figure& figure, const fs::path& folde
     return nlohmann::json::parse(pt::read_file(kept, kMaxDrawn)).get<Drawn>();
   }
   fs::create_directories(folder);
-  const Drawn drawn = figure.kind == "speedup" ? draw_speedup(plan, figure, folder)
-                                               : draw_pictures(plan, figure, folder);
+  Drawn drawn = figure.kind == "speedup" ? draw_speedup(plan, figure, folder)
+                                         : draw_pictures(plan, figure, folder);
+  drawn.seconds = plan.seconds(figure);
   pt::write_file(kept, nlohmann::json(drawn).dump());
   return drawn;
 }

@@ -35,6 +35,15 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--text", options.texts, "Folder of the texts, part1.md and so on")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--pdf", options.pdf, "Also one PDF per page, by Chromium");
+  auto* const handbook =
+      app.add_flag("--handbook", options.handbook,
+                   "The pictures of the handbook, the README and docs/four_bugs");
+  handbook->excludes("--quality")
+      ->excludes("--scenes")
+      ->excludes("--submission")
+      ->excludes("--pdf");
+  app.add_flag("--check", options.check, "With --handbook: compare, and write nothing")
+      ->needs(handbook);
   app.add_flag("--retry", options.retry, "Try again what crashed or took too long");
   app.add_option("-t,--threads", options.threads, "Renders at a time; default: one per processor")
       ->check(CLI::Range(1, 1024));

@@ -9,6 +9,7 @@ namespace writeup {
 struct Options {
   std::vector<std::string> what;  // parts and figures; empty: all
   bool list = false, draft = false, pdf = false, retry = false;
+  bool handbook = false, check = false;
   std::string scenes, submission, out, texts;
   std::string from = "reference";  // a mixture, as ./run has it
   int threads = 1;

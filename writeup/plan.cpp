@@ -45,15 +45,16 @@ std::string without_bounces(const Spec& spec, const std::string& scene) {
 Plan::Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes, const Store& store,
            Quality quality)
     : codes_(codes), scenes_(scenes), store_(store), quality_(quality) {
-  const auto cut = [&](const Picture& picture) {
+  const auto add = [&](const Picture& picture) {
     if (!picture.in_bounces) return;
     const Spec spec = quality == Quality::draft ? draft(picture.spec) : picture.spec;
-    std::set<int>& cuts = cuts_[without_bounces(spec, picture.scene)];
-    cuts.insert({spec.path.from, spec.path.to + 1});
+    std::vector<pt::BounceRange>& ranges = ranges_[without_bounces(spec, picture.scene)];
+    const pt::BounceRange range{spec.path.from, spec.path.to};
+    if (std::find(ranges.begin(), ranges.end(), range) == ranges.end()) ranges.push_back(range);
   };
   for (const Figure& figure : catalogue.figures) {
-    for (const Picture& picture : figure.pictures) cut(picture);
-    if (figure.golden) cut(*figure.golden);
+    for (const Picture& picture : figure.pictures) add(picture);
+    if (figure.golden) add(*figure.golden);
   }
 }
 
@@ -78,10 +79,24 @@ Unit Plan::unit(const Picture& picture) const {
   return {spec, &code_of(picture)};
 }
 
-std::vector<Unit> Plan::layers(const Unit& whole, const std::string& scene) const {
-  const std::set<int>& cuts = cuts_.at(without_bounces(whole.spec, scene));
+// One render for all that is wanted of these bounces. Where that cannot be, because of how
+// somebody's trace_path is written, renders whose sum it is.
+std::vector<Unit> Plan::in_bounces(const Unit& whole, const std::string& scene) const {
+  const std::vector<pt::BounceRange>& ranges = ranges_.at(without_bounces(whole.spec, scene));
+  const pt::BounceRange wanted{whole.spec.path.from, whole.spec.path.to};
+  Unit walk = whole;
+  walk.spec.ranges = ranges;
+  walk.spec.path.from = 0;
+  walk.spec.path.to = 0;
+  for (const pt::BounceRange& range : ranges) {
+    walk.spec.path.to = std::max(walk.spec.path.to, range.to);
+    if (range == wanted) walk.range = static_cast<int>(&range - ranges.data());
+  }
+  if (!store_.failure(walk).starts_with(kNotApart)) return {walk};
+  std::set<int> cuts;
+  for (const pt::BounceRange& range : ranges) cuts.insert({range.from, range.to + 1});
   std::vector<Unit> layers;
-  for (auto cut = cuts.lower_bound(whole.spec.path.from); *cut <= whole.spec.path.to;) {
+  for (auto cut = cuts.lower_bound(wanted.from); *cut <= wanted.to;) {
     Unit layer = whole;
     layer.spec.path.from = *cut;
     layer.spec.path.to = *++cut - 1;
@@ -101,7 +116,7 @@ Unit Plan::for_time_of(const Picture& target, Unit pilot) const {
 
 std::vector<Unit> Plan::units(const Figure& figure, const Picture& picture) const {
   const Unit whole = unit(picture);
-  if (picture.in_bounces) return layers(whole, picture.scene);
+  if (picture.in_bounces) return in_bounces(whole, picture.scene);
   if (picture.time_of.empty()) return {whole};
   for (const Picture& target : figure.pictures) {
     if (target.id == picture.time_of) return {for_time_of(target, whole)};
@@ -172,6 +187,15 @@ std::vector<Unit> Plan::units(const Figure& figure) const {
     all.insert(all.end(), of_picture.begin(), of_picture.end());
   }
   return all;
+}
+
+double Plan::seconds(const Figure& figure) const {
+  std::set<std::string> keys;
+  double sum = 0;
+  for (const Unit& unit : units(figure)) {
+    if (keys.insert(store_.key(unit)).second) sum += store_.seconds(unit);
+  }
+  return sum;
 }
 
 }  // namespace writeup

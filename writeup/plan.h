@@ -33,6 +33,9 @@ class Plan {
   // Everything a figure needs that can be named so far.
   std::vector<Unit> units(const Figure& figure) const;
 
+  // Processor seconds of all of them, each once.
+  double seconds(const Figure& figure) const;
+
   // The uniform render from which the rates of an adaptive picture are predicted.
   Unit uniform(const Picture& picture) const;
 
@@ -53,15 +56,15 @@ class Plan {
  private:
   const Code& code_of(const Picture& picture) const;
   Unit unit(const Picture& picture) const;
-  std::vector<Unit> layers(const Unit& whole, const std::string& scene) const;
+  std::vector<Unit> in_bounces(const Unit& whole, const std::string& scene) const;
   Unit for_time_of(const Picture& target, Unit pilot) const;
 
   const Codes& codes_;
   const Scenes& scenes_;
   const Store& store_;
   Quality quality_;
-  // The bounces at which renders are cut, by everything else in their settings.
-  std::map<std::string, std::set<int>> cuts_;
+  // The bounces that are wanted, by everything else in the settings.
+  std::map<std::string, std::vector<pt::BounceRange>> ranges_;
 };
 
 inline constexpr pt::Engine kEngines[] = {pt::Engine::linear, pt::Engine::task, pt::Engine::wide};

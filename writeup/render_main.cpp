@@ -4,6 +4,7 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/render/choose_engine.h"
+#include "pt/render/render_apart.h"
 #include "pt/render/render_film.h"
 #include "pt/render/test_count.h"
 #include "pt/scene/frame_camera.h"
@@ -36,16 +37,40 @@ RowPixel row_pixel(const pt::FilmPixel& pixel, long long boxes) {
           static_cast<float>(boxes)};
 }
 
-Row render_row(const pt::View& view, int y, const pt::RenderSettings& settings) {
-  Row row;
-  const double start = cpu_seconds();
-  const std::int64_t rays_before = rays();
-  const pt::TestCount before = pt::test_count;
+void render_pixels(const pt::View& view, int y, const pt::RenderSettings& settings, Row& row) {
   for (int x = 0; x < view.width; ++x) {
     const long long boxes = pt::test_count.boxes;
     const pt::RenderedPixel rendered = render_pixel(view, x, y, settings);
     row.head.not_finite += rendered.not_finite;
     row.pixels.push_back(row_pixel(rendered.pixel, pt::test_count.boxes - boxes));
+  }
+}
+
+void render_ranges(const pt::View& view, int y, const pt::RenderSettings& settings,
+                   const std::vector<pt::BounceRange>& ranges, Row& row) {
+  row.pixels.resize(view.width * ranges.size());
+  for (int x = 0; x < view.width; ++x) {
+    const pt::PixelApart apart = render_pixel_apart(view, x, y, settings, ranges);
+    if (!apart.complete) {
+      throw pt::Error(std::string(kNotApart) + ": they do not add up to what trace_path returned");
+    }
+    row.head.not_finite += apart.not_finite;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      row.pixels[i * view.width + x] = row_pixel(apart.pixels[i], -1);
+    }
+  }
+}
+
+Row render_row(const pt::View& view, int y, const pt::RenderSettings& settings,
+               const std::vector<pt::BounceRange>& ranges) {
+  Row row;
+  const double start = cpu_seconds();
+  const std::int64_t rays_before = rays();
+  const pt::TestCount before = pt::test_count;
+  if (ranges.empty()) {
+    render_pixels(view, y, settings, row);
+  } else {
+    render_ranges(view, y, settings, ranges, row);
   }
   row.head.cpu_seconds = cpu_seconds() - start;
   row.head.rays = rays() - rays_before;
@@ -72,12 +97,12 @@ int run(const std::string& spec_file, const Band& band) {
   pt::LoadedScene loaded = pt::load_collada(spec.scene);
   if (!spec.path.show_normals) require_supported(loaded, spec.scene);
   choose_engine(loaded.scene, spec.engine, kMaxLeaf);
-  const pt::View view{
-      loaded.scene, frame_camera(loaded, pt::Framing::course, spec.frame_width, spec.frame_height),
-      spec.path, spec.width, spec.height};
+  const pt::View view{loaded.scene,
+                      frame_camera(loaded, spec.framing, spec.frame_width, spec.frame_height),
+                      spec.path, spec.width, spec.height};
   const pt::RenderSettings settings{spec.samples, spec.adaptive, spec.seed, 1};
-  for (int y = start_band(band, spec.width); y < band.first_row + band.rows; ++y) {
-    append_row(band.file(), render_row(view, y, settings));
+  for (int y = start_band(band, spec.row_pixels()); y < band.first_row + band.rows; ++y) {
+    append_row(band.file(), render_row(view, y, settings, spec.ranges));
   }
   const pt::Engine engine = loaded.scene.tracer.engine();
   finish_band(band, {missing_tasks(spec, engine), std::string(pt::name(engine)),

@@ -12,20 +12,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::size_t row_bytes(int width) { return sizeof(RowHead) + width * sizeof(RowPixel); }
+std::size_t row_bytes(int pixels) { return sizeof(RowHead) + pixels * sizeof(RowPixel); }
 
 }  // namespace
 
-int rows_in(const fs::path& file, int width) {
+int rows_in(const fs::path& file, int pixels) {
   std::error_code missing;
   const auto bytes = fs::file_size(file, missing);
-  return missing ? 0 : static_cast<int>(bytes / row_bytes(width));
+  return missing ? 0 : static_cast<int>(bytes / row_bytes(pixels));
 }
 
-void cut_to_rows(const fs::path& file, int width, int rows) {
+void cut_to_rows(const fs::path& file, int pixels, int rows) {
   if (!fs::exists(file)) return;
   std::error_code error;
-  fs::resize_file(file, row_bytes(width) * std::min(rows, rows_in(file, width)), error);
+  fs::resize_file(file, row_bytes(pixels) * std::min(rows, rows_in(file, pixels)), error);
   if (error) throw pt::Error(file.string() + " cannot be written: " + error.message());
 }
 
@@ -40,14 +40,14 @@ void append_row(const fs::path& file, const Row& row) {
   }
 }
 
-std::vector<Row> read_rows(const fs::path& file, int width) {
-  std::vector<Row> rows(rows_in(file, width));
+std::vector<Row> read_rows(const fs::path& file, int pixels) {
+  std::vector<Row> rows(rows_in(file, pixels));
   std::ifstream in(file, std::ios::binary);
   for (Row& row : rows) {
-    row.pixels.resize(width);
+    row.pixels.resize(pixels);
     in.read(reinterpret_cast<char*>(&row.head), sizeof row.head);
     in.read(reinterpret_cast<char*>(row.pixels.data()),
-            static_cast<std::streamsize>(width * sizeof(RowPixel)));
+            static_cast<std::streamsize>(pixels * sizeof(RowPixel)));
   }
   if (!rows.empty() && !in) throw pt::Error(file.string() + " cannot be read");
   return rows;

@@ -8,7 +8,8 @@
 
 // Rows of a render on their way from the program that renders them: a file that grows by one row at
 // a time, so that whatever ends that program, what it had finished is there and need not be made
-// again. Rows count from the bottom, as the tasks do.
+// again. Rows count from the bottom, as the tasks do. `pixels` is how many there are in a row: the
+// width of the picture, or of several, one beside the other (Spec::row_pixels()).
 
 namespace writeup {
 
@@ -30,12 +31,12 @@ struct Row {
 };
 
 // How many whole rows the file holds; 0 if it is not there.
-int rows_in(const std::filesystem::path& file, int width);
+int rows_in(const std::filesystem::path& file, int pixels);
 
 // Cuts off what is no whole row. Throws pt::Error if it cannot.
-void cut_to_rows(const std::filesystem::path& file, int width, int rows);
+void cut_to_rows(const std::filesystem::path& file, int pixels, int rows);
 
 void append_row(const std::filesystem::path& file, const Row& row);
-std::vector<Row> read_rows(const std::filesystem::path& file, int width);
+std::vector<Row> read_rows(const std::filesystem::path& file, int pixels);
 
 }  // namespace writeup

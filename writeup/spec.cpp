@@ -23,6 +23,7 @@ json to_json(const Spec& spec) {
   json out{{"scene", spec.scene},
            {"size", {spec.width, spec.height}},
            {"frame", {spec.frame_width, spec.frame_height}},
+           {"camera", spec.framing == pt::Framing::file ? "file" : "course"},
            {"samples", spec.samples},
            {"engine", kEngineNames.at(spec.engine)},
            {"seed", spec.seed},
@@ -31,6 +32,9 @@ json to_json(const Spec& spec) {
            {"hemisphere", spec.path.direct == Direct::hemisphere},
            {"survival", spec.path.survival},
            {"bounces", {spec.path.from, spec.path.to}}};
+  for (const pt::BounceRange& range : spec.ranges) {
+    out["ranges"].push_back({range.from, range.to});
+  }
   if (spec.adaptive) {
     out["adaptive"] =
         json{{"batch", spec.adaptive->batch}, {"tolerance", spec.adaptive->tolerance}};
@@ -56,6 +60,7 @@ Spec spec_from_json(const json& in) {
   spec.height = in.at("size").at(1);
   spec.frame_width = in.at("frame").at(0);
   spec.frame_height = in.at("frame").at(1);
+  if (in.at("camera") == "file") spec.framing = pt::Framing::file;
   spec.samples = in.at("samples");
   spec.engine = engine_of(in.at("engine"));
   spec.seed = in.at("seed");
@@ -65,6 +70,9 @@ Spec spec_from_json(const json& in) {
   spec.path.survival = in.at("survival");
   spec.path.from = in.at("bounces").at(0);
   spec.path.to = in.at("bounces").at(1);
+  for (const json& range : in.value("ranges", json::array())) {
+    spec.ranges.push_back({range.at(0), range.at(1)});
+  }
   if (in.contains("adaptive")) {
     const json& adaptive = in.at("adaptive");
     spec.adaptive = pt::AdaptiveSettings{spec.samples, adaptive.at("batch").get<int>(),
@@ -107,6 +115,7 @@ std::string render_command(const Spec& spec, const std::string& output) {
   if (spec.frame_width != 480 || spec.frame_height != 360) {
     words += fmt::format(" -r {} {}", spec.frame_width, spec.frame_height);
   }
+  if (spec.framing == pt::Framing::file) words += " --camera file";
   if (spec.engine != pt::Engine::task) words += " --engine " + kEngineNames.at(spec.engine);
   return words + fmt::format(" --seed {}", spec.seed);
 }

@@ -1,13 +1,17 @@
 #pragma once
 
+#include "pt/render/bounce_range.h"
+#include "pt/scene/frame_camera.h"
 #include "pt/scene/tracer.h"
 #include "pt/scene/view.h"
 #include "pt/tasks/adaptive_pixel.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -18,17 +22,24 @@ struct Spec {
   std::string scene;  // path
   int width = 480, height = 360;
   int frame_width = 480, frame_height = 360;  // the camera is framed for a picture of this size
-  int samples = 1;                            // per pixel; of an adaptive render: at most
+  pt::Framing framing = pt::Framing::course;
+  int samples = 1;  // per pixel; of an adaptive render: at most
   std::optional<pt::AdaptiveSettings> adaptive;
   pt::PathSettings path;
+  // If any: a picture of each of these bounces, all from the same paths; path has all of them.
+  std::vector<pt::BounceRange> ranges;
   pt::Engine engine = pt::Engine::task;
   std::uint64_t seed = 1;
 
   int pixels() const { return width * height; }
+  int row_pixels() const { return width * std::max(1, static_cast<int>(ranges.size())); }
 };
 
 nlohmann::json to_json(const Spec& spec);
 Spec spec_from_json(const nlohmann::json& json);
+
+// What a program says that cannot render all ranges at once; it begins like this.
+inline constexpr const char* kNotApart = "bounces cannot be taken apart";
 
 // The tasks whose code the pixels depend on.
 std::set<std::string> tasks_used(const Spec& spec);

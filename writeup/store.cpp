@@ -31,10 +31,11 @@ void add(RowHead& sum, const RowHead& more) {
   sum.not_finite += more.not_finite;
 }
 
-void enter_row(Rendered& result, int y, const Row& row) {
+// `first` is where in the row the picture begins.
+void enter_row(Rendered& result, int y, const Row& row, int first) {
   const int top = result.film.height - 1 - y;
   for (int x = 0; x < result.film.width; ++x) {
-    const RowPixel& from = row.pixels[x];
+    const RowPixel& from = row.pixels[first + x];
     const double variance = std::max(0.F, from.variance_y);
     result.film.set(x, top,
                     {{from.mean[0], from.mean[1], from.mean[2]}, {}, variance, from.samples});
@@ -122,7 +123,9 @@ Rendered Store::load(const Unit& unit) const {
   result.failed = failure(unit);
   for (const Band& band : bands(unit)) {
     int y = band.first_row;
-    for (const Row& row : read_rows(band.file(), unit.spec.width)) enter_row(result, y++, row);
+    for (const Row& row : read_rows(band.file(), unit.spec.row_pixels())) {
+      enter_row(result, y++, row, unit.range * unit.spec.width);
+    }
     if (!fs::exists(band.done())) continue;
     const BandEnd end = read_end(band);
     result.engine = end.engine;

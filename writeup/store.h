@@ -16,6 +16,7 @@ namespace writeup {
 struct Unit {
   Spec spec;
   const Code* code = nullptr;
+  int range = 0;  // which of the spec's ranges is meant, where it has some
 };
 
 // What came of it.

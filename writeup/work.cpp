@@ -84,7 +84,8 @@ class Workshop {
     const std::lock_guard lock(mutex_);
     double done = done_;
     for (const Job* job : running_) {
-      done += job->seconds * rows_in(job->band.file(), job->unit->spec.width) / job->band.rows;
+      done +=
+          job->seconds * rows_in(job->band.file(), job->unit->spec.row_pixels()) / job->band.rows;
     }
     return std::min(done / total_, 0.999);
   }

@@ -2,6 +2,8 @@
 
 #include "grader/wire/call.h"
 
+#include <algorithm>
+
 namespace grader::pictures {
 
 pt::PictureRows worker_rows(const pt::View& view, const pt::RowsRequest& request) {
@@ -13,8 +15,13 @@ pt::PictureRows worker_rows(const pt::View& view, const pt::RowsRequest& request
   const std::string_view reply =
       session().call(kFunction<&pt::render_rows>, Signature::code(), Repetition{}, out);
   auto rows = read_reply<pt::PictureRows>(reply, get<pt::PictureRows>);
-  const std::size_t pixels = static_cast<std::size_t>(view.width) * request.rows;
-  if (rows.mean.size() != pixels || rows.counts.size() != (request.adaptive ? pixels : 0)) {
+  const std::size_t pixels = static_cast<std::size_t>(view.width) * request.rows *
+                             std::max<std::size_t>(1, request.ranges.size());
+  const auto none_or_all = [&](const std::vector<double>& values) {
+    return values.empty() || values.size() == pixels;
+  };
+  if (rows.mean.size() != pixels || rows.counts.size() != (request.adaptive ? pixels : 0) ||
+      !none_or_all(rows.measured.variance_y) || !none_or_all(rows.measured.boxes)) {
     session().reject("rows of another size than the picture's");
   }
   return rows;

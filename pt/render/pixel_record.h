@@ -6,12 +6,15 @@ namespace pt {
 
 // The statistics of the samples of the pixel that this thread renders, whichever task drew them:
 // the picture's variance comes from here, and the mean from the task. The render loop empties it
-// before each pixel; the implementation `recorded` of radiance() fills it.
+// before each pixel; the implementations `recorded` and `apart` of radiance() fill it.
 struct PixelRecord {
   RunningMoments moments;  // of the finite samples
   int not_finite = 0;      // NaN or infinite: left out of the picture
 };
 
 PixelRecord& pixel_record();
+
+// Enters a sample. Returns it, or black where it is not finite.
+Rgb recorded(Rgb sample);
 
 }  // namespace pt

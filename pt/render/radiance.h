@@ -13,6 +13,8 @@ namespace pt {
 //             included (pt/render/radiance_path.cpp);
 //   recorded  the same, each sample also entered in this thread's PixelRecord, and one that is not
 //             finite replaced by black there (pt/render/radiance_recorded.cpp: the render program);
+//   apart     the same, and each sample also by its bounces (pt/render/radiance_apart.h: the
+//             write-up);
 //   scripted  whatever a test wants the pixel to see (grader).
 //
 // In:  a world-space ray of unit direction. Black where it meets nothing.

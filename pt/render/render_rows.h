@@ -1,6 +1,8 @@
 #pragma once
 
 #include "pt/math/rgb.h"
+#include "pt/render/bounce_range.h"
+#include "pt/render/test_count.h"
 #include "pt/scene/view.h"
 #include "pt/tasks/adaptive_pixel.h"
 
@@ -17,16 +19,31 @@ struct RowsRequest {
   int samples = 1;                           // per pixel; unless adaptive
   std::optional<AdaptiveSettings> adaptive;  // adaptive_pixel in place of estimate_pixel
   std::uint64_t seed = 0;
+  std::vector<BounceRange> ranges{};  // for `measured`: a picture of each, from the same paths
+};
+
+// What only the implementation `measured` of render_rows says, of a value per pixel like the means.
+struct RowsMeasured {
+  std::vector<double> variance_y;  // of one sample's luminance
+  std::vector<double> boxes;       // tested for the pixel; empty if there are ranges
+  TestCount tests;                 // of all
+  long long not_finite = 0;        // samples that are left out
+  bool apart = true;               // false: the ranges cannot be had from the same paths
 };
 
 // A value per pixel, from the left, row by row from the request's first.
 struct PictureRows {
   std::vector<Rgb> mean;    // as the task returned it, NaN included
   std::vector<int> counts;  // the samples that adaptive_pixel says it took; else empty
+  RowsMeasured measured;
 };
 
-// Only the numbers: a grader judges them elsewhere. Each pixel has its own random
-// numbers, from the seed and its place.
+// Only the numbers: others judge them elsewhere. Each pixel has its own random numbers, from the
+// seed and its place. A slot of the seam with two implementations:
+//   plain     (pt/render/render_rows.cpp), for the grader;
+//   measured  (pt/render/render_rows_measured.cpp), for the write-up: samples that are not finite
+//             are left out of the mean, and of each row there is a picture per range, one after the
+//             other.
 PictureRows render_rows(const View& view, const RowsRequest& request);
 
 }  // namespace pt

@@ -1,8 +1,12 @@
 #include "pt/scene/scene.h"
 
+#include "pt/scene/hit_tape.h"
+
 #include <cmath>
 
 namespace pt {
+
+constinit thread_local HitTape* hit_tape = nullptr;
 
 namespace {
 
@@ -28,11 +32,29 @@ Vec3 unit_geometric_normal(const Primitives& primitives, const Hit& hit) {
              : hit.n;
 }
 
+std::optional<Hit> traced(const Scene& scene, const Ray& ray) {
+  ++ray_count.closest;
+  return scene.tracer.closest(scene.primitives, ray);
+}
+
+bool same(const Ray& a, const Ray& b) {
+  return a.origin == b.origin && a.direction == b.direction && a.t_min == b.t_min &&
+         a.t_max == b.t_max;
+}
+
+// A ray that is not the next on the tape is traced.
+std::optional<Hit> closest_by_tape(HitTape& tape, const Scene& scene, const Ray& ray) {
+  if (tape.mode == HitTape::Mode::record) {
+    return tape.entries.emplace_back(ray, traced(scene, ray)).hit;
+  }
+  const bool known = tape.next < tape.entries.size() && same(tape.entries[tape.next].ray, ray);
+  return known ? tape.entries[tape.next++].hit : traced(scene, ray);
+}
+
 }  // namespace
 
 std::optional<Hit> Scene::closest(const Ray& ray) const {
-  ++ray_count.closest;
-  return tracer.closest(primitives, ray);
+  return hit_tape == nullptr ? traced(*this, ray) : closest_by_tape(*hit_tape, *this, ray);
 }
 
 bool Scene::occluded(const Ray& ray) const {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "pt/math/rgb.h"
+#include "pt/render/bounce_range.h"
+#include "pt/sampling/sampler.h"
+#include "pt/scene/scene.h"
+#include "pt/scene/view.h"
+
+#include <span>
+#include <vector>
+
+namespace pt {
+
+// The parts of one estimate of trace_path, bounce by bounce, whoever wrote it. The path is walked
+// once. Its direct light and its hits are kept on tapes, and it is walked again on these for each
+// range whose light is wanted, without a ray: all direct light of other bounces is then black. What
+// comes back is what the range adds to the sum, for the sum is linear in direct light. It works
+// where direct_lights and direct_hemisphere are linked in their taped form (cmake/taped.cpp.in).
+struct BouncesApart {
+  Rgb sum;                  // what trace_path returned
+  std::vector<Rgb> ranges;  // what each adds to it
+  bool complete = false;    // they add up to it
+};
+
+// Ranges do not overlap, and cover all bounces from 1 to settings.to; settings.from <= 1. The
+// sampler is afterwards where one call of trace_path leaves it.
+BouncesApart trace_path_apart(const Scene& scene, const SurfacePoint& point,
+                              const PathSettings& settings, std::span<const BounceRange> ranges,
+                              Sampler& sampler);
+
+// What the taped form of a task returns: what the task itself does, or what it is on the tape.
+using DirectTask = Rgb(const Scene&, const SurfacePoint&, int, Sampler&);
+Rgb direct_by_tape(DirectTask& task, const Scene& scene, const SurfacePoint& point, int samples,
+                   Sampler& sampler);
+
+}  // namespace pt

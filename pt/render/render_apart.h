@@ -1,0 +1,24 @@
+#pragma once
+
+#include "pt/render/bounces_apart.h"
+#include "pt/render/render_film.h"
+
+#include <span>
+#include <vector>
+
+namespace pt {
+
+// One pixel in several ranges of bounces, all from the same paths.
+struct PixelApart {
+  std::vector<FilmPixel> pixels;  // of each range
+  int not_finite = 0;             // samples that are left out
+  bool complete = true;           // else the tasks linked here cannot be taken apart
+};
+
+// Where radiance() is the implementation `apart`. The view's bounces are those of all ranges
+// together; settings are not adaptive. What is taken apart are samples of the whole, whose mean the
+// task has to return.
+PixelApart render_pixel_apart(const View& view, int x, int y, const RenderSettings& settings,
+                              std::span<const BounceRange> ranges);
+
+}  // namespace pt
