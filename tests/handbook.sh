@@ -41,7 +41,7 @@ check_page() {
 check_picture() {
   local picture=$1 name page
   name=$(basename "$picture" .png)
-  [ "$(stat -c %s "$picture")" -le 61440 ] || complain "$picture is larger than 60 KiB"
+  [ "$(stat -c %s "$picture")" -le 122880 ] || complain "$picture is larger than 120 KiB"
   page=$(grep -lF "pictures/$name.png" student/*/README.md || true)
   [ -n "$page" ] || { complain "no page shows $picture"; return; }
   # The sample-rate pictures are written beside the picture that the command names.

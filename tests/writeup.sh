@@ -108,6 +108,34 @@ for words in crashed 'endless loop'; do
 done
 [ -s "$folder/work/draft/figures/soft_shadows.l4.png" ] || complain "the other pictures are missing"
 
+# A trace_path that cannot be taken apart by bounces: these are rendered one by one, and give the same.
+code layered reference
+cat >"$folder/writeup/layered" <<END
+#!/bin/bash
+grep -qF '"ranges"' "\$1" && { echo 'bounces cannot be taken apart: no' >&2; exit 2; }
+exec "$build/writeup/writeup_render.reference" "\$@"
+END
+expect 0 'draft/index.html' writeup layered components
+if grep -n 'class="problem"' "$folder/work/draft/part4.html"; then complain "layers have problems"; fi
+
+# The pictures that are kept are those that the plan makes, and no others.
+handbook() {
+  "$build/writeup/writeup" --handbook --from reference --renderer "$folder/writeup/reference" \
+    --mistakes "$build/writeup" --generate "$build/scenes/generate" --work "$folder/work" "$@"
+}
+expect 0 '' handbook --check 1 2
+kept=$folder/kept
+mkdir "$kept"
+cp -r --parents student/pictures docs/four_bugs docs/*.png "$kept"
+cp student/pictures/gems.png "$kept/student/pictures/coil_normals.png"
+expect 1 'coil_normals: ' handbook --check 2 --out "$kept"
+cp student/pictures/gems.png "$kept/docs/another.png"
+expect 1 'another.png is in no plan' handbook --check gems --out "$kept"
+expect 0 'coil_normals.png' handbook 2 --out "$kept"
+cmp -s student/pictures/coil_normals.png "$kept/student/pictures/coil_normals.png" ||
+  complain "coil_normals.png was not mended"
+expect 2 'handbook' "$build/writeup/writeup" --check
+
 # A wrong name is found before anything is made.
 texts=$folder/texts
 mkdir "$texts"

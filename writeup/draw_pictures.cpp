@@ -132,7 +132,7 @@ class Artist {
     }
     const bool unknown = (picture.look == Look::predicted && !sum.has_variance) ||
                          (picture.look == Look::boxes && (sum.boxes.empty() || sum.boxes[0] < 0));
-    return unknown ? kNotMeasured + std::string(": code in the box is not asked for this") : "";
+    return unknown ? kNotMeasured : "";
   }
 
   void describe(const Picture& picture, const Composed& composed, Shown& shown) {

@@ -18,10 +18,9 @@ constexpr double kLinearTests = 3e8;
 constexpr double kDraftLinearTests = 1e7;
 
 Spec draft(Spec spec) {
-  if (spec.width > kSmall) {
-    spec.width /= kDraftSize;
-    spec.height = std::max(spec.height / kDraftSize, 1);
-  }
+  if (spec.width <= kSmall) return spec;
+  spec.width /= kDraftSize;
+  spec.height = std::max(spec.height / kDraftSize, 1);
   spec.samples = std::max(spec.samples / kDraftSamples, 1);
   if (spec.adaptive) {
     spec.samples = std::max(spec.samples, 32);
