@@ -6,19 +6,21 @@
 
 #include <rapidcheck.h>
 
-// Cameras, and the way back from a ray to the picture: for camera_ray, estimate_pixel and
-// adaptive_pixel.
+// Random cameras, and the way back from a ray to its point of the picture. For camera_ray,
+// estimate_pixel and adaptive_pixel.
 
 namespace grader::check {
 
-// Any position and rotation, narrow and wide fields of view that are not tied to each other.
+// A camera with any position and rotation. Its two fields of view are narrow or wide, independently
+// of each other.
 rc::Gen<pt::Camera> camera();
 
-// Where a direction meets the camera's window, which goes from (-1, -1) to (1, 1) between the edges
-// of the picture. NaN behind the camera.
+// Returns where a direction meets the camera's window, which goes from (-1, -1) to (1, 1) between
+// the edges of the picture. The result is NaN for a direction behind the camera.
 pt::Vec2 on_window(const pt::Camera& camera, pt::Vec3 direction);
 
-// The same as the arguments of camera_ray: (0, 0) is the bottom left corner, (1, 1) the top right.
+// Returns the same point as arguments of camera_ray: (0, 0) is the bottom left corner, (1, 1) the
+// top right.
 pt::Vec2 on_picture(const pt::Camera& camera, pt::Vec3 direction);
 
 }  // namespace grader::check

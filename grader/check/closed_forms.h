@@ -5,17 +5,17 @@
 
 #include <vector>
 
-// Light where a formula gives it exactly: the oracles of the tasks that estimate light.
+// Formulas that give light exactly. They are the oracles of the tasks that estimate light.
 
 namespace grader::check {
 
-// The cosine at p, summed over all directions that a flat convex polygon fills above the surface
-// with normal n at p: the irradiance that it gives for radiance 1, in [0, pi]. Lambert's formula
-// (Lambert 1760, Photometria), for the part of the polygon above the horizon. p is not in its
-// plane.
+// The irradiance at p, where the normal is n, from a flat convex polygon of radiance 1; in [0, pi].
+// It is the cosine, summed over all directions from p to the part of the polygon above the horizon,
+// by Lambert's formula (Lambert 1760, Photometria). p must not be in the polygon's plane.
 double cosine_of_polygon(const std::vector<pt::Vec3>& corners, pt::Vec3 p, pt::Vec3 n);
 
-// The same for a ball that is wholly above the horizon: pi (R / D)^2 cos; 0 if it is wholly below.
+// The same for a ball that is entirely above the horizon: pi (R / D)^2 cos. It is 0 if the ball is
+// entirely below.
 double cosine_of_ball(pt::Vec3 center, double radius, pt::Vec3 p, pt::Vec3 n);
 
 // The same for the half of all directions with dot(direction, up) > 0.
@@ -27,8 +27,8 @@ double solid_angle(pt::Vec3 p0, pt::Vec3 p1, pt::Vec3 p2, pt::Vec3 p);
 // a^from + ... + a^to, channel by channel.
 pt::Rgb power_sum(pt::Rgb a, int from, int to);
 
-// The value that a chi-square statistic of so many degrees of freedom exceeds by chance about 1e-9
-// of the time (Wilson and Hilferty 1931).
+// Returns the limit of a chi-square statistic with so many degrees of freedom. By chance, the
+// statistic exceeds it with a probability of about 1e-9 (Wilson and Hilferty 1931).
 double chi_square_limit(int degrees_of_freedom);
 
 }  // namespace grader::check

@@ -5,7 +5,8 @@
 
 namespace pt {
 
-// A slab at a time; a ray that stays inside the slab's planes crosses it everywhere.
+// Tests one slab after the other. A ray that is parallel to a slab is inside it everywhere or
+// nowhere.
 std::optional<Interval> hit_box(const Box& box, const Ray& about) {
   grader::check::count(box);
   const Ray ray = grader::check::asked(about);

@@ -4,7 +4,8 @@
 
 namespace pt {
 
-// As the wide engine decides it: learners get this file, and shall not find the task solved in it.
+// Uses the test of the wide engine. Learners get this file, so it must not contain a solution of
+// the task.
 std::optional<SurfaceHit> hit_triangle(const Triangle& triangle, const Ray& about) {
   grader::check::count(triangle);
   const Ray ray = grader::check::asked(about);

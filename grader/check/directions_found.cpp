@@ -45,7 +45,7 @@ struct Region {
   }
 };
 
-// Rings around the normal, and sectors around it.
+// Returns the rings and the sectors around the normal, with their numbers of directions.
 std::vector<Region> regions_of(const std::vector<DirectionCell>& cells) {
   std::vector<Region> regions;
   for (std::size_t i = 0; i + 1 < kRings.size(); ++i) {

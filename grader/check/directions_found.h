@@ -5,21 +5,22 @@
 #include <string>
 #include <vector>
 
-// Where the directions go that a sampler chooses, against where they should go.
+// Compares the directions that a sampler chooses with the directions that it should choose.
 
 namespace grader::check {
 
-// A cell of the hemisphere: a direction in the middle of it, in local coordinates (z along the
-// normal), how many directions went there and how many should on average.
+// A cell of the hemisphere. `middle` is the direction in its middle, in local coordinates (z along
+// the normal). `found` is the number of directions in the cell, and `expected` the right mean
+// number.
 struct DirectionCell {
   pt::Vec3 middle;
   double found = 0;
   double expected = 0;
 };
 
-// Makes the case fail if the directions are not spread as expected, by a chi-square test that fails
-// right ones 1e-9 of the time. It says where most of them are missing or too many, as in
-// "0 directions within 20 degrees of the normal".
+// Makes the case fail if the directions are not spread as expected. The chi-square test fails right
+// directions with a probability of 1e-9. The failure names the region that is most wrong, for
+// example "0 directions within 20 degrees of the normal".
 void expect_spread(const std::vector<DirectionCell>& cells);
 
 }  // namespace grader::check

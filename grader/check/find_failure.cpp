@@ -20,12 +20,11 @@ using results::Failure;
 
 constexpr std::chrono::milliseconds kShrinkTime{500};
 
-// Thrown to end what RapidCheck does: it would go on with a search for as long as it finds
-// something.
+// Thrown to stop RapidCheck, which would continue a search for as long as it finds something.
 struct Enough {};
 
-// How many smaller inputs to try after a failure: a call that died costs a new process, one that
-// hangs the whole limit.
+// Returns how many smaller inputs to try after a failure. A call that crashed costs a new process,
+// and a call that hangs costs the whole time limit.
 int shrink_attempts(Cause cause) {
   switch (cause) {
     case Cause::wrong:
@@ -41,8 +40,8 @@ int shrink_attempts(Cause cause) {
   return 0;
 }
 
-// A property whose runs are counted, so that one of them can be found again. RapidCheck knows a
-// failure by its text alone: the failure itself waits here.
+// A property whose runs are counted, so that one of them can be repeated. RapidCheck keeps only the
+// text of a failure, so the failure itself is stored here.
 struct Counted {
   const std::function<void()>& property;
   int stop_at = 0;  // the run before which a debugger stops; 0: none
@@ -61,8 +60,8 @@ struct Counted {
   }
 };
 
-// RapidCheck gives the type where the generator has no name; names end in a colon (draw). A value
-// of several lines, such as a sphere and a ray, is several inputs.
+// RapidCheck gives the type if the generator has no name. Names end in a colon (draw). A value of
+// several lines, for example a sphere and a ray, becomes several inputs.
 void add_input(Failure& failure, const std::string& name, const std::string& value) {
   std::istringstream lines(value);
   for (std::string line; std::getline(lines, line);) {
@@ -71,8 +70,9 @@ void add_input(Failure& failure, const std::string& name, const std::string& val
   }
 }
 
-// Follows a search: keeps the smallest failing case, and ends the search for a smaller one after
-// a while. (RapidCheck's own listener reads its configuration from the environment and prints it.)
+// Watches a search: keeps the smallest failing case, and ends the search for a smaller one after
+// some time. (RapidCheck's own listener reads its configuration from the environment and prints
+// it.)
 class Watcher : public rc::detail::TestListener {
  public:
   Watcher(const Counted& counted, bool shrinks) : counted_(counted), shrinks_(shrinks) {}
@@ -89,7 +89,8 @@ class Watcher : public rc::detail::TestListener {
 
   void onShrinkTried(const rc::detail::CaseDescription& tried, bool fails) override {
     if (fails) {
-      // How far the search gets depends on the machine; the cause, and so the verdict, must not.
+      // The search goes as far as the speed of the machine allows. The cause, and so the verdict,
+      // must not depend on the machine.
       const Cause cause = counted_.failure ? counted_.failure->cause : Cause::wrong;
       if (cause == cause_) keep(tried);
       attempts_left_ = std::min(attempts_left_, shrink_attempts(cause));
@@ -108,7 +109,7 @@ class Watcher : public rc::detail::TestListener {
   }
 
  private:
-  // Where something else was thrown, RapidCheck has the words.
+  // If something else was thrown, the text of RapidCheck says what.
   void keep(const rc::detail::CaseDescription& tried) {
     smallest_ = tried;
     smallest_run_ = counted_.runs;
@@ -118,7 +119,7 @@ class Watcher : public rc::detail::TestListener {
   const Counted& counted_;
   bool shrinks_ = true;
   std::optional<rc::detail::CaseDescription> smallest_;
-  Failure failure_;  // of the smallest
+  Failure failure_;  // of the smallest failing case
   int smallest_run_ = 0;
   int held_ = 0;
   int attempts_left_ = 0;
@@ -126,7 +127,7 @@ class Watcher : public rc::detail::TestListener {
   Clock::time_point deadline_;
 };
 
-// Ends a search after the run that it is about.
+// Ends a search after the run that is to be repeated.
 class Replayer : public rc::detail::TestListener {
  public:
   explicit Replayer(const Counted& counted) : counted_(counted) {}
@@ -143,7 +144,7 @@ class Replayer : public rc::detail::TestListener {
   const Counted& counted_;
 };
 
-// What RapidCheck has to say if the property failed and the listener did not end it.
+// Returns RapidCheck's message if the property failed and the listener did not end the search.
 std::string check(Counted& counted, const Search& search, rc::detail::TestListener& listener) {
   rc::detail::TestParams params;
   params.seed = search.seed;

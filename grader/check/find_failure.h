@@ -7,27 +7,27 @@
 #include <optional>
 #include <string>
 
-// Random inputs for a property, and a small one for which it fails. The private parts of RapidCheck
-// (rc::detail) are used in find_failure.cpp and nowhere else: its public functions neither hand over
-// the failing input nor end a search.
+// Runs a property on random inputs, and finds a small input for which it fails. The private parts
+// of RapidCheck (rc::detail) are used only in find_failure.cpp: its public functions neither return
+// the failing input nor stop a search.
 
 namespace grader::check {
 
 struct Search {
-  std::uint64_t seed = 0;  // of all inputs
-  int cases = 0;           // at most
-  bool shrinks = true;     // looks for a smaller input, for a bounded time
+  std::uint64_t seed = 0;  // of the random inputs
+  int cases = 0;           // the largest number of random inputs
+  bool shrinks = true;     // looks for a smaller input, for a limited time
 };
 
 struct Found {
   std::optional<results::Failure> failure;  // on the smallest input found; none if all cases held
-  int run = 0;                              // of the property, counted from 1, that failed on it
-  std::string fault;  // what is wrong with the property itself, as where it has no inputs
+  int run = 0;        // the run of the property that failed on it, counted from 1
+  std::string fault;  // what is wrong with the property itself, for example no inputs
 };
 
 Found find_failure(const std::function<void()>& property, const Search& search);
 
-// Does the same search again, and stops a debugger (at_smallest_failure) just before the run.
+// Repeats the same search. A debugger stops (at_smallest_failure) just before this run.
 void run_again(const std::function<void()>& property, const Search& search, int run);
 
 // The place where a debugger stops (./run debug).

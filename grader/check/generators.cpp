@@ -9,8 +9,8 @@ namespace grader::check {
 
 namespace {
 
-// A generator from a function that makes a value of one random number, and one that lists what is
-// simpler than a value, simplest first.
+// Makes a generator from two functions. `make` turns a random number into a value. `simpler` lists
+// the values that are simpler than a value, the simplest first.
 template <class Make, class Simpler>
 auto shrinking(Make make, Simpler simpler) {
   using T = decltype(make(0.0));
@@ -22,16 +22,17 @@ auto shrinking(Make make, Simpler simpler) {
   });
 }
 
-constexpr int kDigits = 4;  // the roundings that shrinking tries
+constexpr int kDigits = 4;  // how many roundings shrinking tries
 
 double rounded(double x, double unit) {
-  // Dividing by a whole number gives the double next to a decimal; multiplying by 0.1 does not.
+  // Division by a whole number gives the double closest to a decimal; multiplication by 0.1 does
+  // not.
   return unit < 1 ? std::round(x * std::round(1 / unit)) / std::round(1 / unit)
                   : std::round(x / unit) * unit;
 }
 
-// The roundings of x to ever more digits after the one that `unit` stands for; once x is one of
-// them itself, the steps of that unit between `target` and x.
+// Lists roundings of x: first to multiples of `unit`, then with one more digit each time. If x
+// itself is such a multiple, the list goes on with steps of that unit between `target` and x.
 std::vector<double> simpler(double x, double target, double unit, double low, double high) {
   std::vector<double> all;
   if (x == target) return all;
@@ -52,7 +53,8 @@ std::vector<double> simpler(double x, double target, double unit, double low, do
 
 double power_of_ten(double x) { return std::pow(10, std::floor(std::log10(x))); }
 
-// Rounding to ever more leading digits; a value of one digit goes by powers of ten.
+// Lists roundings of x to more and more leading digits. A power of ten goes to the next power of
+// ten.
 std::vector<double> simpler_magnitude(double x, double target, double low, double high) {
   std::vector<double> all;
   if (x == target) return all;
@@ -73,7 +75,7 @@ std::vector<double> simpler_magnitude(double x, double target, double low, doubl
   return all;
 }
 
-// Directions that are easy to read, simplest first.
+// Directions that are easy to read, the simplest first.
 const std::vector<pt::Vec3>& simple_directions() {
   static const std::vector<pt::Vec3> all = [] {
     std::vector<pt::Vec3> list{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}};

@@ -15,7 +15,7 @@ namespace {
 constexpr int kCalls = 600;
 constexpr int kLags = 3;  // a light takes up to three random numbers
 
-// The correlation of one channel of each answer with another one of the answer `lag` calls later.
+// The correlation of channel a of each answer with channel b of the answer `lag` calls later.
 double correlation(const std::vector<Rgb>& answers, const Mean& mean, int lag, int a, int b) {
   double together = 0, all_a = 0, all_b = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -28,7 +28,7 @@ double correlation(const std::vector<Rgb>& answers, const Mean& mean, int lag, i
 }
 
 void expect_independent(const std::vector<Rgb>& answers) {
-  // Of independent answers a correlation is about normal, with a deviation of 1 / sqrt(calls).
+  // The correlation of independent answers is about normal, with a deviation of 1 / sqrt(calls).
   const double limit = (kStandardErrors + 1) / std::sqrt(kCalls);
   const Mean mean = mean_of(answers);
   for (int lag = 1; lag <= kLags; ++lag) {

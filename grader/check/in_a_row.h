@@ -8,15 +8,16 @@
 
 namespace grader::check {
 
-// A task that draws random numbers, called with all its other arguments: its answer as a color.
+// A call of a task that draws random numbers, with all other arguments fixed. It returns the answer
+// as a colour.
 using Drawing = std::function<pt::Rgb(pt::Sampler&)>;
 
-// Calls the task many times in a row, with one sampler, and makes the case fail unless
-// - the sampler goes on: a call leaves it in another state,
-// - the calls are independent: those that follow each other are not correlated,
+// Calls the task many times in a row, with one sampler. The case fails unless
+// - the sampler goes on: every call changes its state,
+// - the calls are independent: calls that follow each other are not correlated,
 // - nothing else is random or remembered: a sampler in the state of the first call gives the same
 //   answer again.
-// The arguments must be such that an answer is random. Returns the answers.
+// The arguments must make the answer random. Returns the answers.
 std::vector<pt::Rgb> expect_goes_on(std::uint64_t seed, const Drawing& task);
 
 }  // namespace grader::check

@@ -9,20 +9,20 @@
 
 namespace grader::check {
 
-// Random numbers by the hundred, from one seed that a property draws: faster than as many values of
-// RapidCheck, and enough where it is their number that has to shrink and not each of them.
+// Hundreds of random numbers from one seed that a property draws. This is faster than one value of
+// RapidCheck per number. It is enough if only the number of objects has to shrink, not each value.
 class Many {
  public:
   explicit Many(std::uint64_t seed) : sampler_(seed) {}
 
   double between(double low, double high) { return low + (high - low) * sampler_.next_1d(); }
 
-  // In low .. high, both included.
+  // An integer in low .. high, both included.
   int whole(int low, int high) {
     return low + static_cast<int>(sampler_.next_1d() * (high - low + 1));
   }
 
-  // Each component in [low, high].
+  // A vector with each component in [low, high].
   pt::Vec3 vector(double low, double high) {
     const double x = between(low, high), y = between(low, high);
     return {x, y, between(low, high)};

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-// Means of random draws: what they may be by chance, and how noisy the draws may be.
+// Means of random draws: how far they may be off by chance, and how noisy the draws may be.
 
 namespace grader::check {
 
@@ -19,13 +19,14 @@ Rgb abs(Rgb c) { return {std::abs(c.r), std::abs(c.g), std::abs(c.b)}; }
 
 Rgb larger(Rgb a, Rgb b) { return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)}; }
 
-// More than half of a sum in one draw: another sample of draws would have had another mean.
+// Returns whether one draw is more than half of the sum. Then other draws would give another mean.
 bool hangs_on_one_draw(const Mean& got, int channel) {
   return got.n > 2 && got.largest_share[channel] > 0.5;
 }
 
-// The standard deviation that draws of the largest right one exceed less than once in a million
-// samples of this size: what is measured of n draws has a relative variance of about kurtosis / n.
+// The limit for a measured standard deviation. If the true deviation is the largest right one, it
+// is exceeded less than once in a million sets of n draws. The variance that is measured on n draws
+// has a relative variance of about kurtosis / n.
 double most_measured(const Noise& at_most, int channel, int n) {
   const double by_chance = kStandardErrors * std::sqrt(at_most.kurtosis / n);
   return at_most.deviation[channel] * std::sqrt(1 + by_chance);
@@ -45,7 +46,8 @@ double deviation(const Mean& got, int channel) {
                             : fmt::format("{:.3g}", off));
 }
 
-// The first word of such a failure: whether the mean would do if the noise were none.
+// The first words of a failure because of noise. `right`: without the noise, the mean would be
+// right.
 std::string too_noisy(bool right) {
   return right ? "right on average, but too noisy" : "too noisy to judge";
 }

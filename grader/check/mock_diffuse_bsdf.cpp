@@ -3,9 +3,10 @@
 
 #include <cmath>
 
-// Beside a trace_path that is judged alone: a surface that is seen straight from above chooses its
-// directions uniformly, seen from elsewhere by the cosine. Both are right, and f cos / pdf is the
-// albedo for one of them only. wo and wi are taken to be on one side: that is all trace_path needs.
+// The mock version of the BSDF for a trace_path that is judged alone. A surface that is seen from
+// straight above draws uniform directions; seen from elsewhere, it draws cosine-weighted ones. Both
+// are right, but f cos / pdf is the albedo only for the second. wo and wi are assumed to be on one
+// side, which is all that trace_path needs.
 
 namespace pt {
 

@@ -40,7 +40,7 @@ std::string print(const Failure& failure) {
   return text;
 }
 
-// Without the digits far below `step`, but five at least.
+// Writes the value without the digits far below `step`, but with at least five digits.
 std::string rounded_for_people(double value, double step) {
   const double digits = std::ceil(std::log10(std::abs(value) / step)) + 1;
   if (!(digits < 17)) return fmt::format("{}", value);

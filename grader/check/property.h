@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-// How a promise of a contract is checked. A property is a GoogleTest named as the promise, in a
-// suite named as the task, whose body hands one RapidCheck property to for_all:
+// How a promise of a contract is checked. A property is a GoogleTest with the name of the promise,
+// in a suite with the name of the task. Its body hands a RapidCheck property to for_all:
 //
 //   PROMISE(hit_sphere, returns_the_outward_unit_normal) {
 //     for_all([] {
@@ -25,63 +25,63 @@
 //     });
 //   }
 //
-// Everything that varies comes from generators (operator* inside the property), so that a failure
-// can be shrunk and replayed; nothing else may be random, and no EXPECT_ or ASSERT_ is used inside,
-// since only the functions below make a case fail.
+// All random values come from generators (operator* inside the property), so that a failure can be
+// shrunk and replayed. Nothing else may be random. No EXPECT_ or ASSERT_ is used inside, since only
+// the functions below make a case fail.
 
 #define PROMISE(task, name) TEST(task, name)
 
 namespace grader::check {
 
-// A promise that was not kept in this process.
+// A promise that failed in this process.
 struct FailedPromise {
   std::string task;     // the slug
   std::string promise;  // the property's name
   results::Failure failure;
 };
 
-// Runs the property on up to `cases` random inputs, or until one fails, and then looks for a
-// smaller one for a bounded time. The seed is that of this run (seed()) mixed with the property's
+// Runs the property on up to `cases` random inputs, or until one fails. After a failure it looks
+// for a smaller failing input for a limited time. The seed is seed(), mixed with the property's
 // name.
 void for_all(const std::function<void()>& property, int cases = 100);
 
-// From now on, the first failing input is kept and no smaller one is looked for: for who only has
-// to know which promises hold.
+// From now on, the first failing input is kept and no smaller one is searched. This is for programs
+// that only need to know which promises hold.
 void never_shrink();
 
-// For a property with nothing random in it.
+// For a property without random inputs.
 inline void once(const std::function<void()>& property) { for_all(property, 1); }
 
 // The failures of this process so far, in the order in which they happened.
 const std::vector<FailedPromise>& failures();
 
-// The seed of this run: FIRSTLIGHT_SEED, else 1.
+// The seed of this run: the environment variable FIRSTLIGHT_SEED, or else 1.
 std::uint64_t seed();
 
 // Makes the case fail if the condition is false.
 void expect(bool condition, const std::string& expected, const std::string& got);
 
-// |got - expected| <= tolerance, and NaN fails. `what` names the quantity.
+// Makes the case fail unless |got - expected| <= tolerance; NaN fails. `what` names the quantity.
 void expect_near(const std::string& what, double got, double expected, double tolerance);
 void expect_near(const std::string& what, pt::Vec3 got, pt::Vec3 expected, double tolerance);
 void expect_near(const std::string& what, pt::Rgb got, pt::Rgb expected, double tolerance);
 
-// got == expected, exactly.
+// Makes the case fail unless got == expected, exactly.
 void expect_equal(const std::string& what, long long got, long long expected);
 
-// Makes the case fail because a call gave no answer; `got` says what it did instead.
+// Makes the case fail because a call gave no answer. `got` says what the call did instead.
 [[noreturn]] void fail_call(results::Cause cause, const std::string& got);
 
-// The precision of a color, a BSDF, a pdf or a radiance that the contracts ask for, relative to its
-// size: single precision keeps it, and so does pi to six digits.
+// The relative precision that the contracts require of a colour, a BSDF, a pdf or a radiance.
+// Single precision is enough for it, and so is pi to six digits.
 inline constexpr double kColorPrecision = 1e-5;
 
-// The mean of many draws, and how far it may be from what it estimates by chance.
+// The mean of many draws, and its statistical error.
 struct Mean {
   pt::Rgb value;
   pt::Rgb standard_error;
   int n = 0;
-  pt::Rgb largest_share;  // how much of the sum of all |draw| is one draw, in [0, 1]; 0 for black
+  pt::Rgb largest_share;  // the largest |draw| over the sum of all |draw|, in [0, 1]; 0 for black
 };
 Mean mean_of(const std::vector<pt::Rgb>& draws);
 
@@ -92,24 +92,26 @@ struct Noise {
   double kurtosis = 30;
 };
 
-// The noise of the usual method times the factor that the contract states: from a closed form of
-// the usual deviation, as Noise{factor * deviation}, or by this from many draws of a plain textbook
-// estimator that runs in the judge's own process, never from the submission's.
+// The noise of the usual method times the factor that the contract states. If the usual deviation
+// has a closed form, use Noise{factor * deviation}. Otherwise use this function with many draws of
+// a plain textbook estimator that runs in the judge's own process, never with those of the
+// submission.
 Noise noise_of(const std::vector<pt::Rgb>& usual, double factor);
 
-// How many standard errors a mean may be off: by chance 2e-9 of the time on one channel. `slack` is
-// added to what is allowed: the error that a right method may have beside chance, as the contract's
-// precision says (kColorPrecision times the size of what is expected, and of what the task calls).
+// A mean may be off by this many standard errors. By chance, a right mean exceeds this limit with a
+// probability of 2e-9 per channel. `slack` is added to the limit. It is the error that a right
+// method may have apart from chance, by the contract's precision: kColorPrecision times the
+// expected value, and the same for each task that the method calls.
 //
-// What is allowed by chance is measured on the draws, so the draws must not be arbitrarily noisy:
-// where more than `at_most` is certain, the case fails as "right on average, but too noisy". Where
-// no bound is given, a sum that is mostly one draw is still no evidence.
+// The standard error is measured on the draws, so the draws must not be arbitrarily noisy. If their
+// noise is certainly more than `at_most`, the case fails as "right on average, but too noisy".
+// Without this limit, the case still fails if one draw is most of the sum.
 inline constexpr double kStandardErrors = 6;
 void expect_mean(const std::string& what, const Mean& got, pt::Rgb expected, double slack = 0);
 void expect_mean(const std::string& what, const Mean& got, pt::Rgb expected, const Noise& at_most,
                  double slack = 0);
 
-// The part of it that is about the noise alone: for draws whose mean is not known.
+// Judges only the noise, for draws whose mean is not known.
 void expect_noise(const std::string& what, const Mean& got, const Noise& at_most, double slack = 0);
 
 }  // namespace grader::check

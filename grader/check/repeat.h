@@ -8,7 +8,8 @@
 
 namespace grader::check {
 
-// A function type without its last parameter, a Sampler&.
+// Calls a task many times. The last parameter of the task is a Sampler&; the other parameters are
+// Arguments.
 template <auto Task, class Function = decltype(Task)>
 struct Repeated;
 
@@ -23,17 +24,18 @@ requires(sizeof...(Rest) > 0) struct AllButLast<std::tuple<First, Rest...>, std:
     : AllButLast<std::tuple<Rest...>, std::tuple<Kept..., First>> {
 };
 
-// Defined where the task is: with a local implementation as a loop (repeat_local.cpp), with
-// `remote` as one message for many calls.
+// Defined together with the task. For a local implementation it is a loop (repeat_local.cpp); for
+// `remote` it is one message for many calls.
 template <auto Task, class Result, class... Parameters>
 struct Repeated<Task, Result (*)(Parameters...)> {
   using Arguments = typename AllButLast<std::tuple<Parameters...>>::Type;
   static std::vector<Result> run(int n, std::uint64_t seed, const Arguments& arguments);
 };
 
-// `n` independent calls of a task whose last parameter is a Sampler&, for a statistical promise:
+// Makes `n` independent calls of a task whose last parameter is a Sampler&, for a statistical
+// promise:
 //   repeat<pt::direct_lights>(10000, seed, scene, point, samples)
-// returns what the calls returned; call i gets Sampler::for_pixel(seed, i, 0).
+// Returns the results of the calls. Call i gets Sampler::for_pixel(seed, i, 0).
 template <auto Task, class... Arguments>
 auto repeat(int n, std::uint64_t seed, const Arguments&... arguments) {
   return Repeated<Task>::run(n, seed, {arguments...});

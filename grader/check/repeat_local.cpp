@@ -1,5 +1,5 @@
-// repeat() of one task, FIRSTLIGHT_TASK, where it is linked into this program: compiled once for
-// each.
+// repeat() of one task, FIRSTLIGHT_TASK, that is linked into this program. This file is compiled
+// once per task.
 #include "grader/calls.h"
 #include "grader/check/repeat.h"
 

@@ -19,7 +19,7 @@ Rgb root(Rgb c) {
   return {positive(c.r), positive(c.g), positive(c.b)};
 }
 
-// What is found from bounce k on, for each place.
+// The light that a path finds from bounce k on, per place.
 using Moments = std::vector<Rgb>;
 
 Rgb expected_next(const Place& place, const Moments& next) {
@@ -28,7 +28,7 @@ Rgb expected_next(const Place& place, const Moments& next) {
   return sum;
 }
 
-// The means after exactly one more bounce.
+// The mean light after exactly one more bounce.
 Moments one_bounce_more(const std::vector<Place>& places, const Moments& radiance) {
   Moments all;
   all.reserve(places.size());
@@ -48,7 +48,8 @@ void each_bounce(const Room& room, int from, int to, Visit visit) {
   }
 }
 
-// Of one estimate of the direct light at any point of the place. Light without noise stays so.
+// The variance of one estimate of the direct light at any point of the place. Light without noise
+// stays without noise.
 Rgb variance_of_direct(const Place& place, int samples, const PathNoise& noise) {
   Rgb one = place.variance_of_a_sample;
   if (noise.most_of_direct > 0 && !is_black(one)) {
@@ -67,7 +68,7 @@ Rgb Room::sum(int from, int to) const {
   return sum;
 }
 
-// Bounce k has k - 1 factors f, cos and pdf, and direct light, which has as many itself.
+// Bounce k has k - 1 factors f, cos and pdf. The direct light has the same three factors once more.
 double Room::precision(int from, int to) const {
   double sum = 0;
   each_bounce(*this, from, to,
@@ -75,8 +76,8 @@ double Room::precision(int from, int to) const {
   return sum;
 }
 
-// With D the direct light at a place, w the throughput of a bounce and X' what is found from the
-// next bounce on, X = D + w X', and D does not depend on w X':
+// D is the direct light at a place, w the throughput of a bounce, and X' the light from the next
+// bounce on. Then X = D + w X', and D does not depend on w X':
 //   E X = E D + E w E X'    E X^2 = E D^2 + 2 E D E w E X' + E w^2 E X'^2
 Rgb deviation(const Room& room, const pt::PathSettings& settings, const PathNoise& noise) {
   const std::size_t n = room.places.size();

@@ -16,7 +16,7 @@ using Direct = pt::PathSettings::Direct;
 
 namespace {
 
-// A point with the normal n, on wo's side; wo is given around n as z.
+// A point with the normal n on the side of wo. wo is local, with n as z.
 pt::SurfacePoint point_on(const pt::Scene& scene, Vec3 p, Vec3 n, Vec3 geometric_normal, Rgb albedo,
                           Vec3 wo) {
   pt::SurfacePoint point;
@@ -30,7 +30,7 @@ pt::SurfacePoint point_on(const pt::Scene& scene, Vec3 p, Vec3 n, Vec3 geometric
   return point;
 }
 
-// A dull ball around the middle of the pose, of its size.
+// A diffuse ball around the position of the pose. Its radius is the size of the pose.
 pt::Scene inside_of_a_ball(const Pose& pose, Rgb albedo) {
   pt::Scene scene;
   scene.primitives.spheres.push_back({pose.shift, pose.size});
@@ -45,14 +45,15 @@ pt::SurfacePoint point_on_the_inside(const pt::Scene& scene, Vec3 outwards) {
                   scene.materials[0].albedo, *direction_above());
 }
 
-// The irradiance that a point light of intensity 1, `offset` away from the middle of a ball of
-// radius 1, gives to the point `at` of it.
+// The irradiance at the point `at` of a ball of radius 1, from a point light of intensity 1. The
+// light is `offset` away from the centre of the ball.
 double irradiance(Vec3 at, Vec3 offset) {
   const double distance = length(at - offset);
   return dot(at - offset, at) / (distance * distance * distance);
 }
 
-// Its variance over the ball, where its mean is 1; all points at one cosine to the light are alike.
+// The variance of this irradiance over the ball, where its mean is 1. It depends only on the cosine
+// between the point and the light.
 double variance_of_irradiance(double offset) {
   constexpr int kSteps = 400;
   double mean_square = 0;
@@ -107,7 +108,7 @@ rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
       const Rgb reflected = of_walls * intensity / pt::kPi;
       here += reflected * irradiance(at, offset);
       everywhere += reflected;
-      deviation += reflected * std::sqrt(variance_of_irradiance(length(offset)));  // or less
+      deviation += reflected * std::sqrt(variance_of_irradiance(length(offset)));  // an upper limit
       if (i < 3) {
         room.text += fmt::format("point light at {}, intensity {}\n", brief(light.position),
                                  brief(light.intensity));
@@ -122,8 +123,9 @@ rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
   });
 }
 
-// The lamp fills, of what a point of the wall sees, the part ratio^2, weighed by the cosine: all
-// directions within an angle of its cosine c = sqrt(1 - ratio^2) from the normal.
+// Weighted by the cosine, the lamp fills the part ratio^2 of the hemisphere of a point of the wall.
+// It fills all directions within an angle from the normal that has the cosine c = sqrt(1 -
+// ratio^2).
 rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct,
                                  const Ranges& ranges) {
   return rc::gen::exec([=] {
@@ -148,7 +150,7 @@ rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direc
     if (on_lamp) room.point.emission = radiance;
 
     const double q = ratio * ratio, c = std::sqrt(1 - q);
-    // One direction of the cone gives 2 (1 - c) cos, one of the hemisphere 2 cos or nothing.
+    // One direction in the cone gives 2 (1 - c) cos. One in the hemisphere gives 2 cos or nothing.
     const double variance =
         room.direct == Direct::lights ? std::pow(1 - c, 4) / 3 : 4 * (1 - c * c * c) / 3 - q * q;
     const Rgb reflected = of_wall * radiance;
@@ -168,7 +170,7 @@ rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direc
   });
 }
 
-// One direction brings 2 albedo radiance cos, and cos is uniform.
+// One direction gives 2 albedo radiance cos, and cos is uniform.
 rc::Gen<Room> glowing_room(const rc::Gen<Rgb>& albedo) {
   return rc::gen::exec([=] {
     const Rgb of_walls = *albedo, radiance = *color(0.25, 4);
@@ -187,7 +189,7 @@ rc::Gen<Room> glowing_room(const rc::Gen<Rgb>& albedo) {
 
 namespace {
 
-// A wall above the point, and the point itself, on no surface.
+// A wall above the point. The point itself is on no surface.
 struct Wall {
   Pose around;
   Rectangle shape;
@@ -219,8 +221,8 @@ Wall wall_above(const rc::Gen<Rgb>& albedo, double tilt) {
 
 namespace {
 
-// Returns whether a ray from the origin along d meets the rectangle, or passes it by less than 2 %
-// of it.
+// Returns whether a ray from the origin along d meets the rectangle or passes close to it, by up to
+// 2 % of half a side.
 bool meets(const Rectangle& shape, Vec3 d) {
   const double t = dot(shape.center, shape.n()) / dot(d, shape.n());
   if (!(t > 0)) return false;
@@ -231,8 +233,9 @@ bool meets(const Rectangle& shape, Vec3 d) {
 
 }  // namespace
 
-// The first sun lights the wall, on the side that faces the point, and mostly from below the point.
-// The second one is above the point, if the wall does not hide it. Neither is hidden from the wall.
+// The first sun lights the side of the wall that faces the point, mostly from below the point's
+// horizon. The second sun is above the point; it exists if the wall does not hide it. Nothing hides
+// either sun from the wall.
 rc::Gen<Room> sunny_wall(const rc::Gen<Rgb>& albedo, double tilt) {
   return rc::gen::exec([=] {
     Wall wall = wall_above(albedo, tilt);
@@ -253,7 +256,8 @@ rc::Gen<Room> sunny_wall(const rc::Gen<Rgb>& albedo, double tilt) {
   });
 }
 
-// One direction brings 2 albedo radiance cos at most, by lights and by the hemisphere.
+// With light sampling and with hemisphere sampling, one direction gives at most 2 albedo radiance
+// cos.
 rc::Gen<Room> wall_under_the_sky(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct) {
   return rc::gen::exec([=] {
     Wall wall = wall_above(albedo, 0.9);

@@ -20,7 +20,7 @@ namespace {
 constexpr Vec3 kOrigin{0, 0, 0};
 constexpr Vec3 kUp{0, 0, 1};
 
-constexpr std::size_t kMaxTold = 4;  // how many lights, and surfaces, a text lists
+constexpr std::size_t kMaxTold = 4;  // how many lights and how many surfaces a text lists
 
 Rgb any_albedo_of_a_shade() { return {0.2, 0.5, 0.7}; }
 
@@ -249,7 +249,7 @@ int Stage::material(Rgb albedo, Rgb emission) {
   return static_cast<int>(scene_.materials.size()) - 1;
 }
 
-// Scenes of many things are told by their first ones.
+// Only the first few of many lights or surfaces are listed.
 std::string Stage::text() const {
   std::string text = fmt::format(
       "told with the point at (0, 0, 0) and its normal along z; in the world turned, {} times as "

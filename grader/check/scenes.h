@@ -11,16 +11,17 @@
 
 #include <rapidcheck.h>
 
-// Small scenes for the tasks that estimate light, together with what the right answer is.
+// Small scenes for the tasks that estimate light, together with the right answer.
 
 namespace grader::check {
 
-// A complete scene, made so that it answers rays. The one place where the engine is chosen: the
-// fast one, which calls no task, so only for tasks of parts 3 to 5. A worker with all of a
-// learner's tasks traces the scene by them instead.
+// Makes a scene complete, so that rays can be traced. Only this function chooses the engine. It is
+// the fast one, which calls no task, so it is only for tasks of parts 3 to 5. A worker with all of
+// a learner's tasks traces the scene with those tasks instead.
 pt::Scene ready(pt::Scene scene);
 
-// Turned, moved and scaled: from the coordinates a scene is thought out in to the world's.
+// A rotation, a shift and a scale. They take local coordinates, in which a scene is described, to
+// world coordinates.
 struct Pose {
   pt::Frame turn;
   pt::Vec3 shift;
@@ -30,13 +31,15 @@ struct Pose {
   pt::Vec3 point(pt::Vec3 local) const { return shift + size * direction(local); }
 };
 
-// Any rotation, sizes from 1 / range to range, positions of up to `far` times the size.
+// A pose with any rotation, a size from 1 / range to range, and a position of up to `far` times the
+// size.
 rc::Gen<Pose> pose(double range = 1e2, double far = 1e2);
 
-// The same, but not turned: local and world directions are the same.
+// The same without a rotation: local and world directions are equal.
 rc::Gen<Pose> unturned_pose();
 
-// center + (a - 1/2) u + (b - 1/2) v, a and b in [0, 1]. Its normal is along cross(u, v).
+// The points center + (a - 1/2) u + (b - 1/2) v, with a and b in [0, 1]. The normal is along
+// cross(u, v).
 struct Rectangle {
   pt::Vec3 center, u, v;
 
@@ -47,8 +50,8 @@ struct Rectangle {
   // The part with a in [a0, a1] and b in [b0, b1].
   Rectangle part(double a0, double a1, double b0, double b1) const;
 
-  // What covers exactly this rectangle as seen from the origin: nearer for a factor below 1, behind
-  // it for one above.
+  // The rectangle that covers exactly the same directions, seen from the origin. It is nearer if
+  // the factor is below 1, and farther away if it is above 1.
   Rectangle scaled(double factor) const { return {factor * center, factor * u, factor * v}; }
 
   Rectangle flipped() const { return {center, v, u}; }
@@ -56,8 +59,9 @@ struct Rectangle {
 
 void showValue(const Rectangle& rectangle, std::ostream& out);
 
-// Faces the origin, about a distance of 1 away, from straight above it to `tilt` to the side, and
-// turned by up to 0.8 from facing it straight. Sides from narrow to wide.
+// A rectangle that faces the origin from a distance of about 1. The direction to it is at most
+// `tilt` from straight up, and it is turned away from the origin by up to 0.8. Its sides are
+// `narrow` to `wide` long.
 rc::Gen<Rectangle> rectangle_above(double tilt, double narrow, double wide);
 
 // The walls of a closed cube above the origin, which is the middle of its floor; all face inwards.
@@ -66,7 +70,7 @@ std::vector<Rectangle> cube();
 // A unit direction, at most `tilt` from +z.
 rc::Gen<pt::Vec3> direction_above(double tilt = 1.5);
 
-// A unit direction whose z is drawn: how far above the horizon it is.
+// A unit direction whose z, the height above the horizon, is drawn from `height`.
 rc::Gen<pt::Vec3> direction_above_at(const rc::Gen<double>& height);
 
 // A point of a scene, and the radiance that leaves it along wo after exactly one bounce.
@@ -74,8 +78,8 @@ struct Situation {
   pt::Scene scene;
   pt::SurfacePoint point;
   pt::Rgb expected;
-  std::string text;   // the scene in words, a line a thing, in coordinates of its own
-  pt::Rgb facing;     // what its lights would add to the irradiance if they were straight above
+  std::string text;   // the scene in words, one line per object, in local coordinates
+  pt::Rgb facing;     // the irradiance that its lights would give from straight above
   pt::Rgb brightest;  // the largest radiance that a ray from the point may meet
 };
 void showValue(const Situation& situation, std::ostream& out);
@@ -83,20 +87,22 @@ void showValue(const Situation& situation, std::ostream& out);
 // Whether an area light is also a surface that rays meet.
 enum class Body { none, surface };
 
-// A shaded patch and what it sees. Everything is given in coordinates of its own, with the shaded
-// point in the origin and its normal, on the side it is looked at from, along +z; the pose takes it
-// to the world. The irradiance is added up by closed forms, so nothing that the stage does not know
-// of may hide a light: shades are made by `hidden`, other surfaces by who knows where they are.
+// A shaded patch, and the lights and surfaces around it. All arguments are in local coordinates:
+// the shaded point is the origin, and its normal, on the side of the viewer, is along +z. The pose
+// takes them to the world. The stage adds up the irradiance by closed forms and knows only the
+// shades that `hidden` makes. So the caller has to place other surfaces where they hide no light,
+// or has to set the right answer itself.
 class Stage {
  public:
   explicit Stage(const Pose& pose);
 
-  // The patch itself, a surface of half that width around the origin, looked at along -wo (local,
-  // wo.z >= 0). From behind: its geometric normal points to -z.
+  // The patch itself: a square surface of side 1/8 around the origin, seen along -wo (local, wo.z
+  // >= 0). With `from_behind`, its geometric normal points to -z.
   Stage& patch(pt::Rgb albedo, pt::Vec3 wo, bool from_behind = false, pt::Rgb emission = {});
 
-  // Lights, with the irradiance they give. Of the rectangle the part with a in [0, hidden] is
-  // behind a dark surface, which stands at `way` of the way to it; so is a hidden point light.
+  // Lights, with their irradiance. A dark surface hides the part of the rectangle with a in [0,
+  // hidden]. It is at the fraction `way` of the way to the light. A point light is hidden in the
+  // same way.
   Stage& rectangle(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
                    double way = 0.5);
   Stage& mesh(const Rectangle& shape, pt::Rgb radiance, Body body);
@@ -105,7 +111,7 @@ class Stage {
   Stage& directional_light(pt::Vec3 towards, pt::Rgb irradiance, bool hidden = false);
   Stage& sky(pt::Rgb radiance);
 
-  // A surface that is not a light of the list, and does not touch the irradiance.
+  // A surface that is not in the list of lights and does not change the irradiance.
   Stage& surface(const Rectangle& shape, pt::Rgb albedo, pt::Rgb emission = {});
 
   Situation done() const;
@@ -126,7 +132,7 @@ class Stage {
   std::vector<std::string> lights_, surfaces_;
 };
 
-// The largest coordinate of the scene's surfaces: what rounding errors of a point are relative to.
+// The largest coordinate of the scene's surfaces. Rounding errors of a point are relative to it.
 double coordinate_size(const pt::Primitives& primitives);
 
 }  // namespace grader::check

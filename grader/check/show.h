@@ -13,8 +13,8 @@
 #include <ostream>
 #include <string>
 
-// Writes inputs and answers for people: every number with just as many digits as bring it
-// back exactly.
+// Writes inputs and answers for people. Each number has just as many digits as are needed to read
+// it back exactly.
 
 namespace grader::check {
 
@@ -30,12 +30,12 @@ std::string show(const pt::SurfaceHit& hit);
 std::string show(const pt::SurfacePoint& point);
 std::string show(const pt::Camera& camera);
 
-// The same, rounded to five digits: for answers and scenes that somebody reads, not runs again.
+// The same, rounded to five digits. For answers and scenes that people read and do not run again.
 std::string brief(double value);
 std::string brief(pt::Vec3 v);
 std::string brief(pt::Rgb c);
 
-// Writes each value on a line of its own.
+// Writes each value on its own line.
 template <class... Values>
 void show_lines(std::ostream& out, const Values&... values) {
   const char* separator = "";
@@ -44,7 +44,7 @@ void show_lines(std::ostream& out, const Values&... values) {
 
 }  // namespace grader::check
 
-// RapidCheck finds these by the argument's namespace.
+// RapidCheck finds this function by the namespace of its argument.
 namespace pt {
 
 template <class T>

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kDraws = 1000;
 
-// What one draw of a light adds to the radiance of the point, with the draw itself.
+// Draws one sample of a light, and returns what it adds to the radiance of the point.
 Rgb draw_of(const Situation& s, const pt::Light& light, pt::Sampler& sampler) {
   const pt::LightSample sample = pt::sample_light(light, s.point.p, sampler);
   const double cosine = dot(sample.wi, s.point.n);
@@ -49,7 +49,7 @@ Noise noise_of_lights(const Situation& s, int samples) {
 Noise noise_of_directions(const Situation& s, int samples) {
   const Rgb most = 2 * s.point.albedo * s.brightest;
   Rgb variance = s.expected * (most - s.expected);
-  // Rounding may leave less than nothing where all is black.
+  // Rounding errors may make it negative where everything is black.
   for (int channel = 0; channel < 3; ++channel)
     variance[channel] = std::max(0.0, variance[channel]);
   return {square_root(variance / samples)};

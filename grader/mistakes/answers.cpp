@@ -16,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-// No more digits than a comparison looks at. What is not finite becomes a text.
+// Keeps only the digits that a comparison needs. A number that is not finite becomes a text.
 json rounded(double value, int digits) {
   if (!std::isfinite(value)) return fmt::format("{}", value);
   const double shorter = std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);

@@ -8,12 +8,12 @@ namespace grader::mistakes {
 namespace {
 
 constexpr double kPrecision = 1e-6;   // of exact numbers
-constexpr double kMaxStandard = 5;    // errors that one mean may be off: 6e-7 by chance
-constexpr double kMaxKept = 2.5;      // the same where it decides what the file need not hold
-constexpr double kSumDeviations = 4;  // of the sum of squares, above what it is on average
-constexpr double kCorrelated = 5;     // the means of one answer come from the same draws
+constexpr double kMaxStandard = 5;    // standard errors that one mean may be off: 6e-7 by chance
+constexpr double kMaxKept = 2.5;      // the same, for answers that the file need not hold
+constexpr double kSumDeviations = 4;  // deviations that the sum of squares may be above its mean
+constexpr double kCorrelated = 5;     // the means of one answer use the same draws
 
-// Of the numbers that were compared.
+// The deviation of all numbers that were compared.
 struct Deviation {
   bool contradicts = false;
   double largest = 0;  // in standard errors
@@ -21,7 +21,7 @@ struct Deviation {
   int means = 0;
 
   void add(double a, double b, double error, double scale) {
-    if (a == b) return;  // also where both are infinite
+    if (a == b) return;  // also if both are infinite
     const double off = std::abs(a - b);
     if (off <= kPrecision * scale) return;
     if (!(error > 0)) {

@@ -4,13 +4,14 @@
 
 namespace grader::mistakes {
 
-// Returns whether two lists of answers to one battery may come from the same mistake. Numbers that
-// are exact agree to 1e-6 of the largest number of their answer. Means may differ by chance: none
-// by more than five standard errors, nor all together by more than they do once in ten thousand
-// times. Two runs of the same solution are told apart less than once in a thousand times.
+// Returns whether two lists of answers to one battery may come from the same mistake. Exact numbers
+// have to agree to 1e-6 of the largest number of their answer. Means may differ by chance: each one
+// by five standard errors at most, and all together by no more than chance exceeds once in ten
+// thousand times. Two runs of the same solution disagree less than once in a thousand times.
 bool agree(const Answers& a, const Answers& b);
 
-// Returns whether an answer need not be kept, because it is as the right one as far as it tells.
+// Returns whether an answer need not be kept, because it cannot be distinguished from the right
+// one.
 bool is_as_right(const Answer& answer, const Answer& right);
 
 }  // namespace grader::mistakes

@@ -48,7 +48,7 @@ Fingerprint read_fingerprint(const json& from, const Answers& right) {
 }  // namespace
 
 std::string to_json(const KnownMistakes& known) {
-  // A line for each mistake, so that a change shows what changed.
+  // One line per mistake, so that a diff shows which mistakes changed.
   std::string text = fmt::format("{{\n\"about\": {},\n\"tasks\": {{", json(kAbout).dump());
   const char* before = "\n";
   for (const auto& [slug, task] : known) {

@@ -6,27 +6,27 @@
 #include <string>
 #include <vector>
 
-// The mistakes that are known: how each wrong solution (grader/tasks/*/wrong) shows. One file,
-// grader/mistakes/known.json, made by the program known_mistakes; the solutions themselves are not
-// in it.
+// The known mistakes: the answers and broken promises of each wrong solution
+// (grader/tasks/*/wrong). They are kept in one file, grader/mistakes/known.json, which the program
+// known_mistakes makes. The file does not contain the solutions themselves.
 
 namespace grader::mistakes {
 
 // The answers and broken promises of one wrong solution.
 struct Fingerprint {
-  std::string name;                 // of its file: "absolute_epsilon"
-  std::string sentence;             // that says the mistake
+  std::string name;                 // the name of its file: "absolute_epsilon"
+  std::string sentence;             // describes the mistake
   std::string source;               // a hash of the file
-  std::vector<std::string> broken;  // promises, at every seed that was tried; no bonus
-  std::vector<std::string> unsure;  // at some of them
+  std::vector<std::string> broken;  // promises that fail at every seed that was tried; no bonus
+  std::vector<std::string> unsure;  // promises that fail at some of these seeds
   Answers answers;
 
   bool operator==(const Fingerprint&) const = default;
 };
 
 struct KnownTask {
-  std::string battery;  // a hash of what asked
-  Answers right;        // of the reference
+  std::string battery;  // a hash of the files of the battery
+  Answers right;        // the reference's answers
   std::vector<Fingerprint> mistakes;
 
   bool operator==(const KnownTask&) const = default;
@@ -34,9 +34,9 @@ struct KnownTask {
 
 using KnownMistakes = std::map<std::string, KnownTask>;  // by slug
 
-// Answers that are as the right ones are left out of the text.
+// Answers that cannot be distinguished from the right ones are left out of the text.
 std::string to_json(const KnownMistakes& known);
-// Throws pt::Error, naming `path`, for anything else.
+// Reads this text. Throws pt::Error, with the name `path`, for any other text.
 KnownMistakes known_from_json(const std::string& text, const std::string& path);
 
 }  // namespace grader::mistakes

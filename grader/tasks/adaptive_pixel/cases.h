@@ -13,7 +13,8 @@
 
 #include <fmt/format.h>
 
-// Pixels that see what a script says, and after how many samples a right solution may stop.
+// Pixels whose radiances a script gives, and the numbers of samples after which a right solution
+// may stop.
 
 namespace grader::check::adaptive {
 
@@ -21,10 +22,11 @@ using pt::AdaptiveSettings;
 using pt::PixelEstimate;
 using pt::Rgb;
 
-// What one pixel sees, sample by sample, and how it is asked for. The scene is empty: radiance() is
-// a mock that returns `seen`, and the last of them if it is called more often.
+// One pixel: the radiance of each sample, and the arguments of adaptive_pixel. The scene is empty.
+// radiance() is a mock version that returns the values of `seen` in order, and the last one again
+// if it is called more often.
 struct Case {
-  std::vector<Rgb> seen;  // max_samples of them
+  std::vector<Rgb> seen;  // one per sample, up to max_samples
   std::string kind;
   AdaptiveSettings settings;
   pt::Camera camera;
@@ -43,7 +45,7 @@ inline std::string brief(Rgb c) { return fmt::format("({:.4g}, {:.4g}, {:.4g})",
 struct Answer {
   PixelEstimate estimate;
   std::vector<RadianceCall> calls;
-  pt::Sampler sampler;  // as it is afterwards
+  pt::Sampler sampler;  // its state after the call
 };
 
 inline Answer ask(const Case& c, const pt::PathSettings& settings = {}) {
@@ -57,8 +59,8 @@ inline Answer ask(const Case& c, const pt::PathSettings& settings = {}) {
   return {estimate, radiance_calls(), sampler};
 }
 
-// Mean and variance of the brightness of the first n samples, the variance divided by n; in two
-// passes, so that it is as good as zero where it is zero.
+// Mean and variance of the luminance of the first n samples. The variance divides by n. It is
+// computed in two passes, so that rounding errors are negligible where it is zero.
 struct Statistics {
   double mean = 0, variance = 0;
 };
@@ -75,10 +77,10 @@ inline Statistics statistics(const Case& c, int n) {
 
 enum class Verdict { done, not_done, either };
 
-// Returns whether a pixel is done after n samples; sigma divides by n or by n - 1. `either` where
-// the two sides are equal to the precision of the contract, or rounding errors decide: those of a
-// variance that is computed as a small difference, s2 - s1^2 / n, are up to n 2^-52 of the squared
-// mean.
+// Returns whether a pixel is done after n samples. Sigma divides by n or, if `divides_by_n` is
+// false, by n - 1. The result is `either` if both sides of the condition are equal to the precision
+// of the contract, or if rounding errors decide. A variance that is computed as a small difference,
+// s2 - s1^2 / n, has rounding errors of up to n 2^-52 of the squared mean.
 inline Verdict done_after(const Case& c, int n, bool divides_by_n) {
   const Statistics s = statistics(c, n);
   const double share = divides_by_n ? 1 : static_cast<double>(n) / (n - 1);
@@ -105,7 +107,7 @@ inline int right_count(const Case& c) {
   return std::min(n, c.settings.max_samples);
 }
 
-// What it says that it took, if it took any.
+// Returns the number of samples that the task reports. Fails if it never called radiance().
 inline int samples_of(const Answer& answer) {
   expect(!answer.calls.empty(), "a call of radiance()", "none");
   return answer.estimate.samples;
@@ -118,19 +120,20 @@ inline void expect_right_count(const Case& c, const Answer& answer) {
          fmt::format("{} samples", n));
 }
 
-// Any tolerance, and a maximum that is a multiple of the batch or not.
+// Settings with any tolerance. The maximum may be a multiple of the batch or not.
 inline AdaptiveSettings any_settings() {
   const int batch = *whole(2, 16);
   return {*whole(batch, 10 * batch), batch, *magnitude(1e-4, 1)};
 }
 
-// With batches of up to thousands.
+// Settings with batches of up to thousands of samples.
 inline AdaptiveSettings many_samples() {
   const int batch = *rc::gen::element(100, 1000, 3000);
   return {*whole(batch, 3 * batch), batch, *magnitude(1e-4, 0.1)};
 }
 
-// The tightest: what s2 - s1^2 / n loses in float looks like noise.
+// Settings with the smallest tolerance. In float, the rounding errors of s2 - s1^2 / n look like
+// noise.
 inline AdaptiveSettings tight() {
   const int batch = *whole(2, 60);
   return {3 * batch, batch, 1e-4};
@@ -138,7 +141,8 @@ inline AdaptiveSettings tight() {
 
 inline AdaptiveSettings ten_thousand() { return {10000, 10000, 0.01}; }
 
-// A pixel of any camera that sees `script`: each sample from its index and a random number.
+// A pixel of any camera. `script` computes the radiance of each sample from its index and a random
+// number.
 template <class Script>
 Case pixel(const std::string& kind, const AdaptiveSettings& settings, Script script) {
   Case c;
@@ -171,8 +175,8 @@ inline rc::Gen<Case> all_black() {
       [] { return pixel("always black", any_settings(), [](int, double) { return Rgb{}; }); });
 }
 
-// Noise that the tolerance is made for: the interval is narrow enough after a few batches. In all
-// three channels alike.
+// Noise, the same in all three channels. The tolerance is chosen so that the interval is narrow
+// enough after a few batches, or only beyond the maximum.
 inline rc::Gen<Case> noise(Settings some_settings = any_settings) {
   return rc::gen::exec([=] {
     AdaptiveSettings settings = some_settings();
@@ -196,7 +200,7 @@ inline rc::Gen<Case> two_values(Settings settings = any_settings) {
   });
 }
 
-// The same for some batches, then another value.
+// A constant value for some batches, then another value.
 inline rc::Gen<Case> jump() {
   return rc::gen::exec([] {
     const AdaptiveSettings settings = any_settings();
@@ -210,7 +214,7 @@ inline rc::Gen<Case> jump() {
   });
 }
 
-// Two values in turn for some batches, then one of them for good.
+// Two values in turn for some batches, then only one of them.
 inline rc::Gen<Case> late_jump() {
   return rc::gen::exec([] {
     AdaptiveSettings settings = any_settings();
@@ -227,8 +231,8 @@ inline rc::Gen<Case> late_jump() {
   });
 }
 
-// Dark but for one sample of each batch or so: for n samples of ten batches at most, sigma /
-// sqrt(n) is a third of the mean or more.
+// Black, except one sample in every batch or in every second batch. After n samples, ten batches at
+// most, sigma / sqrt(n) is a third of the mean or more.
 inline rc::Gen<Case> rarely_lit() {
   return rc::gen::exec([] {
     AdaptiveSettings settings = any_settings();
@@ -240,7 +244,8 @@ inline rc::Gen<Case> rarely_lit() {
   });
 }
 
-// Of one brightness and any hue: constant, and not so in a channel or in the mean of channels.
+// Samples of one luminance and any hue. The luminance is constant, but the channels and their mean
+// are not.
 inline rc::Gen<Case> one_brightness() {
   return rc::gen::exec([] {
     AdaptiveSettings settings = any_settings();
@@ -255,8 +260,8 @@ inline rc::Gen<Case> one_brightness() {
   });
 }
 
-// Red and green in turn, of the same mean of channels: sigma is half of the mean luminance, and 160
-// samples are far too few.
+// Red and green in turn, with the same mean of the channels. The sigma of the luminance is half of
+// its mean, so that 160 samples are far too few.
 inline rc::Gen<Case> red_and_green() {
   return rc::gen::exec([] {
     AdaptiveSettings settings = any_settings();
@@ -269,7 +274,8 @@ inline rc::Gen<Case> red_and_green() {
   });
 }
 
-// A pixel whose count does not hang on the details of sigma; 0: it does.
+// A pixel and its right number of samples, if this number does not depend on the details of sigma;
+// else 0.
 struct Known {
   Case pixel;
   int samples = 0;
@@ -294,8 +300,8 @@ inline rc::Gen<Known> maybe_known() {
   });
 }
 
-// Two values in turn, around 1, of which the condition asks for twenty times fewer samples than a
-// batch or twenty times more than the maximum: even a wrong sigma tells the two apart.
+// Two values around 1, in turn. The condition needs twenty times fewer samples than a batch or
+// twenty times more than the maximum, so that even a wrong sigma gives the right count.
 inline rc::Gen<Known> far_from_the_threshold() {
   return rc::gen::exec([] {
     const bool narrow = *rc::gen::arbitrary<bool>();

@@ -9,7 +9,7 @@ namespace {
 using namespace adaptive;
 
 constexpr int kCases = 60;
-constexpr int kLongCases = 4;  // of thousands of samples each
+constexpr int kLongCases = 4;  // each has thousands of samples
 
 PROMISE(adaptive_pixel, stops_where_the_interval_is_narrow) {
   for_all(
@@ -74,7 +74,7 @@ PROMISE(adaptive_pixel, returns_the_mean_of_all_samples) {
   };
   for_all([&] { property(*anything()); }, kCases);
   for_all([&] { property(*anything_long()); }, kLongCases);
-  // What a sum in float loses is seen.
+  // Ten thousand samples show the rounding errors of a sum in float.
   for_all([&] { property(*constant(ten_thousand)); }, 2);
 }
 
@@ -112,7 +112,7 @@ PROMISE(adaptive_pixel, uses_the_batch_and_the_tolerance_given) {
       kCases);
 }
 
-// How many numbers were drawn from `start` to get to `state`; -1 if it takes more than `most`.
+// Returns how many numbers were drawn between `start` and `state`, or -1 if more than `most`.
 int numbers_drawn(pt::Sampler start, const pt::Sampler::State& state, int most) {
   for (int drawn = 0; drawn <= most; ++drawn) {
     if (start.state() == state) return drawn;
@@ -158,7 +158,8 @@ PROMISE(adaptive_pixel, passes_the_settings_on) {
       20);
 }
 
-// Of the pixel in 4 x 4 parts, the one that has least of its share of rays, or too many of them.
+// Counts the rays in each of 4 x 4 parts of the pixel. A failure shows the part whose count is
+// farthest from the expected one.
 PROMISE(adaptive_pixel, covers_the_whole_pixel) {
   constexpr int kSide = 4;
   for_all(
@@ -199,8 +200,8 @@ PROMISE(adaptive_pixel, covers_the_whole_pixel) {
       4);
 }
 
-// Asked for twice, with another pixel between. Sums that are never reset show at the first time
-// already, where the count is known.
+// Estimates a pixel twice, with another pixel in between. Where the right count is known, sums that
+// are never reset already show in the first estimate.
 PROMISE(adaptive_pixel, forgets_the_pixel_before) {
   for_all(
       [] {

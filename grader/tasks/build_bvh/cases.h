@@ -10,17 +10,18 @@
 #include <string>
 #include <vector>
 
-// Boxes in all the arrangements that a splitting rule may stumble over.
+// Boxes in all arrangements that are difficult for a splitting rule.
 
 namespace grader::check::build_bvh_cases {
 
 struct Input {
   std::vector<pt::Box> boxes;
   int max_leaf = 1;
-  std::string how;  // they were made
+  std::string how;  // how the boxes were made
 };
 
-// The first few of many boxes say how they look; what they have in common is said in words.
+// Shows all boxes if there are up to six, else the first three. `how` describes all of them in
+// words.
 inline void showValue(const Input& input, std::ostream& out) {
   const std::size_t n = input.boxes.size(), shown = n <= 6 ? n : 3;
   out << n << (n == 1 ? " box, " : " boxes, ") << input.how << "; max_leaf " << input.max_leaf;
@@ -48,15 +49,15 @@ enum class Kind {
   diagonal,
 };
 
-// Those that any plane in the middle of the longest axis divides.
+// A plane in the middle of the longest axis divides these kinds.
 inline const std::vector<Kind> kUsual{Kind::scattered, Kind::clustered, Kind::points,
                                       Kind::flat,      Kind::nested,    Kind::line};
-// Planes in the middle cut off one box at a time, so that the tree is as deep as there are boxes.
+// A plane in the middle cuts off only one box, so that the tree has as many levels as boxes.
 inline const std::vector<Kind> kDeep{Kind::halving};
-// No plane parts all of them.
+// No plane separates all of these boxes.
 inline const std::vector<Kind> kCoinciding{Kind::identical, Kind::same_center, Kind::in_piles,
                                            Kind::both_ends};
-// No axis is longer than the others.
+// In these kinds, no axis is longer than the others.
 inline const std::vector<Kind> kTied{Kind::lattice, Kind::diagonal};
 
 inline const char* words(Kind kind) {
@@ -91,7 +92,8 @@ inline const char* words(Kind kind) {
   return "";
 }
 
-// The place of box i among n, within about 10 of the origin, and half its size.
+// The centre and half the size of one box. The centre of a usual kind is within about 10 of the
+// origin.
 struct Place {
   pt::Vec3 center, half;
 };
@@ -102,7 +104,7 @@ inline pt::Vec3 on_axis(int axis, double at) {
   return p;
 }
 
-// Of the usual kinds.
+// Returns the place of one box of a usual kind.
 inline Place usual_place(Kind kind, int axis, Many& make) {
   const pt::Vec3 p = make.vector(-10, 10);
   switch (kind) {
@@ -151,13 +153,14 @@ inline Place place(Kind kind, int i, int n, int axis, Many& make) {
   }
 }
 
-// At least eight boxes that fill a cube.
+// Returns how many boxes fill a cube: a cubic number near n, at least eight.
 inline int full_cube(int n) {
   const int side = std::max(2, static_cast<int>(std::round(std::cbrt(n))));
   return side * side * side;
 }
 
-// From a billionth to a billion across. The usual kinds stand also far from the origin.
+// Boxes of the given kinds, from a billionth to a billion across. The usual kinds may also be far
+// from the origin.
 inline rc::Gen<Input> boxes_of(const std::vector<Kind>& kinds, int least, int most) {
   return rc::gen::exec([=] {
     const int wanted = *whole(least, most);
@@ -179,7 +182,7 @@ inline rc::Gen<Input> boxes_of(const std::vector<Kind>& kinds, int least, int mo
   });
 }
 
-// Few boxes or many.
+// A few boxes of the usual kinds, or many.
 inline rc::Gen<Input> some_boxes() {
   return rc::gen::exec(
       [] { return *whole(0, 2) == 0 ? *boxes_of(kUsual, 1, 5) : *boxes_of(kUsual, 6, 200); });
@@ -187,10 +190,10 @@ inline rc::Gen<Input> some_boxes() {
 inline rc::Gen<Input> thousands_of_boxes() { return boxes_of(kUsual, 2000, 3000); }
 inline rc::Gen<Input> deep_boxes() { return boxes_of(kDeep, 30, 400); }
 
-// Boxes one beside the other along an axis, in no order: one row, or several parallel rows side by
-// side along a second, longer axis. The whole stands anywhere. On each axis the boxes also stand a
-// little out of line, on one axis ten thousand times as far as on the other; less than their own
-// size, so that splitting there separates nothing.
+// One row of boxes along an axis, or several parallel rows, side by side along a second, longer
+// axis. The boxes are in random order, and the rows are anywhere. On each axis the boxes are also
+// moved a little, on one axis ten thousand times as far as on the other. This is less than their
+// own size, so that a split on these axes separates nothing.
 struct Rows {
   Input input;
   int along = 0;   // the axis of a row

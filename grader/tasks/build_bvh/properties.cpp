@@ -23,7 +23,8 @@ pt::Bvh build(const Input& input) {
   return bvh;
 }
 
-// Of the boxes below every node. A node whose leaves lie outside `order` is kept_once's to tell.
+// Every node's box must contain all boxes below it. Wrong entries of leaves are skipped: the
+// promise keeps_every_primitive_once judges them.
 void expect_covered(const Input& input, const pt::Bvh& bvh) {
   const auto n = static_cast<int>(input.boxes.size()), places = static_cast<int>(bvh.order.size());
   std::vector<pt::Box> needed(bvh.nodes.size());
@@ -110,16 +111,16 @@ void expect_split(const Input& input, const pt::Bvh& bvh) {
 
 using Check = void (*)(const Input&, const pt::Bvh&);
 
-// Returns whether all boxes are divided, and into leaves that are small enough. What else holds for
-// a tree does not depend on where boxes coincide or axes tie, and has promises of its own.
+// Fails unless all boxes are divided into leaves that are small enough. The other invariants do not
+// depend on boxes that coincide or on axes that are equally long; other promises judge them.
 void expect_divided(const Input& input, const pt::Bvh& bvh) {
   expect_every_primitive_once(input, bvh);
   expect_small_leaves(input, bvh);
   expect_split(input, bvh);
 }
 
-// One invariant, on every kind of boxes that a plane divides: the other kinds have promises of
-// their own. Stops at the first kind that fails.
+// Checks one invariant on every kind of boxes that a plane divides, up to the first kind that
+// fails. Other promises judge the other kinds.
 void check_usual_boxes(Check check) {
   once(expect_a_tree_at_all);
   for (const auto& [boxes, cases] : {std::pair{some_boxes(), 150}, std::pair{deep_boxes(), 20},
@@ -172,8 +173,8 @@ PROMISE(build_bvh, takes_no_boxes_and_one) {
   });
 }
 
-// How many boxes of the tree hold a point of the rows, in the two axes of their plane: those that a
-// ray across it has to look into. The mean over many points, all the same for every tree.
+// Returns how many boxes of the tree a ray enters if it crosses the plane of the rows. It is the
+// mean over many rays through centres of boxes, the same rays for every tree.
 double boxes_entered(const Rows& rows, const pt::Bvh& bvh) {
   constexpr int kPoints = 200;
   Many make(1);
@@ -195,8 +196,8 @@ double boxes_entered(const Rows& rows, const pt::Bvh& bvh) {
 
 PROMISE(build_bvh, separates_along_the_longest_axis) {
   once(expect_a_tree_at_all);
-  // A split that halves a row enters one box a level; one that ignores where the boxes are enters
-  // about every other of all.
+  // If every split halves a row, a ray enters one box per level. If the splits ignore where the
+  // boxes are, it enters about half of all boxes.
   for (const auto& [count, each] : {std::pair{1, 1024}, std::pair{8, 128}}) {
     if (testing::Test::HasFailure()) return;
     for_all(

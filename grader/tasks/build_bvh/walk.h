@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-// Walking a tree that may be none: every index is looked at before it is used, and every node is
-// visited once, so that any answer of a submission ends the walk.
+// Walks an answer that may not be a tree. Every index is checked before it is used, and every node
+// is visited once, so that the walk ends for any answer of a submission.
 
 namespace grader::check::build_bvh_cases {
 
@@ -34,14 +34,16 @@ inline void expect_child(const pt::Bvh& bvh, int node, int child) {
       node_name(node) + " holds no primitives and has the child " + name_of(child));
 }
 
-// A node without primitives and without children, which no tree has: what is below it is nothing.
+// A node without primitives and without children. A right tree has no such node; nothing is below
+// it.
 inline bool is_bare(const pt::BvhNode& node) {
   return !node.is_leaf() && node.left == -1 && node.right == -1;
 }
 
 inline bool has_children(const pt::BvhNode& node) { return !node.is_leaf() && !is_bare(node); }
 
-// The nodes that the root leads to, each behind the one through which it was reached.
+// Returns all nodes that can be reached from the root. Each one comes after the node that leads to
+// it.
 inline std::vector<int> walk_from_root(const pt::Bvh& bvh) {
   expect_nodes(bvh);
   std::vector<bool> reached(bvh.nodes.size());
@@ -59,7 +61,8 @@ inline std::vector<int> walk_from_root(const pt::Bvh& bvh) {
   return walk;
 }
 
-// How many levels above each node; 0 for what the root does not lead to.
+// Returns the level of each node. It is 0 for the root and for nodes that cannot be reached from
+// it.
 inline std::vector<int> depths(const pt::Bvh& bvh) {
   std::vector<int> depth(bvh.nodes.size());
   for (const int i : walk_from_root(bvh)) {
@@ -74,14 +77,14 @@ inline std::vector<int> depths(const pt::Bvh& bvh) {
 
 inline int depth(const pt::Bvh& bvh) { return std::ranges::max(depths(bvh)); }
 
-// Of 1,024 boxes far apart in a row, three times as long in x as in z, twice as long in y, every
-// rule makes a tree of about ten levels. Who leaves them in a list, a chain or a single leaf has
-// built no tree, and no promise holds then.
+// 1,024 boxes are far apart in a row, which is three times as long in x as in z and twice as long
+// in y. Every rule makes a tree of about ten levels for them. A list, a chain or a single leaf is
+// not a tree, and then no promise holds.
 inline void expect_a_tree_at_all() {
   constexpr int kBoxes = 1024, kMaxDepth = 100;
   Input row{{}, 2, ""};
   for (int i = 0; i < kBoxes; ++i) {
-    const int place = i * 389 % kBoxes;  // each once, in no order
+    const int place = i * 389 % kBoxes;  // each place once, not in order
     row.boxes.push_back(around(pt::Vec3{3.0, 2.0, 1.0} * place, {0.1, 0.1, 0.1}));
   }
   const pt::Bvh bvh = pt::build_bvh(row.boxes, row.max_leaf);

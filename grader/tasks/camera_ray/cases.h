@@ -5,18 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
-// Cameras from the whole domain, and where rays meet the camera's window.
+// Cameras of all kinds that the contract allows, and the points where rays meet a camera's window.
 
 namespace grader::check::camera_ray_cases {
 
-// The contract's precision: of a point on the window, as a part of its width and height, and of
-// everything in single precision.
+// The contract's precision. kPrecision is for a point on the window, relative to the window's width
+// and height. kSingle is for everything in single precision.
 inline constexpr double kPrecision = 1e-5;
 inline constexpr double kSingle = 1e-6;
 
 inline double radians(double degrees) { return degrees * pt::kPi / 180; }
 
-// Ordinary, narrow as a telescope, and as wide as the contract goes.
+// An ordinary angle, an angle as narrow as in a telescope, or a wide one up to the contract's
+// limit.
 inline double field_of_view() {
   switch (*whole(0, 4)) {
     case 0:
@@ -30,7 +31,7 @@ inline double field_of_view() {
   }
 }
 
-// At the world's origin, looking along its -z.
+// A camera at the world's origin that looks along the world's -z.
 inline rc::Gen<pt::Camera> unmoved() {
   return rc::gen::exec([] {
     pt::Camera made;
@@ -51,7 +52,7 @@ inline pt::Vec3 position() {
   }
 }
 
-// Anywhere, turned in any way or along the axes.
+// A camera anywhere, turned by any rotation or along the axes.
 inline rc::Gen<pt::Camera> moved() {
   return rc::gen::exec([] {
     pt::Camera made = *unmoved();
@@ -65,7 +66,7 @@ inline rc::Gen<pt::Camera> moved() {
   });
 }
 
-// From one edge of the picture to the other, edges and centre included.
+// A coordinate on the picture, from 0 at one edge to 1 at the other, often an edge or the centre.
 inline double part_of_picture(const char* name) {
   return draw(name, rc::gen::oneOf(real(0, 1), real(0, 1), rc::gen::element(0.0, 0.5, 1.0)));
 }
@@ -79,12 +80,13 @@ inline Window window_of(const pt::Camera& camera) {
   return {2 * std::tan(radians(camera.hfov_deg) / 2), 2 * std::tan(radians(camera.vfov_deg) / 2)};
 }
 
-// Where a direction meets the window of an unmoved camera, in front of it or, mirrored, behind.
+// Returns where a direction meets the window of an unmoved camera. A direction that points
+// backwards is mirrored to the front.
 inline pt::Vec2 on_plane(pt::Vec3 direction) {
   return {direction.x / std::abs(direction.z), direction.y / std::abs(direction.z)};
 }
 
-// How far from the right direction (x, y, -1) a ray may be on one axis of the window.
+// Returns how far a ray may be from the right direction (x, y, -1), on one axis of the window.
 inline double tolerance(double size, pt::Vec2 at) {
   return kPrecision * size + kSingle * (1 + at.x * at.x + at.y * at.y);
 }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-// What the picture looks like is judged with a camera at the world's origin that is not turned, and
-// relative to the task's own rays where it is about their differences. That position and frame
-// change nothing is a promise of its own.
+// The picture is judged with a camera at the world's origin that is not turned. Differences between
+// rays are judged relative to the task's own rays. The promises starts_at_the_camera and
+// turns_with_the_camera judge cameras that are moved and turned.
 
 namespace grader::check {
 namespace {
@@ -59,7 +59,7 @@ PROMISE(camera_ray, looks_along_minus_z) {
   });
 }
 
-// From the centre to an edge, on one axis of the window.
+// Judges the angle from the centre to an edge, on one axis of the window.
 void expect_half_angle(const std::string& edge, double fov_deg, double on_window, double size) {
   const double at_edge = size / 2;
   const double slack = 2 * tolerance(size, {at_edge, 0}) / (1 + at_edge * at_edge);
@@ -128,7 +128,7 @@ PROMISE(camera_ray, turns_with_the_camera) {
     expect_near("the direction in the camera's frame, compared with a camera that is not turned",
                 c.camera_to_world.to_local(direction), unturned,
                 2 * (kSingle + kPrecision * std::max(window.width, window.height)));
-    // A direction that ignores both the frame and the picture is the same everywhere as well.
+    // A direction that ignores both the frame and (x, y) would also pass the check above.
     expect(pt::camera_ray(at_origin, 0, 0).direction != pt::camera_ray(at_origin, 1, 1).direction,
            "different rays through opposite corners of the picture", "the same ray");
   });

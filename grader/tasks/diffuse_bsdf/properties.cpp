@@ -22,14 +22,14 @@ Vec3 at(double z, double phi) {
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-// A unit direction above the surface, down to grazing; or the normal itself.
+// A unit direction above the surface, steep or grazing, or the normal itself.
 rc::Gen<Vec3> above() {
   const auto height = rc::gen::oneOf(real(1e-3, 1), magnitude(1e-9, 1), rc::gen::just(1.0));
   return rc::gen::map(rc::gen::pair(height, real(-pt::kPi, pt::kPi)),
                       [](const std::pair<double, double>& p) { return at(p.first, p.second); });
 }
 
-// Colored, gray, and with channels that absorb all or nothing.
+// An albedo of any colour, or with channels of 0, 1e-4, 1/2 or 1.
 rc::Gen<Rgb> any_albedo() {
   const auto special = rc::gen::element(0.0, 1e-4, 0.5, 1.0);
   return rc::gen::oneOf(color(),
@@ -39,12 +39,12 @@ rc::Gen<Rgb> any_albedo() {
                                      }));
 }
 
-// What the contract allows of a value of this size.
+// The error that the contract allows for a value of this size.
 double tolerance(Rgb size) { return kColorPrecision * max_channel(size); }
 
 Vec3 mirrored(Vec3 w) { return {w.x, w.y, -w.z}; }
 
-// The middles of cells that cut the hemisphere into equal solid angles.
+// The centres of cells that divide the hemisphere into equal solid angles.
 std::vector<Vec3> grid(int heights, int sectors) {
   std::vector<Vec3> directions;
   for (int i = 0; i < heights; ++i) {
@@ -132,10 +132,11 @@ PROMISE(diffuse_bsdf, a_sample_knows_its_own_f_and_pdf) {
   });
 }
 
-// A histogram over cells of equal solid angle: heights times sectors of the hemisphere.
+// A histogram over the hemisphere. It has kHeights times kSectors cells of equal solid angle.
 constexpr int kHeights = 16, kSectors = 8, kSamples = 20000;
 
-// What the pdf says: each cell is cut into thin rings, since it may vary with the height.
+// The number of samples per cell that the pdf predicts. Each cell is cut into thin rings, because
+// the pdf may vary with the height.
 std::vector<DirectionCell> expected_by_pdf(Vec3 wo) {
   constexpr int kRings = 2;
   std::vector<DirectionCell> cells;
@@ -154,7 +155,7 @@ std::vector<DirectionCell> expected_by_pdf(Vec3 wo) {
   return cells;
 }
 
-// Adds where the samples are; those below the surface are in no cell.
+// Counts the samples in each cell. Samples below the surface are in no cell.
 void count_samples(std::vector<DirectionCell>& cells, Vec3 wo, std::uint64_t seed) {
   for (const auto& sample : repeat<pt::diffuse_sample>(kSamples, seed, pt::gray(0.5), wo)) {
     const double turn = std::atan2(sample.wi.y, sample.wi.x) / (2 * pt::kPi);
@@ -202,7 +203,8 @@ PROMISE(diffuse_bsdf, samples_estimate_the_albedo) {
              repeat<pt::diffuse_sample>(4000, draw("seed", sampler_seed()), albedo, wo)) {
           reflected.push_back(s.f * (s.wi.z / s.pdf));
         }
-        // f, the pdf and wi are each as precise as the contract says, and as noisy.
+        // f, the pdf and wi may each be off by the contract's precision. The contract allows a
+        // standard deviation of one sample as large as the albedo.
         expect_mean("f cos(wi) / pdf", mean_of(reflected), albedo, Noise{albedo},
                     3 * tolerance(albedo));
       },

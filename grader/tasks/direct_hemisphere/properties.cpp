@@ -23,8 +23,8 @@ using pt::Vec3;
 
 constexpr int kCases = 12;
 
-// What the contract allows beside noise: 1e-5 of the size for the task, and as much for diffuse_f,
-// which it may call.
+// The error that the contract allows in addition to noise: 1e-5 of the value for the task, and the
+// same for diffuse_f, which the task may call.
 double tolerance(const Situation& s) { return 2 * kColorPrecision * max_channel(s.expected); }
 
 std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
@@ -32,7 +32,7 @@ std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
                                        samples);
 }
 
-// Calls of few samples are many, so that each case looks in about as many directions.
+// The fewer samples per call, the more calls, so that each case draws about as many directions.
 int calls_of(int samples) { return std::clamp(24000 / samples, 100, 4000); }
 
 void expect_estimate(const Situation& s, int samples) {
@@ -45,7 +45,7 @@ void expect_estimate(const Situation& s) {
   expect_estimate(s, draw("samples per call", rc::gen::element(1, 2, 3, 5, 16, 17)));
 }
 
-// Every single estimate is black.
+// Every single estimate must be black.
 void expect_dark(const Situation& s) {
   for (const Rgb& one : estimates(s, 4000, 1)) expect_near("each estimate", one, {}, 0);
 }
@@ -74,7 +74,7 @@ PROMISE(direct_hemisphere, sees_lights_of_any_brightness) {
       kCases);
 }
 
-// The glowing surface is not in the list of lights, and what is in the list has no surface.
+// The glowing surface is not in the list of lights, and the lights in the list have no surface.
 PROMISE(direct_hemisphere, takes_the_emission_of_what_is_hit) {
   for_all([] { expect_estimate(*beside_lights_without_surfaces()); }, kCases);
 }
@@ -155,8 +155,9 @@ PROMISE(direct_hemisphere, reflects_the_albedo) {
       kCases);
 }
 
-// In a room that glows all over, one direction gives 2 albedo L cos, and cos is uniform: a variance
-// of 1/3 relative to the mean. n of them leave 1/n of it; cleverly placed ones even less.
+// In a room that glows everywhere, one direction gives 2 albedo L cos, and cos is uniform. Relative
+// to the squared mean, this is a variance of 1/3. The mean of n directions has 1/n of it;
+// stratified directions have even less.
 PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
   const auto expect_samples = [](int samples) {
     const Situation s = *in_a_glowing_room(pose(1));
@@ -170,7 +171,7 @@ PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
 }
 
 PROMISE(direct_hemisphere, starts_off_the_surface) {
-  // Small and large, close to the world's origin and far from it.
+  // Small and large scenes, close to the world's origin and far from it.
   const auto anywhere = [] { return rc::gen::oneOf(pose(1e6), pose(1e6, 1e4)); };
   for_all(
       [&] {
@@ -191,7 +192,7 @@ PROMISE(direct_hemisphere, starts_off_the_surface) {
       60);
 }
 
-// Each piece of the room has a hue of its own, which tells where one direction went.
+// Each piece of the room has its own hue, which shows where a direction went.
 PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
   for_all(
       [] {
@@ -215,7 +216,7 @@ PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
         expect_spread(cells);
       },
       4);
-  // A lit strip at the horizon, lower than a tenth of a degree: about 50 directions meet it.
+  // A bright strip at the horizon, less than a tenth of a degree high. About 50 directions meet it.
   for_all(
       [] {
         const Situation s = *in_a_room_lit_at_the_horizon();

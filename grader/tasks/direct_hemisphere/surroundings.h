@@ -6,14 +6,15 @@
 
 #include <vector>
 
-// What direct_hemisphere looks at: scenes around a shaded point, which is the origin of the stage
-// and has its normal along z.
+// Scenes around a shaded point for direct_hemisphere. The point is the origin of the stage, and its
+// normal is along z.
 
 namespace grader::check::direct_hemisphere_cases {
 
 inline pt::Rgb any_radiance() { return *color(0.25, 4); }
 
-// The walls of a room without its floor, in pieces: every direction above the patch meets one.
+// The walls of a room without its floor, cut into pieces. Every direction above the patch meets
+// one.
 inline std::vector<Rectangle> dome(int pieces) {
   std::vector<Rectangle> cells;
   for (const Rectangle& wall : cube()) {
@@ -27,7 +28,8 @@ inline std::vector<Rectangle> dome(int pieces) {
   return cells;
 }
 
-// A patch in a room whose walls all glow: it shows its albedo times their radiance.
+// A patch in a room whose walls all glow. Its right radiance is its albedo times the walls'
+// radiance.
 inline rc::Gen<Situation> in_a_glowing_room(const rc::Gen<Pose>& poses) {
   return rc::gen::exec([poses] {
     Stage stage(*poses);
@@ -39,8 +41,9 @@ inline rc::Gen<Situation> in_a_glowing_room(const rc::Gen<Pose>& poses) {
   });
 }
 
-// A patch under a rectangle that fills much of what it sees. A shade stands half way to it, close
-// to the patch or just before the light.
+// A patch under a rectangle light that fills much of its hemisphere. A dark surface hides the part
+// `hidden` of the light. It is half way to the light, close to the patch or just in front of the
+// light.
 inline rc::Gen<Situation> under_a_rectangle(const rc::Gen<Pose>& poses,
                                             const rc::Gen<double>& hidden) {
   return rc::gen::exec([=] {
@@ -90,7 +93,7 @@ inline rc::Gen<Situation> beside_lights_without_surfaces() {
   });
 }
 
-// A dark lid close above the patch: only directions within a hundredth of the surface pass it.
+// A dark lid close above the patch. Only directions within 0.01 radians of the surface pass it.
 inline rc::Gen<Situation> under_a_lid(const rc::Gen<Pose>& poses) {
   return rc::gen::exec([poses] {
     Stage stage(*poses);
@@ -111,8 +114,8 @@ inline rc::Gen<Situation> in_a_colored_room(const std::vector<Rectangle>& pieces
   });
 }
 
-// Four walls of a height of a thousandth glow, at a distance of one: a part of 0.8 to 1 thousandth
-// of all directions meets them.
+// Four walls, at a distance of 1, glow up to a height of 0.001. Between 0.0008 and 0.001 of all
+// directions meet them.
 inline rc::Gen<Situation> in_a_room_lit_at_the_horizon() {
   return rc::gen::exec([] {
     Stage stage(*pose());

@@ -3,8 +3,8 @@
 #include "grader/check/generators.h"
 #include "grader/check/scenes.h"
 
-// The lights that direct_lights is tried with: each function puts one of random size and place on a
-// stage, where the shaded point is the origin and its normal along z.
+// Lights for direct_lights. Each function puts one light of random size and position on a stage.
+// The shaded point is the origin of the stage, and its normal is along z.
 
 namespace grader::check::direct_lights_cases {
 
@@ -12,10 +12,10 @@ inline pt::Rgb any_radiance() { return *color(0.25, 4); }
 
 inline pt::Vec3 any_position() { return *real(0.5, 4) * *direction_above(); }
 
-// Between a thousandth of a degree and six degrees above the surface.
+// A direction between a thousandth of a degree and six degrees above the surface.
 inline pt::Vec3 grazing_direction() { return *direction_above_at(magnitude(2e-5, 0.1)); }
 
-// Lit by whatever `light` puts on the stage.
+// A patch and the lights that `light` puts on the stage.
 template <class Light>
 rc::Gen<Situation> lit_by(Light light, const rc::Gen<Pose>& poses = unturned_pose(),
                           const rc::Gen<bool>& from_behind = rc::gen::just(false)) {
@@ -26,7 +26,8 @@ rc::Gen<Situation> lit_by(Light light, const rc::Gen<Pose>& poses = unturned_pos
   });
 }
 
-// The same scene where what the stage does not know of hides all light.
+// The same scene with black as the right answer. It is for a surface that hides all light and that
+// the stage did not take into account.
 inline Situation dark(Situation s) {
   s.expected = {};
   s.facing = {};
@@ -37,7 +38,7 @@ inline void rectangle(Stage& stage) {
   stage.rectangle(*rectangle_above(1.2, 0.1, 1.5), any_radiance(), Body::none);
 }
 
-// Down to sides of a ten-thousandth of the distance, up to a thousand units away.
+// A rectangle with sides down to a ten-thousandth of its distance, up to a thousand units away.
 inline void small_rectangle(Stage& stage) {
   const Rectangle shape = (*rectangle_above(1.2, 0.5, 1.5)).scaled(*magnitude(1e-1, 1e3));
   const double half = *magnitude(1e-4, 0.5);
@@ -51,7 +52,7 @@ inline void ball(Stage& stage) {
   stage.ball(distance * towards, distance * *real(0.05, 0.5), any_radiance(), Body::none);
 }
 
-// Wholly above the horizon, by as much as it is large.
+// A ball close above the horizon. Its lowest point is one radius above the horizon.
 inline void grazing_ball(Stage& stage) {
   const pt::Vec3 towards = grazing_direction();
   const double distance = *magnitude(0.1, 1e3);
@@ -92,7 +93,8 @@ inline void lamp(Stage& stage) {
   stage.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
 }
 
-// What hides a light stands on the way to it, close to the point or just before the light.
+// Where a surface hides a light, as a part of the way to it: in the middle, close to the point or
+// just in front of the light.
 inline double any_way() { return *rc::gen::element(0.5, 0.01, 0.99, 0.999); }
 
 inline void half_hidden_lamp(Stage& stage) {
@@ -109,8 +111,8 @@ inline void hidden_light(Stage& stage) {
   }
 }
 
-// An upright wall that stands on the patch close to the point, behind it as the light sees it: it
-// touches the surface, and hides nothing.
+// An upright wall on the patch, close behind the point as seen from the light. It touches the
+// surface and hides nothing.
 inline void beside_a_wall(Stage& stage) {
   const pt::Vec3 at = any_position();
   const pt::Vec3 away = normalize(pt::Vec3{-at.x, -at.y, 0} + pt::Vec3{-1e-9, 0, 0});
@@ -120,8 +122,8 @@ inline void beside_a_wall(Stage& stage) {
   stage.surface({beside * away + pt::Vec3{0, 0, height / 2}, along, {0, 0, height}}, *color());
 }
 
-// With a surface of its own, and often with a wall behind: in the plane of the light, just behind
-// it or far away.
+// A rectangle or mesh light with its own surface, and often a wall behind it: in the plane of the
+// light, just behind it or far away.
 inline void lamp_with_a_body(Stage& stage) {
   const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
   const bool is_mesh = *rc::gen::arbitrary<bool>();
@@ -156,12 +158,12 @@ inline void light_below(Stage& stage) {
   if (kind == 2) stage.ball(at, 0.2, any_radiance(), Body::none);
 }
 
-// Above the patch, but it emits to the other side.
+// A light above the patch that emits away from it.
 inline void light_turned_away(Stage& stage) {
   stage.rectangle((*rectangle_above(0.8, 0.2, 1)).flipped(), any_radiance(), Body::none);
 }
 
-// An upright rectangle that goes on below the horizon.
+// An upright rectangle that continues below the horizon.
 inline void light_across_the_horizon(Stage& stage) {
   const double tall = *real(1, 2);
   stage.rectangle({{-1, 0, tall * *real(-0.2, 0.2)}, {0, 1, 0}, {0, 0, tall}}, any_radiance(),

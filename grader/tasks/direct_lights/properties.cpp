@@ -24,8 +24,8 @@ constexpr int kCases = 20;
 
 int any_samples() { return draw("samples per call", rc::gen::element(1, 2, 3, 5, 16, 17)); }
 
-// What the contract allows beside noise: 1e-5 of the size for the task and as much for diffuse_f,
-// which it may call, and a millionth of each light for its cosine.
+// The error that the contract allows in addition to noise: 1e-5 of the value for the task, the same
+// for diffuse_f, which the task may call, and a millionth of each light for its cosine.
 double tolerance(const Situation& s) {
   return 2 * kColorPrecision * max_channel(s.expected) +
          1e-6 * max_channel(s.point.albedo * s.facing) / pt::kPi;
@@ -35,15 +35,15 @@ std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
   return repeat<pt::direct_lights>(calls, draw("seed", sampler_seed()), s.scene, s.point, samples);
 }
 
-// Draws that bring about as much as the mean and are so rare that none of this many was one of
-// them: the error that they leave is not in the measured noise. By multiple importance sampling,
-// the draws of the BSDF that meet a small light are such.
+// The error from rare draws. A draw that adds about as much as the mean may be so rare that it does
+// not occur in this many draws. The measured noise then does not contain it. In multiple importance
+// sampling, BSDF samples that meet a small light are rare draws of this kind.
 double missed(const Situation& s, int draws) {
   constexpr double kRare = 30;
   return kRare / draws * max_channel(s.expected);
 }
 
-// Calls of many samples, or of many lights, are fewer.
+// The more samples or lights per call, the fewer calls.
 void expect_estimate(const Situation& s, int samples) {
   const int lights = std::max(1, static_cast<int>(s.scene.lights.size()));
   const int calls = std::clamp(32000 / samples / lights, 100, 4000);
@@ -52,7 +52,7 @@ void expect_estimate(const Situation& s, int samples) {
               tolerance(s) + missed(s, calls * samples));
 }
 
-// Where nothing is left to chance, every single estimate has to be right.
+// Without randomness, every single estimate has to be right.
 void expect_always(const Situation& s, int samples) {
   for (const Rgb& one : estimates(s, 8, samples)) {
     expect_near(fmt::format("each estimate, {} samples per call", samples), one, s.expected,
@@ -93,7 +93,7 @@ PROMISE(direct_lights, matches_the_sky) {
       kCases);
 }
 
-// Without surfaces but the patch, so that no light hides another.
+// The patch is the only surface, so that no light hides another.
 PROMISE(direct_lights, adds_the_lights_up) {
   const auto count = [] { return rc::gen::element(0, 1, 2, 3, 5, 17, 40); };
   for_all(
@@ -151,8 +151,8 @@ PROMISE(direct_lights, averages_over_the_samples) {
   }
 }
 
-// How the noise falls is measured against the submission's own noise with one sample; that one is
-// bounded as everywhere.
+// The noise of many samples is compared with the submission's own noise of one sample. The noise of
+// one sample has the same limit as everywhere.
 PROMISE(direct_lights, takes_the_samples_asked_for) {
   for_all(
       [] {
@@ -162,7 +162,7 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
                     noise_of_lights(s, 1), tolerance(s));
         for (const int samples : {2, 3, 7, 16, 100, 1000}) {
           const int calls = std::clamp(32000 / samples, 100, 2000);
-          // Between 4000 draws and 4000 others the variance differs by less than a sixth.
+          // The variances of two sets of 4000 draws differ by less than a sixth.
           Noise most = noise_of(of_one, std::sqrt(1.15 / samples));
           most.kurtosis = 3;
           expect_noise(fmt::format("the noise with {} samples per call, against that with 1, which "
@@ -189,7 +189,7 @@ PROMISE(direct_lights, casts_shadows) {
   for_all([] { expect_always(*lit_by(beside_a_wall), 1); }, 50);
 }
 
-// Each light with a surface of its own, if it can have one, and often with a wall behind it.
+// Each light has a surface, if its kind can have one, and often a wall behind it.
 PROMISE(direct_lights, is_not_hidden_by_the_light_itself) {
   for_all([] { expect_estimate(*lit_by(lamp_with_a_body), any_samples()); }, kCases);
   for_all([] { expect_always(*lit_by(point_light_before_a_wall), 1); }, 50);
@@ -237,7 +237,7 @@ PROMISE(direct_lights, turns_with_the_surface) {
 }
 
 PROMISE(direct_lights, starts_off_the_surface) {
-  // Small and large, close to the world's origin and far from it.
+  // Small and large scenes, close to the world's origin and far from it.
   const auto anywhere = [] { return rc::gen::oneOf(pose(1e6), pose(1e6, 1e4)); };
   for_all([&] { expect_always(*lit_by(point_light, anywhere()), 1); }, 200);
   // A dark lid close above the patch.

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-// Pixels of pictures of any shape, and what estimate_pixel asked of radiance() for them.
+// Pixels of pictures of any shape, and the calls of radiance() that estimate_pixel makes for them.
 
 namespace grader::check::estimate_pixel_cases {
 
@@ -28,7 +28,7 @@ inline void showValue(const Pixel& p, std::ostream& out) {
       << p.height;
 }
 
-// In 0 .. count - 1, the first and the last more often.
+// An index in 0 .. count - 1. The first and the last are more frequent.
 inline int one_of(int count) {
   switch (*whole(0, 3)) {
     case 0:
@@ -53,7 +53,8 @@ inline rc::Gen<Pixel> pixel() {
   });
 }
 
-// The same in a picture so small that the precision of a camera ray is far below a pixel.
+// A pixel of a picture with so few pixels that the error of a camera ray is far smaller than a
+// pixel.
 inline rc::Gen<Pixel> large_pixel() {
   return rc::gen::exec([] {
     Pixel p{*camera(), 8, 5, 0, 0};
@@ -63,8 +64,8 @@ inline rc::Gen<Pixel> large_pixel() {
   });
 }
 
-// How far a right ray may be from its point, in pixels: the precision of this task and that of the
-// submission's own camera_ray.
+// Returns how far a right ray may be from its point, in pixels. It adds the precision of this task
+// and that of the submission's own camera_ray.
 inline pt::Vec2 slack(const Pixel& p) {
   const double wide = std::tan(p.camera.hfov_deg * pt::kPi / 360);
   const double high = std::tan(p.camera.vfov_deg * pt::kPi / 360);
@@ -83,7 +84,7 @@ inline pt::PathSettings some_settings() {
   return s;
 }
 
-// What radiance() returns for each sample of a pixel.
+// The values that radiance() returns, one per sample of a pixel.
 struct Seen {
   std::string kind;
   double scale = 1;
@@ -117,11 +118,11 @@ inline rc::Gen<Seen> any_radiances() {
 
 using Script = std::function<pt::Rgb(int call, const pt::Ray& ray)>;
 
-// What one call of the task returned and did.
+// The result of one call of the task, and the calls of radiance() that it made.
 struct Estimate {
   pt::Rgb mean;
   std::vector<RadianceCall> calls;
-  pt::Sampler sampler;  // afterwards
+  pt::Sampler sampler;  // its state after the call
 };
 
 inline Estimate estimate(const Pixel& p, int samples, pt::Sampler sampler,
@@ -134,7 +135,8 @@ inline Estimate estimate(const Pixel& p, int samples, pt::Sampler sampler,
   return {mean, radiance_calls(), sampler};
 }
 
-// Where a ray goes through the pixel: (0, 0) is its lower left corner, (1, 1) its upper right one.
+// Returns where a ray goes through the pixel: (0, 0) is its lower left corner, (1, 1) its upper
+// right one.
 inline pt::Vec2 in_pixel(const Pixel& p, const pt::Ray& ray) {
   const pt::Vec2 at = on_picture(p.camera, ray.direction);
   return {at.x * p.width - p.x, at.y * p.height - p.y};

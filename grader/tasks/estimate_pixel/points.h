@@ -14,13 +14,13 @@
 
 #include <fmt/format.h>
 
-// Whether points are spread evenly over a pixel, and where they are not.
+// Judges whether points are spread evenly over a pixel, and says where they are not.
 
 namespace grader::check::estimate_pixel_cases {
 
 using Points = std::vector<pt::Vec2>;  // each in [0, 1] on both axes
 
-// How many points are in each of 8 x 8 parts of the pixel.
+// The number of points in each of 8 x 8 parts of the pixel.
 class Cells {
  public:
   static constexpr int kSide = 8;
@@ -30,15 +30,15 @@ class Cells {
     for (const pt::Vec2 at : points) ++counts_[index(at.y) * kSide + index(at.x)];
   }
 
-  // Of right points one set in a billion is not even: independent points, or pairs that mirror each
-  // other, whose counts vary twice as much.
+  // Returns false for one in a billion sets of right points. Right points are independent, or are
+  // pairs that mirror each other. The counts of mirrored pairs vary twice as much.
   bool even() const {
     double chi_square = 0;
     for (const int count : counts_) chi_square += (count - even_) * (count - even_) / even_;
     return chi_square <= 2 * chi_square_limit(kSide * kSide / 2);
   }
 
-  // The part with the most points too few or too many.
+  // Describes the part whose count is farthest from the expected one.
   std::string worst() const {
     const auto off = [&](int count) { return std::abs(count - even_); };
     const auto at = std::ranges::max_element(counts_, {}, off);
@@ -58,7 +58,7 @@ class Cells {
   double even_;
 };
 
-// What uneven points have in common, for a person.
+// Says what uneven points have in common, in words for a person.
 inline std::string what_is_missing(const Points& points, const Cells& cells) {
   std::set<std::pair<double, double>> different;
   pt::Vec2 low{1, 1}, high{0, 0};
@@ -88,7 +88,7 @@ inline std::string what_is_missing(const Points& points, const Cells& cells) {
   return cells.worst();
 }
 
-// Fails the case with a sentence that says where points are missing.
+// Fails the case if points are uneven, with a sentence that says where they are missing.
 inline void expect_even(const Points& points) {
   const Cells cells(points);
   if (cells.even()) return;

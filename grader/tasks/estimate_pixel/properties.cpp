@@ -13,7 +13,7 @@ namespace {
 
 using namespace estimate_pixel_cases;
 
-// Where a maximum or a counter of a byte would show. All of them are tried.
+// Numbers of samples that reveal a hidden maximum or a counter of one byte. All of them are tested.
 constexpr std::array kMany{64, 100, 255, 256, 257, 1000, 1024, 4097};
 
 constexpr std::array kChannels{"red", "green", "blue"};
@@ -24,8 +24,9 @@ int some_samples() {
 
 void expect_a_call(const Estimate& e) { expect(!e.calls.empty(), "a call of radiance()", "none"); }
 
-// Of what radiance() did return. How often it was called is another promise, so the sum may be
-// divided by that number or by the one that was asked for.
+// Judges the average of the values that radiance() returned. The promise
+// takes_the_samples_asked_for judges the number of calls, so the sum may be divided by this number
+// or by `samples`.
 void expect_average(int samples) {
   const Pixel p = *pixel();
   const Seen seen = *any_radiances();
@@ -67,7 +68,8 @@ PROMISE(estimate_pixel, takes_the_samples_asked_for) {
   }
 }
 
-// In which pixel is another promise: only where between the edges of one.
+// The promise stays_inside_the_pixel judges which pixel the ray goes through. This one judges only
+// where the ray is between the edges of a pixel.
 PROMISE(estimate_pixel, sends_one_sample_through_the_centre) {
   for_all([] {
     const Pixel p = *pixel();
@@ -96,9 +98,9 @@ PROMISE(estimate_pixel, stays_inside_the_pixel) {
   });
 }
 
-// In which pixel they are is another promise.
+// The promise stays_inside_the_pixel judges which pixel the rays go through; this one does not.
 PROMISE(estimate_pixel, covers_the_whole_pixel) {
-  // Many samples of one pixel, few of many, and two of still more.
+  // At least 2048 points: from one call, from many calls of 17 samples, and from more calls of 2.
   for (const auto& [at_least, samples] :
        {std::pair{2048, 2048}, std::pair{2048, 17}, std::pair{2048, 2}}) {
     for_all(
@@ -138,9 +140,9 @@ PROMISE(estimate_pixel, passes_the_settings_on) {
   });
 }
 
-// Goes on until the sampler is in that state; false if it takes too many numbers.
+// Draws numbers until the sampler is in this state. Returns false if that takes too many numbers.
 bool draw_up_to(const pt::Sampler::State& state, pt::Sampler& sampler) {
-  constexpr int kMaxDraws = 2000;  // by a right solution some ten for each sample, or all at once
+  constexpr int kMaxDraws = 2000;  // a right solution draws about ten per sample, or all at once
   for (int drawn = 0; drawn <= kMaxDraws; ++drawn) {
     if (sampler.state() == state) return true;
     sampler.next_1d();
@@ -156,7 +158,7 @@ PROMISE(estimate_pixel, draws_from_the_callers_sampler) {
     const pt::Sampler start(draw("seed", sampler_seed()));
     const Estimate e = estimate(p, n, start, {}, {}, numbers);
     expect_a_call(e);
-    pt::Sampler at = start;  // as far as it was used
+    pt::Sampler at = start;  // follows the caller's sampler
     for (int i = 0; i < static_cast<int>(e.calls.size()); ++i) {
       expect(draw_up_to(e.calls[i].sampler, at),
              "radiance() to get the caller's sampler, as far as it was used before",

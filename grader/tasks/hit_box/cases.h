@@ -19,11 +19,11 @@ struct Case {
 
 inline void showValue(const Case& c, std::ostream& out) { show_lines(out, c.box, c.ray); }
 
-// What may be extreme.
+// The quantity that may be extreme.
 enum class Extreme { none, scale, length };
 
-// Boxes of all proportions, the origin of space inside or outside; where the scale is extreme, also
-// tiny and huge ones, and far away.
+// A box of any proportions, with the world's origin inside or outside. If the scale is extreme, it
+// may also be tiny, huge or far away.
 inline pt::Box some_box(Extreme extreme = Extreme::none) {
   const bool any = extreme == Extreme::scale;
   const double scale = any ? *magnitude(1e-9, 1e9) : *magnitude(0.1, 10);
@@ -34,7 +34,7 @@ inline pt::Box some_box(Extreme extreme = Extreme::none) {
   return {center - half, center + half};
 }
 
-// The point at fractions (a, b, c) of the box's edges.
+// The point at these fractions of the box's edges.
 inline pt::Vec3 point_in(const pt::Box& box, pt::Vec3 fraction) {
   pt::Vec3 p;
   for (int axis = 0; axis < 3; ++axis) {
@@ -55,8 +55,8 @@ inline double some_length(Extreme extreme = Extreme::none) {
   return extreme == Extreme::length ? *magnitude(1e-9, 1e9) : *magnitude(1e-3, 1e3);
 }
 
-// Two of three have a component that is small, so that the ray runs nearly along the sides, or so
-// small that 1 / d is huge, or zero, or -0.
+// Two of three directions have a special component. It is small, so that the ray is nearly parallel
+// to the sides, or so small that 1 / d is huge, or 0, or -0.
 inline pt::Vec3 some_direction(Extreme extreme = Extreme::none) {
   pt::Vec3 d = *direction();
   const int kind = *whole(0, 5), axis = *whole(0, 2);
@@ -69,26 +69,27 @@ inline pt::Vec3 some_direction(Extreme extreme = Extreme::none) {
   return some_length(extreme) * d;
 }
 
-// A ray whose line goes through the target, from `before` of the box's sizes away.
+// A ray whose line goes through the target. It starts `before` times the box's size before the
+// target.
 inline pt::Ray through(const pt::Box& box, pt::Vec3 target, pt::Vec3 d, double before) {
   return {target - (before * length(box.extent()) / length(d)) * d, d};
 }
 
-// The largest coordinate there is: what the contract counts precision in.
+// Returns the largest coordinate. The contract's precision is relative to it.
 inline double size_of(const pt::Box& box, const pt::Ray& ray) {
   return std::max({max_abs(ray.origin), max_abs(box.min), max_abs(box.max)});
 }
 
-// The precision that the contract asks for.
+// The contract's precision.
 inline constexpr double kPrecision = 1e-12;
 
 struct Ends {
   long double low = -pt::kInfinity, high = pt::kInfinity;
 };
 
-// Where a ray is in a box, in the extended precision that there is; from where to where `enter` and
-// `leave` may be if every plane is moved by the precision that the contract asks for. Where the
-// direction has no component the planes stay where they are.
+// The part of a ray inside a box, in extended precision. `enter` and `leave` are ranges, since
+// every plane may be moved by the contract's precision. Planes that are parallel to the ray do not
+// move.
 struct Part {
   Ends enter{-pt::kInfinity, -pt::kInfinity}, leave{pt::kInfinity, pt::kInfinity};
 
@@ -96,7 +97,7 @@ struct Part {
   bool is_miss() const { return enter.low > leave.high; }
 };
 
-// Inside the slab everywhere, or outside of it everywhere.
+// A miss: the ray leaves before it enters.
 inline constexpr Part kNowhere{{1, 1}, {0, 0}};
 
 inline void cut_to_slab(Part& part, const pt::Box& box, const pt::Ray& ray, int axis) {
@@ -112,14 +113,14 @@ inline void cut_to_slab(Part& part, const pt::Box& box, const pt::Ray& ray, int 
   part.leave = {std::min(part.leave.low, leave - error), std::min(part.leave.high, leave + error)};
 }
 
-// On the whole line, before and behind the origin too.
+// Returns the part of the whole line that is inside the box, also behind the ray's origin.
 inline Part on_the_line(const pt::Box& box, const pt::Ray& ray) {
   Part part;
   for (int axis = 0; axis < 3; ++axis) cut_to_slab(part, box, ray, axis);
   return part;
 }
 
-// In the ray's own range.
+// Returns the part of the ray that is inside the box and in the ray's range.
 inline Part expected(const pt::Box& box, const pt::Ray& ray) {
   Part part = on_the_line(box, ray);
   const long double first = ray.t_min, last = ray.t_max;
@@ -136,7 +137,7 @@ inline rc::Gen<Case> aimed_inside(Extreme extreme = Extreme::none) {
   });
 }
 
-// At a point of a side that looks at the ray, steep and flat.
+// A ray at a point of a side that faces it, at steep and flat angles.
 inline rc::Gen<Case> aimed_at_a_side(Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box(extreme);
@@ -151,8 +152,8 @@ inline rc::Gen<Case> aimed_at_a_side(Extreme extreme = Extreme::none) {
   });
 }
 
-// Past an edge of the box, as seen along a third axis: beside the corner of a rectangle, on a line
-// that has the whole rectangle on one side.
+// A ray that passes beside an edge of the box. Seen along that edge, the box is a rectangle, and
+// the ray passes beside one of its corners on a line that has the whole rectangle on one side.
 inline rc::Gen<Case> passing(Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box(extreme);
@@ -172,7 +173,7 @@ inline rc::Gen<Case> passing(Extreme extreme = Extreme::none) {
   });
 }
 
-// From a point just beside a side, away from it.
+// A ray that starts outside a side of the box and goes away from it.
 inline rc::Gen<Case> leaving(Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box(extreme);
@@ -187,7 +188,7 @@ inline rc::Gen<Case> leaving(Extreme extreme = Extreme::none) {
   });
 }
 
-// From a point in the box or on one of its sides, into it. The range may begin later.
+// A ray that starts inside the box, or on a side and goes inwards. The range may begin later.
 inline rc::Gen<Case> starting_inside() {
   return rc::gen::exec([] {
     const pt::Box box = some_box();
@@ -206,8 +207,8 @@ inline rc::Gen<Case> starting_inside() {
   });
 }
 
-// One or two components of the direction are 0 or -0, and the line is in those slabs or, in
-// `beside` of them, not.
+// One or two components of the direction are 0 or -0. The ray is inside the slabs of these axes or,
+// if `beside` is true, outside one of them.
 inline rc::Gen<Case> along_axes(bool beside) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box();
@@ -225,7 +226,7 @@ inline rc::Gen<Case> along_axes(bool beside) {
   });
 }
 
-// A sheet, met from either side, at all angles.
+// A box that is a sheet, and a ray that meets it from either side, at all angles.
 inline rc::Gen<Case> at_a_sheet() {
   return rc::gen::exec([] {
     pt::Box box = some_box();
@@ -239,8 +240,8 @@ inline rc::Gen<Case> at_a_sheet() {
   });
 }
 
-// A segment or a point, at small whole numbers times a power of two, met at a power of two: nothing
-// is rounded.
+// A box that is a segment or a point. All coordinates are small whole numbers times a power of two,
+// and t at the hit is a power of two, so that nothing is rounded.
 inline rc::Gen<Case> at_a_segment() {
   return rc::gen::exec([] {
     const double scale = std::pow(2, *whole(-30, 30)), speed = std::pow(2, *whole(-9, 9));
@@ -261,15 +262,15 @@ inline pt::Vec3 grid_point(double size) {
   return {on_grid(*real(-size, size)), on_grid(*real(-size, size)), on_grid(*real(-size, size))};
 }
 
-// A ray that grazes an edge or a corner of a triangle's box. All numbers are multiples of 2^-20, so
-// that target - origin is exact and the ray is exactly at the target at t = 1.
+// A ray that grazes an edge or a corner of a triangle's box. All numbers are multiples of 2^-20. So
+// target - origin is exact, and the ray is exactly at the target at t = 1.
 inline rc::Gen<Case> grazing() {
   return rc::gen::exec([] {
     pt::Box box;
     for (int corner = 0; corner < 3; ++corner) box.grow(grid_point(4));
     const int flat = *whole(0, 5);
     if (flat < 3) box.max[flat] = box.min[flat];
-    const int along = *whole(0, 3);  // the edge's axis, or a corner
+    const int along = *whole(0, 3);  // the edge's axis; 3 means a corner
     pt::Vec3 target;
     for (int i = 0; i < 3; ++i) target[i] = *rc::gen::element(box.min[i], box.max[i]);
     if (along < 3) target[along] = on_grid(box.center()[along]);

@@ -14,11 +14,11 @@ std::string show(const std::optional<pt::Interval>& interval) {
                   : "no interval";
 }
 
-// A cube two wide, and a ray through it from five away.
+// A cube of width 2, and a ray through it that starts at a distance of 5.
 const pt::Box kPlainBox{{-1, -1, -1}, {1, 1, 1}};
 const pt::Ray kPlainRay{{0.1, 0.2, -5}, {0.02, -0.03, 1}};
 
-// Whoever answers the same whatever the ray is has written nothing: no promise holds then.
+// A task that gives the same answer for every ray does nothing, and then no promise holds.
 void expect_that_it_looks() {
   const auto hit = pt::hit_box(kPlainBox, kPlainRay);
   expect(hit.has_value(),
@@ -34,8 +34,8 @@ void expect_that_it_looks() {
          show(miss));
 }
 
-// Where the plainest interval is wrong, gives_the_right_interval says so, and the other promises
-// judge whether there is one.
+// Returns whether the plainest interval is right. If it is wrong, gives_the_right_interval says so,
+// and the other promises judge only whether there is an interval.
 bool gives_intervals() {
   const auto plain = pt::hit_box(kPlainBox, kPlainRay);
   return plain && std::abs(plain->min - 4) < 0.1 && std::abs(plain->max - 6) < 0.1;
@@ -46,7 +46,7 @@ void expect_end(const std::string& what, double got, Ends allowed) {
   expect_near(what, got, 0.5 * low + 0.5 * high, (0.5 * high - 0.5 * low) + 1e-15 * std::abs(low));
 }
 
-// A case that is nearer to a miss than the precision of the contract is right either way.
+// Any answer is right for a case that is closer to a miss than the precision of the contract.
 void expect_hit(const Case& c) {
   if (!expected(c.box, c.ray).is_hit()) return;
   const auto interval = pt::hit_box(c.box, c.ray);
@@ -104,7 +104,7 @@ PROMISE(hit_box, starts_inside) {
   for_all([] { expect_hit_and_interval(*starting_inside()); }, 200);
 }
 
-// A ray whose range ends before the box, begins behind it, or that starts behind it.
+// A ray that starts behind the box, or whose range ends before the box or begins behind it.
 rc::Gen<Case> out_of_range() {
   return rc::gen::exec([] {
     Case c = *aimed_inside();
@@ -115,7 +115,8 @@ rc::Gen<Case> out_of_range() {
     const int kind = *whole(0, 2);
     if (kind == 0) c.ray.t_min = leave * (1 + part);
     if (kind == 1 && enter > 0) c.ray.t_max = enter * (1 - part);
-    // Some origins are in the box already: then nothing lies before t_max, and t = 0 is in it.
+    // For an origin inside the box, t = 0 is inside it too, and no range can end before the box.
+    // This ray starts behind the box instead.
     if (kind == 2 || (kind == 1 && !(enter > 0))) {
       c.ray = {c.ray.at(leave + part * (leave - enter)), c.ray.direction};
     }
@@ -168,7 +169,7 @@ PROMISE(hit_box, works_at_every_scale) {
 
 PROMISE(hit_box, takes_flat_boxes) {
   once(expect_that_it_looks);
-  // Both planes of a sheet are at the same place, so that no rounding error parts them.
+  // Both planes of a sheet are in the same place, so that no rounding error separates them.
   for_all([] { expect_interval(*at_a_sheet()); }, 150);
   for_all(
       [] {

@@ -11,11 +11,12 @@
 #include <numeric>
 #include <string>
 
-// Primitives, trees of all shapes over them, which the test builds itself, and rays.
+// Primitives, rays, and trees of all shapes over the primitives. The tests build these trees
+// themselves.
 
 namespace grader::check::hit_bvh_cases {
 
-// How a range of primitives is divided.
+// The way in which a tree divides its primitives.
 enum class Shape { balanced, random, chain, left_chain, right_chain, leaf };
 
 inline const char* words(Shape shape) {
@@ -40,10 +41,10 @@ struct Case {
   pt::Primitives primitives;
   pt::Bvh bvh;
   pt::Ray ray;
-  std::string how;  // the tree was made
+  std::string how;  // how the tree was made
 };
 
-// What is in which: of a tree small enough to be drawn on paper.
+// Shows all nodes of a tree that is small enough to be drawn on paper.
 inline void show_nodes(const pt::Bvh& bvh, std::ostream& out) {
   for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
     const pt::BvhNode& node = bvh.nodes[i];
@@ -82,7 +83,7 @@ struct TreeMaker {
   const pt::Primitives& primitives;
   Shape shape;
   int max_leaf;
-  double padding;  // boxes may be larger than they need to be
+  double padding;  // how much larger than necessary boxes may be
   Many& make;
   pt::Bvh bvh{};
 
@@ -133,7 +134,7 @@ inline pt::Bvh tree_of(const pt::Primitives& primitives, Shape shape, int max_le
   return maker.bvh;
 }
 
-// The primitives in their own order, one in each leaf.
+// A tree that keeps the order of the primitives, with one of them in each leaf.
 inline pt::Bvh tree_in_order(const pt::Primitives& primitives, Shape shape, Many& make) {
   TreeMaker maker{primitives, shape, 1, 0, make};
   maker.bvh.order.resize(primitives.size());

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// What a query asked about, held against the tree.
+// Compares the tests that a query made with the tree.
 
 namespace grader::check::hit_bvh_cases {
 
@@ -28,14 +28,14 @@ inline long long times_asked(const Tested& log, const pt::Primitives& primitives
                                    : times(log.spheres, primitives.sphere(i));
 }
 
-// Returns whether the ray clearly misses the box: a right hit_box may find it some rounding errors
-// wider than it is (pt/tasks/hit_box.h: 1e-12 of the largest coordinate).
+// Returns whether the ray clearly misses the box. For a right hit_box, the box may be larger by
+// some rounding errors (pt/tasks/hit_box.h: 1e-12 of the largest coordinate).
 inline bool is_missed(pt::Box box, const pt::Ray& ray) {
   const double size = std::max({max_abs(box.min), max_abs(box.max), max_abs(ray.origin)});
   const double more = 1e-11 * size;
   box.min -= {more, more, more};
   box.max += {more, more, more};
-  // The range too: what is computed as t_max may be a little larger.
+  // The range is made longer too, since a computed t_max may be a little larger.
   pt::Ray longer = ray;
   longer.t_min *= 1 - 1e-11;
   longer.t_max *= 1 + 1e-11;
@@ -52,7 +52,7 @@ inline void expect_few_tests(const Case& c, const Tested& log) {
 
 inline void expect_only_entered_leaves(const Case& c, bool any) {
   const Tested log = tested_by(c, any);
-  // A tree of one leaf has no box above the primitives that would be worth a test.
+  // In a tree of one leaf, no test of a box is necessary.
   if (c.bvh.nodes.size() == 1) return;
   for (const pt::BvhNode& node : c.bvh.nodes) {
     if (!node.is_leaf() || !is_missed(node.box, c.ray)) continue;
@@ -74,7 +74,7 @@ inline void expect_only_boxes_below_entered_ones(const Case& c, bool any) {
     if (node.is_leaf() || !is_missed(node.box, c.ray)) continue;
     for (const int child : {node.left, node.right}) {
       const pt::Box& box = c.bvh.nodes[child].box;
-      if (same(box, node.box)) continue;  // the log cannot tell the two apart
+      if (same(box, node.box)) continue;  // both look the same in the log
       const long long asked = times(log.boxes, box);
       expect(asked == 0,
              "no test of the box of node " + std::to_string(child) +

@@ -16,7 +16,7 @@ using namespace hit_bvh_cases;
 constexpr int kCases = 150;
 const Wanted kAny{.copies = true, .any_scale = true};
 
-// Before any promise is judged; stops where the query is none.
+// First checks that the query walks the tree. If it does not, the property is not run.
 template <class Property>
 void for_queries(const Property& property, int cases = kCases) {
   if (testing::Test::HasFailure()) return;
@@ -24,7 +24,7 @@ void for_queries(const Property& property, int cases = kCases) {
   if (!testing::Test::HasFailure()) for_all(property, cases);
 }
 
-// Of a case in which there is something to hit.
+// Judges t of the nearest hit, in a case with a hit.
 void expect_nearest(const Case& c) {
   const Truth truth = truth_of(c);
   if (!truth.any() || !truth.is_clear) return;
@@ -33,7 +33,7 @@ void expect_nearest(const Case& c) {
   expect_near("t of the nearest hit", hit->t, truth.t(), t_error(truth));
 }
 
-// Whatever there is; t of the hit, if there is one.
+// Judges whether there is a hit, and its t if there is one.
 void expect_as_all(const Case& c) {
   const Truth truth = truth_of(c);
   if (!truth.is_clear) return;
@@ -95,7 +95,8 @@ PROMISE(hit_bvh, keeps_t_inside_the_ray) {
     Case c = *some_tree({.all_of_ray = true, .any_scale = true});
     const Truth first = truth_of(c);
     if (!first.any()) return;
-    // Before the first hit there is none; from behind it on, the next one is the nearest.
+    // A range that ends before the first hit has no hit. If a range begins behind the first hit,
+    // the next hit is the nearest.
     Case before = c, behind = c;
     before.ray.t_max = 0.999 * first.t();
     behind.ray.t_min = 1.001 * first.t();
@@ -156,7 +157,7 @@ PROMISE(hit_bvh, asks_hit_box_and_hit_primitive) {
     const Case c = *some_tree();
     Many make(draw("seed of the other ray", sampler_seed()));
     const pt::Ray other = some_clear_ray(c.primitives, {.all_of_ray = true}, make);
-    if (!judge_answers) return;  // where it is judged by itself, the judge does
+    if (!judge_answers) return;  // the submission's tasks answer, for the right ray only
     const Truth truth =
         truth_of(c.primitives, {other.origin, other.direction, c.ray.t_min, c.ray.t_max});
     const AnsweringFor another(other);
@@ -172,7 +173,7 @@ PROMISE(hit_bvh, asks_hit_box_and_hit_primitive) {
   });
 }
 
-// Boxes over few primitives, none larger than it needs to be, so that most are not entered.
+// Small leaves, and boxes without padding, so that a ray enters only a few boxes.
 Wanted tight() { return {.padding = 0, .max_leaf = 3}; }
 
 PROMISE(hit_bvh, tests_few_primitives) {

@@ -10,13 +10,14 @@
 #include <optional>
 #include <string>
 
-// Queries of the function under test, and what they asked of the tasks that it calls.
+// Queries of the task under test, and the calls of other tasks that they made.
 
 namespace grader::check::hit_bvh_cases {
 
 inline std::optional<pt::Hit> ask(const Case& c) { return pt::hit_bvh(c.bvh, c.primitives, c.ray); }
 
-// While it lives, the judge's tasks answer for another ray; also where a query ends the case.
+// While this object lives, the judge's tasks answer for another ray. The destructor also resets
+// this if a query ends the case.
 struct AnsweringFor {
   explicit AnsweringFor(const pt::Ray& other) { answer_for(other); }
   ~AnsweringFor() { answer_for({}); }
@@ -24,7 +25,7 @@ struct AnsweringFor {
   AnsweringFor& operator=(const AnsweringFor&) = delete;
 };
 
-// Copied before the test asks something itself.
+// Returns a copy of the tests of one query, before the property itself calls a task.
 inline Tested tested_by(const Case& c, bool any) {
   forget_tests();
   if (any) {
@@ -35,8 +36,8 @@ inline Tested tested_by(const Case& c, bool any) {
   return tested();
 }
 
-// Eight triangles in a row, ten apart, each in a leaf of its own three levels below the root, and a
-// ray at one of them.
+// Eight triangles in a row, ten apart, and a ray at one of them. Each triangle is in its own leaf,
+// three levels below the root.
 inline Case plain_case(int aim) {
   constexpr int kLeaves = 8;
   Case c;
@@ -61,8 +62,8 @@ inline Case plain_case(int aim) {
   return c;
 }
 
-// Returns whether hit_box was called for the leaf of this primitive of the plain case, or its
-// parent.
+// Returns whether the query of the plain case called hit_box for the leaf of this primitive or for
+// the leaf's parent.
 inline bool came_by_its_leaf(const Case& plain, int primitive, const Tested& log) {
   const int leaf = 7 + primitive, parent = (leaf - 1) / 2;
   return std::ranges::any_of(log.boxes, [&](const pt::Box& box) {
@@ -70,12 +71,12 @@ inline bool came_by_its_leaf(const Case& plain, int primitive, const Tested& log
   });
 }
 
-// Whether the judge's own tasks answer the queries. Where a submission is judged together with its
-// own tasks, those do, and it says which tests they have made. Known from the plain case.
+// True if the judge's own tasks answer the calls of a query. If a submission is judged together
+// with its own tasks, those answer, and the submission reports the tests. The plain case sets this.
 inline bool judge_answers = false;
 
-// Queries of the plain case. Who answers them without a test of boxes, or whatever hit_primitive
-// says, does not walk the tree, and no promise holds then.
+// Queries of the plain case. A query that tests no boxes, or that ignores the answers of
+// hit_primitive, does not walk the tree, and then no promise holds.
 inline void expect_that_it_walks() {
   const std::string plain =
       "before anything else, in a tree of eight leaves, each with one triangle, and a ray at one: ";
@@ -108,8 +109,8 @@ inline void expect_that_it_walks() {
   expect(!hit.has_value(), plain + "no hit between two of them", shown(hit));
 }
 
-// How far an answer may be from the truth: what hit_primitive has said may not change, and where
-// the submission's own tasks have said it, they are right to their own precision.
+// Returns how far an answer may be from the truth. The answer of hit_primitive may not be changed.
+// The submission's own tasks are right only to the precision of their contracts.
 inline double t_error(const Meeting& meeting) {
   const double rounding = 1e-12 * std::abs(meeting.hit->t);
   return judge_answers ? rounding : rounding + 2 * meeting.t_error;
@@ -119,7 +120,7 @@ inline double n_error(const Meeting& meeting) {
   return judge_answers ? 1e-12 : 1e-12 + 2 * meeting.n_error;
 }
 
-// Of t of the nearest hit: where another is as near, that one may have been taken.
+// Returns the allowed error of t of the nearest hit. If another hit is as near, it may be returned.
 inline double t_error(const Truth& truth) {
   double error = t_error(truth.meetings[truth.nearest]);
   for (const Meeting& meeting : truth.meetings) {

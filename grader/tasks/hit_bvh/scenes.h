@@ -5,8 +5,8 @@
 
 #include <string>
 
-// Random scenes with trees over them, and rays of which every right hit_triangle and hit_sphere say
-// the same.
+// Random scenes with trees, and rays for which all right versions of hit_triangle and hit_sphere
+// agree.
 
 namespace grader::check::hit_bvh_cases {
 
@@ -15,14 +15,15 @@ struct Wanted {
   bool spheres = true;
   double padding = 0.5;
   int max_leaf = 6;
-  int min_leaf = 1;         // a leaf holds at most some number between the two
-  double size = 2;          // of triangles, among primitives within 5 of the origin
+  int min_leaf = 1;         // the tree's limit is random between the two
+  double size = 2;          // of triangles; primitives are within 5 of the origin
   bool all_of_ray = false;  // the ray's range is from 0 to infinity
-  bool copies = false;      // some primitives stand twice in the same place: two hits at the same t
-  bool any_scale = false;   // the scene is from a millionth to a million times as large
+  bool copies = false;      // some primitives occur twice: two hits at the same t
+  bool any_scale = false;   // the scene is scaled by a millionth to a million
 };
 
-// From a primitive's surface, to anywhere; the range begins a little away from it.
+// A ray in any direction from the first surface on `ray`. Its range begins a little away from
+// there.
 inline pt::Ray from_a_surface(const pt::Primitives& primitives, pt::Ray ray, Many& make) {
   ray.t_min = 0;
   ray.t_max = pt::kInfinity;
@@ -32,7 +33,7 @@ inline pt::Ray from_a_surface(const pt::Primitives& primitives, pt::Ray ray, Man
   return {ray.at(truth.t()), away, 1e-2 / length(away), pt::kInfinity};
 }
 
-// Past the middle of one of the primitives, or anywhere, with and without an end.
+// A ray close to the middle of a primitive, or anywhere. Its range may have limits.
 inline pt::Ray some_ray(const pt::Primitives& primitives, const Wanted& wanted, Many& make) {
   const pt::Vec3 origin = make.vector(-12, 12);
   const pt::Box aim = bounds(primitives, make.whole(0, primitives.size() - 1));
@@ -46,8 +47,8 @@ inline pt::Ray some_ray(const pt::Primitives& primitives, const Wanted& wanted, 
   return make.whole(0, 5) == 0 ? from_a_surface(primitives, ray, make) : ray;
 }
 
-// One that meets edges and tangents of nothing. In the largest scenes one ray of three is of that
-// kind, so that the last attempt is never needed.
+// A ray that meets no primitive at an edge or as a tangent. In the largest scenes one ray of three
+// is clear in this way, so that the attempts are always enough.
 inline pt::Ray some_clear_ray(const pt::Primitives& primitives, const Wanted& wanted, Many& make) {
   constexpr int kAttempts = 200;
   pt::Ray ray;
@@ -88,14 +89,14 @@ inline void enlarge(Case& c, double scale) {
   c.ray.t_max *= scale;
 }
 
-// How many primitives, and the seed of all about them.
+// The number of primitives, and the seed from which everything else about them follows.
 struct Lot {
   int n;
   std::uint64_t seed;
 };
 
-// Fewer primitives are another scene, in which most mistakes are rarer than in a large one. So
-// shrinking tries several for each number, the smallest first.
+// A scene with fewer primitives is a different scene, and most mistakes are rarer in it. So
+// shrinking tries several seeds per number of primitives, the smallest number first.
 inline rc::Gen<Lot> some_lot(int least, int most) {
   constexpr int kNumbers = 8, kSeeds = 40;
   return rc::Gen<Lot>([=](const rc::Random& random, int size) {
@@ -131,13 +132,13 @@ inline rc::Gen<Case> some_tree(Wanted wanted = {}) {
   return with_tree({Shape::balanced, Shape::random}, wanted);
 }
 
-// Thousands of small primitives, of which a ray comes near to few.
+// Thousands of small primitives. A ray comes close to only a few of them.
 inline rc::Gen<Case> large_tree() {
   return with_tree({Shape::balanced},
                    {.least = 2000, .most = 4000, .padding = 0.01, .size = 0.2, .all_of_ray = true});
 }
 
-// A thousand levels and more, all of which the ray enters.
+// A tree with a thousand levels and more. The ray enters all of them.
 inline rc::Gen<Case> deep_tree() {
   return with_tree(
       {Shape::chain, Shape::left_chain, Shape::right_chain},

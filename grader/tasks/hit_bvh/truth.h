@@ -10,31 +10,31 @@
 #include <string>
 #include <vector>
 
-// What a ray really meets, and how much the answers of right hit_triangle and hit_sphere may differ
-// from that. Where a submission is judged together with its own tasks, those answer hit_bvh, each
-// only as precise as its contract; where hit_bvh is judged by itself, the judge answers, and what
-// hit_bvh returns has to be that, unchanged.
+// The right hits of a ray, and how far right versions of hit_triangle and hit_sphere may differ
+// from them. If a submission is judged together with its own tasks, those answer hit_bvh, to the
+// precision of their contracts. If hit_bvh is judged alone, the judge's tasks answer, and hit_bvh
+// has to return their answers unchanged.
 
 namespace grader::check::hit_bvh_cases {
 
-// One primitive and one ray.
+// The result for one primitive and one ray.
 struct Meeting {
   std::optional<pt::SurfaceHit> hit;
-  double t_error = 0;    // of a right answer of its own task
+  double t_error = 0;    // of a right answer of hit_triangle or hit_sphere
   double n_error = 0;    // likewise
-  bool is_clear = true;  // no right answer differs in whether it is a hit
+  bool is_clear = true;  // all right answers agree whether it is a hit
 };
 
-// Answers this much nearer to where right answers part than their contracts allow are not asked
-// for.
+// Right answers may disagree near the ends of a ray's range and near edges. Cases that are within
+// this many times the contract's error of such a place are not used.
 inline constexpr double kMargin = 4;
 
 inline bool is_near_an_end(double t, double error, const pt::Ray& ray) {
   return std::abs(t - ray.t_min) <= kMargin * error || std::abs(t - ray.t_max) <= kMargin * error;
 }
 
-// pt/tasks/hit_sphere.h: the point lies on the sphere to 1e-6 radii, n is right to 1e-6. Nearly
-// touching rays are not asked for.
+// pt/tasks/hit_sphere.h: the point lies on the sphere to 1e-6 radii, n is right to 1e-6. Rays that
+// nearly touch the sphere are not used.
 inline Meeting meet(const pt::Sphere& sphere, const pt::Ray& ray) {
   const double speed = length(ray.direction);
   const pt::Vec3 to_center = sphere.center - ray.origin, d = ray.direction / speed;
@@ -53,8 +53,8 @@ inline Meeting meet(const pt::Sphere& sphere, const pt::Ray& ray) {
   return meeting;
 }
 
-// pt/tasks/hit_triangle.h: t is right to 1e-9 of the largest length involved, and less in slivers
-// and at small angles.
+// pt/tasks/hit_triangle.h: t is right to 1e-9 of the largest length in the case, and less precise
+// in slivers and at small angles.
 inline Meeting meet(const pt::Triangle& triangle, const pt::Ray& ray) {
   const pt::Vec3 a = triangle.p1 - triangle.p0, b = triangle.p2 - triangle.p0;
   const double speed = length(ray.direction);
@@ -82,15 +82,15 @@ inline Meeting meet(const pt::Triangle& triangle, const pt::Ray& ray) {
 }
 
 struct Truth {
-  std::vector<Meeting> meetings;  // one for each primitive
-  bool is_clear = true;           // all of them
+  std::vector<Meeting> meetings;  // one per primitive
+  bool is_clear = true;           // all meetings are clear
   int nearest = -1;
 
   bool any() const { return nearest >= 0; }
   double t() const { return meetings[nearest].hit->t; }
 };
 
-// By asking every primitive. What it meets is what the judge's own tasks answer.
+// Tests every primitive. The hits are the answers of the judge's own tasks.
 inline Truth truth_of(const pt::Primitives& primitives, const pt::Ray& ray) {
   Truth truth;
   for (int i = 0; i < primitives.size(); ++i) {

@@ -8,35 +8,35 @@
 #include <algorithm>
 #include <cmath>
 
-// Spheres, and rays along lines whose two points on the sphere are known. Lengths are in radii
-// where nothing else is said.
+// Spheres, and rays along lines whose two points on the sphere are known. Lengths are in radii if
+// nothing else is said.
 
 namespace grader::check::hit_sphere_cases {
 
-// The contract's precision: of a point and of a normal, and how near to touching is too near to
-// call.
+// The contract's precision of a point and of a normal. A ray that is closer to touching the sphere
+// than kTouching may be a hit or a miss.
 inline constexpr double kPrecision = 1e-6;
 inline constexpr double kTouching = 1e-8;
 
-// How far along the ray a point may be from where the line meets the sphere, so that it is still
-// within the precision of the surface: half a chord is `half` long. The flatter the ray, the
-// farther.
+// Returns how far along the ray a point may be from the right one and still be within the precision
+// of the surface. `half` is half the length of the chord. The flatter the ray, the larger the
+// result.
 inline double slack_along(double half) {
   const double thick = 2 * kPrecision + kPrecision * kPrecision;
   return half * half > thick ? half - std::sqrt(half * half - thick) : half + std::sqrt(thick);
 }
 
-// The flattest chord whose two points can be told apart, some ten times over.
+// Half of the flattest chord whose two points can be distinguished, with a margin of about ten.
 inline constexpr double kFlat = 5e-3;
 
-// From the centre to the origin it is a thousand radii at most.
+// The largest distance from the origin to the near point: at most a thousand radii to the centre.
 inline constexpr double kFar = 998;
 
 struct Chord {
   pt::Sphere sphere;
   pt::Ray ray;
   double half = 1;       // half of its length: 1 through the centre, 0 where it only touches
-  double t_near, t_far;  // where the line meets the sphere, be it in the ray's range or not
+  double t_near, t_far;  // where the line meets the sphere, in the ray's range or not
   double slack;          // slack_along, as a difference of t
   double length() const { return t_far - t_near; }
 };
@@ -47,8 +47,8 @@ inline void showValue(const Chord& chord, std::ostream& out) {
 
 enum class From { outside, inside, behind };
 
-// Ordinary where nothing is said, so that a mistake with extreme numbers breaks the promises that
-// are about those.
+// The ranges of a chord's numbers. The defaults are ordinary, so that a mistake with extreme
+// numbers breaks only the promises about extreme numbers.
 struct Domain {
   double radius = 10;  // from 1 / radius to radius
   double speed = 1;    // the direction's length, likewise
@@ -57,7 +57,7 @@ struct Domain {
   double far = 30;     // the largest distance
 };
 
-// Any rotation, or one along the axes, where components are exactly zero.
+// Any rotation, or one along the axes with components that are exactly zero.
 inline pt::Frame turned() {
   if (*whole(0, 3) > 0) return *rotation();
   const double sign = *rc::gen::element(1.0, -1.0);
@@ -66,14 +66,15 @@ inline pt::Frame turned() {
   return {axes[0], axes[1], axes[2]};
 }
 
-// Around the world's origin, beside it, or a thousand radii away.
+// A sphere around the world's origin, beside it, or up to a thousand radii away.
 inline pt::Sphere any_sphere(double range) {
   const double radius = *magnitude(1 / range, range);
   if (*whole(0, 4) == 0) return {{}, radius};
   return {radius * *magnitude(1e-1, 1e3) * *point(1), radius};
 }
 
-// From the origin to the near point; negative past it.
+// Returns the distance from the ray's origin to the near point. It is negative if the origin is
+// behind the near point.
 inline double start_of(From from, double half, double far) {
   const double apart = 3 * slack_along(half);
   if (from == From::outside) return *magnitude(std::max(apart, 1e-5), far);
@@ -86,7 +87,7 @@ inline Chord chord_at(const pt::Sphere& sphere, const pt::Frame& frame, double h
                       double speed) {
   const pt::Vec3 middle =
       sphere.center + sphere.radius * std::sqrt((1 - half) * (1 + half)) * frame.x;
-  const double unit = sphere.radius / speed;  // t of a radius
+  const double unit = sphere.radius / speed;  // one radius as a difference of t
   return {sphere,
           {middle - sphere.radius * (start + half) * frame.z, speed * frame.z},
           half,
@@ -106,8 +107,8 @@ inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
   });
 }
 
-// A ray whose line passes the sphere, and another one from the same origin that goes through the
-// sphere's centre.
+// A ray whose line passes beside the sphere, and a ray from the same origin through the sphere's
+// centre.
 struct Passing {
   pt::Sphere sphere;
   pt::Ray ray;
@@ -118,7 +119,8 @@ inline void showValue(const Passing& passing, std::ostream& out) {
   show_lines(out, passing.sphere, passing.ray);
 }
 
-// Beside the sphere by `low` to `high`, and as far before or behind it as `far`.
+// The line passes the sphere at a distance of `low` to `high` from its surface. The ray starts up
+// to `far` before or behind the sphere.
 inline rc::Gen<Passing> passing(double low, double high, double far) {
   return rc::gen::exec([=] {
     const pt::Sphere sphere = any_sphere(10);
@@ -129,7 +131,7 @@ inline rc::Gen<Passing> passing(double low, double high, double far) {
   });
 }
 
-// A sphere, and a ray from outside at a point of its visible half, `distance` away.
+// A sphere, and a ray from outside at a point of its visible half.
 struct Aimed {
   pt::Sphere sphere;
   pt::Ray ray;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace hit_sphere_cases;
 
-// The same case after `change`, drawn as one value, so that a failure shows the ray that failed.
+// The case after `change`. It is drawn as one value, so that a failure shows the ray that failed.
 template <class Case, class Change>
 rc::Gen<Case> changed(const rc::Gen<Case>& made, const Change& change) {
   return rc::gen::exec([=] { return change(*made); });
@@ -27,7 +27,8 @@ void expect_miss(const pt::Sphere& sphere, const pt::Ray& ray, const std::string
   expect(!hit.has_value(), "no hit: " + why, hit ? show(*hit) : "");
 }
 
-// Which of the two points is finds_the_near_side's matter.
+// Accepts both points of the line. The promise finds_the_near_side judges which of them is
+// returned.
 PROMISE(hit_sphere, hits_where_it_is_aimed) {
   for (const Domain& domain : {Domain{.flat = kFlat, .far = kFar},
                                Domain{.radius = 1e6, .speed = 1e9, .flat = kFlat, .far = kFar}}) {
@@ -38,7 +39,7 @@ PROMISE(hit_sphere, hits_where_it_is_aimed) {
       expect_near("t at the point aimed at", t, far ? c.t_far : c.t_near, c.slack);
     });
   }
-  // Rays that all but touch: they meet the surface at .011 to .3 degrees.
+  // Rays that nearly touch the sphere: they meet the surface at an angle of .011 to .3 degrees.
   for_all([] {
     const Chord c =
         *chord(From::outside, {.flat = std::sqrt(4 * kTouching), .round = kFlat, .far = 500});
@@ -82,7 +83,7 @@ PROMISE(hit_sphere, hits_from_inside) {
     expect(hit.has_value(), "a hit on the far side, from inside the sphere", "none");
     expect_near("t at the far side, from inside the sphere", hit->t, c.t_far, c.slack);
   });
-  // The near point lies before t_min, which leaves the far one.
+  // The near point is before t_min, so that the far point is the hit.
   for_all([] {
     const Chord c = *changed(chord(From::outside), [](Chord made) {
       const double part = *rc::gen::element(0.0, 0.5, 1.0);
@@ -93,7 +94,7 @@ PROMISE(hit_sphere, hits_from_inside) {
     expect(hit.has_value(), "a hit on the far side, since the near one is before t_min", "none");
     expect_near("t at the far side, since the near one is before t_min", hit->t, c.t_far, c.slack);
   });
-  // From a point of the surface, which may count or not.
+  // The ray starts at a point of the surface. This point may count as a hit or not.
   for_all([] {
     const Chord c = *changed(chord(From::inside), [](Chord made) {
       made.ray.origin = made.ray.at(made.t_near);
@@ -105,8 +106,8 @@ PROMISE(hit_sphere, hits_from_inside) {
   });
 }
 
-// A range of t in which the line does not meet the sphere; often one that ends or begins right
-// beside a point.
+// A ray whose line does not meet the sphere in the range of t. Often the range ends right before a
+// point or begins right behind it.
 Chord out_of_range(int kind) {
   Chord c = *chord(kind == 0 ? From::behind : kind == 1 ? From::inside : From::outside);
   const double part = *rc::gen::element(0.0, 1.0) * *real(0.05, 0.95);
@@ -129,7 +130,7 @@ PROMISE(hit_sphere, keeps_t_inside_the_ray) {
       expect_miss(c.sphere, c.ray, "no point of the sphere is in the range of t");
     });
   }
-  // A range that begins right before the near point and ends right beyond it has it inside.
+  // A range that begins right before the near point and ends right behind it contains the point.
   for_all([] {
     const Chord c = *changed(chord(From::outside), [](Chord made) {
       made.ray.t_min = made.t_near - 2 * made.slack;
@@ -140,8 +141,8 @@ PROMISE(hit_sphere, keeps_t_inside_the_ray) {
   });
 }
 
-// n belongs to the point that is reported, whichever it is. n may be the difference from the centre
-// divided by its length or by the radius.
+// Judges n at the point that is returned, which may be either of the two. n may be the difference
+// from the centre, divided by its length or by the radius.
 void expect_outward_unit(const Chord& c, const pt::SurfaceHit& hit) {
   const pt::Vec3 from_centre = c.ray.at(hit.t) - c.sphere.center;
   const double size = length(from_centre) / c.sphere.radius;
@@ -157,7 +158,7 @@ PROMISE(hit_sphere, returns_the_outward_unit_normal) {
     const Chord c = *chord(From::outside);
     expect_outward_unit(c, expect_hit(c.sphere, c.ray));
   });
-  // Seen from inside; that there is a hit is another promise.
+  // Seen from inside. The promise hits_from_inside judges whether there is a hit.
   for (const From from : {From::inside, From::outside}) {
     for_all([=] {
       const Chord c = *changed(chord(from, {.radius = 1e6}), [=](Chord made) {
@@ -170,8 +171,8 @@ PROMISE(hit_sphere, returns_the_outward_unit_normal) {
   }
 }
 
-// The same line with a direction of another length; what the task says of a unit direction is
-// compared with, not what is true.
+// The same line with a direction of another length. The answer is compared with the task's own
+// answer for a unit direction, not with the true one.
 struct Scaled {
   Chord unit;
   double factor;

@@ -9,11 +9,11 @@
 #include <array>
 #include <cmath>
 
-// Triangles, and rays at known points of their planes.
+// Triangles, and rays that are aimed at known points of their planes.
 
 namespace grader::check::hit_triangle_cases {
 
-// The contract's precision: of t, as a part of the largest length that is involved, and of n.
+// The contract's precision of t, relative to the largest length in the case, and of n.
 inline constexpr double kPrecision = 1e-9;
 inline constexpr double kNormalPrecision = 1e-6;
 
@@ -21,7 +21,7 @@ struct Weights {
   double b0, b1, b2;  // sum to 1
 };
 
-// A triangle, and a ray at a known point of its plane.
+// A triangle, and a ray that is aimed at a known point of its plane.
 struct Aimed {
   pt::Triangle triangle;
   pt::Ray ray;
@@ -35,20 +35,20 @@ inline void showValue(const Aimed& aimed, std::ostream& out) {
   show_lines(out, aimed.triangle, aimed.ray);
 }
 
-// How far the generator goes. Ordinary where nothing is said, so that a mistake with extreme
-// numbers breaks the promises that are about those.
+// The ranges of the generator's numbers. The defaults are ordinary, so that a mistake with extreme
+// numbers breaks only the promises about extreme numbers.
 struct Range {
   double size = 10;              // the first edge is from 1 / size to size long
-  double speed = 1;              // the direction, likewise
-  double thin = 0.5;             // least height over length
-  double away = 10;              // largest coordinate, in sizes
+  double speed = 1;              // the direction's length, likewise
+  double thin = 0.5;             // the smallest height over length
+  double away = 10;              // the largest coordinate, in sizes
   double near = 1e-2, far = 30;  // the distance, in sizes
-  double flat = 0.17;            // the least angle between ray and plane, radians
-  double steep = 0.5 * pt::kPi;  // the largest
+  double flat = 0.17;            // the smallest angle between ray and plane, radians
+  double steep = 0.5 * pt::kPi;  // the largest angle
 };
 
-// Unit vectors within a radian of a common axis, which is on either side of the triangle; they
-// never sum to almost nothing.
+// Unit vectors within a radian of a common axis, which may be on either side of the triangle. Their
+// sum is never close to zero.
 inline std::array<pt::Vec3, 3> corner_normals() {
   const pt::Frame around = *rotation();
   std::array<pt::Vec3, 3> normals;
@@ -58,8 +58,8 @@ inline std::array<pt::Vec3, 3> corner_normals() {
   return normals;
 }
 
-// Any rotation, or one whose z is an axis, or so close to one that the other components are all but
-// zero.
+// Any rotation, or one whose z is an axis, or so close to an axis that the other components are
+// nearly zero.
 inline pt::Frame orientation() {
   const int kind = *whole(0, 3);
   if (kind < 2) return *rotation();
@@ -100,14 +100,14 @@ inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, const Range& rang
           error / speed, kNormalPrecision + 10 * error / height};
 }
 
-// Well inside: no weight under 1/20.
+// Weights of a point well inside: none is below 1/20.
 inline Weights inside() {
   const double a = *real(0.05, 1), b = *real(0.05, 1), c = *real(0.05, 1);
   const double sum = a + b + c;
   return {0.9 * a / sum + 1.0 / 30, 0.9 * b / sum + 1.0 / 30, 0.9 * c / sum + 1.0 / 30};
 }
 
-// Inside, but close to an edge or, with two small weights, to a corner.
+// Weights of a point inside, but close to an edge or, with two small weights, to a corner.
 inline Weights just_inside() {
   const double small = *magnitude(2e-5, 1e-2), other = *real(0, 1) < 0.5 ? 0.4 : 2e-5;
   std::array<double, 3> b{small, other, 1 - small - other};
@@ -115,7 +115,7 @@ inline Weights just_inside() {
   return {b[0], b[1], b[2]};
 }
 
-// Beyond one edge or two, by a ten thousandth of the triangle or by ten of it.
+// Weights of a point beyond one or two edges, by 2e-5 to ten times the size of the triangle.
 inline Weights outside() {
   const double beyond = -*magnitude(2e-5, 10), other = *real(-3, 3);
   std::array<double, 3> b{beyond, other, 1 - beyond - other};
@@ -127,7 +127,8 @@ inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside
   return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
 }
 
-// Two rays at the plane of one triangle: one at a point outside of it and one inside.
+// Two rays at the plane of one triangle: one is aimed at a point outside the triangle, one at a
+// point inside.
 struct InAndOut {
   Aimed out, in;
 };
@@ -144,8 +145,8 @@ inline rc::Gen<InAndOut> aimed_outside(Range range = {}) {
 
 inline double small_whole() { return *whole(-2, 2); }
 
-// Made of small whole numbers times a power of two, along the axes or as diagonals, so that every
-// way to compute finds determinants that are zero to the last bit.
+// A triangle and a ray made of small whole numbers times a power of two, along the axes or
+// diagonals. With these numbers, every method finds determinants that are exactly zero.
 struct Degenerate {
   pt::Triangle triangle;
   pt::Ray ray;
@@ -155,7 +156,7 @@ inline void showValue(const Degenerate& c, std::ostream& out) {
   show_lines(out, c.triangle, c.ray);
 }
 
-// Turns `axis` into the third one.
+// Exchanges the axes in a cycle, so that `axis` becomes the third one.
 inline pt::Vec3 turned(pt::Vec3 v, int axis) {
   return {v[(axis + 1) % 3], v[(axis + 2) % 3], v[axis]};
 }
@@ -169,7 +170,7 @@ inline Degenerate degenerate(const std::array<pt::Vec3, 3>& corners, pt::Vec3 st
           {place(start), place(d)}};
 }
 
-// Three corners on a line, or two or all three in one point; the ray is aimed at one of them.
+// Three corners on a line, of which two or all three may coincide. The ray is aimed at one of them.
 inline rc::Gen<Degenerate> without_area() {
   return rc::gen::exec([] {
     const pt::Vec3 p{small_whole(), small_whole(), small_whole()}, along{1, 0, 0};
@@ -196,8 +197,8 @@ inline rc::Gen<Degenerate> in_the_plane() {
   });
 }
 
-// A fan of four triangles around a corner that they share, and a ray at the corner or at one of the
-// edges that two of them share, from in front.
+// A fan of four triangles around a common corner, and a ray from the front. It is aimed at the
+// corner or at an edge that two of the triangles share.
 struct Fan {
   std::array<pt::Triangle, 4> triangles;
   pt::Ray ray;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace hit_triangle_cases;
 
-// The same case after `change`, drawn as one value, so that a failure shows the ray that failed.
+// The case after `change`. It is drawn as one value, so that a failure shows the ray that failed.
 template <class Case, class Change>
 rc::Gen<Case> changed(const rc::Gen<Case>& made, const Change& change) {
   return rc::gen::exec([=] { return change(*made); });
@@ -21,8 +21,8 @@ pt::SurfaceHit expect_hit(const Aimed& aimed) {
   return *hit;
 }
 
-// A hit of this ray or of the one that comes from the other side and has the same t: that both
-// faces are hit is a promise of its own.
+// Returns the hit of this ray or else of the ray that comes from the other side with the same t.
+// The promise hits_both_faces judges whether both faces are hit.
 std::optional<pt::SurfaceHit> hit_from_either_side(const Aimed& aimed) {
   const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
   if (hit) return hit;
@@ -55,9 +55,9 @@ void expect_t_from_either_side(const Aimed& aimed) {
 PROMISE(hit_triangle, hits_where_it_is_aimed) {
   for_all([] { expect_t(*aimed_inside()); });
   for_all([] { expect_t(*aimed_inside({}, just_inside)); });
-  // Slivers, a thousand times as long as high.
+  // Slivers: triangles that are a thousand times as long as high.
   for_all([] { expect_t(*aimed_inside({.thin = 1e-3, .flat = 0.5})); });
-  // Rays that meet the plane at a millionth of a radian to ten degrees.
+  // Rays that meet the plane at an angle of a millionth of a radian to ten degrees.
   for_all([] {
     expect_t(*aimed_inside({.away = 1, .near = 0.1, .far = 3, .flat = 1e-6, .steep = 0.17}));
   });
@@ -98,7 +98,7 @@ PROMISE(hit_triangle, keeps_t_inside_the_ray) {
     });
     expect_miss(aimed.triangle, aimed.ray, "the triangle is behind the origin");
   });
-  // A range that ends right beyond the point and begins right before it has the point in it.
+  // A range that begins right before the point and ends right behind it contains the point.
   for_all([] {
     expect_hit_from_either_side(*changed(aimed_inside(), [](Aimed made) {
       made.ray.t_min = std::max(0.0, made.t - 2 * made.tolerance);
@@ -108,7 +108,8 @@ PROMISE(hit_triangle, keeps_t_inside_the_ray) {
   });
 }
 
-// On which side n is, and whether it is of unit length, are other promises.
+// Other promises judge the sign and the length of n; this one judges only the rest of its
+// direction.
 PROMISE(hit_triangle, interpolates_the_corner_normals) {
   for_all([] {
     const Aimed aimed = *aimed_inside();
@@ -123,7 +124,7 @@ PROMISE(hit_triangle, returns_a_unit_normal) {
     for_all([&] {
       const auto hit = hit_from_either_side(*aimed_inside(range));
       expect(any || hit.has_value(), "a hit", "none");
-      any = true;  // from now on, that there is one is another promise
+      any = true;  // other promises judge later misses
       if (hit) expect_near("the length of n", length(hit->n), 1, kNormalPrecision);
     });
   }
@@ -143,7 +144,7 @@ PROMISE(hit_triangle, never_flips_the_normal) {
   });
 }
 
-// Where the hit is, and with which normal, are other promises.
+// Other promises judge the point of the hit and its normal; this one does not.
 PROMISE(hit_triangle, hits_both_faces) {
   for_all([] {
     Aimed aimed = *aimed_inside();
@@ -162,8 +163,8 @@ PROMISE(hit_triangle, hits_both_faces) {
   });
 }
 
-// A ray whose direction has been made longer or shorter; what the task says of the unit direction
-// is compared with, not what is true.
+// A ray with a longer or shorter direction. The answer is compared with the task's own answer for
+// the unit direction, not with the true one.
 Aimed scaled(Aimed made, double factor) {
   made.ray.direction *= factor;
   made.t /= factor;
@@ -200,7 +201,8 @@ PROMISE(hit_triangle, counts_t_in_the_directions_length) {
 
 PROMISE(hit_triangle, works_at_every_scale) {
   for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e6})); });
-  // Of a fine mesh as the camera sees it, a million sizes away; and far from the world's origin.
+  // A triangle of a fine mesh, a million of its sizes away from the camera; and a triangle far from
+  // the world's origin.
   for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e6, .far = 1e6})); });
   for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e2, .away = 1e4})); });
   for_all([] {
@@ -216,7 +218,7 @@ PROMISE(hit_triangle, keeps_double_precision) {
 }
 
 PROMISE(hit_triangle, rejects_what_has_no_area) {
-  // What has an area is hit.
+  // A triangle with an area is hit.
   for_all([] { expect_hit_from_either_side(*aimed_inside()); }, 10);
   for_all(
       [] {

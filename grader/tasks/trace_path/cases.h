@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-// Rooms, what is asked of them, and how noisy an answer may be.
+// Rooms, the settings of a path in them, and the noise that an estimate may have.
 
 namespace grader::check::paths {
 
@@ -38,12 +38,12 @@ inline void showValue(const Case& c, std::ostream& out) {
                      s.survival);
 }
 
-// Bounces to add up, from .. to.
+// The bounces to add up, from .. to.
 struct Bounces {
   int from = 1, to = 1;
 };
 
-// Any of low .. high.
+// Any range of bounces within low .. high.
 inline rc::Gen<Bounces> bounces(int low, int high) {
   return rc::gen::exec([=] {
     const int from = *whole(low, high);
@@ -57,13 +57,13 @@ inline rc::Gen<Rgb> gray(double low, double high) {
 
 inline rc::Gen<Direct> either_way() { return rc::gen::element(Direct::lights, Direct::hemisphere); }
 
-// Up to any of low .. high.
+// The bounces from `from` to any number in low .. high.
 inline rc::Gen<Bounces> bounces_from(int from, int low, int high) {
   return rc::gen::map(whole(low, high), [=](int to) { return Bounces{from, to}; });
 }
 
-// By default hardly a path dies, so that what is wrong with roulette alone breaks only the promises
-// in which survival varies. (None at all, and a path without a cap would go on for ever.)
+// By default very few paths end by roulette, so that a mistake in roulette breaks only the promises
+// that vary survival. (If none ended, a path that ignores the cap would never end.)
 inline rc::Gen<Case> asked_of(const rc::Gen<Room>& rooms, const rc::Gen<Bounces>& which,
                               const rc::Gen<double>& survival = rc::gen::just(0.998)) {
   return rc::gen::exec([=] {
@@ -83,14 +83,14 @@ inline std::vector<Rgb> estimates(const Case& c, int calls) {
   return repeat<pt::trace_path>(calls, c.seed, c.room.scene, c.room.point, c.settings);
 }
 
-// The largest that the contract allows: twice that of survival .3 or less and of tasks that are as
-// noisy as they may be.
+// The largest noise that the contract allows: twice the noise with a survival of .3 or less, and
+// with inner tasks that are as noisy as their contracts allow.
 inline Noise allowed_noise(const Case& c) {
   return {2 * deviation(c.room, c.settings, {std::min(0.3, c.settings.survival), 2, 2})};
 }
 
-// Where few paths find anything, their own spread tells little of the error of their mean: at least
-// the error of the usual method is allowed.
+// If only few paths find light, their spread does not show the error of their mean. So at least the
+// error of the usual method is allowed.
 inline double error_by_chance(const Case& c, const Mean& got) {
   const Rgb usual = deviation(c.room, c.settings, {c.settings.survival});
   double more = 0;
@@ -111,8 +111,9 @@ inline void expect_estimate(const Case& c, int calls = kCalls) {
   expect_mean_of(c, estimates(c, calls));
 }
 
-// A patch under two rectangles, one that is only in the list of lights and one that is only a
-// surface: each way of looking for direct light finds one of them, and another answer.
+// A patch under two rectangles. One is only in the list of lights, the other is only a surface.
+// Light sampling finds the first and hemisphere sampling the second, and their right answers
+// differ.
 struct HalfLights {
   Situation situation;
   PathSettings settings;
@@ -152,9 +153,10 @@ inline std::vector<Rgb> estimates(const HalfLights& c, int light_samples) {
   return repeat<pt::trace_path>(kCalls, c.seed, c.situation.scene, c.situation.point, settings);
 }
 
-// A point of the left light at the squared distance r brings its mean 1 / r^2, of 1 / 3.5^2 to
-// 1 / 1.25^2, times its density, and a deviation is no more than half of such a range. A direction
-// meets the right light rarely, and brings up to 2 / cos of it.
+// At the squared distance r, a point of the left light contributes in proportion to 1 / r^2, where
+// r is 1.25 to 3.5. The deviation is at most half of the range of these values. A direction rarely
+// meets the right light. The solid angle of this light is more than 0.25, so the deviation of one
+// direction is at most the mean times the root of 2 pi / 0.25.
 inline Noise noise_of_half_lights(const HalfLights& c) {
   const Rgb mean = c.expected;
   const Rgb one = c.settings.direct == Direct::lights
@@ -163,7 +165,7 @@ inline Noise noise_of_half_lights(const HalfLights& c) {
   return {2 * one / std::sqrt(c.settings.light_samples)};
 }
 
-// How many of so many estimates of bounce k alone are more than black.
+// Returns how many of `calls` estimates of bounce k alone are not black.
 inline int lit(Case c, int k, int calls) {
   c.settings.from = c.settings.to = k;
   const std::vector<Rgb> all = estimates(c, calls);

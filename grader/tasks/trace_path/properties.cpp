@@ -28,8 +28,8 @@ PROMISE(trace_path, starts_with_direct_light) {
       30);
 }
 
-// A hundred samples have a tenth of the noise of one, give or take what the noise of so many calls
-// is known to.
+// A hundred samples have a tenth of the noise of one sample. `doubt` is the statistical error of
+// the two measured noises.
 PROMISE(trace_path, takes_the_light_samples_asked_for) {
   for_all(
       [] {
@@ -115,16 +115,16 @@ PROMISE(trace_path, ends_at_the_cap) {
       kCases);
 }
 
-// Whatever the chance to survive, a bounce that a sixth of all paths reach leads to a next one: if
-// a path goes on with a chance of .04 (by the throughput, from bounce 2 on in a room of albedo .2),
-// 24 of 600 do, and none by a chance of 4e-11.
+// If a sixth of all paths reach a bounce, some of them reach the next one, for any survival. For
+// example, a path goes on with a chance of .04 (roulette by the throughput, from bounce 2 on in a
+// room of albedo .2). Then 24 of 600 paths go on, and the probability that none does is 4e-11.
 PROMISE(trace_path, goes_on_up_to_the_cap) {
   constexpr int kPaths = 600, kMany = 100;
   for_all(
       [&] {
         const Case c = *rc::gen::exec([] {
           const double albedo = *rc::gen::oneOf(real(0.2, 1), rc::gen::just(1.0));
-          // So many bounces as a float can tell of: 1e-25 of the light is left.
+          // As many bounces as a float can show: 1e-25 of the light is left.
           const double most = albedo < 1 ? -57 / std::log(albedo) : 100;
           const int to = std::clamp(static_cast<int>(most), 10, 100);
           return *asked_of(round_room(gray(albedo, albedo)), rc::gen::just(Bounces{to, to}),
@@ -132,7 +132,7 @@ PROMISE(trace_path, goes_on_up_to_the_cap) {
         });
         int reached = 2, not_reached = c.settings.to + 1;
         while (not_reached - reached > 1) {
-          // The cap itself first.
+          // Tests the cap itself first.
           const int k = not_reached > c.settings.to ? c.settings.to : (reached + not_reached) / 2;
           (lit(c, k, kPaths) >= kMany ? reached : not_reached) = k;
         }
@@ -142,7 +142,7 @@ PROMISE(trace_path, goes_on_up_to_the_cap) {
                fmt::format("none of {} that brings light of bounce {}", kPaths, not_reached));
       },
       8);
-  // Where all paths leave the scene after the second bounce, there is nothing to reach.
+  // All paths of this scene leave it after the second bounce, so that none reaches bounce 3.
   for_all(
       [&] {
         const Case c = *asked_of(sunny_wall(gray(0.2, 1)), bounces_from(3, 3, 100));
@@ -164,7 +164,7 @@ PROMISE(trace_path, counts_emission_once) {
       24);
 }
 
-// One channel is bright everywhere: roulette by the throughput keeps enough paths.
+// One channel is bright everywhere, so that roulette by the throughput keeps enough paths.
 PROMISE(trace_path, tints_at_each_bounce) {
   for_all(
       [] {
@@ -185,7 +185,8 @@ PROMISE(trace_path, weighs_by_the_cosine) {
   for_all([] { expect_estimate(*asked_of(sunny_wall(gray(0.2, 1)), bounces(2, 2))); }, 20);
 }
 
-// Seen straight from above, our diffuse_sample chooses uniformly (stand_ins/mock_diffuse_bsdf.cpp).
+// For a surface seen from straight above, the mock diffuse_sample draws uniform directions
+// (grader/check/mock_diffuse_bsdf.cpp).
 PROMISE(trace_path, uses_the_density_of_the_sample) {
   for_all(
       [] {
@@ -231,7 +232,7 @@ PROMISE(trace_path, takes_any_amount_of_light) {
       kCases);
 }
 
-// Pairs of estimates, the second from the sampler as the first left it.
+// Pairs of estimates. The second one uses the sampler in the state in which the first one left it.
 PROMISE(trace_path, draws_from_the_sampler_alone) {
   constexpr int kPairs = 300;
   const auto estimate = [](const Case& c, pt::Sampler& sampler) {
@@ -266,8 +267,8 @@ PROMISE(trace_path, draws_from_the_sampler_alone) {
       4);
 }
 
-// Seen almost along the surface, and with channels in which nothing is reflected. One path of
-// fifteen finds light, or more.
+// The surface is seen at a grazing angle, and in some channels nothing is reflected. At least one
+// path in fifteen finds light.
 PROMISE(trace_path, stays_finite) {
   for_all(
       [] {
