@@ -24,7 +24,7 @@ pt::PixelEstimate estimate(const Pixel& p, const AdaptiveSettings& settings, std
   return pt::adaptive_pixel(view, p.x, p.y, settings, sampler);
 }
 
-// After how many samples the contract stops, where sigma divides by n - `less`.
+// Returns the number of samples after which the contract stops, if sigma divides by n - `less`.
 int right_count(const AdaptiveSettings& s, const Script& script, int less) {
   for (int n = s.batch; n < s.max_samples; n += s.batch) {
     double mean = 0, squares = 0;
@@ -35,7 +35,7 @@ int right_count(const AdaptiveSettings& s, const Script& script, int less) {
   return s.max_samples;
 }
 
-// Whether sigma divides by n or by n - 1 is free: only pixels are asked where both stop alike.
+// Sigma may divide by n or by n - 1, so only pixels are used for which both stop at the same count.
 void ask(Battery& battery, const AdaptiveSettings& settings, const Script& script,
          const Pixel& p = kPixels[1]) {
   if (right_count(settings, script, 0) != right_count(settings, script, 1)) return;
@@ -66,7 +66,7 @@ void noises(Battery& battery) {
       }
     }
   }
-  // The channels differ in how noisy they are.
+  // The channels have different noise.
   for (int channel = 0; channel < 3; ++channel) {
     const Script script = [=](int i) {
       Rgb c{1, 1, 1};
@@ -77,7 +77,7 @@ void noises(Battery& battery) {
   }
 }
 
-// The maximum is reached; also where it is no multiple of the batch.
+// Pixels that reach the maximum, which is a multiple of the batch or not.
 void maxima(Battery& battery) {
   const Script script = [](int i) { return noisy(i, {1, 2, 3}, 1); };
   constexpr std::array<int, 2> kLimits[] = {{8, 8}, {20, 8}, {21, 7}, {33, 32}, {64, 16}, {5, 2}};
@@ -98,13 +98,13 @@ void darkness(Battery& battery) {
     }
     ask(battery, {200, 8, 0.1}, [=](int i) { return noisy(i, {value, value, value}, 1); });
   }
-  // Constant for some batches, then not.
+  // One constant for some batches, then another one.
   for (const int steady : {7, 9, 20}) {
     ask(battery, {96, 8, 0.05}, [=](int i) { return i < steady ? Rgb{1, 1, 1} : Rgb{5, 3, 2}; });
   }
 }
 
-// The same pixel after others.
+// The same pixel after other pixels.
 void memory(Battery& battery) {
   const Pixel p = kPixels[1];
   const AdaptiveSettings settings{120, 8, 0.1};
@@ -121,7 +121,7 @@ void memory(Battery& battery) {
   });
 }
 
-// A row for each call: the points of one call need not be independent.
+// One row per call, because the points of one call need not be independent.
 void where(Battery& battery) {
   for (const Pixel& p : kPixels) {
     battery.mean(60, [&](int n, std::uint64_t seed) {

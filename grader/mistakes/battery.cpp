@@ -9,7 +9,7 @@ namespace grader::mistakes {
 
 namespace {
 
-// A call that hangs costs its whole limit, so nothing more is asked after one.
+// A call that hangs costs its whole time limit, so no call is made after it.
 constexpr int kMaxTimeouts = 1;
 
 double mean_of(const std::vector<double>& values) {
@@ -35,7 +35,7 @@ void add_mean(Answer& answer, const std::vector<double>& values) {
                               : std::sqrt(variance / static_cast<double>(values.size() - 1)));
 }
 
-// The standard deviation over the mean, and its error by the fourth moment.
+// Adds the standard deviation over the mean, and its error by the fourth moment.
 void add_spread(Answer& answer, const std::vector<double>& values) {
   const double mean = mean_of(values), variance = central_moment(values, mean, 2);
   if (is_rounding_error(variance, mean) || !(std::abs(mean) > 0)) {
@@ -51,7 +51,8 @@ void add_spread(Answer& answer, const std::vector<double>& values) {
   answer.errors.push_back(spread * std::hypot(of_variance, spread / std::sqrt(n)));
 }
 
-// Of a share of n draws; not zero where none or all are counted, unless it cannot be otherwise.
+// Adds the share of the flags that are 1, and its error. The error is not zero, even if all flags
+// are equal.
 void add_share(Answer& answer, const std::vector<double>& flags) {
   const double n = static_cast<double>(flags.size()), share = mean_of(flags);
   answer.values.push_back(share);
@@ -77,7 +78,7 @@ void Battery::record(const std::function<Answer()>& call) {
     answers_.push_back({name(ended.cause), {}, {}});
     timeouts_ += ended.cause == results::Cause::timeout ? 1 : 0;
   } catch (const check::CaseFailed&) {
-    answers_.push_back({name(results::Cause::bad_reply), {}, {}});  // a number that is none
+    answers_.push_back({name(results::Cause::bad_reply), {}, {}});  // a reply that is not a number
   }
 }
 

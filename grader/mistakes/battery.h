@@ -11,42 +11,43 @@
 #include <string>
 #include <vector>
 
-// A battery: a fixed list of calls of one task, and the numbers that the task answers. Different
-// mistakes give different answers, so that the answers of a submission that fails can name its
-// mistake (grader/mistakes/naming.h). The inputs are always the same; only what a task draws at
-// random depends on the seed. Numbers that the contract leaves free, such as the depth of a tree,
-// are no answers: right solutions of any kind answer alike.
+// A battery: a fixed list of calls of one task, and the numbers that the task returns. Different
+// mistakes give different answers, so that the answers of a failing submission can name its mistake
+// (grader/mistakes/naming.h). The inputs are always the same; only the random draws of a task
+// depend on the seed. Numbers that the contract leaves free, for example the depth of a tree, are
+// not part of the answers: all right solutions give the same answers.
 
 namespace grader::mistakes {
 
-// Thrown by a call that came to nothing, while a battery runs.
+// Thrown by a call that gives no answer, while a battery runs.
 struct CallEnded {
   results::Cause cause;
 };
 
-// How the batteries are run: what a submission is asked, and, with more draws, what is kept.
+// How a battery is run: with the usual number of draws for a submission, and with more draws for
+// the answers that are kept.
 struct BatterySettings {
   std::uint64_t seed = 1;  // of all draws
-  int draws = 1;           // how many times the usual number
+  int draws = 1;           // a multiple of the usual number
 };
 
 class Battery {
  public:
   using Numbers = std::vector<double>;
-  // The numbers that n calls gave, one list each; all lists have the same length.
+  // Returns the numbers of n calls, one list per call. All lists have the same length.
   using Draws = std::function<std::vector<Numbers>(int n, std::uint64_t seed)>;
   using Colors = std::function<std::vector<pt::Rgb>(int n, std::uint64_t seed)>;
 
   explicit Battery(const BatterySettings& settings) : settings_(settings) {}
 
-  // A call whose answer depends on nothing random.
+  // Records a call whose answer is not random.
   void ask(const std::function<Numbers()>& call);
 
-  // The mean of each number over n draws.
+  // Records the mean of each number over n draws.
   void mean(int n, const Draws& draw);
 
-  // Of an estimator: the mean of each channel, the standard deviation over the mean, and how many
-  // of the draws are black.
+  // Records an estimator: the mean of each channel, the standard deviation over the mean, and the
+  // share of black draws.
   void estimate(int n, const Colors& draw);
 
   const Answers& answers() const { return answers_; }
@@ -59,10 +60,10 @@ class Battery {
   int timeouts_ = 0;
 };
 
-// Defined for every task in the file with its name: a program has one.
+// Each task defines it in the file with its name. A program contains one of these files.
 void run_battery(Battery& battery);
 
-// For the calls of a battery.
+// Helpers for the calls of a battery.
 Battery::Numbers numbers(pt::Vec3 v);
 Battery::Numbers numbers(pt::Rgb c);
 inline double flag(bool condition) { return condition ? 1 : 0; }

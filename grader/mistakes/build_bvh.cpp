@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-// How boxes are split is free, so an answer says which invariants a tree breaks and how well it
-// separates boxes, and no more about its shape.
+// The contract does not say how to split boxes. So an answer contains which invariants a tree
+// breaks and how well it separates boxes, and nothing else about its shape.
 
 namespace grader::mistakes {
 namespace {
@@ -31,9 +31,9 @@ bool contains(const Box& outer, const Box& inner) {
   return true;
 }
 
-// Counts of what is wrong with a tree.
+// Counts of the faults of a tree.
 struct Faults {
-  double order_length = 0;  // less than the number of boxes, or more
+  double order_length = 0;  // the length of `order` minus the number of boxes
   double lost = 0, doubled = 0, strangers = 0;
   double not_covered = 0, not_in_parent = 0;
   double bad_children = 0, orphans = 0, shared = 0;
@@ -87,8 +87,8 @@ Faults faults_of(const Bvh& bvh, const Boxes& boxes, int max_leaf) {
   return faults;
 }
 
-// The mean number of boxes of the tree over the middles of its boxes, as a line along `axis` meets
-// them: some logarithm where they are well separated, and all of them at worst.
+// Returns how many boxes of the tree a line along `axis` meets, in the mean over lines through the
+// centres of boxes. It is some logarithm if the boxes are well separated, and all boxes at worst.
 double entered(const Bvh& bvh, const Boxes& boxes, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   double sum = 0;
@@ -108,7 +108,7 @@ void ask(Battery& battery, const Boxes& boxes, int max_leaf, int across = -1) {
     const Bvh bvh = pt::build_bvh(boxes, max_leaf);
     const Faults f = faults_of(bvh, boxes, max_leaf);
     const double n = static_cast<double>(boxes.size());
-    // Right trees differ in this; bad ones by a factor of several.
+    // Right trees differ a little in this number. Bad trees differ by a factor of several.
     const double well = across < 0 ? 0 : entered(bvh, boxes, across);
     return {f.order_length,
             f.lost,
@@ -136,7 +136,7 @@ Boxes scattered(Many& make, int n) {
   return boxes;
 }
 
-// A grid of boxes, which are as far apart on each axis as `step` says, in no order.
+// A grid of boxes in random order. `step` is their distance on each axis.
 Boxes grid(Many& make, std::array<int, 3> count, Vec3 step, Vec3 corner, double half) {
   Boxes boxes;
   for (int i = 0; i < count[0]; ++i) {
@@ -151,7 +151,8 @@ Boxes grid(Many& make, std::array<int, 3> count, Vec3 step, Vec3 corner, double 
   return boxes;
 }
 
-// One row along each axis, a little out of line by different amounts, at several places and scales.
+// One row along each axis, at several places and scales. The boxes are a little out of line, by
+// different amounts on the other two axes.
 void rows(Battery& battery, Many& make) {
   for (const double scale : {1e-4, 1.0, 1e3}) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -180,7 +181,7 @@ void rows(Battery& battery, Many& make) {
   }
 }
 
-// Rows of rows: the longest axis of the whole is not that of a part.
+// Rows of rows: the longest axis of all boxes is not the longest axis of one row.
 void rows_of_rows(Battery& battery, Many& make) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const int other : {1, 2}) {

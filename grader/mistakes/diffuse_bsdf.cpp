@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 
-// The density of the samples is free, so what is asked is whether they and it agree.
+// The density of the samples is free, so the answers show only whether the samples and the pdf
+// agree.
 
 namespace grader::mistakes {
 namespace {
@@ -32,7 +33,7 @@ void values(Battery& battery) {
   battery.ask([&] { return numbers(pt::diffuse_f({}, towards(.5, 1), towards(.6, 3))); });
 }
 
-// The integral of the pdf over half of the directions, exact for a pdf that is linear in z.
+// The integral of the pdf over one hemisphere. The sum is exact for a pdf that is linear in z.
 void density(Battery& battery) {
   constexpr int kSteps = 12;
   for (const double out : {0.9, 0.2, -0.6}) {

@@ -53,7 +53,7 @@ void samples(Battery& battery) {
   }
 }
 
-// Inside a glowing box, far from the origin and near it, large and small.
+// A patch inside a glowing box, far from the origin and near it, large and small.
 void scales(Battery& battery) {
   for (const double size : {1e-4, 1e-2, 1e2, 1e4}) {
     for (const pt::Vec3 shift : {pt::Vec3{}, pt::Vec3{100, -70, 50}}) {

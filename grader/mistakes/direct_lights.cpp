@@ -18,7 +18,7 @@ void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 3000
   });
 }
 
-// Where nothing is left to chance: two draws say it.
+// For scenes without randomness: eight draws are enough.
 void ask_exactly(Battery& battery, const Stage& stage, int samples = 1) {
   ask(battery, stage, samples, 8);
 }
@@ -69,7 +69,7 @@ void area_lights(Battery& battery) {
   ask(battery, patch(turned({-1, 0.1, 0}), true).rectangle(kAside, kRadiance, Body::surface));
   ask(battery,
       patch(turned({0.2, -1, 0.4}), true).ball({0.5, 0.3, 1.4}, 0.5, kRadiance, Body::none));
-  // Half of it is below the horizon.
+  // Half of the light is below the horizon.
   ask(battery, patch().rectangle({{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, kRadiance, Body::none));
   ask(battery, Stage(here())
                    .rectangle(kAbove, kRadiance, Body::surface)
@@ -120,7 +120,7 @@ void scales(Battery& battery) {
     for (const Vec3 shift : {Vec3{}, Vec3{100, -70, 50}}) {
       ask_exactly(battery, patch(here(size, shift)).point_light({0.8, 0.6, 0.9}, kRadiance));
       ask(battery, patch(here(size, shift)).rectangle(kAside, kRadiance, Body::surface), 1, 1000);
-      // Something dark close to the point.
+      // A dark plate close to the point.
       ask_exactly(
           battery,
           patch(here(size, shift)).point_light({0, 0, 1}, kRadiance).surface(kPlate, {.5, .5, .5}));

@@ -35,7 +35,7 @@ Rgb estimate(const Pixel& p, int samples, std::uint64_t seed, double factor = 1)
   return estimate(p, samples, sampler, factor);
 }
 
-// The mean, how many samples were taken, and what radiance() was given.
+// The mean, the number of samples, and the settings that radiance() got.
 void means(Battery& battery) {
   for (const Pixel& p : kPixels) {
     for (const int samples : {1, 2, 3, 4, 5, 9, 16, 25, 64}) {
@@ -72,7 +72,7 @@ void one_sample(Battery& battery) {
   }
 }
 
-// A row for each call: the points of one call need not be independent.
+// One row per call, because the points of one call need not be independent.
 void where(Battery& battery) {
   struct {
     int samples, calls;
@@ -91,9 +91,8 @@ void where(Battery& battery) {
   }
 }
 
-// Whether two samplers that differ see different places, and the same one the same; whether the
-// caller's sampler goes on, and is the one that radiance() sees; and whether anything is
-// remembered.
+// Flags: the same sampler gives the same points, and another one other points; the caller's sampler
+// goes on; radiance() gets this sampler; and nothing is remembered from the calls before.
 void streams(Battery& battery) {
   battery.ask([&]() -> Battery::Numbers {
     const Pixel p = kPixels[1];

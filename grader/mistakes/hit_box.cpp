@@ -43,7 +43,8 @@ void anywhere(Battery& battery, Many& make) {
   }
 }
 
-// Beside the box on each side of each axis, where the ray is inside the other two slabs at times.
+// Rays beside the box, on each side of each axis. Each of them is inside the other two slabs for
+// some t.
 void beside(Battery& battery, Many& make) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {1.0, -1.0}) {
@@ -61,7 +62,7 @@ void beside(Battery& battery, Many& make) {
   }
 }
 
-// Where the ray begins and ends: 1 is where it enters the box, 2 where it leaves.
+// The ranges count in units of the box: 1 is where the ray enters it, 2 where it leaves it.
 void ranges(Battery& battery, Many& make) {
   constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5},  {1.2, 1.8}, {1.5, 9},
                                                {2.5, 9},  {0, 9},     {-9, -1},   {1.2, 9},
@@ -125,7 +126,7 @@ void flat(Battery& battery, Many& make) {
     box.max[axis] = box.min[axis];
     const Vec3 p = inside(box, make), origin = p + Vec3{2.1, 3.3, 1.7};
     ask(battery, box, {origin, p - origin});
-    // A segment, with whole numbers: where rounding decides, a miss is right.
+    // A segment with whole numbers. If numbers had to be rounded, a miss would be right too.
     Box segment{{2, 3, 4}, {2, 3, 4}};
     segment.max[axis] += 2;
     Vec3 d{-1, 2, -4}, from = segment.min - d;

@@ -10,8 +10,8 @@
 #include <map>
 #include <tuple>
 
-// In which order a tree is walked is free, so an answer says what was found and which rules on the
-// cost were broken, and not how many tests it took.
+// The order in which a tree is walked is free. So an answer contains what was found and which rules
+// on the cost were broken, but not the number of tests.
 
 namespace grader::mistakes {
 namespace {
@@ -25,7 +25,7 @@ Name name_of(const pt::Box& b) { return {b.min.x, b.min.y, b.max.x, b.max.z}; }
 Name name_of(const pt::Triangle& t) { return {t.p0.x, t.p0.y, t.p1.x, t.p1.y}; }
 Name name_of(const pt::Sphere& s) { return {s.center.x, s.center.y, s.center.z, s.radius}; }
 
-// Whether something was asked more often than it is there: boxes may be equal.
+// Returns whether something was tested more often than it occurs in the tree. Boxes may be equal.
 template <class T>
 bool too_often(const std::vector<T>& asked, const std::vector<T>& there) {
   std::map<Name, int> left;
@@ -66,20 +66,20 @@ Cost cost_of(const Case& c, const Tested& log) {
     if (node.is_leaf()) continue;
     for (const int child : {node.left, node.right}) {
       const pt::Box& box = c.bvh.nodes[child].box;
-      if (name_of(box) == name_of(node.box)) continue;  // the log cannot tell the two apart
+      if (name_of(box) == name_of(node.box)) continue;  // both look the same in the log
       if (was_asked(log.boxes, box)) cost.box_outside = 1;
     }
   }
   return cost;
 }
 
-// How much of a pile was tested: less than half, more, or all.
+// Returns how many of the primitives were tested: 0 for up to half of them, 1 for more, 2 for all.
 double share(std::size_t tested, double all) {
   const double part = static_cast<double>(tested) / all;
   return part > 0.99 ? 2 : part > 0.5 ? 1 : 0;
 }
 
-// Neither of two queries is asked with what is in the record of the other.
+// Each query starts with an empty record, so that it contains no test of the query before.
 Battery::Numbers look(const Case& c, bool with_cost) {
   forget_tests();
   const auto hit = pt::hit_bvh(c.bvh, c.primitives, c.ray);
@@ -109,7 +109,8 @@ Battery::Numbers look_for_any(const Case& c, bool with_cost) {
   return all;
 }
 
-// Towards the middle of a primitive, or past it, from outside or from between them.
+// A ray towards the middle of a primitive or close past it. It starts outside the primitives or
+// between them.
 pt::Ray some_ray(const pt::Primitives& primitives, Many& make) {
   const pt::Box box = bounds(primitives, make.whole(0, primitives.size() - 1));
   const pt::Vec3 origin = make.vector(-9, 9);

@@ -27,12 +27,12 @@ void ask(Battery& battery, const Sphere& sphere, const Ray& ray, double t) {
   });
 }
 
-// A line at `offset` radii from the centre, which enters and leaves the sphere at known distances
-// from a point that is `before` radii in front of the centre.
+// A line that passes the centre at `offset` radii. The ray starts `before` radii in front of the
+// centre, and enters and leaves the sphere at the known distances `near` and `far`.
 struct Line {
   Sphere sphere;
   Ray ray;
-  double near = 0, far = 0;  // as t
+  double near = 0, far = 0;  // values of t
 
   Line(Many& make, double radius, double offset, double before, double direction_length)
       : sphere{3 * radius * make.vector(-1, 1), radius} {
@@ -63,10 +63,10 @@ void plain(Battery& battery, Many& make) {
       ask(battery, Line(make, make.between(0.5, 2.0), 0.3, before, longer), 0, pt::kInfinity);
     }
   }
-  ask(battery, Line(make, 1, 0.3, -3, 1), 0, pt::kInfinity);  // behind the origin
+  ask(battery, Line(make, 1, 0.3, -3, 1), 0, pt::kInfinity);  // the sphere is behind the origin
 }
 
-// Where the ray begins and ends, with 1 the near and 2 the far point.
+// The ranges count in units of the chord: 1 is the near point, 2 the far point.
 void ranges(Battery& battery, Many& make) {
   constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5}, {0, 1.5}, {1.2, 1.8},
                                                {1.5, 9},  {2.5, 9},  {.2, .7}, {1.5, 2.5},
@@ -81,7 +81,7 @@ void ranges(Battery& battery, Many& make) {
     }
   }
   for (const double high : {0.5, 1.5}) {
-    const Line line(make, 1, 0.2, 0.4, 1);  // from inside
+    const Line line(make, 1, 0.2, 0.4, 1);  // the ray starts inside
     ask(battery, line, 0, high * line.far);
     ask(battery, line, high * line.far, pt::kInfinity);
   }
@@ -94,7 +94,7 @@ void scales(Battery& battery, Many& make) {
     ask(battery, Line(make, radius, 0.4, 0.1, 1), 0, pt::kInfinity);
     ask(battery, Line(make, radius, 1.2, 3, 1), 0, pt::kInfinity);
   }
-  // Just above the surface.
+  // The ray starts just outside the surface or just inside it.
   for (const double above : {1e-2, 1e-3, 1e-4, 1e-5, 1e-7}) {
     ask(battery, Line(make, 1, 0, 1 + above, 1), 0, pt::kInfinity);
     ask(battery, Line(make, 1, 0, -1 + above, 1), 0, pt::kInfinity);

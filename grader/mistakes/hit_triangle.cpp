@@ -15,7 +15,7 @@ using pt::Ray;
 using pt::Triangle;
 using pt::Vec3;
 
-// A ray at the point of the triangle's plane with the weights b0, b1, b2, whose t is known.
+// A ray at the point of the triangle's plane with the weights b0, b1, b2. Its t is known.
 struct Aim {
   Triangle triangle;
   Ray ray;
@@ -24,7 +24,8 @@ struct Aim {
 
 Vec3 unit(Many& make) { return normalize(make.vector(-1, 1) + Vec3{0.1, 0.2, 0.3}); }
 
-// Normals that differ, all on one side of the face or, for `back`, on the other.
+// A triangle with three different normals. All are on one side of the face or, if `back` is true,
+// on the other.
 Triangle some_triangle(Many& make, double size, bool back) {
   Triangle t;
   const Vec3 center = size * make.vector(-2, 2);
@@ -53,8 +54,8 @@ void ask(Battery& battery, const Aim& a) {
   battery.ask([&]() -> Battery::Numbers {
     const auto hit = pt::hit_triangle(a.triangle, a.ray);
     if (!hit) return {};
-    // Whether t is as precise as promised is a flag: the error itself depends on how it is
-    // computed.
+    // The answer has only a flag that says whether t is precise enough. The error itself depends on
+    // the method.
     return {hit->t / a.t, hit->n.x, hit->n.y, hit->n.z,
             flag(std::abs(hit->t - a.t) < 1e-9 * a.t + 1e-14)};
   });
@@ -106,7 +107,8 @@ void scales(Battery& battery, Many& make) {
   }
 }
 
-// In the planes of the axes and all but in them, flat on all sides, and without area.
+// Triangles in or nearly in the planes of the axes, triangles without area, and rays in the plane
+// of their triangle.
 void special(Battery& battery, Many& make) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double tilt : {0.0, 1e-12, 1e-9}) {

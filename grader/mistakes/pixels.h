@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-// What the batteries of estimate_pixel and adaptive_pixel have in common.
+// Code that the batteries of estimate_pixel and adaptive_pixel share.
 
 namespace grader::mistakes {
 
@@ -26,16 +26,18 @@ inline pt::Camera some_camera() {
   return camera;
 }
 
-// A stream of numbers in [0, 1) that does not change.
+// A fixed stream of numbers in [0, 1).
 inline double noise(int i) { return pt::Sampler::for_pixel(99, i, 0).next_1d(); }
 
-// Where a ray goes through the pixel: (0, 0) is its lower left corner, (1, 1) its upper right one.
+// Returns where a ray goes through the pixel: (0, 0) is its lower left corner, (1, 1) its upper
+// right one.
 inline pt::Vec2 in_pixel(const Pixel& p, const pt::Ray& ray) {
   const pt::Vec2 at = check::on_picture(some_camera(), ray.direction);
   return {at.x * p.width - p.x, at.y * p.height - p.y};
 }
 
-// Per call of radiance(): its place in the pixel, products, and whether it is outside.
+// Returns one row per call of radiance(): its point in the pixel, products of the coordinates, and
+// whether the point is outside.
 inline std::vector<Battery::Numbers> places(const Pixel& p) {
   std::vector<Battery::Numbers> rows;
   for (const check::RadianceCall& call : check::radiance_calls()) {
@@ -47,7 +49,7 @@ inline std::vector<Battery::Numbers> places(const Pixel& p) {
   return rows;
 }
 
-// The mean of all rows.
+// Returns the mean of all rows.
 inline Battery::Numbers mean_place(const Pixel& p) {
   const std::vector<Battery::Numbers> rows = places(p);
   Battery::Numbers mean(rows[0].size());

@@ -2,7 +2,7 @@
 
 #include "grader/check/scenes.h"
 
-// What the batteries of direct_hemisphere and direct_lights have in common.
+// Code that the batteries of direct_hemisphere and direct_lights share.
 
 namespace grader::mistakes {
 
@@ -10,15 +10,15 @@ inline constexpr pt::Rgb kAlbedo{0.9, 0.5, 0.2};
 inline constexpr pt::Rgb kRadiance{1.5, 2, 3};
 inline constexpr pt::Vec3 kTilted{0.6, 0, 0.8};  // wo
 
-// Local coordinates are the world's but for where and how large everything is.
+// A pose without a rotation. It only moves and scales.
 inline check::Pose here(double size = 1, pt::Vec3 shift = {}) { return {{}, size * shift, size}; }
 
-// The normal of the shaded point is `n` in the world.
+// A pose in which the normal of the shaded point is `n` in the world.
 inline check::Pose turned(pt::Vec3 n, double size = 1) {
   return {pt::frame_from_normal(normalize(n)), size * pt::Vec3{3, 2, -1}, size};
 }
 
-// The same far from the origin, where rounding errors of points are large.
+// The same kind of pose far from the origin, where rounding errors of points are large.
 inline check::Pose far_away(double size) {
   check::Pose pose = turned({1, 2, 3}, size);
   pose.shift = size * pt::Vec3{100, -70, 50};
@@ -28,7 +28,7 @@ inline check::Pose far_away(double size) {
 // A plate close above the point.
 inline const check::Rectangle kPlate{{0, 0, 0.01}, {0, 1, 0}, {1, 0, 0}};
 
-// Straight above, tilted, and low at the side; all facing the point.
+// Rectangles straight above, tilted, and low at the side. All of them face the point.
 inline const check::Rectangle kAbove{{0, 0, 1}, {0, 1.6, 0}, {2, 0, 0}};
 inline const check::Rectangle kAside{{0.7, 0.2, 0.8}, {-0.2, 0.9, 0}, {0.8, 0, -0.5}};
 inline const check::Rectangle kLow{{1, 0, 0.3}, {0, 0, 0.5}, {0, 1, 0}};

@@ -14,7 +14,7 @@ using namespace check;
 
 using pt::PathSettings;
 
-// Always the same room: the generators are asked with a fixed seed.
+// Always makes the same room: the generator runs with a fixed seed.
 Room made(const rc::Gen<Room>& rooms, std::uint64_t seed) {
   return rooms(rc::Random(seed), rc::kNominalSize).value();
 }
@@ -35,7 +35,7 @@ PathSettings bounces(int from, int to, PathSettings::Direct direct = PathSetting
   return settings;
 }
 
-// Which bounces are added, with the chances to survive.
+// Different ranges of bounces, and different survivals.
 void depths(Battery& battery, const Room& room, PathSettings::Direct direct) {
   constexpr std::array<int, 2> kBounces[] = {{0, 1}, {1, 1}, {2, 2}, {3, 3}, {1, 2},
                                              {1, 4}, {2, 5}, {0, 8}, {1, 12}};
@@ -49,7 +49,7 @@ void depths(Battery& battery, const Room& room, PathSettings::Direct direct) {
   }
 }
 
-// A box of walls of different colours, closed or with a side open to the sky.
+// A box with walls of different colours, closed or with one side open to the sky.
 void walls(Battery& battery, bool open, PathSettings::Direct direct) {
   using namespace mistakes;
   constexpr pt::Rgb kColors[] = {
