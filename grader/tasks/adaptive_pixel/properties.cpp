@@ -82,7 +82,7 @@ PROMISE(adaptive_pixel, judges_by_luminance) {
   for_all(
       [] {
         const Case c = *one_brightness();
-        expect_equal("samples of one brightness, of many hues", samples_of(ask(c)),
+        expect_equal("samples of one brightness in many hues", samples_of(ask(c)),
                      c.settings.batch);
       },
       kCases / 2);
@@ -98,7 +98,7 @@ PROMISE(adaptive_pixel, goes_on_while_it_is_dark) {
   for_all(
       [] {
         const Case c = *rarely_lit();
-        expect_equal("samples, few of them lit", samples_of(ask(c)), c.settings.max_samples);
+        expect_equal("samples, of which few are lit", samples_of(ask(c)), c.settings.max_samples);
       },
       kCases);
 }
@@ -146,14 +146,13 @@ PROMISE(adaptive_pixel, passes_the_settings_on) {
                      seen.to == settings.to,
                  "the view's settings", "other settings");
           const int drawn = numbers_drawn(pt::Sampler(c.seed), call.sampler, most);
-          expect(drawn >= before,
-                 "the sampler that adaptive_pixel was given, as far as it was used",
+          expect(drawn >= before, "the sampler that adaptive_pixel was given, in its present state",
                  "another sampler, or one that went back");
           before = drawn;
         }
         const int drawn = numbers_drawn(pt::Sampler(c.seed), answer.sampler.state(), most);
-        expect(drawn >= std::max(before, 1), "the caller's sampler to have gone on",
-               "one that stayed behind");
+        expect(drawn >= std::max(before, 1), "a sampler that has advanced",
+               "a sampler that has not advanced");
       },
       20);
 }

@@ -41,7 +41,8 @@ void expect_covered(const Input& input, const pt::Bvh& bvh) {
       needed[i].grow(needed[node.right]);
     }
     if (needed[i].is_empty()) continue;
-    expect(contains(node.box, needed[i]), "a box that holds all below it, " + show(needed[i]),
+    expect(contains(node.box, needed[i]),
+           "a box that contains everything below it, " + show(needed[i]),
            node_name(i) + " has the " + (node.box.is_empty() ? "empty box" : show(node.box)));
   }
 }
@@ -77,7 +78,7 @@ void expect_one_tree(const Input&, const pt::Bvh& bvh) {
     if (!has_children(bvh.nodes[i])) continue;
     for (const int child : {bvh.nodes[i].left, bvh.nodes[i].right}) {
       expect_child(bvh, i, child);
-      expect(child > i, "children behind their parent in the list",
+      expect(child > i, "children after their parent in the list",
              node_name(child) + " is a child of " + node_name(i));
       ++parents[child];
     }
@@ -208,10 +209,10 @@ PROMISE(build_bvh, separates_along_the_longest_axis) {
           const double entered = boxes_entered(rows, build(rows.input));
           expect(entered >= 1, "a root whose box holds the middles of all boxes",
                  "a ray across the row enters " + show(entered) +
-                     " boxes of the tree, in the mean: for most rays not even the root's");
+                     " boxes of the tree on average: most rays miss even the root");
           expect(entered <= limit,
                  "at most " + show(std::round(limit)) +
-                     " boxes of the tree entered by a ray across the row, in the mean",
+                     " boxes of the tree that a ray across the row enters on average",
                  show(entered) + " of " + std::to_string(2 * count * each));
         },
         30);

@@ -104,13 +104,13 @@ PROMISE(diffuse_bsdf, samples_the_side_of_wo) {
         std::vector<int> found(16);
         for (const pt::BsdfSample& sample : samples) {
           expect_near("the length of wi", length(sample.wi), 1, kColorPrecision);
-          expect(sample.wi.z > 0, "wi above the surface, as wo is", show(sample.wi));
+          expect(sample.wi.z > 0, "wi above the surface, like wo", show(sample.wi));
           const int sector = static_cast<int>(
               4 * (1 + std::nextafter(std::atan2(sample.wi.y, sample.wi.x) / pt::kPi, 0.0)));
           ++found[2 * sector + (sample.wi.z < 0.5)];
         }
         for (std::size_t i = 0; i < found.size(); ++i) {
-          expect(found[i] > 0, "2000 samples all around, steep and flat",
+          expect(found[i] > 0, "2000 samples in all directions, steep and flat",
                  fmt::format("none {} than 60 degrees from the normal, {} to {} degrees around it",
                              i % 2 == 0 ? "less" : "more", 45 * (i / 2) - 180, 45 * (i / 2) - 135));
         }

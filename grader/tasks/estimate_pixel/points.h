@@ -81,7 +81,7 @@ inline std::string what_is_missing(const Points& points, const Cells& cells) {
   if (diagonal) return "all points on the diagonal: x and y are the same number";
   if (low.x > 0.06 || low.y > 0.06 || high.x < 0.94 || high.y < 0.94) {
     return fmt::format(
-        "no points but from {:.2f} to {:.2f} of the width and {:.2f} to {:.2f} of "
+        "points only from {:.2f} to {:.2f} of the width and {:.2f} to {:.2f} of "
         "the height",
         low.x, high.x, low.y, high.y);
   }
@@ -92,8 +92,7 @@ inline std::string what_is_missing(const Points& points, const Cells& cells) {
 inline void expect_even(const Points& points) {
   const Cells cells(points);
   if (cells.even()) return;
-  expect(false, "points all over the pixel, equally many everywhere",
-         what_is_missing(points, cells));
+  expect(false, "points spread evenly over the pixel", what_is_missing(points, cells));
 }
 
 }  // namespace grader::check::estimate_pixel_cases

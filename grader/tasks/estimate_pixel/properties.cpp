@@ -57,7 +57,7 @@ PROMISE(estimate_pixel, averages_the_radiance) {
 void expect_calls(int samples) {
   const Pixel p = *pixel();
   const Estimate e = estimate(p, samples, pt::Sampler(draw("seed", sampler_seed())));
-  expect_equal(fmt::format("calls of radiance() where {} were asked for", samples),
+  expect_equal(fmt::format("calls of radiance(), of which {} were requested", samples),
                static_cast<long long>(e.calls.size()), samples);
 }
 
@@ -161,13 +161,13 @@ PROMISE(estimate_pixel, draws_from_the_callers_sampler) {
     pt::Sampler at = start;  // follows the caller's sampler
     for (int i = 0; i < static_cast<int>(e.calls.size()); ++i) {
       expect(draw_up_to(e.calls[i].sampler, at),
-             "radiance() to get the caller's sampler, as far as it was used before",
+             "the caller's sampler in its present state, in each call of radiance()",
              fmt::format("in call {} another sampler, or one that went back", i + 1));
       for (int number = 0; number < numbers; ++number) at.next_1d();
     }
     expect(draw_up_to(e.sampler.state(), at),
-           "the caller's sampler to be past all numbers that were drawn",
-           "one that stayed behind, so that the next pixel sees the same numbers");
+           "a sampler that has advanced past all numbers that were drawn",
+           "a sampler that has not advanced, so that the next pixel gets the same numbers");
   });
 }
 

@@ -167,7 +167,8 @@ PROMISE(hit_bvh, asks_hit_box_and_hit_primitive) {
         ": hit_box and hit_primitive answer for another ray here, " + show(other);
     expect(hit.has_value() == truth.any(), shown(truth) + as_asked, shown(hit));
     if (hit)
-      expect_near("t, as hit_primitive says it" + as_asked, hit->t, truth.t(), 1e-12 * truth.t());
+      expect_near("t, as hit_primitive returns it" + as_asked, hit->t, truth.t(),
+                  1e-12 * truth.t());
     expect(occluded == truth.any(), "in the way: " + shown(truth) + as_asked,
            occluded ? "something in the way" : "nothing in the way");
   });
@@ -216,7 +217,7 @@ PROMISE(hit_bvh, skips_what_lies_behind_a_hit) {
         expect(mean > 0 && 2 * mean < kWalls,
                "tests of fewer than " + std::to_string(kWalls / 2) +
                    " per query: 64 walls stand one behind the other",
-               show(mean) + " of 64 walls tested, in the mean over 20 trees");
+               show(mean) + " of 64 walls tested, on average over 20 trees");
       },
       3);
 }

@@ -88,8 +88,8 @@ inline void expect_that_it_walks() {
     expect(hit && hit->primitive == aim, plain + "a hit of primitive " + std::to_string(aim),
            shown(hit));
     expect(came_by_its_leaf(c, aim, log),
-           plain + "a walk from the root to its leaf, in which hit_box is asked about their boxes",
-           log.boxes.empty() ? "no question to hit_box" : "no question about the leaf's box");
+           plain + "a walk from the root to its leaf, in which hit_box is called with their boxes",
+           log.boxes.empty() ? "no call of hit_box" : "no call of hit_box for the leaf's box");
     expect(occluded_bvh(c.bvh, c.primitives, c.ray), plain + "something in the way",
            "nothing in the way");
     judge_answers = log.answered_here > 0;
@@ -98,7 +98,7 @@ inline void expect_that_it_walks() {
     const auto other = ask(c);
     expect(other && other->primitive == 7 - aim,
            plain +
-               "the answer that hit_box and hit_primitive give, who say here that the ray "
+               "the answer of hit_box and hit_primitive, which say here that the ray "
                "meets primitive " +
                std::to_string(7 - aim),
            shown(other));

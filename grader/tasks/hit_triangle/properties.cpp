@@ -148,7 +148,7 @@ PROMISE(hit_triangle, never_flips_the_normal) {
 PROMISE(hit_triangle, hits_both_faces) {
   for_all([] {
     Aimed aimed = *aimed_inside();
-    for (const char* corners : {"as they come", "with two exchanged"}) {
+    for (const char* corners : {"in their order", "with two of them exchanged"}) {
       for (const char* side : {"one side", "the other side"}) {
         const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
         const std::string which = std::string("from ") + side + ", with the corners " + corners;

@@ -39,9 +39,10 @@ PROMISE(trace_path, takes_the_light_samples_asked_for) {
         const double doubt =
             kStandardErrors * std::sqrt((one.kurtosis + many.kurtosis) / (4 * kCalls));
         const double most = 0.1 * (1 + doubt);
-        expect(ratio < most,
-               fmt::format("100 samples of direct light with {:.2g} of the noise of one", most),
-               fmt::format("{:.2g} of the noise", ratio));
+        expect(
+            ratio < most,
+            fmt::format("100 samples of direct light with {:.2g} of the noise of one sample", most),
+            fmt::format("{:.2g} of the noise", ratio));
       },
       4);
 }
@@ -74,7 +75,7 @@ PROMISE(trace_path, adds_up_the_bounces_asked_for) {
           return Bounces{*whole(to + 1, 100), to};
         });
         for (const Rgb& one : estimates(*asked_of(round_room(gray(0.3, 0.8)), none), 50)) {
-          expect_near("each estimate of no bounce at all", one, {}, 0);
+          expect_near("each estimate where no bounce is asked for", one, {}, 0);
         }
       },
       kCases);
@@ -260,8 +261,7 @@ PROMISE(trace_path, draws_from_the_sampler_alone) {
           seconds.push_back(second.g);
         }
         const double found = correlation(firsts, seconds);
-        expect(std::abs(found) < kStandardErrors / std::sqrt(kPairs),
-               "two estimates that have nothing to do with each other",
+        expect(std::abs(found) < kStandardErrors / std::sqrt(kPairs), "two independent estimates",
                fmt::format("a correlation of {:.2g}", found));
       },
       4);
