@@ -83,6 +83,22 @@ TEST(hostile, earns_nothing_by_headers_of_the_renderer_nor_before_it_is_asked) {
   for (const std::string& slug : slugs) EXPECT_EQ(outcome.task(slug).at("points"), 0) << slug;
 }
 
+// The judge's own time has a bound, too: for answers that cost it much, and for those that it has to
+// wait for.
+TEST(hostile, cannot_keep_the_judge_busy) {
+  Submission submission("slow");
+  std::vector<std::string> words = submission.put("slow");
+  words.insert(words.end(), {"--no-pictures", "--all"});
+  const Outcome outcome = submission.grade(words);
+  EXPECT_EQ(outcome.exit_status, 1) << outcome.output;
+  EXPECT_EQ(outcome.state("camera_ray"), "timeout");
+  EXPECT_NE(outcome.task("camera_ray").dump().find("all calls so far took"), std::string::npos);
+  EXPECT_EQ(outcome.state("build_bvh"), "fail");
+  for (const json& promise : outcome.task("build_bvh").at("promises")) {
+    EXPECT_FALSE(promise.at("held").get<bool>()) << promise.at("name");
+  }
+}
+
 // The texts of a submission reach the report as one harmless line.
 TEST(hostile, cannot_write_the_report) {
   const Submission submission("throws");
