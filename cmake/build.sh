@@ -41,6 +41,7 @@ configure() {
       return 2
     }
     printf '%s' "$mixtures" >"$build/$preset/mixtures"
+    cat "$build/$preset/not_compiled" >&2 2>/dev/null || true
   fi
 }
 

@@ -212,22 +212,6 @@ void for_all(const std::function<void()>& property, int cases) {
   }
 }
 
-const char* name(Cause cause) {
-  switch (cause) {
-    case Cause::wrong:
-      return "wrong";
-    case Cause::crash:
-      return "crash";
-    case Cause::timeout:
-      return "timeout";
-    case Cause::bad_reply:
-      return "bad reply";
-    case Cause::not_attempted:
-      return "not attempted";
-  }
-  return "";
-}
-
 void fail_call(Cause cause, const std::string& got) {
   throw rc::detail::CaseResult(
       rc::detail::CaseResult::Type::Failure,

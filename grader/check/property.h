@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/check/cause.h"
 #include "grader/check/show.h"
 #include "pt/math/rgb.h"
 #include "pt/math/vec3.h"
@@ -31,17 +32,6 @@
 #define PROMISE(task, name) TEST(task, name)
 
 namespace grader::check {
-
-// Why a case failed. All but the first are known in graded runs only, where the task runs in
-// another process: the call itself came to nothing.
-enum class Cause {
-  wrong,          // the answer is not what was promised
-  crash,          // the process died, or the task threw
-  timeout,        // no answer within the limit
-  bad_reply,      // an answer that no implementation of the contract can give
-  not_attempted,  // the task calls todo()
-};
-const char* name(Cause cause);
 
 // A failed promise, as every report shows it. All texts are for a person to read.
 struct Failure {
@@ -85,9 +75,6 @@ void expect_near(const std::string& what, pt::Rgb got, pt::Rgb expected, double 
 
 // got == expected, exactly.
 void expect_equal(const std::string& what, long long got, long long expected);
-
-// Makes the case fail because a call gave no answer; `got` says what it did instead.
-[[noreturn]] void fail_call(Cause cause, const std::string& got);
 
 // The precision of a color, a BSDF, a pdf or a radiance that the contracts ask for, relative to its
 // size: single precision keeps it, and so does pi to six digits.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rapidcheck.h>
+
 namespace grader::mistakes {
 
 namespace {

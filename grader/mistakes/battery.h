@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/property.h"
+#include "grader/check/cause.h"
 #include "grader/mistakes/answers.h"
 #include "pt/math/rgb.h"
 #include "pt/math/vec3.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/property.h"
+#include "grader/check/cause.h"
 #include "grader/pictures/image_verdict.h"
 #include "grader/pictures/recipes.h"
 #include "pt/image/sample_map.h"

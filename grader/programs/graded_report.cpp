@@ -1,5 +1,6 @@
 #include "grader/programs/graded_report.h"
 
+#include "grader/check/property.h"
 #include "pt/error.h"
 
 #include <fstream>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grader/base/descriptor.h"
-#include "grader/check/property.h"
+#include "grader/check/cause.h"
 #include "grader/process/time_limit.h"
 #include "grader/sandbox/box.h"
 #include "grader/wire/message.h"
