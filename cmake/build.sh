@@ -42,6 +42,7 @@ configure() {
       return 2
     }
     printf '%s' "$mixtures $werror" >"$build/$preset/settings"
+    cat "$build/$preset/not_compiled" >&2 2>/dev/null || true
   fi
 }
 

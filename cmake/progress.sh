@@ -64,7 +64,7 @@ progress_follow() {
       fi
       progress_step "${BASH_REMATCH[3]}"
       step=" [$count] $progress_step$left"
-    elif [ -z "$count" ] && [ -n "$line" ]; then
+    elif [ -z "$count" ] && [ -n "$line" ] && [[ $line != ninja:* ]]; then
       step=" $line"
     fi
     progress_show "$what:${step:- ...}$([ $((SECONDS - start)) -lt 3 ] || echo " ($((SECONDS - start)) s)")"

@@ -57,7 +57,7 @@ install_command() {
   esac
 }
 
-# how_to_install MANAGER: one sentence for somebody who has to do it by hand.
+# how_to_install MANAGER STAMP: one sentence for somebody who has to do it by hand.
 how_to_install() {
   local sudo=''
   case $1:$(id -u) in
@@ -69,6 +69,8 @@ how_to_install() {
   [ ${#unknown[@]} -eq 0 ] ||
     printf '; for these %s has no package that we know, so get them from their authors, or use the container (see .devcontainer/): %s' \
       "$1" "${unknown[*]}"
+  # Names change, and what is here under another one is found by the compiler.
+  [ "$1" = apt-get ] || printf '; if all is here under other names, go on with: mkdir -p %s && touch %s' "$build" "$2"
 }
 
 # may_install: whether apt-get can be run, if need be after a password on this terminal.
@@ -81,7 +83,7 @@ install_missing() {
   [ "$(id -u)" -eq 0 ] || sudo=(sudo)
   echo "Firstlight is built with packages of the system. These are missing, and are now installed with apt-get:" >&2
   echo "  ${missing[*]}" >&2
-  [ ${#sudo[@]} -eq 0 ] || sudo -v || fail "$(how_to_install apt-get)"
+  [ ${#sudo[@]} -eq 0 ] || sudo -v || fail "$(how_to_install apt-get "$stamp")"
   { with_progress "reading the list of packages" "$build/packages.log" ${sudo[@]+"${sudo[@]}"} apt-get update &&
     with_progress "installing ${#missing[@]} packages" "$build/packages.log" ${sudo[@]+"${sudo[@]}"} \
       env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"; } ||
@@ -96,11 +98,11 @@ setup() {
   [ -e "$stamp" ] && return
   manager=$(package_manager)
   [ -n "$manager" ] ||
-    fail "No package manager is known here; install what these packages of Debian hold, then make the file $stamp:" \
+    fail "No package manager is known here; install what these packages of Debian hold, then go on with mkdir -p $build && touch $stamp:" \
       "$(grep -v '^#' "$list" | tr '\n' ' ')"
   find_missing "$manager" "$list"
   if [ ${#missing[@]} -gt 0 ] || [ ${#unknown[@]} -gt 0 ]; then
-    { [ "$manager" = apt-get ] && may_install; } || fail "$(how_to_install "$manager"). If all is there under other names: touch $stamp"
+    { [ "$manager" = apt-get ] && may_install; } || fail "$(how_to_install "$manager" "$stamp")"
     lock_tree
     find_missing "$manager" "$list" # another ./run may have been faster
     [ ${#missing[@]} -eq 0 ] || install_missing

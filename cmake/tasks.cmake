@@ -150,7 +150,7 @@ endfunction()
 
 # firstlight_wrap(<objects> <flags> <slug>...): the objects define what calls of these tasks go through in a
 # program that is linked with the flags, by the names that g++ and clang give to the functions:
-# "__wrap_" FIRSTLIGHT_SYMBOL_<slug>, and "__real_" for the task itself.
+# "__wrap_" FIRSTLIGHT_SYMBOL_<slug>, and "__real_" for the task itself. Without objects, only the flags are set.
 function(firstlight_wrap objects flags)
   set(words)
   foreach(slug IN LISTS ARGN)
@@ -163,7 +163,9 @@ function(firstlight_wrap objects flags)
       set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
     endif()
     set(symbol _ZN2pt${length}${slug}E${arguments})
-    target_compile_definitions(${objects} PRIVATE FIRSTLIGHT_SYMBOL_${slug}="${symbol}")
+    if(objects)
+      target_compile_definitions(${objects} PRIVATE FIRSTLIGHT_SYMBOL_${slug}="${symbol}")
+    endif()
     list(APPEND words -Wl,--wrap=${symbol})
   endforeach()
   set(${flags} ${words} PARENT_SCOPE)

@@ -2,6 +2,7 @@
 # The learners' edition: it has no line of a solution, builds from nothing, grades with the compiled
 # reference, and says so where that does not fit.
 # handout.sh BUILD: whose objects of the reference it gets.
+# shellcheck disable=SC2015
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD build=$1 folder=$1/handout
@@ -28,10 +29,17 @@ if grader/editions/handout.sh "$build" "$folder" 2>/dev/null; then
   complain "a second handout has been made over the first"
 fi
 grep -q 'todo(' "$folder/student/1_rays/hit_triangle.cpp" || complain "there are no stubs"
-for gone in .git reference fast tests bench grader/self_check grader/programs/bless.cpp grader/programs/grade_class.cpp \
+for gone in reference fast tests bench grader/self_check grader/programs/bless.cpp grader/programs/grade_class.cpp \
   grader/tasks/hit_box/wrong grader/tasks/hit_box/right grader/tasks/trace_path/noisy; do
   [ ! -e "$folder/$gone" ] || complain "$gone is in it"
 done
+
+# A repository with one commit that has nothing of ours, and ignores what ./run makes.
+[ "$(git -C "$folder" rev-list --count HEAD)" = 1 ] && [ -z "$(git -C "$folder" status --porcelain)" ] ||
+  complain "it is no repository with one commit"
+if grep -raF "$root" "$folder"; then complain "it tells where it was made"; fi
+# An editor is right before anything is built.
+bash tests/editors.sh "$folder" || [ $? -eq 77 ] || complain "an editor finds errors in it"
 
 # Long lines of the reference that stand nowhere in what learners are to have.
 lines=$(mktemp)
@@ -45,14 +53,27 @@ if nm "$folder"/reference-objects/*.o | grep -i ' [tbdr] .*_GLOBAL__N_'; then
   complain "the objects name what is local to the reference"
 fi
 
+# What is compiled is used: nothing but the learner's files has a rule.
 grades 1 'not attempted' hit_triangle
+if grep -E '^build [^:]*[.]o:' "$folder/build/check/build.ninja" | grep -vE '/(student|writeup)/|counted/'; then
+  complain "more than the learner's files is compiled"
+fi
+(cd "$folder" && ./run render scenes/box_spheres.dae -f none.png -s 1 -r 16 12) 2>&1 | grep -q '^not written yet: ' ||
+  complain "the stubs cannot be rendered"
+(cd "$folder" && ./run render scenes/box_spheres.dae -f reference.exr -s 4 -m 2 -r 64 48 --from reference >/dev/null) ||
+  complain "the compiled reference cannot be rendered"
+"$build/pt/render" scenes/box_spheres.dae -f "$folder/sources.exr" -s 4 -m 2 -r 64 48 >/dev/null
+cmp "$folder/reference.exr" "$folder/sources.exr" || complain "what is compiled renders another picture"
+[ -z "$(git -C "$folder" status --porcelain)" ] || complain "git sees what ./run makes: $(git -C "$folder" status --porcelain)"
 cp reference/1_rays/hit_triangle.cpp "$folder/student/1_rays/"
 grades 0 'pass' hit_triangle
 cp reference/4_global/trace_path.cpp "$folder/student/4_global/"
 grades 1 'blocked' trace_path
 
-# Another machine.
-sed -i 's/^machine .*/machine Linux other/' "$folder/reference-objects/stamp"
+# Another machine: everything is built from its sources.
+sed -i 's/^machine .*/machine Linux other/' "$folder"/{reference-objects,compiled}/stamp
+[[ $("$folder/run" grade --no-pictures hit_triangle 2>&1) == *'those in compiled/ were compiled for another machine'* ]] ||
+  complain "it does not say why everything is built"
 grades 0 'as the reference was compiled for another machine' hit_triangle
 grades 1 'blocked' trace_path
 cp -r reference/* "$folder/student/"

@@ -4,7 +4,9 @@
 #include "tests/grader_fixture.h"
 #include "tests/pseudo_terminal.h"
 
+#include <algorithm>
 #include <csignal>
+#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -109,8 +111,8 @@ TEST_F(WatchTest, judges_everything_once_and_then_what_is_saved) {
   EXPECT_THAT(terminal.expect("got for three"), Not(HasSubstr("got for two")));
   save("1_rays/hit_sphere", "// new");
   const std::string screen = terminal.expect("hit_sphere passes");
-  EXPECT_THAT(screen, HasSubstr("1.3  hit_triangle"));
-  EXPECT_THAT(screen, HasSubstr("1 of 3 tasks pass"));
+  EXPECT_THAT(screen, HasSubstr("[#..] 1 of 3 tasks pass"));
+  terminal.expect("2.1 build_bvh is not written yet");
   terminal.type("q");
   expect_exit(terminal, 0);
   EXPECT_THAT(base::read_file(here_ + "/log"),
@@ -124,7 +126,9 @@ TEST_F(WatchTest, refreshes_the_tasks_that_ask_the_one_that_was_saved) {
   results::TaskResult mended = failing("2_bvh", "2.1", "build_bvh", {});
   answer("all", {triangle({"three"}), mended});
   save("1_rays/hit_triangle", "// second");
-  EXPECT_THAT(terminal.expect("2.1  build_bvh          \x1b[32mpass"), HasSubstr("got for three"));
+  terminal.expect("got for three");
+  terminal.expect("[#..] 1 of 3 tasks pass");
+  terminal.expect("got for three");
   terminal.type("q");
   expect_exit(terminal, 0);
   EXPECT_THAT(base::read_file(here_ + "/log"),
@@ -149,6 +153,70 @@ TEST_F(WatchTest, answers_keys) {
   terminal.type("l");
   terminal.expect("1.3  hit_triangle       fail");
   terminal.expect("2.1  build_bvh          not attempted");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, keeps_the_failure_that_is_looked_at_until_the_task_passes) {
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  answer("hit_sphere", {failing("1_rays", "1.4", "hit_sphere", {"four"})});
+  answer("all", {triangle({"one"}), failing("1_rays", "1.4", "hit_sphere", {"four"})});
+  save("1_rays/hit_sphere", "// wrong");
+  terminal.expect("got for four");
+  terminal.expect("checking all tasks");
+  EXPECT_THAT(terminal.expect("q quit"), Not(HasSubstr("got for one")));
+  const std::string after = terminal.expect("q quit");  // everything is judged
+  EXPECT_THAT(after, HasSubstr("got for four"));
+  EXPECT_THAT(after, Not(HasSubstr("got for one")));
+  terminal.type("h");
+  terminal.expect("hint asked for: hit_sphere four");
+  terminal.type("f");
+  terminal.expect("got for four");
+  answer("hit_sphere", {failing("1_rays", "1.4", "hit_sphere", {})});
+  save("1_rays/hit_sphere", "// right now");
+  EXPECT_THAT(terminal.expect("hit_sphere passes"), HasSubstr("[#..] 1 of 3 tasks pass"));
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, draws_the_page_of_pictures_and_opens_it) {
+  base::write_file(here_ + "/xdg-open", "#!/bin/sh\necho \"opened $1\" >> \"$(dirname $0)/log\"\n");
+  std::filesystem::permissions(here_ + "/xdg-open", std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (here_ + ":" + path).c_str(), 1);
+  for (const char* display : {"", ":0"}) {
+    unsetenv("WAYLAND_DISPLAY");
+    unsetenv("DISPLAY");
+    if (*display != '\0') setenv("DISPLAY", display, 1);
+    PseudoTerminal terminal(command());
+    begin(terminal);
+    terminal.type("p");
+    terminal.expect("rendering the pictures of hit_triangle");
+    const std::string page = here_ + "/work/watch.html";
+    terminal.expect("Your pictures beside the right ones: " + page);
+    terminal.type("f");
+    terminal.expect("got for one");
+    terminal.type("q");
+    expect_exit(terminal, 0);
+    const std::string opened = "opened " + page;
+    EXPECT_EQ(base::read_file(here_ + "/log").find(opened) != std::string::npos, *display != '\0');
+  }
+  setenv("PATH", path.c_str(), 1);
+}
+
+// A screen of 24 lines, where a terminal does not say how many it has.
+TEST_F(WatchTest, shows_no_more_than_there_is_room_for) {
+  results::TaskResult task = triangle({"one"});
+  for (int i = 0; i < 40; ++i) {
+    task.promises[0].failures[0].input.push_back("value " + std::to_string(i));
+  }
+  answer("all", {task});
+  PseudoTerminal terminal(command());
+  terminal.expect("value 0");
+  const std::string rest = terminal.expect("q quit");
+  EXPECT_THAT(rest, HasSubstr("more lines"));
+  EXPECT_LE(std::count(rest.begin(), rest.end(), '\n'), 23);
   terminal.type("q");
   expect_exit(terminal, 0);
 }

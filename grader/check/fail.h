@@ -16,4 +16,7 @@ struct CaseFailed {
 [[noreturn]] void fail(const std::string& what, const std::string& got, const std::string& expected,
                        const std::string& off_by = "");
 
+// Ends the case because a call gave no answer. `got` says what the call did instead.
+[[noreturn]] void fail_call(results::Cause cause, const std::string& got);
+
 }  // namespace grader::check

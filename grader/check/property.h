@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/check/fail.h"
 #include "grader/check/show.h"
 #include "grader/results/results.h"
 #include "pt/math/rgb.h"
@@ -68,9 +69,6 @@ void expect_near(const std::string& what, pt::Rgb got, pt::Rgb expected, double 
 
 // Makes the case fail unless got == expected, exactly.
 void expect_equal(const std::string& what, long long got, long long expected);
-
-// Makes the case fail because a call gave no answer. `got` says what the call did instead.
-[[noreturn]] void fail_call(results::Cause cause, const std::string& got);
 
 // The relative precision that the contracts require of a colour, a BSDF, a pdf or a radiance.
 // Single precision is enough for it, and so is pi to six digits.

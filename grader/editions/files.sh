@@ -4,7 +4,8 @@
 # edition_files PATTERN: the files that every edition has, but those that match; in a working copy, only
 # those that git knows.
 edition_files() {
-  local parts=(run README.md LICENSE CMakeLists.txt CMakePresets.json .clang-format .gitignore
+  local parts=(run README.md LICENSE CMakeLists.txt CMakePresets.json .clang-format .clangd compile_flags.txt
+    .vscode .devcontainer
     cmake docs golden grader pt scenes student writeup)
   {
     git ls-files -- "${parts[@]}" 2>/dev/null | grep . ||

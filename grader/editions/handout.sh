@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# handout.sh BUILD FOLDER: the learners' edition, with the reference as the objects that BUILD has made. Runs
-# in the root of the project; `./run handout` calls it.
+# handout.sh BUILD FOLDER: the learners' edition, with the reference as the objects that BUILD has made, and compiled what is
+# not the learner's. Runs in the root of the project; `./run handout` calls it.
 set -euo pipefail
 # shellcheck source=grader/editions/files.sh
 . grader/editions/files.sh
@@ -33,19 +33,24 @@ objects=$half/reference-objects
 mkdir "$objects"
 cmake "$build" >/dev/null
 cp "$build/reference.stamp" "$objects/stamp"
-copy_object() {
+# In place of this folder its name is as many characters that mean the folder in which one is.
+nowhere=.$(printf '%*s' "${#PWD}" '' | tr ' ' /)
+# copy_stripped FROM TO: without local names, debugging information, and where it was compiled.
+copy_stripped() {
+  mkdir -p "$(dirname "$2")"
   strip --strip-unneeded --remove-section=.comment -o "$2" "$1"
+  LC_ALL=C sed -i "s|$PWD/|$nowhere|g" "$2"
   ! grep -qaF "$PWD" "$2" || fail "$1 tells where it was compiled"
 }
 for source in reference/*/*.cpp; do
   slug=$(basename "$source" .cpp)
-  copy_object "$build/CMakeFiles/$slug.reference.dir/$source.o" "$objects/$slug.o"
+  copy_stripped "$build/CMakeFiles/$slug.reference.dir/$source.o" "$objects/$slug.o"
   counted=$build/CMakeFiles/$slug.reference.counted.dir/counted/$slug.reference.cpp.o
-  [ ! -e "$counted" ] || copy_object "$counted" "$objects/$slug.counted.o"
+  [ ! -e "$counted" ] || copy_stripped "$counted" "$objects/$slug.counted.o"
 done
 for source in fast/*/*.cpp; do
   slug=$(basename "$source" .cpp)
-  copy_object "$build/CMakeFiles/$slug.fast.dir/$source.o" "$objects/$slug.fast.o"
+  copy_stripped "$build/CMakeFiles/$slug.fast.dir/$source.o" "$objects/$slug.fast.o"
 done
 # The stubs stand for the reference where the objects do not fit.
 for stub in student/*/*.cpp; do
@@ -53,7 +58,31 @@ for stub in student/*/*.cpp; do
   cp "$stub" "$objects/stubs/${stub#student/}"
 done
 
+compiled=$half/compiled
+while read -r kind name file; do
+  case $kind in
+    archive) copy_stripped "$file" "$compiled/lib$name.a" ;;
+    object) copy_stripped "$file" "$compiled/$name/$(basename "$file")" ;;
+    program) copy_stripped "$file" "$compiled/$name" ;;
+  esac
+done <"$build/compiled/files"
+cp "$build/compiled/links.cmake" "$compiled"
+cp "$build/reference.stamp" "$compiled/stamp"
+cmake "-DROOT=$half" "-DOUTPUT=$compiled/sources" -P cmake/source_hash.cmake
+
+# From here on the folder is the learner's: a list of what it came with (./run update), and a repository with a first commit.
+cp grader/editions/handout_gitignore "$half/.gitignore"
+echo "Firstlight for learners, made of $(git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)" >"$half/docs/edition.txt"
+(cd "$half" && find . -type f -printf '%P\n' | sort | tr '\n' '\0' | xargs -0 sha256sum >"$half.edition")
+mv "$half.edition" "$half/.edition"
+if command -v git >/dev/null; then
+  git -C "$half" -c init.defaultBranch=main init --quiet
+  git -C "$half" add --all
+  git -C "$half" -c user.name=Firstlight -c user.email=firstlight@localhost -c commit.gpgsign=false \
+    commit --quiet -m "Firstlight, as it was given out"
+fi
+
 [ ! -e "$folder" ] || rmdir "$folder"
 mv -T "$half" "$folder"
 trap - EXIT
-echo "$folder: $(find "$folder" -type f | wc -l) files, $(du -sh "$folder" | cut -f1)"
+echo "$folder: $(wc -l <"$folder/.edition") files, $(du -sh --exclude=.git "$folder" | cut -f1)"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rapidcheck.h>
+
 namespace grader::mistakes {
 
 namespace {

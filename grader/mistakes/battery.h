@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/check/property.h"
 #include "grader/mistakes/answers.h"
+#include "grader/results/results.h"
 #include "pt/math/rgb.h"
 #include "pt/math/vec3.h"
 

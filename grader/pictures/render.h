@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/check/property.h"
 #include "grader/pictures/image_verdict.h"
 #include "grader/pictures/recipes.h"
+#include "grader/results/results.h"
 #include "pt/image/sample_map.h"
 #include "pt/render/render_rows.h"
 

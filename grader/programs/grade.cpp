@@ -9,11 +9,13 @@
 #include "grader/report/terminal.h"
 #include "grader/results/presentable.h"
 #include "grader/results/read_json.h"
+#include "grader/results/summary.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -111,6 +113,18 @@ judge::GradeRequest request_for(const judge::Config& config, const GradeOptions&
   return request;
 }
 
+// For ./run submit: what a learner graded last, in one sentence.
+void remember_run(const judge::Config& config, const results::Results& results,
+                  const GradeOptions& options) {
+  if (options.submission != GradeOptions().submission) return;
+  const std::time_t now = std::time(nullptr);
+  char time[32] = "";
+  std::strftime(time, sizeof time, "%Y-%m-%d %H:%M", std::localtime(&now));
+  base::write_file(config.work + "/last", std::string("Graded last: ") + time + ", " +
+                                              programs::command(options) + ": " +
+                                              results::verdict(results) + "\n");
+}
+
 int run(Words words) {
   programs::GradeOptions options = parse_options(words);
   report::check_targets(options.files);
@@ -129,6 +143,7 @@ int run(Words words) {
       judge::grade(config, request, [&](const results::Results& so_far) { reports.write(so_far); });
   if (request.pictures) unfinished.end();
   report::remember_failures(config.work, results);
+  remember_run(config, results, options);
   return show(results, options);
 }
 

@@ -2,6 +2,7 @@
 // submission runs in here. Writes what it found as a results.json; the exit status is 0 if every
 // promise held, 1 if one did not, 2 if nothing could be judged. With --battery it runs the task's
 // battery instead (grader/mistakes/battery.h), and writes the answers.
+#include "grader/check/property.h"
 #include "grader/mistakes/battery.h"
 #include "grader/process/spawn.h"
 #include "grader/programs/graded_report.h"
@@ -95,8 +96,9 @@ int main(int argc, char** argv) {
   app.add_option("--call-limit", call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
   app.add_option("--isolation", tier, "the tier of the worker's box: A, B or C");
-  options.session.task = FIRSTLIGHT_TASK;
   options.session.at_fault = end_at_fault;
+  // The suite of the properties that are linked.
+  options.session.task = testing::UnitTest::GetInstance()->GetTestSuite(0)->name();
   return pt::run_command_line(app, argc, argv, [&] {
     options.session.program = std::filesystem::absolute(options.session.program);
     options.session.tier = grader::sandbox::tier_of(tier);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/check/fail.h"
 #include "grader/wire/worker_process.h"
 
 #include <functional>

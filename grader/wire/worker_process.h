@@ -1,8 +1,8 @@
 #pragma once
 
 #include "grader/base/descriptor.h"
-#include "grader/check/property.h"
 #include "grader/process/time_limit.h"
+#include "grader/results/results.h"
 #include "grader/sandbox/box.h"
 #include "grader/wire/message.h"
 

@@ -1,6 +1,7 @@
 #include "grader/programs/watch/session.h"
 
 #include "grader/base/files.h"
+#include "grader/base/wrap.h"
 #include "grader/process/run_command.h"
 #include "grader/results/read_json.h"
 #include "pt/error.h"
@@ -8,12 +9,14 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace grader::programs {
@@ -21,14 +24,45 @@ namespace grader::programs {
 namespace {
 
 constexpr int kPause = 100;  // milliseconds between looks at the files
+constexpr const char* kClearScreen = "\x1b[H\x1b[2J";
 constexpr const char* kClearLine = "\r\x1b[K";
-constexpr const char* kKeys = "h hint   n next   l list   q quit";
+constexpr const char* kKeys = "h hint  n next  f failure  p pictures  l list  q quit";
+constexpr const char* kPage = "*";  // waits like a task
 
 std::string time_of_day() {
   const std::time_t now = std::time(nullptr);
   char text[16] = "";
   std::strftime(text, sizeof text, "%H:%M:%S", std::localtime(&now));
   return text;
+}
+
+int rows_of_screen() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 24;
+}
+
+// The first lines that there is room for.
+std::string cut(const std::string& text, int rows) {
+  std::vector<std::string> lines = base::lines_of(text);
+  while (!lines.empty() && lines.back().empty()) lines.pop_back();
+  const auto room = static_cast<std::size_t>(std::max(rows, 2));
+  std::string all;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i + 1 == room && lines.size() > room) {
+      return all + fmt::format("  ... {} more lines: make the window taller, or type ./run grade\n",
+                               lines.size() - i);
+    }
+    all += lines[i] + '\n';
+  }
+  return all;
+}
+
+// Whether a browser was asked to show it.
+bool open_in_browser(const std::string& path) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
+  process::Child child{{"/bin/sh", "-c", "exec xdg-open \"$1\"", "sh", path}, {}, {}, "", {}};
+  for (char** entry = environ; *entry != nullptr; ++entry) child.environment.push_back(*entry);
+  return process::run_command(std::move(child), std::chrono::seconds(5)).ok();
 }
 
 }  // namespace
@@ -38,12 +72,13 @@ WatchSession::WatchSession(const judge::Config& config, WatchOptions options)
       options_(std::move(options)),
       results_path_(fmt::format("{}/watch.{}.json", config.work, getpid())),
       files_(options_.submission, config.tasks),
-      verdicts_(config.tasks, options_.submission, options_.style) {
+      verdicts_(config.tasks, options_.submission, options_.style),
+      page_path_(config.work + "/watch.html") {
   std::filesystem::create_directories(config.work);
 }
 
 int WatchSession::run(RawTerminal& terminal) {
-  print(fmt::format("Watching {}: save a file to have it checked.\n", options_.submission));
+  show(fmt::format("Watching {}: save a file to have it checked.\n", options_.submission));
   while (!quit_) {
     take_saves();
     take_verdict();
@@ -72,7 +107,7 @@ void WatchSession::take_signals(RawTerminal& terminal) {
       std::fputs(kClearLine, stdout);
       std::fflush(stdout);
       terminal.stop_program();
-      show_status();
+      draw();
     } else if (*signal == SIGINT) {
       quit_ = 0;
     } else if (*signal != SIGCHLD) {
@@ -97,7 +132,7 @@ void WatchSession::take_keys() {
 void WatchSession::take_saves() {
   for (const std::string& slug : files_.saved()) {
     if (running_ && judging_.empty()) waiting_.push_back("");
-    if (running_ && (judging_.empty() || judging_ == slug)) running_.reset();
+    if (running_ && (judging_.empty() || judging_ == kPage || judging_ == slug)) running_.reset();
     if (std::count(waiting_.begin(), waiting_.end(), slug) == 0) {
       const auto all = std::find(waiting_.begin(), waiting_.end(), "");
       waiting_.insert(all, slug);
@@ -114,7 +149,7 @@ void WatchSession::take_verdict() {
   running_.reset();
   show_verdict(output, *status, seconds);
   // Tasks that ask the one that was saved may stand differently now; what did not change is known.
-  if (!judging_.empty() && waiting_.empty()) waiting_.push_back("");
+  if (!judging_.empty() && judging_ != kPage && waiting_.empty()) waiting_.push_back("");
 }
 
 void WatchSession::start_next() {
@@ -122,15 +157,17 @@ void WatchSession::start_next() {
   judging_ = waiting_.front();
   waiting_.pop_front();
   std::vector<std::string> command{options_.programs + "/grade"};
-  if (!judging_.empty()) command.push_back(judging_);
-  for (const std::string& word :
-       {std::string("--submission"), options_.submission, std::string("--json"), results_path_,
-        std::string("--config"), options_.config, std::string("--no-pictures")}) {
-    command.push_back(word);
+  if (judging_ == kPage) {
+    command.insert(command.end(), {task_, "--html", page_path_});
+  } else {
+    if (!judging_.empty()) command.push_back(judging_);
+    command.insert(command.end(), {"--no-pictures"});
   }
+  command.insert(command.end(), {"--submission", options_.submission, "--json", results_path_,
+                                 "--config", options_.config});
   std::filesystem::remove(results_path_);
   running_.emplace(command);
-  show_status();
+  draw();
 }
 
 void WatchSession::press(char key) {
@@ -138,9 +175,14 @@ void WatchSession::press(char key) {
     case 'h':
       return give_hint();
     case 'n':
-      return print(verdicts_.next());
+      return look_at(verdicts_.next());
+    case 'f':
+      return show(failure_);
+    case 'p':
+      if (!task_.empty()) waiting_.push_back(kPage);
+      return;
     case 'l':
-      return print("\n" + verdicts_.list());
+      return show(verdicts_.list());
     case 'q':
       quit_ = 0;
       return;
@@ -155,41 +197,59 @@ void WatchSession::give_hint() {
   child.command.insert(child.command.end(), {"--config", options_.config});
   const process::CommandResult hint =
       process::run_command(std::move(child), std::chrono::seconds(5));
-  print("\n" + hint.output);
+  show(hint.output);
+}
+
+void WatchSession::show_page() {
+  const std::string where = "Your pictures beside the right ones: " + page_path_;
+  show(where + (open_in_browser(page_path_) ? " (opened in the browser)" : "") + "\n");
+}
+
+// The results of `grade`. What is looked at stays, unless it was saved, or stands differently now.
+void WatchSession::take_results() {
+  const results::Results results =
+      results::results_from_json(base::read_file(results_path_), results_path_);
+  if (!results.complete) throw pt::Error("the results are not complete");
+  const std::string before = verdicts_.state(task_);
+  verdicts_.update(results);
+  if (judging_ == kPage) return show_page();
+  const bool first = !judged_;
+  judged_ = true;
+  if (!judging_.empty()) return look_at(verdicts_.show(judging_));
+  if (first) return look_at(verdicts_.show_first());
+  if (verdicts_.state(task_) != before) return look_at(verdicts_.show(task_));
+  draw();
 }
 
 void WatchSession::show_verdict(const std::string& output, int status, double seconds) {
   const std::string what = judging_.empty() ? "all tasks" : judging_;
-  const std::string head = fmt::format("\n{}  {}, {:.1f} s\n", time_of_day(), what, seconds);
+  if (judging_ != kPage) head_ = fmt::format("{}  {}, {:.1f} s", time_of_day(), what, seconds);
   try {
-    const results::Results results =
-        results::results_from_json(base::read_file(results_path_), results_path_);
-    if (!results.complete) throw pt::Error("the results are not complete");
-    const std::string before = verdicts_.table();
-    verdicts_.update(results);
-    if (judging_.empty() && judged_ && verdicts_.table() == before) return show_status();
-    // All tasks again, after a save came in between: that task is still being looked at.
-    const std::string again = judged_ ? "" : verdicts_.show_first();
-    const std::string failure = judging_.empty() ? again : verdicts_.show(judging_);
-    judged_ = true;
-    print(head + verdicts_.table() + failure);
+    take_results();
   } catch (const std::exception& error) {
-    print(fmt::format("{}grade gave no verdict: {} ({})\n{}", head,
-                      process::describe_status(status), error.what(), output));
+    show(fmt::format("grade gave no verdict: {} ({})\n{}", process::describe_status(status),
+                     error.what(), output));
   }
 }
 
-void WatchSession::print(const std::string& text) {
-  std::fputs(kClearLine, stdout);
-  std::fputs(text.c_str(), stdout);
-  std::fputs("\n", stdout);
-  show_status();
+void WatchSession::look_at(const std::string& failure) {
+  task_ = verdicts_.slug();
+  failure_ = failure;
+  show(failure);
 }
 
-void WatchSession::show_status() const {
-  const std::string what = judging_.empty() ? "all tasks" : judging_;
-  const std::string now = running_ ? "checking " + what + " ...   " : "";
-  fmt::print("{}{}{}", kClearLine, now, kKeys);
+void WatchSession::show(const std::string& text) {
+  text_ = text;
+  draw();
+}
+
+void WatchSession::draw() const {
+  const std::string what = judging_.empty()    ? "checking all tasks"
+                           : judging_ == kPage ? "rendering the pictures of " + task_
+                                               : "checking " + judging_;
+  const std::string now = running_ ? what + " ...  " : "";
+  fmt::print("{}{}\n{}\n\n{}\n{}{}", kClearScreen, verdicts_.bar(), head_,
+             cut(text_, rows_of_screen() - 5), now, kKeys);
   std::fflush(stdout);
 }
 

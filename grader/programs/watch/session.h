@@ -21,7 +21,7 @@ struct WatchOptions {
 };
 
 // One sitting of a learner: judges everything once, then each task whose file is saved, and answers
-// keys meanwhile.
+// keys meanwhile. What is shown of a task stays until that task passes, or another is saved.
 class WatchSession {
  public:
   WatchSession(const judge::Config& config, WatchOptions options);
@@ -40,20 +40,28 @@ class WatchSession {
   void press(char key);
   void give_hint();
   void show_verdict(const std::string& output, int status, double seconds);
+  void take_results();
+  void show_page();
 
-  // Prints text above the status line, which is then printed again.
-  void print(const std::string& text);
-  void show_status() const;
+  // The screen is a line on how far the learner is, one text, and the line of keys.
+  void show(const std::string& text);
+  void look_at(const std::string& failure);  // of the task that verdicts_ stands at
+  void draw() const;
 
   const judge::Config& config_;
   WatchOptions options_;
   std::string results_path_;
   Files files_;
   Verdicts verdicts_;
-  std::deque<std::string> waiting_{""};  // slugs to judge; empty: all tasks
+  std::string page_path_;
+  std::deque<std::string> waiting_{""};  // slugs to judge; empty: all tasks; kPage: draw the page
   std::string judging_;                  // what running_ judges
   std::optional<Running> running_;
   bool judged_ = false;  // something, so far
+  std::string task_;     // what is looked at
+  std::string failure_;  // the failure of it that is looked at, or what is to be written
+  std::string text_;     // what is on the screen: that, or what a key has asked for
+  std::string head_;     // when it was judged
   std::optional<int> quit_;
 };
 

@@ -1,5 +1,7 @@
 #include "grader/programs/watch/verdicts.h"
 
+#include "grader/results/summary.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -26,7 +28,13 @@ void Verdicts::update(const results::Results& results) {
   known_.tasks = std::move(merged);
 }
 
-std::string Verdicts::table() const { return grader::report::table(known_, style_); }
+std::string Verdicts::bar() const {
+  const results::Totals all = results::totals(known_.tasks);
+  std::string bar(tasks_.size(), '.');
+  std::fill_n(bar.begin(), all.passed, '#');
+  return fmt::format("[{}] {} of {} tasks pass, {} of {} points", bar, all.passed, tasks_.size(),
+                     all.points, all.max_points);
+}
 
 std::string Verdicts::list() const {
   std::string text;
@@ -40,6 +48,11 @@ std::string Verdicts::list() const {
   return text;
 }
 
+std::string Verdicts::state(const std::string& slug) const {
+  const results::TaskResult* result = find(slug);
+  return result == nullptr ? "" : name(result->state);
+}
+
 std::string Verdicts::show(const std::string& slug) {
   for (std::size_t i = 0; i < tasks_.size(); ++i) {
     if (tasks_[i].slug == slug) task_ = i;
@@ -48,7 +61,7 @@ std::string Verdicts::show(const std::string& slug) {
   promise_.clear();
   const std::vector<report::FailureText> all = items(task_);
   if (!all.empty()) return show_item(all[0]);
-  return find(slug) == nullptr ? "" : "\n" + slug + " passes; n shows what is next.\n";
+  return find(slug) == nullptr ? "" : slug + " passes.\n" + next();
 }
 
 std::string Verdicts::show_first() {
@@ -67,7 +80,7 @@ std::string Verdicts::next() {
     item_ = 0;
   }
   promise_.clear();
-  return "\nNothing is left to do: all tasks pass.\n";
+  return "\nNothing is left to do: all tasks pass. ./run grade judges the pictures too.\n";
 }
 
 const results::TaskResult* Verdicts::find(const std::string& slug) const {

@@ -18,13 +18,16 @@ class Verdicts {
   // Takes in the tasks of a run; those it did not judge stay as they are.
   void update(const results::Results& results);
 
-  // A row for each task judged so far, and the points.
-  std::string table() const;
+  // How many of the tasks pass, as a bar, and the points: one line.
+  std::string bar() const;
 
   // Lists the state and the file of each task.
   std::string list() const;
 
-  // The first failure of the task, or that it passes and what comes next.
+  // The state of the task; empty if it is not judged yet.
+  std::string state(const std::string& slug) const;
+
+  // The first failure of the task; if there is none, that it passes, and what next() says.
   std::string show(const std::string& slug);
 
   // The first failure of all; if there is none, what next() says.

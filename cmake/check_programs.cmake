@@ -1,0 +1,29 @@
+# The properties of one task and what they run on: the task as asked for, counting versions and mocks of
+# the tasks that it calls, the reference for all others.
+function(firstlight_link_properties program slug implementation)
+  firstlight_inner_choices(${slug} counting scripted)
+  target_link_libraries(${program} PRIVATE properties.${slug} grader_check grader_counting firstlight_warnings)
+  firstlight_link_tasks(${program} FROM reference RADIANCE ${INNER_RADIANCE}
+    CHOICES ${slug}=${implementation} ${INNER_CHOICES})
+endfunction()
+
+# check.<slug>.<implementation>: the properties of one task in one process, for a debugger and for the
+# tests of the properties themselves.
+function(firstlight_add_check_programs)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/grader)
+  foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+    foreach(implementation reference student)
+      if(TARGET ${slug}.${implementation})
+        set(program check.${slug}.${implementation})
+        add_executable(${program})
+        set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
+        target_link_libraries(${program} PRIVATE ${slug}.repeat GTest::gtest_main)
+        firstlight_link_properties(${program} ${slug} ${implementation})
+      endif()
+    endforeach()
+    # A bonus promise may ask for more than the plain method that the reference shows.
+    if(TARGET check.${slug}.reference)
+      add_test(NAME check.${slug} COMMAND check.${slug}.reference --gtest_filter=-*_bonus)
+    endif()
+  endforeach()
+endfunction()

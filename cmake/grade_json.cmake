@@ -1,0 +1,81 @@
+# grade.json: what `grade` needs to build and judge a submission without CMake. It stands beside the programs of the grader,
+# where they look for each other; the target `grade` is all of them.
+
+# A list of words as the inside of a JSON array, and the objects of libraries likewise.
+function(firstlight_json_list result)
+  list(TRANSFORM ARGN REPLACE "\\\\" "\\\\\\\\" OUTPUT_VARIABLE words)
+  list(TRANSFORM words REPLACE "\"" "\\\\\"")
+  list(TRANSFORM words REPLACE "(.+)" "\"\\1\"")
+  string(JOIN "," text ${words})
+  set(${result} "[${text}]" PARENT_SCOPE)
+endfunction()
+function(firstlight_json_objects result)
+  set(text)
+  foreach(library IN LISTS ARGN)
+    firstlight_objects_of(${library} "\",\"" objects)
+    list(APPEND text "\"${objects}\"")
+  endforeach()
+  string(JOIN "," text ${text})
+  set(${result} "[${text}]" PARENT_SCOPE)
+  if(NOT FIRSTLIGHT_COMPILED)
+    add_dependencies(grade ${ARGN})
+  endif()
+endfunction()
+
+function(firstlight_write_grade_json)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}")
+  get_target_property(options firstlight_options INTERFACE_COMPILE_OPTIONS)
+  firstlight_json_list(compile_flags
+    ${flags} ${CMAKE_CXX20_STANDARD_COMPILE_OPTION} ${options})
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_EXE_LINKER_FLAGS}")
+  get_target_property(options firstlight_options INTERFACE_LINK_OPTIONS)
+  if(NOT options)
+    set(options)
+  endif()
+  firstlight_json_list(link_flags ${flags} ${options} -pthread)
+  firstlight_wrap("" flags ${FIRSTLIGHT_JUDGE_ANSWERS_hit_bvh})
+  firstlight_json_list(recording_flags ${flags})
+  # The parts of every program that runs tasks, besides the tasks.
+  firstlight_json_objects(framework grader_worker pt_base pt_scene pt_rows)
+  firstlight_json_objects(recording grader_recording)
+  firstlight_json_objects(radiance radiance.path)
+
+  set(callbacks)
+  foreach(name hit_box hit_triangle hit_sphere radiance)
+    firstlight_json_objects(objects ${name}.callback)
+    list(APPEND callbacks "\"${name}\": ${objects}")
+  endforeach()
+  firstlight_json_objects(objects diffuse_bsdf.mock)
+  list(APPEND callbacks "\"diffuse_bsdf\": ${objects}")
+  string(JOIN ",\n  " callbacks ${callbacks})
+
+  set(tasks)
+  foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+    firstlight_json_objects(objects ${slug}.reference)
+    add_dependencies(grade graded.${slug})
+    list(APPEND tasks "{\"slug\": \"${slug}\", \"graded\": \"${PROJECT_BINARY_DIR}/grader/graded.${slug}\", \
+\"reference\": ${objects}}")
+  endforeach()
+  string(JOIN ",\n  " tasks ${tasks})
+
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/grader/grade.json CONTENT "{
+ \"root\": \"${PROJECT_SOURCE_DIR}\",
+ \"work\": \"${PROJECT_BINARY_DIR}/grader/graded\",
+ \"compiler\": \"${CMAKE_CXX_COMPILER}\",
+ \"compile_flags\": ${compile_flags},
+ \"link_flags\": ${link_flags},
+ \"recording_flags\": ${recording_flags},
+ \"framework\": ${framework},
+ \"recording\": ${recording},
+ \"radiance\": ${radiance},
+ \"picture\": \"${PROJECT_BINARY_DIR}/grader/graded_picture\",
+ \"compiler_version\": \"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\",
+ \"callbacks\": {
+  ${callbacks}},
+ \"no_reference\": \"${FIRSTLIGHT_NO_REFERENCE}\",
+ \"tasks\": [
+  ${tasks}]
+}
+")
+endfunction()

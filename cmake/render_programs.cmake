@@ -1,0 +1,27 @@
+# The render program, from the parts in pt/ (or the compiled ones of the learners' edition).
+
+# firstlight_render_program(<name> <mixture>)
+function(firstlight_render_program name mixture)
+  firstlight_parse_mixture(${mixture})
+  if(FIRSTLIGHT_REFERENCE STREQUAL stubs AND mixture MATCHES reference)
+    message(FATAL_ERROR "there is no reference on this machine: ${FIRSTLIGHT_NO_REFERENCE}")
+  endif()
+  add_executable(${name})
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX) # where all of it is compiled already
+  target_link_libraries(${name} PRIVATE pt_render_main pt_render pt_loader pt_progress)
+  firstlight_link_tasks(${name} FROM ${MIXTURE_FROM} RADIANCE recorded CHOICES ${MIXTURE_CHOICES}
+    FAST COUNTED)
+endfunction()
+
+# One that renders with all of one implementation, and one for each mixture that was asked for.
+function(firstlight_add_render_programs)
+  if(FIRSTLIGHT_REFERENCE STREQUAL sources)
+    firstlight_render_program(render reference)
+  else()
+    firstlight_render_program(render student)
+  endif()
+  foreach(mixture IN LISTS FIRSTLIGHT_MIXTURES)
+    firstlight_parse_mixture(${mixture})
+    firstlight_render_program(render.${MIXTURE_SUFFIX} ${mixture})
+  endforeach()
+endfunction()
