@@ -115,8 +115,10 @@ cat >"$folder/writeup/layered" <<END
 grep -qF '"ranges"' "\$1" && { echo 'bounces cannot be taken apart: no' >&2; exit 2; }
 exec "$build/writeup/writeup_render.reference" "\$@"
 END
-expect 0 'draft/index.html' writeup layered components
-if grep -n 'class="problem"' "$folder/work/draft/part4.html"; then complain "layers have problems"; fi
+expect 0 'layered/index.html' writeup layered components --out "$folder/layered"
+for picture in full direct indirect; do
+  [ -s "$folder/layered/figures/components.$picture.png" ] || complain "no layers for $picture"
+done
 
 # The pictures that are kept are those that the plan makes, and no others.
 handbook() {
