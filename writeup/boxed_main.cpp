@@ -27,7 +27,8 @@ using namespace grader::judge;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr int kChunk = 6;  // rows that are asked for at once
+constexpr int kChunk = 6;       // rows that are asked for at first
+constexpr double kQuick = 0.1;  // seconds: what takes less is asked for in larger pieces
 constexpr std::size_t kMaxJson = std::size_t{1} << 22;
 constexpr int kCompileSeconds = 60;
 constexpr std::chrono::minutes kCallLimit{5};  // the write-up's own limit is usually shorter
@@ -130,8 +131,8 @@ void append(const Band& band, const Spec& spec, const pt::PictureRows& answer, i
 
 std::int64_t rays() { return pt::rays_traced().closest + pt::rays_traced().occluded; }
 
-// Some rows by the worker, into the file of the band.
-void make_rows(const pt::View& view, const Spec& spec, const Band& band, int y, int rows) {
+// Some rows by the worker, into the file of the band. Returns the seconds that they took.
+double make_rows(const pt::View& view, const Spec& spec, const Band& band, int y, int rows) {
   const double before = worker_seconds();
   const std::int64_t rays_before = rays();
   const pt::PictureRows answer =
@@ -140,9 +141,11 @@ void make_rows(const pt::View& view, const Spec& spec, const Band& band, int y, 
   if (!measured.apart) {
     throw pt::Error(std::string(kNotApart) + ": they do not add up to what trace_path returned");
   }
+  const double seconds = worker_seconds() - before;
   append(band, spec, answer, rows,
-         {worker_seconds() - before, rays() - rays_before, measured.tests.boxes,
-          measured.tests.triangles, measured.tests.spheres, measured.not_finite});
+         {seconds, rays() - rays_before, measured.tests.boxes, measured.tests.triangles,
+          measured.tests.spheres, measured.not_finite});
+  return seconds;
 }
 
 bool tree_is_missing() {
@@ -176,8 +179,11 @@ int render(const std::string& worker, const std::string& tier, const std::string
   const bool without_tree = spec.engine == pt::Engine::task && tree_is_missing();
   if (without_tree) loaded.scene.tracer = pt::Tracer(pt::Engine::linear, loaded.scene.primitives);
   const int end = band.first_row + band.rows;
-  for (int y = start_band(band, spec.row_pixels()); y < end; y += kChunk) {
-    make_rows(view, spec, band, y, std::min(kChunk, end - y));
+  int rows = kChunk;
+  for (int y = start_band(band, spec.row_pixels()); y < end;) {
+    const int now = std::min(rows, end - y);
+    if (make_rows(view, spec, band, y, now) < kQuick) rows *= 2;
+    y += now;
   }
   const std::string engine(pt::name(loaded.scene.tracer.engine()));
   finish_band(band, {missing_tasks(spec, without_tree), engine, loaded.scene.primitives.size()});

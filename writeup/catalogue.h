@@ -32,7 +32,7 @@ struct Picture {
   Look look = Look::radiance;
   bool in_bounces = false;  // from one render of all bounces, which other pictures share
   double exposure = 1;
-  std::string mistake;  // rendered by the reference with this wrong solution in it
+  std::string mistake;  // rendered by the reference with this wrong solution in it; or "reference"
   std::string time_of;  // take so many samples that it takes as long as this picture
 };
 

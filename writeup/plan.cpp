@@ -9,8 +9,9 @@ namespace writeup {
 
 namespace {
 
-constexpr int kDraftSize = 4;      // times fewer pixels on each side
-constexpr int kDraftSamples = 16;  // times fewer
+constexpr int kDraftSize = 4;                    // times fewer pixels on each side
+constexpr int kDraftSamples = 16;                // times fewer
+constexpr const char* kReference = "reference";  // in place of a mistake: none
 constexpr int kUniformBatches = 2;
 constexpr int kSmall = 100;  // pixels wide: small enough for a draft
 // Tests of one triangle by one ray that a cell without a tree may take.
@@ -64,7 +65,8 @@ const Code& Plan::code_of(const Picture& picture) const {
 
 std::string Plan::unavailable(const Picture& picture) const {
   if (picture.mistake.empty() || codes_.mistakes.contains(picture.mistake)) return "";
-  return "This edition comes without the wrong solution " + picture.mistake + ".";
+  return "This edition comes without the " +
+         (picture.mistake == kReference ? "reference." : "wrong solution " + picture.mistake + ".");
 }
 
 Unit Plan::unit(const Picture& picture) const {
