@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rapidcheck.h>
-
 namespace grader::mistakes {
 
 namespace {
