@@ -1,3 +1,4 @@
+#include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 #include "pt/image/sample_map.h"
@@ -6,7 +7,6 @@
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/load_collada.h"
-#include "pt/end_of_program.h"
 
 #include <algorithm>
 #include <atomic>
