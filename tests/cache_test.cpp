@@ -111,8 +111,7 @@ TEST_F(Cache, what_dead_runs_left_goes_at_once) {
   remove_left_overs(folder());
   EXPECT_EQ(names(), (Names{"a.o"}));
   // What a process that runs may need stays, whatever a clock says.
-  const Names used{"a.o", "b.tree." + here + ".2", "b.o." + here + ".3",
-                   "b.json." + here + ".tmp"};
+  const Names used{"a.o", "b.tree." + here + ".2", "b.o." + here + ".3", "b.json." + here + ".tmp"};
   for (const std::string& name : used) add(name, 10, hours(90));
   remove_left_overs(folder());
   trim_cache(folder(), 1000);

@@ -25,5 +25,22 @@ refuses "--html does not go with --from" grade hit_triangle --from student --htm
 refuses "say which task" debug
 refuses "'hit_me' is not a task" debug hit_me
 
+# A checkout in a folder that CMake cannot read is told so; one with spaces and apostrophes is right.
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+for name in 'a "b"' 'a\b' 'a;b' 'a$b'; do
+  mkdir "$place/$name"
+  cp run "$place/$name"
+  status=0
+  said=$("$place/$name/run" help 2>&1) || status=$?
+  case $status:$said in
+    2:*'move the folder'*) ;;
+    *) echo "in $name: status $status, and says: $said"; failures=$((failures + 1)) ;;
+  esac
+done
+mkdir "$place/it's a b"
+cp run "$place/it's a b"
+"$place/it's a b/run" help >/dev/null || { echo "a path with spaces is refused"; failures=$((failures + 1)); }
+
 echo "$failures complaints"
 [ "$failures" -eq 0 ]
