@@ -25,25 +25,29 @@ unlock_tree() {
   tree_is_locked=
 }
 
-# configure PRESET: with the mixtures of implementations asked for so far. FIRSTLIGHT_WERROR=ON makes
-# warnings errors.
+# configure PRESET: with the mixtures of implementations asked for so far, and again where a file that CMake read has changed.
+# FIRSTLIGHT_WERROR=ON makes warnings errors.
 configure() {
-  local preset=$1 mixtures= werror=${FIRSTLIGHT_WERROR:-OFF}
+  local preset=$1 folder=$build/$1 mixtures='' settings command=()
   lock_tree
   [ -e "$build/mixtures" ] && mixtures=$(sort -u "$build/mixtures" | paste -sd';')
-  if [ "$root/CMakePresets.json" -nt "$build/$preset/build.ninja" ] ||
-    [ "$mixtures $werror" != "$(cat "$build/$preset/settings" 2>/dev/null)" ]; then
-    mkdir -p "$build/$preset"
-    with_progress "configuring ($preset)" "$build/$preset/configure.log" \
-      cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=$mixtures" "-DFIRSTLIGHT_WERROR=$werror" || {
-      # CMake's own sentence, without where in CMake it was said.
-      sed -n '/^CMake Error/,/^Call Stack/{/^CMake Error/d;/^Call Stack/d;p}' \
-        "$build/$preset/configure.log" | grep . >&2 || tail "$build/$preset/configure.log" >&2
-      return 2
-    }
-    printf '%s' "$mixtures $werror" >"$build/$preset/settings"
-    cat "$build/$preset/not_compiled" >&2 2>/dev/null || true
+  settings="$mixtures ${FIRSTLIGHT_WERROR:-OFF}"
+  if [ "$root/CMakePresets.json" -nt "$folder/build.ninja" ] || [ "$settings" != "$(cat "$folder/settings" 2>/dev/null)" ]; then
+    command=(cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=$mixtures" "-DFIRSTLIGHT_WERROR=${FIRSTLIGHT_WERROR:-OFF}")
+  elif ! ninja -C "$folder" -n build.ninja 2>/dev/null | grep -q 'no work to do'; then
+    command=(ninja -C "$folder" build.ninja)
+  else
+    return 0
   fi
+  mkdir -p "$folder"
+  with_progress "configuring ($preset)" "$folder/configure.log" "${command[@]}" || {
+    # CMake's own sentence, without where in CMake it was said.
+    sed -n '/^CMake Error/,/^Call Stack/{/^CMake Error/d;/^Call Stack/d;p}' "$folder/configure.log" | grep . >&2 ||
+      tail "$folder/configure.log" >&2
+    return 2
+  }
+  printf '%s' "$settings" >"$folder/settings"
+  [ ! -e "$folder/not_compiled" ] || cat "$folder/not_compiled" >&2
 }
 
 # build PRESET TARGET...: quiet when there is nothing to do; the compiler's words when it fails.

@@ -86,7 +86,9 @@ function(firstlight_add_compiled)
   if(NOT EXISTS ${folder}/stamp)
     return()
   endif()
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/stamp ${folder}/sources)
+  file(GLOB_RECURSE sources ${PROJECT_SOURCE_DIR}/pt/*.cpp ${PROJECT_SOURCE_DIR}/grader/*.cpp ${PROJECT_SOURCE_DIR}/grader/*.h
+    ${PROJECT_SOURCE_DIR}/scenes/*.cpp ${PROJECT_SOURCE_DIR}/scenes/*.h)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/stamp ${folder}/sources ${sources})
   firstlight_compiled_misfit(${folder} why)
   if(why)
     file(WRITE ${PROJECT_BINARY_DIR}/not_compiled

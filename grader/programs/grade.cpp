@@ -12,6 +12,7 @@
 #include "grader/results/summary.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/render/progress.h"
 
 #include <csignal>
 #include <cstdio>
@@ -20,6 +21,8 @@
 #include <optional>
 #include <set>
 #include <sstream>
+
+#include <unistd.h>
 
 namespace {
 
@@ -125,6 +128,21 @@ void remember_run(const judge::Config& config, const results::Results& results,
                                               results::verdict(results) + "\n");
 }
 
+// The part of all verdicts that is there, in [0, 1].
+double part_judged(const results::Results& results) {
+  std::size_t all = 0, judged = 0;
+  for (const results::TaskResult& task : results.tasks) {
+    all += task.promises.size() + task.pictures.size();
+    for (const results::PromiseResult& each : task.promises) {
+      judged += results::is_judged(task, each) ? 1 : 0;
+    }
+    for (const results::PictureResult& each : task.pictures) {
+      judged += each.state != results::State::not_judged ? 1 : 0;
+    }
+  }
+  return all == 0 ? 0 : static_cast<double>(judged) / static_cast<double>(all);
+}
+
 int run(Words words) {
   programs::GradeOptions options = parse_options(words);
   report::check_targets(options.files);
@@ -139,8 +157,14 @@ int run(Words words) {
   const judge::GradeRequest request = request_for(config, options);
   if (request.pictures) unfinished.begin(words);
   report::ProgressReports reports(options.files);
+  pt::Progress progress;
+  const bool watched = isatty(STDERR_FILENO) == 1;
   const results::Results results =
-      judge::grade(config, request, [&](const results::Results& so_far) { reports.write(so_far); });
+      judge::grade(config, request, [&](const results::Results& so_far) {
+        reports.write(so_far);
+        if (watched) progress.show(part_judged(so_far));
+      });
+  progress.clear();
   if (request.pictures) unfinished.end();
   report::remember_failures(config.work, results);
   remember_run(config, results, options);
