@@ -69,12 +69,24 @@ std::string Plan::unavailable(const Picture& picture) const {
          (picture.mistake == kReference ? "reference." : "wrong solution " + picture.mistake + ".");
 }
 
+// A mistake may be in one of the tasks that trace.
+bool Plan::traces_as_reference(const Picture& picture) const {
+  if (picture.mistake.empty()) return codes_.reference_rays;
+  const auto reference = codes_.mistakes.find(kReference);
+  if (!codes_.reference_rays && reference == codes_.mistakes.end()) return false;
+  const Code& right = codes_.reference_rays ? codes_.chosen : reference->second;
+  const auto& hash = code_of(picture).hash;
+  for (const char* task : {"hit_triangle", "hit_sphere", "build_bvh", "hit_box", "hit_bvh"}) {
+    if (hash.at(task) != right.hash.at(task)) return false;
+  }
+  return true;
+}
+
 Unit Plan::unit(const Picture& picture) const {
   Spec spec = quality_ == Quality::draft ? draft(picture.spec) : picture.spec;
   spec.scene = scenes_.path(picture.scene);
   // The fast engine gives the same pictures, bit for bit, as the reference's own tree.
-  const bool reference_rays = codes_.reference_rays || !picture.mistake.empty();
-  if (reference_rays && spec.engine == pt::Engine::task && !spec.path.show_normals) {
+  if (traces_as_reference(picture) && spec.engine == pt::Engine::task && !spec.path.show_normals) {
     spec.engine = pt::Engine::wide;
   }
   return {spec, &code_of(picture)};

@@ -55,6 +55,7 @@ class Plan {
 
  private:
   const Code& code_of(const Picture& picture) const;
+  bool traces_as_reference(const Picture& picture) const;
   Unit unit(const Picture& picture) const;
   std::vector<Unit> in_bounces(const Unit& whole, const std::string& scene) const;
   Unit for_time_of(const Picture& target, Unit pilot) const;
