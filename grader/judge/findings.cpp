@@ -4,6 +4,7 @@
 #include "grader/base/printable.h"
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
+#include "grader/process/cause_of_end.h"
 #include "grader/process/run_command.h"
 #include "grader/results/read_json.h"
 #include "pt/error.h"
@@ -56,6 +57,29 @@ bool timed_out(const results::TaskResult& task) {
   });
 }
 
+bool was_killed(const results::TaskResult& task) {
+  return std::ranges::any_of(task.promises, [](const results::PromiseResult& promise) {
+    return std::ranges::any_of(promise.failures, process::was_killed, &results::Failure::got);
+  });
+}
+
+results::TaskResult run_program(const Trial& trial, const std::string& report) {
+  const process::CommandResult result = process::run_command(
+      {command(trial, report), {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
+  const bool finished =
+      !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
+  if (!finished || !std::filesystem::exists(report)) {
+    std::filesystem::remove(report);
+    throw pt::Error(
+        fmt::format("{} could not be judged: {}", trial.task.slug, process::fault_of(result)));
+  }
+  results::TaskResult found = read(report);
+  if (found.promises.empty()) {
+    throw pt::Error("no property of " + trial.task.slug + " was run: nothing is judged");
+  }
+  return found;
+}
+
 }  // namespace
 
 results::TaskResult try_worker(const Builder& builder, const Trial& trial) {
@@ -72,21 +96,10 @@ results::TaskResult try_worker(const Builder& builder, const Trial& trial) {
   }
 
   const std::string report = base::temporary_name(path);
-  const process::CommandResult result = process::run_command(
-      {command(trial, report), {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
-  const bool finished =
-      !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
-  if (!finished || !std::filesystem::exists(report)) {
-    std::filesystem::remove(report);
-    throw pt::Error(
-        fmt::format("{} could not be judged: {}", trial.task.slug, process::fault_of(result)));
-  }
-  results::TaskResult found = read(report);
-  if (found.promises.empty()) {
-    throw pt::Error("no property of " + trial.task.slug + " was run: nothing is judged");
-  }
-  // The time that a call takes depends on what else the machine does: that is asked again.
-  if (timed_out(found)) {
+  results::TaskResult found = run_program(trial, report);
+  if (was_killed(found)) found = run_program(trial, report);
+  // Time and memory depend on what else the machine does: tried again when it is asked for again.
+  if (timed_out(found) || was_killed(found)) {
     std::filesystem::remove(report);
   } else {
     std::filesystem::rename(report, path);

@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
+#include "grader/process/cause_of_end.h"
 #include "grader/process/run_command.h"
 #include "grader/results/read_json.h"
 #include "pt/error.h"
@@ -80,30 +81,35 @@ std::optional<results::PictureResult> read_picture(const std::string& path) {
   }
 }
 
+// Runs the program into the file.
+results::PictureResult run_program(std::vector<std::string> words, const std::string& path,
+                                   const PictureTrial& trial) {
+  words.insert(words.end(), {"--report", path});
+  const process::CommandResult run =
+      process::run_command({words, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
+  if (run.timed_out || !WIFEXITED(run.status) || WEXITSTATUS(run.status) > 1) {
+    throw pt::Error(fmt::format("the picture {} could not be judged: {}", trial.recipe.name,
+                                process::fault_of(run)));
+  }
+  std::optional<results::PictureResult> found = read_picture(path);
+  if (!found) throw pt::Error(path + " cannot be read");
+  return *found;
+}
+
 }  // namespace
 
 results::PictureResult try_picture(const Config& config, const Builder& builder,
                                    const GradeRequest& request, const PictureTrial& trial) {
-  std::vector<std::string> words = command(config, request, trial);
+  const std::vector<std::string> words = command(config, request, trial);
   const std::string path = builder.cache() + "/" + key_of(config, words, trial) + ".picture.json";
-  std::optional<results::PictureResult> known = read_picture(path);
-  if (!known) {
-    words.insert(words.end(), {"--report", path});
-    const process::CommandResult run =
-        process::run_command({words, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
-    if (run.timed_out || !WIFEXITED(run.status) || WEXITSTATUS(run.status) > 1) {
-      throw pt::Error(fmt::format("the picture {} could not be judged: {}", trial.recipe.name,
-                                  process::fault_of(run)));
-    }
-    known = read_picture(path);
-    if (!known) throw pt::Error(path + " cannot be read");
-  }
+  const std::optional<results::PictureResult> known = read_picture(path);
+  results::PictureResult result = known ? *known : run_program(words, path, trial);
+  if (!known && process::was_killed(result.text)) result = run_program(words, path, trial);
   mark_used(path);
-  results::PictureResult& result = *known;
   result.replay = fmt::format("./run grade {} --seed {}", trial.task.slug, request.seed);
   if (request.submission != "student") result.replay += " --submission " + request.submission;
-  // The time that a call takes depends on what else the machine does: that is asked again.
-  if (result.state == results::State::timeout) fs::remove(path);
+  // Time and memory depend on what else the machine does: tried again when it is asked for again.
+  if (result.state == results::State::timeout || process::was_killed(result.text)) fs::remove(path);
   return result;
 }
 

@@ -34,6 +34,8 @@ std::string reason_of_abort(const std::string& words) {
   return reason;
 }
 
+constexpr const char* kKilled = "the system killed it: perhaps no memory was left";
+
 std::string words(int signal, const std::string& last_words) {
   switch (signal) {
     case SIGSTKFLT:
@@ -56,7 +58,7 @@ std::string words(int signal, const std::string& last_words) {
     case SIGSYS:
       return "it asked the system for what no task needs";
     case SIGKILL:
-      return "the system killed it: perhaps no memory was left";
+      return kKilled;
     default:
       return "it ended";
   }
@@ -70,5 +72,7 @@ std::string cause_of_end(int status, const std::string& last_words) {
   }
   return fmt::format("{} (signal {})", words(WTERMSIG(status), last_words), WTERMSIG(status));
 }
+
+bool was_killed(const std::string& cause) { return cause.find(kKilled) != std::string::npos; }
 
 }  // namespace grader::process

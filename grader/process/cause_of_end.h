@@ -10,4 +10,8 @@ namespace grader::process {
 // submissions are compiled: grader/judge/builder.cpp).
 std::string cause_of_end(int status, const std::string& last_words);
 
+// Returns whether a text of cause_of_end says that the process was killed from outside. A machine
+// without memory does that, so it is tried again before it counts.
+bool was_killed(const std::string& cause);
+
 }  // namespace grader::process

@@ -1,6 +1,7 @@
 #include "grader/sandbox/box.h"
 
 #include "grader/process/run_command.h"
+#include "grader/sandbox/users.h"
 #include "pt/error.h"
 
 #include <atomic>
@@ -56,12 +57,12 @@ bool is_root_of_the_machine() {
   return is_root;
 }
 
-// Of the numbers that nobody has (see launcher/user.cpp). Who is in a namespace of its own meets no
-// other process of that number; a limit on processes counts them together.
+// A program in namespaces of its own meets no other process of its user; a limit on processes counts
+// them together.
 uid_t user_inside() {
   static std::atomic<unsigned> serial{0};
-  constexpr uid_t kFirst = 60578, kCount = 606;
-  return kFirst + (static_cast<unsigned>(getpid()) * 31 + ++serial) % kCount;
+  const unsigned number = static_cast<unsigned>(getpid()) * 31 + ++serial;
+  return kUsersOfTierA.first + number % kUsersOfTierA.count;
 }
 
 Words launcher(const Box& box, const Words& visible, bool inside) {

@@ -27,7 +27,7 @@ const std::vector<Variation>& naming_variations() {
       {"diffuse_bsdf", "uniform", "albedo / kPi", "albedo", "f_without_pi"},
       {"direct_hemisphere", "written_out", "sum / samples", "sum", "average_thrown_away"},
       {"direct_hemisphere", "written_out", "2 * point.albedo", "point.albedo", "half_of_f"},
-      {"trace_path", "recursion", "turn.pdf / chance", "turn.pdf", "not_divided"},
+      {"trace_path", "recursion", "sample.pdf / chance", "sample.pdf", "not_divided"},
       {"adaptive_pixel", "sum_of_squares", "1.96 * std::sqrt", "std::sqrt", "without_1_96"},
   };
   return all;

@@ -1,5 +1,6 @@
 #include "grader/sandbox/launcher/user.h"
 
+#include "grader/sandbox/users.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -23,9 +24,6 @@
 namespace grader::sandbox::box {
 
 namespace {
-
-// Numbers that no distribution gives to anyone (systemd's table of user ids calls them unused).
-constexpr uid_t kFirst = 60578, kLast = 61183;
 
 base::Descriptor open_process(pid_t pid) {
   base::Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
@@ -72,10 +70,9 @@ void close_all_but(std::array<int, 3> kept) {
 }  // namespace
 
 User take_user() {
-  constexpr uid_t kCount = kLast - kFirst + 1;
-  const auto start = static_cast<uid_t>(getpid()) % kCount;
-  for (uid_t i = 0; i < kCount; ++i) {
-    const uid_t id = kFirst + (start + i) % kCount;
+  const auto start = static_cast<uid_t>(getpid());
+  for (uid_t i = 0; i < kUsersOfTierB.count; ++i) {
+    const uid_t id = kUsersOfTierB.first + (start + i) % kUsersOfTierB.count;
     if (getpwuid(id) != nullptr) continue;
     base::Descriptor held = lock(id);
     if (held.is_open()) return {id, std::move(held)};
