@@ -42,7 +42,8 @@ configure() {
   mkdir -p "$folder"
   with_progress "configuring ($preset)" "$folder/configure.log" "${command[@]}" || {
     # CMake's own sentence, without where in CMake it was said.
-    sed -n '/^CMake Error/,/^Call Stack/{/^CMake Error/d;/^Call Stack/d;p}' "$folder/configure.log" | grep . >&2 ||
+    [ -n "${once_more:-}" ] ||
+      sed -n '/^CMake Error/,/^Call Stack/{/^CMake Error/d;/^Call Stack/d;p}' "$folder/configure.log" | grep . >&2 ||
       tail "$folder/configure.log" >&2
     return 2
   }
@@ -52,10 +53,14 @@ configure() {
 
 # build PRESET TARGET...: quiet when there is nothing to do; the compiler's words when it fails.
 build() {
-  local preset=$1
+  local preset=$1 once_more
   shift
   setup
   lock_tree
+  # A mixture that was asked for once may have gone, as where a copy of the folder is on another machine.
+  once_more=$(cat "$build/mixtures" 2>/dev/null || true)
+  if [ -n "$once_more" ] && ! configure "$preset"; then rm -f "$build/mixtures"; fi
+  once_more=
   configure "$preset" || exit 2
   if ! ninja -C "$build/$preset" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
     if ! NINJA_STATUS='[%f/%t] ' with_progress "building $1 ($preset)" "$build/$preset/build.log" \

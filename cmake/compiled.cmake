@@ -9,7 +9,8 @@ set(compiled_archives pt_base pt_scene pt_image pt_loader pt_render pt_rows pt_p
   grader_sandbox grader_results grader_pictures grader_recipe_scenes grader_report grader_judge grader_mistakes grader_check
   grader_counting grader_wire)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_render pt_rows)
-set(compiled_objects pt_render_main radiance.path radiance.recorded radiance.scripted grader_worker grader_recording
+set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
+  grader_worker grader_recording
   diffuse_bsdf.mock hit_box.counting hit_sphere.counting hit_triangle.counting hit_box.callback hit_sphere.callback
   hit_triangle.callback radiance.callback)
 set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/graded_picture pt/compare
