@@ -108,9 +108,9 @@ TEST_F(Writers, csv_is_a_line_a_task) {
   results.tasks.resize(2);
   EXPECT_EQ(to_csv(results),
             std::string(kByteOrderMark) +
-            "submission,number,task,state,points,max_points,bonus_points,seconds,complete\r\n"
-            "\"a \"\"b\"\", c\",1.1,estimate_pixel,pass,2,2,1,0.80,true\r\n"
-            "\"a \"\"b\"\", c\",1.3,hit_triangle,fail,1,2,0,0.80,true\r\n");
+                "submission,number,task,state,points,max_points,bonus_points,seconds,complete\r\n"
+                "\"a \"\"b\"\", c\",1.1,estimate_pixel,pass,2,2,1,0.80,true\r\n"
+                "\"a \"\"b\"\", c\",1.3,hit_triangle,fail,1,2,0,0.80,true\r\n");
   results.complete = false;
   EXPECT_THAT(to_csv(results), HasSubstr("0.80,false\r\n"));
 }
