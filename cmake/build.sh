@@ -26,7 +26,7 @@ unlock_tree() {
 }
 
 # configure PRESET: with the mixtures of implementations asked for so far, and again where a file that CMake read has changed.
-# FIRSTLIGHT_WERROR=ON makes warnings errors.
+# FIRSTLIGHT_WERROR=ON makes warnings errors. 2 if CMake fails; explain_configure says why.
 configure() {
   local preset=$1 folder=$build/$1 mixtures='' settings command=()
   lock_tree
@@ -40,28 +40,28 @@ configure() {
     return 0
   fi
   mkdir -p "$folder"
-  with_progress "configuring ($preset)" "$folder/configure.log" "${command[@]}" || {
-    # CMake's own sentence, without where in CMake it was said.
-    [ -n "${once_more:-}" ] ||
-      sed -n '/^CMake Error/,/^Call Stack/{/^CMake Error/d;/^Call Stack/d;p}' "$folder/configure.log" | grep . >&2 ||
-      tail "$folder/configure.log" >&2
-    return 2
-  }
+  with_progress "configuring ($preset)" "$folder/configure.log" "${command[@]}" || return 2
   printf '%s' "$settings" >"$folder/settings"
   [ ! -e "$folder/not_compiled" ] || cat "$folder/not_compiled" >&2
 }
 
+# explain_configure PRESET: CMake's own sentence, without where in CMake it was said.
+explain_configure() {
+  local log=$build/$1/configure.log
+  sed -n '/^CMake Error/,/^Call Stack/{/^CMake Error/d;/^Call Stack/d;p}' "$log" | grep . >&2 || tail "$log" >&2
+}
+
+# forget_mixtures: false if there are none. One that was asked for once may have gone, as where a copy of the folder is on
+# another machine.
+forget_mixtures() { [ -s "$build/mixtures" ] && rm "$build/mixtures"; }
+
 # build PRESET TARGET...: quiet when there is nothing to do; the compiler's words when it fails.
 build() {
-  local preset=$1 once_more
+  local preset=$1
   shift
   setup
   lock_tree
-  # A mixture that was asked for once may have gone, as where a copy of the folder is on another machine.
-  once_more=$(cat "$build/mixtures" 2>/dev/null || true)
-  if [ -n "$once_more" ] && ! configure "$preset"; then rm -f "$build/mixtures"; fi
-  once_more=
-  configure "$preset" || exit 2
+  configure "$preset" || { forget_mixtures && configure "$preset"; } || { explain_configure "$preset"; exit 2; }
   if ! ninja -C "$build/$preset" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
     if ! NINJA_STATUS='[%f/%t] ' with_progress "building $1 ($preset)" "$build/$preset/build.log" \
       ninja -C "$build/$preset" "$@"; then

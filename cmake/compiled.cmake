@@ -2,7 +2,6 @@
 # grader/editions/handout.sh copies it to compiled/ of the learners' edition. Where it fits, targets of the same names are made
 # of it (firstlight_add_compiled), and only the learner's files are left to compile; where it does not, all is built from
 # its sources, as in the full tree.
-include(cmake/source_hash.cmake)
 
 # What the programs link, in archives; the objects of some are listed in grade.json and by the write-up.
 set(compiled_archives pt_base pt_scene pt_image pt_loader pt_render pt_rows pt_progress grader_tasks grader_base grader_process

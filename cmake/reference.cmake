@@ -7,13 +7,7 @@
 # links what an older one has made: the version is compared apart.
 function(firstlight_stamp result)
   file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/pt/*.h)
-  list(SORT headers)
-  set(hashes)
-  foreach(header IN LISTS headers)
-    file(SHA256 ${PROJECT_SOURCE_DIR}/${header} hash)
-    string(APPEND hashes "${header} ${hash}\n")
-  endforeach()
-  string(SHA256 hash "${hashes}")
+  firstlight_hash_of(${PROJECT_SOURCE_DIR} hash ${headers})
   get_target_property(options firstlight_options INTERFACE_COMPILE_OPTIONS)
   set(${result} "compiler ${CMAKE_CXX_COMPILER_ID}\n\
 machine ${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}\n\

@@ -1,7 +1,6 @@
-# What the programs are made of, as one hash: cmake -DROOT=FOLDER -DOUTPUT=FILE -P source_hash.cmake writes it.
-function(firstlight_source_hash root result)
-  file(GLOB_RECURSE files RELATIVE ${root} ${root}/pt/*.h ${root}/pt/*.cpp ${root}/grader/*.h ${root}/grader/*.cpp
-    ${root}/scenes/*.h ${root}/scenes/*.cpp ${root}/grader/report/page/* ${root}/grader/tasks.json)
+# firstlight_hash_of(<root> <result> <file below the root>...): one hash of their names and contents.
+function(firstlight_hash_of root result)
+  set(files ${ARGN})
   list(SORT files)
   set(hashes)
   foreach(file IN LISTS files)
@@ -9,6 +8,14 @@ function(firstlight_source_hash root result)
     string(APPEND hashes "${file} ${hash}\n")
   endforeach()
   string(SHA256 hash "${hashes}")
+  set(${result} ${hash} PARENT_SCOPE)
+endfunction()
+
+# One hash of the sources of all programs: cmake -DROOT=FOLDER -DOUTPUT=FILE -P source_hash.cmake writes it.
+function(firstlight_source_hash root result)
+  file(GLOB_RECURSE files RELATIVE ${root} ${root}/pt/*.h ${root}/pt/*.cpp ${root}/grader/*.h ${root}/grader/*.cpp
+    ${root}/scenes/*.h ${root}/scenes/*.cpp ${root}/grader/report/page/* ${root}/grader/tasks.json)
+  firstlight_hash_of(${root} hash ${files})
   set(${result} ${hash} PARENT_SCOPE)
 endfunction()
 

@@ -114,11 +114,11 @@ void enter(const results::TaskResult& found, const GradeRequest& request,
       promise.failures.push_back(failure);
     }
   }
-  result.state = state_of(result.promises);
-  if (!found.keeps_state) return;
-  result.keeps_state = true;
-  result.reason = found.reason;
-  if (result.state == results::State::pass) result.state = results::State::fail;
+  if (found.keeps_state) {
+    result.keeps_state = true;
+    result.reason = found.reason;
+  }
+  result.state = state_of(result);
 }
 
 Judged not_judged(const Config& config, const TaskConfig& task) {

@@ -97,7 +97,7 @@ void add(sandbox::Box& box, const std::vector<std::string>& words) {
   box.command.insert(box.command.end(), words.begin(), words.end());
 }
 
-// What a linker says that is about the objects it was given: all else is about the machine.
+// Returns whether an error of the linker is about the given objects; other errors are the machine's.
 bool is_about_objects(const std::string& error) {
   for (const char* words : {"undefined reference to", "multiple definition of", "relocation"}) {
     if (error.find(words) != std::string::npos) return true;
@@ -105,14 +105,14 @@ bool is_about_objects(const std::string& error) {
   return false;
 }
 
-// What a box prints and how it ends that never came to run its program.
+// Returns whether the box ended before it ran its program.
 bool never_started(const process::CommandResult& result) {
   constexpr int kNotStarted = 127;
   return (WIFEXITED(result.status) && WEXITSTATUS(result.status) == kNotStarted) ||
          result.output.starts_with("bwrap: ");
 }
 
-// Somebody killed a part of the compiler: not its limit of time, which leaves it longer.
+// Returns whether a part of the compiler was killed from outside. Its own limit of time ends it later.
 bool was_killed(const process::CommandResult& result, int seconds) {
   const bool killed = WIFSIGNALED(result.status) ||
                       result.output.find("Killed signal terminated") != std::string::npos ||

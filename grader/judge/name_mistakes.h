@@ -13,8 +13,8 @@ namespace grader::judge {
 void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,
                    std::vector<Judged>& judged, const std::function<void()>& progress);
 
-// What helps with the named mistake of a task: the second hint, a direction, about the most telling
-// broken promise that has one of its own; else the third. One line; empty where there is none.
+// The hint for the named mistake of a task, in one line. It is the second hint (a direction) for the
+// most telling broken promise that has one, or else the third. Empty where there is none.
 std::string hint_for(const Config& config, const results::TaskResult& task);
 
 }  // namespace grader::judge

@@ -104,7 +104,8 @@ bool is_state(const Elf64_Shdr& section, const std::string& name) {
   return written && named && (section.sh_type == SHT_PROGBITS || section.sh_type == SHT_NOBITS);
 }
 
-// The address of the sections of state, one after the other; 0 if there is no such place.
+// The address of a place, counted through the sections of state one after the other. 0 if it lies
+// behind them all.
 std::uint64_t address_of_state(const std::vector<Elf64_Shdr>& headers, const Bytes& names,
                                std::uint64_t place) {
   for (const std::string_view name : kStateSections) {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What a compiler may need, and how much of the disk has to be left.
+// A compiler may write so many bytes, and so many have to be left on the disk.
 constexpr off_t kRoomToWrite = off_t{16} << 20;
 constexpr std::uintmax_t kRoomToHave = std::uintmax_t{64} << 20;
 
@@ -36,7 +36,7 @@ void put_file(const fs::path& path, const std::string& text) {
       write(file.number(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
   if (!whole) {
     throw pt::Error(fmt::format("{}: cannot be written ({})", path.string(),
-                                errno == 0 ? "there is no room" : std::strerror(errno)));
+                                errno == 0 ? "the disk is full" : std::strerror(errno)));
   }
 }
 

@@ -44,24 +44,21 @@ void arrange(const int* descriptors, int count) {
 constexpr const char* kKernelsChoice = "/proc/self/oom_score_adj";
 
 // The number by which the kernel chooses whom to kill where no memory is left: a child goes before
-// its parent, a worker before the judge. 0 where the kernel does not tell.
-int score_of_children() {
+// its parent, a worker before the judge. Empty where the kernel does not tell.
+std::string score_of_children() {
   std::ifstream file(kKernelsChoice);
   int own = 0;
-  return file >> own ? std::min(own + 300, 1000) : 0;
+  return file >> own ? std::to_string(std::min(own + 300, 1000)) : "";
 }
 
-void set_score(int score) {
-  const int file = score > 0 ? open(kKernelsChoice, O_WRONLY | O_CLOEXEC) : -1;
+void set_score(const std::string& score) {
+  const int file = score.empty() ? -1 : open(kKernelsChoice, O_WRONLY | O_CLOEXEC);
   if (file < 0) return;
-  const char digits[] = {
-      static_cast<char>('0' + score / 1000), static_cast<char>('0' + score / 100 % 10),
-      static_cast<char>('0' + score / 10 % 10), static_cast<char>('0' + score % 10)};
-  [[maybe_unused]] const ssize_t written = write(file, digits, sizeof digits);
+  [[maybe_unused]] const ssize_t written = write(file, score.data(), score.size());
 }
 
 [[noreturn]] void become(const Child& child, char* const* command, char* const* environment,
-                         pid_t parent, int score) {
+                         pid_t parent, const std::string& score) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // it died before the line above
@@ -98,7 +95,7 @@ pid_t spawn(const Child& child) {
   const std::vector<char*> environment = pointers(child.environment);
   reap_orphans();
   const pid_t parent = getpid();
-  static const int score = score_of_children();
+  static const std::string score = score_of_children();
   const pid_t pid = fork();
   if (pid < 0) {
     throw pt::Error(fmt::format("cannot start {}: {}", child.command.at(0), std::strerror(errno)));

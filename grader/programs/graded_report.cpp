@@ -64,13 +64,10 @@ void write_report(const std::string& path, const testing::UnitTest& test,
       if (promise.should_run()) task.promises.push_back(describe(promise, settings.integrated));
     }
   }
-  task.state = state_of(task.promises);
   // In the integrated worker a variable may be another task's.
   task.keeps_state = record.kept != 0 && !settings.integrated;
-  if (task.keeps_state) {
-    task.reason = kept_reason(settings.program, record.kept - 1);
-    if (task.state == results::State::pass) task.state = results::State::fail;
-  }
+  if (task.keeps_state) task.reason = kept_reason(settings.program, record.kept - 1);
+  task.state = state_of(task);
   if (record.todo.contains(settings.task)) {
     task.state = results::State::not_attempted;
     task.reason = "it is not written yet";

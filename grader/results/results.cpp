@@ -44,9 +44,9 @@ const char* name(Cause cause) {
   return "";
 }
 
-State state_of(const std::vector<PromiseResult>& promises) {
-  State state = State::pass;
-  for (const PromiseResult& promise : promises) {
+State state_of(const TaskResult& task) {
+  State state = task.keeps_state ? State::fail : State::pass;
+  for (const PromiseResult& promise : task.promises) {
     if (promise.bonus || promise.held) continue;
     if (state == State::pass) state = State::fail;
     for (const Failure& failure : promise.failures) {

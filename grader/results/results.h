@@ -175,8 +175,8 @@ struct Results {
   bool operator==(const Results&) const = default;
 };
 
-// The state of a task by its promises alone. Bonus promises decide nothing.
-State state_of(const std::vector<PromiseResult>& promises);
+// The state of a task by its promises, and by whether it keeps state. Bonus promises decide nothing.
+State state_of(const TaskResult& task);
 
 // Returns whether all that was asked for passes.
 bool passes(const Results& results);

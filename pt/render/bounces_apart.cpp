@@ -4,15 +4,11 @@
 #include "pt/tasks/trace_path.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace pt {
 
 namespace {
-
-// Contracts let colors be of single precision.
-constexpr double kPrecision = 1e-4;
 
 // One walk in so many is looked at once more.
 constexpr std::uint64_t kLookedAt = 16;
@@ -87,9 +83,9 @@ bool add_up(const BouncesApart& apart) {
   double size = 0;
   for (const Rgb& part : apart.ranges) {
     rest = rest - part;
-    size += std::abs(part.r) + std::abs(part.g) + std::abs(part.b);
+    size += size_of(part);
   }
-  return std::abs(rest.r) + std::abs(rest.g) + std::abs(rest.b) <= kPrecision * size;
+  return is_rounding_error(rest, size);
 }
 
 // The tapes of this thread, in use. A task may throw, and others go on without tapes.

@@ -6,6 +6,7 @@
 #include "pt/scene/scene.h"
 #include "pt/scene/view.h"
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,17 @@ struct BouncesApart {
   std::vector<Rgb> ranges;  // what each adds to it
   bool complete = false;    // they add up to it
 };
+
+// The sum of the channels, each without its sign.
+inline double size_of(Rgb color) {
+  return std::abs(color.r) + std::abs(color.g) + std::abs(color.b);
+}
+
+// Returns whether a difference of colors is one of single precision, which contracts allow, next to
+// colors of this size.
+inline bool is_rounding_error(Rgb difference, double size) {
+  return size_of(difference) <= 1e-4 * size;
+}
 
 // Ranges do not overlap, and cover all bounces from 1 to settings.to; settings.from <= 1. The
 // sampler is afterwards where one call of trace_path leaves it.
