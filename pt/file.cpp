@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 
+#include <atomic>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -54,6 +55,11 @@ void check_target(const fs::path& path) {
   }
 }
 
+std::string temporary_name(const fs::path& path) {
+  static std::atomic<int> serial{0};
+  return path.string() + '.' + std::to_string(getpid()) + '.' + std::to_string(++serial) + ".tmp";
+}
+
 void write_file(const fs::path& path, std::string_view bytes) {
   check_target(path);
   std::error_code error;
@@ -63,10 +69,7 @@ void write_file(const fs::path& path, std::string_view bytes) {
     target = fs::weakly_canonical(path, error);
     if (error) fail("cannot write", path, error.message());
   }
-  fs::path temporary = target;
-  temporary += '.';
-  temporary += std::to_string(getpid());
-  temporary += ".tmp";
+  const fs::path temporary = temporary_name(target);
   errno = 0;
   std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
   if (!out) fail("cannot write", path, last_error());

@@ -17,9 +17,14 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 // or a device. To be called before the work whose result will be written.
 void check_target(const std::filesystem::path& path);
 
-// Makes `bytes` the content of the file at `path`, whole or not at all: they go to
-// <path>.<process>.tmp, which is then renamed. Where this fails (pt::Error), a file that stood
-// there before is left as it was, and no temporary file remains.
+// A name beside `path` that no other thread and no other process uses:
+// <path>.<process>.<serial>.tmp.
+std::string temporary_name(const std::filesystem::path& path);
+
+// Makes `bytes` the content of the file at `path`, whole or not at all: they go to a file with a
+// temporary name, which is then renamed. Where this fails (pt::Error), a file that stood there
+// before is left as it was, and no temporary file remains. Several threads may write the same file:
+// it then has the bytes of one of them.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace pt

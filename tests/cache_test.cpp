@@ -1,7 +1,7 @@
 // The judge's cache: which files are removed when it is too large, and which must stay.
 #include "grader/judge/cache.h"
 
-#include "grader/base/files.h"
+#include "pt/file.h"
 #include "tests/temporary_folder.h"
 
 #include <filesystem>
@@ -22,7 +22,7 @@ class Cache : public testing::Test {
  protected:
   // A file of so many bytes, last used so long ago.
   void add(const std::string& name, std::size_t bytes, minutes ago) const {
-    base::write_file(path(name), std::string(bytes, 'x'));
+    pt::write_file(path(name), std::string(bytes, 'x'));
     age(name, ago);
   }
 
@@ -103,15 +103,15 @@ std::string dead_process() {
 TEST_F(Cache, what_dead_runs_left_goes_at_once) {
   const std::string dead = dead_process(), here = std::to_string(getpid());
   add("a.o", 10, hours(9));
-  add("a.o." + dead + ".1", 10, minutes(0));
-  add("a.picture.json." + dead + ".tmp", 10, minutes(0));
-  fs::create_directories(path("c.tree." + dead + ".3/pt/math"));
-  base::write_file(path("c.tree." + dead + ".3/pt/math/vec3.h"), "");
-  fs::create_directories(path("probe." + dead + ".1"));
+  add("a.o." + dead + ".1.tmp", 10, minutes(0));
+  add("a.picture.json." + dead + ".2.tmp", 10, minutes(0));
+  fs::create_directories(path("c.tree." + dead + ".3.tmp/pt/math"));
+  pt::write_file(path("c.tree." + dead + ".3.tmp/pt/math/vec3.h"), "");
+  fs::create_directories(path("probe." + dead + ".1.tmp"));
   remove_left_overs(folder());
   EXPECT_EQ(names(), (Names{"a.o"}));
   // What a process that runs may need stays, whatever a clock says.
-  const Names used{"a.o", "b.tree." + here + ".2", "b.o." + here + ".3", "b.json." + here + ".tmp"};
+  const Names used{"a.o", "b.tree." + here + ".2.tmp", "b.o." + here + ".3.tmp"};
   for (const std::string& name : used) add(name, 10, hours(90));
   remove_left_overs(folder());
   trim_cache(folder(), 1000);
@@ -119,7 +119,9 @@ TEST_F(Cache, what_dead_runs_left_goes_at_once) {
 }
 
 TEST_F(Cache, files_with_numbers_in_their_names_are_not_temporary) {
-  const Names all{"a.o", "a.4711", "b.4711.o", "4711.3", "c.x4711.3", "d.4711.tmp.json"};
+  const Names all{"a.o",      "a.4711",        "b.4711.o",
+                  "4711.3",   "c.x4711.3.tmp", "d.4711.3.tmp.json",
+                  "e.4711.3", "f.4711.tmp",    "g.4711.x3.tmp"};
   for (const std::string& name : all) add(name, 10, hours(9));
   remove_left_overs(folder());
   EXPECT_EQ(names(), all);

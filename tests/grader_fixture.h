@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/base/files.h"
+#include "pt/file.h"
 
 #include <filesystem>
 #include <string>
@@ -17,7 +17,7 @@ class GraderFolder {
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = name;
     std::filesystem::create_directories(path_ + "/work");
-    grader::base::write_file(
+    pt::write_file(
         config(),
         fmt::format(R"({{"root": "{}", "work": "{}/work",
       "compiler": "", "compile_flags": [], "link_flags": [], "recording_flags": [],

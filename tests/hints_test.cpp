@@ -1,6 +1,7 @@
 // Hints: their files, what is remembered between two of them, and the program that gives them.
 #include "grader/report/hints.h"
 
+#include "grader/base/files.h"
 #include "grader/process/run_command.h"
 #include "grader/report/hint_memory.h"
 #include "grader/results/promises.h"

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <future>
 #include <random>
 #include <string>
 #include <vector>
@@ -320,6 +321,20 @@ TEST_F(ImageIo, a_full_disk_leaves_the_old_file) {
   std::signal(SIGXFSZ, handler);
   EXPECT_TRUE(thrown);
   EXPECT_EQ(read_file(in_folder("a"), 10), "old");
+  EXPECT_EQ(names(), std::vector<std::string>{"a"});
+}
+
+TEST_F(ImageIo, threads_may_write_the_same_file) {
+  const std::string texts[] = {std::string(5000, 'a'), std::string(5000, 'b')};
+  std::vector<std::future<void>> writers;
+  for (const std::string& text : texts) {
+    writers.push_back(std::async(std::launch::async, [&] {
+      for (int i = 0; i < 500; ++i) write_file(in_folder("a"), text);
+    }));
+  }
+  for (std::future<void>& writer : writers) EXPECT_NO_THROW(writer.get());
+  const std::string left = read_file(in_folder("a"), 5000);
+  EXPECT_TRUE(left == texts[0] || left == texts[1]);
   EXPECT_EQ(names(), std::vector<std::string>{"a"});
 }
 

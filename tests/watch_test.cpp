@@ -1,6 +1,8 @@
 // watch, in a terminal of its own, with programs in the place of grade and hint that say what they
 // were asked and answer what the test has laid out.
+#include "grader/base/files.h"
 #include "grader/results/json.h"
+#include "pt/file.h"
 #include "tests/grader_fixture.h"
 #include "tests/pseudo_terminal.h"
 
@@ -52,7 +54,7 @@ class WatchTest : public testing::Test {
  protected:
   WatchTest() {
     for (const auto& [name, text] : {std::pair("grade", kGrade), std::pair("hint", kHint)}) {
-      base::write_file(here_ + "/" + name, text);
+      pt::write_file(here_ + "/" + name, text);
       std::filesystem::permissions(here_ + "/" + name, std::filesystem::perms::owner_all);
     }
     for (const char* part : {"/student/1_rays", "/student/2_bvh"}) {
@@ -72,7 +74,7 @@ class WatchTest : public testing::Test {
 
   // As an editor does it.
   void save(const std::string& file, const std::string& text) const {
-    base::write_file(here_ + "/student/" + file + ".cpp", text);
+    pt::write_file(here_ + "/student/" + file + ".cpp", text);
   }
 
   void answer(const std::string& task, std::vector<results::TaskResult> tasks) const {
@@ -181,7 +183,7 @@ TEST_F(WatchTest, keeps_the_failure_that_is_looked_at_until_the_task_passes) {
 }
 
 TEST_F(WatchTest, draws_the_page_of_pictures_and_opens_it) {
-  base::write_file(here_ + "/xdg-open", "#!/bin/sh\necho \"opened $1\" >> \"$(dirname $0)/log\"\n");
+  pt::write_file(here_ + "/xdg-open", "#!/bin/sh\necho \"opened $1\" >> \"$(dirname $0)/log\"\n");
   std::filesystem::permissions(here_ + "/xdg-open", std::filesystem::perms::owner_all);
   const std::string path = std::getenv("PATH");
   setenv("PATH", (here_ + ":" + path).c_str(), 1);
@@ -276,7 +278,7 @@ TEST_F(WatchTest, can_be_stopped_and_go_on) {
 TEST_F(WatchTest, survives_a_grade_that_crashes) {
   PseudoTerminal terminal(command());
   begin(terminal);
-  base::write_file(here_ + "/before", "echo last words; kill -SEGV $$\n");
+  pt::write_file(here_ + "/before", "echo last words; kill -SEGV $$\n");
   save("1_rays/hit_triangle", "// worse");
   EXPECT_THAT(terminal.expect("last words"), HasSubstr("grade gave no verdict: signal 11"));
   std::filesystem::remove(here_ + "/before");
@@ -289,7 +291,7 @@ TEST_F(WatchTest, survives_a_grade_that_crashes) {
 TEST_F(WatchTest, starts_anew_when_the_file_is_saved_again) {
   PseudoTerminal terminal(command());
   begin(terminal);
-  base::write_file(
+  pt::write_file(
       here_ + "/before",
       "[ -e \"$here/first\" ] || { echo $$ > \"$here/new\"; mv \"$here/new\" \"$here/first\"; }\n"
       "until [ -e \"$here/go\" ]; do sleep 0.02; done\n");
@@ -301,7 +303,7 @@ TEST_F(WatchTest, starts_anew_when_the_file_is_saved_again) {
   save("1_rays/hit_triangle", "// all of it, at last");
   terminal.expect("checking hit_triangle");
   EXPECT_NE(kill(first, 0), 0) << "the first run goes on";
-  base::write_file(here_ + "/go", "");
+  pt::write_file(here_ + "/go", "");
   terminal.expect("got for three");
   terminal.type("q");
   expect_exit(terminal, 0);
@@ -310,7 +312,7 @@ TEST_F(WatchTest, starts_anew_when_the_file_is_saved_again) {
 }
 
 TEST_F(WatchTest, quits_while_a_task_is_judged) {
-  base::write_file(here_ + "/before", "sleep 1000\n");
+  pt::write_file(here_ + "/before", "sleep 1000\n");
   PseudoTerminal terminal(command());
   terminal.expect("checking all tasks");
   terminal.type("q");

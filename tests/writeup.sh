@@ -120,6 +120,15 @@ for picture in full direct indirect; do
   [ -s "$folder/layered/figures/components.$picture.png" ] || complain "no layers for $picture"
 done
 
+# A folder that somebody removes while it works: a sentence, and no crash.
+code thief reference
+cat >"$folder/writeup/thief" <<END
+#!/bin/bash
+rm -rf "$folder/work/renders/times"
+exec "$build/writeup/writeup_render.reference" "\$@"
+END
+expect 2 "there is no folder '$folder/work/renders/times'" writeup thief soft_shadows
+
 # The pictures that are kept are those that the plan makes, and no others.
 handbook() {
   "$build/writeup/writeup" --handbook --from reference --renderer "$folder/writeup/reference" \

@@ -1,14 +1,15 @@
 #include "writeup/work.h"
 
+#include "grader/base/parallel.h"
 #include "grader/base/printable.h"
 #include "grader/process/cause_of_end.h"
 #include "grader/process/run_command.h"
 
 #include <algorithm>
-#include <atomic>
+#include <chrono>
+#include <future>
 #include <mutex>
 #include <set>
-#include <thread>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -52,18 +53,14 @@ class Workshop {
 
   void run() {
     if (jobs_.empty()) return;
-    std::atomic<int> working = settings_.threads;
-    std::vector<std::jthread> threads;
-    for (int i = 0; i < settings_.threads; ++i) {
-      threads.emplace_back([&] {
-        work();
-        --working;
-      });
-    }
-    while (working > 0) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::future<void> all = std::async(std::launch::async, [this] {
+      grader::base::for_each(jobs_.size(), settings_.threads,
+                             [this](std::size_t i) { work(jobs_[i]); });
+    });
+    while (all.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
       if (settings_.progress) settings_.progress(part_done());
     }
+    all.get();
   }
 
  private:
@@ -90,18 +87,15 @@ class Workshop {
     return std::min(done / total_, 0.999);
   }
 
-  void work() {
-    for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
-      const Job& job = jobs_[i];
-      {
-        const std::lock_guard lock(mutex_);
-        running_.insert(&job);
-      }
-      render(job);
+  void work(const Job& job) {
+    {
       const std::lock_guard lock(mutex_);
-      running_.erase(&job);
-      done_ += job.seconds;
+      running_.insert(&job);
     }
+    render(job);
+    const std::lock_guard lock(mutex_);
+    running_.erase(&job);
+    done_ += job.seconds;
   }
 
   void render(const Job& job) const {
@@ -123,7 +117,6 @@ class Workshop {
   const Store& store_;
   const WorkSettings& settings_;
   std::vector<Job> jobs_;
-  std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::set<const Job*> running_;
   double total_ = 0, done_ = 0;

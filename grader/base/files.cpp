@@ -4,7 +4,6 @@
 #include "pt/error.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -28,25 +27,6 @@ std::string read_file(const std::string& path) {
   text << file.rdbuf();
   if (!file) throw pt::Error(path + ": cannot be read");
   return text.str();
-}
-
-std::string temporary_name(const std::string& path) {
-  static std::atomic<int> serial{0};
-  return fmt::format("{}.{}.{}", path, getpid(), ++serial);
-}
-
-void write_file(const std::string& path, std::string_view text) {
-  const std::string temporary = temporary_name(path);
-  errno = 0;
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error(file ? 0 : errno == 0 ? EIO : errno, std::generic_category());
-  if (!error) fs::rename(temporary, path, error);
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  throw pt::Error(path + ": cannot be written (" + error.message() + ")");
 }
 
 std::string stamp(const std::string& path) {

@@ -8,12 +8,6 @@ namespace grader::base {
 // The whole file. Throws pt::Error if it cannot be read.
 std::string read_file(const std::string& path);
 
-// A name for a file next to `path` that no one else uses.
-std::string temporary_name(const std::string& path);
-
-// Written next to `path` and renamed, so that no one reads half of it.
-void write_file(const std::string& path, std::string_view text);
-
 // A file that changes whenever the content may have: its path, size and time, as text.
 std::string stamp(const std::string& path);
 

@@ -8,8 +8,8 @@
 
 namespace grader::base {
 
-// Calls work(i) for i = 0 .. n - 1 from a few threads. The first exception is thrown again here,
-// after all have ended.
+// Calls work(i) for i = 0 .. n - 1 from a few threads. After an exception no new call begins; the
+// first exception is thrown again here, after all threads have ended.
 template <class Work>
 void for_each(std::size_t n, int threads, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -22,6 +22,7 @@ void for_each(std::size_t n, int threads, const Work& work) {
       } catch (...) {
         const std::lock_guard lock(mutex);
         if (!thrown) thrown = std::current_exception();
+        next = n;
       }
     }
   };

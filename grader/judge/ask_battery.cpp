@@ -5,6 +5,7 @@
 #include "grader/judge/cache.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <filesystem>
 
@@ -35,7 +36,7 @@ std::optional<mistakes::Answers> ask_battery(const Builder& builder, const Trial
   for (const std::string& word : command) key += '\0' + word;
   const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (!fs::exists(path)) {
-    const std::string temporary = base::temporary_name(path);
+    const std::string temporary = pt::temporary_name(path);
     command.push_back(temporary);
     const process::CommandResult result = process::run_command(
         {command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kBatteryTime);

@@ -9,6 +9,7 @@
 #include "grader/process/run_command.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <filesystem>
 #include <sstream>
@@ -173,7 +174,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
     mark_used(path);
     return {path, key, "", "", fs::exists(warnings_path) ? base::read_file(warnings_path) : ""};
   }
-  const Stage stage(base::temporary_name(cache_ + "/" + key + ".tree"));
+  const Stage stage(pt::temporary_name(cache_ + "/" + key + ".tree"));
   for (const auto& [name, content] : headers_for(task_of(task.slug), headers_)) {
     stage.put(name, content);
   }
@@ -201,8 +202,8 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   }
   const std::string reason = audit(object.text, contract, task_of(task.slug));
   if (!reason.empty()) return {"", key, "", reason, ""};
-  if (!warnings.empty()) base::write_file(warnings_path, warnings);
-  base::write_file(path, with_state_marked(object.text));
+  if (!warnings.empty()) pt::write_file(warnings_path, warnings);
+  pt::write_file(path, with_state_marked(object.text));
   return {path, key, "", "", warnings};
 }
 
@@ -214,7 +215,7 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
     mark_used(path);
     return {path, whole, "", "", ""};
   }
-  const Stage stage(base::temporary_name(cache_ + "/" + whole + ".tree"));
+  const Stage stage(pt::temporary_name(cache_ + "/" + whole + ".tree"));
   sandbox::Box box = tool_box(stage);
   int number = 0;
   const auto add_objects = [&](const Paths& paths) {
@@ -241,8 +242,8 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   if (!worker.present || !worker.rejected.empty()) {
     throw pt::Error("the linked worker is not there: " + worker.rejected);
   }
-  const std::string temporary = base::temporary_name(path);
-  base::write_file(temporary, worker.text);
+  const std::string temporary = pt::temporary_name(path);
+  pt::write_file(temporary, worker.text);
   // Another user runs it.
   fs::permissions(temporary, fs::perms(0755));
   fs::rename(temporary, path);

@@ -26,11 +26,12 @@ bool is_number(const std::string& extension) {
                                              [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// The process that made a temporary file, which its name tells: "<name>.<process>.<serial>" as
-// base::temporary_name() has it, or "<name>.<process>.tmp" as pt::write_file(). 0 for other files.
+// The process that made a temporary file, which its name tells: "<name>.<process>.<serial>.tmp", as
+// pt::temporary_name() has it. 0 for other files.
 pid_t maker_of(const fs::path& path) {
-  const std::string last = path.extension(), process = path.stem().extension();
-  if (!is_number(process) || !(is_number(last) || last == ".tmp")) return 0;
+  const fs::path numbers = path.stem();
+  const std::string serial = numbers.extension(), process = numbers.stem().extension();
+  if (path.extension() != ".tmp" || !is_number(serial) || !is_number(process)) return 0;
   pid_t pid = 0;
   std::from_chars(process.data() + 1, process.data() + process.size(), pid);
   return pid;

@@ -8,6 +8,7 @@
 #include "grader/process/run_command.h"
 #include "grader/results/read_json.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -95,7 +96,7 @@ results::TaskResult try_worker(const Builder& builder, const Trial& trial) {
     }
   }
 
-  const std::string report = base::temporary_name(path);
+  const std::string report = pt::temporary_name(path);
   results::TaskResult found = run_program(trial, report);
   if (was_killed(found)) found = run_program(trial, report);
   // Time and memory depend on what else the machine does: tried again when it is asked for again.

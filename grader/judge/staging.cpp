@@ -2,6 +2,7 @@
 
 #include "grader/base/descriptor.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -151,7 +152,7 @@ std::string lack_of_room(const std::string& folder) {
   const std::uintmax_t left = std::uintmax_t{disk.f_bavail} * disk.f_frsize;
   if (left < kRoomToHave) return fmt::format("the disk has {} MiB left", left >> 20);
   if (disk.f_files > 0 && disk.f_favail == 0) return "the disk can hold no more files";
-  const std::string path = base::temporary_name(folder + "/room");
+  const std::string path = pt::temporary_name(folder + "/room");
   const base::Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (!file.is_open()) return std::strerror(errno);
   const int problem = posix_fallocate(file.number(), 0, kRoomToWrite);

@@ -12,6 +12,7 @@
 #include "grader/results/summary.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/file.h"
 #include "pt/render/progress.h"
 
 #include <csignal>
@@ -69,7 +70,7 @@ class Unfinished {
     std::string all = std::filesystem::current_path().string() + '\0';
     for (const std::string& word : words) all += word + '\0';
     std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
-    base::write_file(path_, all);
+    pt::write_file(path_, all);
   }
   void end() const { std::filesystem::remove(path_); }
 
@@ -123,9 +124,9 @@ void remember_run(const judge::Config& config, const results::Results& results,
   const std::time_t now = std::time(nullptr);
   char time[32] = "";
   std::strftime(time, sizeof time, "%Y-%m-%d %H:%M", std::localtime(&now));
-  base::write_file(config.work + "/last", std::string("Graded last: ") + time + ", " +
-                                              programs::command(options) + ": " +
-                                              results::verdict(results) + "\n");
+  pt::write_file(config.work + "/last", std::string("Graded last: ") + time + ", " +
+                                            programs::command(options) + ": " +
+                                            results::verdict(results) + "\n");
 }
 
 // The part of all verdicts that is there, in [0, 1].

@@ -2,6 +2,7 @@
 
 #include "grader/base/files.h"
 #include "grader/base/wrap.h"
+#include "pt/file.h"
 
 #include <filesystem>
 #include <sstream>
@@ -47,7 +48,7 @@ void remember(const std::string& work, const std::string& slug, const Memory& me
   }
   const std::string path = path_of(work, slug);
   fs::create_directories(fs::path(path).parent_path());
-  base::write_file(path, text);
+  pt::write_file(path, text);
 }
 
 void remember_failures(const std::string& work, const results::Results& results) {

@@ -1,9 +1,9 @@
 #include "grader/sandbox/probe.h"
 
-#include "grader/base/files.h"
 #include "grader/base/printable.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <filesystem>
 #include <set>
@@ -29,7 +29,7 @@ struct Scratch {
   explicit Scratch(const std::string& work) {
     std::error_code error;
     fs::create_directories(work, error);
-    if (!error) path = base::temporary_name(fs::canonical(work, error) / "probe");
+    if (!error) path = pt::temporary_name(fs::canonical(work, error) / "probe");
     if (!error) fs::create_directory(path, error);
     if (error) throw pt::Error(work + ": no folder can be made here (" + error.message() + ")");
   }

@@ -5,6 +5,7 @@
 #include "grader/judge/staging.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -26,7 +27,7 @@ std::string compiled(const std::string& text) {
   const fs::path folder =
       fs::path(testing::TempDir()) / fmt::format("firstlight_audit{}", getpid());
   fs::create_directories(folder);
-  base::write_file(folder / "task.cpp", text);
+  pt::write_file(folder / "task.cpp", text);
   const std::string command =
       fmt::format("{} -std=c++20 -O1 -w -c '{}' -o '{}'", FIRSTLIGHT_CXX,
                   (folder / "task.cpp").string(), (folder / "task.o").string());

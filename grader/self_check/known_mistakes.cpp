@@ -11,6 +11,7 @@
 #include "grader/self_check/stale_mistakes.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <algorithm>
 #include <atomic>
@@ -143,7 +144,7 @@ int run(const Options& options) {
       throw pt::Error("a file of some solutions only is of no use: add --check");
     for (const auto& [slug, solutions] : all) known[slug] = known_of(solutions);
     const std::string text = to_json(known);
-    base::write_file(path, text);
+    pt::write_file(path, text);
     known = mistakes::known_from_json(text, path);  // as a reader has it
   }
   return tell_score(known, all, options);

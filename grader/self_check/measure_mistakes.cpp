@@ -8,6 +8,7 @@
 #include "grader/results/read_json.h"
 #include "grader/self_check/naming_variations.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <algorithm>
 #include <sstream>
@@ -121,7 +122,7 @@ void store_measured(const std::string& path, const Measured& measured) {
                  {"trial_kept", measured.trial.kept},
                  {"answers", json::parse(to_json(measured.answers))},
                  {"trial_answers", json::parse(to_json(measured.trial.answers))}};
-  base::write_file(path, all.dump() + "\n");
+  pt::write_file(path, all.dump() + "\n");
 }
 
 mistakes::Answers ask(const judge::Builder& builder, const judge::Trial& trial, std::uint64_t seed,

@@ -4,6 +4,7 @@
 #include "grader/base/sha256.h"
 #include "grader/self_check/task_folder.h"
 #include "pt/error.h"
+#include "pt/file.h"
 #include "pt/sampling/sampler.h"
 
 #include <algorithm>
@@ -219,7 +220,7 @@ std::vector<RightRow> read_right_rows(const fs::path& path) {
 RightRow grade_right(const judge::Config& config, const sandbox::Isolation& isolation,
                      const RightJob& job, int busy) {
   RightRow row = row_of(config, job, busy);
-  const std::string path = base::temporary_name(
+  const std::string path = pt::temporary_name(
       fmt::format("{}/right/{}.{}.{}", config.work, job.kind, job.name, job.seed));
   const Folder folder(path, job);
   judge::GradeRequest request;

@@ -1,6 +1,7 @@
 // A task may use the standard library: what it compiles to passes the audit, links and runs.
 #include "grader/base/files.h"
 #include "grader/judge/audit.h"
+#include "pt/file.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -26,9 +27,9 @@ TEST_P(StandardLibrary, is_open_to_a_task) {
       fs::path(testing::TempDir()) / fmt::format("firstlight_library{}{}{}", getpid(), name, level);
   fs::create_directories(folder);
   const std::string object = folder / "task.o", program = folder / "program";
-  base::write_file(folder / "main.cpp",
-                   "#include <cmath>\nnamespace pt { double task(); }\n"
-                   "int main() { return std::isfinite(pt::task()) ? 0 : 1; }\n");
+  pt::write_file(folder / "main.cpp",
+                 "#include <cmath>\nnamespace pt { double task(); }\n"
+                 "int main() { return std::isfinite(pt::task()) ? 0 : 1; }\n");
   run(fmt::format("{} -std=c++20 -{} -ffp-contract=off -fno-math-errno -w -c '{}/{}.cpp' -o '{}'",
                   FIRSTLIGHT_CXX, level, FIRSTLIGHT_LIBRARY, name, object));
   Task made_up;
