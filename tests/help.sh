@@ -16,6 +16,7 @@ while read -r command program words; do
   fi
 done <<'END'
 bless grader/bless
+cheapest writeup/cheapest.reference
 compare pt/compare
 grade grader/grade
 grade-class grader/grade_class

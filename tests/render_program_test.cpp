@@ -103,7 +103,7 @@ using Names = std::vector<std::string>;
 
 TEST_F(RenderProgram, writes_the_picture_asked_for) {
   EXPECT_EQ(run("scene.dae -f a.png -s 2 -r 16 12"), 0) << said();
-  EXPECT_EQ(run("scene.dae -f b.exr -s 4 -l 2 -m 2 -t 2 -H -r 16 12"), 0) << said();
+  EXPECT_EQ(run("-r 16 12 -f b.exr -s 4 -l 2 -m 2 -t 2 -H scene.dae"), 0) << said();
   EXPECT_EQ(files(), (Names{"a.png", "b.exr"}));
   EXPECT_NE(said().find("tests per ray"), std::string::npos) << said();
 }
@@ -133,7 +133,7 @@ TEST_F(RenderProgram, names_the_picture_after_the_scene_where_no_name_is_given) 
 }
 
 TEST_F(RenderProgram, writes_the_sample_rates_of_an_adaptive_render) {
-  EXPECT_EQ(run("scene.dae -f a.png -s 64 -a 8 0.1 -r 16 12"), 0) << said();
+  EXPECT_EQ(run("-r 16 12 -a 8 0.1 scene.dae -f a.png -s 64"), 0) << said();
   EXPECT_EQ(files(), (Names{"a.png", "a_rate.csv", "a_rate.png"}));
 }
 

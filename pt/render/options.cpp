@@ -1,6 +1,7 @@
 #include "pt/render/options.h"
 
 #include "pt/error.h"
+#include "pt/render/option_words.h"
 
 #include <array>
 #include <cmath>
@@ -22,10 +23,6 @@ const std::map<std::string, Show> kShow{{"full", Show::full},
                                         {"indirect", Show::indirect},
                                         {"bounce", Show::bounce},
                                         {"normals", Show::normals}};
-const std::map<std::string, Engine> kEngines{
-    {"linear", Engine::linear}, {"task", Engine::task}, {"wide", Engine::wide}};
-const std::map<std::string, Framing> kFramings{
-    {"course", Framing::course}, {"fit", Framing::fit}, {"file", Framing::file}};
 
 const char* kFooter =
     "Which implementation of the tasks renders is chosen with ./run render --from student, or for\n"
@@ -50,6 +47,7 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
          "Width and height in pixels, default 480 360; with --camera course they cut a window "
          "out of a picture of 800 x 600, with fit and file they scale it")
       ->expected(2)
+      ->allow_extra_args(false)
       ->check(CLI::Range(1, 16384))
       ->type_name("W H");
   app.add_option("--show", options.show, "What to show")
@@ -66,7 +64,7 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
   app.add_option("--camera", options.framing,
                  "course: the course's framing rule; fit: the file's field of view from far enough "
                  "to see everything; file: the file's own camera")
-      ->transform(CLI::CheckedTransformer(kFramings, CLI::ignore_case).description(""))
+      ->transform(CLI::CheckedTransformer(kFramingWords, CLI::ignore_case).description(""))
       ->type_name("course|fit|file")
       ->default_str("course");
 }
@@ -96,6 +94,7 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
                  "Stop a pixel when its 95 % interval is narrower than TOLERANCE x mean, checked "
                  "every BATCH samples")
       ->expected(2)
+      ->allow_extra_args(false)
       ->type_name("BATCH TOLERANCE");
   app.add_flag("--lambertian", options.lambertian,
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
@@ -105,7 +104,7 @@ void describe_machine(CLI::App& app, RenderOptions& options) {
   app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")
       ->check(CLI::Range(1, 1024));
   app.add_option("--engine", options.engine, "How rays are traced")
-      ->transform(CLI::CheckedTransformer(kEngines, CLI::ignore_case).description(""))
+      ->transform(CLI::CheckedTransformer(kEngineWords, CLI::ignore_case).description(""))
       ->type_name("task|linear|wide")
       ->default_str("task");
   app.add_option("--leaf", options.max_leaf, "Most primitives in a leaf of the BVH")

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "writeup/cheapest/study.h"
+
+#include <optional>
+#include <vector>
+
+namespace writeup::cheapest {
+
+// A way that was looked at, and the cheapest numbers of samples for it.
+struct Option {
+  Way way;
+  std::vector<Tried> tried;
+  SampleModel model;
+  std::optional<Choice> choice;  // nothing: it cannot reach the error
+};
+
+// Adaptive sampling beside the same number of samples everywhere.
+struct AdaptiveOption {
+  pt::AdaptiveSettings settings;
+  Checked checked;
+  double times = 1;  // as long as uniform sampling, at the same error
+};
+
+// What one scene needs.
+struct Answer {
+  double error = 0;               // that was asked for: root of relMSE
+  std::vector<Uncertain> bias2;   // left with 0, 1, ... bounces
+  std::vector<Option> survivals;  // the same number of bounces; at first the one of the course
+  std::vector<Option> bounces;    // other numbers of bounces
+  Option hemisphere;
+  Option course;  // the settings of the course: 4 light samples, 5 bounces, .7
+  Option best;
+  Checked checked;  // best
+  std::optional<AdaptiveOption> adaptive;
+  std::optional<double> without_tree;  // times as long; nothing where there are too many surfaces
+  double smooth = 0;                   // part of the pixels that smooth normals change
+  bool delta_lights = false;           // all lights are points or directions
+};
+
+// Throws pt::Error where the error cannot be reached.
+Answer find_cheapest(Study& study, const pt::View& view, double error);
+
+}  // namespace writeup::cheapest

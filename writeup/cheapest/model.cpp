@@ -1,0 +1,68 @@
+#include "writeup/cheapest/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace writeup::cheapest {
+
+namespace {
+
+double squares(const Line& line, std::span<const LinePoint> points) {
+  double sum = 0;
+  for (const LinePoint& point : points) {
+    const double off = (line.at(point.x) - point.y) / point.error;
+    sum += off * off;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Line fit_line(std::span<const LinePoint> points) {
+  double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
+  for (const LinePoint& point : points) {
+    const double weight = 1 / (point.error * point.error);
+    w += weight;
+    wx += weight * point.x;
+    wy += weight * point.y;
+    wxx += weight * point.x * point.x;
+    wxy += weight * point.x * point.y;
+  }
+  const double slope = (w * wxy - wx * wy) / (w * wxx - wx * wx);
+  const Line best{(wy - slope * wx) / w, slope};
+  if (best.at_zero >= 0 && best.slope >= 0) return best;
+  // Then one of the two is zero, the one that does less harm.
+  const Line flat{std::max(0.0, wy / w), 0}, steep{0, std::max(0.0, wxy / wxx)};
+  return squares(flat, points) < squares(steep, points) ? flat : steep;
+}
+
+double best_light_samples(const SampleModel& model, int most) {
+  const double a_c1 = model.noise.at_zero * model.seconds.slope;
+  const double b_c0 = model.noise.slope * model.seconds.at_zero;
+  if (!(b_c0 > 0)) return 1;
+  if (!(a_c1 > 0)) return most;
+  return std::clamp(std::sqrt(b_c0 / a_c1), 1.0, static_cast<double>(most));
+}
+
+std::optional<Choice> cheapest_choice_with(const SampleModel& model, double error,
+                                           int light_samples) {
+  const double left = error * error - model.bias2;
+  if (!(left > 0)) return std::nullopt;
+  const double variance = model.variance(light_samples);
+  const double samples = std::max(std::ceil(variance / left), double{kFewestSamples});
+  if (!(samples <= kMostSamples)) return std::nullopt;
+  return Choice{light_samples, static_cast<int>(samples),
+                std::sqrt(variance / samples + model.bias2),
+                samples * model.seconds.at(light_samples)};
+}
+
+std::optional<Choice> cheapest_choice(const SampleModel& model, double error) {
+  std::optional<Choice> best;
+  for (int l = 1; l <= kMostLightSamples; ++l) {
+    const std::optional<Choice> choice = cheapest_choice_with(model, error, l);
+    if (choice && (!best || choice->seconds < best->seconds)) best = choice;
+  }
+  return best;
+}
+
+}  // namespace writeup::cheapest

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+// What the error and the time of a picture are made of. Errors are relative: the root of relMSE, the
+// mean over the pixels of (x - g)^2 / (g + .01)^2, of luminance.
+
+namespace writeup::cheapest {
+
+// y = at_zero + slope x.
+struct Line {
+  double at_zero = 0;
+  double slope = 0;
+
+  double at(double x) const { return at_zero + slope * x; }
+};
+
+struct LinePoint {
+  double x = 0;
+  double y = 0;
+  double error = 1;  // standard error of y, > 0
+};
+
+// The line through the points with the least sum of squares, each in units of its error; neither
+// number of the line is negative. Two points of different x, or more.
+Line fit_line(std::span<const LinePoint> points);
+
+// A camera sample, with everything fixed but its number of light samples l.
+struct SampleModel {
+  Line noise;        // its relative variance A + B / l, over 1 / l
+  Line seconds;      // its processor time c0 + c1 l, over l
+  double bias2 = 0;  // the square of the relative bias, which no sample mends
+
+  double variance(int light_samples) const { return noise.at(1.0 / light_samples); }
+};
+
+// The number of light samples at which time x variance is least: sqrt(B c0 / (A c1)), between 1 and
+// `most`; not whole.
+double best_light_samples(const SampleModel& model, int most);
+
+// Numbers of samples, and what is predicted of them.
+struct Choice {
+  int light_samples = 1;
+  int samples = 1;
+  double error = 0;    // root of relMSE
+  double seconds = 0;  // of processor time, per pixel
+};
+
+inline constexpr int kMostLightSamples = 100;  // as trace_path takes them
+inline constexpr int kMostSamples = 1 << 24;   // as ./run render takes them
+inline constexpr int kFewestSamples = 2;       // one goes through the centre of the pixel
+
+// The numbers with which the error is reached in the least time; nothing if it cannot be.
+std::optional<Choice> cheapest_choice(const SampleModel& model, double error);
+// The same for a given number of light samples.
+std::optional<Choice> cheapest_choice_with(const SampleModel& model, double error,
+                                           int light_samples);
+
+}  // namespace writeup::cheapest

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "pt/render/bounce_range.h"
+#include "pt/render/render_film.h"
+
+#include <span>
+#include <vector>
+
+namespace writeup::cheapest {
+
+// A pixel of a view, as the tasks count: from the left and from the bottom.
+struct PixelAt {
+  int x = 0;
+  int y = 0;
+};
+
+// About `wanted` pixels, or all if there are no more: one of each block of a grid, at a place in it
+// that `seed` says. Their mean stands for the mean of the picture.
+std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint64_t seed);
+
+// What some pixels came to. Luminance, everywhere.
+struct Measured {
+  std::vector<double> mean;      // of each pixel
+  std::vector<double> variance;  // of one sample, unbiased; of each pixel
+  std::vector<int> samples;      // of each pixel
+  double cpu_seconds = 0;        // of all threads
+  long long rays = 0;
+
+  long long all_samples() const;
+};
+Measured measure(const pt::View& view, const pt::RenderSettings& settings,
+                 std::span<const PixelAt> pixels);
+
+// The mean of each pixel (inner) in each range of bounces (outer), from the same paths. Throws
+// pt::Error where the linked trace_path cannot be taken apart.
+struct MeasuredApart {
+  std::vector<std::vector<double>> mean;
+  double cpu_seconds = 0;
+};
+MeasuredApart measure_apart(const pt::View& view, const pt::RenderSettings& settings,
+                            std::span<const pt::BounceRange> ranges,
+                            std::span<const PixelAt> pixels);
+
+}  // namespace writeup::cheapest

@@ -1,0 +1,249 @@
+#include "writeup/cheapest/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace writeup::cheapest {
+
+namespace {
+
+constexpr int kPixels = 10000;      // that are looked at
+constexpr int kFewestPixels = 300;  // of a check
+constexpr double kBlack = 0.01;     // of relMSE
+
+// Shares of the time.
+constexpr double kOfBounces = 0.25, kOfOneRender = 0.025, kOfCheck = 0.08;
+
+constexpr int kMostTried = 1 << 14;  // samples per pixel of one short render
+constexpr double kClock = 0.01;      // no time is known better: a part of it
+
+Uncertain mean_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
+  return {sum / n, std::sqrt(squares / std::max(1.0, n - 1) / n)};
+}
+
+// The mean of what two independent halves say of each pixel. The pixels differ, and that is no
+// uncertainty: only the halves tell how well each is known.
+Uncertain mean_of_halves(const std::vector<double>& a, const std::vector<double>& b,
+                         const std::vector<double>& weight) {
+  const auto n = static_cast<double>(a.size());
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double half = weight[i] * (a[i] - b[i]) / 2;
+    sum += weight[i] * (a[i] + b[i]) / 2;
+    squares += half * half;
+  }
+  return {sum / n, std::sqrt(squares) / n};
+}
+
+Uncertain seconds_of(const Measured& a, const Measured& b) {
+  const double first = a.cpu_seconds / static_cast<double>(a.all_samples());
+  const double second = b.cpu_seconds / static_cast<double>(b.all_samples());
+  const double mean = (first + second) / 2;
+  return {mean, std::max(std::abs(first - second) / 2, kClock * mean)};
+}
+
+std::vector<pt::BounceRange> one_by_one() {
+  std::vector<pt::BounceRange> ranges;
+  for (int k = 0; k <= kToldApart; ++k) ranges.push_back({k, k});
+  ranges.push_back({kToldApart + 1, kAllBounces});
+  return ranges;
+}
+
+// What is missing of each pixel with at most m bounces, for m = 0, 1, ...
+std::vector<std::vector<double>> missing(const MeasuredApart& apart) {
+  std::vector<std::vector<double>> rest(apart.mean.size());
+  std::vector<double> sum(apart.mean[0].size());
+  for (std::size_t k = apart.mean.size(); k-- > 0;) {
+    rest[k] = sum;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += apart.mean[k][i];
+  }
+  rest.insert(rest.begin(), sum);  // the whole picture
+  return rest;
+}
+
+}  // namespace
+
+pt::PathSettings path_of(const Way& way, int light_samples) {
+  pt::PathSettings path;
+  path.light_samples = light_samples;
+  path.direct = way.direct;
+  path.survival = way.survival;
+  path.from = 0;
+  path.to = way.bounces;
+  return path;
+}
+
+Study::Study(const pt::View& view, int threads, std::uint64_t seed, double seconds,
+             std::function<void(double)> progress)
+    : view_(view),
+      threads_(threads),
+      seed_(seed),
+      seconds_(seconds),
+      progress_(std::move(progress)),
+      pixels_(spread_pixels(view.width, view.height, kPixels, seed)) {
+  look_at_bounces();
+}
+
+void Study::look_at_bounces() {
+  const pt::View view = view_of({pt::PathSettings::Direct::lights, kAllBounces, 0.7}, 1);
+  const std::vector<pt::BounceRange> ranges = one_by_one();
+  const int samples = samples_in(kOfBounces * seconds_, [&](const pt::RenderSettings& settings,
+                                                            std::span<const PixelAt> some) {
+    return measure_apart(view, settings, ranges, some).cpu_seconds;
+  });
+  std::vector<std::vector<double>> rest[2];
+  for (int half = 0; half < 2; ++half) {
+    rest[half] = missing(measure_apart(view, next_render(samples / 2), ranges, pixels_));
+    golden_[half] = rest[half][0];
+    advance();
+  }
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const double g = (golden_[0][i] + golden_[1][i]) / 2 + kBlack;
+    weight_.push_back(1 / (g * g));
+  }
+  // The product of two independent means is no larger for their noise.
+  for (int m = 0; m <= kToldApart; ++m) {
+    std::vector<double> squares;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      squares.push_back(weight_[i] * rest[0][m + 1][i] * rest[1][m + 1][i]);
+    }
+    bias2_.push_back(mean_of(squares));
+    bias2_.back().value = std::max(0.0, bias2_.back().value);
+  }
+}
+
+std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_samples) {
+  std::vector<int> samples;
+  for (const int l : light_samples) {
+    samples.push_back(samples_in(kOfOneRender * seconds_, view_of(way, l)));
+  }
+  std::vector<Measured> halves[2];
+  for (std::vector<Measured>& half : halves) {
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      half.push_back(measure(view_of(way, light_samples[k]), next_render(samples[k] / 2), pixels_));
+      advance();
+    }
+  }
+  std::vector<Tried> tried;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Measured &a = halves[0][k], &b = halves[1][k];
+    tried.push_back({light_samples[k], mean_of_halves(a.variance, b.variance, weight_),
+                     seconds_of(a, b), mean_of(products(a.mean, b.mean, 1)),
+                     static_cast<double>(a.rays) / static_cast<double>(a.all_samples())});
+  }
+  return tried;
+}
+
+std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samples) {
+  const pt::View view = view_of(way, light_samples);
+  const Measured measured =
+      measure(view, next_render(samples_in(2 * kOfOneRender * seconds_, view)), pixels_);
+  advance();
+  std::vector<PixelNoise> noise;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const double v = measured.variance[i], g = measured.mean[i];
+    noise.push_back({v * weight_[i], g > 0 ? v / (g * g) : 0});
+  }
+  return noise;
+}
+
+Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& settings,
+                     double seconds, double bias2) {
+  const double fit = kOfCheck * seconds_ * threads_ / (2 * seconds);
+  const std::size_t wanted = std::max<std::size_t>(kFewestPixels, static_cast<std::size_t>(fit));
+  const std::size_t step = std::max<std::size_t>(1, pixels_.size() / wanted);
+  std::vector<PixelAt> some;
+  for (std::size_t i = 0; i < pixels_.size(); i += step) some.push_back(pixels_[i]);
+  const pt::View view{view_.scene, view_.camera, path, view_.width, view_.height};
+  Measured pictures[2];
+  for (Measured& picture : pictures) {
+    pt::RenderSettings render = next_render(settings.samples);
+    render.adaptive = settings.adaptive;
+    picture = measure(view, render, some);
+    advance();
+  }
+  const std::vector<double>&x = pictures[0].mean, &y = pictures[1].mean;
+  const std::vector<double> of_x = products(x, x, step), of_y = products(y, y, step);
+  std::vector<double> seen, differences;
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    seen.push_back((of_x[k] + of_y[k]) / 2);
+    differences.push_back(weight_[k * step] * (x[k] - y[k]) * (x[k] - y[k]) / 2 + bias2);
+  }
+  const Uncertain against_golden = mean_of(seen), against_itself = mean_of(differences);
+  const Uncertain square =
+      against_golden.error < against_itself.error ? against_golden : against_itself;
+  const double error = std::sqrt(std::max(square.value, square.error));
+  const auto n = static_cast<double>(2 * some.size());
+  return {{error, square.error / (2 * error)},
+          (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
+          static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples()) / n,
+          some.size()};
+}
+
+double Study::times_as_long(const pt::Scene& other, const Way& way, int light_samples) {
+  const pt::View here = view_of(way, light_samples);
+  const pt::View there{other, here.camera, here.settings, here.width, here.height};
+  const int samples = samples_in(kOfOneRender * seconds_, there) / 2;
+  double seconds[2] = {0, 0};
+  for (int turn = 0; turn < 2; ++turn) {
+    const pt::RenderSettings render = next_render(samples);
+    seconds[0] += measure(here, render, pixels_).cpu_seconds;
+    seconds[1] += measure(there, render, pixels_).cpu_seconds;
+    advance();
+  }
+  return seconds[1] / seconds[0];
+}
+
+std::vector<double> Study::products(const std::vector<double>& a, const std::vector<double>& b,
+                                    std::size_t step) const {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const std::size_t i = k * step;
+    all.push_back(weight_[i] * (a[k] - golden_[0][i]) * (b[k] - golden_[1][i]));
+  }
+  return all;
+}
+
+pt::RenderSettings Study::next_render(int samples) { return {samples, {}, ++seed_, threads_}; }
+
+pt::View Study::view_of(const Way& way, int light_samples) const {
+  return {view_.scene, view_.camera, path_of(way, light_samples), view_.width, view_.height};
+}
+
+int Study::samples_in(double seconds, const Cost& cpu_seconds) {
+  std::vector<PixelAt> some;
+  for (std::size_t i = 0; i < pixels_.size(); i += 8) some.push_back(pixels_[i]);
+  const double one = cpu_seconds(next_render(2), some) / (2 * static_cast<double>(some.size()));
+  const double fit = seconds * threads_ / (one * static_cast<double>(pixels_.size()));
+  return std::clamp(static_cast<int>(std::min(fit, 1e6)) / 2 * 2, 4, kMostTried);
+}
+
+int Study::samples_in(double seconds, const pt::View& view) {
+  return samples_in(seconds,
+                    [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
+                      return measure(view, settings, some).cpu_seconds;
+                    });
+}
+
+void Study::advance() {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  if (progress_) progress_(std::min(0.99, passed.count() / seconds_));
+}
+
+SampleModel model_of(const std::vector<Tried>& tried, double bias2) {
+  std::vector<LinePoint> noise, seconds;
+  for (const Tried& each : tried) {
+    noise.push_back({1.0 / each.light_samples, each.variance.value,
+                     std::max(each.variance.error, 1e-6 * each.variance.value + 1e-12)});
+    seconds.push_back(
+        {static_cast<double>(each.light_samples), each.seconds.value, each.seconds.error});
+  }
+  return {fit_line(noise), fit_line(seconds), bias2};
+}
+
+}  // namespace writeup::cheapest

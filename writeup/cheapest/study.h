@@ -1,0 +1,113 @@
+#pragma once
+
+#include "writeup/cheapest/model.h"
+#include "writeup/cheapest/pixels.h"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace writeup::cheapest {
+
+// How light is followed; what is left are numbers of samples.
+struct Way {
+  pt::PathSettings::Direct direct = pt::PathSettings::Direct::lights;
+  int bounces = 5;
+  double survival = 0.7;
+
+  bool operator==(const Way&) const = default;
+};
+
+pt::PathSettings path_of(const Way& way, int light_samples);
+
+// A number that was measured, and its standard error.
+struct Uncertain {
+  double value = 0;
+  double error = 0;
+};
+
+// Short renders of one way: what each costs and how noisy it is.
+struct Tried {
+  int light_samples = 1;
+  Uncertain variance;  // of one camera sample, relative
+  Uncertain seconds;   // of processor time, for one camera sample
+  Uncertain bias2;     // the square of the relative bias, by these renders alone
+  double rays = 0;     // for one camera sample
+};
+
+// A picture that was made with the numbers that were found, on some of the pixels.
+struct Checked {
+  Uncertain error;     // root of relMSE
+  double seconds = 0;  // of processor time, per pixel
+  double samples = 0;  // per pixel
+  std::size_t pixels = 0;
+};
+
+// The most bounces that are told apart. What comes later is one rest.
+inline constexpr int kToldApart = 16;
+inline constexpr int kAllBounces = 100;  // as trace_path takes them
+
+// A view whose settings are looked for. All renders are of the same pixels, and each has random
+// numbers of its own.
+class Study {
+ public:
+  // `seconds`: by the wall clock, what all of it may take, about. `progress` is called with the part
+  // of them that has passed.
+  Study(const pt::View& view, int threads, std::uint64_t seed, double seconds,
+        std::function<void(double)> progress);
+
+  // The square of the relative bias that is left with 0, 1, ... kToldApart bounces at most.
+  const std::vector<Uncertain>& bias2() const { return bias2_; }
+
+  // Short renders with these numbers of light samples, taken in turns.
+  std::vector<Tried> try_out(const Way& way, const std::vector<int>& light_samples);
+
+  // How noisy each pixel is: the variance of a camera sample.
+  struct PixelNoise {
+    double relative = 0;     // v / (g + .01)^2, of which relMSE is made
+    double over_square = 0;  // v / g^2, by which adaptive sampling judges
+  };
+  std::vector<PixelNoise> pixel_noise(const Way& way, int light_samples);
+
+  // The picture with these settings, made twice, of as many pixels as there is time for; `seconds` is
+  // what one of them takes, about. Its error is seen in two ways, of which the more certain is taken:
+  // against the long renders; and as half the square of the difference of the two pictures, plus
+  // `bias2`.
+  Checked check(const pt::PathSettings& path, const pt::RenderSettings& settings, double seconds,
+                double bias2);
+
+  // How many times as long the same picture takes if another tracer answers.
+  double times_as_long(const pt::Scene& other, const Way& way, int light_samples);
+
+ private:
+  void look_at_bounces();
+  // (a - g)(b - g') / (g + .01)^2 of each `step`-th pixel, for two goldens g and g': its mean is
+  // relMSE if a and b are the same picture, and the square of the bias if they are independent.
+  std::vector<double> products(const std::vector<double>& a, const std::vector<double>& b,
+                               std::size_t step) const;
+  pt::RenderSettings next_render(int samples);
+  pt::View view_of(const Way& way, int light_samples) const;
+  // An even number of samples per pixel that takes so long by the wall clock, where `cpu_seconds` is
+  // what a render of some pixels takes.
+  using Cost = std::function<double(const pt::RenderSettings&, std::span<const PixelAt>)>;
+  int samples_in(double seconds, const Cost& cpu_seconds);
+  int samples_in(double seconds, const pt::View& view);
+  void advance();
+
+  pt::View view_;
+  int threads_;
+  std::uint64_t seed_;
+  double seconds_;
+  std::function<void(double)> progress_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::vector<PixelAt> pixels_;
+  std::vector<double> golden_[2];  // two independent means of each pixel, with all bounces
+  std::vector<double> weight_;     // 1 / (g + .01)^2
+  std::vector<Uncertain> bias2_;
+};
+
+// The model that the renders give. Their way's bias goes with it.
+SampleModel model_of(const std::vector<Tried>& tried, double bias2);
+
+}  // namespace writeup::cheapest
