@@ -18,6 +18,7 @@ done <<'END'
 bless grader/bless
 cheapest writeup/cheapest.reference
 compare pt/compare
+converge writeup/converge.reference
 grade grader/grade
 grade-class grader/grade_class
 hint grader/hint

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The program that finds the cheapest settings: its answer, its files, and what it refuses.
-# cheapest.sh BUILD: whose programs are tried.
+# The programs that find the cheapest settings and compare methods: what they say, their files, what they refuse.
+# accuracy.sh BUILD: whose programs are tried.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 programs=$1/writeup
@@ -26,13 +26,17 @@ for words in 'predicted ' 'measured ' 'Light samples: ' 'Bounces: ' 'Roulette:' 
   "The course's settings" 'Without a tree, 14 surfaces' 'Smooth normals'; do
   grep -qF -- "$words" "$folder/said" || { echo "FAILED: nothing about '$words'"; failures=$((failures + 1)); }
 done
-for name in options bounces noise; do
-  for ending in csv svg; do
-    [ "$ending" != svg ] || command -v gnuplot >/dev/null || continue
-    [ -s "$folder/charts/$name.$ending" ] || { echo "FAILED: no $name.$ending"; failures=$((failures + 1)); }
+# has FOLDER FILE ...: these and no others; charts where there is gnuplot.
+has() {
+  local where=$1 file
+  shift
+  for file in "$@"; do
+    [ "${file##*.}" != svg ] || command -v gnuplot >/dev/null || continue
+    [ -s "$where/$file" ] || { echo "FAILED: no $file"; failures=$((failures + 1)); }
   done
-done
-[ "$(find "$folder/charts" -type f | wc -l)" -le 6 ] || { echo "FAILED: something is left over"; failures=$((failures + 1)); }
+  [ "$(find "$where" -type f | wc -l)" -le $# ] || { echo "FAILED: something is left over"; failures=$((failures + 1)); }
+}
+has "$folder/charts" options.csv options.svg bounces.csv bounces.svg noise.csv noise.svg
 
 expect 0 'all lights are points or directions' cheapest scenes/point_light.dae --error .1
 expect 0 'Hemisphere sampling: cannot reach this error' cheapest scenes/point_light.dae --error 10%
@@ -46,5 +50,20 @@ expect 2 'no such file' cheapest scenes/nothing.dae
 expect 2 '--engine' cheapest scenes/box_spheres.dae --engine steam
 expect 2 'not written yet: ' "$programs/cheapest.student" scenes/box_spheres.dae
 
-[ "$failures" -eq 0 ] && echo 'cheapest works'
+converge() { "$programs/converge.reference" --seconds 2 -r 48 36 "$@"; }
+expect 0 'hemisphere, l = 8 ' converge scenes/box_spheres.dae -m 3 --out "$folder/curves"
+has "$folder/curves" converge.csv samples.svg seconds.svg rays.svg
+[ "$(grep -c '"lights, l = 1, adaptive"' "$folder/curves/converge.csv")" -eq 4 ] || {
+  echo "FAILED: a curve has not four points"
+  failures=$((failures + 1))
+}
+expect 0 'lights, l = 1, adaptive' converge scenes/point_light.dae -m 2
+! grep -qE 'hemisphere|l = 2|survival' "$folder/said" || {
+  echo "FAILED: methods that change nothing or are wrong: $(cat "$folder/said")"
+  failures=$((failures + 1))
+}
+expect 2 'the scene has no light' converge "$folder/dark.dae"
+expect 2 '--bounces' converge scenes/box_spheres.dae -m 17
+
+[ "$failures" -eq 0 ] && echo 'cheapest and converge work'
 exit $((failures > 0))

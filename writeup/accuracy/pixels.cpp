@@ -1,4 +1,4 @@
-#include "writeup/cheapest/pixels.h"
+#include "writeup/accuracy/pixels.h"
 
 #include "grader/base/parallel.h"
 #include "pt/error.h"
@@ -13,7 +13,7 @@
 
 #include <time.h>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 namespace {
 
@@ -99,4 +99,4 @@ MeasuredApart measure_apart(const pt::View& view, const pt::RenderSettings& sett
   return result;
 }
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

@@ -6,12 +6,13 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
-// The options of the program that finds the cheapest settings.
+// The options of both programs: `cheapest` finds settings, `converge` compares methods.
 struct Options {
   std::filesystem::path scene;
-  double error = 0.02;  // root of relMSE
+  double error = 0.02;  // of cheapest: root of relMSE
+  int bounces = 5;      // of converge
   int width = 480;
   int height = 360;
   pt::Framing framing = pt::Framing::course;
@@ -23,8 +24,9 @@ struct Options {
   std::filesystem::path out;  // a folder; empty: no files
 };
 
-// Reads the command line. Prints help and exits for --help, throws pt::Error for what it cannot
+// Both read the command line, print help and exit for --help, and throw pt::Error for what they cannot
 // use.
-Options parse_options(int argc, const char* const* argv);
+Options parse_cheapest(int argc, const char* const* argv);
+Options parse_converge(int argc, const char* const* argv);
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

@@ -1,22 +1,16 @@
-#include "grader/process/run_command.h"
 #include "pt/file.h"
-#include "writeup/cheapest/print.h"
+#include "writeup/accuracy/gnuplot.h"
+#include "writeup/accuracy/print.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-const char* const kStyle = R"gp(set datafile separator ","
-set terminal svg size 760,440 font "sans-serif,13"
-set grid lc rgb "#c8ccd0"
-set border lc rgb "#8a9299"
-)gp";
 
 const char* const kOptionsChart = R"gp(set output "options.svg"
 set logscale xy
@@ -49,38 +43,29 @@ plot "noise.csv" using 1:2:3 skip 1 with yerrorbars lc rgb "#1b5288" pt 7 ps .6 
      {:.8g} + {:.8g} * x axes x1y2 lc rgb "#a33708" lw 2 title "c0 + c1 l"
 )gp";
 
-void draw(const fs::path& folder, const std::string& name, const std::string& script) {
-  pt::write_file(folder / (name + ".gp"), kStyle + script);
-  const grader::process::Child child{{"/usr/bin/gnuplot", name + ".gp"},
-                                     {"PATH=/usr/bin", "LANG=C.UTF-8"},
-                                     {},
-                                     folder.string(),
-                                     {}};
-  grader::process::run_command(child, std::chrono::seconds(20));
-  fs::remove(folder / (name + ".gp"));
-}
-
 // A line of the chart: a way with its numbers of light samples.
 struct Curve {
   std::string title;
   const Option* option;
   int light_samples;
+  std::string color;
 };
 
 std::vector<Curve> curves(const Answer& answer) {
   std::vector<Curve> all;
-  const auto add = [&](const std::string& what, const Option& option) {
-    if (option.choice) all.push_back({what, &option, option.choice->light_samples});
+  const auto add = [&](const std::string& what, const Option& option, const char* ink) {
+    if (option.choice) all.push_back({what, &option, option.choice->light_samples, ink});
   };
-  add("cheapest", answer.best);
-  add("the course's settings", answer.course);
+  add("cheapest", answer.best, "#000000");
+  add("the course's settings", answer.course, "#e08214");
+  int shade = 0;
   for (const Option& option : answer.survivals) {
-    add(fmt::format("survival {:g}", option.way.survival), option);
+    add(fmt::format("survival {:g}", option.way.survival), option, color(Hue::green, shade++));
   }
   for (const Option& option : answer.bounces) {
-    add(fmt::format("at most {} bounces", option.way.bounces), option);
+    add(fmt::format("at most {} bounces", option.way.bounces), option, color(Hue::blue, shade++));
   }
-  add("hemisphere sampling", answer.hemisphere);
+  add("hemisphere sampling", answer.hemisphere, color(Hue::red, 2));
   return all;
 }
 
@@ -96,8 +81,9 @@ void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
                          pixels * s * model.seconds.at(curve.light_samples),
                          std::sqrt(model.variance(curve.light_samples) / s + model.bias2));
     }
-    plot += fmt::format("\"options.csv\" index {} using 4:5 with lines lw {} title \"{}\", ", block,
-                        block < 2 ? 3 : 1, curve.title);
+    plot += fmt::format(
+        "\"options.csv\" index {} using 4:5 with lines lc rgb \"{}\" lw {} title \"{}\", ", block,
+        curve.color, block < 2 ? 3 : 1, curve.title);
     ++block;
   }
   pt::write_file(folder / "options.csv", csv);
@@ -136,4 +122,4 @@ void write_charts(const Answer& answer, const Options& options, const fs::path& 
   draw_noise(answer, folder);
 }
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

@@ -1,9 +1,9 @@
-#include "writeup/cheapest/model.h"
+#include "writeup/accuracy/model.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::optional<Choice> cheapest_choice(const SampleModel& model, double error) {
   return best;
 }
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

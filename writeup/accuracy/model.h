@@ -6,7 +6,7 @@
 // What the error and the time of a picture are made of. Errors are relative: the root of relMSE, the
 // mean over the pixels of (x - g)^2 / (g + .01)^2, of luminance.
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 // y = at_zero + slope x.
 struct Line {
@@ -57,4 +57,4 @@ std::optional<Choice> cheapest_choice(const SampleModel& model, double error);
 std::optional<Choice> cheapest_choice_with(const SampleModel& model, double error,
                                            int light_samples);
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

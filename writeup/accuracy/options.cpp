@@ -1,4 +1,4 @@
-#include "writeup/cheapest/options.h"
+#include "writeup/accuracy/options.h"
 
 #include "pt/error.h"
 #include "pt/render/option_words.h"
@@ -11,18 +11,21 @@
 
 #include <CLI/CLI.hpp>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 namespace {
 
-const char* kFooter =
+const char* kError =
     "The error is relative: the root of the mean over the pixels of (x - g)^2 / (g + .01)^2, where "
     "g is\n"
-    "what the picture would be without noise and with all bounces. Times are of one processor.\n\n"
-    "Examples:\n"
+    "what the picture would be without noise. Times are of one processor.\n\nExamples:\n";
+const char* kCheapestExamples =
     "  ./run cheapest scenes/box_spheres.dae\n"
     "  ./run cheapest scenes/box_spheres.dae --error 1% --out box\n"
     "  ./run cheapest scenes/box_spheres.dae --from student\n";
+const char* kConvergeExamples =
+    "  ./run converge scenes/box_spheres.dae --out box\n"
+    "  ./run converge scenes/box_spheres.dae -m 1 --from direct_lights=student\n";
 
 // "2%", "2 %" or ".02".
 double error_of(std::string word) {
@@ -41,18 +44,9 @@ double error_of(std::string word) {
   return value * unit;
 }
 
-}  // namespace
-
-Options parse_options(int argc, const char* const* argv) {
-  Options options;
-  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  std::vector<int> size;
-  std::string error = "2%";
-  CLI::App app("Finds the settings that render a scene with a given error in the least time.",
-               "./run cheapest");
-  app.footer(kFooter);
+// What both programs have.
+void describe(CLI::App& app, Options& options, std::vector<int>& size) {
   app.add_option("scene", options.scene, "Scene file (.dae)")->required();
-  app.add_option("--error", error, "The error wanted, as 2% or .02")->capture_default_str();
   app.add_option("-r,--size", size, "Width and height of the picture, default 480 360")
       ->expected(2)
       ->allow_extra_args(false)
@@ -75,19 +69,51 @@ Options parse_options(int argc, const char* const* argv) {
   app.add_option("--seed", options.seed, "Of the random numbers")->capture_default_str();
   app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")
       ->check(CLI::Range(1, 1024));
+}
+
+void parse(CLI::App& app, Options& options, int argc, const char* const* argv) {
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  std::vector<int> size;
+  describe(app, options, size);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
     std::exit(app.exit(help));
   } catch (const CLI::ParseError& problem) {
-    throw pt::Error(std::string(problem.what()) + "; see ./run cheapest --help");
+    throw pt::Error(std::string(problem.what()) + "; see " + app.get_name() + " --help");
   }
   if (!size.empty()) {
     options.width = size[0];
     options.height = size[1];
   }
+}
+
+}  // namespace
+
+Options parse_cheapest(int argc, const char* const* argv) {
+  Options options;
+  std::string error = "2%";
+  CLI::App app("Finds the settings that render a scene with a given error in the least time.",
+               "./run cheapest");
+  app.footer(std::string(kError) + kCheapestExamples);
+  app.add_option("--error", error, "The error wanted, as 2% or .02")->capture_default_str();
+  parse(app, options, argc, argv);
   options.error = error_of(error);
   return options;
 }
 
-}  // namespace writeup::cheapest
+Options parse_converge(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app(
+      "Compares methods in a scene: the error that each has left after so many samples and "
+      "seconds.",
+      "./run converge");
+  app.footer(std::string(kError) + kConvergeExamples);
+  app.add_option("-m,--bounces", options.bounces, "How often light may bounce")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  parse(app, options, argc, argv);
+  return options;
+}
+
+}  // namespace writeup::accuracy

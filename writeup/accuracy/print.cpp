@@ -1,11 +1,11 @@
-#include "writeup/cheapest/print.h"
+#include "writeup/accuracy/print.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 namespace {
 
@@ -167,4 +167,4 @@ std::string to_text(const Answer& answer, const Options& options, const pt::Scen
                      rest_text(answer, scene));
 }
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

@@ -1,10 +1,10 @@
-#include "writeup/cheapest/study.h"
+#include "writeup/accuracy/study.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 namespace {
 
@@ -13,7 +13,7 @@ constexpr int kFewestPixels = 300;  // of a check
 constexpr double kBlack = 0.01;     // of relMSE
 
 // Shares of the time.
-constexpr double kOfBounces = 0.25, kOfOneRender = 0.025, kOfCheck = 0.08;
+constexpr double kOfBounces = 0.25, kOfOneRender = 0.025;
 
 constexpr int kMostTried = 1 << 14;  // samples per pixel of one short render
 constexpr double kClock = 0.01;      // no time is known better: a part of it
@@ -78,28 +78,32 @@ pt::PathSettings path_of(const Way& way, int light_samples) {
   return path;
 }
 
-Study::Study(const pt::View& view, int threads, std::uint64_t seed, double seconds,
-             std::function<void(double)> progress)
+Study::Study(const pt::View& view, int threads, std::uint64_t seed, const Effort& effort,
+             std::function<void(double)> progress, int bounces)
     : view_(view),
       threads_(threads),
       seed_(seed),
-      seconds_(seconds),
+      effort_(effort),
       progress_(std::move(progress)),
       pixels_(spread_pixels(view.width, view.height, kPixels, seed)) {
-  look_at_bounces();
+  look_at_bounces(bounces);
 }
 
-void Study::look_at_bounces() {
+void Study::look_at_bounces(int bounces) {
   const pt::View view = view_of({pt::PathSettings::Direct::lights, kAllBounces, 0.7}, 1);
   const std::vector<pt::BounceRange> ranges = one_by_one();
-  const int samples = samples_in(kOfBounces * seconds_, [&](const pt::RenderSettings& settings,
-                                                            std::span<const PixelAt> some) {
-    return measure_apart(view, settings, ranges, some).cpu_seconds;
-  });
+  const int samples =
+      samples_in(kOfBounces * effort_.seconds,
+                 [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
+                   return measure_apart(view, settings, ranges, some).cpu_seconds;
+                 });
   std::vector<std::vector<double>> rest[2];
   for (int half = 0; half < 2; ++half) {
     rest[half] = missing(measure_apart(view, next_render(samples / 2), ranges, pixels_));
     golden_[half] = rest[half][0];
+    for (std::size_t i = 0; bounces <= kToldApart && i < pixels_.size(); ++i) {
+      golden_[half][i] -= rest[half][bounces + 1][i];
+    }
     advance();
   }
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
@@ -120,7 +124,7 @@ void Study::look_at_bounces() {
 std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_samples) {
   std::vector<int> samples;
   for (const int l : light_samples) {
-    samples.push_back(samples_in(kOfOneRender * seconds_, view_of(way, l)));
+    samples.push_back(samples_in(kOfOneRender * effort_.seconds, view_of(way, l)));
   }
   std::vector<Measured> halves[2];
   for (std::vector<Measured>& half : halves) {
@@ -142,7 +146,7 @@ std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_
 std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samples) {
   const pt::View view = view_of(way, light_samples);
   const Measured measured =
-      measure(view, next_render(samples_in(2 * kOfOneRender * seconds_, view)), pixels_);
+      measure(view, next_render(samples_in(2 * kOfOneRender * effort_.seconds, view)), pixels_);
   advance();
   std::vector<PixelNoise> noise;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
@@ -153,8 +157,8 @@ std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samp
 }
 
 Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& settings,
-                     double seconds, double bias2) {
-  const double fit = kOfCheck * seconds_ * threads_ / (2 * seconds);
+                     double seconds, double bias2, double part) {
+  const double fit = part * effort_.seconds * threads_ / (2 * seconds);
   const std::size_t wanted = std::max<std::size_t>(kFewestPixels, static_cast<std::size_t>(fit));
   const std::size_t step = std::max<std::size_t>(1, pixels_.size() / wanted);
   std::vector<PixelAt> some;
@@ -182,13 +186,14 @@ Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& set
   return {{error, square.error / (2 * error)},
           (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
           static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples()) / n,
+          static_cast<double>(pictures[0].rays + pictures[1].rays) / n,
           some.size()};
 }
 
 double Study::times_as_long(const pt::Scene& other, const Way& way, int light_samples) {
   const pt::View here = view_of(way, light_samples);
   const pt::View there{other, here.camera, here.settings, here.width, here.height};
-  const int samples = samples_in(kOfOneRender * seconds_, there) / 2;
+  const int samples = samples_in(kOfOneRender * effort_.seconds, there) / 2;
   double seconds[2] = {0, 0};
   for (int turn = 0; turn < 2; ++turn) {
     const pt::RenderSettings render = next_render(samples);
@@ -216,6 +221,7 @@ pt::View Study::view_of(const Way& way, int light_samples) const {
 }
 
 int Study::samples_in(double seconds, const Cost& cpu_seconds) {
+  if (effort_.samples > 0) return effort_.samples;
   std::vector<PixelAt> some;
   for (std::size_t i = 0; i < pixels_.size(); i += 8) some.push_back(pixels_[i]);
   const double one = cpu_seconds(next_render(2), some) / (2 * static_cast<double>(some.size()));
@@ -232,7 +238,7 @@ int Study::samples_in(double seconds, const pt::View& view) {
 
 void Study::advance() {
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  if (progress_) progress_(std::min(0.99, passed.count() / seconds_));
+  if (progress_) progress_(std::min(0.99, passed.count() / effort_.seconds));
 }
 
 SampleModel model_of(const std::vector<Tried>& tried, double bias2) {
@@ -246,4 +252,4 @@ SampleModel model_of(const std::vector<Tried>& tried, double bias2) {
   return {fit_line(noise), fit_line(seconds), bias2};
 }
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

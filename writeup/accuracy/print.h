@@ -1,12 +1,12 @@
 #pragma once
 
-#include "writeup/cheapest/answer.h"
-#include "writeup/cheapest/options.h"
+#include "writeup/accuracy/answer.h"
+#include "writeup/accuracy/options.h"
 
 #include <filesystem>
 #include <string>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 // The answer in sentences and small tables, for a terminal.
 std::string to_text(const Answer& answer, const Options& options, const pt::Scene& scene);
@@ -16,4 +16,4 @@ std::string to_text(const Answer& answer, const Options& options, const pt::Scen
 void write_charts(const Answer& answer, const Options& options,
                   const std::filesystem::path& folder);
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

@@ -1,4 +1,4 @@
-#include "writeup/cheapest/answer.h"
+#include "writeup/accuracy/answer.h"
 
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 namespace {
 
@@ -181,4 +181,4 @@ Answer find_cheapest(Study& study, const pt::View& view, double error) {
   return answer;
 }
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "writeup/cheapest/study.h"
+#include "writeup/accuracy/study.h"
 
 #include <optional>
 #include <vector>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 // A way that was looked at, and the cheapest numbers of samples for it.
 struct Option {
@@ -41,4 +41,4 @@ struct Answer {
 // Throws pt::Error where the error cannot be reached.
 Answer find_cheapest(Study& study, const pt::View& view, double error);
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

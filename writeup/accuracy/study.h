@@ -1,14 +1,14 @@
 #pragma once
 
-#include "writeup/cheapest/model.h"
-#include "writeup/cheapest/pixels.h"
+#include "writeup/accuracy/model.h"
+#include "writeup/accuracy/pixels.h"
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 // How light is followed; what is left are numbers of samples.
 struct Way {
@@ -41,6 +41,7 @@ struct Checked {
   Uncertain error;     // root of relMSE
   double seconds = 0;  // of processor time, per pixel
   double samples = 0;  // per pixel
+  double rays = 0;     // per pixel
   std::size_t pixels = 0;
 };
 
@@ -48,14 +49,20 @@ struct Checked {
 inline constexpr int kToldApart = 16;
 inline constexpr int kAllBounces = 100;  // as trace_path takes them
 
+// How much may be measured.
+struct Effort {
+  double seconds = 45;  // by the wall clock, what all of it may take, about
+  int samples = 0;      // per pixel of each render, even; 0: as many as there is time for
+};
+
 // A view whose settings are looked for. All renders are of the same pixels, and each has random
 // numbers of its own.
 class Study {
  public:
-  // `seconds`: by the wall clock, what all of it may take, about. `progress` is called with the part
-  // of them that has passed.
-  Study(const pt::View& view, int threads, std::uint64_t seed, double seconds,
-        std::function<void(double)> progress);
+  // `progress` is called with the part of the time that has passed. `bounces`: of the picture that
+  // errors are measured against, at most kToldApart, or kAllBounces.
+  Study(const pt::View& view, int threads, std::uint64_t seed, const Effort& effort,
+        std::function<void(double)> progress, int bounces = kAllBounces);
 
   // The square of the relative bias that is left with 0, 1, ... kToldApart bounces at most.
   const std::vector<Uncertain>& bias2() const { return bias2_; }
@@ -73,15 +80,15 @@ class Study {
   // The picture with these settings, made twice, of as many pixels as there is time for; `seconds` is
   // what one of them takes, about. Its error is seen in two ways, of which the more certain is taken:
   // against the long renders; and as half the square of the difference of the two pictures, plus
-  // `bias2`.
+  // `bias2`. It may take this part of the time.
   Checked check(const pt::PathSettings& path, const pt::RenderSettings& settings, double seconds,
-                double bias2);
+                double bias2, double part = 0.08);
 
   // How many times as long the same picture takes if another tracer answers.
   double times_as_long(const pt::Scene& other, const Way& way, int light_samples);
 
  private:
-  void look_at_bounces();
+  void look_at_bounces(int bounces);
   // (a - g)(b - g') / (g + .01)^2 of each `step`-th pixel, for two goldens g and g': its mean is
   // relMSE if a and b are the same picture, and the square of the bias if they are independent.
   std::vector<double> products(const std::vector<double>& a, const std::vector<double>& b,
@@ -98,7 +105,7 @@ class Study {
   pt::View view_;
   int threads_;
   std::uint64_t seed_;
-  double seconds_;
+  Effort effort_;
   std::function<void(double)> progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<PixelAt> pixels_;
@@ -110,4 +117,4 @@ class Study {
 // The model that the renders give. Their way's bias goes with it.
 SampleModel model_of(const std::vector<Tried>& tried, double bias2);
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

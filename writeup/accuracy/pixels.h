@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace writeup::cheapest {
+namespace writeup::accuracy {
 
 // A pixel of a view, as the tasks count: from the left and from the bottom.
 struct PixelAt {
@@ -41,4 +41,4 @@ MeasuredApart measure_apart(const pt::View& view, const pt::RenderSettings& sett
                             std::span<const pt::BounceRange> ranges,
                             std::span<const PixelAt> pixels);
 
-}  // namespace writeup::cheapest
+}  // namespace writeup::accuracy

@@ -1,0 +1,66 @@
+#include "writeup/accuracy/begin.h"
+
+#include "pt/end_of_program.h"
+#include "pt/error.h"
+#include "pt/render/choose_engine.h"
+#include "pt/todo_list.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace writeup::accuracy {
+
+namespace {
+
+constexpr int kMaxLeaf = 4;  // as ./run render has it
+
+}  // namespace
+
+pt::LoadedScene load(const Options& options) {
+  pt::LoadedScene loaded = pt::load_collada(options.scene, {options.lambertian});
+  for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
+  require_supported(loaded, options.scene);
+  if (loaded.scene.lights.empty()) {
+    throw pt::Error(options.scene.string() +
+                    ": the scene has no light; add one, or give a surface an emission");
+  }
+  if (!options.out.empty()) std::filesystem::create_directories(options.out);
+  pt::print_no_todo();
+  choose_engine(loaded.scene, options.engine, kMaxLeaf);
+  return loaded;
+}
+
+pt::View view_of(const pt::LoadedScene& loaded, const Options& options) {
+  return {loaded.scene,
+          frame_camera(loaded, options.framing, options.width, options.height),
+          {},
+          options.width,
+          options.height};
+}
+
+Study begin(const pt::View& view, const Options& options, int bounces, pt::Progress& progress) {
+  Study study(
+      view, options.threads, options.seed, {options.seconds, 0},
+      [&](double part) { progress.show(part); }, bounces);
+  if (const auto unwritten = pt::todo_list(); !unwritten.empty()) {
+    progress.clear();
+    throw pt::Error(fmt::format("not written yet: {}; nothing can be measured without",
+                                fmt::join(unwritten, ", ")));
+  }
+  return study;
+}
+
+int run_program(int (*run)(int, const char* const*), int argc, const char* const* argv) {
+  try {
+    const int status = run(argc, argv);
+    pt::flush_standard_output();
+    return status;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
+    return 2;
+  }
+}
+
+}  // namespace writeup::accuracy
