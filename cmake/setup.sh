@@ -32,7 +32,7 @@ name_for() {
   fi
 }
 
-# find_missing MANAGER LIST: the packages of the list that are not installed, in `missing`, by the manager's names;
+# find_missing MANAGER LIST...: the packages of the lists that are not installed, in `missing`, by the manager's names;
 # and those that it does not have, in `unknown`.
 find_missing() {
   local package name
@@ -44,7 +44,7 @@ find_missing() {
       '?') unknown+=("$package") ;;
       *) is_installed "$1" "$name" || missing+=("$name") ;;
     esac
-  done < <(grep -v '^#' "$2")
+  done < <(grep -hv '^#' "${@:2}")
 }
 
 install_command() {
@@ -91,20 +91,21 @@ install_missing() {
 }
 
 # setup [LIST]: remembers that all were there, so that the next call costs nothing. Makes nothing before it is
-# certain that it can go on.
+# certain that it can go on. Without LIST: what everybody needs, and what those need who grade a class.
 setup() {
-  local list=$root/cmake/${1:-packages.txt} stamp manager missing unknown
-  stamp=$build/packages.$(cksum <"$list" | cut -d' ' -f1)
+  local lists=("$root/cmake/${1:-packages.txt}") stamp manager missing unknown
+  [ $# -gt 0 ] || [ ! -e "$root/cmake/packages-class.txt" ] || lists+=("$root/cmake/packages-class.txt")
+  stamp=$build/packages.$(cat "${lists[@]}" | cksum | cut -d' ' -f1)
   [ -e "$stamp" ] && return
   manager=$(package_manager)
   [ -n "$manager" ] ||
     fail "No package manager is known here; install what these packages of Debian hold, then go on with mkdir -p $build && touch $stamp:" \
-      "$(grep -v '^#' "$list" | tr '\n' ' ')"
-  find_missing "$manager" "$list"
+      "$(grep -hv '^#' "${lists[@]}" | tr '\n' ' ')"
+  find_missing "$manager" "${lists[@]}"
   if [ ${#missing[@]} -gt 0 ] || [ ${#unknown[@]} -gt 0 ]; then
     { [ "$manager" = apt-get ] && may_install; } || fail "$(how_to_install "$manager" "$stamp")"
     lock_tree
-    find_missing "$manager" "$list" # another ./run may have been faster
+    find_missing "$manager" "${lists[@]}" # another ./run may have been faster
     [ ${#missing[@]} -eq 0 ] || install_missing
   fi
   lock_tree

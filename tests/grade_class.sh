@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A class: submissions as learners hand them in, one that cannot be judged, and a second call, which
-# judges only what has changed.
+# A class: submissions as learners and learning platforms hand them in, some that cannot be judged, and a second call,
+# which judges only what has changed.
 # grade_class.sh GRADE_CLASS: the program.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -8,7 +8,7 @@ program=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-options=
+options='--jobs 1'
 
 complain() {
   printf '%s\n' "$*"
@@ -19,7 +19,7 @@ complain() {
 says() {
   local status=$1 words output got=0
   shift
-  output=$("$program" "$folder/class" --not-isolated $options -- hit_triangle hit_sphere --no-pictures 2>&1) || got=$?
+  output=$("$program" "${class:-$folder/class}" --not-isolated $options -- hit_triangle hit_sphere --no-pictures 2>&1) || got=$?
   [ "$got" -eq "$status" ] || complain "it ended with $got, not $status: $output"
   for words in "$@"; do
     grep -qF -- "$words" <<<"$output" || complain "it does not say '$words': $output"
@@ -54,6 +54,7 @@ grep -q 'hit_sphere' "$folder/class-graded/nested.html" || complain "there is no
 
 cp reference/1_rays/hit_triangle.cpp "$folder/class/wrong/1_rays/"
 mkdir "$folder/class/zoe" "$folder/class-graded/zoe.json"
+cp student/2_bvh/hit_box.cpp "$folder/class/zoe"
 says 2 'a, flat: 2 of 2 tasks pass. '"$(python3 - "$folder/class-graded/class.csv" <<'END'
 import csv, sys
 line = next(csv.DictReader(open(sys.argv[1], newline="", encoding="utf-8-sig")))
@@ -69,17 +70,38 @@ seed=$(cat "$folder/class-graded/seed")
 says 0 "seed $seed " '1/4 a, flat: 2 of 2 tasks pass' '(as before)'
 grep -q "\"seed\": $seed," "$folder/class-graded/nested.json" || complain "the report has another seed than $seed"
 rm -r "$folder/class/"{nested,zoe,wrong}
-options='--seed 7'
+options='--jobs 1 --seed 7'
 says 0 'seed 7 ' '1/1 a, flat: 2 of 2 tasks pass'
 grep -q '"seed": 7,' "$folder/class-graded/a, flat.json" || complain 'the report has another seed than 7'
-options=
+options='--jobs 1'
 says 0 'seed 7 ' '(as before)'
 
 # A name that begins a new line, has a colour, and is a formula.
 mkdir "$folder/class/=1+1"$'\n\x1b[31mzoe'
+cp student/2_bvh/hit_box.cpp "$folder/class/=1+1"$'\n\x1b[31mzoe'
 says 0 $'1/2 =1+1 \xef\xbf\xbd[31mzoe: 0 of 2' '2/2 a, flat'
 [ "$(wc -l <"$folder/class-graded/class.csv")" -eq 3 ] || complain "$(cat "$folder/class-graded/class.csv")"
 ! grep -q $'\x1b' "$folder/class-graded/class.csv" || complain 'a colour code in the table'
 row 'len(row) == 2 and any(name.startswith("\u0027=1+1 ") for name in row)'
 rm -rf "$folder/class/"*
-says 2 'has no folders in it'
+says 2 'has no submissions in it'
+
+# As they come: an archive of archives, one that is broken, one without a file, at once; the others are graded.
+class=$folder/export.zip
+mkdir "$folder/export" && (
+  cd "$folder/export"
+  mkdir 1_rays
+  cp "$OLDPWD"/reference/1_rays/hit_*.cpp 1_rays
+  cmake -E tar cf lovelace_LATE_12_34_work-1.zip --format=zip 1_rays
+  echo broken >hopper_13_35_work.zip
+  mkdir empty
+  echo words >empty/notes.txt
+  cmake -E tar cf noether_14_36_work.zip --format=zip empty
+  cp 1_rays/hit_sphere.cpp germain_15_37_hit_sphere.cpp
+  cmake -E tar cf "$class" --format=zip ./*.zip ./*.cpp
+)
+options='--jobs 3 --out '$folder/class-graded
+says 2 'lovelace: 2 of 2' 'germain: 1 of 2' "hopper: 'work.zip' cannot be unpacked" 'noether: it holds none of the files' '4/4 '
+row 'row["lovelace"]["late"] == "late" and row["lovelace"]["id"] == "12" and row["lovelace"]["hit_sphere"] == "pass"'
+row 'row["hopper"]["points"] == "" and "cannot be unpacked" in row["hopper"]["problem"] and len(row) == 4'
+says 2 'lovelace: 2 of 2' '(as before)'

@@ -81,8 +81,8 @@ program pacman <<<'case $* in "-Q gcc" | "-Q ninja") exit 1 ;; esac'
 stops 'sudo pacman -S --needed gcc ninja;' grade 1
 
 # The names of other systems are those of the same packages.
-diff <(grep -v '^#' cmake/packages.txt) <(grep -v '^#' cmake/packages-elsewhere.txt | cut -d' ' -f1) ||
-  complain "cmake/packages-elsewhere.txt has other packages than cmake/packages.txt"
+diff <(grep -hv '^#' cmake/packages.txt cmake/packages-class.txt) <(grep -v '^#' cmake/packages-elsewhere.txt | cut -d' ' -f1) ||
+  complain "cmake/packages-elsewhere.txt has other packages than cmake/packages.txt and packages-class.txt"
 
 # Root installs, and says so before; nothing is asked.
 begin

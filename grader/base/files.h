@@ -31,8 +31,8 @@ Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
 
 // The folder in which the tree of a submission starts: the given one, or what is in it as long as
-// that is one folder and nothing else, as archives unpack. The folders of a tree (student, 1_rays)
-// are never entered.
+// that is one folder and nothing else, as archives unpack; hidden files and __MACOSX are nothing. The
+// folders of a tree (student, 1_rays) are never entered.
 std::string submission_root(const std::string& folder);
 
 }  // namespace grader::base

@@ -1,6 +1,7 @@
 #include "grader/programs/class.h"
 
 #include "grader/base/files.h"
+#include "grader/base/printable.h"
 #include "grader/base/sha256.h"
 #include "grader/process/run_command.h"
 #include "grader/report/csv.h"
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <thread>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -27,6 +29,8 @@ namespace fs = std::filesystem;
 
 // Far beyond the slowest submission there is.
 constexpr std::chrono::hours kMaxTime{2};
+constexpr std::chrono::minutes kMaxUnpacking{5};
+constexpr std::size_t kMaxReason = 300;
 
 // Stands for all that the reports depend on.
 std::string key_of(const judge::Config& config, const ClassRequest& request,
@@ -53,12 +57,28 @@ bool has_reports(const std::string& path, const std::string& key) {
   return base::read_file(path + ".key") == key;
 }
 
+// Verdicts do not depend on it.
+int threads_each(const ClassRequest& request) {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / request.jobs);
+}
+
+// Why none of the tasks can be judged: there is not one file of them. Empty if there is.
+std::string why_nothing(const judge::Config& config, const std::string& submission) {
+  const std::string root = base::submission_root(submission);
+  for (const judge::TaskConfig& task : config.tasks) {
+    if (base::read_submitted(root, task.part, task.slug).present) return "";
+  }
+  return fmt::format("it holds none of the files that are to be handed in ({}.cpp and so on)",
+                     config.tasks[0].slug);
+}
+
 // Returns why it could not be judged; empty if it was.
 std::string run_grade(const ClassRequest& request, const std::string& submission,
                       const std::string& path) {
   std::vector<std::string> command{request.grade, "--submission=" + submission,
                                    "--json=" + path + ".json", "--html=" + path + ".html",
                                    "--seed=" + std::to_string(request.seed)};
+  if (request.jobs > 1) command.push_back("--threads=" + std::to_string(threads_each(request)));
   command.insert(command.end(), request.words.begin(), request.words.end());
   const process::CommandResult run =
       process::run_command({command, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}}, kMaxTime);
@@ -75,17 +95,18 @@ const results::TaskResult* find_task(const results::Results& results, const std:
 
 }  // namespace
 
-std::vector<std::string> submissions_of(const std::string& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename();
-    if (entry.is_directory() && !entry.is_symlink() && name[0] != '.') names.push_back(name);
-  }
-  if (names.empty()) {
-    throw pt::Error(folder + " has no folders in it: there must be one per submission");
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+std::vector<intake::HandedIn> handed_in(const ClassRequest& request) {
+  const std::string program = fs::path(request.grade).parent_path() / "unpack";
+  const auto unpack = [&](const std::string& archive, const std::string& folder) {
+    const process::CommandResult run = process::run_command(
+        {{program, archive, folder}, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}},
+        kMaxUnpacking);
+    if (run.ok()) return std::string();
+    if (!run.timed_out && WIFEXITED(run.status)) return base::printable(run.output, kMaxReason);
+    return fmt::format("'{}' cannot be unpacked: {}", fs::path(archive).filename().string(),
+                       process::fault_of(run));
+  };
+  return intake::handed_in(request.input, request.out + "/unpacked", unpack);
 }
 
 std::uint64_t seed_for(const std::string& out, std::optional<std::uint64_t> asked) {
@@ -103,17 +124,21 @@ std::uint64_t seed_for(const std::string& out, std::optional<std::uint64_t> aske
 }
 
 Graded grade_one(const judge::Config& config, const ClassRequest& request,
-                 const std::string& name) {
-  Graded graded;
-  graded.name = name;
-  const std::string submission = request.folder + "/" + name;
-  const std::string path = request.out + "/" + name;
+                 const intake::HandedIn& by) {
+  Graded graded{by, {}, by.problem, false};
+  const std::string path = request.out + "/" + by.name;
   try {
-    const std::string key = key_of(config, request, submission);
+    if (graded.problem.empty()) graded.problem = why_nothing(config, by.folder);
+    if (!graded.problem.empty()) {
+      // Of another call, when there was something to judge.
+      for (const char* ending : {".json", ".html", ".key"}) fs::remove(path + ending);
+      return graded;
+    }
+    const std::string key = key_of(config, request, by.folder);
     graded.again = has_reports(path, key);
     if (!graded.again) {
       fs::remove(path + ".key");  // the run may end before its reports are whole
-      graded.problem = run_grade(request, submission, path);
+      graded.problem = run_grade(request, by.folder, path);
     }
     if (!graded.problem.empty()) return graded;
     graded.results = results::read_results(path + ".json");
@@ -128,28 +153,30 @@ Graded grade_one(const judge::Config& config, const ClassRequest& request,
   return graded;
 }
 
-std::string class_table(const judge::Config& config, const std::vector<Graded>& all) {
+std::string class_header(const judge::Config& config) {
   std::string text = std::string(report::kByteOrderMark) +
-                     "submission,tasks_passed,points,max_points,bonus_points";
+                     "submission,id,late,tasks_passed,points,max_points,bonus_points";
   for (const judge::TaskConfig& task : config.tasks)
     text += fmt::format(",{0},{0}_points", task.slug);
-  text += ",problem\r\n";
-  for (const Graded& each : all) {
-    const bool judged = each.problem.empty();
-    const results::Totals sums = results::totals(each.results.tasks);
-    text += report::csv_field(results::one_line(each.name));
-    text += judged ? fmt::format(",{},{},{},{}", sums.passed, sums.points, sums.max_points,
-                                 sums.bonus_points)
-                   : ",,,,";
-    for (const judge::TaskConfig& task : config.tasks) {
-      const results::TaskResult* found = judged ? find_task(each.results, task.slug) : nullptr;
-      text += found == nullptr ? ",,"
-                               : fmt::format(",{},{}", results::words(found->state),
-                                             found->points + found->bonus_points);
-    }
-    text += "," + report::csv_field(results::one_line(each.problem)) + "\r\n";
+  return text + ",problem\r\n";
+}
+
+std::string class_line(const judge::Config& config, const Graded& graded) {
+  const bool judged = graded.problem.empty();
+  const results::Totals sums = results::totals(graded.results.tasks);
+  std::string text =
+      fmt::format("{},{},{}", report::csv_field(results::one_line(graded.by.name)),
+                  report::csv_field(results::one_line(graded.by.id)), graded.by.late ? "late" : "");
+  text += judged ? fmt::format(",{},{},{},{}", sums.passed, sums.points, sums.max_points,
+                               sums.bonus_points)
+                 : ",,,,";
+  for (const judge::TaskConfig& task : config.tasks) {
+    const results::TaskResult* found = judged ? find_task(graded.results, task.slug) : nullptr;
+    text += found == nullptr ? ",,"
+                             : fmt::format(",{},{}", results::words(found->state),
+                                           found->points + found->bonus_points);
   }
-  return text;
+  return text + "," + report::csv_field(results::one_line(graded.problem)) + "\r\n";
 }
 
 }  // namespace grader::programs

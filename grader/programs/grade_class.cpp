@@ -1,5 +1,6 @@
-// grade_class: grades every submission in a folder. Exit status 0 if all could be judged, 2 if one
+// grade_class: grades every submission of a class. Exit status 0 if all could be judged, 2 if one
 // could not, or nothing could.
+#include "grader/base/parallel.h"
 #include "grader/programs/class.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
@@ -7,9 +8,13 @@
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
+#include <numeric>
 #include <optional>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -27,10 +32,15 @@ struct Options {
 
 void describe(CLI::App& app, Options& options) {
   programs::ClassRequest& request = options.request;
-  app.add_option("folder", request.folder, "a folder with a folder per submission")
+  app.add_option("class", request.input,
+                 "an export of Canvas, Moodle or Gradescope, or a folder with a folder or "
+                 "an archive per submission")
       ->required()
-      ->check(CLI::ExistingDirectory);
-  app.add_option("--out", request.out, "where reports go; default: <folder>-graded");
+      ->check(CLI::ExistingPath);
+  app.add_option("--out", request.out, "where reports go; default: <class>-graded");
+  app.add_option("--jobs", request.jobs,
+                 "submissions at a time; verdicts do not depend on it; default: one per processor")
+      ->check(CLI::Range(1, 256));
   app.add_option("--seed", options.seed,
                  "the seed of all random inputs; default: drawn for the class, and kept");
   app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
@@ -46,8 +56,8 @@ int run(Options options, const std::vector<std::string>& words) {
   for (const std::string& word : request.words) {
     if (word.starts_with("--seed")) throw pt::Error("write --seed before --, not after it");
   }
-  while (request.folder.size() > 1 && request.folder.back() == '/') request.folder.pop_back();
-  if (request.out.empty()) request.out = request.folder + "-graded";
+  while (request.input.size() > 1 && request.input.back() == '/') request.input.pop_back();
+  if (request.out.empty()) request.out = request.input + "-graded";
   if (options.config.empty()) options.config = judge::default_config_path();
   const judge::Config config = judge::load_config(options.config);
   request.grade = std::filesystem::path(options.config).parent_path() / "grade";
@@ -58,20 +68,24 @@ int run(Options options, const std::vector<std::string>& words) {
   request.seed = programs::seed_for(request.out, options.seed);
   fmt::print("seed {} (--seed {} gives the same verdicts again)\n", request.seed, request.seed);
 
-  std::vector<programs::Graded> all;
+  const std::vector<intake::HandedIn> everybody = programs::handed_in(request);
+  std::vector<std::string> lines(everybody.size());
+  std::mutex mutex;
   bool all_judged = true;
-  const std::vector<std::string> names = programs::submissions_of(request.folder);
-  for (const std::string& name : names) {
-    all.push_back(programs::grade_one(config, request, name));
-    const programs::Graded& last = all.back();
-    fmt::print(
-        "{}/{} {}: {}{}\n", all.size(), names.size(), results::one_line(name),
-        last.problem.empty() ? results::verdict(last.results) : results::one_line(last.problem),
-        last.again ? " (as before)" : "");
+  std::size_t count = 0;
+  base::for_each(everybody.size(), request.jobs, [&](std::size_t i) {
+    const programs::Graded graded = programs::grade_one(config, request, everybody[i]);
+    const std::lock_guard lock(mutex);
+    fmt::print("{}/{} {}: {}{}\n", ++count, everybody.size(), results::one_line(graded.by.name),
+               graded.problem.empty() ? results::verdict(graded.results)
+                                      : results::one_line(graded.problem),
+               graded.again ? " (as before)" : "");
     std::fflush(stdout);
-    all_judged = all_judged && last.problem.empty();
-    pt::write_file(table, programs::class_table(config, all));
-  }
+    all_judged = all_judged && graded.problem.empty();
+    lines[i] = programs::class_line(config, graded);
+    pt::write_file(table,
+                   std::accumulate(lines.begin(), lines.end(), programs::class_header(config)));
+  });
   fmt::print("{}\n", table);
   return all_judged ? 0 : 2;
 }
@@ -80,7 +94,8 @@ int run(Options options, const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Grades every submission in a folder; options after -- go to grade",
+  options.request.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  CLI::App app{"Grades every submission of a class; options after -- go to grade",
                "./run grade-class"};
   describe(app, options);
   return pt::run_command_line(app, argc, argv, [&] { return run(options, app.remaining()); });

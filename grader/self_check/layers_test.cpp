@@ -18,15 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 
 // From the bottom up. The same word is the folder, the namespace and, with grader_, the library.
-const std::vector<std::string> kRooms{"base",   "process", "sandbox",  "results",
-                                      "check",  "wire",    "mistakes", "pictures",
-                                      "report", "judge",   "programs", "self_check"};
+const std::vector<std::string> kRooms{"base",   "process",  "sandbox",   "results", "check",
+                                      "wire",   "mistakes", "pictures",  "report",  "judge",
+                                      "intake", "programs", "self_check"};
 
 // Where the order alone would allow more than is good: what these may include, all told.
 const std::map<std::string, std::set<std::string>> kOnly{
     {"results", {"base"}},
     {"check", {"base", "process", "results"}},
     {"mistakes", {"base", "results", "check"}},
+    {"intake", {"base"}},
     {"report", {"base", "results", "pictures"}}};
 
 struct Source {

@@ -1,0 +1,65 @@
+// settings_grid SCENE [options of cheapest]: are the settings that `cheapest` finds the cheapest? Measures a grid of
+// sixty others, each by itself, and says by how much the best of them is faster. All times are measured in turns.
+#include "writeup/accuracy/answer.h"
+#include "writeup/accuracy/begin.h"
+
+#include <fmt/format.h>
+
+namespace writeup::accuracy {
+namespace {
+
+constexpr int kLightSamples[] = {1, 2, 4, 8};
+constexpr double kSurvivals[] = {0.3, 0.5, 0.7, 0.85, 1.0};
+constexpr int kBounces = 3;  // numbers of them: what was found, and beside
+
+struct Setting {
+  Way way;
+  int light_samples = 1;
+  double seconds = 0;  // of processor time, per pixel, until the error is reached
+};
+
+// Of this setting alone, without the model of the others.
+double seconds_to(Study& study, const Setting& setting, double error) {
+  const Tried tried = study.try_out(setting.way, {setting.light_samples})[0];
+  const auto m = static_cast<std::size_t>(setting.way.bounces);
+  const double bias2 = m < study.bias2().size() ? study.bias2()[m].value : 0;
+  const double left = error * error - bias2;
+  return left > 0 ? tried.variance.value / left * tried.seconds.value : 0;
+}
+
+int run(int argc, const char* const* argv) {
+  const Options options = parse_cheapest(argc, argv);
+  const pt::LoadedScene loaded = load(options);
+  const pt::View view = view_of(loaded, options);
+  pt::Progress progress;
+  Study study = begin(view, options, kAllBounces, progress);
+  const Answer answer = find_cheapest(study, view, options.error);
+  const int bounces = answer.best.way.bounces;
+  const Setting found{answer.best.way, answer.best.choice->light_samples};
+  fmt::print("bounces,survival,light_samples,seconds_beside_those_found\n");
+  double least = 1;
+  for (int m = std::max(1, bounces - 1); m < std::max(1, bounces - 1) + kBounces; ++m) {
+    for (const double survival : kSurvivals) {
+      for (const int l : kLightSamples) {
+        const Setting setting{{pt::PathSettings::Direct::lights, m, survival}, l};
+        const double before = seconds_to(study, found, options.error);
+        const double seconds = seconds_to(study, setting, options.error);
+        const double after = seconds_to(study, found, options.error);
+        const double beside = seconds / ((before + after) / 2);
+        if (seconds > 0) least = std::min(least, beside);
+        fmt::print("{},{:g},{},{:.3f}\n", m, survival, l, beside);
+      }
+    }
+  }
+  progress.clear();
+  fmt::print("found: m {}, survival {:g}, l {}; the best of the grid takes {:.3f} of its time\n",
+             bounces, found.way.survival, found.light_samples, least);
+  return 0;
+}
+
+}  // namespace
+}  // namespace writeup::accuracy
+
+int main(int argc, char** argv) {
+  return writeup::accuracy::run_program(writeup::accuracy::run, argc, argv);
+}

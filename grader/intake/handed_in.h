@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace grader::intake {
+
+// What one learner, or one group, handed in.
+struct HandedIn {
+  std::string name;     // unlike all others, and a file's name: of the learner, or of the folder
+  std::string id;       // that the learning platform has for it; may be empty
+  std::string folder;   // where the files are, in `work` or where they lay
+  bool late = false;    // the platform says so
+  std::string problem;  // why it cannot be judged, in one sentence; else empty
+};
+
+// Unpacks an archive to a folder that is not there yet. Returns why it could not; else empty.
+using Unpack = std::function<std::string(const std::string& archive, const std::string& folder)>;
+
+// What is in a folder or an archive, in alphabetical order:
+//   Canvas      files lovelaceada_LATE_123_456_hit_box-1.cpp; of resubmissions the last counts
+//   Moodle      folders Ada Lovelace_123_assignsubmission_file
+//   Gradescope  folders submission_123, and submission_metadata.yml with the names
+//   other       a folder or an archive each
+// Archives inside are unpacked below `work`, and files of Canvas are copied there; what a former call
+// left there is removed. A submission that is a link, cannot be unpacked, or holds two archives and
+// no file, has a problem. Throws pt::Error if there is nothing.
+std::vector<HandedIn> handed_in(const std::string& input, const std::string& work,
+                                const Unpack& unpack);
+
+}  // namespace grader::intake

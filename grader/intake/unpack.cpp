@@ -1,0 +1,147 @@
+#include "grader/intake/unpack.h"
+
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
+namespace grader::intake {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostEntries = 100000;
+constexpr int kMostFiles = 5000;
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr la_int64_t kMostUnpacked = la_int64_t{2} << 30;
+
+constexpr std::array kArchives{".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",
+                               ".txz", ".tar.bz2", ".tbz2",   ".7z"};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool is_useful(const std::string& name) {
+  return name.ends_with(".cpp") || name == "submission_metadata.yml" || is_archive(name);
+}
+
+// The path below the folder; empty if the entry is left out. Windows writes \ for /.
+fs::path place_of(std::string path) {
+  std::replace(path.begin(), path.end(), '\\', '/');
+  fs::path place;
+  std::istringstream parts(path);
+  for (std::string part; std::getline(parts, part, '/');) {
+    if (part.empty() || part == ".") continue;
+    if (part[0] == '.' || part == "__MACOSX") return {};
+    place /= part;
+  }
+  return path.starts_with('/') || !is_useful(place.filename()) ? fs::path{} : place;
+}
+
+struct Closed {
+  void operator()(archive* reader) const { archive_read_free(reader); }
+};
+using Reader = std::unique_ptr<archive, Closed>;
+
+class Unpacking {
+ public:
+  Unpacking(const std::string& file, fs::path folder)
+      : name_(fs::path(file).filename()), folder_(std::move(folder)), reader_(archive_read_new()) {
+    archive_read_support_filter_all(reader_.get());
+    archive_read_support_format_zip(reader_.get());
+    archive_read_support_format_tar(reader_.get());
+    archive_read_support_format_gnutar(reader_.get());
+    archive_read_support_format_7zip(reader_.get());
+    constexpr std::size_t kBlock = 1 << 16;
+    expect(archive_read_open_filename(reader_.get(), file.c_str(), kBlock));
+  }
+
+  void run() {
+    archive_entry* entry = nullptr;
+    for (int entries = 0;; ++entries) {
+      const int got = archive_read_next_header(reader_.get(), &entry);
+      if (got == ARCHIVE_EOF) return;
+      expect(got);
+      if (entries == kMostEntries) fail(fmt::format("it has more than {} entries", kMostEntries));
+      take(entry);
+      if (archive_filter_bytes(reader_.get(), 0) > kMostUnpacked) fail("it is larger than 2 GiB");
+    }
+  }
+
+ private:
+  void take(archive_entry* entry) {
+    const char* text = archive_entry_pathname_utf8(entry);
+    if (text == nullptr) text = archive_entry_pathname(entry);
+    const bool plain =
+        archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
+    const fs::path place = text != nullptr && plain ? place_of(text) : fs::path{};
+    if (place.empty()) return;
+    if (archive_entry_is_encrypted(entry) != 0) fail("it is encrypted");
+    const fs::path file = folder_ / place;
+    std::error_code error;
+    if (fs::exists(file, error)) return;
+    fs::create_directories(file.parent_path(), error);
+    if (error) return;  // a file stands where a folder should
+    const std::string bytes = content();
+    if (++files_ > kMostFiles) fail(fmt::format("it has more than {} files", kMostFiles));
+    pt::write_file(file, bytes);
+  }
+
+  // Sizes that the archive states may be wrong.
+  std::string content() {
+    std::string bytes;
+    std::array<char, 1 << 16> block;
+    while (true) {
+      const la_ssize_t got = archive_read_data(reader_.get(), block.data(), block.size());
+      if (got == 0) return bytes;
+      if (got < 0) fail(reason());
+      bytes_ += static_cast<std::size_t>(got);
+      if (bytes_ > kMostBytes) fail("its files are larger than 64 MiB");
+      bytes.append(block.data(), static_cast<std::size_t>(got));
+    }
+  }
+
+  std::string reason() const {
+    const char* text = archive_error_string(reader_.get());
+    return text == nullptr ? "it is damaged" : text;
+  }
+  void expect(int status) const {
+    if (status < ARCHIVE_WARN) fail(reason());
+  }
+  [[noreturn]] void fail(const std::string& why) const {
+    throw pt::Error(fmt::format("'{}' cannot be unpacked: {}", name_, why));
+  }
+
+  std::string name_;
+  fs::path folder_;
+  Reader reader_;
+  int files_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+bool is_archive(const std::string& name) {
+  return std::any_of(kArchives.begin(), kArchives.end(),
+                     [&](const char* ending) { return lower(name).ends_with(ending); });
+}
+
+void unpack(const std::string& archive, const std::string& folder) {
+  fs::create_directories(folder);
+  Unpacking(archive, folder).run();
+}
+
+}  // namespace grader::intake

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+// What was handed in, as learning platforms export it: archives are read as data, and each learner
+// has one folder in the end.
+
+namespace grader::intake {
+
+// Returns whether the name is that of an archive: .zip, .tar.gz and the like.
+bool is_archive(const std::string& name);
+
+// Writes the files of an archive (zip, tar, 7-zip, compressed in any usual way) to `folder`, which is
+// made: source files, archives, and the list that Gradescope adds; nothing else is of use here. Links
+// and devices, hidden files, and paths that lead out of the folder are left out. Of two files of one
+// path the first counts.
+//
+// Throws pt::Error, one sentence, if it is not an archive, is damaged or encrypted, or would become
+// too large: more than 64 MiB of such files, 5,000 of them, 100,000 entries, or 2 GiB in all.
+void unpack(const std::string& archive, const std::string& folder);
+
+}  // namespace grader::intake
