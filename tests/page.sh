@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The page of a report, opened in Chromium from a file (WebDriver, W3C 2018): the slider moves the edge
-# of the render, a pointer reads pixels, texts stay texts, and the console has nothing to say.
-# page.sh EXAMPLE_PAGE: the program that writes the page. Skipped (77) where Chromium is missing.
+# of the render, a pointer reads pixels, texts stay texts, and the console has nothing to say. Then the page of
+# a class, which sorts its rows.
+# page.sh EXAMPLE_PAGE: the program that writes the pages. Skipped (77) where Chromium is missing.
 set -euo pipefail
 
 for program in chromium chromedriver curl; do
@@ -166,6 +167,33 @@ const original = document.getElementById('direct_lights.two_lights').querySelect
 return copy.checkVisibility() && copy.querySelector('.compare').style.getPropertyValue('--split') === '30%'
   && original.style.getPropertyValue('--split') === '50%'
   && copy.querySelector('.where').textContent.startsWith('x 47, y 36 ');
+E2
+
+post "$session/url" "{\"url\": \"file://$folder/class.html\"}" >/dev/null
+expect 'a class of a thousand has a row each' <<'E2'
+return document.querySelectorAll('.class tbody tr').length === 1000
+  && document.querySelectorAll('.class td.problem').length === 20;
+E2
+expect 'and texts stay texts there' <<'E2'
+return window.harmed === undefined && document.scripts.length === 1
+  && document.body.innerText.includes('<script>window.harmed = 1</' + 'script>');
+E2
+expect 'a head that is pressed sorts, once more the other way round, and problems come last' <<'E2'
+const head = document.querySelectorAll('.class th button')[2];
+const points = () => [...document.querySelectorAll('.class tbody tr')].map(
+  (row) => row.querySelector('.problem') ? NaN : Number(row.cells[2].dataset.value));
+const rises = (all, turn) => all.every((each, i) => i === 0 || (Number.isNaN(each) ? i >= 980
+  : turn * (each - all[i - 1]) >= 0));
+head.click();
+const first = rises(points(), 1);
+head.click();
+const rising = head.closest('th').getAttribute('aria-sort');
+return first && rises(points(), -1) && rising === 'descending';
+E2
+expect 'every link is that of its row' <<'E2'
+return [...document.querySelectorAll('.class td.name a')].every(
+  (link) => link.textContent.includes('end') || link.href.endsWith(
+    '/' + encodeURIComponent(link.textContent) + '.html'));
 E2
 
 console=$(post "$session/se/log" '{"type": "browser"}')

@@ -236,7 +236,7 @@ class Intake {
     for (HandedIn& each : all_) each.name = as_file_name(each.name);
     std::map<std::string, int> count;
     for (const HandedIn& each : all_) ++count[each.name];
-    std::set<std::string> used;
+    std::set<std::string> used{"class"};  // class.html is the page of all
     for (HandedIn& each : all_) {
       if (count[each.name] > 1 && !each.id.empty()) each.name += " (" + each.id + ")";
       std::string name = each.name;

@@ -2,6 +2,7 @@
 // could not, or nothing could.
 #include "grader/base/parallel.h"
 #include "grader/programs/class.h"
+#include "grader/report/class_page.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
 #include "pt/command_line.h"
@@ -70,6 +71,7 @@ int run(Options options, const std::vector<std::string>& words) {
 
   const std::vector<intake::HandedIn> everybody = programs::handed_in(request);
   std::vector<std::string> lines(everybody.size());
+  report::ClassPage page;
   std::mutex mutex;
   bool all_judged = true;
   std::size_t count = 0;
@@ -82,11 +84,16 @@ int run(Options options, const std::vector<std::string>& words) {
                graded.again ? " (as before)" : "");
     std::fflush(stdout);
     all_judged = all_judged && graded.problem.empty();
+    page.add(
+        {graded.by.name, graded.by.id, graded.by.name + ".html", graded.problem, graded.by.late},
+        graded.results);
     lines[i] = programs::class_line(config, graded);
     pt::write_file(table,
                    std::accumulate(lines.begin(), lines.end(), programs::class_header(config)));
   });
-  fmt::print("{}\n", table);
+  const std::string overview = request.out + "/class.html";
+  pt::write_file(overview, page.to_html());
+  fmt::print("{}\n{}\n", table, overview);
   return all_judged ? 0 : 2;
 }
 

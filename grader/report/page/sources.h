@@ -9,5 +9,7 @@ namespace grader::report {
 extern const std::string_view page_html;  // a template in Mustache
 extern const std::string_view page_css;
 extern const std::string_view page_js;
+extern const std::string_view class_html;  // a template, with page_css
+extern const std::string_view class_js;
 
 }  // namespace grader::report

@@ -1,0 +1,210 @@
+#include "grader/report/class_page.h"
+
+#include "grader/report/html_picture.h"
+#include "grader/report/page/sources.h"
+#include "grader/results/presentable.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+
+namespace grader::report {
+
+namespace {
+
+using kainjow::mustache::data;
+
+constexpr std::size_t kHardest = 15;  // that are listed
+constexpr int kBins = 10;             // of the distribution of points
+
+// A file's name in an address.
+std::string address_of(const std::string& file) {
+  std::string address;
+  for (const char c : file) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) != 0 || c == '-' || c == '_' || c == '.';
+    address += plain && byte < 0x80 ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return address;
+}
+
+int percent_of(int part, int whole) { return whole > 0 ? (100 * part + whole / 2) / whole : 0; }
+
+data bar(const std::string& key, int part, int whole) {
+  data out;
+  out.set(key, std::to_string(part));
+  out.set("share", std::to_string(percent_of(part, whole)));
+  return out;
+}
+
+// What fewest have right comes first; what all have right is left out.
+data hardest(const ClassPage::Counts& counts) {
+  std::vector<std::pair<ClassPage::Key, ClassPage::Count>> hard;
+  for (const auto& each : counts) {
+    if (each.second.right < each.second.judged) hard.push_back(each);
+  }
+  std::stable_sort(hard.begin(), hard.end(), [](const auto& a, const auto& b) {
+    return a.second.right * b.second.judged < b.second.right * a.second.judged;
+  });
+  if (hard.size() > kHardest) hard.resize(kHardest);
+  data list{data::type::list};
+  for (const auto& [key, count] : hard) {
+    data out = bar("right", count.right, count.judged);
+    out.set("slug", key.first);
+    out.set("title", count.title);
+    out.set("judged", std::to_string(count.judged));
+    list.push_back(out);
+  }
+  return list;
+}
+
+data most_common(const std::map<ClassPage::Key, int>& mistakes) {
+  std::vector<std::pair<ClassPage::Key, int>> common(mistakes.begin(), mistakes.end());
+  std::stable_sort(common.begin(), common.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (common.size() > kHardest) common.resize(kHardest);
+  data list{data::type::list};
+  for (const auto& [key, count] : common) {
+    data mistake;
+    mistake.set("count", std::to_string(count));
+    mistake.set("slug", key.first);
+    mistake.set("sentence", key.second);
+    list.push_back(mistake);
+  }
+  return list;
+}
+
+data distribution(const std::vector<int>& points, int most) {
+  std::array<int, kBins> bins{};
+  for (const int each : points) ++bins[most > 0 ? std::min(kBins - 1, each * kBins / most) : 0];
+  const int tallest = *std::max_element(bins.begin(), bins.end());
+  data list{data::type::list};
+  for (int i = 0; i < kBins; ++i) {
+    data bin = bar("count", bins[i], tallest);
+    bin.set("from", std::to_string(most * i / kBins));
+    bin.set("to", std::to_string(most * (i + 1) / kBins));
+    list.push_back(bin);
+  }
+  return list;
+}
+
+// How many there are, and what they have.
+void set_sums(data& out, const std::vector<ClassPage::Line>& lines) {
+  int most = 0;
+  double seconds = 0;
+  std::vector<int> points;
+  for (const ClassPage::Line& line : lines) {
+    if (!line.row.problem.empty()) continue;
+    most = std::max(most, line.sums.max_points);
+    seconds += line.seconds;
+    points.push_back(line.sums.points);
+  }
+  std::sort(points.begin(), points.end());
+  const std::size_t problems = lines.size() - points.size();
+  out.set("submissions", std::to_string(lines.size()));
+  out.set("problems", problems > 0 ? data(std::to_string(problems)) : data(false));
+  out.set("max_points", std::to_string(most));
+  out.set("median", points.empty() ? "-" : std::to_string(points[points.size() / 2]));
+  out.set("minutes", fmt::format("{:.0f}", seconds / 60));
+  out.set("distribution", distribution(points, most));
+}
+
+data cell_data(const ClassPage::Line& line, const std::string& slug) {
+  const auto found = line.tasks.find(slug);
+  const bool asked = found != line.tasks.end();
+  data cell;
+  cell.set("slug", slug);
+  cell.set("tone", asked ? tone(found->second) : "quiet");
+  cell.set("symbol", asked ? results::symbol(found->second) : "");
+  cell.set("words", asked ? results::words(found->second) : "not asked");
+  return cell;
+}
+
+data row_data(const ClassPage::Line& line, const std::vector<std::string>& tasks) {
+  const bool judged = line.row.problem.empty();
+  const results::Totals& sums = line.sums;
+  data row, cells{data::type::list};
+  for (const std::string& slug : tasks) cells.push_back(cell_data(line, slug));
+  row.set("cells", cells);
+  row.set("name", results::one_line(line.row.name));
+  row.set("id", results::one_line(line.row.id));
+  row.set("late", line.row.late);
+  row.set("judged", judged);
+  row.set("problem", judged ? data(false) : data(results::one_line(line.row.problem)));
+  row.set("columns", std::to_string(tasks.size() + 2));
+  row.set("address", address_of(line.row.page));
+  row.set("points", std::to_string(sums.points));
+  row.set("bonus", sums.bonus_points > 0 ? data(std::to_string(sums.bonus_points)) : data(false));
+  row.set("passed", std::to_string(sums.passed));
+  return row;
+}
+
+}  // namespace
+
+void ClassPage::add(const ClassRow& row, const results::Results& exact) {
+  Line line{row, {}, {}, 0};
+  if (row.problem.empty()) {
+    const results::Results results = results::presentable(exact);
+    line.sums = results::totals(results.tasks);
+    line.seconds = results.seconds;
+    if (tasks_.size() < results.tasks.size()) tasks_.clear();
+    const bool first = tasks_.empty();
+    for (const results::TaskResult& task : results.tasks) {
+      if (first) tasks_.push_back(task.slug);
+      line.tasks[task.slug] = task.state;
+      count(task);
+    }
+  }
+  lines_.push_back(std::move(line));
+}
+
+void ClassPage::count(const results::TaskResult& task) {
+  // Who has not begun has found nothing hard yet.
+  if (task.state == results::State::not_attempted) return;
+  if (!task.mistake.empty()) ++mistakes_[{task.slug, task.mistake.sentence}];
+  const auto enter = [](Count& count, const std::string& title, bool right) {
+    count.title = title;
+    ++count.judged;
+    count.right += right ? 1 : 0;
+  };
+  for (const results::PromiseResult& promise : task.promises) {
+    if (promise.bonus || !results::is_judged(task, promise)) continue;
+    enter(promises_[{task.slug, promise.name}],
+          promise.words.empty() ? promise.name : promise.words, promise.held);
+  }
+  for (const results::PictureResult& picture : task.pictures) {
+    const bool right = picture.state == results::State::pass;
+    if (!right && !results::is_fault(picture.state)) continue;
+    enter(pictures_[{task.slug, picture.recipe}], picture.title, right);
+  }
+}
+
+std::string ClassPage::to_html() const {
+  std::vector<Line> lines = lines_;
+  std::sort(lines.begin(), lines.end(),
+            [](const Line& a, const Line& b) { return a.row.name < b.row.name; });
+  const auto set_list = [](data& out, const std::string& name, const data& list) {
+    out.set(name, list);
+    out.set("has_" + name, !list.is_empty_list());
+  };
+  data out, tasks{data::type::list}, rows{data::type::list};
+  for (const std::string& slug : tasks_) tasks.push_back(data{"slug", slug});
+  for (const Line& line : lines) rows.push_back(row_data(line, tasks_));
+  out.set("style", std::string(page_css));
+  out.set("script", std::string(class_js));
+  set_sums(out, lines);
+  set_list(out, "promises", hardest(promises_));
+  set_list(out, "pictures", hardest(pictures_));
+  set_list(out, "mistakes", most_common(mistakes_));
+  out.set("tasks", tasks);
+  out.set("rows", rows);
+  kainjow::mustache::mustache page{std::string(class_html)};
+  std::string text = page.render(out);
+  if (!page.is_valid()) throw pt::Error("the page cannot be made: " + page.error_message());
+  return text;
+}
+
+}  // namespace grader::report

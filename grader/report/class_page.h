@@ -1,0 +1,56 @@
+#pragma once
+
+#include "grader/results/results.h"
+#include "grader/results/summary.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace grader::report {
+
+// One submission of a class, as its page lists it.
+struct ClassRow {
+  std::string name;
+  std::string id;       // of the learning platform; may be empty
+  std::string page;     // the file of its own report, beside the page of the class
+  std::string problem;  // why it was not judged; else empty
+  bool late = false;
+};
+
+// The page of a class: a row per submission, and what the class found hard. Results are counted as
+// they come and not kept, so that a thousand need little memory.
+class ClassPage {
+ public:
+  // `results` count if there is no problem.
+  void add(const ClassRow& row, const results::Results& results);
+
+  // Rows in alphabetical order. One file, which needs no network and no script to be read.
+  std::string to_html() const;
+
+  // Of a promise or a picture: how many submissions were judged by it, and how many were right.
+  struct Count {
+    std::string title;
+    int judged = 0;
+    int right = 0;
+  };
+  struct Line {
+    ClassRow row;
+    results::Totals sums;
+    std::map<std::string, results::State> tasks;  // by slug
+    double seconds = 0;
+  };
+  using Key = std::pair<std::string, std::string>;  // of task and promise, recipe or mistake
+  using Counts = std::map<Key, Count>;
+
+ private:
+  void count(const results::TaskResult& task);
+
+  std::vector<Line> lines_;
+  std::vector<std::string> tasks_;  // slugs, in the order of the course
+  Counts promises_, pictures_;
+  std::map<Key, int> mistakes_;  // by task and sentence
+};
+
+}  // namespace grader::report

@@ -1,0 +1,87 @@
+// The page of a class: what is counted, and in which order it stands.
+#include "grader/report/class_page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace grader::report {
+namespace {
+
+using results::State;
+using testing::HasSubstr;
+using testing::Not;
+
+results::Results run_with(State state, bool first, bool second, int points) {
+  results::Results run;
+  results::TaskResult task;
+  task.slug = "hit_box";
+  task.state = state;
+  task.points = points;
+  task.max_points = 20;
+  task.promises.push_back({"first", "the first: promise", false, first, 1, 0, {}});
+  task.promises.push_back({"second", "the second: promise", false, second, 1, 0, {}});
+  run.tasks.push_back(task);
+  run.complete = true;
+  return run;
+}
+
+// Where the text stands in the page; fails if it does not.
+std::size_t place(const std::string& page, const std::string& text) {
+  EXPECT_THAT(page, HasSubstr(text));
+  return page.find(text);
+}
+
+TEST(ClassPage, counts_who_kept_a_promise_and_puts_the_hardest_first) {
+  ClassPage page;
+  page.add({"a", "", "a.html", "", false}, run_with(State::fail, true, false, 10));
+  page.add({"b", "", "b.html", "", false}, run_with(State::fail, false, false, 0));
+  page.add({"c", "", "c.html", "", false}, run_with(State::pass, true, true, 20));
+  page.add({"d", "", "d.html", "", false}, run_with(State::not_attempted, false, false, 0));
+  page.add({"e", "", "e.html", "it is a link", false}, run_with(State::fail, false, false, 0));
+  const std::string html = page.to_html();
+  const std::size_t second =
+      place(html, ">1 of 3</td><td><code>hit_box</code></td><td>the second: promise");
+  EXPECT_LT(second, place(html, ">2 of 3</td><td><code>hit_box</code></td><td>the first: promise"));
+  EXPECT_THAT(html, HasSubstr("5 submissions"));
+  EXPECT_THAT(html, HasSubstr("<strong>1</strong> could not be judged"));
+  EXPECT_THAT(html, HasSubstr("<strong>10</strong> of 20 points or more"));
+}
+
+TEST(ClassPage, leaves_out_what_everybody_has_right) {
+  ClassPage page;
+  page.add({"a", "", "a.html", "", false}, run_with(State::pass, true, true, 20));
+  EXPECT_THAT(page.to_html(), Not(HasSubstr("the first: promise")));
+}
+
+TEST(ClassPage, names_mistakes_by_how_many_made_them) {
+  ClassPage page;
+  for (int i = 0; i < 5; ++i) {
+    results::Results run = run_with(State::fail, false, false, 0);
+    run.tasks[0].mistake = {"m", i < 2 ? "A rare one." : "A common one.", "battery"};
+    page.add({std::to_string(i), "", "x.html", "", false}, run);
+  }
+  const std::string html = page.to_html();
+  EXPECT_LT(place(html, ">3</td><td><code>hit_box</code></td><td>A common one."),
+            place(html, ">2</td><td><code>hit_box</code></td><td>A rare one."));
+}
+
+TEST(ClassPage, rows_are_in_alphabetical_order_with_ids_and_links) {
+  ClassPage page;
+  page.add({"zo\xc3\xab & co", "17", "zo\xc3\xab & co.html", "", true},
+           run_with(State::pass, true, true, 20));
+  page.add({"ada", "4", "ada.html", "it holds two archives", false}, {});
+  const std::string html = page.to_html();
+  EXPECT_LT(place(html, "it holds two archives"), place(html, "href=\"zo%C3%AB%20%26%20co.html\""));
+  EXPECT_THAT(
+      html, HasSubstr(">zo\xc3\xab &amp; co</a> <span class=\"note\">late</span></td><td>17</td>"));
+  EXPECT_THAT(html, Not(HasSubstr("href=\"ada.html\"")));
+}
+
+TEST(ClassPage, is_there_for_nobody_judged_too) {
+  ClassPage page;
+  page.add({"ada", "", "ada.html", "it is a link", false}, {});
+  EXPECT_THAT(page.to_html(), HasSubstr("<strong>-</strong> of 0 points"));
+}
+
+}  // namespace
+}  // namespace grader::report
