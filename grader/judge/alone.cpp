@@ -56,7 +56,7 @@ void compile_one(const Builder& builder, const GradeRequest& request, Judged& ju
   if (!file.rejected.empty()) return refuse(result, results::State::rejected, file.rejected);
   judged.content = base::sha256(file.text);
   judged.object = builder.compile(task, file.text);
-  const std::string folder = results::one_line(request.submission);
+  const std::string folder = results::one_line(shown_folder(request));
   result.warnings = in_folder(judged.object.warnings, task, folder);
   if (!judged.object.rejected.empty()) {
     return refuse(result, results::State::rejected, judged.object.rejected);
@@ -109,8 +109,7 @@ void enter(const results::TaskResult& found, const GradeRequest& request,
     promise.held = each.held;
     promise.seconds += each.seconds;
     for (results::Failure failure : each.failures) {
-      failure.replay = fmt::format("./run grade {} --seed {}", result.slug, request.seed);
-      if (request.submission != "student") failure.replay += " --submission " + request.submission;
+      failure.replay = replay_command(request, result.slug);
       promise.failures.push_back(failure);
     }
   }

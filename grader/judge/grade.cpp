@@ -16,6 +16,8 @@
 #include <chrono>
 #include <set>
 
+#include <fmt/format.h>
+
 namespace grader::judge {
 
 namespace {
@@ -50,6 +52,8 @@ std::vector<std::string> versions(const Config& config) {
   return all;
 }
 
+constexpr const char* kLearnersFolder = "student";
+
 // One run, from its start on.
 class Run {
  public:
@@ -57,7 +61,7 @@ class Run {
       : config_(config),
         request_(request),
         points_(results::load_points(config.root + "/grader/points.json")) {
-    results_.submission = request.submission;
+    results_.submission = request.name.empty() ? request.submission : request.name;
     results_.seed = request.seed;
     results_.isolation = request.isolation.words;
     if (!config.no_reference.empty()) {
@@ -147,6 +151,16 @@ class Run {
 results::Results grade(const Config& config, const GradeRequest& request,
                        const std::function<void(const results::Results&)>& progress) {
   return Run(config, request).judge(progress);
+}
+
+std::string shown_folder(const GradeRequest& request) {
+  return request.name.empty() ? request.submission : kLearnersFolder;
+}
+
+std::string replay_command(const GradeRequest& request, const std::string& slug) {
+  const std::string folder = shown_folder(request);
+  const std::string replay = fmt::format("./run grade {} --seed {}", slug, request.seed);
+  return folder == kLearnersFolder ? replay : replay + " --submission " + folder;
 }
 
 std::vector<std::string> tasks_meant(const Config& config, const std::string& word) {

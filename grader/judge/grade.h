@@ -22,7 +22,15 @@ struct GradeRequest {
   std::string command;             // the command line, for the report
   sandbox::Isolation isolation{};  // of all that runs of the submission
   int compile_limit = 60;          // seconds that a file may take
+  std::string name{};              // who handed it in; empty: it is called by its folder
 };
+
+// What reports say of where the submission lies: its folder; where it has a name, as it lies with the
+// learner.
+std::string shown_folder(const GradeRequest& request);
+
+// "./run grade hit_box --seed 7": how a learner, or who has the folder, sees it again.
+std::string replay_command(const GradeRequest& request, const std::string& slug);
 
 // Judges the tasks asked for, each by itself and then together with the submission's other tasks.
 // `progress` gets the results so far: at first without a verdict, then after every verdict.

@@ -106,8 +106,7 @@ results::PictureResult try_picture(const Config& config, const Builder& builder,
   results::PictureResult result = known ? *known : run_program(words, path, trial);
   if (!known && process::was_killed(result.text)) result = run_program(words, path, trial);
   mark_used(path);
-  result.replay = fmt::format("./run grade {} --seed {}", trial.task.slug, request.seed);
-  if (request.submission != "student") result.replay += " --submission " + request.submission;
+  result.replay = replay_command(request, trial.task.slug);
   // Time and memory depend on what else the machine does: tried again when it is asked for again.
   if (result.state == results::State::timeout || process::was_killed(result.text)) fs::remove(path);
   return result;

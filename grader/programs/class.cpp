@@ -73,10 +73,13 @@ std::string why_nothing(const judge::Config& config, const std::string& submissi
 }
 
 // Returns why it could not be judged; empty if it was.
-std::string run_grade(const ClassRequest& request, const std::string& submission,
+std::string run_grade(const ClassRequest& request, const intake::HandedIn& by,
                       const std::string& path) {
-  std::vector<std::string> command{request.grade, "--submission=" + submission,
-                                   "--json=" + path + ".json", "--html=" + path + ".html",
+  std::vector<std::string> command{request.grade,
+                                   "--submission=" + by.folder,
+                                   "--name=" + by.name,
+                                   "--json=" + path + ".json",
+                                   "--html=" + path + ".html",
                                    "--seed=" + std::to_string(request.seed)};
   if (request.jobs > 1) command.push_back("--threads=" + std::to_string(threads_each(request)));
   command.insert(command.end(), request.words.begin(), request.words.end());
@@ -138,7 +141,7 @@ Graded grade_one(const judge::Config& config, const ClassRequest& request,
     graded.again = has_reports(path, key);
     if (!graded.again) {
       fs::remove(path + ".key");  // the run may end before its reports are whole
-      graded.problem = run_grade(request, by.folder, path);
+      graded.problem = run_grade(request, by, path);
     }
     if (!graded.problem.empty()) return graded;
     graded.results = results::read_results(path + ".json");

@@ -100,6 +100,7 @@ class Unfinished {
 judge::GradeRequest request_for(const judge::Config& config, const GradeOptions& options) {
   judge::GradeRequest request;
   request.submission = base::submission_root(options.submission);
+  request.name = results::one_line(options.name);
   request.seed = options.seed;
   request.call_limit = options.call_limit;
   request.compile_limit = options.compile_limit;

@@ -7,7 +7,8 @@ namespace grader::programs {
 std::string command(const GradeOptions& options) {
   std::string words = "./run grade";
   for (const std::string& word : options.what) words += " " + word;
-  if (options.submission != "student") words += " --submission " + options.submission;
+  const bool is_learners = options.submission == "student" || !options.name.empty();
+  if (!is_learners) words += " --submission " + options.submission;
   if (options.no_pictures) words += " --no-pictures";
   return words + " --seed " + std::to_string(options.seed);
 }
@@ -18,6 +19,8 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_option("what", options.what, "tasks (hit_triangle), parts (1) or exercises (1.3)");
   app.add_option("--submission", options.submission, "a folder with the tree of student/")
       ->check(CLI::ExistingDirectory);
+  app.add_option("--name", options.name,
+                 "who handed it in: reports say this, and no path of this machine");
   app.add_flag("--all", options.all, "show every failure, not only the first");
   app.add_flag("--no-pictures", options.no_pictures, "judge the promises only");
   app.add_option("--json", options.files.json, "also write the results to this file");

@@ -13,6 +13,7 @@ namespace grader::programs {
 struct GradeOptions {
   std::vector<std::string> what;
   std::string submission = "student";
+  std::string name;  // who handed it in
   report::ReportFiles files;
   std::string from_results;
   std::string config;
