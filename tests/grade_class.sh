@@ -51,7 +51,7 @@ row 'row["nested"]["hit_triangle"] == "not attempted" and row["nested"]["hit_tri
 row 'row["wrong"]["hit_triangle"] == "fail" and row["wrong"]["hit_sphere"] == "rejected"'
 row 'row["wrong"]["camera_ray"] == "" and len(row) == 3'
 grep -q 'hit_sphere' "$folder/class-graded/nested.html" || complain "there is no page"
-! grep -qF "$folder" "$folder/class-graded/nested.html" || complain 'a learner would read a path of the instructor'
+! grep -qF "$folder" "$folder/class-graded/"{nested,wrong}.html || complain 'a learner would read a path of the instructor'
 grep -qF '<dd>nested</dd>' "$folder/class-graded/nested.html" || complain 'the page does not say whose it is'
 grep -qF 'href="a%2C%20flat.html"' "$folder/class-graded/class.html" || complain "the page of the class has no link to a page"
 
