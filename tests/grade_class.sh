@@ -108,3 +108,34 @@ says 2 'lovelace: 2 of 2' 'germain: 1 of 2' "hopper: 'work.zip' cannot be unpack
 row 'row["lovelace"]["late"] == "late" and row["lovelace"]["id"] == "12" and row["lovelace"]["hit_sphere"] == "pass"'
 row 'row["hopper"]["points"] == "" and "cannot be unpacked" in row["hopper"]["problem"] and len(row) == 4'
 says 2 'lovelace: 2 of 2' '(as before)'
+
+# What goes back: Canvas' table, Moodle's, and the pages under the names that they know.
+python3 - "$folder/class-graded" <<'END' || complain 'Canvas cannot read it'
+import csv, sys, zipfile
+folder = sys.argv[1]
+table = list(csv.DictReader(open(folder + "/canvas.csv", newline="", encoding="utf-8")))
+name = [key for key in table[0] if key not in ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")]
+assert name == ["export"] and table[0]["Student"].strip() == "Points Possible", table[0]
+grades = {row["ID"]: row["export"] for row in table[1:]}
+assert set(grades) == {"12", "13", "14", "15"} and grades["13"] == grades["14"] == "", grades
+assert int(grades["12"]) > int(grades["15"]) > 0, grades
+pages = zipfile.ZipFile(folder + "/feedback.zip")
+assert pages.testzip() is None
+assert set(pages.namelist()) == {"lovelace_LATE_12_34_report.html", "germain_15_37_report.html"}, pages.namelist()
+assert pages.read("germain_15_37_report.html") == open(folder + "/germain.html", "rb").read()
+END
+rm -r "$folder/class-graded"
+class=$folder/moodle
+mkdir -p "$class/"{"Zoë 北_7_assignsubmission_file_","Nobody_8_assignsubmission_file_"}
+cp reference/1_rays/hit_sphere.cpp "$class/Zoë 北_7_assignsubmission_file_"
+says 2 'Zoë 北: 1 of 2' 'Nobody: it holds none'
+python3 - "$folder/class-graded" <<'END' || complain 'Moodle cannot read it'
+import csv, sys, zipfile
+folder = sys.argv[1]
+table = {row["Identifier"]: row for row in csv.DictReader(open(folder + "/moodle.csv", newline="", encoding="utf-8"))}
+assert set(table) == {"Participant 7", "Participant 8"}, table
+zoe, nobody = table["Participant 7"], table["Participant 8"]
+assert zoe["Full name"] == "Zoë 北" and 0 < int(zoe["Grade"]) <= int(zoe["Maximum Grade"]) + 2, zoe
+assert nobody["Grade"] == "" and "none of the files" in nobody["Feedback comments"], nobody
+assert zipfile.ZipFile(folder + "/feedback.zip").namelist() == ["Zoë 北_7_assignsubmission_file_/report.html"]
+END

@@ -132,19 +132,35 @@ class Intake {
     const std::string name = entry.path().filename();
     std::smatch found;
     if (entry.is_symlink()) {
-      all_.push_back({name, "", "", false, "it is a link; copy what it points to"});
+      HandedIn by;
+      by.name = name;
+      by.problem = "it is a link; copy what it points to";
+      all_.push_back(by);
     } else if (is_folder(entry)) {
-      const bool named = std::regex_match(name, found, moodle);
-      add_folder(named ? HandedIn{found[1], found[2], entry.path(), false, ""}
-                       : HandedIn{name, "", entry.path(), false, ""});
+      HandedIn by;
+      by.folder = entry.path();
+      by.name = name;
+      by.feedback = name + ".html";
+      if (std::regex_match(name, found, moodle)) {
+        by.name = found[1];
+        by.id = found[2];
+        by.platform = Platform::moodle;
+        by.feedback = name + "/report.html";
+      }
+      add_folder(by);
     } else if (std::regex_match(name, found, canvas)) {
       CanvasFiles& files = canvas_[std::string(found[1]) + '_' + std::string(found[3])];
       files.by.name = found[1];
       files.by.id = found[3];
       files.by.late = files.by.late || found[2].matched;
+      files.by.platform = Platform::canvas;
+      // Canvas knows files by what stands before the name that the learner gave them.
+      files.by.feedback = name.substr(0, name.size() - found[5].length()) + "report.html";
       files.files.push_back(canvas_file(entry.path(), found[5]));
     } else if (is_archive(name)) {
-      HandedIn by{without_ending(name), "", "", false, ""};
+      HandedIn by;
+      by.name = without_ending(name);
+      by.feedback = by.name + ".html";
       unpack_into(by, entry.path(), 0);
       all_.push_back(by);
     }
@@ -182,7 +198,10 @@ class Intake {
     for (const fs::directory_entry& entry : entries) {
       if (!is_folder(entry)) continue;
       const std::string folder = entry.path().filename();
-      HandedIn by{folder, "", entry.path(), false, ""};
+      HandedIn by;
+      by.name = folder;
+      by.folder = entry.path();
+      by.platform = Platform::gradescope;
       std::vector<std::string> names, ids;
       for (const auto& who : listed[folder][":submitters"]) {
         names.push_back(who[":name"].as<std::string>(""));

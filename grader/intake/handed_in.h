@@ -6,6 +6,8 @@
 
 namespace grader::intake {
 
+enum class Platform { none, canvas, moodle, gradescope };
+
 // What one learner, or one group, handed in.
 struct HandedIn {
   std::string name;     // unlike all others, and a file's name: of the learner, or of the folder
@@ -13,6 +15,8 @@ struct HandedIn {
   std::string folder;   // where the files are, in `work` or where they lay
   bool late = false;    // the platform says so
   std::string problem;  // why it cannot be judged, in one sentence; else empty
+  Platform platform = Platform::none;
+  std::string feedback{};  // the path under which the platform takes a page back; empty: none
 };
 
 // Unpacks an archive to a folder that is not there yet. Returns why it could not; else empty.

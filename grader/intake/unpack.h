@@ -20,4 +20,12 @@ bool is_archive(const std::string& name);
 // too large: more than 64 MiB of such files, 5,000 of them, 100,000 entries, or 2 GiB in all.
 void unpack(const std::string& archive, const std::string& folder);
 
+// A file that goes into an archive, and its path there.
+struct Packed {
+  std::string path, file;
+};
+
+// Writes a zip. Throws pt::Error if it cannot; then nothing is left of it.
+void pack(const std::string& archive, const std::vector<Packed>& files);
+
 }  // namespace grader::intake

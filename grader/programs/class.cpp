@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/printable.h"
 #include "grader/base/sha256.h"
+#include "grader/intake/unpack.h"
 #include "grader/process/run_command.h"
 #include "grader/report/csv.h"
 #include "grader/results/presentable.h"
@@ -154,6 +155,44 @@ Graded grade_one(const judge::Config& config, const ClassRequest& request,
     graded.problem = pt::sentence_of(error);
   }
   return graded;
+}
+
+void Returns::add(const Graded& graded) {
+  const bool judged = graded.problem.empty();
+  const results::Totals sums = results::totals(graded.results.tasks);
+  max_points_ = std::max(max_points_, sums.max_points);
+  all_.push_back({graded.by,
+                  {graded.by.name, graded.by.id, judged, sums.points + sums.bonus_points,
+                   judged ? results::verdict(graded.results) : graded.problem}});
+}
+
+std::vector<std::string> Returns::write(const ClassRequest& request) const {
+  auto all = all_;  // in the order in which they were graded
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return a.first.name < b.first.name; });
+  std::vector<report::GradeRow> canvas, moodle;
+  std::vector<intake::Packed> pages;
+  for (const auto& [by, row] : all) {
+    if (by.platform == intake::Platform::canvas) canvas.push_back(row);
+    if (by.platform == intake::Platform::moodle) moodle.push_back(row);
+    if (!row.judged || by.feedback.empty()) continue;
+    pages.push_back({by.feedback, request.out + "/" + by.name + ".html"});
+  }
+  std::vector<std::string> written;
+  const auto write_table = [&](const std::string& name, const std::string& text) {
+    written.push_back(request.out + "/" + name);
+    pt::write_file(written.back(), text);
+  };
+  const std::string assignment = fs::path(request.input).stem();
+  if (!canvas.empty()) {
+    write_table("canvas.csv", report::canvas_csv(canvas, assignment, max_points_));
+  }
+  if (!moodle.empty()) write_table("moodle.csv", report::moodle_csv(moodle, max_points_));
+  if (!pages.empty()) {
+    written.push_back(request.out + "/feedback.zip");
+    intake::pack(written.back(), pages);
+  }
+  return written;
 }
 
 std::string class_header(const judge::Config& config) {

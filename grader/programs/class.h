@@ -2,11 +2,13 @@
 
 #include "grader/intake/handed_in.h"
 #include "grader/judge/config.h"
+#include "grader/report/platforms.h"
 #include "grader/results/results.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 // A class: what its learners handed in, several at a time.
@@ -43,6 +45,18 @@ std::uint64_t seed_for(const std::string& out, std::optional<std::uint64_t> aske
 // same files with the same words by the same judge.
 Graded grade_one(const judge::Config& config, const ClassRequest& request,
                  const intake::HandedIn& by);
+
+// What goes back to the platforms from which the submissions came: canvas.csv and moodle.csv, and
+// feedback.zip with every page under the path by which its platform knows it. Returns their paths.
+class Returns {
+ public:
+  void add(const Graded& graded);
+  std::vector<std::string> write(const ClassRequest& request) const;
+
+ private:
+  std::vector<std::pair<intake::HandedIn, report::GradeRow>> all_;
+  int max_points_ = 0;
+};
 
 // class.csv (RFC 4180): its first line, and one for a submission: who, points, and the state and points of
 // every task.

@@ -72,6 +72,7 @@ int run(Options options, const std::vector<std::string>& words) {
   const std::vector<intake::HandedIn> everybody = programs::handed_in(request);
   std::vector<std::string> lines(everybody.size());
   report::ClassPage page;
+  programs::Returns returns;
   std::mutex mutex;
   bool all_judged = true;
   std::size_t count = 0;
@@ -87,6 +88,7 @@ int run(Options options, const std::vector<std::string>& words) {
     page.add(
         {graded.by.name, graded.by.id, graded.by.name + ".html", graded.problem, graded.by.late},
         graded.results);
+    returns.add(graded);
     lines[i] = programs::class_line(config, graded);
     pt::write_file(table,
                    std::accumulate(lines.begin(), lines.end(), programs::class_header(config)));
@@ -94,6 +96,7 @@ int run(Options options, const std::vector<std::string>& words) {
   const std::string overview = request.out + "/class.html";
   pt::write_file(overview, page.to_html());
   fmt::print("{}\n{}\n", table, overview);
+  for (const std::string& file : returns.write(request)) fmt::print("{}\n", file);
   return all_judged ? 0 : 2;
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace grader::report {
+
+// One learner's grade, on its way back to the learning platform.
+struct GradeRow {
+  std::string name;
+  std::string id;       // the platform's
+  bool judged = false;  // else no points are claimed
+  int points = 0;       // with bonus points
+  std::string comment;  // one sentence
+};
+
+// What Canvas imports under Grades (Instructure's guide "How do I import grades in the Gradebook?"): a
+// column of points named `assignment`.
+std::string canvas_csv(const std::vector<GradeRow>& rows, const std::string& assignment,
+                       int max_points);
+
+// What Moodle takes as an offline grading worksheet (MoodleDocs, "Assignment settings"): grade and
+// feedback by the participant's number.
+std::string moodle_csv(const std::vector<GradeRow>& rows, int max_points);
+
+}  // namespace grader::report
