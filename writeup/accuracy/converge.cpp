@@ -145,6 +145,7 @@ Uncertain slope_of(const std::vector<Checked>& points) {
 std::vector<Curve> find_curves(Study& study, const pt::Scene& scene, int bounces) {
   const std::vector<Method> all = methods(scene, bounces);
   std::vector<Curve> curves;
+  curves.reserve(all.size());
   for (const Method& method : all) {
     curves.push_back(measured(study, method, kTime / 2 / static_cast<double>(all.size())));
   }

@@ -123,6 +123,7 @@ void Study::look_at_bounces(int bounces) {
 
 std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_samples) {
   std::vector<int> samples;
+  samples.reserve(light_samples.size());
   for (const int l : light_samples) {
     samples.push_back(samples_in(kOfOneRender * effort_.seconds, view_of(way, l)));
   }
