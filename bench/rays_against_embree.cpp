@@ -4,6 +4,7 @@
 #include "bench/ray_sets.h"
 #include "bench/report.h"
 #include "pt/accel/wide_bvh.h"
+#include "pt/render/cpu_time.h"
 #include "pt/tasks/build_bvh.h"
 
 #include <cmath>
@@ -141,12 +142,12 @@ struct Result {
 
 Result compare(TestScene& test, const BenchSettings& settings, Csv& csv) {
   const Primitives& primitives = test.scene.primitives;
-  double start = cpu_seconds();
+  double start = thread_cpu_seconds();
   const WideBvh bvh = WideBvh::build(primitives);
-  const double build_ours = cpu_seconds() - start;
-  start = cpu_seconds();
+  const double build_ours = thread_cpu_seconds() - start;
+  start = thread_cpu_seconds();
   const EmbreeScene embree(primitives);
-  const double build_embree = cpu_seconds() - start;
+  const double build_embree = thread_cpu_seconds() - start;
   const double bytes = static_cast<double>(bvh.bytes()) / primitives.size();
   const double bytes_embree = static_cast<double>(embree.bytes()) / primitives.size();
   std::printf("%s: %d primitives; build %.1f ms, Embree %.1f; bytes each %.0f, Embree %.0f\n",

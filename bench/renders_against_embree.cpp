@@ -5,6 +5,7 @@
 #include "bench/render_tracing.h"
 #include "bench/report.h"
 #include "bench/test_scenes.h"
+#include "pt/render/cpu_time.h"
 #include "pt/tasks/estimate_pixel.h"
 
 #include <atomic>
@@ -34,7 +35,7 @@ Picture render(const View& view, int samples, int threads) {
   std::atomic<long long> rays{0};
   std::atomic<double> cpu{0};
   const auto work = [&] {
-    const double begin = cpu_seconds();
+    const double begin = thread_cpu_seconds();
     const RayCount before = rays_traced();
     for (int y = next++; y < view.height; y = next++) {
       for (int x = 0; x < view.width; ++x) {
@@ -44,7 +45,7 @@ Picture render(const View& view, int samples, int threads) {
     }
     const RayCount after = rays_traced();
     rays += after.closest - before.closest + after.occluded - before.occluded;
-    cpu += cpu_seconds() - begin;
+    cpu += thread_cpu_seconds() - begin;
   };
   const double start = wall_seconds();
   std::vector<std::thread> others;

@@ -1,18 +1,12 @@
 #include "bench/report.h"
 
 #include "pt/error.h"
+#include "pt/render/cpu_time.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
 namespace pt {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -25,9 +19,9 @@ std::vector<std::vector<double>> interleave(const std::vector<std::function<void
   std::vector<std::vector<double>> seconds(contenders.size());
   for (int round = -1; round < rounds; ++round) {
     for (std::size_t i = 0; i < contenders.size(); ++i) {
-      const double start = cpu_seconds();
+      const double start = thread_cpu_seconds();
       contenders[i]();
-      if (round >= 0) seconds[i].push_back(cpu_seconds() - start);
+      if (round >= 0) seconds[i].push_back(thread_cpu_seconds() - start);
     }
   }
   return seconds;

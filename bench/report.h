@@ -6,9 +6,6 @@
 
 namespace pt {
 
-// CPU time of this thread, in seconds.
-double cpu_seconds();
-
 double median(std::vector<double> values);
 
 // Runs all contenders by turns, `rounds` times after once to warm up, and returns the seconds of

@@ -15,25 +15,21 @@ constexpr int kBounces = 3;  // numbers of them: what was found, and beside
 struct Setting {
   Way way;
   int light_samples = 1;
-  double seconds = 0;  // of processor time, per pixel, until the error is reached
 };
 
-// Of this setting alone, without the model of the others.
+// Processor time per pixel until the error is reached, of this setting alone, without the model of the
+// others; 0 if it cannot be reached.
 double seconds_to(Study& study, const Setting& setting, double error) {
   const Tried tried = study.try_out(setting.way, {setting.light_samples})[0];
-  const auto m = static_cast<std::size_t>(setting.way.bounces);
-  const double bias2 = m < study.bias2().size() ? study.bias2()[m].value : 0;
-  const double left = error * error - bias2;
+  const double left = error * error - study.bias2_at(setting.way.bounces);
   return left > 0 ? tried.variance.value / left * tried.seconds.value : 0;
 }
 
 int run(int argc, const char* const* argv) {
   const Options options = parse_cheapest(argc, argv);
-  const pt::LoadedScene loaded = load(options);
-  const pt::View view = view_of(loaded, options);
-  pt::Progress progress;
-  Study study = begin(view, options, kAllBounces, progress);
-  const Answer answer = find_cheapest(study, view, options.error);
+  Measuring scene(options, kAllBounces);
+  Study& study = scene.study;
+  const Answer answer = find_cheapest(study, scene.view, options.error);
   const int bounces = answer.best.way.bounces;
   const Setting found{answer.best.way, answer.best.choice->light_samples};
   fmt::print("bounces,survival,light_samples,seconds_beside_those_found\n");
@@ -51,7 +47,7 @@ int run(int argc, const char* const* argv) {
       }
     }
   }
-  progress.clear();
+  scene.progress.clear();
   fmt::print("found: m {}, survival {:g}, l {}; the best of the grid takes {:.3f} of its time\n",
              bounces, found.way.survival, found.light_samples, least);
   return 0;

@@ -1,8 +1,7 @@
-#include "grader/process/run_command.h"
 #include "pt/file.h"
 #include "writeup/figure.h"
+#include "writeup/gnuplot.h"
 
-#include <chrono>
 #include <map>
 #include <optional>
 
@@ -54,18 +53,13 @@ std::string shown(const Cell& cell, double value) {
   return value > 0 ? digits(value) : "\u2013";
 }
 
-const char* const kChart = R"(set datafile separator ","
-set datafile missing "nan"
-set terminal svg size 760,440 font "sans-serif,13"
-set output "{0}.svg"
+const char* const kChart = R"(set datafile missing "nan"
 set logscale xy
 set xlabel "triangles"
 set ylabel "seconds per picture"
 set key top left
-set grid lc rgb "#c8ccd0"
-set border lc rgb "#8a9299"
 set format x "%.0s%c"
-plot "{0}.csv" using 2:3 skip 1 with linespoints lc rgb "#a33708" lw 2 pt 7 ps .6 title "no tree", \
+plot "{}.csv" using 2:3 skip 1 with linespoints lc rgb "#a33708" lw 2 pt 7 ps .6 title "no tree", \
      "" using 2:4 skip 1 with linespoints lc rgb "#1b5288" lw 2 pt 5 ps .6 title "the tree of part 2", \
      "" using 2:5 skip 1 with linespoints lc rgb "#0b6b5b" lw 2 pt 9 ps .6 title "the fast engine"
 )";
@@ -77,11 +71,7 @@ void draw_chart(const fs::path& folder, const std::string& id,
       "scene,triangles,linear_seconds,task_seconds,wide_seconds,linear_tests,task_tests\n";
   for (const auto& [triangles, line] : lines) csv += line;
   pt::write_file(folder / (id + ".csv"), csv);
-  pt::write_file(folder / (id + ".gp"), fmt::format(fmt::runtime(kChart), id));
-  const grader::process::Child child{
-      {"/usr/bin/gnuplot", id + ".gp"}, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, folder.string(), {}};
-  grader::process::run_command(child, std::chrono::seconds(20));
-  fs::remove(folder / (id + ".gp"));
+  draw(folder, id, fmt::format(fmt::runtime(kChart), id));
 }
 
 }  // namespace

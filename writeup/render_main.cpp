@@ -4,6 +4,7 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/render/choose_engine.h"
+#include "pt/render/cpu_time.h"
 #include "pt/render/render_apart.h"
 #include "pt/render/render_film.h"
 #include "pt/render/test_count.h"
@@ -14,16 +15,8 @@
 
 #include <cstdio>
 
-#include <time.h>
-
 namespace writeup {
 namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 constexpr int kMaxLeaf = 4;  // as ./run render has it
 
@@ -64,7 +57,7 @@ void render_ranges(const pt::View& view, int y, const pt::RenderSettings& settin
 Row render_row(const pt::View& view, int y, const pt::RenderSettings& settings,
                const std::vector<pt::BounceRange>& ranges) {
   Row row;
-  const double start = cpu_seconds();
+  const double start = pt::thread_cpu_seconds();
   const std::int64_t rays_before = rays();
   const pt::TestCount before = pt::test_count;
   if (ranges.empty()) {
@@ -72,7 +65,7 @@ Row render_row(const pt::View& view, int y, const pt::RenderSettings& settings,
   } else {
     render_ranges(view, y, settings, ranges, row);
   }
-  row.head.cpu_seconds = cpu_seconds() - start;
+  row.head.cpu_seconds = pt::thread_cpu_seconds() - start;
   row.head.rays = rays() - rays_before;
   row.head.boxes = pt::test_count.boxes - before.boxes;
   row.head.triangles = pt::test_count.triangles - before.triangles;

@@ -97,13 +97,14 @@ Submitted read_submitted(const std::string& folder, const std::string& part,
   return {};
 }
 
+bool is_hidden(const std::string& name) { return name.starts_with('.') || name == "__MACOSX"; }
+
 std::string submission_root(const std::string& folder) {
   std::string root = folder;
   for (int depth = 0; depth < 4; ++depth) {
     std::vector<fs::directory_entry> inside;
     for (const auto& entry : fs::directory_iterator(root)) {
-      const std::string name = entry.path().filename();
-      if (name[0] != '.' && name != "__MACOSX") inside.push_back(entry);
+      if (!is_hidden(entry.path().filename())) inside.push_back(entry);
     }
     if (inside.size() != 1) break;
     const bool plain = inside[0].is_directory() && !inside[0].is_symlink();

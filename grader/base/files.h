@@ -30,9 +30,13 @@ inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
 
+// Returns whether a program, and no person, made a file of that name: .DS_Store, __MACOSX, .git. `..`
+// is such a name too.
+bool is_hidden(const std::string& name);
+
 // The folder in which the tree of a submission starts: the given one, or what is in it as long as
-// that is one folder and nothing else, as archives unpack; hidden files and __MACOSX are nothing. The
-// folders of a tree (student, 1_rays) are never entered.
+// that is one folder and nothing else, as archives unpack; what is hidden does not count. The folders
+// of a tree (student, 1_rays) are never entered.
 std::string submission_root(const std::string& folder);
 
 }  // namespace grader::base

@@ -23,12 +23,10 @@ namespace {
 
 constexpr int kMostInside = 3;  // archives in archives
 
-bool is_seen(const std::string& name) { return name[0] != '.' && name != "__MACOSX"; }
-
 std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
   std::vector<fs::directory_entry> all;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (is_seen(entry.path().filename())) all.push_back(entry);
+    if (!base::is_hidden(entry.path().filename())) all.push_back(entry);
   }
   std::sort(all.begin(), all.end());
   return all;
@@ -62,7 +60,7 @@ Inside look_inside(const fs::path& folder) {
   for (auto at = fs::recursive_directory_iterator(folder); at != fs::recursive_directory_iterator();
        ++at) {
     const std::string name = at->path().filename();
-    if (!is_seen(name)) {
+    if (base::is_hidden(name)) {
       if (is_folder(*at)) at.disable_recursion_pending();
     } else if (is_file(*at) && is_archive(name)) {
       inside.archives.push_back(at->path());
@@ -89,10 +87,10 @@ class Intake {
         throw pt::Error(problem);
       }
     }
-    folder = single_folder(folder);
+    folder = class_folder(folder);
     const std::vector<fs::directory_entry> entries = entries_of(folder);
-    if (fs::exists(folder / "submission_metadata.yml")) {
-      add_gradescope(folder / "submission_metadata.yml", entries);
+    if (fs::exists(folder / kGradescopeList)) {
+      add_gradescope(folder / kGradescopeList, entries);
     } else {
       for (const fs::directory_entry& entry : entries) add(entry);
       for (auto& [key, files] : canvas_) add_canvas(files);
@@ -116,14 +114,12 @@ class Intake {
     std::vector<CanvasFile> files;
   };
 
-  // An export often has one folder around everything. A folder of a tree is a submission.
-  static fs::path single_folder(const fs::path& folder) {
+  // An export of Gradescope has one folder around everything.
+  static fs::path class_folder(const fs::path& folder) {
     const std::vector<fs::directory_entry> entries = entries_of(folder);
-    const bool single = entries.size() == 1 && is_folder(entries[0]);
-    if (!single) return folder;
-    const std::vector<fs::directory_entry> inside = entries_of(entries[0]);
-    const bool is_class = fs::exists(entries[0].path() / "submission_metadata.yml");
-    return is_class ? entries[0].path() : folder;
+    if (entries.size() != 1 || !is_folder(entries[0])) return folder;
+    const fs::path& inner = entries[0].path();
+    return fs::exists(inner / kGradescopeList) ? inner : folder;
   }
 
   void add(const fs::directory_entry& entry) {

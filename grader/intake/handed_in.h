@@ -8,7 +8,7 @@ namespace grader::intake {
 
 enum class Platform { none, canvas, moodle, gradescope };
 
-// What one learner, or one group, handed in.
+// The submission of one learner or of one group.
 struct HandedIn {
   std::string name;     // unlike all others, and a file's name: of the learner, or of the folder
   std::string id;       // that the learning platform has for it; may be empty
@@ -22,7 +22,7 @@ struct HandedIn {
 // Unpacks an archive to a folder that is not there yet. Returns why it could not; else empty.
 using Unpack = std::function<std::string(const std::string& archive, const std::string& folder)>;
 
-// What is in a folder or an archive, in alphabetical order:
+// Lists the submissions in a folder or an archive, in alphabetical order:
 //   Canvas      files lovelaceada_LATE_123_456_hit_box-1.cpp; of resubmissions the last counts
 //   Moodle      folders Ada Lovelace_123_assignsubmission_file
 //   Gradescope  folders submission_123, and submission_metadata.yml with the names

@@ -1,5 +1,6 @@
 #include "grader/intake/unpack.h"
 
+#include "grader/base/files.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
@@ -35,7 +36,7 @@ std::string lower(std::string text) {
 }
 
 bool is_useful(const std::string& name) {
-  return name.ends_with(".cpp") || name == "submission_metadata.yml" || is_archive(name);
+  return name.ends_with(".cpp") || name == kGradescopeList || is_archive(name);
 }
 
 // The path below the folder; empty if the entry is left out. Windows writes \ for /.
@@ -45,7 +46,7 @@ fs::path place_of(std::string path) {
   std::istringstream parts(path);
   for (std::string part; std::getline(parts, part, '/');) {
     if (part.empty() || part == ".") continue;
-    if (part[0] == '.' || part == "__MACOSX") return {};
+    if (base::is_hidden(part)) return {};
     place /= part;
   }
   return path.starts_with('/') || !is_useful(place.filename()) ? fs::path{} : place;

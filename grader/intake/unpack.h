@@ -3,16 +3,18 @@
 #include <string>
 #include <vector>
 
-// What was handed in, as learning platforms export it: archives are read as data, and each learner
-// has one folder in the end.
+// Turns the exports of learning platforms into one folder for each learner. Archives are read as data.
 
 namespace grader::intake {
+
+// The file in which Gradescope says whose submission a folder is.
+inline constexpr const char* kGradescopeList = "submission_metadata.yml";
 
 // Returns whether the name is that of an archive: .zip, .tar.gz and the like.
 bool is_archive(const std::string& name);
 
 // Writes the files of an archive (zip, tar, 7-zip, compressed in any usual way) to `folder`, which is
-// made: source files, archives, and the list that Gradescope adds; nothing else is of use here. Links
+// made: source files, archives, and kGradescopeList; nothing else is of use here. Links
 // and devices, hidden files, and paths that lead out of the folder are left out. Of two files of one
 // path the first counts.
 //

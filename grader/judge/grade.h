@@ -25,8 +25,7 @@ struct GradeRequest {
   std::string name{};              // who handed it in; empty: it is called by its folder
 };
 
-// What reports say of where the submission lies: its folder; where it has a name, as it lies with the
-// learner.
+// The folder that reports name: that of the submission, or student/ if the submission has a name.
 std::string shown_folder(const GradeRequest& request);
 
 // "./run grade hit_box --seed 7": how a learner, or who has the folder, sees it again.

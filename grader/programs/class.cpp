@@ -42,9 +42,9 @@ std::string key_of(const judge::Config& config, const ClassRequest& request,
   if (fs::exists(golden)) key += base::stamp(golden);
   for (const std::string& word : request.words) key += word + '\0';
   key += std::to_string(request.seed);
+  const std::string root = base::submission_root(submission);
   for (const judge::TaskConfig& task : config.tasks) {
-    const base::Submitted file =
-        base::read_submitted(base::submission_root(submission), task.part, task.slug);
+    const base::Submitted file = base::read_submitted(root, task.part, task.slug);
     key += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
     if (!task.graded.empty()) key += base::stamp(task.graded);
   }

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// A class: what its learners handed in, several at a time.
+// Grades the submissions of a class, several at a time.
 
 namespace grader::programs {
 
@@ -32,8 +32,8 @@ struct Graded {
   bool again = false;        // it was judged before, and nothing has changed since
 };
 
-// What was handed in; archives are unpacked by the program `unpack`, below request.out. Throws pt::Error
-// if there is nothing.
+// Lists the submissions of the class. The program `unpack` unpacks archives, below request.out. Throws
+// pt::Error if there are none.
 std::vector<intake::HandedIn> handed_in(const ClassRequest& request);
 
 // The seed of a class: the one asked for, else the one with which the reports in the folder were
@@ -46,7 +46,7 @@ std::uint64_t seed_for(const std::string& out, std::optional<std::uint64_t> aske
 Graded grade_one(const judge::Config& config, const ClassRequest& request,
                  const intake::HandedIn& by);
 
-// What goes back to the platforms from which the submissions came: canvas.csv and moodle.csv, and
+// Writes the files that the learning platforms take back: canvas.csv and moodle.csv, and
 // feedback.zip with every page under the path by which its platform knows it. Returns their paths.
 class Returns {
  public:

@@ -1,9 +1,9 @@
 #include "grader/report/class_page.h"
 
+#include "grader/report/filled.h"
 #include "grader/report/html_picture.h"
 #include "grader/report/page/sources.h"
 #include "grader/results/presentable.h"
-#include "pt/error.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ data bar(const std::string& key, int part, int whole) {
 }
 
 // What fewest have right comes first; what all have right is left out.
-data hardest(const ClassPage::Counts& counts) {
+data hardest_of(const ClassPage::Counts& counts) {
   std::vector<std::pair<ClassPage::Key, ClassPage::Count>> hard;
   for (const auto& each : counts) {
     if (each.second.right < each.second.judged) hard.push_back(each);
@@ -59,6 +59,14 @@ data hardest(const ClassPage::Counts& counts) {
     list.push_back(out);
   }
   return list;
+}
+
+// A table of the hardest, with its heads; none if everybody has all right.
+void add_counts(data& tables, const ClassPage::Counts& counts, data table) {
+  const data hardest = hardest_of(counts);
+  if (hardest.is_empty_list()) return;
+  table.set("hardest", hardest);
+  tables.push_back(table);
 }
 
 data most_common(const std::map<ClassPage::Key, int>& mistakes) {
@@ -186,25 +194,32 @@ std::string ClassPage::to_html() const {
   std::vector<Line> lines = lines_;
   std::sort(lines.begin(), lines.end(),
             [](const Line& a, const Line& b) { return a.row.name < b.row.name; });
-  const auto set_list = [](data& out, const std::string& name, const data& list) {
-    out.set(name, list);
-    out.set("has_" + name, !list.is_empty_list());
-  };
+  data promises, pictures;
+  promises.set("anchor", "promises");
+  promises.set("heading", "Promises that are hard to keep");
+  promises.set("note", "of those who have begun the task");
+  promises.set("right_head", "Kept by");
+  promises.set("title_head", "Promise");
+  pictures.set("anchor", "pictures");
+  pictures.set("heading", "Pictures that come out wrong");
+  pictures.set("note", false);
+  pictures.set("right_head", "Right for");
+  pictures.set("title_head", "Picture");
+  data counts{data::type::list};
+  add_counts(counts, promises_, promises);
+  add_counts(counts, pictures_, pictures);
   data out, tasks{data::type::list}, rows{data::type::list};
   for (const std::string& slug : tasks_) tasks.push_back(data{"slug", slug});
   for (const Line& line : lines) rows.push_back(row_data(line, tasks_));
   out.set("style", std::string(page_css));
   out.set("script", std::string(class_js));
   set_sums(out, lines);
-  set_list(out, "promises", hardest(promises_));
-  set_list(out, "pictures", hardest(pictures_));
-  set_list(out, "mistakes", most_common(mistakes_));
+  out.set("counts", counts);
+  out.set("mistakes", most_common(mistakes_));
+  out.set("has_mistakes", !mistakes_.empty());
   out.set("tasks", tasks);
   out.set("rows", rows);
-  kainjow::mustache::mustache page{std::string(class_html)};
-  std::string text = page.render(out);
-  if (!page.is_valid()) throw pt::Error("the page cannot be made: " + page.error_message());
-  return text;
+  return filled(class_html, out);
 }
 
 }  // namespace grader::report

@@ -1,12 +1,12 @@
 #include "grader/report/html.h"
 
+#include "grader/report/filled.h"
 #include "grader/report/html_picture.h"
 #include "grader/report/page/sources.h"
 #include "grader/results/order.h"
 #include "grader/results/presentable.h"
 #include "grader/results/readable.h"
 #include "grader/results/summary.h"
-#include "pt/error.h"
 
 #include <fmt/format.h>
 
@@ -169,10 +169,7 @@ data page_data(const results::Results& results) {
 }  // namespace
 
 std::string to_html(const results::Results& results) {
-  kainjow::mustache::mustache page{std::string(page_html)};
-  std::string text = page.render(page_data(results::presentable(results)));
-  if (!page.is_valid()) throw pt::Error("the page cannot be made: " + page.error_message());
-  return text;
+  return filled(page_html, page_data(results::presentable(results)));
 }
 
 }  // namespace grader::report

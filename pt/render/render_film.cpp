@@ -1,5 +1,6 @@
 #include "pt/render/render_film.h"
 
+#include "pt/render/cpu_time.h"
 #include "pt/render/pixel_record.h"
 #include "pt/tasks/estimate_pixel.h"
 
@@ -11,19 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include <time.h>
-
 namespace pt {
 
 namespace {
 
 constexpr int kTileSize = 16;
-
-double thread_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 PixelEstimate ask_task(const View& view, int x, int y, const RenderSettings& settings,
                        Sampler& sampler) {

@@ -38,13 +38,9 @@ bool is_better(const Option& a, const Option& b) {
   return a.choice && (!b.choice || a.choice->seconds < b.choice->seconds);
 }
 
-double bias2_at(const Study& study, int bounces) {
-  return bounces < static_cast<int>(study.bias2().size()) ? study.bias2()[bounces].value : 0;
-}
-
 int bounces_needed(const Study& study, double error) {
   for (int m = 1; m <= kToldApart; ++m) {
-    if (bias2_at(study, m) <= kMostBias * error * error) return m;
+    if (study.bias2_at(m) <= kMostBias * error * error) return m;
   }
   return kAllBounces;
 }
@@ -134,7 +130,7 @@ void choose_bounces(Study& study, Answer& answer, const std::vector<int>& pair) 
   const Way way = answer.best.way;
   const int most = std::min(way.bounces, kToldApart + 1);
   for (int m = most - 1; m >= std::max(1, most - kFewerBounces); --m) {
-    const double bias2 = bias2_at(study, m);
+    const double bias2 = study.bias2_at(m);
     if (bias2 > kWorthTrying * answer.error * answer.error) break;
     answer.bounces.push_back(
         look_at(study, {Direct::lights, m, way.survival}, pair, bias2, answer.error));
@@ -154,7 +150,7 @@ Answer find_cheapest(Study& study, const pt::View& view, double error) {
   const std::vector<int> pair = answer.delta_lights ? std::vector{1, 2} : std::vector{1, 4};
 
   const int bounces = bounces_needed(study, error);
-  const double bias2 = bias2_at(study, bounces);
+  const double bias2 = study.bias2_at(bounces);
   answer.best = look_at(study, {Direct::lights, bounces, kCourse.survival}, four, bias2, error);
   answer.survivals.push_back(answer.best);
   choose_survival(study, answer, bias2, pair);
@@ -169,7 +165,7 @@ Answer find_cheapest(Study& study, const pt::View& view, double error) {
   }
   answer.course = bounces == kCourse.bounces
                       ? answer.survivals[0]
-                      : look_at(study, kCourse, pair, bias2_at(study, kCourse.bounces), error);
+                      : look_at(study, kCourse, pair, study.bias2_at(kCourse.bounces), error);
   answer.course.choice = cheapest_choice_with(answer.course.model, error, kCourseLightSamples);
 
   const Choice& choice = *answer.best.choice;

@@ -16,8 +16,6 @@ namespace {
 
 constexpr int kMaxLeaf = 4;  // as ./run render has it
 
-}  // namespace
-
 pt::LoadedScene load(const Options& options) {
   pt::LoadedScene loaded = pt::load_collada(options.scene, {options.lambertian});
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
@@ -32,24 +30,23 @@ pt::LoadedScene load(const Options& options) {
   return loaded;
 }
 
-pt::View view_of(const pt::LoadedScene& loaded, const Options& options) {
-  return {loaded.scene,
-          frame_camera(loaded, options.framing, options.width, options.height),
-          {},
-          options.width,
-          options.height};
-}
+}  // namespace
 
-Study begin(const pt::View& view, const Options& options, int bounces, pt::Progress& progress) {
-  Study study(
-      view, options.threads, options.seed, {options.seconds, 0},
-      [&](double part) { progress.show(part); }, bounces);
-  if (const auto unwritten = pt::todo_list(); !unwritten.empty()) {
-    progress.clear();
-    throw pt::Error(fmt::format("not written yet: {}; nothing can be measured without",
-                                fmt::join(unwritten, ", ")));
-  }
-  return study;
+Measuring::Measuring(const Options& options, int bounces)
+    : loaded(load(options)),
+      view{loaded.scene,
+           frame_camera(loaded, options.framing, options.width, options.height),
+           {},
+           options.width,
+           options.height},
+      study(
+          view, options.threads, options.seed, {options.seconds, 0},
+          [this](double part) { progress.show(part); }, bounces) {
+  const std::vector<std::string> unwritten = pt::todo_list();
+  if (unwritten.empty()) return;
+  progress.clear();
+  throw pt::Error(fmt::format("not written yet: {}; nothing can be measured without",
+                              fmt::join(unwritten, ", ")));
 }
 
 int run_program(int (*run)(int, const char* const*), int argc, const char* const* argv) {

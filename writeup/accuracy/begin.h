@@ -7,17 +7,19 @@
 
 namespace writeup::accuracy {
 
-// What both programs do first and last. All throw pt::Error, one sentence, for what cannot be
-// measured.
+// A scene that is being measured: loaded, ready to be traced, and with its long renders made. Each
+// member uses those before it. Throws pt::Error, one sentence, for what cannot be measured.
+struct Measuring {
+  // Makes the folder of --out. `bounces`: as Study has it.
+  Measuring(const Options& options, int bounces);
+  Measuring(const Measuring&) = delete;
+  Measuring& operator=(const Measuring&) = delete;
 
-// The scene, ready to be traced. Makes the folder of --out.
-pt::LoadedScene load(const Options& options);
-
-// The picture that is asked for; `loaded` has to stay.
-pt::View view_of(const pt::LoadedScene& loaded, const Options& options);
-
-// Begins to measure; `progress` has to stay.
-Study begin(const pt::View& view, const Options& options, int bounces, pt::Progress& progress);
+  const pt::LoadedScene loaded;
+  const pt::View view;
+  pt::Progress progress;
+  Study study;
+};
 
 // The exit status for main: 2 after one sentence where `run` throws.
 int run_program(int (*run)(int, const char* const*), int argc, const char* const* argv);

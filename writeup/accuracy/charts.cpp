@@ -1,6 +1,6 @@
 #include "pt/file.h"
-#include "writeup/accuracy/gnuplot.h"
 #include "writeup/accuracy/print.h"
+#include "writeup/gnuplot.h"
 
 #include <cmath>
 
@@ -12,23 +12,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const kOptionsChart = R"gp(set output "options.svg"
-set logscale xy
+const char* const kOptionsChart = R"gp(set logscale xy
 set xlabel "processor seconds for the picture"
 set ylabel "error (root of relMSE)"
 set key outside right
 plot )gp";
 
-const char* const kBouncesChart = R"gp(set output "bounces.svg"
-set logscale y
+const char* const kBouncesChart = R"gp(set logscale y
 set xlabel "most bounces, m"
 set ylabel "missing radiance, as a part"
 set key off
 plot "bounces.csv" using 1:($2 > 0 ? $2 : NaN) skip 1 with linespoints lc rgb "#1b5288" lw 2 pt 7 ps .6
 )gp";
 
-const char* const kNoiseChart = R"gp(set output "noise.svg"
-set logscale x 2
+const char* const kNoiseChart = R"gp(set logscale x 2
 set yrange [0:*]
 set y2range [0:*]
 set y2tics

@@ -9,13 +9,10 @@ namespace {
 
 int run(int argc, const char* const* argv) {
   const Options options = parse_cheapest(argc, argv);
-  const pt::LoadedScene loaded = load(options);
-  const pt::View view = view_of(loaded, options);
-  pt::Progress progress;
-  Study study = begin(view, options, kAllBounces, progress);
-  const Answer answer = find_cheapest(study, view, options.error);
-  progress.clear();
-  fmt::print("{}", to_text(answer, options, loaded.scene));
+  Measuring scene(options, kAllBounces);
+  const Answer answer = find_cheapest(scene.study, scene.view, options.error);
+  scene.progress.clear();
+  fmt::print("{}", to_text(answer, options, scene.loaded.scene));
   if (!options.out.empty()) write_charts(answer, options, options.out);
   return 0;
 }

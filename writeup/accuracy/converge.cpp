@@ -1,7 +1,7 @@
 #include "writeup/accuracy/converge.h"
 
 #include "pt/file.h"
-#include "writeup/accuracy/gnuplot.h"
+#include "writeup/gnuplot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,12 +99,11 @@ std::string row(const Curve& curve, double best) {
                             curve.heavy_tails ? "  heavy tails" : "");
 }
 
-const char* const kChart = R"gp(set output "{0}.svg"
-set logscale xy
-set xlabel "{1}"
+const char* const kChart = R"gp(set logscale xy
+set xlabel "{}"
 set ylabel "error (root of relMSE)"
 set key outside right
-plot {2}
+plot {}
 )gp";
 
 // Blue: light sampling; green: other chances of survival; red: hemisphere sampling; black: adaptive.
@@ -128,18 +127,14 @@ std::string plot(const std::vector<Curve>& curves, int column) {
 }  // namespace
 
 Uncertain slope_of(const std::vector<Checked>& points) {
-  double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
+  std::vector<LinePoint> logs;
+  logs.reserve(points.size());
   for (const Checked& point : points) {
-    const double x = std::log(point.samples), y = std::log(point.error.value);
-    const double error = point.error.error / point.error.value, weight = 1 / (error * error);
-    w += weight;
-    wx += weight * x;
-    wy += weight * y;
-    wxx += weight * x * x;
-    wxy += weight * x * y;
+    const Uncertain& error = point.error;
+    logs.push_back({std::log(point.samples), std::log(error.value), error.error / error.value});
   }
-  const double spread = w * wxx - wx * wx;
-  return {(w * wxy - wx * wy) / spread, std::sqrt(w / spread)};
+  const FreeLine fit = fit_free_line(logs);
+  return {fit.line.slope, fit.slope_error};
 }
 
 std::vector<Curve> find_curves(Study& study, const pt::Scene& scene, int bounces) {
@@ -188,7 +183,7 @@ void write_curves(const std::vector<Curve>& curves, const Options& options,
       {"samples", "samples per pixel"}, {"seconds", "processor seconds"}, {"rays", "rays"}};
   for (int i = 0; i < 3; ++i) {
     draw(folder, axes[i].first,
-         fmt::format(fmt::runtime(kChart), axes[i].first, axes[i].second, plot(curves, 3 + i)));
+         fmt::format(fmt::runtime(kChart), axes[i].second, plot(curves, 3 + i)));
   }
 }
 

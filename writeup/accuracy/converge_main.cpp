@@ -9,12 +9,9 @@ namespace {
 
 int run(int argc, const char* const* argv) {
   const Options options = parse_converge(argc, argv);
-  const pt::LoadedScene loaded = load(options);
-  const pt::View view = view_of(loaded, options);
-  pt::Progress progress;
-  Study study = begin(view, options, options.bounces, progress);
-  const std::vector<Curve> curves = find_curves(study, loaded.scene, options.bounces);
-  progress.clear();
+  Measuring scene(options, options.bounces);
+  const std::vector<Curve> curves = find_curves(scene.study, scene.loaded.scene, options.bounces);
+  scene.progress.clear();
   fmt::print("{}", to_text(curves, options));
   if (!options.out.empty()) write_curves(curves, options, options.out);
   return 0;

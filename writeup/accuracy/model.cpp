@@ -16,23 +16,40 @@ double squares(const Line& line, std::span<const LinePoint> points) {
   return sum;
 }
 
-}  // namespace
+// Sums over the points, each with the weight 1 / error^2.
+struct Sums {
+  double w = 0, x = 0, y = 0, xx = 0, xy = 0;
+};
 
-Line fit_line(std::span<const LinePoint> points) {
-  double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
+Sums sums_of(std::span<const LinePoint> points) {
+  Sums sums;
   for (const LinePoint& point : points) {
     const double weight = 1 / (point.error * point.error);
-    w += weight;
-    wx += weight * point.x;
-    wy += weight * point.y;
-    wxx += weight * point.x * point.x;
-    wxy += weight * point.x * point.y;
+    sums.w += weight;
+    sums.x += weight * point.x;
+    sums.y += weight * point.y;
+    sums.xx += weight * point.x * point.x;
+    sums.xy += weight * point.x * point.y;
   }
-  const double slope = (w * wxy - wx * wy) / (w * wxx - wx * wx);
-  const Line best{(wy - slope * wx) / w, slope};
+  return sums;
+}
+
+FreeLine free_line(const Sums& s) {
+  const double spread = s.w * s.xx - s.x * s.x;
+  const double slope = (s.w * s.xy - s.x * s.y) / spread;
+  return {{(s.y - slope * s.x) / s.w, slope}, std::sqrt(s.w / spread)};
+}
+
+}  // namespace
+
+FreeLine fit_free_line(std::span<const LinePoint> points) { return free_line(sums_of(points)); }
+
+Line fit_line(std::span<const LinePoint> points) {
+  const Sums s = sums_of(points);
+  const Line best = free_line(s).line;
   if (best.at_zero >= 0 && best.slope >= 0) return best;
   // Then one of the two is zero, the one that does less harm.
-  const Line flat{std::max(0.0, wy / w), 0}, steep{0, std::max(0.0, wxy / wxx)};
+  const Line flat{std::max(0.0, s.y / s.w), 0}, steep{0, std::max(0.0, s.xy / s.xx)};
   return squares(flat, points) < squares(steep, points) ? flat : steep;
 }
 

@@ -22,8 +22,16 @@ struct LinePoint {
   double error = 1;  // standard error of y, > 0
 };
 
-// The line through the points with the least sum of squares, each in units of its error; neither
-// number of the line is negative. Two points of different x, or more.
+// A line, and the standard error of its slope.
+struct FreeLine {
+  Line line;
+  double slope_error = 0;
+};
+
+// The line through the points with the least sum of squares, each in units of its error. Two points
+// of different x, or more.
+FreeLine fit_free_line(std::span<const LinePoint> points);
+// The same, of the lines of which neither number is negative.
 Line fit_line(std::span<const LinePoint> points);
 
 // A camera sample, with everything fixed but its number of light samples l.

@@ -3,6 +3,7 @@
 #include "grader/base/parallel.h"
 #include "pt/error.h"
 #include "pt/math/rgb.h"
+#include "pt/render/cpu_time.h"
 #include "pt/render/render_apart.h"
 #include "pt/sampling/sampler.h"
 
@@ -11,19 +12,11 @@
 #include <mutex>
 #include <numeric>
 
-#include <time.h>
-
 namespace writeup::accuracy {
 
 namespace {
 
 constexpr std::size_t kPiece = 64;  // pixels that one thread takes at a time
-
-double thread_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // Calls work(i) for every i < count on a few threads. Returns the processor time of all.
 template <class Work>
@@ -31,10 +24,10 @@ double timed(std::size_t count, int threads, const Work& work) {
   double seconds = 0;
   std::mutex mutex;
   grader::base::for_each((count + kPiece - 1) / kPiece, threads, [&](std::size_t piece) {
-    const double start = thread_cpu_seconds();
+    const double start = pt::thread_cpu_seconds();
     for (std::size_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i) work(i);
     const std::lock_guard lock(mutex);
-    seconds += thread_cpu_seconds() - start;
+    seconds += pt::thread_cpu_seconds() - start;
   });
   return seconds;
 }

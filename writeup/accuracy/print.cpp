@@ -72,23 +72,24 @@ std::string light_samples_text(const Answer& answer) {
     return "Light samples: all lights are points or directions, so that one says everything.\n";
   }
   const SampleModel& model = answer.survivals[0].model;
+  const double best = best_light_samples(model, kMostLightSamples);
   std::string text = fmt::format(
       "Light samples: a camera sample has the relative variance {:.4g} + {:.4g} / l, and takes\n"
       "  {:.3g} + {:.3g} l microseconds: time x variance is least at l = {:.2g}.\n"
       "      l   variance  the line    microseconds  the line\n",
       model.noise.at_zero, model.noise.slope, 1e6 * model.seconds.at_zero,
-      1e6 * model.seconds.slope, best_light_samples(model, kMostLightSamples));
+      1e6 * model.seconds.slope, best);
   for (const Tried& tried : answer.survivals[0].tried) {
     text +=
         fmt::format("    {:>3}   {:<8.4g}  {:<8.4g}    {:<12.3g}  {:.3g}\n", tried.light_samples,
                     tried.variance.value, model.variance(tried.light_samples),
                     1e6 * tried.seconds.value, 1e6 * model.seconds.at(tried.light_samples));
   }
+  const auto product = [&](int l) { return model.variance(l) * model.seconds.at(l); };
+  const double least = product(static_cast<int>(std::lround(best)));
   for (const int l : {1, 4, 8, 32}) {
-    const double product = model.variance(l) * model.seconds.at(l);
-    const int best = static_cast<int>(std::lround(best_light_samples(model, kMostLightSamples)));
     text += fmt::format("{}l = {}: {:.3g}", l == 1 ? "  Time x variance beside the best: " : ", ",
-                        l, product / (model.variance(best) * model.seconds.at(best)));
+                        l, product(l) / least);
   }
   return text + "\n";
 }

@@ -101,10 +101,11 @@ void Study::look_at_bounces(int bounces) {
   for (int half = 0; half < 2; ++half) {
     rest[half] = missing(measure_apart(view, next_render(samples / 2), ranges, pixels_));
     golden_[half] = rest[half][0];
-    for (std::size_t i = 0; bounces <= kToldApart && i < pixels_.size(); ++i) {
+    advance();
+    if (bounces > kToldApart) continue;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
       golden_[half][i] -= rest[half][bounces + 1][i];
     }
-    advance();
   }
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const double g = (golden_[0][i] + golden_[1][i]) / 2 + kBlack;

@@ -66,6 +66,8 @@ class Study {
 
   // The square of the relative bias that is left with 0, 1, ... kToldApart bounces at most.
   const std::vector<Uncertain>& bias2() const { return bias2_; }
+  // The same for any number of bounces: nothing is left with more.
+  double bias2_at(int bounces) const { return bounces <= kToldApart ? bias2_[bounces].value : 0; }
 
   // Short renders with these numbers of light samples, taken in turns.
   std::vector<Tried> try_out(const Way& way, const std::vector<int>& light_samples);

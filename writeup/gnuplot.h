@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace writeup::accuracy {
+namespace writeup {
 
 // Draws <folder>/<name>.svg by gnuplot, in the style of the write-up, from commands that read their
 // numbers in that folder. Does nothing where there is no gnuplot.
@@ -15,4 +15,4 @@ enum class Hue { blue, green, red };
 inline constexpr int kShades = 6;
 const char* color(Hue hue, int shade);
 
-}  // namespace writeup::accuracy
+}  // namespace writeup

@@ -1,9 +1,9 @@
-#include "writeup/accuracy/gnuplot.h"
+#include "writeup/gnuplot.h"
 
 #include "grader/process/run_command.h"
 #include "pt/file.h"
 
-namespace writeup::accuracy {
+namespace writeup {
 
 namespace fs = std::filesystem;
 
@@ -26,7 +26,8 @@ const char* const kColors[3][kShades] = {
 const char* color(Hue hue, int shade) { return kColors[static_cast<int>(hue)][shade % kShades]; }
 
 void draw(const fs::path& folder, const std::string& name, const std::string& commands) {
-  pt::write_file(folder / (name + ".gp"), kStyle + commands);
+  const std::string output = "set output \"" + name + ".svg\"\n";
+  pt::write_file(folder / (name + ".gp"), kStyle + output + commands);
   const grader::process::Child child{{"/usr/bin/gnuplot", name + ".gp"},
                                      {"PATH=/usr/bin", "LANG=C.UTF-8"},
                                      {},
@@ -36,4 +37,4 @@ void draw(const fs::path& folder, const std::string& name, const std::string& co
   fs::remove(folder / (name + ".gp"));
 }
 
-}  // namespace writeup::accuracy
+}  // namespace writeup
