@@ -84,6 +84,20 @@ function(firstlight_add_implementation name root)
   endforeach()
 endfunction()
 
+# firstlight_add_solution(<slug> <name>): the library <slug>.<name> of the solution grader/tasks/<slug>/*/<name>.cpp, a
+# wrong one or a right variant. Once, wherever it is asked for.
+function(firstlight_add_solution slug name)
+  if(TARGET ${slug}.${name})
+    return()
+  endif()
+  file(GLOB source ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/*/${name}.cpp)
+  if(NOT source)
+    message(FATAL_ERROR "there is no solution ${name}.cpp in grader/tasks/${slug}")
+  endif()
+  add_library(${slug}.${name} OBJECT EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(${slug}.${name} PRIVATE firstlight_options)
+endfunction()
+
 # firstlight_link_tasks(<program> FROM <implementation> [RADIANCE <implementation>]
 #                       [CHOICES <slug>=<implementation> ...] [FAST] [COUNTED] [TAPED])
 # links one definition of every task, all FROM one implementation but for the CHOICES, and one of the
