@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The programs that find the cheapest settings and compare methods: what they say, their files, what they refuse.
+# The programs that find the cheapest settings, compare methods, and tell what an idea is worth: what they say, their files, what they refuse.
 # accuracy.sh BUILD: whose programs are tried.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -65,5 +65,17 @@ expect 0 'lights, l = 1, adaptive' converge scenes/point_light.dae -m 2
 expect 2 'the scene has no light' converge "$folder/dark.dae"
 expect 2 '--bounces' converge scenes/box_spheres.dae -m 17
 
-[ "$failures" -eq 0 ] && echo 'cheapest and converge work'
+ladder() { "$programs/ladder" --seconds 2 -r 48 36 -s 4 "$@"; }
+expect 0 'The best, with' ladder scenes/box_spheres.dae -m 3 --out "$folder/ladder"
+for words in 'the plainest renderer' 'the wide engine' 'light sampling' 'rectangles by solid angle' 'adaptive sampling'; do
+  grep -qF -- "$words" "$folder/said" || { echo "FAILED: no rung '$words'"; failures=$((failures + 1)); }
+done
+has "$folder/ladder" ladder.csv ladder.svg
+expect 0 'Hemisphere sampling would miss' ladder scenes/point_light.dae -m 2
+expect 2 'the scene has no light' ladder "$folder/dark.dae"
+expect 2 '--samples' ladder scenes/box_spheres.dae -s 2
+cp "$programs/ladder" "$folder/ladder/"
+expect 2 'is missing: build the target ladder_rungs' "$folder/ladder/ladder" --seconds 2 -r 48 36 scenes/point_light.dae
+
+[ "$failures" -eq 0 ] && echo 'cheapest, converge and ladder work'
 exit $((failures > 0))

@@ -1,6 +1,7 @@
 // What a scene needs and what methods are worth in it: the model of error and time, and what is measured.
 #include "tests/proof/scenes.h"
 #include "writeup/accuracy/converge.h"
+#include "writeup/accuracy/ladder_turns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -221,6 +222,166 @@ TEST(Study, its_own_noise_is_left_out) {
   for (const Tried& tried : study.try_out(way, {1, 4})) {
     EXPECT_LT(std::abs(tried.bias2.value), kErrors * tried.bias2.error) << tried.light_samples;
   }
+}
+
+// Two engines, and three rungs above. Times in turns of their own: the machine is slower in some.
+struct Steps {
+  std::vector<Rung> rungs;
+  std::vector<RungTurns> turns;
+};
+
+Steps steps() {
+  Steps steps;
+  const auto add = [&](bool same_picture, double times, double variance, double rays) {
+    Rung rung;
+    rung.same_picture = same_picture;
+    steps.rungs.push_back(rung);
+    RungTurns turns;
+    for (const double wobble : {-.01, .02, -.01})
+      turns.log_times.push_back(std::log(times) + wobble);
+    turns.seconds = 1e-4 * times;
+    turns.rays = rays;
+    turns.variance = {variance, .01 * variance};
+    turns.bias2 = {0, 1};
+    steps.turns.push_back(turns);
+  };
+  add(true, 20, 0, 0);
+  add(true, 5, 0, 0);
+  add(false, 1, .5, 100);
+  add(false, 2, .1, 80);
+  add(false, .5, .2, 40);
+  steps.turns[2].log_times = {0, 0, 0};
+  return steps;
+}
+
+TEST(Ladder, an_idea_is_worth_the_factor_in_time_and_variance) {
+  const auto [rungs, turns] = steps();
+  const std::vector<Climbed> climbed = worth_of(rungs, turns);
+  const double worth[] = {1, 4, 5, 2.5, 2}, in_all[] = {1, 4, 20, 50, 100};
+  const double rays[] = {1, 1, 1, 6.25, 6.25};
+  for (std::size_t k = 0; k < climbed.size(); ++k) {
+    EXPECT_NEAR(climbed[k].worth.value, worth[k], 1e-9 * worth[k]) << k;
+    EXPECT_NEAR(climbed[k].in_all.value, in_all[k], 1e-9 * in_all[k]) << k;
+    EXPECT_NEAR(climbed[k].in_all_rays, rays[k], 1e-9) << k;
+  }
+  EXPECT_NEAR(climbed[0].seconds, 20e-4, 1e-12);
+  EXPECT_NEAR(climbed[4].seconds, .5e-4, 1e-12);
+}
+
+// Engines have the picture of the base, so that its noise is none of a comparison. The wobble of the
+// machine is that of both where they were timed in the same turns.
+TEST(Ladder, errors_are_those_of_times_and_of_noise) {
+  const auto [rungs, turns] = steps();
+  const std::vector<Climbed> climbed = worth_of(rungs, turns);
+  const double wobble = .01;  // the standard error of the mean of the three
+  EXPECT_NEAR(climbed[1].worth.error, 0, 1e-12);
+  EXPECT_NEAR(climbed[2].worth.error, 5 * wobble, 1e-9);
+  EXPECT_NEAR(climbed[3].worth.error, 2.5 * std::hypot(wobble, .01, .01), 1e-9);
+  EXPECT_NEAR(climbed[4].worth.error, 2 * std::hypot(.01, .01), 1e-9);
+  EXPECT_NEAR(climbed[4].in_all.error, 100 * std::hypot(std::hypot(wobble, wobble), .01, .01),
+              1e-9);
+}
+
+TEST(Ladder, what_is_not_kept_is_not_compared_with) {
+  auto [rungs, turns] = steps();
+  rungs[3].kept = false;
+  const std::vector<Climbed> climbed = worth_of(rungs, turns);
+  EXPECT_NEAR(climbed[3].worth.value, 2.5, 1e-9);
+  EXPECT_NEAR(climbed[4].worth.value, 5, 1e-9);
+  EXPECT_NEAR(climbed[4].in_all.value, 100, 1e-7);
+}
+
+TEST(Ladder, a_bias_is_an_error_where_it_can_be_seen) {
+  auto [rungs, turns] = steps();
+  turns[4].bias2 = {.2, .01};
+  turns[3].bias2 = {.2, .1};
+  const std::vector<Climbed> climbed = worth_of(rungs, turns);
+  EXPECT_TRUE(climbed[4].biased);
+  EXPECT_NEAR(climbed[4].error2.value, .4, 1e-12);
+  EXPECT_FALSE(climbed[3].biased);
+  EXPECT_NEAR(climbed[3].error2.value, .1, 1e-12);
+}
+
+// Renders of the furnace, radiance 2, by a machine that is made up: normal noise, the same in all
+// pixels, and the time and rays that are said.
+Worker made_up(double deviation, double bias, double seconds) {
+  const auto program = [=](const RungRequest& request) {
+    std::mt19937_64 random(request.render.seed);
+    std::normal_distribution<double> noise(2 + bias, deviation);
+    RungReply reply;
+    for (std::size_t i = request.first; i < 300; i += request.step) {
+      reply.mean.push_back(noise(random));
+      reply.cpu_seconds += seconds;
+      reply.rays += 7;
+      reply.samples += 4;
+    }
+    return reply;
+  };
+  return {{}, program, {4, {}, 0, 1}};
+}
+
+TEST(Ladder, turns_measure_noise_bias_and_time) {
+  const pt::Scene scene = furnace();
+  Study study(view_of(scene), 2, 10, kEffort, {});
+  const std::vector<Worker> workers{made_up(.3, 0, 2e-6), made_up(.1, .2, 1e-6)};
+  const std::vector<RungTurns> turns =
+      take_turns(workers, {study, 11, 1, [](double part) { EXPECT_LE(part, 1); }});
+  const double weight = 1 / (2.01 * 2.01);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double variance = weight * (k == 0 ? .09 : .01), bias2 = weight * (k == 0 ? 0 : .04);
+    EXPECT_NEAR(turns[k].variance.value, variance,
+                kErrors * turns[k].variance.error + kOfWeights * variance);
+    // Of 5 squares of each of 300 pixels.
+    EXPECT_NEAR(turns[k].variance.error, variance * std::sqrt(2 / 1500.), .2 * variance * .0365);
+    EXPECT_NEAR(turns[k].bias2.value, bias2, kErrors * turns[k].bias2.error + kOfWeights * bias2);
+    EXPECT_NEAR(turns[k].seconds, k == 0 ? 2e-6 : 1e-6, 1e-12);
+    EXPECT_NEAR(turns[k].rays, 7, 1e-9);
+    EXPECT_NEAR(turns[k].samples, 4, 1e-9);
+    for (const double log : turns[k].log_times) EXPECT_NEAR(log, k == 0 ? 0 : std::log(.5), 1e-9);
+  }
+}
+
+// As many pixels as there is time for, others in each turn, and the same for all engines.
+TEST(Ladder, engines_are_timed_on_the_same_pixels) {
+  const pt::Scene scene = furnace();
+  Study study(view_of(scene), 2, 12, {1, 4}, {});
+  std::vector<std::pair<std::size_t, std::uint64_t>> asked[2];
+  std::vector<Worker> engines{made_up(0, 0, .02), made_up(0, 0, .01)};
+  for (int k = 0; k < 2; ++k) {
+    engines[k].program = [&, k, made = engines[k].program](const RungRequest& request) {
+      asked[k].emplace_back(request.first, request.render.seed);
+      return made(request);
+    };
+  }
+  const std::vector<RungTurns> turns = time_engines(engines, {study, 13, 4.5, [](double) {}});
+  for (const double log : turns[0].log_times) EXPECT_NEAR(log, std::log(2), 1e-9);
+  ASSERT_EQ(asked[0].size(), 1 + turns[0].log_times.size()) << "a first look, and the turns";
+  EXPECT_EQ(std::vector(asked[0].begin() + 1, asked[0].end()),
+            std::vector(asked[1].begin() + 1, asked[1].end()));
+  EXPECT_EQ(std::set(asked[0].begin() + 1, asked[0].end()).size(), turns[0].log_times.size());
+}
+
+TEST(Ladder, a_request_and_a_reply_arrive_as_they_were_sent) {
+  RungRequest request;
+  request.path = {3, pt::PathSettings::Direct::hemisphere, .1 + .2, 1, 7};
+  request.render = {5, pt::AdaptiveSettings{64, 4, 1 / 3.}, (std::uint64_t{3} << 32) + 1, 2};
+  request.first = 4;
+  request.step = 9;
+  const RungRequest got = request_from(to_line(request));
+  EXPECT_EQ(to_line(got), to_line(request));
+  EXPECT_EQ(got.path.survival, .1 + .2);
+  EXPECT_EQ(got.path.direct, pt::PathSettings::Direct::hemisphere);
+  ASSERT_TRUE(got.render.adaptive);
+  EXPECT_EQ(got.render.adaptive->tolerance, 1 / 3.);
+  request.render.adaptive.reset();
+  EXPECT_FALSE(request_from(to_line(request)).render.adaptive);
+
+  const RungReply reply = reply_from(to_line(RungReply{1 / 7., 12, 34, {.1, 1e-300, 1 / 3.}}));
+  EXPECT_EQ(reply.cpu_seconds, 1 / 7.);
+  EXPECT_EQ(reply.rays, 12);
+  EXPECT_EQ(reply.samples, 34);
+  EXPECT_EQ(reply.mean, (std::vector<double>{.1, 1e-300, 1 / 3.}));
+  EXPECT_THROW(reply_from("1 2 3 4 5"), std::exception) << "pixels are missing";
 }
 
 }  // namespace

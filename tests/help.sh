@@ -22,6 +22,7 @@ converge writeup/converge.reference
 grade grader/grade
 grade-class grader/grade_class
 hint grader/hint
+ladder writeup/ladder
 mesh scenes/generate mesh
 render pt/render
 watch grader/watch

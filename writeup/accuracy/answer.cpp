@@ -3,6 +3,7 @@
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
 #include "pt/tasks/camera_ray.h"
+#include "writeup/accuracy/adaptive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,6 @@ constexpr int kFewerBounces = 3;       // that are tried
 constexpr double kSignificant = 4;     // standard errors
 constexpr int kFewestForATree = 5000;  // more surfaces are never tried one by one
 constexpr double kFlat = 0.99985;      // cosine of 1 degree
-constexpr double kConfidence = 1.96;   // of adaptive_pixel
 
 Option look_at(Study& study, const Way& way, const std::vector<int>& light_samples, double bias2,
                double error) {
@@ -55,27 +55,6 @@ Option look_at_hemisphere(Study& study, const Way& way, double bias2, double err
     option.choice = cheapest_choice(option.model, error);
   }
   return option;
-}
-
-double adaptive_error2(const std::vector<Study::PixelNoise>& noise, const pt::AdaptiveSettings& s) {
-  double sum = 0;
-  for (const Study::PixelNoise& pixel : noise) {
-    const double wanted =
-        std::ceil(pixel.over_square * std::pow(kConfidence / s.tolerance, 2) / s.batch) * s.batch;
-    sum += pixel.relative / std::clamp(wanted, double(s.batch), double(s.max_samples));
-  }
-  return sum / static_cast<double>(noise.size());
-}
-
-// The tolerance with which adaptive sampling has this relative variance.
-double tolerance_for(const std::vector<Study::PixelNoise>& noise, pt::AdaptiveSettings settings,
-                     double error2) {
-  double low = 1e-4, high = 1;
-  for (int i = 0; i < 40; ++i) {
-    settings.tolerance = std::sqrt(low * high);
-    (adaptive_error2(noise, settings) < error2 ? low : high) = settings.tolerance;
-  }
-  return std::sqrt(low * high);
 }
 
 std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best, double error) {

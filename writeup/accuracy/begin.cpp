@@ -1,63 +1,29 @@
 #include "writeup/accuracy/begin.h"
 
-#include "pt/end_of_program.h"
 #include "pt/error.h"
-#include "pt/render/choose_engine.h"
 #include "pt/todo_list.h"
-
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace writeup::accuracy {
 
-namespace {
-
-constexpr int kMaxLeaf = 4;  // as ./run render has it
-
-pt::LoadedScene load(const Options& options) {
-  pt::LoadedScene loaded = pt::load_collada(options.scene, {options.lambertian});
-  for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
-  require_supported(loaded, options.scene);
-  if (loaded.scene.lights.empty()) {
-    throw pt::Error(options.scene.string() +
-                    ": the scene has no light; add one, or give a surface an emission");
-  }
-  if (!options.out.empty()) std::filesystem::create_directories(options.out);
-  pt::print_no_todo();
-  choose_engine(loaded.scene, options.engine, kMaxLeaf);
-  return loaded;
-}
-
-}  // namespace
-
-Measuring::Measuring(const Options& options, int bounces)
-    : loaded(load(options)),
+Measuring::Measuring(const Options& options, int bounces, double share)
+    : loaded(load_scene(options)),
       view{loaded.scene,
            frame_camera(loaded, options.framing, options.width, options.height),
            {},
            options.width,
            options.height},
       study(
-          view, options.threads, options.seed, {options.seconds, 0},
-          [this](double part) { progress.show(part); }, bounces) {
+          view, options.threads, options.seed, {share * options.seconds, 0},
+          [this, share](double part) { progress.show(share * part); }, bounces) {
+  print_notes(loaded);
   const std::vector<std::string> unwritten = pt::todo_list();
   if (unwritten.empty()) return;
   progress.clear();
   throw pt::Error(fmt::format("not written yet: {}; nothing can be measured without",
                               fmt::join(unwritten, ", ")));
-}
-
-int run_program(int (*run)(int, const char* const*), int argc, const char* const* argv) {
-  try {
-    const int status = run(argc, argv);
-    pt::flush_standard_output();
-    return status;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
-    return 2;
-  }
 }
 
 }  // namespace writeup::accuracy

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "pt/render/progress.h"
-#include "pt/scene/load_collada.h"
-#include "writeup/accuracy/options.h"
+#include "writeup/accuracy/load.h"
 #include "writeup/accuracy/study.h"
 
 namespace writeup::accuracy {
@@ -10,8 +9,8 @@ namespace writeup::accuracy {
 // A scene that is being measured: loaded, ready to be traced, and with its long renders made. Each
 // member uses those before it. Throws pt::Error, one sentence, for what cannot be measured.
 struct Measuring {
-  // Makes the folder of --out. `bounces`: as Study has it.
-  Measuring(const Options& options, int bounces);
+  // Makes the folder of --out. `bounces`: as Study has it, which may take `share` of the time.
+  Measuring(const Options& options, int bounces, double share = 1);
   Measuring(const Measuring&) = delete;
   Measuring& operator=(const Measuring&) = delete;
 
@@ -20,8 +19,5 @@ struct Measuring {
   pt::Progress progress;
   Study study;
 };
-
-// The exit status for main: 2 after one sentence where `run` throws.
-int run_program(int (*run)(int, const char* const*), int argc, const char* const* argv);
 
 }  // namespace writeup::accuracy

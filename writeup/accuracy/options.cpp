@@ -27,6 +27,13 @@ const char* kConvergeExamples =
     "  ./run converge scenes/box_spheres.dae --out box\n"
     "  ./run converge scenes/box_spheres.dae -m 1 --from direct_lights=student\n";
 
+const char* kLadder =
+    "What an idea is worth is the factor in time x variance: as many times as long the picture "
+    "takes\n"
+    "without it, at the same error. Times are of one processor.\n\nExamples:\n"
+    "  ./run ladder scenes/box_spheres.dae --out box\n"
+    "  ./run ladder scenes/box_blob.dae -s 16 --seconds 300\n";
+
 // "2%", "2 %" or ".02".
 double error_of(std::string word) {
   double unit = 1;
@@ -44,7 +51,7 @@ double error_of(std::string word) {
   return value * unit;
 }
 
-// What both programs have.
+// What all programs have.
 void describe(CLI::App& app, Options& options, std::vector<int>& size) {
   app.add_option("scene", options.scene, "Scene file (.dae)")->required();
   app.add_option("-r,--size", size, "Width and height of the picture, default 480 360")
@@ -69,6 +76,12 @@ void describe(CLI::App& app, Options& options, std::vector<int>& size) {
   app.add_option("--seed", options.seed, "Of the random numbers")->capture_default_str();
   app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")
       ->check(CLI::Range(1, 1024));
+}
+
+void add_bounces(CLI::App& app, Options& options) {
+  app.add_option("-m,--bounces", options.bounces, "How often light may bounce")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
 }
 
 void parse(CLI::App& app, Options& options, int argc, const char* const* argv) {
@@ -109,8 +122,22 @@ Options parse_converge(int argc, const char* const* argv) {
       "seconds.",
       "./run converge");
   app.footer(std::string(kError) + kConvergeExamples);
-  app.add_option("-m,--bounces", options.bounces, "How often light may bounce")
-      ->check(CLI::Range(1, 16))
+  add_bounces(app, options);
+  parse(app, options, argc, argv);
+  return options;
+}
+
+Options parse_ladder(int argc, const char* const* argv) {
+  Options options;
+  options.seconds = 120;
+  CLI::App app(
+      "A ladder from the plainest right renderer to the best one, an idea a rung: what each is "
+      "worth in a scene.",
+      "./run ladder");
+  app.footer(kLadder);
+  add_bounces(app, options);
+  app.add_option("-s,--samples", options.samples, "Camera rays per pixel of each render")
+      ->check(CLI::Range(4, 4096))
       ->capture_default_str();
   parse(app, options, argc, argv);
   return options;

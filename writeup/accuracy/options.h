@@ -8,11 +8,13 @@
 
 namespace writeup::accuracy {
 
-// The options of both programs: `cheapest` finds settings, `converge` compares methods.
+// The options of three programs: `cheapest` finds settings, `converge` compares methods, `ladder` tells
+// what an idea is worth.
 struct Options {
   std::filesystem::path scene;
   double error = 0.02;  // of cheapest: root of relMSE
-  int bounces = 5;      // of converge
+  int bounces = 5;      // of converge and ladder
+  int samples = 64;     // of ladder: per pixel
   int width = 480;
   int height = 360;
   pt::Framing framing = pt::Framing::course;
@@ -24,9 +26,10 @@ struct Options {
   std::filesystem::path out;  // a folder; empty: no files
 };
 
-// Both read the command line, print help and exit for --help, and throw pt::Error for what they cannot
+// They read the command line, print help and exit for --help, and throw pt::Error for what they cannot
 // use.
 Options parse_cheapest(int argc, const char* const* argv);
 Options parse_converge(int argc, const char* const* argv);
+Options parse_ladder(int argc, const char* const* argv);
 
 }  // namespace writeup::accuracy

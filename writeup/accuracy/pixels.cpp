@@ -1,36 +1,17 @@
 #include "writeup/accuracy/pixels.h"
 
-#include "grader/base/parallel.h"
-#include "pt/error.h"
 #include "pt/math/rgb.h"
-#include "pt/render/cpu_time.h"
-#include "pt/render/render_apart.h"
 #include "pt/sampling/sampler.h"
+#include "writeup/accuracy/timed.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 
 namespace writeup::accuracy {
 
 namespace {
-
-constexpr std::size_t kPiece = 64;  // pixels that one thread takes at a time
-
-// Calls work(i) for every i < count on a few threads. Returns the processor time of all.
-template <class Work>
-double timed(std::size_t count, int threads, const Work& work) {
-  double seconds = 0;
-  std::mutex mutex;
-  grader::base::for_each((count + kPiece - 1) / kPiece, threads, [&](std::size_t piece) {
-    const double start = pt::thread_cpu_seconds();
-    for (std::size_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i) work(i);
-    const std::lock_guard lock(mutex);
-    seconds += pt::thread_cpu_seconds() - start;
-  });
-  return seconds;
-}
 
 long long rays_so_far() { return pt::rays_traced().closest + pt::rays_traced().occluded; }
 
@@ -69,26 +50,6 @@ Measured measure(const pt::View& view, const pt::RenderSettings& settings,
     rays += rays_so_far() - before;
   });
   result.rays = rays;
-  return result;
-}
-
-MeasuredApart measure_apart(const pt::View& view, const pt::RenderSettings& settings,
-                            std::span<const pt::BounceRange> ranges,
-                            std::span<const PixelAt> pixels) {
-  MeasuredApart result;
-  result.mean.assign(ranges.size(), std::vector<double>(pixels.size()));
-  result.cpu_seconds = timed(pixels.size(), settings.threads, [&](std::size_t i) {
-    const pt::PixelApart apart =
-        render_pixel_apart(view, pixels[i].x, pixels[i].y, settings, ranges);
-    if (!apart.complete) {
-      throw pt::Error(
-          "trace_path cannot be taken apart by bounces: they do not add up to what it returns; "
-          "./run grade trace_path says what is wrong");
-    }
-    for (std::size_t k = 0; k < ranges.size(); ++k) {
-      result.mean[k][i] = luminance(apart.pixels[k].mean);
-    }
-  });
   return result;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "pt/render/bounce_range.h"
 #include "pt/render/render_film.h"
 
 #include <span>
@@ -13,6 +12,9 @@ struct PixelAt {
   int x = 0;
   int y = 0;
 };
+
+// As many as one looks at where all would take too long.
+inline constexpr int kSpreadPixels = 10000;
 
 // About `wanted` pixels, or all if there are no more: one of each block of a grid, at a place in it
 // that `seed` says. Their mean stands for the mean of the picture.
@@ -30,15 +32,5 @@ struct Measured {
 };
 Measured measure(const pt::View& view, const pt::RenderSettings& settings,
                  std::span<const PixelAt> pixels);
-
-// The mean of each pixel (inner) in each range of bounces (outer), from the same paths. Throws
-// pt::Error where the linked trace_path cannot be taken apart.
-struct MeasuredApart {
-  std::vector<std::vector<double>> mean;
-  double cpu_seconds = 0;
-};
-MeasuredApart measure_apart(const pt::View& view, const pt::RenderSettings& settings,
-                            std::span<const pt::BounceRange> ranges,
-                            std::span<const PixelAt> pixels);
 
 }  // namespace writeup::accuracy

@@ -1,5 +1,7 @@
 #include "writeup/accuracy/study.h"
 
+#include "writeup/accuracy/pixels_apart.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,7 +10,6 @@ namespace writeup::accuracy {
 
 namespace {
 
-constexpr int kPixels = 10000;      // that are looked at
 constexpr int kFewestPixels = 300;  // of a check
 constexpr double kBlack = 0.01;     // of relMSE
 
@@ -17,14 +18,6 @@ constexpr double kOfBounces = 0.25, kOfOneRender = 0.025;
 
 constexpr int kMostTried = 1 << 14;  // samples per pixel of one short render
 constexpr double kClock = 0.01;      // no time is known better: a part of it
-
-Uncertain mean_of(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += value;
-  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
-  return {sum / n, std::sqrt(squares / std::max(1.0, n - 1) / n)};
-}
 
 // The mean of what two independent halves say of each pixel. The pixels differ, and that is no
 // uncertainty: only the halves tell how well each is known.
@@ -68,6 +61,14 @@ std::vector<std::vector<double>> missing(const MeasuredApart& apart) {
 
 }  // namespace
 
+Uncertain mean_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
+  return {sum / n, std::sqrt(squares / std::max(1.0, n - 1) / n)};
+}
+
 pt::PathSettings path_of(const Way& way, int light_samples) {
   pt::PathSettings path;
   path.light_samples = light_samples;
@@ -85,7 +86,7 @@ Study::Study(const pt::View& view, int threads, std::uint64_t seed, const Effort
       seed_(seed),
       effort_(effort),
       progress_(std::move(progress)),
-      pixels_(spread_pixels(view.width, view.height, kPixels, seed)) {
+      pixels_(spread_pixels(view.width, view.height, kSpreadPixels, seed)) {
   look_at_bounces(bounces);
 }
 

@@ -27,6 +27,9 @@ struct Uncertain {
   double error = 0;
 };
 
+// The mean of some numbers, and its error from how they spread.
+Uncertain mean_of(const std::vector<double>& values);
+
 // Short renders of one way: what each costs and how noisy it is.
 struct Tried {
   int light_samples = 1;
@@ -89,12 +92,16 @@ class Study {
   // How many times as long the same picture takes if another tracer answers.
   double times_as_long(const pt::Scene& other, const Way& way, int light_samples);
 
- private:
-  void look_at_bounces(int bounces);
+  // 1 / (g + .01)^2 of each pixel, of which relMSE is made.
+  const std::vector<double>& weights() const { return weight_; }
+
   // (a - g)(b - g') / (g + .01)^2 of each `step`-th pixel, for two goldens g and g': its mean is
   // relMSE if a and b are the same picture, and the square of the bias if they are independent.
   std::vector<double> products(const std::vector<double>& a, const std::vector<double>& b,
                                std::size_t step) const;
+
+ private:
+  void look_at_bounces(int bounces);
   pt::RenderSettings next_render(int samples);
   pt::View view_of(const Way& way, int light_samples) const;
   // An even number of samples per pixel that takes so long by the wall clock, where `cpu_seconds` is

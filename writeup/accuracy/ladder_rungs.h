@@ -1,0 +1,43 @@
+#pragma once
+
+#include "writeup/accuracy/study.h"
+
+#include <string>
+#include <vector>
+
+namespace writeup::accuracy {
+
+// A renderer: which implementations, and which settings. It has one idea more than the rung below.
+struct Rung {
+  std::string idea;
+  std::string mixture;  // as ./run --from writes it
+  pt::Engine engine = pt::Engine::wide;
+  Way way{};
+  int light_samples = 1;
+  bool adaptive = false;
+  bool same_picture = false;  // as the next rung: only the time is another
+  bool kept = true;           // the rungs above have the idea too
+};
+
+// How lights are sampled, from the plainest way to the one with most ideas.
+enum class LightIdea { none, more_samples, solid_angle, spread };
+
+// Settings that the ladder takes from short renders of the scene.
+struct Chosen {
+  int bounces = 5;
+  bool hemisphere = true;         // false: it would miss lights that have no surface
+  double survival = 1;            // the cheapest chance to go on
+  double best_light_samples = 1;  // not whole
+  int light_samples = 1;
+  bool rectangles = true;              // some light is one
+  int spread_samples = 2;              // the cheapest number where they are spread evenly
+  LightIdea lights = LightIdea::none;  // the cheapest, but solid_angle alone; more is not kept
+};
+
+// Of a rung that has these ideas for its lights.
+Rung with_lights(Rung rung, LightIdea idea, const Chosen& chosen);
+
+// The rungs, from below. Their programs are listed in writeup/CMakeLists.txt.
+std::vector<Rung> rungs_of(const Chosen& chosen);
+
+}  // namespace writeup::accuracy

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "pt/render/bounce_range.h"
+#include "writeup/accuracy/pixels.h"
+
+#include <span>
+#include <vector>
+
+namespace writeup::accuracy {
+
+// The mean of each pixel (inner) in each range of bounces (outer), from the same paths. Throws
+// pt::Error where the linked trace_path cannot be taken apart.
+struct MeasuredApart {
+  std::vector<std::vector<double>> mean;
+  double cpu_seconds = 0;
+};
+MeasuredApart measure_apart(const pt::View& view, const pt::RenderSettings& settings,
+                            std::span<const pt::BounceRange> ranges,
+                            std::span<const PixelAt> pixels);
+
+}  // namespace writeup::accuracy
