@@ -84,10 +84,12 @@ void add_bounces(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-void parse(CLI::App& app, Options& options, int argc, const char* const* argv) {
+// `engine`: whether the person has a choice of it.
+void parse(CLI::App& app, Options& options, int argc, const char* const* argv, bool engine = true) {
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::vector<int> size;
   describe(app, options, size);
+  if (!engine) app.get_option("--engine")->group("");  // not in the help
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
@@ -139,7 +141,7 @@ Options parse_ladder(int argc, const char* const* argv) {
   app.add_option("-s,--samples", options.samples, "Camera rays per pixel of each render")
       ->check(CLI::Range(4, 4096))
       ->capture_default_str();
-  parse(app, options, argc, argv);
+  parse(app, options, argc, argv, false);
   return options;
 }
 
