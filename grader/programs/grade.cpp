@@ -32,7 +32,10 @@ using namespace grader::programs;
 using Words = std::vector<std::string>;
 
 judge::Config config_for(const GradeOptions& options) {
-  return judge::load_config(options.config.empty() ? judge::default_config_path() : options.config);
+  judge::Config config =
+      judge::load_config(options.config.empty() ? judge::default_config_path() : options.config);
+  if (!options.work.empty()) config.work = std::filesystem::absolute(options.work);
+  return config;
 }
 
 sandbox::Isolation isolation(const judge::Config& config, const GradeOptions& options) {

@@ -41,6 +41,8 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_flag("--require-isolation", options.require_isolation, "refuse to grade in C");
   app.add_flag("--resume", options.resume, "go on with the run that was interrupted");
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+  app.add_option("--work", options.work,
+                 "where it keeps what it builds and finds out; default: as --config says");
   std::vector<std::string> reversed(words.rbegin(), words.rend());
   try {
     app.parse(reversed);
