@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# A class gets the same table on this machine, chunk by chunk, through GNU parallel and through Slurm, and nothing is
+# judged twice.
+# class_engines.sh GRADER [parallel | slurm]: the folder with grade_class and its grade.json; with that engine, or step by step.
+set -euo pipefail
+grader=$1
+engine=${2:-}
+# shellcheck source=tests/class_fixture.sh
+. "$(dirname "${BASH_SOURCE[0]}")/class_fixture.sh"
+
+case $engine in
+  parallel) command -v parallel >/dev/null || { echo 'GNU parallel is missing (parallel): not tried'; exit 77; } ;;
+  slurm) why=$(why_no_slurm); [ -z "$why" ] || { echo "$why"; exit 77; } ;;
+esac
+log_what_is_judged "$grader"
+make_class 7 # 2 and 7 are equal
+
+status=0
+grade_class here --jobs 2 || status=$?
+[ "$status" -eq 2 ] || complain "it ended with $status: $(cat "$folder/said")"
+for words in '8/8 ' 'nobody: it holds none'; do
+  grep -q "$words" "$folder/said" || complain "$(cat "$folder/said")"
+done
+[ "$(wc -l <"$folder/judged")" -eq 6 ] || complain "equal submissions were judged twice: $(cat "$folder/judged")"
+judged_once
+python3 - "$folder/here/class.csv" <<'END' || complain 'the table is not so'
+import csv, sys
+rows = {row["submission"]: row for row in csv.DictReader(open(sys.argv[1], newline="", encoding="utf-8-sig"))}
+assert len(rows) == 8
+a, b = rows["learner 2"], rows["learner 7"]
+assert all(a[key] == b[key] for key in a if key != "submission") and a["hit_sphere"] == "pass", (a, b)
+assert rows["learner 5"]["hit_sphere"] == "not attempted" and rows["learner 5"]["points"] == "0", rows
+for row in rows.values():
+    assert row["1_rays_points"] == row["hit_sphere_points"] and row["2_bvh_points"] == "", row
+END
+grep -q '"submission": "learner 7"' "$folder/here/learner 7.json" || complain 'an equal submission has the name of another'
+grep -q '<dd>learner 7</dd>' "$folder/here/learner 7.html" || complain 'an equal submission has the page of another'
+
+if [ -z "$engine" ]; then
+  grade_class steps plan --chunk-size 2 || complain "$(cat "$folder/said")"
+  grep -q '8 submissions in 3 chunks' "$folder/said" || complain "$(cat "$folder/said")"
+  step() { "$grader/grade_class" "$1" "$folder/steps" "${@:2}" --config "$folder/programs/grade.json" >"$folder/said" 2>&1; }
+  status=0
+  step chunk 4 || status=$?
+  [ "$status" -eq 2 ] || complain "a chunk that is not there ends with $status"
+  grep -q 'there is no chunk 4' "$folder/said" || complain "$(cat "$folder/said")"
+  step chunk 2 || complain "$(cat "$folder/said")"
+  ! step collect || complain 'it says that all is judged'
+  grep -q '^2 of 8 submissions are judged' "$folder/said" || complain "$(cat "$folder/said")"
+  grep -q '^learner 1,.*not judged yet' "$folder/steps/class.csv" || complain "$(cat "$folder/steps/class.csv")"
+  # At the same time, and one of them twice.
+  step chunk 3 1 & first=$!
+  "$grader/grade_class" chunk "$folder/steps" 1 2 --config "$folder/programs/grade.json" >/dev/null 2>&1 || complain 'a chunk fails'
+  wait "$first" || complain "$(cat "$folder/said")"
+  step collect || true
+  judged_once
+  same_table here steps
+  exit 0
+fi
+
+[ "$engine" != slurm ] || start_slurm "$folder/slurm" || complain 'Slurm does not start'
+status=0
+grade_class elsewhere --engine "$engine" --chunk-size 2 --jobs 2 || status=$?
+[ "$status" -eq 2 ] || complain "it ended with $status: $(cat "$folder/said")" "$(cat "$folder/elsewhere/engine.log")"
+grep -q '8/8 ' "$folder/said" || complain "$(cat "$folder/said")"
+[ "$(wc -l <"$folder/judged")" -eq 6 ] || complain "judged: $(cat "$folder/judged")"
+judged_once
+same_table here elsewhere
+case $engine in
+  parallel) [ "$(grep -c 'grade_class' "$folder/elsewhere/joblog")" -eq 3 ] || complain "$(cat "$folder/elsewhere/joblog")" ;;
+  slurm) grep -q 'learner 1: ' "$folder/elsewhere/slurm/1.log" || complain "$(cat "$folder"/elsewhere/slurm/*)" ;;
+esac
+
+# A second call judges only what is new.
+echo '// again' >>"$folder/class/learner 3/hit_sphere.cpp"
+grade_class elsewhere --engine "$engine" --chunk-size 2 || true
+[ "$(cat "$folder/judged")" = 'learner 3' ] || complain "judged again: $(cat "$folder/judged")"
