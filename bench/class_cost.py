@@ -22,7 +22,9 @@ what={what}
 for word; do case $word in --battery*) what=naming ;; --integrated) [ $what != properties ] || what=together ;; esac; done
 '{program}' {more} "$@"
 status=$?
-{{ echo $what; times | tail -n 1; }} | paste -sd ' ' >>'{log}'
+times >'{log}'.$$
+echo "$what $(tail -n 1 '{log}'.$$)" >>'{log}'
+rm '{log}'.$$
 exit $status
 """
 

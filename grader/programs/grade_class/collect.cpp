@@ -1,6 +1,7 @@
 #include "grader/programs/grade_class/collect.h"
 
 #include "grader/intake/unpack.h"
+#include "grader/programs/grade_class/compare.h"
 #include "grader/report/csv.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
@@ -113,6 +114,13 @@ std::vector<std::string> Collector::write() {
   std::vector<std::string> written{out_ + "/class.csv", out_ + "/class.html"};
   pt::write_file(written[1], page_.to_html());
   for (const std::string& path : write_returns()) written.push_back(path);
+  if (!plan_.former.empty()) {
+    const report::Comparison comparison = compare(plan_, plan_.former, out_);
+    for (const char* name : {"/compare.csv", "/compare.html"}) written.push_back(out_ + name);
+    pt::write_file(out_ + "/compare.csv", report::comparison_csv(comparison));
+    pt::write_file(out_ + "/compare.html", report::comparison_html(comparison));
+    fmt::print("{}\n", report::comparison_sentence(comparison));
+  }
   if (!plan_.real_names.empty()) {
     std::string names = std::string(report::kByteOrderMark) + "submission,name,id\r\n";
     for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {

@@ -19,6 +19,7 @@ namespace grader::programs {
 //   class.html               grader/report/class_page.h
 //   canvas.csv, moodle.csv   what the learning platforms take back
 //   feedback.zip             every page, under the path by which its platform knows it
+//   compare.csv, .html       if the plan names an earlier grading: grader/report/compare_page.h
 //   names.csv                of an anonymous class: who is who
 // Results are not kept: a class of a thousand needs little memory.
 class Collector {

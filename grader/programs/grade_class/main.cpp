@@ -60,6 +60,11 @@ void describe_plan(CLI::App& app, Options& options) {
                  "the seed of all random inputs; default: drawn for the class, and kept");
   app.add_option("--chunk-size", options.plan.chunk_size,
                  "submissions that one process judges; default: as many as give 500 chunks");
+  app.add_option(
+         "--compare", options.plan.former,
+         "reports of an earlier grading: who gains, who loses, and by which promise; judges "
+         "with its seed, and only what may have changed")
+      ->check(CLI::ExistingDirectory);
   app.add_flag("--anonymous", options.plan.anonymous,
                "numbers in place of names; names.csv tells who is who");
   app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
@@ -145,6 +150,13 @@ Plan planned(Options& options, const judge::Config& config, const std::vector<st
   if (!options.not_isolated) request.words.emplace_back("--require-isolation");
   fs::create_directories(request.out);
   request.out = fs::absolute(request.out);
+  if (!request.former.empty()) {
+    request.former = fs::absolute(request.former);
+    if (fs::equivalent(request.former, request.out)) {
+      throw pt::Error("the reports in " + request.out +
+                      " cannot be compared with themselves; write --out another folder");
+    }
+  }
   pt::check_target(request.out + "/class.csv");
   Plan plan = make_plan(config, programs_of(options), request);
   forget_outcomes(request.out, plan.everybody);

@@ -113,10 +113,9 @@ std::string random_text() {
 
 // Names become numbers that only who has the plan can turn back, the same in every later plan.
 void hide_names(Plan& plan, const std::string& out) {
-  try {
-    plan.salt = read_plan(out).salt;
-  } catch (const pt::Error&) {
-    // it is the first plan
+  for (const std::string& folder : {out, plan.former}) {
+    if (!plan.salt.empty() || !fs::exists(folder + "/plan.json")) continue;
+    plan.salt = read_plan(folder).salt;
   }
   if (plan.salt.empty()) plan.salt = random_text();
   std::vector<std::pair<std::string, intake::HandedIn>> all;
@@ -180,6 +179,7 @@ Plan make_plan(const judge::Config& config, const std::string& programs,
   plan.words = request.words;
   plan.seed = seed_for(request);
   plan.host = host_name();
+  plan.former = request.former;
   plan.everybody = handed_in(programs, request);
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
@@ -194,6 +194,7 @@ void write_plan(const Plan& plan, const std::string& out) {
            {"words", plan.words},
            {"seed", plan.seed},
            {"host", plan.host},
+           {"former", text_json(plan.former)},
            {"salt", plan.salt},
            {"chunks", plan.chunks},
            {"everybody", json::array()},
@@ -215,6 +216,7 @@ Plan read_plan(const std::string& out) {
     plan.words = all.at("words").get<std::vector<std::string>>();
     plan.seed = all.at("seed").get<std::uint64_t>();
     plan.host = all.at("host").get<std::string>();
+    plan.former = text_from(all.at("former"));
     plan.salt = all.at("salt").get<std::string>();
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
     for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));

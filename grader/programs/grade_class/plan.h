@@ -23,6 +23,7 @@ struct Plan {
   std::vector<std::string> words;  // of the command line of `grade`, the same for all
   std::uint64_t seed = 1;          // of all random inputs
   std::string host;                // the machine on which it was made
+  std::string former;              // reports of an earlier grading, to compare with; may be empty
   std::string salt;                // of the names of an anonymous class; empty: names are shown
   std::vector<intake::HandedIn> everybody;
   std::vector<std::string> real_names;  // of everybody, if the class is anonymous; else empty
