@@ -48,13 +48,61 @@ if [ -z "$engine" ]; then
   ! step collect || complain 'it says that all is judged'
   grep -q '^2 of 8 submissions are judged' "$folder/said" || complain "$(cat "$folder/said")"
   grep -q '^learner 1,.*not judged yet' "$folder/steps/class.csv" || complain "$(cat "$folder/steps/class.csv")"
-  # At the same time, and one of them twice.
+  # Two at the same time that begin with the same.
   step chunk 3 1 & first=$!
-  "$grader/grade_class" chunk "$folder/steps" 1 2 --config "$folder/programs/grade.json" >/dev/null 2>&1 || complain 'a chunk fails'
+  "$grader/grade_class" chunk "$folder/steps" 3 2 1 --config "$folder/programs/grade.json" >/dev/null 2>&1 || complain 'a chunk fails'
   wait "$first" || complain "$(cat "$folder/said")"
   step collect || true
   judged_once
   same_table here steps
+
+  # A promise is worth more, and another one nothing: nobody is judged again, and it is told who gains and who loses.
+  sed -i 's/"hit_sphere": {}/"hit_sphere": {"promise": 2, "promises": {"PROMISE": 0}}/' "$folder/root/grader/points.json"
+  broken=$(python3 -c 'import json, sys; print(next(p["name"] for p in json.load(open(sys.argv[1]))["tasks"][0]["promises"] if not p["held"] and not p["bonus"]))' \
+    "$folder/here/learner 3.json")
+  sed -i "s/PROMISE/$broken/" "$folder/root/grader/points.json"
+  status=0
+  "$grader/grade_class" "$folder/class" --out "$folder/again" --compare "$folder/here" --not-isolated \
+    --config "$folder/programs/grade.json" -- hit_sphere --no-pictures >"$folder/said" 2>&1 || status=$?
+  [ "$status" -eq 2 ] || complain "$(cat "$folder/said")"
+  [ ! -e "$folder/judged" ] || complain "judged again: $(cat "$folder/judged")"
+  grep -q '^seed 7 ' "$folder/said" || complain 'it has another seed than the one before'
+  python3 - "$folder" <<'END' || complain 'the comparison is not so'
+import csv, sys
+def table(path):
+    return list(csv.DictReader(open(sys.argv[1] + path, newline="", encoding="utf-8-sig")))
+before, after = ({row["submission"]: row for row in table(f"/{name}/class.csv")} for name in ("here", "again"))
+full = int(before["learner 1"]["max_points"])
+assert int(after["learner 1"]["max_points"]) == 2 * (full - 1) and after["learner 1"]["points"] == after["learner 1"]["max_points"]
+changes = table("/again/compare.csv")
+by = {}
+for row in changes:
+    assert row["task"] == "hit_sphere" and int(row["promise_before"]) != int(row["promise_after"]), row
+    by[row["submission"]] = by.get(row["submission"], 0) + int(row["promise_after"]) - int(row["promise_before"])
+def points(row):
+    return int(row["points"]) + int(row["bonus_points"])
+for name, row in after.items():
+    if row["points"]:
+        assert by.get(name, 0) == points(row) - points(before[name]), (name, row)
+assert by["learner 1"] > 0 and "learner 5" not in by and "nobody" not in by, by
+END
+  grep -q 'gain points, 0 lose points' "$folder/said" || complain "$(cat "$folder/said")"
+  grep -q 'learner%201.html' "$folder/again/compare.html" || complain 'the page of the comparison does not name who gains'
+  status=0
+  "$grader/grade_class" "$folder/class" --out "$folder/again" --compare "$folder/again" --config "$folder/programs/grade.json" >"$folder/said" 2>&1 || status=$?
+  [ "$status" -eq 2 ] || complain 'it compares a folder with itself'
+  grep -q 'cannot be compared with themselves' "$folder/said" || complain "$(cat "$folder/said")"
+
+  # Without names: in no file but the two that may have them.
+  grade_class hidden --anonymous || true
+  ! grep -rlE 'learner [1-7]|nobody' "$folder/hidden" --include='*.html' --include='*.json' --include='class.csv' | grep -v plan.json ||
+    complain 'an anonymous class has names'
+  [ "$(grep -c 'learner [1-7]\|nobody' "$folder/hidden/names.csv")" -eq 8 ] || complain "$(cat "$folder/hidden/names.csv")"
+  numbers() { grep -o '"submission-[0-9a-f]*"' "$folder/$1/plan.json" | sort; }
+  before=$(numbers hidden)
+  for plan in hidden other; do grade_class "$plan" plan --anonymous || complain "$(cat "$folder/said")"; done
+  [ "$before" = "$(numbers hidden)" ] || complain 'a second plan has other numbers'
+  [ "$before" != "$(numbers other)" ] || complain 'who knows the names knows the numbers'
   exit 0
 fi
 

@@ -34,9 +34,15 @@ make_class() {
 }
 
 # log_what_is_judged GRADER: $folder/programs has the programs of that folder, and a `grade` that first writes the name
-# of the submission into $folder/judged.
+# of the submission into $folder/judged. They take points and all else from $folder/root.
 log_what_is_judged() {
-  mkdir "$folder/programs"
+  local room
+  mkdir "$folder/programs" "$folder/root" "$folder/root/grader"
+  cp -r pt "$folder/root"
+  ln -s "$PWD/scenes" "$PWD/golden" "$folder/root"
+  for room in grader/*; do ln -s "$PWD/$room" "$folder/root/grader"; done
+  rm "$folder/root/grader/points.json"
+  cp grader/points.json "$folder/root/grader"
   ln -s "$1/unpack" "$folder/programs/unpack"
   cp "$1/grade.json" "$folder/programs/grade.json"
   cat >"$folder/programs/grade" <<END
@@ -50,6 +56,7 @@ import json, sys
 path = sys.argv[1] + "/programs/grade.json"
 config = json.load(open(path))
 config["work"] = sys.argv[1] + "/work"
+config["root"] = sys.argv[1] + "/root"
 json.dump(config, open(path, "w"))
 END
 }

@@ -103,10 +103,13 @@ std::string work_on(const judge::Config& config, const Plan& plan) {
 
 Judging judging_of(const judge::Config& config, const Options& options, const Plan& plan,
                    const std::string& out, int threads) {
-  return {config,     programs_of(options) + "/grade",
-          out,        {},
-          plan.words, plan.seed,
-          threads,    work_on(config, plan)};
+  Judging judging{config, programs_of(options) + "/grade", out};
+  judging.former = plan.former;
+  judging.words = plan.words;
+  judging.seed = plan.seed;
+  judging.threads = threads;
+  judging.work = work_on(config, plan);
+  return judging;
 }
 
 // Says one outcome after another, and how long the rest will take.

@@ -99,6 +99,7 @@ std::string run_grade(const Judging& judging, const intake::HandedIn& by, const 
                                    "--name=" + by.name,
                                    "--json=" + path + ".json",
                                    "--html=" + path + ".html",
+                                   "--small-page",
                                    "--seed=" + std::to_string(judging.seed)};
   if (std::ranges::none_of(judging.words,
                            [](const auto& word) { return word.starts_with("--threads"); })) {
@@ -128,7 +129,7 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
   fs::remove(path + ".key");  // the run may end before its reports are whole
   if (known) {
     known->submission = results::one_line(by.name);
-    report::write_reports(*known, {path + ".json", path + ".html", "", "", ""});
+    report::write_reports(*known, {path + ".json", path + ".html", "", "", "", true});
   } else if (const std::string problem = run_grade(judging, by, path); !problem.empty()) {
     throw pt::Error(problem);
   }

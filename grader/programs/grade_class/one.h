@@ -18,13 +18,13 @@ namespace grader::programs {
 // How everybody in the class is judged.
 struct Judging {
   const judge::Config& config;
-  std::string grade;               // the program
-  std::string out;                 // the folder of the reports
-  std::string former{};            // one of an earlier grading, whose results may be used again
-  std::vector<std::string> words;  // of the program's command line
-  std::uint64_t seed = 1;          // of all random inputs
-  int threads = 1;                 // of one submission; verdicts do not depend on it
-  std::string work{};              // where the program keeps what it builds; empty: where it does
+  std::string grade;                 // the program
+  std::string out;                   // the folder of the reports
+  std::string former{};              // one of an earlier grading, whose results may be used again
+  std::vector<std::string> words{};  // of the program's command line
+  std::uint64_t seed = 1;            // of all random inputs
+  int threads = 1;                   // of one submission; verdicts do not depend on it
+  std::string work{};                // where the program keeps what it builds; empty: where it does
 };
 
 // The outcome for one submission.
