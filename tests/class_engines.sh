@@ -108,7 +108,9 @@ fi
 
 [ "$engine" != slurm ] || start_slurm "$folder/slurm" || complain 'Slurm does not start'
 status=0
-grade_class elsewhere --engine "$engine" --chunk-size 2 --jobs 2 || status=$?
+options=(--sshlogin=:)
+[ "$engine" != slurm ] || options=(--comment=of-a-test --time=60)
+grade_class elsewhere --engine "$engine" --chunk-size 2 --jobs 2 "${options[@]/#/--engine-option=}" || status=$?
 [ "$status" -eq 2 ] || complain "it ended with $status: $(cat "$folder/said")" "$(cat "$folder/elsewhere/engine.log")"
 grep -q '8/8 ' "$folder/said" || complain "$(cat "$folder/said")"
 [ "$(wc -l <"$folder/judged")" -eq 6 ] || complain "judged: $(cat "$folder/judged")"

@@ -81,8 +81,10 @@ void describe_engine(CLI::App& app, Options& options) {
   app.add_option("--engine", options.engine.engine,
                  "where: local (this machine), parallel (GNU parallel) or slurm (an array job)")
       ->transform(CLI::Transformer(engines).description("local|parallel|slurm"));
-  app.add_option("--engine-option", options.engine.options,
-                 "a word for parallel or sbatch, as --engine-option=--sshlogin=a,b");
+  app.add_option(
+         "--engine-option", options.engine.options,
+         "a word for parallel or sbatch, as --engine-option=--sshlogin=a,b; may be repeated")
+      ->allow_extra_args(false);
 }
 
 std::string config_of(const Options& options) {
