@@ -182,6 +182,38 @@ TEST(points, are_refused_with_what_is_wrong_and_where) {
   }
 }
 
+TEST(points, of_a_part_are_weighed_or_left_out) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/points.json";
+  pt::write_file(path, R"({"parts": {"2_bvh": 3, "4_global": 0},
+    "default": {"promise": 2, "picture": 4, "too_noisy": 1, "keeps_state": 5, "one_cause": 0.5},
+    "tasks": {"hit_box": {"promises": {"x": 7}, "pictures": {"y": 2}}, "hit_sphere": {},
+              "trace_path": {"pictures": {"z": 9}}}})");
+  const Points points = load_points(path);
+  const TaskPoints& box = points.at("hit_box");
+  EXPECT_EQ(box.promise, 6);
+  EXPECT_EQ(box.picture, 12);
+  EXPECT_EQ(box.too_noisy, 3);
+  EXPECT_EQ(box.keeps_state, 15);
+  EXPECT_EQ(box.promises.at("x"), 21);
+  EXPECT_EQ(box.pictures.at("y"), 6);
+  EXPECT_EQ(box.one_cause, 0.5);
+  EXPECT_EQ(points.at("hit_sphere").promise, 2);
+  EXPECT_TRUE(is_left_out(points, "trace_path"));
+  EXPECT_FALSE(is_left_out(points, "hit_box"));
+  EXPECT_FALSE(is_left_out(points, "hit_sphere"));
+}
+
+TEST(points, of_parts_are_refused_with_what_is_wrong) {
+  const auto parts = [](const std::string& inside) {
+    return R"({"default": {}, "tasks": {"hit_box": {}}, "parts": )" + inside + "}";
+  };
+  EXPECT_THAT(why_refused(parts(R"({"4": 1})")),
+              HasSubstr("parts.4 is not a part of the course; write 1_rays, 2_bvh"));
+  EXPECT_THAT(why_refused(parts(R"({"4_global": -1})")),
+              HasSubstr("parts.4_global is not a whole number from 0 to 1000"));
+}
+
 TEST(points, of_the_project_can_be_read) {
   const Points points = load_points(FIRSTLIGHT_ROOT "/grader/points.json");
   EXPECT_EQ(points.size(), 12U);

@@ -104,6 +104,27 @@ TEST_F(Page, shows_the_pictures_that_there_are) {
   EXPECT_EQ(count(to_html(results), "data-kind=\"film\""), 1);
 }
 
+TEST_F(Page, that_is_small_has_all_pictures_and_no_numbers) {
+  const std::string full = to_html(run), small = to_html(run, PageSize::small);
+  for (const char* shown : {"data-kind=\"film\"", "data-kind=\"counts\"", "<rect class=\"over\"",
+                            "class=\"layer render\"", "class=\"layer golden\""}) {
+    EXPECT_GT(count(small, shown), 0) << shown;
+    EXPECT_EQ(count(small, shown), count(full, shown)) << shown;
+  }
+  EXPECT_EQ(count(full, "data-render=\"\""), 0);
+  EXPECT_EQ(count(small, "data-render=\"\""), count(full, "data-render="));
+  EXPECT_EQ(count(small, "Point at a picture"), 0);
+  EXPECT_LT(small.size(), full.size());
+  // Maps tell where a picture is wrong.
+  results::Results right = run;
+  for (results::TaskResult& task : right.tasks) {
+    for (results::PictureResult& picture : task.pictures) picture.state = results::State::pass;
+  }
+  EXPECT_EQ(count(to_html(right, PageSize::small), "class=\"map\""), 0);
+  EXPECT_GT(count(small, "class=\"map\""), 0);
+  EXPECT_GT(count(to_html(right), "class=\"map\""), 0);
+}
+
 TEST_F(Page, a_picture_of_two_tasks_is_in_it_once) {
   const std::string text = to_html(run);
   EXPECT_EQ(count(text, "id=\"direct_lights.two_lights\""), 1);

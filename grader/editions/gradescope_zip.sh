@@ -8,7 +8,7 @@ file=$(realpath -m "$1")
 mkdir -p "$(dirname "$file")"
 half=$(mktemp -d)
 trap 'rm -rf "$half" "$file.half"' EXIT
-edition_files '^grader/(editions|intake|self_check)/|^grader/programs/(bless|class|grade_class|unpack)[.]|^cmake/packages-class[.]|^grader/tasks/[a-z_]+/(wrong|right|noisy)/|\.png$|^writeup/' |
+edition_files '^grader/(editions|intake|self_check)/|^grader/programs/(bless[.]|unpack[.]|grade_class/)|^cmake/packages-class[.]|^grader/tasks/[a-z_]+/(wrong|right|noisy)/|\.png$|^writeup/' |
   copy_files "$half"
 { git ls-files reference fast 2>/dev/null | grep . || find reference fast -type f; } | copy_files "$half"
 cp grader/editions/gradescope/setup.sh grader/editions/gradescope/run_autograder "$half"

@@ -147,8 +147,9 @@ Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
 }
 
 process::CommandResult Builder::run(const sandbox::Box& box, const std::string& what) const {
-  const process::CommandResult result =
+  process::CommandResult result =
       process::run_command(sandbox::boxed(box, tier_), std::chrono::seconds(seconds_));
+  result.status = sandbox::program_status(result.status, tier_);
   if (result.ok() || result.timed_out) return result;
   const auto give_up = [&](const std::string& why) {
     throw pt::Error(fmt::format("{} could not be judged: {}", what, why));

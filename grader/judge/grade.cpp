@@ -52,6 +52,23 @@ std::vector<std::string> versions(const Config& config) {
   return all;
 }
 
+// A name in the points that nothing has would quietly change nothing.
+void check_names(const results::Points& points, const std::vector<Judged>& judged,
+                 const std::string& path) {
+  const auto check = [&](const auto& special, const auto& all, auto name, const char* what) {
+    for (const auto& [key, worth] : special) {
+      if (std::ranges::count(all, key, name) > 0 || all.empty()) continue;
+      throw pt::Error(fmt::format("{}: {} is no {} of its task", path, key, what));
+    }
+  };
+  for (const Judged& each : judged) {
+    const auto found = points.find(each.config->slug);
+    if (found == points.end()) continue;
+    check(found->second.promises, each.result.promises, &results::PromiseResult::name, "promise");
+    check(found->second.pictures, each.result.pictures, &results::PictureResult::recipe, "picture");
+  }
+}
+
 constexpr const char* kLearnersFolder = "student";
 
 // One run, from its start on.
@@ -77,6 +94,7 @@ class Run {
       judged_.push_back(not_judged(config, *task));
     }
     if (request.pictures) list_pictures(config, request, judged_);
+    check_names(points_, judged_, config.root + "/grader/points.json");
     for (const TaskConfig& task : config.tasks) {
       if (is_asked(task.slug)) results_.asked.push_back(task.slug);
     }

@@ -7,6 +7,7 @@
 #include "grader/programs/grade_options.h"
 #include "grader/report/hint_memory.h"
 #include "grader/report/terminal.h"
+#include "grader/results/points.h"
 #include "grader/results/presentable.h"
 #include "grader/results/read_json.h"
 #include "grader/results/summary.h"
@@ -32,7 +33,10 @@ using namespace grader::programs;
 using Words = std::vector<std::string>;
 
 judge::Config config_for(const GradeOptions& options) {
-  return judge::load_config(options.config.empty() ? judge::default_config_path() : options.config);
+  judge::Config config =
+      judge::load_config(options.config.empty() ? judge::default_config_path() : options.config);
+  if (!options.work.empty()) config.work = std::filesystem::absolute(options.work);
+  return config;
 }
 
 sandbox::Isolation isolation(const judge::Config& config, const GradeOptions& options) {
@@ -112,9 +116,13 @@ judge::GradeRequest request_for(const judge::Config& config, const GradeOptions&
   for (const std::string& word : options.what) {
     for (const std::string& slug : judge::tasks_meant(config, word)) asked.insert(slug);
   }
+  const std::string points_file = config.root + "/grader/points.json";
+  const results::Points points = results::load_points(points_file);
   for (const judge::TaskConfig& task : config.tasks) {
-    if (options.what.empty() || asked.contains(task.slug)) request.asked.push_back(task.slug);
+    const bool meant = options.what.empty() && !results::is_left_out(points, task.slug);
+    if (meant || asked.contains(task.slug)) request.asked.push_back(task.slug);
   }
+  if (request.asked.empty()) throw pt::Error(points_file + ": nothing earns a point");
   return request;
 }
 

@@ -25,6 +25,8 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_flag("--no-pictures", options.no_pictures, "judge the promises only");
   app.add_option("--json", options.files.json, "also write the results to this file");
   app.add_option("--html", options.files.html, "also write a page with all pictures");
+  app.add_flag("--small-page", options.files.small_page,
+               "leave the numbers of pixels out of that page, and maps of pictures that are right");
   app.add_option("--junit", options.files.junit, "also write JUnit's XML");
   app.add_option("--gradescope", options.files.gradescope, "also write Gradescope's results.json");
   app.add_option("--csv", options.files.csv, "also write a table, a line per task");
@@ -41,6 +43,8 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_flag("--require-isolation", options.require_isolation, "refuse to grade in C");
   app.add_flag("--resume", options.resume, "go on with the run that was interrupted");
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+  app.add_option("--work", options.work,
+                 "where it keeps what it builds and finds out; default: as --config says");
   std::vector<std::string> reversed(words.rbegin(), words.rend());
   try {
     app.parse(reversed);

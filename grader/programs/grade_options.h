@@ -17,6 +17,7 @@ struct GradeOptions {
   report::ReportFiles files;
   std::string from_results;
   std::string config;
+  std::string work;  // where it keeps what it builds; empty: where the config says
   std::uint64_t seed = 1;
   int call_limit = static_cast<int>(process::kCallLimit.count());
   int compile_limit = 60;

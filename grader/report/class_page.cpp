@@ -1,5 +1,6 @@
 #include "grader/report/class_page.h"
 
+#include "grader/report/address.h"
 #include "grader/report/filled.h"
 #include "grader/report/html_picture.h"
 #include "grader/report/page/sources.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include <fmt/format.h>
 
@@ -19,17 +19,6 @@ using kainjow::mustache::data;
 
 constexpr std::size_t kHardest = 15;  // that are listed
 constexpr int kBins = 10;             // of the distribution of points
-
-// A file's name in an address.
-std::string address_of(const std::string& file) {
-  std::string address;
-  for (const char c : file) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) != 0 || c == '-' || c == '_' || c == '.';
-    address += plain && byte < 0x80 ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
-  return address;
-}
 
 int percent_of(int part, int whole) { return whole > 0 ? (100 * part + whole / 2) / whole : 0; }
 

@@ -119,8 +119,8 @@ data task_data(const results::TaskResult& task, Places& places) {
   return out;
 }
 
-data parts_data(const std::vector<results::TaskResult>& tasks) {
-  Places places;
+data parts_data(const std::vector<results::TaskResult>& tasks, PageSize size) {
+  Places places(size);
   data parts{data::type::list};
   for (std::size_t i = 0; i < tasks.size();) {
     std::vector<results::TaskResult> of_part;
@@ -142,7 +142,7 @@ data parts_data(const std::vector<results::TaskResult>& tasks) {
   return parts;
 }
 
-data page_data(const results::Results& results) {
+data page_data(const results::Results& results, PageSize size) {
   const results::Totals all = results::totals(results.tasks);
   data out;
   out.set("style", std::string(page_css));
@@ -162,14 +162,14 @@ data page_data(const results::Results& results) {
   out.set("times", results::times(results));
   set_texts(out, "versions", "version", results.versions);
   set_text(out, "command", results.command);
-  out.set("parts", parts_data(results.tasks));
+  out.set("parts", parts_data(results.tasks, size));
   return out;
 }
 
 }  // namespace
 
-std::string to_html(const results::Results& results) {
-  return filled(page_html, page_data(results::presentable(results)));
+std::string to_html(const results::Results& results, PageSize size) {
+  return filled(page_html, page_data(results::presentable(results), size));
 }
 
 }  // namespace grader::report

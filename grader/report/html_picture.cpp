@@ -80,7 +80,9 @@ data view(const char* kind, int width, int height) {
   out.set("kind", kind);
   out.set("width", std::to_string(width));
   out.set("height", std::to_string(height));
-  out.set("noise_data", "");
+  for (const char* numbers : {"render_data", "golden_data", "noise_data"}) out.set(numbers, "");
+  out.set("has_numbers", false);
+  out.set("maps", data{data::type::list});
   out.set("bar", false);
   out.set("has_cells", false);
   out.set("render_label", "render");
@@ -111,7 +113,12 @@ data film_maps(const results::PictureResult& picture, const pt::Image& render,
   return maps;
 }
 
-data film_view(const results::PictureResult& picture) {
+// Maps tell what is wrong.
+bool has_maps(const results::PictureResult& picture, PageSize size) {
+  return size == PageSize::full || picture.state != results::State::pass;
+}
+
+data film_view(const results::PictureResult& picture, PageSize size) {
   const pt::Film render = pt::read_exr(picture.render), golden = pt::read_exr(picture.golden);
   check_sizes(render, golden);
   const pt::Image a = mean(render), b = mean(golden);
@@ -121,18 +128,21 @@ data film_view(const results::PictureResult& picture) {
   out.set("golden_png", png_address(pt::tone_map(b, exposure)));
   out.set("render_alt", "The submission's render of " + picture.recipe);
   out.set("golden_alt", "The golden of " + picture.recipe);
-  out.set("render_data", embedded_pixels(render));
-  out.set("golden_data", embedded_pixels(golden));
-  out.set("noise_data", embedded_noise(render, golden));
+  if (size == PageSize::full) {
+    out.set("render_data", embedded_pixels(render));
+    out.set("golden_data", embedded_pixels(golden));
+    out.set("noise_data", embedded_noise(render, golden));
+    out.set("has_numbers", true);
+  }
   out.set("compare_name", "Render over golden");
   out.set("compare_text", exposure == 1 ? "" : fmt::format("at exposure {:g}", exposure));
-  out.set("maps", film_maps(picture, a, b));
+  if (has_maps(picture, size)) out.set("maps", film_maps(picture, a, b));
   out.set("has_cells", !picture.cells.empty());
   out.set("cells", cells_data(picture));
   return out;
 }
 
-data counts_view(const results::PictureResult& picture) {
+data counts_view(const results::PictureResult& picture, PageSize size) {
   const pt::SampleMap render = pt::read_counts(picture.counts);
   const pt::SampleMap golden = pt::read_counts(picture.golden_counts);
   check_sizes(render, golden);
@@ -148,8 +158,11 @@ data counts_view(const results::PictureResult& picture) {
   out.set("render_alt", "The submission's sample map of " + picture.recipe);
   out.set("golden_alt", "The reference's sample map of " + picture.recipe);
   out.set("golden_label", "reference");
-  out.set("render_data", embedded_counts(render));
-  out.set("golden_data", embedded_counts(golden));
+  if (size == PageSize::full) {
+    out.set("render_data", embedded_counts(render));
+    out.set("golden_data", embedded_counts(golden));
+    out.set("has_numbers", true);
+  }
   out.set("compare_name", "Sample map");
   out.set("compare_text", "samples per pixel, the brighter the more");
   out.set("bar", true);
@@ -161,7 +174,7 @@ data counts_view(const results::PictureResult& picture) {
                            count_difference_map(render, golden),
                            legend_bar([](double t) { return pt::difference_color(0.4 * t - 0.2); }),
                            "\u221220 %", "+20 %"}));
-  out.set("maps", maps);
+  if (has_maps(picture, size)) out.set("maps", maps);
   return out;
 }
 
@@ -224,9 +237,9 @@ data picture_data(const results::PictureResult& picture, const std::string& slug
   out.set("picture_replay", picture.replay);
   data views{data::type::list};
   std::string problem;
-  const auto add = [&](data (*make)(const results::PictureResult&)) {
+  const auto add = [&](data (*make)(const results::PictureResult&, PageSize)) {
     try {
-      views.push_back(make(picture));
+      views.push_back(make(picture, places.size()));
     } catch (const pt::Error& error) {
       problem += fmt::format("{}It cannot be shown. {}", problem.empty() ? "" : " ", error.what());
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/report/html.h"
 #include "grader/results/results.h"
 
 #include <map>
@@ -13,11 +14,16 @@ namespace grader::report {
 // of them; the others refer to that place.
 class Places {
  public:
+  explicit Places(PageSize size) : size_(size) {}
+
+  PageSize size() const { return size_; }
+
   // The place of the same picture, the same in all that is shown of it, if it has one already;
   // otherwise it gets this one, and the answer is empty.
   std::string taken(const results::PictureResult& picture, const std::string& place);
 
  private:
+  PageSize size_;
   std::map<std::string, std::string> places_;  // by what is shown
 };
 

@@ -22,7 +22,8 @@ void write_reports(const results::Results& results, const ReportFiles& files) {
   if (!files.junit.empty()) pt::write_file(files.junit, to_junit(results));
   if (!files.gradescope.empty()) pt::write_file(files.gradescope, to_gradescope(results));
   if (!files.csv.empty()) pt::write_file(files.csv, to_csv(results));
-  if (!files.html.empty()) pt::write_file(files.html, to_html(results));
+  const PageSize size = files.small_page ? PageSize::small : PageSize::full;
+  if (!files.html.empty()) pt::write_file(files.html, to_html(results, size));
 }
 
 void ProgressReports::write(const results::Results& results) {

@@ -1,12 +1,15 @@
 #include "grader/results/points.h"
 
 #include "grader/base/files.h"
+#include "grader/tasks.h"
 #include "pt/error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace grader::results {
@@ -63,6 +66,29 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
   return points;
 }
 
+void multiply(TaskPoints& points, int weight) {
+  for (int* each : {&points.promise, &points.picture, &points.too_noisy, &points.keeps_state}) {
+    *each *= weight;
+  }
+  for (auto* special : {&points.promises, &points.pictures}) {
+    for (auto& [name, worth] : *special) worth *= weight;
+  }
+}
+
+void weigh_parts(const json& parts, Points& points) {
+  std::set<std::string> known;
+  for (const Task& task : tasks()) known.insert(task.part);
+  for (const auto& [part, weight] : read_numbers(parts, "parts")) {
+    if (!known.contains(part)) {
+      throw pt::Error(fmt::format("parts.{} is not a part of the course; write {}", part,
+                                  fmt::join(known, ", ")));
+    }
+    for (const Task& task : tasks()) {
+      if (task.part == part && points.contains(task.slug)) multiply(points[task.slug], weight);
+    }
+  }
+}
+
 int worth(int usual, const std::map<std::string, int>& special, const std::string& name) {
   const auto found = special.find(name);
   return found == special.end() ? usual : found->second;
@@ -94,12 +120,22 @@ Points load_points(const std::string& path) {
     for (const auto& [slug, task] : all.at("tasks").items()) {
       points[slug] = read_task(task, usual, "tasks." + slug);
     }
+    if (all.contains("parts")) weigh_parts(all.at("parts"), points);
     return points;
   } catch (const json::exception& error) {
     throw pt::Error(fmt::format("{}: {}; see grader/results/points.h", path, error.what()));
   } catch (const pt::Error& error) {
     throw pt::Error(fmt::format("{}: {}", path, error.what()));
   }
+}
+
+bool is_left_out(const Points& points, const std::string& slug) {
+  const auto found = points.find(slug);
+  if (found == points.end()) return false;
+  const auto earns = [](const auto& special) { return special.second > 0; };
+  const TaskPoints& task = found->second;
+  return task.promise == 0 && task.picture == 0 && std::ranges::none_of(task.promises, earns) &&
+         std::ranges::none_of(task.pictures, earns);
 }
 
 void count_points(const Points& points, TaskResult& result) {

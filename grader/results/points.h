@@ -21,11 +21,16 @@ struct TaskPoints {
 using Points = std::map<std::string, TaskPoints>;  // by slug
 
 // Reads grader/points.json:
-//   {"default": {"promise": n, "picture": n, "too_noisy": n, "keeps_state": n,
+//   {"parts": {part: n},
+//    "default": {"promise": n, "picture": n, "too_noisy": n, "keeps_state": n,
 //                "one_cause": share},
 //    "tasks": {slug: {as above, "promises": {name: n}, "pictures": {recipe: n}}}}
-// Throws pt::Error, with the file and what to do, for anything else.
+// All points of a part ("4_global") are multiplied by what "parts" says of it, if anything; 0: the
+// course leaves it out. Throws pt::Error, with the file and what to do, for anything else.
 Points load_points(const std::string& path);
+
+// Returns whether nothing of the task earns a point, as of a part that the course leaves out.
+bool is_left_out(const Points& points, const std::string& slug);
 
 // Fills in what each promise and picture earns, and the sums. Where a mistake is named, it is the
 // one cause of all that is wrong: then broken promises together take at most the share `one_cause`

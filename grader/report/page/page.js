@@ -56,6 +56,8 @@ function reader(viewer) {
   const data = viewer.dataset;
   const film = data.kind === "film";
   let render, golden, noise;
+  // A small page has no numbers.
+  if (!data.render) return () => "";
   return (index) => {
     if (!render) {
       const decode = film ? halves : integers;

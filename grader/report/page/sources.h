@@ -12,5 +12,6 @@ extern const std::string_view page_css;
 extern const std::string_view page_js;
 extern const std::string_view class_html;  // a template, with page_css
 extern const std::string_view class_js;
+extern const std::string_view compare_html;  // a template, with page_css
 
 }  // namespace grader::report

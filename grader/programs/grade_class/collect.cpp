@@ -1,0 +1,164 @@
+#include "grader/programs/grade_class/collect.h"
+
+#include "grader/intake/unpack.h"
+#include "grader/programs/grade_class/compare.h"
+#include "grader/report/csv.h"
+#include "grader/results/presentable.h"
+#include "grader/results/summary.h"
+#include "pt/file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace grader::programs {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kBetweenTables{2};
+
+std::string field(const std::string& text) { return report::csv_field(results::one_line(text)); }
+
+// "1_rays", in the order of the course.
+std::vector<std::string> parts_of(const judge::Config& config) {
+  std::vector<std::string> parts;
+  for (const judge::TaskConfig& task : config.tasks) {
+    if (parts.empty() || parts.back() != task.part) parts.push_back(task.part);
+  }
+  return parts;
+}
+
+std::string header(const judge::Config& config) {
+  std::string text = std::string(report::kByteOrderMark) +
+                     "submission,id,late,tasks_passed,points,max_points,bonus_points";
+  for (const std::string& part : parts_of(config)) text += fmt::format(",{}_points", part);
+  for (const judge::TaskConfig& task : config.tasks)
+    text += fmt::format(",{0},{0}_points", task.slug);
+  return text + ",problem\r\n";
+}
+
+// The tasks of a part, or one task: those with the name.
+std::vector<results::TaskResult> tasks_of(const results::Results& results,
+                                          const std::string results::TaskResult::*member,
+                                          const std::string& name) {
+  std::vector<results::TaskResult> tasks;
+  for (const results::TaskResult& task : results.tasks) {
+    if (task.*member == name) tasks.push_back(task);
+  }
+  return tasks;
+}
+
+// With its bonus points; nothing of tasks that were not asked.
+std::string points_of(const std::vector<results::TaskResult>& tasks) {
+  const results::Totals sums = results::totals(tasks);
+  return tasks.empty() ? "" : std::to_string(sums.points + sums.bonus_points);
+}
+
+std::string line(const judge::Config& config, const Graded& graded, bool anonymous) {
+  const bool judged = graded.problem.empty();
+  const results::Results& results = graded.results;
+  const results::Totals sums = results::totals(results.tasks);
+  std::string text =
+      fmt::format("{},{},{}", field(graded.by.name), anonymous ? "" : field(graded.by.id),
+                  graded.by.late ? "late" : "");
+  text += judged ? fmt::format(",{},{},{},{}", sums.passed, sums.points, sums.max_points,
+                               sums.bonus_points)
+                 : ",,,,";
+  for (const std::string& part : parts_of(config)) {
+    text += "," + points_of(tasks_of(results, &results::TaskResult::part, part));
+  }
+  for (const judge::TaskConfig& task : config.tasks) {
+    const auto found = tasks_of(results, &results::TaskResult::slug, task.slug);
+    text += fmt::format(",{},{}", found.empty() ? "" : results::words(found[0].state),
+                        points_of(found));
+  }
+  return text + "," + field(graded.problem) + "\r\n";
+}
+
+}  // namespace
+
+Collector::Collector(const judge::Config& config, const Plan& plan, std::string out)
+    : config_(config),
+      plan_(plan),
+      out_(std::move(out)),
+      lines_(plan.everybody.size()),
+      for_platforms_(plan.everybody.size()) {}
+
+void Collector::add(std::size_t i, const Graded& graded) {
+  const bool judged = graded.problem.empty(), anonymous = !plan_.real_names.empty();
+  const results::Totals sums = results::totals(graded.results.tasks);
+  max_points_ = std::max(max_points_, sums.max_points);
+  for_platforms_[i] = {anonymous ? plan_.real_names[i] : graded.by.name, graded.by.id, judged,
+                       sums.points + sums.bonus_points,
+                       judged ? results::verdict(graded.results) : graded.problem};
+  page_.add({graded.by.name, anonymous ? "" : graded.by.id, graded.by.name + ".html",
+             graded.problem, graded.by.late},
+            graded.results);
+  lines_[i] = line(config_, graded, anonymous);
+  if (std::chrono::steady_clock::now() >= next_table_) write_table();
+}
+
+void Collector::write_table() {
+  pt::write_file(out_ + "/class.csv",
+                 std::accumulate(lines_.begin(), lines_.end(), header(config_)));
+  next_table_ = std::chrono::steady_clock::now() + kBetweenTables;
+}
+
+std::vector<std::string> Collector::write() {
+  write_table();
+  std::vector<std::string> written{out_ + "/class.csv", out_ + "/class.html"};
+  pt::write_file(written[1], page_.to_html());
+  for (const std::string& path : write_returns()) written.push_back(path);
+  if (!plan_.former.empty()) {
+    const report::Comparison comparison = compare(plan_, plan_.former, out_);
+    for (const char* name : {"/compare.csv", "/compare.html"}) written.push_back(out_ + name);
+    pt::write_file(out_ + "/compare.csv", report::comparison_csv(comparison));
+    pt::write_file(out_ + "/compare.html", report::comparison_html(comparison));
+    fmt::print("{}\n", report::comparison_sentence(comparison));
+  }
+  if (!plan_.real_names.empty()) {
+    std::string names = std::string(report::kByteOrderMark) + "submission,name,id\r\n";
+    for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
+      const intake::HandedIn& by = plan_.everybody[i];
+      names += fmt::format("{},{},{}\r\n", by.name, field(plan_.real_names[i]), field(by.id));
+    }
+    written.push_back(out_ + "/names.csv");
+    pt::write_file(written.back(), names);
+  }
+  return written;
+}
+
+std::vector<std::string> Collector::write_returns() const {
+  std::vector<report::GradeRow> canvas, moodle;
+  std::vector<intake::Packed> pages;
+  for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
+    const intake::HandedIn& by = plan_.everybody[i];
+    const report::GradeRow& row = for_platforms_[i];
+    if (by.platform == intake::Platform::canvas) canvas.push_back(row);
+    if (by.platform == intake::Platform::moodle) moodle.push_back(row);
+    if (!row.judged || by.feedback.empty()) continue;
+    pages.push_back({by.feedback, out_ + "/" + by.name + ".html"});
+  }
+  std::vector<std::string> written;
+  const auto write_text = [&](const std::string& name, const std::string& text) {
+    written.push_back(out_ + "/" + name);
+    pt::write_file(written.back(), text);
+  };
+  const std::string assignment = fs::path(plan_.input).stem();
+  if (!canvas.empty()) {
+    write_text("canvas.csv", report::canvas_csv(canvas, assignment, max_points_));
+  }
+  if (!moodle.empty()) write_text("moodle.csv", report::moodle_csv(moodle, max_points_));
+  if (!pages.empty()) {
+    written.push_back(out_ + "/feedback.zip");
+    intake::pack(written.back(), pages);
+  }
+  return written;
+}
+
+}  // namespace grader::programs

@@ -1,0 +1,59 @@
+#include "grader/programs/grade_class/compare.h"
+
+#include "grader/results/read_json.h"
+#include "grader/results/summary.h"
+#include "pt/error.h"
+
+#include <filesystem>
+#include <optional>
+#include <set>
+
+namespace grader::programs {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<results::Results> results_at(const std::string& path) {
+  if (!fs::exists(path + ".key")) return std::nullopt;
+  try {
+    results::Results results = results::read_results(path + ".json");
+    if (results.complete) return results;
+  } catch (const pt::Error&) {
+    // the judge that wrote them was another one
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+report::Comparison compare(const Plan& plan, const std::string& former, const std::string& out) {
+  report::Comparison comparison;
+  comparison.former = former;
+  std::set<std::string> names;
+  for (const intake::HandedIn& by : plan.everybody) {
+    names.insert(by.name);
+    const auto before = results_at(former + "/" + by.name);
+    const auto after = results_at(out + "/" + by.name);
+    if (before && after) {
+      const results::Totals old = results::totals(before->tasks);
+      const results::Totals now = results::totals(after->tasks);
+      comparison.rows.push_back({by.name, by.name + ".html", old.points + old.bonus_points,
+                                 old.max_points, now.points + now.bonus_points, now.max_points,
+                                 results::changes(*before, *after)});
+    } else if (before) {
+      comparison.only_before.push_back(by.name);
+    } else if (after) {
+      comparison.only_after.push_back(by.name);
+    }
+  }
+  for (const auto& entry : fs::directory_iterator(former)) {
+    const std::string name = entry.path().stem();
+    if (entry.path().extension() == ".key" && !names.contains(name)) {
+      comparison.only_before.push_back(name);
+    }
+  }
+  return comparison;
+}
+
+}  // namespace grader::programs

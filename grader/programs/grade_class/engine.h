@@ -1,0 +1,39 @@
+#pragma once
+
+#include "grader/programs/grade_class/one.h"
+#include "grader/programs/grade_class/plan.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+// Where the chunks of a plan are run.
+
+namespace grader::programs {
+
+// Judges all submissions of one chunk, so many at a time. `report` is called with each outcome, by one thread at a
+// time.
+using Report = std::function<void(std::size_t i, const Graded& graded)>;
+void run_chunk(const Judging& judging, const Plan& plan, const Chunk& chunk, int jobs,
+               const Report& report);
+
+enum class Engine { local, parallel, slurm };
+
+struct EngineRequest {
+  Engine engine = Engine::local;
+  int jobs = 0;  // at a time; 0: as many as there are processors, or as the cluster gives
+  std::vector<std::string> options;  // words for parallel or sbatch
+  std::vector<std::string> program;  // words that run a chunk: folder and number are added
+};
+
+// The command line that runs the chunks with these numbers (from 1 on), and waits for them.
+std::vector<std::string> engine_command(const EngineRequest& request, const std::string& out,
+                                        const std::vector<std::size_t>& numbers);
+
+// Runs all chunks that are not done. What a process that was killed left undone is tried again, twice. What
+// GNU parallel or sbatch print is in <out>/engine.log. Throws pt::Error if they are missing or refuse.
+void run_plan(const Judging& judging, const Plan& plan, const EngineRequest& request,
+              const Report& report);
+
+}  // namespace grader::programs

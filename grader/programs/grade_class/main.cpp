@@ -1,0 +1,289 @@
+// grade_class: grades every submission of a class, or does one step of it: plan, chunk, collect. Exit
+// status 0 if all could be judged, 2 if one could not, or nothing could.
+#include "grader/programs/grade_class/collect.h"
+#include "grader/programs/grade_class/engine.h"
+#include "grader/programs/grade_class/one.h"
+#include "grader/programs/grade_class/plan.h"
+#include "grader/results/presentable.h"
+#include "grader/results/summary.h"
+#include "pt/command_line.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/render/progress.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace grader;
+using namespace grader::programs;
+
+struct Options {
+  PlanRequest plan;
+  EngineRequest engine;
+  std::string config;
+  std::vector<std::size_t> numbers;  // of chunks
+  bool not_isolated = false;
+  bool end_with_parent = false;
+};
+
+constexpr const char* kSteps =
+    "One step at a time, for other schedulers than --engine knows:\n"
+    "  ./run grade-class plan CLASS --out DIR [--chunk-size N] ... [-- OPTIONS of grade]\n"
+    "  ./run grade-class chunk DIR NUMBER ...      on any machine that has DIR; in any order\n"
+    "  ./run grade-class collect DIR               at any time: tables and pages of what is "
+    "judged\n"
+    "A class whose folder has one of these names is written ./plan.";
+
+void add_config(CLI::App& app, Options& options) {
+  app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+}
+
+void describe_plan(CLI::App& app, Options& options) {
+  app.add_option("class", options.plan.input,
+                 "an export of Canvas, Moodle or Gradescope, or a folder with a folder or "
+                 "an archive per submission")
+      ->required()
+      ->check(CLI::ExistingPath);
+  app.add_option("--out", options.plan.out, "where reports go; default: <class>-graded");
+  app.add_option("--seed", options.plan.seed,
+                 "the seed of all random inputs; default: drawn for the class, and kept");
+  app.add_option("--chunk-size", options.plan.chunk_size,
+                 "submissions that one process judges; default: as many as give 500 chunks");
+  app.add_option(
+         "--compare", options.plan.former,
+         "reports of an earlier grading: who gains, who loses, and by which promise; judges "
+         "with its seed, and only what may have changed")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--anonymous", options.plan.anonymous,
+               "numbers in place of names; names.csv tells who is who");
+  app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
+  add_config(app, options);
+  app.prefix_command();
+}
+
+void describe_engine(CLI::App& app, Options& options) {
+  const std::map<std::string, Engine> engines{
+      {"local", Engine::local}, {"parallel", Engine::parallel}, {"slurm", Engine::slurm}};
+  app.add_option("--jobs", options.engine.jobs,
+                 "submissions at a time; verdicts do not depend on it; default: one per processor")
+      ->check(CLI::Range(1, 4096));
+  app.add_option("--engine", options.engine.engine,
+                 "where: local (this machine), parallel (GNU parallel) or slurm (an array job)")
+      ->transform(CLI::Transformer(engines).description("local|parallel|slurm"));
+  app.add_option(
+         "--engine-option", options.engine.options,
+         "a word for parallel or sbatch, as --engine-option=--sshlogin=a,b; may be repeated")
+      ->allow_extra_args(false);
+}
+
+std::string config_of(const Options& options) {
+  return options.config.empty() ? judge::default_config_path()
+                                : fs::absolute(options.config).string();
+}
+
+std::string programs_of(const Options& options) {
+  return fs::path(config_of(options)).parent_path();
+}
+
+int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+// Another machine may share the project's folder, and must not take our judges for ended ones.
+std::string work_on(const judge::Config& config, const Plan& plan) {
+  return plan.host == host_name() ? "" : config.work + "/on/" + host_name();
+}
+
+Judging judging_of(const judge::Config& config, const Options& options, const Plan& plan,
+                   const std::string& out, int threads) {
+  Judging judging{config, programs_of(options) + "/grade", out};
+  judging.former = plan.former;
+  judging.words = plan.words;
+  judging.seed = plan.seed;
+  judging.threads = threads;
+  judging.work = work_on(config, plan);
+  return judging;
+}
+
+// Says one outcome after another, and how long the rest will take.
+class Teller {
+ public:
+  explicit Teller(std::size_t all) : all_(all) {}
+
+  void tell(const Graded& graded) {
+    bar_.clear();
+    fmt::print("{}/{} {}: {}{}\n", ++count_, all_, results::one_line(graded.by.name),
+               graded.problem.empty() ? results::verdict(graded.results)
+                                      : results::one_line(graded.problem),
+               graded.again && graded.problem.empty() ? " (as before)" : "");
+    std::fflush(stdout);
+    all_judged_ = all_judged_ && graded.problem.empty();
+    if (graded.again) ++known_;
+    // What was known takes no time, and says nothing about the rest.
+    if (count_ < all_) {
+      bar_.show(static_cast<double>(count_ - known_) / static_cast<double>(all_ - known_));
+    } else {
+      bar_.clear();
+    }
+  }
+  bool all_judged() const { return all_judged_; }
+
+ private:
+  pt::Progress bar_;
+  std::size_t all_, count_ = 0, known_ = 0;
+  bool all_judged_ = true;
+};
+
+Plan planned(Options& options, const judge::Config& config, const std::vector<std::string>& words) {
+  PlanRequest& request = options.plan;
+  request.words = words;
+  std::erase(request.words, "--");
+  for (const std::string& word : request.words) {
+    if (word.starts_with("--seed")) throw pt::Error("write --seed before --, not after it");
+  }
+  while (request.input.size() > 1 && request.input.back() == '/') request.input.pop_back();
+  if (request.out.empty()) request.out = request.input + "-graded";
+  if (!options.not_isolated) request.words.emplace_back("--require-isolation");
+  fs::create_directories(request.out);
+  request.out = fs::absolute(request.out);
+  if (!request.former.empty()) {
+    request.former = fs::absolute(request.former);
+    if (fs::equivalent(request.former, request.out)) {
+      throw pt::Error("the reports in " + request.out +
+                      " cannot be compared with themselves; write --out another folder");
+    }
+  }
+  pt::check_target(request.out + "/class.csv");
+  Plan plan = make_plan(config, programs_of(options), request);
+  forget_outcomes(request.out, plan.everybody);
+  write_plan(plan, request.out);
+  fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
+  return plan;
+}
+
+void print_files(Collector& collector) {
+  for (const std::string& file : collector.write()) fmt::print("{}\n", file);
+}
+
+int grade_all(Options options, const std::vector<std::string>& words) {
+  const judge::Config config = judge::load_config(config_of(options));
+  const Plan plan = planned(options, config, words);
+  EngineRequest& engine = options.engine;
+  if (engine.engine == Engine::local && engine.jobs == 0) engine.jobs = processors();
+  const int threads = std::max(1, processors() / std::max(1, engine.jobs));
+  const Judging judging = judging_of(config, options, plan, options.plan.out, threads);
+  engine.program = {fs::read_symlink("/proc/self/exe"), "chunk", "--config", config_of(options)};
+  if (engine.engine == Engine::parallel) engine.program.emplace_back("--end-with-parent");
+
+  Collector collector(config, plan, options.plan.out);
+  Teller teller(plan.everybody.size());
+  std::vector<bool> known(plan.everybody.size(), false);
+  const auto report = [&](std::size_t i, const Graded& graded) {
+    teller.tell(graded);
+    collector.add(i, graded);
+    known[i] = true;
+  };
+  for (std::size_t i = 0; i < plan.everybody.size(); ++i) {
+    if (!plan.everybody[i].problem.empty()) report(i, graded_before(judging, plan.everybody[i]));
+  }
+  run_plan(judging, plan, engine, report);
+  for (std::size_t i = 0; i < plan.everybody.size(); ++i) {
+    if (!known[i]) report(i, graded_before(judging, plan.everybody[i]));
+  }
+  print_files(collector);
+  return teller.all_judged() ? 0 : 2;
+}
+
+int make_plan_only(Options options, const std::vector<std::string>& words) {
+  const Plan plan = planned(options, judge::load_config(config_of(options)), words);
+  fmt::print("{} submissions in {} chunks: ./run grade-class chunk {} NUMBER, from 1 to {}\n",
+             plan.everybody.size(), plan.chunks.size(), options.plan.out, plan.chunks.size());
+  return 0;
+}
+
+int run_chunks(const Options& options) {
+  if (options.end_with_parent) prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const judge::Config config = judge::load_config(config_of(options));
+  const std::string out = fs::absolute(options.plan.out);
+  const Plan plan = read_plan(out);
+  Chunk all;
+  for (const std::size_t number : options.numbers) {
+    if (number < 1 || number > plan.chunks.size()) {
+      throw pt::Error(
+          fmt::format("there is no chunk {}; the plan has 1 to {}", number, plan.chunks.size()));
+    }
+    const Chunk& chunk = plan.chunks[number - 1];
+    all.insert(all.end(), chunk.begin(), chunk.end());
+  }
+  std::size_t count = 0;
+  for (const Equal& equal : all) count += equal.size();
+  Teller teller(count);
+  const int jobs = std::max(1, options.engine.jobs);
+  run_chunk(judging_of(config, options, plan, out, 1), plan, all, jobs,
+            [&](std::size_t, const Graded& graded) { teller.tell(graded); });
+  return 0;  // each has its outcome, which the collector tells
+}
+
+int collect(const Options& options) {
+  const judge::Config config = judge::load_config(config_of(options));
+  const std::string out = fs::absolute(options.plan.out);
+  const Plan plan = read_plan(out);
+  const Judging judging = judging_of(config, options, plan, out, 1);
+  Collector collector(config, plan, out);
+  std::size_t judged = 0;
+  for (std::size_t i = 0; i < plan.everybody.size(); ++i) {
+    const Graded graded = graded_before(judging, plan.everybody[i]);
+    judged += graded.problem.empty() ? 1 : 0;
+    collector.add(i, graded);
+  }
+  fmt::print("{} of {} submissions are judged\n", judged, plan.everybody.size());
+  print_files(collector);
+  return judged == plan.everybody.size() ? 0 : 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  const std::string step = argc > 1 ? argv[1] : "";
+  const bool is_step = step == "plan" || step == "chunk" || step == "collect";
+  CLI::App app{"Grades every submission of a class; options after -- go to grade",
+               "./run grade-class" + (is_step ? " " + step : "")};
+  if (is_step) {
+    --argc;
+    ++argv;
+  } else {
+    app.footer(kSteps);
+    describe_engine(app, options);
+  }
+  if (step == "chunk" || step == "collect") {
+    app.add_option("reports", options.plan.out, "the folder with the plan")
+        ->required()
+        ->check(CLI::ExistingDirectory);
+    add_config(app, options);
+  }
+  if (step == "chunk") {
+    app.add_option("number", options.numbers, "of the chunks, from 1 on")->required();
+    app.add_option("--jobs", options.engine.jobs, "submissions at a time; default: 1")
+        ->check(CLI::Range(1, 4096));
+    app.add_flag("--end-with-parent", options.end_with_parent,
+                 "for engines: it ends when the process that started it does");
+    return pt::run_command_line(app, argc, argv, [&] { return run_chunks(options); });
+  }
+  if (step == "collect") {
+    return pt::run_command_line(app, argc, argv, [&] { return collect(options); });
+  }
+  describe_plan(app, options);
+  return pt::run_command_line(app, argc, argv, [&] {
+    return is_step ? make_plan_only(options, app.remaining()) : grade_all(options, app.remaining());
+  });
+}

@@ -1,0 +1,209 @@
+#include "grader/programs/grade_class/one.h"
+
+#include "grader/base/files.h"
+#include "grader/base/sha256.h"
+#include "grader/process/run_command.h"
+#include "grader/programs/grade_class/claim.h"
+#include "grader/report/write_reports.h"
+#include "grader/results/points.h"
+#include "grader/results/presentable.h"
+#include "grader/results/read_json.h"
+#include "pt/end_of_program.h"
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+namespace grader::programs {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Far beyond the slowest submission there is.
+constexpr std::chrono::hours kMaxTime{2};
+constexpr const char* kNotYet = "it is not judged yet";
+
+// Stands for all that the reports depend on: what is judged and how, and what it is worth.
+struct Key {
+  std::string judging, points;
+  std::string text() const { return judging + '\n' + points + '\n'; }
+  bool operator==(const Key&) const = default;
+};
+
+std::string points_file(const Judging& judging) {
+  return judging.config.root + "/grader/points.json";
+}
+
+Key key_of(const Judging& judging, const std::string& submission) {
+  const judge::Config& config = judging.config;
+  std::string key = base::stamp(judging.grade) + base::stamp(config.picture) +
+                    base::stamp(config.root + "/scenes/recipes.json");
+  const std::string golden = config.root + "/golden";
+  if (fs::exists(golden)) key += base::stamp(golden);
+  for (const std::string& word : judging.words) key += word + '\0';
+  key += std::to_string(judging.seed);
+  const std::string root = base::submission_root(submission);
+  for (const judge::TaskConfig& task : config.tasks) {
+    const base::Submitted file = base::read_submitted(root, task.part, task.slug);
+    key += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
+    if (!task.graded.empty()) key += base::stamp(task.graded);
+  }
+  return {base::sha256(key), base::sha256(base::read_file(points_file(judging)))};
+}
+
+// Of the reports with that path; empty where there are none.
+Key key_at(const std::string& path) {
+  for (const char* ending : {".json", ".html", ".key"}) {
+    if (!fs::exists(path + ending)) return {};
+  }
+  const std::string text = base::read_file(path + ".key");
+  const std::size_t end = text.find('\n');
+  if (end == std::string::npos || text.back() != '\n') return {};
+  return {text.substr(0, end), text.substr(end + 1, text.size() - end - 2)};
+}
+
+// Returns whether the page can show again what it showed: the judge may have cleared its cache.
+bool has_its_pictures(const results::Results& results) {
+  for (const results::TaskResult& task : results.tasks) {
+    for (const results::PictureResult& picture : task.pictures) {
+      for (const std::string* file : {&picture.render, &picture.evidence, &picture.counts}) {
+        if (!file->empty() && !fs::exists(*file)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Results of an earlier run in which nothing but points was another, counted anew.
+std::optional<results::Results> counted_anew(const Judging& judging, const std::string& path,
+                                             const Key& key) {
+  if (key_at(path).judging != key.judging) return std::nullopt;
+  results::Results results = results::read_results(path + ".json");
+  if (!results.complete || !has_its_pictures(results)) return std::nullopt;
+  const results::Points points = results::load_points(points_file(judging));
+  for (results::TaskResult& task : results.tasks) results::count_points(points, task);
+  return results;
+}
+
+// Returns why it could not be judged; empty if it was.
+std::string run_grade(const Judging& judging, const intake::HandedIn& by, const std::string& path) {
+  std::vector<std::string> command{judging.grade,
+                                   "--submission=" + by.folder,
+                                   "--name=" + by.name,
+                                   "--json=" + path + ".json",
+                                   "--html=" + path + ".html",
+                                   "--small-page",
+                                   "--seed=" + std::to_string(judging.seed)};
+  if (std::ranges::none_of(judging.words,
+                           [](const auto& word) { return word.starts_with("--threads"); })) {
+    command.push_back("--threads=" + std::to_string(judging.threads));
+  }
+  if (!judging.work.empty()) command.push_back("--work=" + judging.work);
+  command.insert(command.end(), judging.words.begin(), judging.words.end());
+  const auto run = [&] {
+    return process::run_command({command, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}},
+                                kMaxTime);
+  };
+  process::CommandResult result = run();
+  // Killed from outside: for want of memory, or by hand. What it found out is kept.
+  if (!result.timed_out && WIFSIGNALED(result.status)) result = run();
+  if (!result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1) return "";
+  return process::fault_of(result);
+}
+
+// Makes the reports. `equal`: results of a submission with the same files, if there are any.
+results::Results make_reports(const Judging& judging, const intake::HandedIn& by, const Key& key,
+                              const std::optional<results::Results>& equal) {
+  const std::string path = judging.out + "/" + by.name;
+  std::optional<results::Results> known = equal;
+  for (const std::string& folder : {judging.out, judging.former}) {
+    if (!known && !folder.empty()) known = counted_anew(judging, folder + "/" + by.name, key);
+  }
+  fs::remove(path + ".key");  // the run may end before its reports are whole
+  if (known) {
+    known->submission = results::one_line(by.name);
+    report::write_reports(*known, {path + ".json", path + ".html", "", "", "", true});
+  } else if (const std::string problem = run_grade(judging, by, path); !problem.empty()) {
+    throw pt::Error(problem);
+  }
+  const results::Results results = results::read_results(path + ".json");
+  if (!results.complete) throw pt::Error("the run was stopped before it ended");
+  if (key_of(judging, by.folder) != key) {
+    throw pt::Error("its files, or the grader's, have changed while it was judged");
+  }
+  pt::write_file(path + ".key", key.text());
+  return results;
+}
+
+Graded grade_one(const Judging& judging, const intake::HandedIn& by,
+                 const std::optional<results::Results>& equal) {
+  const std::string path = judging.out + "/" + by.name;
+  Graded graded{by};
+  try {
+    const Claim claim(judging.out, by.name);
+    const Key key = key_of(judging, by.folder);
+    graded.again = key_at(path) == key;
+    graded.results = graded.again ? results::read_results(path + ".json")
+                                  : make_reports(judging, by, key, equal);
+    fs::remove(path + ".problem");
+  } catch (const std::exception& error) {
+    graded.problem = pt::sentence_of(error);
+    pt::write_file(path + ".problem", graded.problem);
+  }
+  return graded;
+}
+
+}  // namespace
+
+void forget_outcomes(const std::string& out, const std::vector<intake::HandedIn>& everybody) {
+  for (const intake::HandedIn& by : everybody) {
+    const std::string path = out + "/" + by.name;
+    fs::remove(path + ".problem");
+    if (by.problem.empty()) continue;
+    for (const char* ending : {".json", ".html", ".key"}) fs::remove(path + ending);
+  }
+}
+
+Graded graded_before(const Judging& judging, const intake::HandedIn& by) {
+  const std::string path = judging.out + "/" + by.name;
+  Graded graded{by, {}, by.problem, true};
+  if (!by.problem.empty()) return graded;
+  try {
+    if (key_at(path) == key_of(judging, by.folder)) {
+      graded.results = results::read_results(path + ".json");
+    } else {
+      graded.problem = fs::exists(path + ".problem") ? base::read_file(path + ".problem") : kNotYet;
+    }
+  } catch (const std::exception& error) {
+    graded.problem = pt::sentence_of(error);
+  }
+  return graded;
+}
+
+bool is_done(const Judging& judging, const intake::HandedIn& by) {
+  if (!by.problem.empty()) return true;
+  const std::string path = judging.out + "/" + by.name;
+  return fs::exists(path + ".problem") || key_at(path) == key_of(judging, by.folder);
+}
+
+std::vector<Graded> grade_equal(const Judging& judging,
+                                const std::vector<intake::HandedIn>& equal) {
+  std::vector<Graded> all;
+  std::optional<results::Results> known;
+  for (const intake::HandedIn& by : equal) {
+    all.push_back(grade_one(judging, by, known));
+    // Pictures that were trimmed away are rendered again.
+    const Graded& last = all.back();
+    if (!known && last.problem.empty() && has_its_pictures(last.results)) known = last.results;
+  }
+  return all;
+}
+
+}  // namespace grader::programs

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "grader/intake/handed_in.h"
+#include "grader/judge/config.h"
+#include "grader/results/results.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// One submission of a class, with its reports in a folder:
+//   <name>.json, <name>.html   the reports
+//   <name>.key                 stands for all that they depend on; written last
+//   <name>.problem             why it was not judged
+
+namespace grader::programs {
+
+// How everybody in the class is judged.
+struct Judging {
+  const judge::Config& config;
+  std::string grade;                 // the program
+  std::string out;                   // the folder of the reports
+  std::string former{};              // one of an earlier grading, whose results may be used again
+  std::vector<std::string> words{};  // of the program's command line
+  std::uint64_t seed = 1;            // of all random inputs
+  int threads = 1;                   // of one submission; verdicts do not depend on it
+  std::string work{};                // where the program keeps what it builds; empty: where it does
+};
+
+// The outcome for one submission.
+struct Graded {
+  intake::HandedIn by;
+  results::Results results{};  // if there is no problem
+  std::string problem{};       // why it was not judged, in one sentence; else empty
+  bool again = false;          // it was judged before, and nothing has changed since
+};
+
+// Removes what earlier calls left that must not be taken for an outcome of this one: problems, and
+// reports of a submission in which there is nothing to judge any more.
+void forget_outcomes(const std::string& out, const std::vector<intake::HandedIn>& everybody);
+
+// What is known of a submission: its reports, if they are complete and made from the same files with the same
+// words by the same judge; else its problem.
+Graded graded_before(const Judging& judging, const intake::HandedIn& by);
+
+// Whether grade_all has come to an end with it: there are such reports, or there is a problem.
+bool is_done(const Judging& judging, const intake::HandedIn& by);
+
+// Judges submissions whose files are equal, and writes their reports. What is known is used again:
+// reports of before; results that differ in points only, which are counted anew; those of an equal
+// submission. Another process that judges the same is waited for.
+std::vector<Graded> grade_equal(const Judging& judging, const std::vector<intake::HandedIn>& equal);
+
+}  // namespace grader::programs

@@ -1,0 +1,236 @@
+#include "grader/programs/grade_class/plan.h"
+
+#include "grader/base/files.h"
+#include "grader/base/printable.h"
+#include "grader/base/sha256.h"
+#include "grader/process/run_command.h"
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace grader::programs {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::chrono::minutes kMaxUnpacking{5};
+constexpr std::size_t kMaxReason = 300;
+constexpr std::size_t kDigitsOfAlias = 10;
+
+std::vector<intake::HandedIn> handed_in(const std::string& programs, const PlanRequest& request) {
+  const auto unpack = [&](const std::string& archive, const std::string& folder) {
+    const process::CommandResult run =
+        process::run_command({{programs + "/unpack", archive, folder},
+                              {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"},
+                              {},
+                              "",
+                              {}},
+                             kMaxUnpacking);
+    if (run.ok()) return std::string();
+    if (!run.timed_out && WIFEXITED(run.status)) return base::printable(run.output, kMaxReason);
+    return fmt::format("'{}' cannot be unpacked: {}", fs::path(archive).filename().string(),
+                       process::fault_of(run));
+  };
+  return intake::handed_in(request.input, request.out + "/unpacked", unpack);
+}
+
+std::uint64_t seed_for(const PlanRequest& request) {
+  const std::string path = request.out + "/seed";
+  std::uint64_t seed = 0;
+  if (request.seed) {
+    seed = *request.seed;
+  } else if (std::ifstream(path) >> seed) {
+    return seed;
+  } else if (!(std::ifstream(request.former + "/seed") >> seed)) {
+    seed = std::random_device{}();
+  }
+  pt::write_file(path, std::to_string(seed) + "\n");
+  return seed;
+}
+
+// The same for submissions whose task files are equal; empty if there is not one.
+std::string content_of(const judge::Config& config, const std::string& submission) {
+  const std::string root = base::submission_root(submission);
+  std::string all;
+  bool any = false;
+  for (const judge::TaskConfig& task : config.tasks) {
+    const base::Submitted file = base::read_submitted(root, task.part, task.slug);
+    any = any || file.present;
+    all += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
+  }
+  return any ? base::sha256(all) : "";
+}
+
+// Groups what is equal. Where there is nothing to judge, that is the submission's problem.
+std::vector<Equal> groups_of(const judge::Config& config,
+                             std::vector<intake::HandedIn>& everybody) {
+  std::vector<Equal> groups;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t i = 0; i < everybody.size(); ++i) {
+    intake::HandedIn& by = everybody[i];
+    if (!by.problem.empty()) continue;
+    const std::string content = content_of(config, by.folder);
+    if (content.empty()) {
+      by.problem =
+          fmt::format("it holds none of the files that are to be handed in ({}.cpp and so on)",
+                      config.tasks[0].slug);
+      continue;
+    }
+    const auto [entry, is_new] = known.try_emplace(content, groups.size());
+    if (is_new) groups.emplace_back();
+    groups[entry->second].push_back(i);
+  }
+  return groups;
+}
+
+std::vector<Chunk> chunks_of(const std::vector<Equal>& groups, std::size_t size) {
+  if (size == 0) size = (groups.size() + kMaxChunks - 1) / kMaxChunks;
+  std::vector<Chunk> chunks;
+  for (const Equal& group : groups) {
+    if (chunks.empty() || chunks.back().size() == size) chunks.emplace_back();
+    chunks.back().push_back(group);
+  }
+  return chunks;
+}
+
+std::string random_text() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
+
+// Names become numbers that only who has the plan can turn back, the same in every later plan.
+void hide_names(Plan& plan, const std::string& out) {
+  for (const std::string& folder : {out, plan.former}) {
+    if (!plan.salt.empty() || !fs::exists(folder + "/plan.json")) continue;
+    plan.salt = read_plan(folder).salt;
+  }
+  if (plan.salt.empty()) plan.salt = random_text();
+  std::vector<std::pair<std::string, intake::HandedIn>> all;
+  for (const intake::HandedIn& by : plan.everybody) {
+    all.emplace_back("submission-" + base::sha256(plan.salt + by.name).substr(0, kDigitsOfAlias),
+                     by);
+  }
+  // Their order would tell who is who.
+  std::ranges::sort(all, {}, [](const auto& each) { return each.first; });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    plan.everybody[i] = all[i].second;
+    plan.real_names.push_back(all[i].second.name);
+    plan.everybody[i].name = all[i].first;
+  }
+}
+
+// A file's name may hold any bytes, and JSON only UTF-8: others become a list of numbers.
+json text_json(const std::string& text) {
+  try {
+    const json as_text = text;
+    (void)as_text.dump();
+    return as_text;
+  } catch (const json::exception&) {
+    return std::vector<std::uint8_t>(text.begin(), text.end());
+  }
+}
+
+std::string text_from(const json& from) {
+  if (from.is_string()) return from.get<std::string>();
+  const auto bytes = from.get<std::vector<std::uint8_t>>();
+  return {bytes.begin(), bytes.end()};
+}
+
+json to_json(const intake::HandedIn& by) {
+  return {{"name", text_json(by.name)},        {"id", text_json(by.id)},
+          {"folder", text_json(by.folder)},    {"late", by.late},
+          {"problem", text_json(by.problem)},  {"platform", static_cast<int>(by.platform)},
+          {"feedback", text_json(by.feedback)}};
+}
+
+intake::HandedIn handed_in_from(const json& from) {
+  return {
+      text_from(from.at("name")),    text_from(from.at("id")),
+      text_from(from.at("folder")),  from.at("late").get<bool>(),
+      text_from(from.at("problem")), static_cast<intake::Platform>(from.at("platform").get<int>()),
+      text_from(from.at("feedback"))};
+}
+
+}  // namespace
+
+std::string host_name() {
+  char name[256] = "";
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
+Plan make_plan(const judge::Config& config, const std::string& programs,
+               const PlanRequest& request) {
+  Plan plan;
+  plan.input = request.input;
+  plan.words = request.words;
+  plan.seed = seed_for(request);
+  plan.host = host_name();
+  plan.former = request.former;
+  plan.everybody = handed_in(programs, request);
+  for (intake::HandedIn& by : plan.everybody) {
+    if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
+  }
+  if (request.anonymous) hide_names(plan, request.out);
+  plan.chunks = chunks_of(groups_of(config, plan.everybody), request.chunk_size);
+  return plan;
+}
+
+void write_plan(const Plan& plan, const std::string& out) {
+  json all{{"input", text_json(plan.input)},
+           {"words", plan.words},
+           {"seed", plan.seed},
+           {"host", plan.host},
+           {"former", text_json(plan.former)},
+           {"salt", plan.salt},
+           {"chunks", plan.chunks},
+           {"everybody", json::array()},
+           {"real_names", json::array()}};
+  for (const intake::HandedIn& by : plan.everybody) all["everybody"].push_back(to_json(by));
+  for (const std::string& name : plan.real_names) all["real_names"].push_back(text_json(name));
+  pt::write_file(out + "/plan.json", all.dump(1) + "\n");
+}
+
+Plan read_plan(const std::string& out) {
+  const std::string path = out + "/plan.json";
+  if (!fs::exists(path)) {
+    throw pt::Error(out + " holds no plan; make one: ./run grade-class plan CLASS --out " + out);
+  }
+  try {
+    const json all = json::parse(base::read_file(path));
+    Plan plan;
+    plan.input = text_from(all.at("input"));
+    plan.words = all.at("words").get<std::vector<std::string>>();
+    plan.seed = all.at("seed").get<std::uint64_t>();
+    plan.host = all.at("host").get<std::string>();
+    plan.former = text_from(all.at("former"));
+    plan.salt = all.at("salt").get<std::string>();
+    plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
+    for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));
+    for (const json& name : all.at("real_names")) plan.real_names.push_back(text_from(name));
+    for (const Chunk& chunk : plan.chunks) {
+      for (const Equal& group : chunk) {
+        for (const std::size_t i : group) (void)plan.everybody.at(i);
+      }
+    }
+    return plan;
+  } catch (const std::exception& error) {
+    throw pt::Error(
+        fmt::format("{}: {}; make the plan again (./run grade-class plan)", path, error.what()));
+  }
+}
+
+}  // namespace grader::programs

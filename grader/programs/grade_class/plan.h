@@ -1,0 +1,59 @@
+#pragma once
+
+#include "grader/intake/handed_in.h"
+#include "grader/judge/config.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What there is to do for a class, in a file, so that several processes and machines can do it.
+
+namespace grader::programs {
+
+// Submissions whose task files are equal, by their places in Plan::everybody. The first is judged; all get its verdict.
+using Equal = std::vector<std::size_t>;
+
+// What one process does.
+using Chunk = std::vector<Equal>;
+
+struct Plan {
+  std::string input;               // the folder or archive, as it was exported
+  std::vector<std::string> words;  // of the command line of `grade`, the same for all
+  std::uint64_t seed = 1;          // of all random inputs
+  std::string host;                // the machine on which it was made
+  std::string former;              // reports of an earlier grading, to compare with; may be empty
+  std::string salt;                // of the names of an anonymous class; empty: names are shown
+  std::vector<intake::HandedIn> everybody;
+  std::vector<std::string> real_names;  // of everybody, if the class is anonymous; else empty
+  std::vector<Chunk> chunks;            // of all that can be judged
+};
+
+struct PlanRequest {
+  std::string input, out;
+  std::vector<std::string> words;
+  std::optional<std::uint64_t> seed;
+  std::string former;          // reports of an earlier grading, to compare with; may be empty
+  std::size_t chunk_size = 0;  // submissions that differ, in a chunk; 0: kMaxChunks at most
+  bool anonymous = false;
+};
+
+// Slurm's usual limit (MaxArraySize) is 1001.
+inline constexpr std::size_t kMaxChunks = 500;
+
+// Lists the submissions, unpacks archives below `out`, by the program `unpack` in the folder `programs`, and cuts
+// the class into chunks. The seed is the one asked for, else that of the reports that are in `out` or
+// of those to compare with, else a new one, drawn: a table of answers to one seed is worth nothing
+// then. It is kept in `out`. Throws pt::Error if there is no submission.
+Plan make_plan(const judge::Config& config, const std::string& programs,
+               const PlanRequest& request);
+
+// <out>/plan.json. Reading throws pt::Error if the file is missing or is something else.
+void write_plan(const Plan& plan, const std::string& out);
+Plan read_plan(const std::string& out);
+
+// The name of this machine.
+std::string host_name();
+
+}  // namespace grader::programs
