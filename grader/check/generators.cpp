@@ -153,6 +153,16 @@ rc::Gen<pt::Rgb> color(double low, double high) {
                       });
 }
 
+rc::Gen<double> brightness() {
+  return rc::gen::oneOf(magnitude(1e-4, 1e6), rc::gen::element(1e-4, 1e6));
+}
+
+rc::Gen<pt::Rgb> hue() {
+  return rc::gen::map(whole(1, 7), [](int bits) {
+    return pt::Rgb{1.0 * (bits & 1), 1.0 * (bits >> 1 & 1), 1.0 * (bits >> 2)};
+  });
+}
+
 rc::Gen<std::uint64_t> sampler_seed() {
   return rc::gen::noShrink(rc::gen::resize(
       rc::kNominalSize, rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 40)));

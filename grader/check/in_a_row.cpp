@@ -47,6 +47,10 @@ void expect_independent(const std::vector<Rgb>& answers) {
 
 }  // namespace
 
+double correlation(const std::vector<Rgb>& answers, int a, int b) {
+  return correlation(answers, mean_of(answers), 0, a, b);
+}
+
 std::vector<Rgb> expect_goes_on(std::uint64_t seed, const Drawing& task) {
   const pt::Sampler start(seed);
   pt::Sampler sampler = start;

@@ -47,7 +47,7 @@ namespace pt {
 //   - does not depend on survival: neither .05 nor 1 changes the mean.
 //   - takes the first bounce always: roulette starts with the second.
 //   - ends at the cap: never more than `to` bounces, also where almost every path survives.
-//   - goes on up to the cap: with survival 1, every path of a closed room reaches bounce `to`,
+//   - goes on up to the cap: nothing but roulette ends a path of a closed room before bounce `to`,
 //     however many bounces that is, and however small its throughput.
 //   - counts emission once: what the path runs into is not added to what direct light gave.
 //   - tints at each bounce: by the albedo of the point it leaves, channel by channel.

@@ -78,8 +78,8 @@ inline std::vector<int> depths(const pt::Bvh& bvh) {
 inline int depth(const pt::Bvh& bvh) { return std::ranges::max(depths(bvh)); }
 
 // 1,024 boxes are far apart in a row, which is three times as long in x as in z and twice as long
-// in y. Every rule makes a tree of about ten levels for them. A list, a chain or a single leaf is
-// not a tree, and then no promise holds.
+// in y. Every rule makes a tree of about ten levels for them. A list, a chain, a single leaf, or a
+// tree whose boxes are all that of the root, is not a tree, and then no promise holds.
 inline void expect_a_tree_at_all() {
   constexpr int kBoxes = 1024, kMaxDepth = 100;
   Input row{{}, 2, ""};
@@ -93,6 +93,12 @@ inline void expect_a_tree_at_all() {
          std::to_string(bvh.nodes.size()) + " nodes");
   expect(depth(bvh) <= kMaxDepth, of + "a tree of about ten levels, at most 100",
          std::to_string(depth(bvh)) + " levels");
+  const pt::Box& all = bvh.nodes[0].box;
+  const bool some_smaller = std::ranges::any_of(bvh.nodes, [&](const pt::BvhNode& node) {
+    return node.is_leaf() && !contains(node.box, all);
+  });
+  expect(some_smaller, of + "leaves with smaller boxes than the root",
+         "every leaf with the box of the root");
 }
 
 }  // namespace grader::check::build_bvh_cases

@@ -102,6 +102,14 @@ inline void half_hidden_lamp(Stage& stage) {
                   any_way());
 }
 
+// Three lamps in the same place, half hidden.
+inline void red_green_and_blue_lamps(Stage& stage) {
+  const Rectangle shape = *rectangle_above(0.8, 0.3, 1.5);
+  for (const pt::Rgb radiance : {pt::Rgb{1, 0, 0}, pt::Rgb{0, 1, 0}, pt::Rgb{0, 0, 1}}) {
+    stage.rectangle(shape, radiance, Body::none, 0.5);
+  }
+}
+
 inline void hidden_light(Stage& stage) {
   const int kind = *whole(0, 2);
   if (kind == 0) stage.point_light(any_position(), any_radiance(), true, any_way());

@@ -112,13 +112,27 @@ PROMISE(direct_lights, adds_the_lights_up) {
     });
     expect_always(s, any_samples());
   });
+  // Lights that share random numbers would be bright and dark together.
+  for_all(
+      [] {
+        constexpr int kDraws = 2000;
+        const Situation s = *lit_by(red_green_and_blue_lamps);
+        const std::vector<Rgb> found = estimates(s, kDraws, draw("samples per call", whole(1, 2)));
+        for (const auto& [a, b] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
+          expect(
+              correlation(found, a, b) < (kStandardErrors + 1) / std::sqrt(kDraws),
+              "a red, a green and a blue light that do not depend on each other",
+              fmt::format("a correlation of {:.2f} between two of them", correlation(found, a, b)));
+        }
+      },
+      2);
 }
 
 PROMISE(direct_lights, takes_lights_of_any_brightness) {
   for_all(
       [] {
         const Situation s = *lit_by([](Stage& stage) {
-          const Rgb radiance = *magnitude(1e-4, 1e6) * any_radiance();
+          const Rgb radiance = *brightness() * any_radiance();
           switch (*whole(0, 4)) {
             case 0:
               return void(stage.point_light(any_position(), radiance));
@@ -212,6 +226,8 @@ PROMISE(direct_lights, keeps_light_on_its_side) {
         expect_estimate(s, any_samples());
       },
       kCases);
+  // All light from above, of every kind, on the back of the surface too.
+  for_all([&] { expect_estimate(*lit_by(any_light, unturned_pose(), either_side()), 2); }, kCases);
 }
 
 PROMISE(direct_lights, reflects_the_albedo) {
@@ -219,7 +235,9 @@ PROMISE(direct_lights, reflects_the_albedo) {
     const bool glows = *rc::gen::arbitrary<bool>();
     Situation s = *rc::gen::exec([glows] {
       Stage stage(*unturned_pose());
-      any_delta_light(stage);
+      const Rgb light = *hue() * any_radiance();
+      *rc::gen::arbitrary<bool>() ? stage.point_light(any_position(), light)
+                                  : stage.directional_light(*direction_above(), light);
       const Rgb own = glows ? any_radiance() : Rgb{};
       return stage.patch(pt::gray(1), *direction_above(), false, own).done();
     });

@@ -187,6 +187,8 @@ PROMISE(hit_box, never_misses_by_a_rounding_error_bonus) {
         expect(pt::hit_box(c.box, c.ray).has_value(), "an interval", "none");
       },
       2000);
+  // A box that is never missed because it is far too wide is not robust.
+  for_all([] { expect_miss(*passing()); });
 }
 
 PROMISE(hit_box, takes_rays_in_its_sides_bonus) {
@@ -201,6 +203,7 @@ PROMISE(hit_box, takes_rays_in_its_sides_bonus) {
         expect(pt::hit_box(c.box, c.ray).has_value(), "an interval", "none");
       },
       500);
+  for_all([] { expect_miss(*along_axes(true)); });
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ void expect_occluded_as_all(const Case& c) {
 
 PROMISE(hit_bvh, finds_the_nearest_hit) {
   for_queries([] { expect_nearest(*some_tree(kAny)); }, 2 * kCases);
+  for_queries([] { expect_nearest(*close_walls()); }, 40);
   for_queries(
       [] {
         const Case c = *large_tree();
@@ -137,6 +138,7 @@ PROMISE(hit_bvh, takes_a_tree_of_any_shape) {
   for_queries([=] { check(*with_tree({Shape::leaf}, {.most = 12})); }, 100);
   for_queries([=] { check(*with_tree({Shape::leaf, Shape::balanced}, wide)); }, 40);
   for_queries([=] { check(*deep_tree()); }, 8);
+  for_queries([=] { check(*deep_pile()); }, 3);
 }
 
 PROMISE(hit_bvh, finds_any_hit) {

@@ -138,6 +138,44 @@ inline rc::Gen<Case> large_tree() {
                    {.least = 2000, .most = 4000, .padding = 0.01, .size = 0.2, .all_of_ray = true});
 }
 
+// Walls one behind the other, in any order. Many are closer together than a thousandth of their
+// distance.
+inline rc::Gen<Case> close_walls() {
+  return rc::gen::exec([] {
+    const auto [n, seed] = *some_lot(2, 30);
+    Many make(seed);
+    Case c;
+    for (int i = 0; i < n; ++i) {
+      const double z = std::pow(10, make.between(-6, 1));
+      c.primitives.triangles.push_back(pt::flat_triangle({-9, -9, z}, {9, -9, z}, {0, 18, z}));
+    }
+    c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
+    c.bvh = tree_of(c.primitives, Shape::random, 2, 0, make);
+    c.how = std::string(words(Shape::random)) + ", walls close behind each other";
+    return c;
+  });
+}
+
+// A thousand walls and more, one behind the other. At each level a leaf holds the farthest wall, so
+// that a query which takes the nearer child first has a thousand leaves waiting.
+inline rc::Gen<Case> deep_pile() {
+  return rc::gen::exec([] {
+    const int n = *whole(1100, 1300);
+    const bool to_the_left = *rc::gen::arbitrary<bool>();
+    Many make(1);
+    Case c;
+    for (int i = 0; i < n; ++i) {
+      const double z = to_the_left ? i : n - i;
+      c.primitives.triangles.push_back(pt::flat_triangle({-99, -99, z}, {99, -99, z}, {0, 198, z}));
+    }
+    c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
+    const Shape shape = to_the_left ? Shape::left_chain : Shape::right_chain;
+    c.bvh = tree_in_order(c.primitives, shape, make);
+    c.how = std::string(words(shape)) + ", the farthest wall of those below";
+    return c;
+  });
+}
+
 // A tree with a thousand levels and more. The ray enters all of them.
 inline rc::Gen<Case> deep_tree() {
   return with_tree(

@@ -47,13 +47,14 @@ struct Range {
   double steep = 0.5 * pt::kPi;  // the largest angle
 };
 
-// Unit vectors within a radian of a common axis, which may be on either side of the triangle. Their
-// sum is never close to zero.
+// Unit vectors within a radian of a common axis, which may be on either side of the triangle. Some
+// are much closer to each other, as in a fine mesh. Their sum is never close to zero.
 inline std::array<pt::Vec3, 3> corner_normals() {
   const pt::Frame around = *rotation();
+  const double spread = *whole(0, 2) == 0 ? *magnitude(1e-3, 1) : 1;
   std::array<pt::Vec3, 3> normals;
   for (pt::Vec3& n : normals) {
-    n = normalize(around.to_world({*real(-1, 1), *real(-1, 1), 1}));
+    n = normalize(around.to_world({spread * *real(-1, 1), spread * *real(-1, 1), 1}));
   }
   return normals;
 }
@@ -123,6 +124,20 @@ inline Weights outside() {
   return {b[0], b[1], b[2]};
 }
 
+// For points so close to an edge that only double precision sees on which side they are: cases in
+// which the contract's precision is a hundred-millionth of the triangle.
+inline constexpr Range kPrecise{.away = 1, .near = 0.5, .far = 2, .flat = 0.57};
+
+// Weights of a point at least four times as far from an edge as that, on either side of it.
+inline Weights very_close(double side) {
+  const double small = side * *magnitude(1e-7, 2e-5), other = *real(0.1, 0.8);
+  std::array<double, 3> b{small, other, 1 - small - other};
+  std::rotate(b.begin(), b.begin() + *whole(0, 2), b.end());
+  return {b[0], b[1], b[2]};
+}
+inline Weights barely_inside() { return very_close(1); }
+inline Weights barely_outside() { return very_close(-1); }
+
 inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
   return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
 }
@@ -135,10 +150,10 @@ struct InAndOut {
 
 inline void showValue(const InAndOut& both, std::ostream& out) { showValue(both.out, out); }
 
-inline rc::Gen<InAndOut> aimed_outside(Range range = {}) {
+inline rc::Gen<InAndOut> aimed_outside(Range range = {}, Weights (*where)() = outside) {
   return rc::gen::exec([=] {
     const pt::Triangle triangle = triangle_of(range);
-    const Aimed out = aimed_at(triangle, outside(), range);
+    const Aimed out = aimed_at(triangle, where(), range);
     return InAndOut{out, aimed_at(triangle, inside(), range)};
   });
 }

@@ -55,6 +55,7 @@ void expect_t_from_either_side(const Aimed& aimed) {
 PROMISE(hit_triangle, hits_where_it_is_aimed) {
   for_all([] { expect_t(*aimed_inside()); });
   for_all([] { expect_t(*aimed_inside({}, just_inside)); });
+  for_all([] { expect_t(*aimed_inside(kPrecise, barely_inside)); });
   // Slivers: triangles that are a thousand times as long as high.
   for_all([] { expect_t(*aimed_inside({.thin = 1e-3, .flat = 0.5})); });
   // Rays that meet the plane at an angle of a millionth of a radian to ten degrees.
@@ -72,6 +73,12 @@ PROMISE(hit_triangle, misses_outside) {
                "a hit when the ray is turned to a point inside", "none");
       },
       300);
+  for_all(
+      [] {
+        const InAndOut aimed = *aimed_outside(kPrecise, barely_outside);
+        expect_miss(aimed.out.triangle, aimed.out.ray, "the ray is aimed just beside the triangle");
+      },
+      200);
 }
 
 PROMISE(hit_triangle, keeps_t_inside_the_ray) {
@@ -111,11 +118,14 @@ PROMISE(hit_triangle, keeps_t_inside_the_ray) {
 // Other promises judge the sign and the length of n; this one judges only the rest of its
 // direction.
 PROMISE(hit_triangle, interpolates_the_corner_normals) {
-  for_all([] {
-    const Aimed aimed = *aimed_inside();
-    const pt::Vec3 n = normalize(expect_hit_from_either_side(aimed).n);
-    expect_near("the direction of n", dot(n, aimed.n) < 0 ? -n : n, aimed.n, aimed.n_tolerance);
-  });
+  for (const auto where : {inside, just_inside}) {
+    for_all([=] {
+      const Aimed aimed = *aimed_inside({}, where);
+      const pt::Vec3 n = normalize(expect_hit_from_either_side(aimed).n);
+      expect_near("the direction of n", dot(n, aimed.n) < 0 ? -n : n, aimed.n, aimed.n_tolerance);
+    });
+    if (testing::Test::HasFailure()) return;
+  }
 }
 
 PROMISE(hit_triangle, returns_a_unit_normal) {

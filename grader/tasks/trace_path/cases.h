@@ -165,12 +165,16 @@ inline Noise noise_of_half_lights(const HalfLights& c) {
   return {2 * one / std::sqrt(c.settings.light_samples)};
 }
 
-// Returns how many of `calls` estimates of bounce k alone are not black.
-inline int lit(Case c, int k, int calls) {
-  c.settings.from = c.settings.to = k;
-  const std::vector<Rgb> all = estimates(c, calls);
+// Returns how many estimates are not black.
+inline int lit_among(const std::vector<Rgb>& all) {
   return static_cast<int>(
       std::count_if(all.begin(), all.end(), [](const Rgb& one) { return max_channel(one) > 0; }));
+}
+
+// The same of `calls` estimates of bounce k alone.
+inline int lit(Case c, int k, int calls) {
+  c.settings.from = c.settings.to = k;
+  return lit_among(estimates(c, calls));
 }
 
 inline double correlation(const std::vector<double>& a, const std::vector<double>& b) {
