@@ -24,6 +24,7 @@ grade-class grader/grade_class
 hint grader/hint
 mesh scenes/generate mesh
 render pt/render
+stability grader/stability
 watch grader/watch
 writeup writeup/writeup
 END
