@@ -25,6 +25,7 @@ hint grader/hint
 ladder writeup/ladder
 mesh scenes/generate mesh
 render pt/render
+stability grader/stability
 watch grader/watch
 writeup writeup/writeup
 END

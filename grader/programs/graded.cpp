@@ -1,10 +1,12 @@
 // graded.<slug>: the properties of one task, whose calls go to a worker. Trusted: no line of a
 // submission runs in here. Writes what it found as a results.json; the exit status is 0 if every
 // promise held, 1 if one did not, 2 if nothing could be judged. With --battery it runs the task's
-// battery instead (grader/mistakes/battery.h), and writes the answers.
+// battery instead (grader/mistakes/battery.h), and writes the answers; with --curves it measures where
+// the task's methods fail (grader/check/curve.h).
 #include "grader/check/property.h"
 #include "grader/mistakes/battery.h"
 #include "grader/process/spawn.h"
+#include "grader/programs/graded_curves.h"
 #include "grader/programs/graded_report.h"
 #include "grader/wire/session.h"
 #include "pt/command_line.h"
@@ -28,6 +30,9 @@ struct Options {
   std::uint64_t seed = 1;
   std::string battery;  // where to write the answers
   int draws = 1;        // times the usual number
+  std::string curves;   // where to write them
+  std::string curve;    // only this one
+  double effort = 1;    // times the usual number of cases
 };
 
 // All calls of a battery take some milliseconds: what takes this long hangs, also where the machine
@@ -50,6 +55,15 @@ int run_battery(Options options) {
   grader::mistakes::Battery battery({options.seed, options.draws});
   grader::mistakes::run_battery(battery);
   pt::write_file(options.battery, grader::mistakes::to_json(battery.answers()) + "\n");
+  return 0;
+}
+
+// One call that hangs says enough about a place.
+int run_curves(Options options) {
+  options.session.max_timeouts = 1;
+  options.session.total_limit = std::chrono::minutes(5);
+  grader::programs::write_curves(options.curves, options.curve, {options.seed, options.effort},
+                                 [&] { grader::wire::open_session(options.session); });
   return 0;
 }
 
@@ -92,6 +106,11 @@ int main(int argc, char** argv) {
                  "run the battery instead: where to write the answers");
   app.add_option("--draws", options.draws, "of the battery: times the usual number")
       ->check(CLI::PositiveNumber);
+  app.add_option("--curves", options.curves,
+                 "measure where the task's methods fail instead: where to write the curves");
+  app.add_option("--curve", options.curve, "only the curve of this name");
+  app.add_option("--effort", options.effort, "of the curves: times the usual number of cases")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
   app.add_option("--call-limit", call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
@@ -104,6 +123,7 @@ int main(int argc, char** argv) {
     options.session.tier = grader::sandbox::tier_of(tier);
     options.session.call_limit = std::chrono::milliseconds(call_limit);
     options.session.total_limit = 15 * options.session.call_limit;
+    if (!options.curves.empty()) return run_curves(options);
     return options.battery.empty() ? run(options, argv[0]) : run_battery(options);
   });
 }

@@ -226,12 +226,13 @@ inline rc::Gen<Case> along_axes(bool beside) {
   });
 }
 
-// A box that is a sheet, and a ray that meets it from either side, at all angles.
-inline rc::Gen<Case> at_a_sheet() {
-  return rc::gen::exec([] {
+// A box that is a sheet, and a ray that meets it from either side, at all angles. `thickness` is a
+// part of its diagonal.
+inline rc::Gen<Case> at_a_sheet(double thickness = 0) {
+  return rc::gen::exec([=] {
     pt::Box box = some_box();
     const int axis = *whole(0, 2);
-    box.max[axis] = box.min[axis];
+    box.max[axis] = box.min[axis] + thickness * length(box.extent());
     const pt::Vec3 target = well_inside(box);
     pt::Vec3 d{*real(-1, 1), *real(-1, 1), *real(-1, 1)};
     d[axis] = sign() * *magnitude(1e-3, 1);
@@ -263,18 +264,20 @@ inline pt::Vec3 grid_point(double size) {
 }
 
 // A ray that grazes an edge or a corner of a triangle's box. All numbers are multiples of 2^-20. So
-// target - origin is exact, and the ray is exactly at the target at t = 1.
-inline rc::Gen<Case> grazing() {
-  return rc::gen::exec([] {
+// target - origin is exact, and the ray is exactly at the target at t = 1. The box may be up to `away`
+// from the world's origin, at most 2^30.
+inline rc::Gen<Case> grazing(double away = 0) {
+  return rc::gen::exec([=] {
+    const pt::Vec3 shift = away > 0 ? grid_point(away) : pt::Vec3{};
     pt::Box box;
-    for (int corner = 0; corner < 3; ++corner) box.grow(grid_point(4));
+    for (int corner = 0; corner < 3; ++corner) box.grow(shift + grid_point(4));
     const int flat = *whole(0, 5);
     if (flat < 3) box.max[flat] = box.min[flat];
     const int along = *whole(0, 3);  // the edge's axis; 3 means a corner
     pt::Vec3 target;
     for (int i = 0; i < 3; ++i) target[i] = *rc::gen::element(box.min[i], box.max[i]);
     if (along < 3) target[along] = on_grid(box.center()[along]);
-    const pt::Vec3 origin = grid_point(15);
+    const pt::Vec3 origin = shift + grid_point(15);
     return Case{box, {origin, target - origin}};
   });
 }

@@ -158,4 +158,30 @@ inline double distance_from_centre(const pt::Sphere& sphere, const pt::Ray& ray,
   return pt::length(ray.at(t) - sphere.center) / sphere.radius;
 }
 
+// How far the point at t is from the surface, in radii.
+inline double off_the_sphere(const Aimed& aimed, double t) {
+  return std::abs(distance_from_centre(aimed.sphere, aimed.ray, t) - 1);
+}
+
+// A ground that is a sphere: from `radius` down to a hundredth of it in height are nothing special.
+// The ray starts one unit above the ground and meets it at an angle of at least 3 degrees.
+struct Ground {
+  pt::Sphere sphere;
+  pt::Ray ray;
+  double t = 0;  // where it meets the ground
+};
+
+inline rc::Gen<Ground> ground(double radius) {
+  return rc::gen::exec([=] {
+    const pt::Frame frame = turned();
+    const double slope = *real(0.05, 0.5 * pt::kPi), side = std::cos(slope), down = std::sin(slope);
+    const pt::Vec3 direction = frame.to_world({side, 0, -down});
+    // The nearer root of t^2 - 2 (radius + 1) down t + 2 radius + 1, without a difference of large
+    // numbers.
+    const long double b = (radius + 1.0L) * down, c = 2.0L * radius + 1;
+    const auto t = static_cast<double>(c / (b + std::sqrt(b * b - c)));
+    return Ground{{-radius * frame.z, radius}, {frame.z, direction}, t};
+  });
+}
+
 }  // namespace grader::check::hit_sphere_cases

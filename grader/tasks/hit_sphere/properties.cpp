@@ -219,9 +219,9 @@ PROMISE(hit_sphere, counts_t_in_the_directions_length) {
 }
 
 void expect_on_the_sphere(const Aimed& aimed) {
-  const double off =
-      distance_from_centre(aimed.sphere, aimed.ray, expect_hit(aimed.sphere, aimed.ray).t);
-  expect_near("the distance of the point from the centre, in radii", off, 1, kPrecision);
+  const double t = expect_hit(aimed.sphere, aimed.ray).t;
+  expect_near("the distance of the point from the surface, in radii", off_the_sphere(aimed, t), 0,
+              kPrecision);
 }
 
 PROMISE(hit_sphere, stays_accurate_at_a_distance) {

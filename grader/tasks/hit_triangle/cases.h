@@ -40,7 +40,7 @@ inline void showValue(const Aimed& aimed, std::ostream& out) {
 struct Range {
   double size = 10;              // the first edge is from 1 / size to size long
   double speed = 1;              // the direction's length, likewise
-  double thin = 0.5;             // the smallest height over length
+  double thin = 0.5, thick = 1;  // the smallest and the largest height over length
   double away = 10;              // the largest coordinate, in sizes
   double near = 1e-2, far = 30;  // the distance, in sizes
   double flat = 0.17;            // the smallest angle between ray and plane, radians
@@ -76,7 +76,7 @@ inline pt::Triangle triangle_of(const Range& range) {
   const double size = *magnitude(1 / range.size, range.size);
   const pt::Frame frame = orientation();
   const pt::Vec3 p0 = size * *point(range.away);
-  const double along = *real(0, 1), height = *magnitude(range.thin, 1);
+  const double along = *real(0, 1), height = *magnitude(range.thin, range.thick);
   const auto [n0, n1, n2] = corner_normals();
   return {p0, p0 + size * frame.x, p0 + size * (along * frame.x + height * frame.y), n0, n1, n2};
 }
@@ -140,6 +140,17 @@ inline Weights barely_outside() { return very_close(-1); }
 
 inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
   return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
+}
+
+// The same case, with all lengths multiplied. The direction keeps its length.
+inline Aimed resized(Aimed aimed, double factor) {
+  for (pt::Vec3* p :
+       {&aimed.triangle.p0, &aimed.triangle.p1, &aimed.triangle.p2, &aimed.ray.origin}) {
+    *p = factor * *p;
+  }
+  aimed.t *= factor;
+  aimed.tolerance *= factor;
+  return aimed;
 }
 
 // Two rays at the plane of one triangle: one is aimed at a point outside the triangle, one at a
@@ -224,9 +235,10 @@ inline void showValue(const Fan& fan, std::ostream& out) {
   out << show(fan.ray);
 }
 
-inline rc::Gen<Fan> aimed_between() {
-  return rc::gen::exec([] {
-    const pt::Vec3 middle = *point();
+// `away`: the largest coordinate of the corner.
+inline rc::Gen<Fan> aimed_between(double away = 10) {
+  return rc::gen::exec([=] {
+    const pt::Vec3 middle = *point(away);
     const pt::Frame frame = *rotation();
     std::array<pt::Vec3, 4> rim;
     for (int i = 0; i < 4; ++i) {

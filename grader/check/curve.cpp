@@ -1,0 +1,100 @@
+#include "grader/check/curve.h"
+
+#include "grader/check/fail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <rapidcheck.h>
+
+namespace grader::check {
+
+namespace {
+
+std::vector<NamedCurve>& kept_curves() {
+  static std::vector<NamedCurve> all;
+  return all;
+}
+
+// Where nothing has given a number, further cases of this place only take time.
+constexpr int kWithoutAny = 20;
+
+double statistic_of(Statistic statistic, std::vector<double>& errors) {
+  if (errors.empty()) return std::numeric_limits<double>::quiet_NaN();
+  switch (statistic) {
+    case Statistic::largest:
+      return *std::max_element(errors.begin(), errors.end());
+    case Statistic::mean: {
+      double sum = 0;
+      for (const double error : errors) sum += error;
+      return sum / static_cast<double>(errors.size());
+    }
+    case Statistic::median:
+      break;
+  }
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle;
+}
+
+// RapidCheck lets generators be used inside another one.
+double one_case(const Curve& curve, double place, const rc::Random& random) {
+  return rc::gen::exec([&] { return curve.measure(place); })(random, rc::kNominalSize).value();
+}
+
+Measured measure_place(const Curve& curve, double place, rc::Random& random, int cases) {
+  Measured measured;
+  measured.place = place;
+  std::vector<double> errors;
+  const auto nothing = [&](const std::string& reason) {
+    if (measured.without++ == 0) measured.reason = reason;
+  };
+  for (; measured.cases < cases; ++measured.cases) {
+    if (errors.empty() && measured.without >= kWithoutAny) break;
+    try {
+      const double error = one_case(curve, place, random.split());
+      if (std::isfinite(error)) {
+        errors.push_back(error);
+      } else {
+        nothing("an answer that is not finite");
+      }
+    } catch (const CaseFailed& failed) {
+      nothing(failed.failure.got);
+    }
+  }
+  measured.error = statistic_of(curve.statistic, errors);
+  return measured;
+}
+
+}  // namespace
+
+std::vector<Measured> measure(const Curve& curve, const CurveSettings& settings,
+                              const std::function<void()>& begin) {
+  const int cases = std::max(1, static_cast<int>(std::lround(curve.cases * settings.effort)));
+  rc::Random random(settings.seed);
+  std::vector<Measured> all;
+  for (const double place : curve.places) {
+    begin();
+    rc::Random of_place = random.split();  // the same whatever happened at other places
+    all.push_back(measure_place(curve, place, of_place, cases));
+  }
+  return all;
+}
+
+const std::vector<NamedCurve>& curves() { return kept_curves(); }
+
+bool keep_curve(const char* name, Curve (*make)()) {
+  kept_curves().push_back({name, make()});
+  return true;
+}
+
+std::vector<double> by_factors(double first, double last, int count) {
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i) {
+    places.push_back(first * std::pow(last / first, static_cast<double>(i) / (count - 1)));
+  }
+  return places;
+}
+
+}  // namespace grader::check

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+// Where a method fails. A curve shows how the error of a task grows while its input gets harder: a
+// sphere farther away, a thinner triangle, a smaller light. A promise of the contract is one place of
+// a curve, and both are measured by the same functions. The curves of a task are in
+// grader/tasks/<task>/curves.cpp:
+//
+//   CURVE(hit_sphere, far_away) {
+//     return {.title = "A sphere far away", ...
+//             .measure = [](double distance) { return off_the_sphere(*aimed_from(distance)); }};
+//   }
+
+namespace grader::check {
+
+// How the numbers of many cases become the one that is drawn.
+enum class Statistic {
+  largest,  // of an error
+  mean,     // of 0 and 1: the share of the cases that went wrong
+  median,   // of numbers that are themselves made of many calls
+};
+
+// Another way to solve the task, drawn beside the reference. It is a file in the folder of the task:
+// a solution, right or wrong, or in methods/ a form of it whose arithmetic type is REAL.
+struct Method {
+  std::string file;     // "methods/quadratic"
+  std::string title;    // "quadratic formula"
+  bool single = false;  // REAL is float
+};
+
+// What the contract promises: an error of at most `limit` at places from `first` to `last`.
+struct Promised {
+  double first = 0, last = 0;  // both 0: nothing is promised
+  double limit = 0;
+};
+
+struct Curve {
+  std::string title;
+  std::string input;           // what the places are, with its unit
+  std::string error;           // what is measured, with its unit
+  std::string source;          // who described it, or why it is so
+  std::vector<double> places;  // from easy to hard, above 0
+  Promised promised;
+  std::vector<Method> methods;
+  Statistic statistic = Statistic::largest;
+  int cases = 200;  // at each place
+  // One case: draws from generators, calls the task, and returns its error, at least 0. A case may
+  // fail (expect) where there is no error to speak of, for example without a hit.
+  std::function<double(double place)> measure;
+};
+
+// What was measured at one place.
+struct Measured {
+  double place = 0;
+  double error = 0;    // NaN if no case has given a number
+  int cases = 0;       // that were tried
+  int without = 0;     // and that gave no finite number: no hit, NaN, a crash, a time-out
+  std::string reason;  // of the first of those
+};
+
+struct CurveSettings {
+  std::uint64_t seed = 1;
+  double effort = 1;  // times the usual number of cases
+};
+
+// `begin` is called before each place.
+std::vector<Measured> measure(const Curve& curve, const CurveSettings& settings,
+                              const std::function<void()>& begin);
+
+struct NamedCurve {
+  std::string name;
+  Curve curve;
+};
+
+// The curves of the task that this program has, in the order of their file.
+const std::vector<NamedCurve>& curves();
+
+// `count` places from `first` to `last`, by equal factors.
+std::vector<double> by_factors(double first, double last, int count);
+
+// Used by CURVE.
+bool keep_curve(const char* name, Curve (*make)());
+
+}  // namespace grader::check
+
+#define CURVE(task, name)                                        \
+  static ::grader::check::Curve curve_##task##_##name();         \
+  static const bool kept_##task##_##name =                       \
+      ::grader::check::keep_curve(#name, curve_##task##_##name); \
+  static ::grader::check::Curve curve_##task##_##name()

@@ -1,0 +1,53 @@
+#include "grader/programs/graded_curves.h"
+
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <nlohmann/json.hpp>
+
+namespace grader::programs {
+
+namespace {
+
+using nlohmann::json;
+
+// NaN becomes null.
+json to_json(const check::Measured& at) {
+  return {{"place", at.place},
+          {"error", at.error},
+          {"cases", at.cases},
+          {"without", at.without},
+          {"reason", at.reason}};
+}
+
+json to_json(const check::NamedCurve& named, const std::vector<check::Measured>& measured) {
+  const check::Curve& curve = named.curve;
+  json all{{"name", named.name},     {"title", curve.title},   {"input", curve.input},
+           {"error", curve.error},   {"source", curve.source}, {"methods", json::array()},
+           {"places", json::array()}};
+  if (curve.promised.last > 0) {
+    all["promised"] = {{"first", curve.promised.first},
+                       {"last", curve.promised.last},
+                       {"limit", curve.promised.limit}};
+  }
+  for (const check::Method& method : curve.methods) {
+    all["methods"].push_back({{"file", method.file}, {"title", method.title}, {"single", method.single}});
+  }
+  for (const check::Measured& at : measured) all["places"].push_back(to_json(at));
+  return all;
+}
+
+}  // namespace
+
+void write_curves(const std::string& path, const std::string& only,
+                  const check::CurveSettings& settings, const std::function<void()>& begin) {
+  json all = json::array();
+  for (const check::NamedCurve& named : check::curves()) {
+    if (!only.empty() && named.name != only) continue;
+    all.push_back(to_json(named, check::measure(named.curve, settings, begin)));
+  }
+  if (!only.empty() && all.empty()) throw pt::Error("there is no curve '" + only + "'");
+  pt::write_file(path, all.dump(1) + "\n");
+}
+
+}  // namespace grader::programs

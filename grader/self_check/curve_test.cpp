@@ -1,0 +1,110 @@
+// How curves are measured: their statistics, and cases without a number.
+#include "grader/check/curve.h"
+
+#include "grader/check/generators.h"
+#include "grader/check/property.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace grader::check {
+namespace {
+
+const auto nothing = [] {};
+
+Curve curve_of(Statistic statistic, int cases, const std::function<double(double)>& measure) {
+  Curve curve;
+  curve.places = {1, 10, 100};
+  curve.statistic = statistic;
+  curve.cases = cases;
+  curve.measure = measure;
+  return curve;
+}
+
+// 0, 1, 2, ... times the place, then the same for the next place.
+std::function<double(double)> counted(int cases) {
+  return [n = 0, cases](double place) mutable { return place * (n++ % cases); };
+}
+
+TEST(curve, statistics_of_known_numbers) {
+  const std::pair<Statistic, double> known[] = {
+      {Statistic::largest, 8}, {Statistic::mean, 4}, {Statistic::median, 4}};
+  for (const auto& [statistic, value] : known) {
+    const auto measured = measure(curve_of(statistic, 9, counted(9)), {}, nothing);
+    ASSERT_EQ(measured.size(), 3U);
+    for (const Measured& at : measured) {
+      EXPECT_DOUBLE_EQ(at.error, at.place * value);
+      EXPECT_EQ(at.cases, 9);
+      EXPECT_EQ(at.without, 0);
+    }
+  }
+}
+
+TEST(curve, cases_without_a_number_are_counted_apart) {
+  int n = 0;
+  const auto measured = measure(curve_of(Statistic::largest, 30,
+                                         [&](double place) {
+                                           ++n;
+                                           expect(n % 3 != 0, "a hit", "no hit");
+                                           if (n % 3 == 1) return std::nan("");
+                                           return place;
+                                         }),
+                                {}, nothing);
+  for (const Measured& at : measured) {
+    EXPECT_EQ(at.error, at.place);
+    EXPECT_EQ(at.cases, 30);
+    EXPECT_EQ(at.without, 20);
+    EXPECT_EQ(at.reason, "an answer that is not finite");
+  }
+}
+
+TEST(curve, a_place_without_any_number_ends_soon) {
+  int n = 0;
+  const auto measured = measure(curve_of(Statistic::mean, 100000,
+                                         [&](double place) {
+                                           ++n;
+                                           expect(place > 10, "a hit", "no hit");
+                                           return std::numeric_limits<double>::infinity();
+                                         }),
+                                {}, nothing);
+  EXPECT_LT(n, 300);
+  for (const Measured& at : measured) {
+    EXPECT_TRUE(std::isnan(at.error));
+    EXPECT_EQ(at.cases, at.without);
+  }
+  EXPECT_EQ(measured[0].reason, "no hit");
+}
+
+TEST(curve, the_same_seed_gives_the_same_cases_whatever_happened_before) {
+  const auto drawn = [](bool fails, std::uint64_t seed) {
+    return measure(curve_of(Statistic::largest, 50,
+                            [=](double place) {
+                              const double number = *real(0, 1);
+                              expect(!fails || place > 1, "a hit", "no hit");
+                              return number;
+                            }),
+                   {seed, 1}, nothing);
+  };
+  EXPECT_EQ(drawn(false, 7)[2].error, drawn(true, 7)[2].error);
+  EXPECT_NE(drawn(false, 7)[2].error, drawn(false, 8)[2].error);
+  EXPECT_NE(drawn(false, 7)[1].error, drawn(false, 7)[2].error);
+}
+
+TEST(curve, more_effort_is_more_cases_and_each_place_begins_anew) {
+  int begun = 0;
+  const auto measured = measure(curve_of(Statistic::mean, 10, [](double) { return 0.0; }), {1, 2.5},
+                                [&] { ++begun; });
+  EXPECT_EQ(begun, 3);
+  EXPECT_EQ(measured[0].cases, 25);
+}
+
+TEST(curve, places_by_equal_factors) {
+  const std::vector<double> places = by_factors(1e-2, 1e2, 5);
+  ASSERT_EQ(places.size(), 5U);
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(places[i] / std::pow(10, i - 2), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace grader::check

@@ -1,0 +1,85 @@
+#include "grader/check/curve.h"
+#include "grader/tasks/adaptive_pixel/cases.h"
+
+#include <cmath>
+
+namespace grader::check {
+namespace {
+
+using namespace adaptive;
+
+// How far the mean of many pixels is below the mean of their samples, as a part of it. The samples
+// are `rare` with the chance, else `usual`.
+double too_dark(double chance, double rare, double usual) {
+  constexpr int kPixels = 60;
+  const double expected = chance * rare + (1 - chance) * usual;
+  double sum = 0;
+  for (int i = 0; i < kPixels; ++i) {
+    pt::Sampler values(*sampler_seed()), sampler(*sampler_seed());
+    script_radiance(
+        [&](int, const pt::Ray&) { return pt::gray(values.next_1d() < chance ? rare : usual); });
+    const pt::Scene empty;
+    const pt::View view{empty, pt::Camera{}, {}, 1, 1};
+    const AdaptiveSettings settings{.max_samples = 4096, .batch = 32, .tolerance = 0.1};
+    sum += pt::adaptive_pixel(view, 0, 0, settings, sampler).mean.r / kPixels;
+  }
+  return std::abs(1 - sum / expected);
+}
+
+// The interval of 95 % assumes that the variance is known. A batch in which the rare light is missing
+// knows nothing of it.
+CURVE(adaptive_pixel, rare_light) {
+  return {.title = "Light that a sample rarely meets, in a pixel that is dim without it",
+          .input = "chance of a sample to meet it",
+          .error = "the mean is off by this part",
+          .source = "the first batch may not meet it, and the pixel is done",
+          .places = by_factors(0.5, 5e-4, 10),
+          .promised = {},
+          .methods = {{"right/stratified", "stratified points"}},
+          .statistic = Statistic::median,
+          .cases = 3,
+          .measure = [](double chance) { return too_dark(chance, 1 / chance, 0.1); }};
+}
+
+CURVE(adaptive_pixel, fireflies) {
+  return {.title = "One sample in a thousand is a firefly",
+          .input = "radiance of a firefly, where other samples have 1",
+          .error = "the mean is off by this part",
+          .source = "most pixels are done before they meet one",
+          .places = by_factors(1, 1e5, 11),
+          .promised = {},
+          .methods = {{"right/stratified", "stratified points"}},
+          .statistic = Statistic::median,
+          .cases = 3,
+          .measure = [](double radiance) { return too_dark(1e-3, radiance, 1); }};
+}
+
+// Samples that are in turns above and below 1. The tolerance asks for 1,041 of them, which is 33
+// batches of 32.
+CURVE(adaptive_pixel, little_noise) {
+  return {.title = "Samples that hardly differ",
+          .input = "standard deviation over mean",
+          .error = "relative error of the number of samples",
+          .source =
+              "sum of squares minus square of sum: a difference of nearly equal numbers "
+              "(Welford 1962)",
+          .places = by_factors(0.5, 1e-12, 19),
+          .promised = {1.7e-3, 0.5, 0},
+          .methods = {{"methods/sum_of_squares", "sum of squares"},
+                      {"methods/sum_of_squares", "sum of squares, single precision", true}},
+          .cases = 1,
+          .measure = [](double deviation) {
+            constexpr int kRight = 33 * 32;
+            Case c;
+            c.settings = {.max_samples = 4096,
+                          .batch = 32,
+                          .tolerance = 1.96 * deviation / std::sqrt(1040.5)};
+            for (int i = 0; i < c.settings.max_samples; ++i) {
+              c.seen.push_back(pt::gray(i % 2 == 0 ? 1 + deviation : 1 - deviation));
+            }
+            return std::abs(static_cast<double>(ask(c).estimate.samples) / kRight - 1);
+          }};
+}
+
+}  // namespace
+}  // namespace grader::check

@@ -1,0 +1,38 @@
+#include "grader/check/curve.h"
+#include "grader/check/generators.h"
+#include "grader/check/property.h"
+#include "grader/check/repeat.h"
+#include "grader/check/scenes.h"
+#include "pt/tasks/direct_hemisphere.h"
+
+#include <cmath>
+
+namespace grader::check {
+namespace {
+
+// The chance of a direction to meet the light is its solid angle over 2 pi, so that the deviation
+// is about sqrt(2 pi / solid angle).
+CURVE(direct_hemisphere, small_light) {
+  return {.title = "A light that is small or far away",
+          .input = "radius of the light over its distance",
+          .error = "standard deviation of one estimate over its mean",
+          .source = "the chance to meet it is its solid angle over 2 pi",
+          .places = by_factors(0.9, 0.02, 9),
+          .promised = {},
+          .methods = {{"right/stratified", "stratified directions"}},
+          .statistic = Statistic::median,
+          .cases = 3,
+          .measure = [](double radius) {
+            Stage stage(*unturned_pose());
+            stage.ball({0, 0, 1}, radius, pt::gray(1), Body::surface);
+            const Situation s = stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+            // Some hundred of them meet the light.
+            const int draws = static_cast<int>(400 / (radius * radius));
+            const Mean mean =
+                mean_of(repeat<pt::direct_hemisphere>(draws, *sampler_seed(), s.scene, s.point, 1));
+            return mean.standard_error.r * std::sqrt(draws) / mean.value.r;
+          }};
+}
+
+}  // namespace
+}  // namespace grader::check

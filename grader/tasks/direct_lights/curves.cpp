@@ -1,0 +1,108 @@
+#include "grader/check/curve.h"
+#include "grader/check/generators.h"
+#include "grader/check/property.h"
+#include "grader/check/repeat.h"
+#include "grader/check/scenes.h"
+#include "pt/tasks/direct_lights.h"
+
+#include <cmath>
+
+namespace grader::check {
+namespace {
+
+// The standard deviation of one estimate over its mean.
+double relative_deviation(const Situation& s, int draws) {
+  const Mean mean = mean_of(repeat<pt::direct_lights>(draws, *sampler_seed(), s.scene, s.point, 1));
+  return mean.standard_error.r * std::sqrt(draws) / mean.value.r;
+}
+
+pt::Rgb one_estimate(const Situation& s) {
+  pt::Sampler sampler(*sampler_seed());
+  return pt::direct_lights(s.scene, s.point, 1, sampler);
+}
+
+// A patch that nothing hides from a sun. Estimates have no noise.
+Situation in_the_sun(const Pose& pose) {
+  Stage stage(pose);
+  stage.directional_light(*direction_above(1.4), pt::gray(1));
+  return stage.patch(pt::gray(0.5), *direction_above(1.4)).done();
+}
+
+double wrong_in_the_sun(const Pose& pose) {
+  const Situation s = in_the_sun(pose);
+  return std::abs(one_estimate(s).r / s.expected.r - 1) < 1e-3 ? 0 : 1;
+}
+
+std::vector<Method> offsets() {
+  return {{"wrong/no_offset", "no offset"},
+          {"wrong/fixed_offset_of_1e-4", "an offset of 1e-4"},
+          {"wrong/fixed_offset_of_1e-11", "an offset of 1e-11"}};
+}
+
+CURVE(direct_lights, close_to_a_light) {
+  return {.title = "A point close to a square light",
+          .input = "distance over the light's side",
+          .error = "standard deviation of one estimate over its mean",
+          .source = "the density of a point of an area has the squared distance in it",
+          .places = by_factors(10, 1e-3, 13),
+          .promised = {},
+          .methods = {{"right/multiple_importance", "multiple importance sampling"}},
+          .statistic = Statistic::median,
+          .cases = 3,
+          .measure = [](double distance) {
+            Stage stage(*unturned_pose());
+            stage.rectangle({{0, 0, distance}, {1, 0, 0}, {0, -1, 0}}, pt::gray(1), Body::none);
+            return relative_deviation(stage.patch(pt::gray(0.5), {0, 0, 1}).done(), 4000);
+          }};
+}
+
+CURVE(direct_lights, scale) {
+  return {.title = "A surface in the sun, in scenes of any size",
+          .input = "size of the scene",
+          .error = "share of points that are not right to a thousandth",
+          .source = "Waechter and Binder 2019, Ray Tracing Gems, chapter 6",
+          .places = by_factors(1e-8, 1e8, 17),
+          .promised = {1e-6, 1e6, 0},
+          .methods = offsets(),
+          .statistic = Statistic::mean,
+          .measure = [](double size) {
+            return wrong_in_the_sun({*rotation(), size * *point(), size});
+          }};
+}
+
+CURVE(direct_lights, far_from_the_origin) {
+  return {.title = "A surface in the sun, far from the world's origin",
+          .input = "distance from the world's origin, in sizes of the scene",
+          .error = "share of points that are not right to a thousandth",
+          .source = "Waechter and Binder 2019, Ray Tracing Gems, chapter 6",
+          .places = by_factors(1, 1e12, 13),
+          .promised = {1, 1e4, 0},
+          .methods = offsets(),
+          .statistic = Statistic::mean,
+          .measure = [](double away) {
+            return wrong_in_the_sun({*rotation(), *point(away), 1});
+          }};
+}
+
+CURVE(direct_lights, many_lights) {
+  return {.title = "Many lights",
+          .input = "point lights",
+          .error = "relative error of the sum",
+          .source = "a limit for the number of lights, and errors of a long sum",
+          .places = {1, 2, 4, 5, 8, 16, 17, 40, 100, 300, 1000},
+          .promised = {1, 40, 1e-5},
+          .methods = {{"wrong/sixteen_lights_at_most", "at most sixteen lights"},
+                      {"right/in_float", "single precision"}},
+          .cases = 5,
+          .measure = [](double lights) {
+            Stage stage(*unturned_pose());
+            for (int i = 0; i < static_cast<int>(lights); ++i) {
+              stage.point_light(*real(0.5, 5) * *direction_above(1.4), pt::gray(1));
+            }
+            const Situation s = stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+            return std::abs(one_estimate(s).r / s.expected.r - 1);
+          }};
+}
+
+}  // namespace
+}  // namespace grader::check

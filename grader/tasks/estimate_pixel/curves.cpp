@@ -1,0 +1,29 @@
+#include "grader/check/curve.h"
+#include "grader/tasks/estimate_pixel/cases.h"
+
+#include <cmath>
+
+namespace grader::check {
+namespace {
+
+using namespace estimate_pixel_cases;
+
+CURVE(estimate_pixel, many_samples) {
+  return {.title = "The mean of many equal samples",
+          .input = "samples",
+          .error = "relative error of the mean",
+          .source = "each addition to a large sum is rounded (Higham 2002, chapter 4)",
+          .places = by_factors(10, 1e5, 9),
+          .promised = {10, 100, 1e-5},
+          .methods = {{"right/float_sum", "single precision"}},
+          .cases = 1,
+          .measure = [](double samples) {
+            const Estimate got = estimate({pt::Camera{}, 8, 5, 3, 2}, static_cast<int>(samples),
+                                          pt::Sampler(*sampler_seed()),
+                                          [](int, const pt::Ray&) { return pt::gray(0.1); });
+            return std::abs(got.mean.r / 0.1 - 1);
+          }};
+}
+
+}  // namespace
+}  // namespace grader::check

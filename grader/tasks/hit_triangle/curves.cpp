@@ -1,0 +1,108 @@
+#include "grader/check/curve.h"
+#include "grader/check/property.h"
+#include "grader/tasks/hit_triangle/cases.h"
+#include "pt/tasks/hit_triangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grader::check {
+namespace {
+
+using namespace hit_triangle_cases;
+
+double missed(const Aimed& aimed) {
+  return pt::hit_triangle(aimed.triangle, aimed.ray).has_value() ? 0 : 1;
+}
+
+// Relative to the way from the origin.
+double error_of_t(const Aimed& aimed) {
+  const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
+  expect(hit.has_value(), "a hit", "no hit");
+  return std::abs(hit->t / aimed.t - 1);
+}
+
+CURVE(hit_triangle, small) {
+  return {.title = "A small triangle, seen from a few of its sizes away",
+          .input = "length of an edge",
+          .error = "share of rays at its inside that miss",
+          .source = "a limit for the determinant is a limit for the size of a triangle",
+          .places = by_factors(1, 1e-12, 25),
+          .promised = {1e-6, 1, 0},
+          .methods = {{"wrong/absolute_epsilon", "determinants below 1e-5 dropped"},
+                      {"wrong/tiny_absolute_epsilon", "a much smaller limit"},
+                      {"methods/determinants", "determinants, single precision", true}},
+          .statistic = Statistic::mean,
+          .measure = [](double edge) { return missed(resized(*aimed_inside({.size = 1}), edge)); }};
+}
+
+CURVE(hit_triangle, sliver) {
+  return {.title = "A sliver",
+          .input = "height over length",
+          .error = "relative error of t",
+          .source = "the area is a difference of products that are much larger",
+          .places = by_factors(1, 1e-12, 25),
+          .promised = {},
+          .methods = {{"wrong/slivers_dropped", "slivers dropped"},
+                      {"methods/determinants", "determinants, single precision", true},
+                      {"right/watertight", "in the frame of the ray"}},
+          .measure = [](double thin) {
+            return error_of_t(*aimed_inside({.size = 1, .thin = thin, .thick = thin, .flat = 0.5}));
+          }};
+}
+
+CURVE(hit_triangle, flat_ray) {
+  return {.title = "A ray that is almost parallel to the triangle",
+          .input = "angle between ray and plane, in radians",
+          .error = "relative error of t",
+          .source = "the determinant is the sine of the angle, and errors are divided by it",
+          .places = by_factors(1, 1e-12, 25),
+          .promised = {},
+          .methods = {{"wrong/grazing_rays_dropped", "flat rays dropped"},
+                      {"methods/determinants", "determinants, single precision", true},
+                      {"right/watertight", "in the frame of the ray"}},
+          .measure = [](double angle) {
+            return error_of_t(*aimed_inside(
+                {.size = 1, .away = 1, .near = 0.1, .far = 3, .flat = angle, .steep = angle}));
+          }};
+}
+
+CURVE(hit_triangle, far_from_the_origin) {
+  return {.title = "A triangle far from the world's origin",
+          .input = "distance from the world's origin, in lengths of an edge",
+          .error = "relative error of t",
+          .source = "coordinates are rounded to a part of their size",
+          .places = by_factors(1, 1e12, 25),
+          .promised = {},
+          .methods = {{"methods/determinants", "determinants, single precision", true},
+                      {"right/watertight", "in the frame of the ray"}},
+          .measure = [](double away) {
+            return error_of_t(*aimed_inside({.size = 1, .away = away, .near = 1, .flat = 0.5}));
+          }};
+}
+
+CURVE(hit_triangle, shared_edge) {
+  return {.title = "Rays at edges and corners that triangles share",
+          .input = "distance from the world's origin, in lengths of an edge",
+          .error = "share of rays that pass between the triangles",
+          .source = "Woop, Benthin and Wald 2013, Watertight Ray/Triangle Intersection",
+          .places = by_factors(1, 1e9, 10),
+          .promised = {},
+          .methods = {{"methods/determinants", "determinants"},
+                      {"right/watertight", "in the frame of the ray"},
+                      {"methods/determinants", "determinants, single precision", true}},
+          .statistic = Statistic::mean,
+          .cases = 1000,
+          .measure = [](double away) {
+            const Fan fan = *aimed_between(away);
+            return std::ranges::any_of(fan.triangles,
+                                       [&](const pt::Triangle& triangle) {
+                                         return pt::hit_triangle(triangle, fan.ray).has_value();
+                                       })
+                       ? 0.0
+                       : 1.0;
+          }};
+}
+
+}  // namespace
+}  // namespace grader::check

@@ -1,0 +1,64 @@
+#include "grader/check/curve.h"
+#include "grader/check/generators.h"
+#include "grader/check/property.h"
+#include "grader/check/repeat.h"
+#include "grader/check/rooms.h"
+#include "pt/tasks/trace_path.h"
+
+#include <cmath>
+
+namespace grader::check {
+namespace {
+
+Mean estimates(const Room& room, int draws, int bounces, double survival) {
+  pt::PathSettings settings;
+  settings.direct = room.direct;
+  settings.survival = survival;
+  settings.from = 1;
+  settings.to = bounces;
+  return mean_of(repeat<pt::trace_path>(draws, *sampler_seed(), room.scene, room.point, settings));
+}
+
+// A path that has survived k times carries (albedo / survival)^k with the chance survival^k, so that
+// the mean square of the k-th bounce is (albedo^2 / survival)^k: above 1 the sum has no limit.
+CURVE(trace_path, bright_walls) {
+  return {.title = "Roulette with survival 0.35 in a closed room, at most 100 bounces",
+          .input = "squared albedo over survival",
+          .error = "standard deviation of one estimate over its mean",
+          .source = "above 1 the variance of a path without an end is infinite",
+          .places = {0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 1, 1.1, 1.2, 1.5, 1.8, 2.2},
+          .promised = {},
+          .methods = {{"right/survival_by_throughput", "survives by its throughput"},
+                      {"right/survival_by_albedo", "survives by the albedo"}},
+          .statistic = Statistic::median,
+          .cases = 3,
+          .measure = [](double squared) {
+            constexpr double kSurvival = 0.35;
+            constexpr int kDraws = 4000;
+            const Room room =
+                *glowing_room(rc::gen::just(pt::gray(std::sqrt(squared * kSurvival))));
+            const Mean mean = estimates(room, kDraws, 100, kSurvival);
+            return mean.standard_error.r * std::sqrt(kDraws) / mean.value.r;
+          }};
+}
+
+CURVE(trace_path, many_bounces) {
+  return {.title = "A closed room with walls of albedo 0.99, without roulette",
+          .input = "bounces asked for",
+          .error = "relative error of the mean",
+          .source = "a limit for the number of bounces, or for the throughput",
+          .places = {1, 2, 3, 5, 8, 10, 11, 16, 25, 40, 64, 100},
+          .promised = {},
+          .methods = {{"wrong/cap_of_ten", "at most ten bounces"},
+                      {"wrong/cap_of_fifty", "at most fifty bounces"}},
+          .cases = 3,
+          .measure = [](double most) {
+            const int bounces = static_cast<int>(most);
+            const Room room = *glowing_room(rc::gen::just(pt::gray(0.99)));
+            const double expected = room.sum(1, bounces).r;
+            return std::abs(estimates(room, 300, bounces, 1).value.r / expected - 1);
+          }};
+}
+
+}  // namespace
+}  // namespace grader::check

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# ./run stability: a textbook's sphere leaves the reference's line, and what hangs, crashes or does not
+# compile is a place of the curve or a sentence, never the end.
+# stability.sh STABILITY
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+stability=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+complain() {
+  printf '%s\n' "$*"
+  exit 1
+}
+
+# shown STATUS WORDS...: what it says, in $said.
+shown() {
+  local expected=$1 got=0
+  shift
+  said=$("$stability" "$@" --no-variants --effort .05 2>&1) || got=$?
+  [ "$got" -eq "$expected" ] || complain "stability $* ended with $got:" "$said"
+}
+
+# says WORDS
+says() { grep -qF -- "$1" <<<"$said" || complain "it does not say '$1':" "$said"; }
+
+# error FILE LINE PLACE: as the CSV has it.
+error() { awk -F, -v line="$2" -v place="$3" '$1 == line && $2 == place { print $3 }' "$1"; }
+
+# larger A B
+larger() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "" && b != "" && a + 0 > b + 0) }'; }
+
+mkdir -p "$work/mine/1_rays"
+cp grader/tasks/hit_sphere/right/textbook.cpp "$work/mine/1_rays/hit_sphere.cpp"
+shown 0 hit_sphere --submission "$work/mine" --out "$work/out"
+csv=$work/out/hit_sphere.far_away.csv
+larger 1e-9 "$(error "$csv" yours 10)" || complain "a textbook's sphere is wrong at ten radii:" "$(cat "$csv")"
+larger "$(error "$csv" yours 1e+07)" 1e-3 || complain "a textbook's sphere is right at 1e7 radii:" "$(cat "$csv")"
+larger 1e-6 "$(error "$csv" reference 1e+07)" || complain "the reference is wrong at 1e7 radii:" "$(cat "$csv")"
+! command -v gnuplot >/dev/null || [ -s "$work/out/hit_sphere.far_away.svg" ] || complain "there is no chart"
+
+# Beyond a million radii: no answer, no end, no number.
+for how in '__builtin_trap();' 'for (volatile int i = 0;; i = 0) { }' \
+  'return SurfaceHit{0.0 / (ray.origin.x - ray.origin.x), {0, 0, 1}};'; do
+  sed "s|^  const Vec3 oc.*|&\n  if (length(oc) > 1e6 * sphere.radius) { $how }|; t; s|^  const Vec3 m = .*|&|" \
+    grader/tasks/hit_sphere/right/half_b.cpp >"$work/mine/1_rays/hit_sphere.cpp"
+  grep -qF 'length(oc)' "$work/mine/1_rays/hit_sphere.cpp" || complain "the solution has another form now"
+  shown 0 hit_sphere --submission "$work/mine" --out "$work/out"
+  [ -n "$(error "$csv" yours 1000)" ] && [ -z "$(error "$csv" yours 1e+08)" ] ||
+    complain "with $how, places have the wrong numbers:" "$(cat "$csv")"
+  says '* yours: '
+done
+
+echo 'int' >"$work/mine/1_rays/hit_sphere.cpp"
+shown 1 hit_sphere --submission "$work/mine"
+says 'yours is not measured: '
+rm "$work/mine/1_rays/hit_sphere.cpp"
+shown 1 hit_sphere --submission "$work/mine"
+says 'there is no 1_rays/hit_sphere.cpp'
+shown 2 hit_spheres
+shown 2 hit_sphere --submission "$work/nowhere"

@@ -1,0 +1,187 @@
+#include "writeup/stability/lines.h"
+
+#include "grader/base/files.h"
+#include "grader/base/parallel.h"
+#include "grader/judge/alone.h"
+#include "grader/judge/ask_graded.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <mutex>
+
+#include <nlohmann/json.hpp>
+
+namespace writeup::stability {
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace base = grader::base;
+namespace judge = grader::judge;
+using nlohmann::json;
+
+constexpr std::chrono::seconds kMostTime{900};
+
+std::string folder_of(const judge::Config& config, const judge::TaskConfig& task) {
+  return config.root + "/grader/tasks/" + task.slug + "/";
+}
+
+// What the line is compiled to; or a reason in `error`.
+judge::Judged compiled(const judge::Config& config, const judge::Builder& builder,
+                       const judge::TaskConfig& task, const Request& request, const Line& line) {
+  judge::Judged judged = judge::not_judged(config, task);
+  if (line.kind == Line::Kind::reference) {
+    judged.object.path = task.reference.at(0);
+    judged.object.key = base::stamp(judged.object.path);
+    return judged;
+  }
+  std::string text;
+  if (line.kind == Line::Kind::submission) {
+    const base::Submitted file = base::read_submitted(request.submission, task.part, task.slug);
+    if (!file.present) judged.object.error = "there is no " + task.file();
+    if (!file.rejected.empty()) judged.object.error = file.rejected;
+    text = file.text;
+  } else {
+    text = base::read_file(folder_of(config, task) + line.file + ".cpp");
+    if (line.single) text = "#define REAL float\n" + text;
+  }
+  if (judged.object.error.empty()) judged.object = builder.compile(task, text);
+  return judged;
+}
+
+// The curves of one line as JSON; or why there are none, in `line`.
+json curves_of(const judge::Config& config, const judge::Builder& builder,
+               const judge::TaskConfig& task, const Request& request, Line& line) {
+  const judge::Judged judged = compiled(config, builder, task, request, line);
+  line.unusable = judged.object.rejected.empty() ? judged.object.error : judged.object.rejected;
+  if (!line.unusable.empty()) return json::array();
+  const judge::Built worker = judge::link_alone(config, builder, judged, judge::Elsewhere::answers);
+  if (!worker.ok()) {
+    line.unusable = worker.error;
+    return json::array();
+  }
+  const judge::Trial trial{task, worker, false, request.judge, {}};
+  const judge::Written written =
+      judge::ask_graded(builder, trial,
+                        {"--seed", std::to_string(request.judge.seed), "--effort",
+                         std::to_string(request.effort), "--curves"},
+                        kMostTime);
+  if (written.path.empty()) throw pt::Error("the curves of " + task.slug + ": " + written.error);
+  return json::parse(base::read_file(written.path));
+}
+
+std::vector<Point> points_of(const json& curve) {
+  std::vector<Point> points;
+  for (const json& at : curve.at("places")) {
+    const json& error = at.at("error");
+    points.push_back(
+        {at.at("place"),
+         error.is_null() ? std::numeric_limits<double>::quiet_NaN() : error.get<double>(),
+         at.at("cases"), at.at("without"), at.at("reason")});
+  }
+  return points;
+}
+
+Chart chart_of(const judge::TaskConfig& task, const json& curve) {
+  Chart chart;
+  chart.slug = task.slug;
+  chart.name = curve.at("name");
+  chart.title = curve.at("title");
+  chart.input = curve.at("input");
+  chart.error = curve.at("error");
+  chart.source = curve.at("source");
+  if (curve.contains("promised")) {
+    const json& promised = curve.at("promised");
+    chart.promised_first = promised.at("first");
+    chart.promised_last = promised.at("last");
+    chart.limit = promised.at("limit");
+  }
+  return chart;
+}
+
+Line line_of(const json& method) {
+  return {Line::Kind::method, method.at("title"), method.at("file"), method.at("single"), ""};
+}
+
+bool same(const Line& a, const Line& b) { return a.file == b.file && a.single == b.single; }
+
+std::vector<std::size_t> methods_of(const json& curve, const std::vector<Line>& lines) {
+  std::vector<std::size_t> found;
+  for (const json& method : curve.at("methods")) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (same(lines[i], line_of(method))) found.push_back(i);
+    }
+  }
+  return found;
+}
+
+// The methods that the curves name, each once, and then the other right solutions. A learners'
+// edition has none of their files.
+std::vector<Line> kept_solutions(const judge::Config& config, const judge::TaskConfig& task,
+                                 const json& curves, bool variants) {
+  const std::string folder = folder_of(config, task);
+  std::vector<Line> lines;
+  const auto add = [&](const Line& line) {
+    const bool known = std::ranges::any_of(lines, [&](const Line& l) { return same(l, line); });
+    if (!known && fs::exists(folder + line.file + ".cpp")) lines.push_back(line);
+  };
+  for (const json& curve : curves) {
+    for (const json& method : curve.at("methods")) {
+      add(line_of(method));
+    }
+  }
+  if (!variants || !fs::is_directory(folder + "right")) return lines;
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder + "right")) {
+    if (entry.path().extension() == ".cpp") files.push_back(entry.path().stem());
+  }
+  std::ranges::sort(files);
+  for (const std::string& file : files) {
+    std::string title = file;
+    std::ranges::replace(title, '_', ' ');
+    add({Line::Kind::variant, title, "right/" + file, false, ""});
+  }
+  return lines;
+}
+
+}  // namespace
+
+Charts measure_task(const judge::Config& config, const judge::TaskConfig& task,
+                    const Request& request, const std::function<void(double)>& progress) {
+  if (!config.no_reference.empty()) throw pt::Error(config.no_reference);
+  const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
+  Charts charts;
+  charts.lines.push_back({Line::Kind::reference, "reference", "", false, ""});
+  if (!request.submission.empty()) {
+    charts.lines.push_back({Line::Kind::submission, "yours", "", false, ""});
+  }
+  // The reference tells which methods there are.
+  const json first = curves_of(config, builder, task, request, charts.lines[0]);
+  for (Line& line : kept_solutions(config, task, first, request.variants)) {
+    charts.lines.push_back(std::move(line));
+  }
+  for (const json& curve : first) {
+    charts.charts.push_back(chart_of(task, curve));
+    charts.charts.back().methods = methods_of(curve, charts.lines);
+  }
+  std::vector<json> found(charts.lines.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  base::for_each(charts.lines.size(), request.judge.threads, [&](std::size_t i) {
+    found[i] = curves_of(config, builder, task, request, charts.lines[i]);
+    const std::lock_guard lock(mutex);
+    progress(static_cast<double>(++done) / static_cast<double>(charts.lines.size()));
+  });
+  for (std::size_t c = 0; c < charts.charts.size(); ++c) {
+    for (const json& curves : found) {
+      charts.charts[c].points.push_back(curves.empty() ? std::vector<Point>{}
+                                                       : points_of(curves.at(c)));
+    }
+  }
+  return charts;
+}
+
+}  // namespace writeup::stability

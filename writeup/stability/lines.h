@@ -1,0 +1,58 @@
+#pragma once
+
+#include "grader/judge/builder.h"
+#include "grader/judge/grade.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace writeup::stability {
+
+// One implementation of a task: a line in each of its charts.
+struct Line {
+  enum class Kind { reference, submission, method, variant };
+
+  Kind kind = Kind::reference;
+  std::string title;
+  std::string file;      // of the task's folder without ".cpp", for methods and variants
+  bool single = false;   // its arithmetic type REAL is float
+  std::string unusable;  // why it cannot be measured, for example what a compiler said; else empty
+};
+
+// What is measured, and how.
+struct Request {
+  std::string submission;  // a folder; empty: none
+  bool variants = true;    // every right solution of the task's folder too
+  double effort = 1;       // times the usual number of cases
+  grader::judge::GradeRequest judge;
+};
+
+// A place of a curve, as a line has it. `error` is NaN without a number.
+struct Point {
+  double place = 0, error = 0;
+  int cases = 0, without = 0;
+  std::string reason;
+};
+
+// A curve of a task, with the points of each line: none for lines that could not be measured.
+struct Chart {
+  std::string slug, name, title, input, error, source;
+  double promised_first = 0, promised_last = 0, limit = 0;  // nothing is promised: last is 0
+  std::vector<std::vector<Point>> points;                   // by line
+  std::vector<std::size_t> methods;                         // the lines that it is about
+};
+
+// All charts of a task.
+struct Charts {
+  std::vector<Line> lines;
+  std::vector<Chart> charts;
+};
+
+// Measures all curves of a task. The code of a submission runs in a box only: what hangs, crashes or
+// does not compile is found in the answer. Throws pt::Error where nothing can be measured. `progress`
+// is called with the part that is done, from one thread at a time.
+Charts measure_task(const grader::judge::Config& config, const grader::judge::TaskConfig& task,
+                    const Request& request, const std::function<void(double)>& progress);
+
+}  // namespace writeup::stability

@@ -1,0 +1,100 @@
+// stability [TASK | PART] ... [--submission DIR]: where methods fail, as curves. Measures each task's
+// curves (grader/tasks/<task>/curves.cpp) with the reference, a submission, and the solutions that are
+// kept in the tree, all in boxes. The exit status is 1 if a task of the submission cannot be measured.
+#include "grader/base/files.h"
+#include "grader/sandbox/probe.h"
+#include "pt/command_line.h"
+#include "pt/error.h"
+#include "pt/render/progress.h"
+#include "writeup/stability/print.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace writeup::stability {
+namespace {
+
+namespace fs = std::filesystem;
+namespace judge = grader::judge;
+
+struct Options {
+  std::vector<std::string> what;
+  std::string out;
+  bool no_variants = false;
+  Request request;
+};
+
+bool has_curves(const judge::Config& config, const judge::TaskConfig& task) {
+  return fs::exists(config.root + "/grader/tasks/" + task.slug + "/curves.cpp");
+}
+
+std::vector<judge::TaskConfig> tasks_of(const judge::Config& config, const Options& options) {
+  std::set<std::string> asked;
+  for (const std::string& word : options.what) {
+    for (const std::string& slug : judge::tasks_meant(config, word)) asked.insert(slug);
+  }
+  std::vector<judge::TaskConfig> tasks;
+  for (const judge::TaskConfig& task : config.tasks) {
+    const bool meant = asked.empty() || asked.contains(task.slug);
+    if (meant && has_curves(config, task)) tasks.push_back(task);
+  }
+  if (tasks.empty()) throw pt::Error(options.what[0] + " has no curves yet");
+  return tasks;
+}
+
+int run(Options options) {
+  const judge::Config config = judge::load_config(judge::default_config_path());
+  const std::vector<judge::TaskConfig> tasks = tasks_of(config, options);
+  Request& request = options.request;
+  request.variants = !options.no_variants;
+  request.judge.isolation = grader::sandbox::probe_isolation(config.root, config.work);
+  if (!request.submission.empty()) {
+    request.submission = grader::base::submission_root(request.submission);
+  }
+  if (!options.out.empty()) fs::create_directories(options.out);
+  bool all_measured = true;
+  pt::Progress progress;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const Charts charts = measure_task(config, tasks[i], request, [&](double part) {
+      progress.show((static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
+    });
+    progress.clear();
+    fmt::print("{}", to_text(charts));
+    std::fflush(stdout);
+    if (!options.out.empty()) write_charts(charts, options.out);
+    for (const Line& line : charts.lines) all_measured = all_measured && line.unusable.empty();
+  }
+  if (!options.out.empty()) fmt::print("charts and numbers: {}\n", options.out);
+  return all_measured ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace writeup::stability
+
+int main(int argc, char** argv) {
+  using writeup::stability::Options;
+  Options options;
+  CLI::App app{"Shows where methods fail: the error of each task by how hard its input is",
+               "./run stability"};
+  app.footer(
+      "Examples:\n  ./run stability hit_sphere\n  ./run stability 1 --from student --out curves\n"
+      "  ./run stability hit_sphere --submission FOLDER");
+  app.add_option("what", options.what, "tasks (hit_sphere), parts (1) or exercises (1.3)");
+  app.add_option("--submission", options.request.submission,
+                 "a folder with the tree of student/: its lines are drawn too")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--out", options.out, "a folder for charts and their numbers; default: none");
+  app.add_flag("--no-variants", options.no_variants,
+               "only the methods that a curve is about, not every right solution");
+  app.add_option("--effort", options.request.effort, "times the usual number of random cases")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->capture_default_str();
+  app.add_option("--seed", options.request.judge.seed, "of the random cases")
+      ->capture_default_str();
+  app.add_option("-t,--threads", options.request.judge.threads, "how many lines at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  return pt::run_command_line(app, argc, argv, [&] { return writeup::stability::run(options); });
+}

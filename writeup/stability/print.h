@@ -1,0 +1,17 @@
+#pragma once
+
+#include "writeup/stability/lines.h"
+
+#include <filesystem>
+#include <string>
+
+namespace writeup::stability {
+
+// A table of each chart for a terminal: a row per place; columns for the reference, the submission, and
+// the methods that the chart is about.
+std::string to_text(const Charts& charts);
+
+// <slug>.<curve>.csv with all lines, and a chart where there is gnuplot.
+void write_charts(const Charts& charts, const std::filesystem::path& folder);
+
+}  // namespace writeup::stability
