@@ -78,8 +78,9 @@ inline void any_delta_light(Stage& stage) {
   *rc::gen::arbitrary<bool>() ? point_light(stage) : directional_light(stage);
 }
 
-inline void any_light(Stage& stage) {
-  const int kind = *whole(0, 5);
+inline constexpr int kKinds = 6;
+
+inline void light_of_kind(Stage& stage, int kind) {
   const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
   if (kind == 0) point_light(stage);
   if (kind == 1) directional_light(stage);
@@ -88,6 +89,8 @@ inline void any_light(Stage& stage) {
   if (kind == 4) stage.ball(2 * *direction_above(1.0), 0.5, any_radiance(), Body::none);
   if (kind == 5) stage.sky(0.2 * any_radiance());
 }
+
+inline void any_light(Stage& stage) { light_of_kind(stage, *whole(0, kKinds - 1)); }
 
 inline void lamp(Stage& stage) {
   stage.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);

@@ -138,18 +138,23 @@ inline rc::Gen<Case> large_tree() {
                    {.least = 2000, .most = 4000, .padding = 0.01, .size = 0.2, .all_of_ray = true});
 }
 
-// Walls one behind the other, in any order. Many are closer together than a thousandth of their
-// distance.
+// Walls in any order, of which the ray meets one behind the other. Many meet it closer together than
+// a thousandth of their distance. Half of them slant, so that the ray enters their boxes long before.
 inline rc::Gen<Case> close_walls() {
   return rc::gen::exec([] {
     const auto [n, seed] = *some_lot(2, 30);
     Many make(seed);
     Case c;
-    for (int i = 0; i < n; ++i) {
-      const double z = std::pow(10, make.between(-6, 1));
-      c.primitives.triangles.push_back(pt::flat_triangle({-9, -9, z}, {9, -9, z}, {0, 18, z}));
-    }
     c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
+    for (int i = 0; i < n; ++i) {
+      const pt::Vec3 met = c.ray.at(5 + std::pow(10, make.between(-6, 1)));
+      const double steep = 0.5 * make.whole(0, 1);
+      const double along_x = make.between(-steep, steep), along_y = make.between(-steep, steep);
+      const auto at = [&](double x, double y) {
+        return pt::Vec3{x, y, met.z + along_x * (x - met.x) + along_y * (y - met.y)};
+      };
+      c.primitives.triangles.push_back(pt::flat_triangle(at(-9, -9), at(9, -9), at(0, 18)));
+    }
     c.bvh = tree_of(c.primitives, Shape::random, 2, 0, make);
     c.how = std::string(words(Shape::random)) + ", walls close behind each other";
     return c;

@@ -1,5 +1,5 @@
-// right: sorted along a Morton curve of 21 bits per axis (one scale for all axes), split at the highest
-// bit that differs; equal codes are halved.
+// right: sorted along a Morton curve of 21 bits per axis, with one scale for all axes, and split at
+// the highest bit that differs. Equal codes are halved.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// right: an unbiased estimate that starts two walks at the first point and takes their mean (splitting).
+// right: starts two walks at the first point and takes their mean (splitting), which is unbiased.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
