@@ -133,7 +133,7 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
   } else if (const std::string problem = run_grade(judging, by, path); !problem.empty()) {
     throw pt::Error(problem);
   }
-  const results::Results results = results::read_results(path + ".json");
+  results::Results results = results::read_results(path + ".json");
   if (!results.complete) throw pt::Error("the run was stopped before it ended");
   if (key_of(judging, by.folder) != key) {
     throw pt::Error("its files, or the grader's, have changed while it was judged");

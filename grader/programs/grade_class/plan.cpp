@@ -135,7 +135,7 @@ void hide_names(Plan& plan, const std::string& out) {
 // A file's name may hold any bytes, and JSON only UTF-8: others become a list of numbers.
 json text_json(const std::string& text) {
   try {
-    const json as_text = text;
+    json as_text = text;
     (void)as_text.dump();
     return as_text;
   } catch (const json::exception&) {
