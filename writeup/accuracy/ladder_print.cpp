@@ -72,8 +72,8 @@ set ylabel "as many times as cheap as the plainest renderer"
 set xtics rotate by -35 ({})
 set xrange [-.5:{}]
 set key top left
-set bmargin 11
-set rmargin 9
+set bmargin 10
+set rmargin 20
 plot "ladder.csv" using 1:8:9 skip 1 with yerrorlines lc rgb "#1b5288" lw 2 pt 7 ps .6 title "time x variance", \
      "" using 1:10 skip 1 with linespoints lc rgb "#a33708" lw 1.5 pt 5 ps .5 title "rays x variance"
 )gp";

@@ -49,10 +49,11 @@ Uncertain log_time(const std::vector<RungTurns>& turns, std::size_t base, std::s
   return j < base && k > base ? sum(beside(j, base), beside(base, k)) : beside(j, k);
 }
 
-// A bias that can be seen is part of the error.
-Uncertain error2_of(const RungTurns& turns) {
-  return turns.bias2.value > kSignificant * turns.bias2.error ? sum(turns.variance, turns.bias2)
-                                                              : turns.variance;
+// The noise of the long renders makes a small bias in all rungs alike: the least there is.
+double common_bias2(const std::vector<RungTurns>& turns, std::size_t base) {
+  double least = turns[base].bias2.value;
+  for (std::size_t k = base; k < turns.size(); ++k) least = std::min(least, turns[k].bias2.value);
+  return std::max(least, 0.0);
 }
 
 // log of the noise of rung j over that of rung k.
@@ -67,12 +68,16 @@ Uncertain log_noise(const Uncertain& j, const Uncertain& k, bool same_picture) {
 std::vector<Climbed> worth_of(const std::vector<Rung>& rungs, const std::vector<RungTurns>& turns) {
   std::size_t base = 0;
   while (rungs[base].same_picture) ++base;
+  const double common = common_bias2(turns, base);
   std::vector<Climbed> climbed;
   std::size_t below = 0;  // the last rung that was kept
   for (std::size_t k = 0; k < rungs.size(); ++k) {
     const RungTurns& seen = turns[std::max(k, base)];
-    Climbed rung{rungs[k], seen.samples, seen.rays, 0, error2_of(seen), {1, 0}, {1, 0}, 1, 1};
-    rung.biased = seen.bias2.value > kSignificant * seen.bias2.error;
+    Climbed rung{rungs[k], seen.samples, seen.rays, 0, seen.variance, {1, 0}, {1, 0}, 1, 1};
+    // A bias that can be seen is part of the error.
+    const Uncertain bias2{seen.bias2.value - common, seen.bias2.error};
+    rung.biased = bias2.value > kSignificant * bias2.error;
+    if (rung.biased) rung.error2 = sum(seen.variance, bias2);
     rung.heavy_tails = seen.variance.error > kHeavy * seen.variance.value;
     rung.seconds = turns[base].seconds * std::exp(log_time(turns, base, k, base).value);
     const auto beside = [&](std::size_t j) {
