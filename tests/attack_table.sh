@@ -5,7 +5,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 fail() { printf '%s\n' "$*" >&2; exit 2; }
-so_far=
+so_far= failed=0
 [ "${2:-}" != --so-far ] || { so_far=1; set -- "$1"; }
 if [ $# != 1 ] || [ ! -x "$1/grader/self_check/attack_test" ]; then
   fail 'say where it is built: attack_table.sh build/check'
@@ -29,7 +29,11 @@ attacks_as() {
   local environment=(PATH=/usr/bin:/bin LANG=C.UTF-8 TMPDIR="$folder" FIRSTLIGHT_ATTACKS="$rows/$1.$2")
   [ "$2" = all ] || environment+=(FIRSTLIGHT_LANDLOCK="$2")
   env -i "${environment[@]}" setpriv --reuid="$1" --regid="$(id -g "$1")" --clear-groups "${words[@]}" \
-    >"$rows/$1.$2.log" 2>&1 || { tail -30 "$rows/$1.$2.log" >&2; echo "$1, Landlock $2: an attack got through" >&2; }
+    >"$rows/$1.$2.log" 2>&1 || {
+    tail -30 "$rows/$1.$2.log" >&2
+    echo "as $1, with Landlock $2: attack_test does not pass" >&2
+    failed=1
+  }
   rm -rf "$folder"
   touch "$rows/$1.$2.done"
 }
@@ -76,4 +80,4 @@ awk -v table="$rows/table" '
   /^<!-- end -->$/ { skip = 0 }
   !skip' "$document" >"$rows/document"
 cat "$rows/document" >"$document"
-! grep -h 'GOT THROUGH' "$rows"/*.{all,5,0}
+! grep -h 'GOT THROUGH' "$rows"/*.{all,5,0} && [ $failed = 0 ]
