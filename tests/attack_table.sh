@@ -5,7 +5,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 fail() { printf '%s\n' "$*" >&2; exit 2; }
-so_far= failed=0
+so_far='' failed=0
 [ "${2:-}" != --so-far ] || { so_far=1; set -- "$1"; }
 if [ $# != 1 ] || [ ! -x "$1/grader/self_check/attack_test" ]; then
   fail 'say where it is built: attack_table.sh build/check'
