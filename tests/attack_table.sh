@@ -26,7 +26,7 @@ attacks_as() {
   mkdir -p "$folder"
   : >"$rows/$1.$2"
   [ "$1" = root ] || chown "$1" "$folder" "$rows/$1.$2"
-  local environment=(PATH=/usr/bin:/bin LANG=C.UTF-8 TMPDIR="$folder" FIRSTLIGHT_ATTACKS="$rows/$1.$2")
+  local environment=(PATH=/usr/bin:/bin LANG=C.UTF-8 TMPDIR="$folder" TEST_TMPDIR="$folder" FIRSTLIGHT_ATTACKS="$rows/$1.$2")
   [ "$2" = all ] || environment+=(FIRSTLIGHT_LANDLOCK="$2")
   env -i "${environment[@]}" setpriv --reuid="$1" --regid="$(id -g "$1")" --clear-groups "${words[@]}" \
     >"$rows/$1.$2.log" 2>&1 || {
