@@ -38,6 +38,9 @@ if(FIRSTLIGHT_SANITIZE)
     # Code that sanitisers add makes g++ warn of std::regex (its manual: -fsanitize and false warnings).
     list(APPEND flags -Wno-maybe-uninitialized)
   endif()
+  if(FIRSTLIGHT_FUZZ)
+    list(APPEND flags -fsanitize=fuzzer-no-link)  # counts what runs; the targets alone have a fuzzer in them
+  endif()
   target_compile_options(firstlight_options INTERFACE ${flags})
   target_link_options(firstlight_options INTERFACE ${flags})
 endif()

@@ -9,6 +9,14 @@
 
 namespace pt {
 
+// Prints the help that was asked for, or why a command line does not fit. Returns main's exit status, 0 or 2.
+inline int exit_status(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  // It names files as they were typed: a shell's wildcard may have found them.
+  std::fprintf(stderr, "%s\nRun with --help for more information.\n", sentence_of(error).c_str());
+  return 2;
+}
+
 // The exit status for main: that of `run` once the arguments fit the app's options, 0 where they
 // ask for help, and 2 after one sentence where they do not fit or run throws.
 template <class Run>
@@ -19,7 +27,7 @@ int run_command_line(CLI::App& app, int argc, const char* const* argv, Run run) 
     flush_standard_output();
     return status;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return exit_status(app, error);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", sentence_of(error).c_str());
     return 2;

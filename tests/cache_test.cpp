@@ -75,6 +75,15 @@ TEST_F(Cache, an_entry_is_as_old_as_the_youngest_of_its_files_and_goes_as_a_whol
   EXPECT_EQ(names(), (Names{"a.picture.evidence.exr", "a.picture.exr", "a.picture.json"}));
 }
 
+// A clock that ran ahead and was set back: what was used "tomorrow" goes first, not never.
+TEST_F(Cache, a_time_of_the_future_keeps_nothing) {
+  add("a.o", 600, hours(-24 * 365));
+  add("b.o", 300, hours(2));
+  add("c.o", 200, hours(3));
+  trim_cache(folder(), 1000);
+  EXPECT_EQ(names(), (Names{"b.o"}));
+}
+
 TEST_F(Cache, what_is_used_is_not_forgotten) {
   add("a.o", 600, hours(9));
   add("b.o", 400, hours(2));

@@ -198,9 +198,18 @@ Results full_results() {
                   .promises = {{"s", "t", true, true, 5, 0.1, {}},
                                {"u", "v", false, false, 6, 0.2, {failure, failure}}},
                   .pictures = {picture, picture}};
-  return {
-      "y",          5,           "z", {"v1", "v2"}, "cmd", 0.3, {{"p1", 0.5}, {"p2", 0.25}}, true,
-      {"aa", "bb"}, {task, task}};
+  TaskResult other = task;
+  other.slug = "k2";
+  return {"y",
+          5,
+          "z",
+          {"v1", "v2"},
+          "cmd",
+          0.3,
+          {{"p1", 0.5}, {"p2", 0.25}},
+          true,
+          {"aa", "bb"},
+          {task, other}};
 }
 
 Results example_results(const std::string& folder) {

@@ -12,6 +12,7 @@
 #include <archive_entry.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace grader::intake {
 namespace {
@@ -168,6 +169,20 @@ TEST_F(Intake, a_damaged_list_is_named_with_its_line) {
               testing::ThrowsMessage<pt::Error>(HasSubstr("submission_metadata.yml:")));
 }
 
+TEST_F(Intake, a_list_of_another_kind_is_named) {
+  add("submission_1/hit_box.cpp", "a");
+  for (const char* text :
+       {"submissions", "- a", "submission_1: 5", "submission_1:\n  :submitters: x",
+        "submission_1:\n  :submitters:\n  - y", "&a [*a]", "!!binary x"}) {
+    add(kGradescopeList, text);
+    try {
+      EXPECT_EQ(seen().size(), 1U) << text;
+    } catch (const pt::Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("submission_metadata.yml:")) << text;
+    }
+  }
+}
+
 TEST_F(Intake, archives_in_archives_are_unpacked_to_a_depth) {
   std::string bytes = archive_of({{"hit_box.cpp", "a"}});
   for (int depth = 1; depth <= 6; ++depth) {
@@ -263,6 +278,40 @@ TEST_F(Intake, every_cut_and_many_damages_end_with_a_reason_or_files) {
 TEST_F(Intake, an_empty_class_is_said_to_be_one) {
   EXPECT_THAT([&] { seen(); },
               testing::ThrowsMessage<pt::Error>(HasSubstr("has no submissions in it")));
+}
+
+// Names and numbers come from a list that anybody may have written: they become names of reports.
+TEST_F(Intake, names_of_a_list_are_names_of_files) {
+  const std::string group(300, 'a');
+  add("submission_1/hit_box.cpp", "a");
+  add("submission_2/hit_box.cpp", "b");
+  add("submission_3/hit_box.cpp", "c");
+  add("submission_4/hit_box.cpp", "d");
+  add(kGradescopeList,
+      "submission_1:\n  :submitters:\n  - :name: \"x\\e[31m\\n\\0y\"\n    :sid: \"../../up\"\n"
+      "submission_2:\n  :submitters:\n  - :name: \"x\\e[31m\\n\\0y\"\n    :sid: \"../../up\"\n"
+      "submission_3:\n  :submitters:\n  - :name: " +
+          group +
+          "\xc3\xa9\n    :sid: 1\n"
+          "submission_4:\n  :submitters:\n  - :name: .\n    :sid: 2\n");
+  const auto all = seen();
+  EXPECT_EQ(all.size(), 4U);
+  for (const auto& [name, one] : all) {
+    EXPECT_LE(name.size(), 200U);
+    for (const unsigned char c : name) EXPECT_TRUE(c >= 0x20 && c != '/' && c != 0x7f) << name;
+    EXPECT_FALSE(name.starts_with('.')) << name;
+    EXPECT_EQ(one.files.size(), 1U) << name;
+  }
+}
+
+// What no platform exports is nobody's submission, and the others are judged.
+TEST_F(Intake, pipes_and_devices_are_left_out) {
+  add("ada/hit_box.cpp", "a");
+  ASSERT_EQ(mkfifo(in("bob_1_2_hit_box.cpp").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(in("carol.zip").c_str(), 0600), 0);
+  const auto all = seen();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all.begin()->first, "ada");
 }
 
 }  // namespace

@@ -170,12 +170,15 @@ TEST(points, are_refused_with_what_is_wrong_and_where) {
   EXPECT_THAT(why_refused(task("5")), HasSubstr("tasks.a is not an object"));
   EXPECT_THAT(why_refused(task(R"({"promis": 1})")),
               HasSubstr("tasks.a.promis means nothing; write promise, picture"));
-  for (const char* number : {"-1", "1.5", "1001", "\"1\"", "null"}) {
+  for (const char* number : {"-1", "1.5", "1001", "18446744073709551615", "\"1\"", "null"}) {
     EXPECT_THAT(why_refused(task(std::string(R"({"promise": )") + number + "}")),
                 HasSubstr("tasks.a.promise is not a whole number from 0 to 1000"));
     EXPECT_THAT(why_refused(task(std::string(R"({"pictures": {"x": )") + number + "}}")),
                 HasSubstr("tasks.a.pictures.x is not a whole number from 0 to 1000"));
   }
+  EXPECT_THAT(why_refused(task(R"({"promises": [1]})")), HasSubstr("promises is not an object"));
+  EXPECT_THAT(why_refused(R"({"default": {}, "tasks": [{}]})"),
+              HasSubstr("tasks is not an object"));
   for (const char* share : {"-0.1", "1.01", "\"1\"", "null"}) {
     EXPECT_THAT(why_refused(task(std::string(R"({"one_cause": )") + share + "}")),
                 HasSubstr("tasks.a.one_cause is not a number from 0 to 1"));

@@ -52,6 +52,22 @@ TEST(report, only_a_whole_run_passes) {
   EXPECT_EQ(nlohmann::json::parse(to_json(results)).at("passed"), false);
 }
 
+// Grades are made of them.
+TEST(report, points_that_do_not_fit_are_refused) {
+  const auto refused = [](auto change) {
+    nlohmann::json results = nlohmann::json::parse(to_json(full_results()));
+    change(results["tasks"]);
+    EXPECT_THROW(results_from_json(results.dump(), "x"), pt::Error) << results["tasks"].size();
+  };
+  refused([](nlohmann::json& tasks) { tasks[0]["points"] = -1; });
+  refused(
+      [](nlohmann::json& tasks) { tasks[0]["points"] = tasks[0]["max_points"].get<int>() + 1; });
+  refused([](nlohmann::json& tasks) { tasks[0]["points"] = ~std::uint64_t{4}; });
+  refused([](nlohmann::json& tasks) { tasks[0]["bonus_points"] = -1; });
+  refused([](nlohmann::json& tasks) { tasks[0]["pictures"][0]["points"] = 100; });
+  refused([](nlohmann::json& tasks) { tasks.push_back(tasks[0]); });
+}
+
 TEST(report, what_is_no_report_is_refused) {
   std::string other = to_json(full_results());
   other.replace(other.find("\"schema_version\": 2"), 19, "\"schema_version\": 0");

@@ -1,5 +1,7 @@
 #include "writeup/options.h"
 
+#include "pt/command_line.h"
+
 #include <algorithm>
 #include <thread>
 
@@ -67,7 +69,7 @@ Options parse_options(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    throw CommandLine{app.exit(error) == 0 ? 0 : 2};
+    throw CommandLine{pt::exit_status(app, error)};
   }
   return options;
 }

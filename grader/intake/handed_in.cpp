@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostInside = 3;  // archives in archives
+constexpr int kMostInside = 3;          // archives in archives
+constexpr std::size_t kMostName = 160;  // bytes
 
 std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
   std::vector<fs::directory_entry> all;
@@ -45,9 +46,20 @@ std::string without_ending(const std::string& name) {
   return stem.ends_with(".tar") ? stem.substr(0, stem.size() - 4) : stem;
 }
 
-// A file's name for a folder of our own, whatever a platform allows in a name.
+// The first bytes of a text, without half a character (UTF-8) at the end.
+std::string beginning(const std::string& text, std::size_t most) {
+  std::size_t end = std::min(most, text.size());
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
+    --end;
+  return text.substr(0, end);
+}
+
+// A file's name for a folder of our own, whatever a platform allows in a name. Of the names of a large
+// group the beginning: a file's name has 255 bytes at most, and reports have endings.
 std::string as_file_name(std::string name) {
-  std::replace(name.begin(), name.end(), '/', '_');
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return c == '/' || c < 0x20 || c == 0x7f; }, '_');
+  name = beginning(name, kMostName);
   return name.empty() || name[0] == '.' ? "_" + name : name;
 }
 
@@ -57,8 +69,9 @@ struct Inside {
 };
 Inside look_inside(const fs::path& folder) {
   Inside inside;
-  for (auto at = fs::recursive_directory_iterator(folder); at != fs::recursive_directory_iterator();
-       ++at) {
+  constexpr auto kSkip = fs::directory_options::skip_permission_denied;
+  for (auto at = fs::recursive_directory_iterator(folder, kSkip);
+       at != fs::recursive_directory_iterator(); ++at) {
     const std::string name = at->path().filename();
     if (base::is_hidden(name)) {
       if (is_folder(*at)) at.disable_recursion_pending();
@@ -144,6 +157,8 @@ class Intake {
         by.feedback = name + "/report.html";
       }
       add_folder(by);
+    } else if (!is_file(entry)) {
+      return;  // a pipe, a device: no platform exports one
     } else if (std::regex_match(name, found, canvas)) {
       CanvasFiles& files = canvas_[std::string(found[1]) + '_' + std::string(found[3])];
       files.by.name = found[1];
@@ -178,19 +193,22 @@ class Intake {
     files.by.folder = next_folder();
     fs::create_directories(files.by.folder);
     for (const auto& [name, file] : last) {
-      fs::copy_file(file->path, fs::path(files.by.folder) / as_file_name(name));
+      fs::copy_file(file->path, fs::path(files.by.folder) / as_file_name(name),
+                    fs::copy_options::skip_existing);
     }
     add_folder(files.by);
   }
 
   void add_gradescope(const fs::path& list, const std::vector<fs::directory_entry>& entries) {
-    YAML::Node listed;
     try {
-      listed = YAML::LoadFile(list);
+      add_listed(YAML::LoadFile(list), entries);
     } catch (const YAML::Exception& error) {
       throw pt::Error(fmt::format("{}:{}: {}; export the submissions again", list.string(),
                                   error.mark.line + 1, error.msg));
     }
+  }
+
+  void add_listed(const YAML::Node& listed, const std::vector<fs::directory_entry>& entries) {
     for (const fs::directory_entry& entry : entries) {
       if (!is_folder(entry)) continue;
       const std::string folder = entry.path().filename();
@@ -253,7 +271,8 @@ class Intake {
     for (const HandedIn& each : all_) ++count[each.name];
     std::set<std::string> used{"class"};  // class.html is the page of all
     for (HandedIn& each : all_) {
-      if (count[each.name] > 1 && !each.id.empty()) each.name += " (" + each.id + ")";
+      if (count[each.name] > 1 && !each.id.empty())
+        each.name += " (" + as_file_name(beginning(each.id, 30)) + ")";
       std::string name = each.name;
       for (int i = 2; !used.insert(name).second; ++i) name = fmt::format("{} ({})", each.name, i);
       each.name = name;

@@ -10,7 +10,8 @@ enum class Platform { none, canvas, moodle, gradescope };
 
 // The submission of one learner or of one group.
 struct HandedIn {
-  std::string name;     // unlike all others, and a file's name: of the learner, or of the folder
+  std::string name;     // unlike all others, and a file's name of at most 200 bytes without control
+                        // characters: of the learner, or of the folder
   std::string id;       // that the learning platform has for it; may be empty
   std::string folder;   // where the files are, in `work` or where they lay
   bool late = false;    // the platform says so

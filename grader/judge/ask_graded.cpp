@@ -4,6 +4,7 @@
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
 #include "grader/process/run_command.h"
+#include "grader/sandbox/box.h"
 #include "pt/file.h"
 
 #include <filesystem>
@@ -24,7 +25,7 @@ Written ask_graded(const Builder& builder, const Trial& trial,
     const std::string temporary = pt::temporary_name(path);
     command.push_back(temporary);
     const process::CommandResult result =
-        process::run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, most);
+        process::run_command({command, sandbox::judges_environment(), {}, "", {}}, most);
     if (!result.ok() || !fs::exists(temporary)) {
       fs::remove(temporary);
       return {"", result.output};

@@ -47,6 +47,7 @@ void remove_quietly(const fs::path& path) {
 // The entries of the folder.
 std::vector<Entry> entries_of(const std::string& folder) {
   std::map<std::string, Entry> entries;
+  const fs::file_time_type now = Clock::now();
   std::error_code error;
   for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
     // Another judge may have removed the file in between.
@@ -58,7 +59,8 @@ std::vector<Entry> entries_of(const std::string& folder) {
     Entry& entry = entries[name.substr(0, name.find('.'))];
     entry.files.push_back(file.path());
     entry.bytes += bytes;
-    entry.used = std::max(entry.used, used);
+    // A clock that was set back makes times of the future, which would keep an entry for ever.
+    if (used <= now + kInUse) entry.used = std::max(entry.used, used);
   }
   std::vector<Entry> all;
   all.reserve(entries.size());

@@ -7,6 +7,7 @@
 #include "grader/process/cause_of_end.h"
 #include "grader/process/run_command.h"
 #include "grader/results/read_json.h"
+#include "grader/sandbox/box.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
@@ -66,7 +67,7 @@ bool was_killed(const results::TaskResult& task) {
 
 results::TaskResult run_program(const Trial& trial, const std::string& report) {
   const process::CommandResult result = process::run_command(
-      {command(trial, report), {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
+      {command(trial, report), sandbox::judges_environment(), {}, "", {}}, kProgramTime);
   const bool finished =
       !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
   if (!finished || !std::filesystem::exists(report)) {

@@ -6,6 +6,7 @@
 #include "grader/process/cause_of_end.h"
 #include "grader/process/run_command.h"
 #include "grader/results/read_json.h"
+#include "grader/sandbox/box.h"
 #include "pt/error.h"
 
 #include <filesystem>
@@ -86,7 +87,7 @@ results::PictureResult run_program(std::vector<std::string> words, const std::st
                                    const PictureTrial& trial) {
   words.insert(words.end(), {"--report", path});
   const process::CommandResult run =
-      process::run_command({words, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kProgramTime);
+      process::run_command({words, sandbox::judges_environment(), {}, "", {}}, kProgramTime);
   if (run.timed_out || !WIFEXITED(run.status) || WEXITSTATUS(run.status) > 1) {
     throw pt::Error(fmt::format("the picture {} could not be judged: {}", trial.recipe.name,
                                 process::fault_of(run)));

@@ -28,6 +28,8 @@ nlohmann::json parse(const std::string& text, const std::filesystem::path& file)
     throw pt::Error(fmt::format("{}:{}: this is not JSON ({}); mend it here or just before",
                                 file.string(), 1 + std::count(text.begin(), end, '\n'),
                                 reason == std::string::npos ? message : message.substr(reason)));
+  } catch (const nlohmann::json::exception& error) {  // a number that no double holds
+    throw pt::Error(fmt::format("{}: {}; write another number", file.string(), error.what()));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "grader/process/spawn.h"
 
 #include "grader/base/descriptor.h"
+#include "grader/process/memory_group.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <mutex>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -57,8 +59,19 @@ void set_score(const std::string& score) {
   [[maybe_unused]] const ssize_t written = write(file, score.data(), score.size());
 }
 
+// Where the child goes to; empty: it stays in ours.
+std::string group_of(const Child& child) {
+  const auto text_of = [](const char* path) {
+    std::ifstream file(path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  static MemoryGroups groups(
+      place_for_groups(text_of("/proc/self/mountinfo"), text_of("/proc/self/cgroup")));
+  return child.tree_memory ? groups.make(*child.tree_memory) : "";
+}
+
 [[noreturn]] void become(const Child& child, char* const* command, char* const* environment,
-                         pid_t parent, const std::string& score) {
+                         pid_t parent, const std::string& score, const std::string& group) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // it died before the line above
@@ -68,6 +81,7 @@ void set_score(const std::string& score) {
   if (!child.directory.empty() && chdir(child.directory.c_str()) != 0) _exit(127);
   if (!set_limits(child.limits)) _exit(127);
   set_score(score);
+  if (!group.empty() && !join_group(group.c_str(), 0)) _exit(127);
   execve(command[0], command, environment);
   _exit(127);
 }
@@ -96,12 +110,17 @@ pid_t spawn(const Child& child) {
   reap_orphans();
   const pid_t parent = getpid();
   static const std::string score = score_of_children();
+  // A group without processes is taken for one that has ended.
+  static std::mutex groups;
+  const std::lock_guard lock(groups);
+  const std::string group = group_of(child);
   const pid_t pid = fork();
   if (pid < 0) {
     throw pt::Error(fmt::format("cannot start {}: {}", child.command.at(0), std::strerror(errno)));
   }
-  if (pid == 0) become(child, command.data(), environment.data(), parent, score);
+  if (pid == 0) become(child, command.data(), environment.data(), parent, score, group);
   setpgid(pid, pid);  // in case we are first; fails once the child has run exec
+  if (!group.empty()) join_group(group.c_str(), pid);
   return pid;
 }
 

@@ -2,6 +2,8 @@
 
 #include "grader/process/limits.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,8 @@ struct Child {
   std::vector<int> descriptors;          // entry i becomes descriptor i; all others are closed
   std::string directory;                 // to run in; empty: this one
   Limits limits;
+  // Of it and all that come from it together, in bytes, where there are control groups for it.
+  std::optional<std::uint64_t> tree_memory{};
 };
 
 // Starts the child in a process group of its own. It dies with the thread that started it, gains no

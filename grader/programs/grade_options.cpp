@@ -1,5 +1,7 @@
 #include "grader/programs/grade_options.h"
 
+#include "pt/command_line.h"
+
 #include <CLI/CLI.hpp>
 
 namespace grader::programs {
@@ -49,7 +51,7 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   try {
     app.parse(reversed);
   } catch (const CLI::ParseError& error) {
-    throw CommandLine{app.exit(error)};
+    throw CommandLine{pt::exit_status(app, error)};
   }
   return options;
 }

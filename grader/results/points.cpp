@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 int read_number(const json& from, const std::string& where) {
-  if (!from.is_number_unsigned() || from.get<long long>() > 1000) {
+  if (!from.is_number_unsigned() || from.get<std::uint64_t>() > 1000) {
     throw pt::Error(where + " is not a whole number from 0 to 1000");
   }
   return from.get<int>();
@@ -33,6 +34,7 @@ double read_share(const json& from, const std::string& where) {
 }
 
 std::map<std::string, int> read_numbers(const json& from, const std::string& where) {
+  if (!from.is_object()) throw pt::Error(where + " is not an object");
   std::map<std::string, int> numbers;
   for (const auto& [name, value] : from.items()) {
     numbers[name] = read_number(value, fmt::format("{}.{}", where, name));
@@ -117,6 +119,7 @@ Points load_points(const std::string& path) {
     const json all = json::parse(base::read_file(path));
     const TaskPoints usual = read_task(all.at("default"), {}, "default");
     Points points;
+    if (!all.at("tasks").is_object()) throw pt::Error("tasks is not an object");
     for (const auto& [slug, task] : all.at("tasks").items()) {
       points[slug] = read_task(task, usual, "tasks." + slug);
     }

@@ -1,11 +1,14 @@
 #include "grader/results/read_json.h"
 
+#include "grader/base/printable.h"
 #include "grader/results/members.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,7 +22,7 @@ using nlohmann::json;
 // Twelve tasks whose texts are all as long as they may be need less.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
 constexpr std::size_t kMaxEntries = 1000;
-constexpr long long kMaxNumber = 1 << 24;
+constexpr int kMaxNumber = 1 << 24;
 
 template <class T>
 void read(const json& from, T& value) {
@@ -33,7 +36,9 @@ void read(const json& from, double& value) {
 
 // So large that no grader writes it, so small that sums of such numbers fit.
 void read(const json& from, int& value) {
-  const bool whole = from.is_number_integer();
+  // Beyond all signed numbers a large one would come back negative.
+  const bool whole = from.is_number_integer() &&
+                     !(from.is_number_unsigned() && from.get<std::uint64_t>() > kMaxNumber);
   const auto number = whole ? from.get<long long>() : 0;
   if (!whole || number < -kMaxNumber || number > kMaxNumber) {
     throw pt::Error("a whole number was expected, not " + from.dump().substr(0, 40));
@@ -77,6 +82,21 @@ void read(const json& from, std::vector<T>& values) {
   for (const json& each : from) read(each, values.emplace_back());
 }
 
+// Grades are made of them.
+void expect_sound(const Results& results) {
+  std::set<std::string> slugs;
+  for (const TaskResult& task : results.tasks) {
+    if (!slugs.insert(task.slug).second)
+      throw pt::Error("the task " + task.slug + " is there twice");
+    bool sound = task.points >= 0 && task.points <= task.max_points && task.bonus_points >= 0;
+    for (const PictureResult& picture : task.pictures) {
+      sound = sound && picture.points >= 0 && picture.points <= picture.max_points;
+    }
+    if (!sound)
+      throw pt::Error("the points of " + task.slug + " are more than there are, or negative");
+  }
+}
+
 }  // namespace
 
 Results results_from_json(const std::string& text, const std::string& path) {
@@ -88,12 +108,13 @@ Results results_from_json(const std::string& text, const std::string& path) {
     from.at("tasks");
     Results results;
     read(from, results);
+    expect_sound(results);
     return results;
   } catch (const std::exception& error) {
     const std::string_view what = error.what();
     const std::size_t label = what.starts_with("[json.") ? what.find("] ") + 2 : 0;
     throw pt::Error(fmt::format("{} holds no results of this grader: {}; judge again", path,
-                                what.substr(label)));
+                                base::printable(what.substr(label), 300)));
   }
 }
 

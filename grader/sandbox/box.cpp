@@ -1,10 +1,13 @@
 #include "grader/sandbox/box.h"
 
+#include "grader/base/printable.h"
 #include "grader/process/run_command.h"
 #include "grader/sandbox/users.h"
 #include "pt/error.h"
 
 #include <atomic>
+#include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -79,6 +82,8 @@ Words launcher(const Box& box, const Words& visible, bool inside) {
   if (!box.folder.empty()) words.push_back("--folder=" + box.folder);
   if (box.tools) words.push_back("--tools");
   if (box.tells_start) words.push_back(fmt::format("--started={}", box.descriptors.size() - 1));
+  if (const auto newest = landlock_at_most())
+    words.push_back(fmt::format("--landlock={}", *newest));
   if (inside) words.push_back("--inside");
   if (inside && is_root_of_the_machine()) words.push_back(fmt::format("--user={}", user_inside()));
   words.push_back("--");
@@ -142,6 +147,13 @@ Words bubblewrap(const Box& box, const Words& visible) {
   return words + launcher(box, visible, true);
 }
 
+// A program that starts others, as a compiler does, has a limit for each of them. Together they get a
+// quarter more than one, so that one alone meets its own limit first.
+std::optional<std::uint64_t> tree_memory(const Box& box) {
+  if (!box.limits.address_space) return std::nullopt;
+  return *box.limits.address_space / 4 * 5;
+}
+
 }  // namespace
 
 char letter(Tier tier) { return "ABC"[static_cast<int>(tier)]; }
@@ -153,12 +165,34 @@ Tier tier_of(std::string_view word) {
   throw pt::Error(fmt::format("'{}' is not a tier of isolation: write A, B or C", word));
 }
 
+std::optional<int> landlock_at_most() {
+  const char* text = std::getenv(kLandlockVariable);
+  if (text == nullptr) return std::nullopt;
+  int version = -1;
+  const std::string_view word = text;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), version);
+  if (error != std::errc() || end != word.data() + word.size() || version < 0) {
+    throw pt::Error(
+        fmt::format("{} is '{}'; write the newest version of Landlock to use, such as 5",
+                    kLandlockVariable, base::printable(word, 40)));
+  }
+  return version;
+}
+
+std::vector<std::string> judges_environment() {
+  std::vector<std::string> words{"PATH=/usr/bin:/bin", "LANG=C.UTF-8"};
+  if (const auto newest = landlock_at_most()) {
+    words.push_back(fmt::format("{}={}", kLandlockVariable, *newest));
+  }
+  return words;
+}
+
 process::Child boxed(const Box& box, Tier tier) {
   if (tier == Tier::limits) {
     std::vector<int> descriptors = box.descriptors;
     if (box.tells_start) descriptors.pop_back();
     return {box.command, box.environment, descriptors, box.folder.empty() ? "/" : box.folder,
-            box.limits};
+            box.limits,  tree_memory(box)};
   }
   Words visible = system_files(box.tools) + box.visible;
   if (!box.tools) visible.push_back(box.command.at(0));
@@ -166,7 +200,8 @@ process::Child boxed(const Box& box, Tier tier) {
           box.environment,
           box.descriptors,
           "/",
-          {}};
+          {},
+          tree_memory(box)};
 }
 
 // The launcher inside bubblewrap says it as a shell does.

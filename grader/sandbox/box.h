@@ -2,6 +2,7 @@
 
 #include "grader/process/spawn.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,15 @@ struct Box {
 // the program, spawn()'s pid, or this process. There, a program that cannot be started exits with
 // 127 and one sentence.
 process::Child boxed(const Box& box, Tier tier);
+
+// The newest version of Landlock that boxes use where the environment variable FIRSTLIGHT_LANDLOCK
+// says so: tests hold boxes of older kernels (5: without scopes; 0: without Landlock) against
+// attacks. Throws pt::Error if it is not a number.
+inline constexpr const char* kLandlockVariable = "FIRSTLIGHT_LANDLOCK";
+std::optional<int> landlock_at_most();
+
+// The environment of programs of ours that start boxes: plain, and with that variable if it is there.
+std::vector<std::string> judges_environment();
 
 // The exit status of the program itself, given that of the child (as waitpid gives both).
 int program_status(int status, Tier tier);

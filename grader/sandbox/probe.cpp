@@ -41,6 +41,11 @@ struct Scratch {
   Scratch& operator=(const Scratch&) = delete;
 };
 
+std::string asked_of_landlock() {
+  const std::optional<int> newest = landlock_at_most();
+  return newest ? fmt::format("; Landlock {} at most, as {} asks", *newest, kLandlockVariable) : "";
+}
+
 std::string words_of(Tier tier, const std::set<std::string>& holds) {
   std::vector<std::string> parts;
   if (tier == Tier::restricted || holds.contains("user")) {
@@ -51,11 +56,11 @@ std::string words_of(Tier tier, const std::set<std::string>& holds) {
   std::string list = fmt::format("{}", fmt::join(parts, ", "));
   if (const std::size_t last = list.rfind(", "); last != list.npos) list.replace(last, 1, " and");
   if (tier == Tier::bubblewrap) {
-    return "A: bubblewrap" + (list.empty() ? "" : " with " + list + " in it");
+    return "A: bubblewrap" + (list.empty() ? "" : " with " + list + " in it") + asked_of_landlock();
   }
   if (!holds.contains("sockets")) list += "; the network is open";
   if (!holds.contains("files")) list += "; other files are open to it as to everyone";
-  return "B: " + list;
+  return "B: " + list + asked_of_landlock();
 }
 
 std::set<std::string> what_holds(const process::CommandResult& result) {

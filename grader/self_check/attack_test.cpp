@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <set>
@@ -78,6 +79,14 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
   return texts;
 }
 
+// The state in which an attack left its task, for the table of docs/decisions/0020: tests/attack_table.sh asks
+// for it.
+void note(const std::string& attack, const std::string& tier, const std::string& state) {
+  const char* table = std::getenv("FIRSTLIGHT_ATTACKS");
+  if (table == nullptr) return;
+  std::ofstream(table, std::ios::app) << attack << '\t' << tier << '\t' << state << '\n';
+}
+
 class Attack : public testing::TestWithParam<std::string> {
  protected:
   // Grades the batch in this tier, and demands what holds for all attacks.
@@ -91,6 +100,18 @@ class Attack : public testing::TestWithParam<std::string> {
     EXPECT_EQ(left_after_a_while(submission), std::vector<std::string>{});
     EXPECT_EQ(contents(submission / ""), before);
     EXPECT_EQ(outcome.output.find("BROKE OUT"), std::string::npos) << outcome.output;
+    const bool left_alone = !HasFailure();
+    for (const std::string& slug : slugs) {
+      const json& task = outcome.task(slug);
+      const bool held = left_alone && outcome.output.find("BROKE OUT") == std::string::npos &&
+                        task.value("points", 0) == 0;
+      const bool compiles = task.value("reason", "") != "it does not compile";
+      note(batch + "/" + slug, GetParam(),
+           outcome.exit_status == 2 ? "not tried"
+           : !held                  ? "GOT THROUGH"
+           : compiles               ? outcome.state(slug)
+                                    : "does not compile");
+    }
     if (outcome.exit_status == 2) return outcome;
     EXPECT_EQ(outcome.exit_status, 1) << outcome.output;
     for (const std::string& slug : slugs) {
@@ -177,7 +198,7 @@ TEST_P(Attack, ends_with_the_judge) {
          "  for (volatile int i = 0;; i = i + 1) {}\n}\n}\n";
   process::Child judge{
       submission.command({"--isolation", GetParam(), "--call-limit", "60000", "hit_box"}),
-      {"PATH=/usr/bin:/bin"},
+      environment(),
       {},
       "",
       {}};
@@ -197,6 +218,7 @@ TEST_P(Attack, ends_with_the_judge) {
   }
   for (int i = 0; i < 200 && !running(submission).empty(); ++i) usleep(10000);
   EXPECT_EQ(running(submission), std::vector<std::string>{});
+  note("killed/hit_box", GetParam(), HasFailure() ? "GOT THROUGH" : "ends");
 }
 
 INSTANTIATE_TEST_SUITE_P(tier, Attack, testing::Values("A", "B"),

@@ -1,6 +1,7 @@
 #include "grader/self_check/hostile_submission.h"
 
 #include "grader/process/run_command.h"
+#include "grader/sandbox/box.h"
 
 #include <algorithm>
 #include <fstream>
@@ -28,6 +29,12 @@ std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   EXPECT_TRUE(file) << path;
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> environment() {
+  std::vector<std::string> words = sandbox::judges_environment();
+  words.emplace_back("FIRSTLIGHT_SECRET=1");  // what an attack looks for
+  return words;
 }
 
 const json& Outcome::task(const std::string& slug) const {
@@ -89,8 +96,7 @@ Outcome Submission::run(const std::vector<std::string>& command) const {
   const fs::path json_path = folder_ / "results.json";
   fs::remove(json_path);
   const process::CommandResult run =
-      process::run_command({command, {"PATH=/usr/bin:/bin", "FIRSTLIGHT_SECRET=1"}, {}, "", {}},
-                           std::chrono::seconds(900));
+      process::run_command({command, environment(), {}, "", {}}, std::chrono::seconds(900));
   EXPECT_FALSE(run.timed_out);
   EXPECT_TRUE(WIFEXITED(run.status)) << process::describe_status(run.status);
   Outcome outcome{WEXITSTATUS(run.status), run.output, {}};

@@ -18,6 +18,9 @@ struct Outcome {
   std::string state(const std::string& slug) const;
 };
 
+// Of the judge in these tests.
+std::vector<std::string> environment();
+
 // For what only hangs where the machine is busy, in milliseconds.
 inline constexpr int kCallLimit = 10000;
 

@@ -53,9 +53,10 @@ const unsigned char* data(const std::string& bytes) {
   return reinterpret_cast<const unsigned char*>(bytes.data());
 }
 
-// Frees tinyexr's message.
+// Frees tinyexr's message, of which it ends some with a newline.
 std::string take_message(const char* message) {
   std::string text = message ? message : "no reason given";
+  text.erase(std::min(text.find('\n'), text.size()));
   FreeEXRErrorMessage(message);
   return text;
 }

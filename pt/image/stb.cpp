@@ -1,5 +1,22 @@
 // The definitions of stb_image and stb_image_write, compiled here so that the sanitizers see them.
 // Formats that nobody needs are left out: less code that meets unknown bytes.
+#include <cstddef>
+#include <cstdlib>
+
+namespace {
+
+// A file states sizes of its own, and stb_image asks for so much memory before it reads on: 2 GiB for a PNG
+// of 200 bytes. More than the largest picture takes is refused.
+void* bounded_realloc(void* old, std::size_t size) {
+  constexpr std::size_t kMost = std::size_t{1} << 30;
+  return size > kMost ? nullptr : std::realloc(old, size);
+}
+
+}  // namespace
+
+#define STBI_MALLOC(size) bounded_realloc(nullptr, size)
+#define STBI_REALLOC(old, size) bounded_realloc(old, size)
+#define STBI_FREE(old) std::free(old)
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP

@@ -45,7 +45,8 @@ bool same(const Ray& a, const Ray& b) {
 // A ray that is not the next on the tape is traced.
 std::optional<Hit> closest_by_tape(HitTape& tape, const Scene& scene, const Ray& ray) {
   if (tape.mode == HitTape::Mode::record) {
-    return tape.entries.emplace_back(ray, traced(scene, ray)).hit;
+    tape.entries.push_back({ray, traced(scene, ray)});
+    return tape.entries.back().hit;
   }
   const bool known = tape.next < tape.entries.size() && same(tape.entries[tape.next].ray, ray);
   return known ? tape.entries[tape.next++].hit : traced(scene, ray);

@@ -8,6 +8,7 @@
 #include "grader/results/points.h"
 #include "grader/results/presentable.h"
 #include "grader/results/read_json.h"
+#include "grader/sandbox/box.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -108,8 +109,7 @@ std::string run_grade(const Judging& judging, const intake::HandedIn& by, const 
   if (!judging.work.empty()) command.push_back("--work=" + judging.work);
   command.insert(command.end(), judging.words.begin(), judging.words.end());
   const auto run = [&] {
-    return process::run_command({command, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}},
-                                kMaxTime);
+    return process::run_command({command, sandbox::judges_environment(), {}, "", {}}, kMaxTime);
   };
   process::CommandResult result = run();
   // Killed from outside: for want of memory, or by hand. What it found out is kept.

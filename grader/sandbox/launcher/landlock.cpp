@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -59,8 +60,8 @@ void allow(const base::Descriptor& rules, const std::string& path, std::uint64_t
 }  // namespace
 
 base::Descriptor file_rules(const Options& options) {
-  const long version =
-      syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
+  const long version = std::min(options.landlock, syscall(SYS_landlock_create_ruleset, nullptr, 0,
+                                                          LANDLOCK_CREATE_RULESET_VERSION));
   if (version < 1) return {};
   const Ruleset all = all_of(version);
   base::Descriptor rules(

@@ -6,7 +6,7 @@
 namespace grader::sandbox::box {
 
 // The rules that let a program read what is visible, write in the folder, and touch no other file,
-// no port and no process outside; not open where the kernel has no Landlock. The paths are looked
+// no port and no process outside; not open where the kernel has no Landlock, or none is wanted. The paths are looked
 // up now, by the user that this process is now. Throws pt::Error if one of them is not there.
 base::Descriptor file_rules(const Options& options);
 

@@ -18,6 +18,7 @@ struct Options {
   process::Limits limits;
   uid_t user = 0;              // inside: to become, not 0; 0: stay who it is
   int started = -1;            // a descriptor that is told of the start; -1: none
+  long landlock = 1000;        // the newest version of Landlock to use; 0: none
   std::vector<char*> command;  // ends with nullptr, as exec wants it
 };
 

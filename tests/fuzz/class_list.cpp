@@ -1,0 +1,59 @@
+// A class as platforms export it: the list of Gradescope, and names of folders and files.
+#include "grader/intake/handed_in.h"
+#include "grader/intake/unpack.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "tests/fuzz/input.h"
+#include "tests/temporary_folder.h"
+
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace grader::intake;
+
+// Every line that can be a name becomes a folder with a file of that name, and a file.
+void make_class(const fs::path& folder, std::string_view text) {
+  std::error_code ignored;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string name(text.substr(at, end - at));
+    at = end + 1;
+    if (name.empty() || name == "." || name == ".." || name.size() > 200) continue;
+    for (char& c : name) c = c == '/' || c == '\0' ? '_' : c;
+    fs::create_directories(folder / name, ignored);
+    std::ofstream(folder / name / (name + ".cpp")) << "\n";
+    std::ofstream(folder / (name + "_1_2_hit_box.cpp")) << "\n";
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  static const TemporaryFolder folder;
+  const fs::path all = fs::path(folder.path()) / "class";
+  fs::create_directories(all);
+  std::string_view text = fuzz::as_text(bytes, size);
+  if (!text.empty() && text[0] == '!') {
+    make_class(all, text.substr(1));
+  } else {
+    fs::create_directories(all / "submission_1");
+    fs::create_directories(all / "submission_2");
+    pt::write_file(all / kGradescopeList, text);
+  }
+  try {
+    std::set<std::string> names;
+    const auto unpack_nothing = [](const std::string&, const std::string&) {
+      return std::string("it is not unpacked");
+    };
+    for (const HandedIn& each : handed_in(all, folder.path() + "/work", unpack_nothing)) {
+      fuzz::expect(names.insert(each.name).second);
+      fuzz::expect(!each.name.empty() && each.name.find('/') == each.name.npos);
+    }
+  } catch (const pt::Error& error) {
+    fuzz::expect_reason(error);
+  }
+  fs::remove_all(all);
+  return 0;
+}

@@ -1,0 +1,91 @@
+// What a worker sends: the reply to a call of each function, and its own calls back. The first byte
+// chooses the function, and which of the two.
+#include "grader/check/fail.h"
+#include "grader/check/scripted_radiance.h"
+#include "grader/tasks/build_bvh/walk.h"
+#include "grader/wire/finite.h"
+#include "grader/wire/session.h"
+#include "tests/fuzz/input.h"
+
+namespace grader::wire {
+namespace {
+
+// As the judge looks at results; rows of a picture have a test of their own (grader/pictures).
+template <class Result>
+void look_at(const Result& result) {
+  if constexpr (!std::is_same_v<Result, pt::PictureRows>) has_numbers(result);
+}
+
+// As call() of grader/wire/call.h and Session::take_head read it.
+template <auto Function>
+void read_reply(std::string_view bytes) {
+  using Signature = SignatureOf<Function>;
+  Reader in(bytes);
+  const auto head = get<ReplyHead>(in);
+  has_numbers(head.tests.boxes);
+  const auto result = get<typename Signature::Result>(in);
+  if constexpr (Signature::kDraws) get<pt::Sampler>(in);
+  in.expect_end();
+  look_at(result);
+  if constexpr (std::is_same_v<std::decay_t<decltype(result)>, pt::Bvh>) {
+    check::build_bvh_cases::walk_from_root(result);
+  }
+}
+
+template <auto Function>
+void read_replies(std::string_view bytes) {
+  Reader in(bytes);
+  get<ReplyHead>(in);
+  using Result = typename SignatureOf<Function>::Result;
+  for (const Result& each : get<std::vector<Result>>(in)) look_at(each);
+  in.expect_end();
+}
+
+void read_reply_of(int function, std::string_view bytes) {
+  int number = 0;
+#define FIRSTLIGHT_READ(result, function_, parameters, names)  \
+  if (number++ == function) read_reply<&pt::function_>(bytes); \
+  if (number++ == function) read_replies<&pt::function_>(bytes);
+#define FIRSTLIGHT_READ_TASK(task) FIRSTLIGHT_CALLS_OF(task)(FIRSTLIGHT_READ, FIRSTLIGHT_READ)
+  FIRSTLIGHT_TASKS(FIRSTLIGHT_READ_TASK)
+  FIRSTLIGHT_READ_TASK(render_rows)
+}
+
+// The codes of the types are put in their places: without them all questions would end there.
+void answer_question(int which, std::string_view bytes) {
+  static const pt::Scene scene;
+  Session session({});
+  session.begin();
+  const Handle handle = session.name(scene);
+  Writer out;
+  const auto ask = [&](Function function, std::uint64_t code) {
+    put(out, AskHead{static_cast<std::uint32_t>(function), code});
+  };
+  if (which == 0) ask(Function::hit_box, SignatureOf<&pt::hit_box>::code());
+  if (which == 1) ask(Function::hit_triangle, SignatureOf<&pt::hit_triangle>::code());
+  if (which == 2) ask(Function::hit_sphere, SignatureOf<&pt::hit_sphere>::code());
+  if (which == 3) ask(Function::radiance, SignatureOf<&pt::radiance>::code());
+  if (which == 3 && bytes.size() % 2 == 1) put(out, handle);
+  out.raw(bytes.data(), bytes.size());
+  check::script_radiance([](int, const pt::Ray&) { return pt::Rgb{1, 1, 1}; });
+  answer(which == 3 ? "estimate_pixel" : "hit_bvh", out.bytes(), session);
+}
+
+}  // namespace
+}  // namespace grader::wire
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view rest = fuzz::as_text(bytes + 1, size - 1);
+  try {
+    if (bytes[0] < 128) {
+      grader::wire::read_reply_of(bytes[0], rest);
+    } else {
+      grader::wire::answer_question(bytes[0] % 8, rest);
+    }
+  } catch (const grader::wire::BadMessage& bad) {
+    fuzz::expect_sentence(bad.what());
+  } catch (const grader::check::CaseFailed&) {
+  }
+  return 0;
+}

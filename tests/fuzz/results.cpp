@@ -1,0 +1,67 @@
+// results.json: every report of it can be written, and holds nothing that misleads its reader, or it is
+// refused.
+#include "grader/report/class_page.h"
+#include "grader/report/csv.h"
+#include "grader/report/gradescope.h"
+#include "grader/report/html.h"
+#include "grader/report/junit.h"
+#include "grader/report/terminal.h"
+#include "grader/results/json.h"
+#include "grader/results/presentable.h"
+#include "grader/results/read_json.h"
+#include "pt/error.h"
+#include "tests/fuzz/input.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+#include <tinyxml2.h>
+
+namespace {
+
+using namespace grader;
+
+// Nothing that moves a terminal's cursor, or is not UTF-8.
+void expect_plain(const std::string& text) {
+  for (const char c : text) {
+    fuzz::expect(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\r' || c == '\t');
+  }
+  fuzz::expect(text.find('\x7f') == text.npos && text.find("\xc2\x9b") == text.npos);
+  nlohmann::json(text).dump();  // throws where it is not UTF-8
+}
+
+// A line for each task below the names of the columns: a field in quotation marks may go on over a line.
+void expect_table(const std::string& text, std::size_t tasks) {
+  std::size_t lines = 0;
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (c == '\n' && !quoted) ++lines;
+  }
+  fuzz::expect(!quoted && lines == tasks + 1);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  try {
+    const results::Results read =
+        results::results_from_json(std::string(fuzz::as_text(bytes, size)), "results.json");
+    expect_plain(report::to_text(results::presentable(read), {false, true}));
+    const std::string table = report::to_csv(read), junit = report::to_junit(read);
+    expect_plain(table);
+    expect_plain(junit);
+    expect_table(table, std::min<std::size_t>(read.tasks.size(), 100));
+    fuzz::expect(tinyxml2::XMLDocument().Parse(junit.c_str()) == tinyxml2::XML_SUCCESS);
+    fuzz::expect(nlohmann::json::parse(report::to_gradescope(read)).contains("tests"));
+    expect_plain(report::to_html(read));
+    report::ClassPage page;
+    page.add({"name", "", "page.html", "", false}, read);
+    expect_plain(page.to_html());
+    const std::string again = results::to_json(read);
+    fuzz::expect(results::to_json(results::results_from_json(again, "again")) == again);
+  } catch (const pt::Error& error) {
+    fuzz::expect_reason(error);
+  }
+  return 0;
+}

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# run.sh FOLDER [--seconds N | --runs N] [TARGET ...] | --list: builds fuzz targets with clang in FOLDER and runs each, one
+# after the other, for 600 s unless told. All targets, where none is named. What an input does wrong is shown, and the input
+# stays in FOLDER, as does the corpus that grows. Exit status 1: something was found; 77: there is no clang.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+mapfile -t all < <(sed -n 's/^firstlight_fuzz(\([a-z_]*\) .*/\1/p' "$here/CMakeLists.txt")
+[ "${1:-}" != --list ] || { printf '%s\n' "${all[@]}"; exit; }
+fail() { printf '%s\n' "$*" >&2; exit 2; }
+[ $# -ge 1 ] || fail "say where to build: run.sh FOLDER [--seconds N | --runs N] [TARGET ...]"
+mkdir -p "$1"
+folder=$(cd "$1" && pwd)
+shift
+length=-max_total_time=600
+case ${1:-} in
+  --seconds) length=-max_total_time=${2:?}; shift 2 ;;
+  --runs) length=-runs=${2:?}; shift 2 ;;
+esac
+targets=("$@")
+[ $# -gt 0 ] || targets=("${all[@]}")
+for target in "${targets[@]}"; do
+  printf '%s\n' "${all[@]}" | grep -qxF -- "$target" || fail "'$target' is not a fuzz target; write one of: ${all[*]}"
+done
+if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+    clang++ -x c++ -fsanitize=fuzzer - -o "$folder/try" 2>/dev/null; then
+  echo 'skipped: libFuzzer comes with clang, which is not here (package clang)'
+  exit 77
+fi
+cmake -S "$here/../.." -B "$folder" --preset fuzz >"$folder/cmake.log" 2>&1 || { cat "$folder/cmake.log"; exit 2; }
+ninja -C "$folder" "${targets[@]/#/fuzz.}" >"$folder/ninja.log" 2>&1 || { tail -30 "$folder/ninja.log"; exit 2; }
+# What a library leaves behind when it refuses a file is not ours to find; what we leave behind is found by the tests.
+export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 status=0
+for target in "${targets[@]}"; do
+  mkdir -p "$folder/corpus/$target"
+  words=()
+  [ ! -e "$here/$target.dict" ] || words+=(-dict="$here/$target.dict")
+  if "$folder/tests/fuzz/fuzz.$target" "$length" -artifact_prefix="$folder/$target." -max_len=16384 -timeout=20 \
+      -rss_limit_mb=2048 -malloc_limit_mb=1536 -use_value_profile=1 -print_final_stats=1 ${words[@]+"${words[@]}"} \
+      "$folder/corpus/$target" "$here/corpus/$target" >"$folder/$target.log" 2>&1; then
+    printf '%-12s %s inputs, %s edges, nothing found\n' "$target" \
+      "$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/$target.log")" \
+      "$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$folder/$target.log" | tail -1)"
+  else
+    status=1
+    tail -40 "$folder/$target.log"
+    echo "$target: found by the input that stands above (Test unit written to ...)"
+  fi
+done
+exit $status
