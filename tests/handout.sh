@@ -64,6 +64,8 @@ grep -q '^not written yet: ' <<<"$said" || complain "a render of the stubs says:
   complain "the compiled reference cannot be rendered"
 "$build/pt/render" scenes/box_spheres.dae -f "$folder/sources.exr" -s 4 -m 2 -r 64 48 >/dev/null
 cmp "$folder/reference.exr" "$folder/sources.exr" || complain "what is compiled renders another picture"
+said=$(cd "$folder" && ./run measure hit_sphere --seconds 1 2>&1) || complain "nothing can be measured: $said"
+grep -q '^. reference  *[0-9]' <<<"$said" && grep -q '^  student .*not written yet' <<<"$said" || complain "./run measure says: $said"
 [ -z "$(git -C "$folder" status --porcelain)" ] || complain "git sees what ./run makes: $(git -C "$folder" status --porcelain)"
 cp reference/1_rays/hit_triangle.cpp "$folder/student/1_rays/"
 grades 0 'pass' hit_triangle

@@ -23,6 +23,7 @@ grade grader/grade
 grade-class grader/grade_class
 hint grader/hint
 ladder writeup/ladder
+measure grader/measure
 mesh scenes/generate mesh
 render pt/render
 stability grader/stability

@@ -12,6 +12,7 @@
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
 #include "writeup/band.h"
+#include "writeup/worker_config.h"
 
 #include <algorithm>
 #include <csignal>
@@ -29,7 +30,6 @@ using Words = std::vector<std::string>;
 
 constexpr int kChunk = 6;       // rows that are asked for at first
 constexpr double kQuick = 0.1;  // seconds: what takes less is asked for in larger pieces
-constexpr std::size_t kMaxJson = std::size_t{1} << 22;
 constexpr int kCompileSeconds = 60;
 constexpr std::chrono::minutes kCallLimit{5};  // the write-up's own limit is usually shorter
 constexpr std::chrono::hours kTotalLimit{5};
@@ -39,22 +39,10 @@ std::string why_not(const Judged& judged) {
   return result.reason + (result.compiler_output.empty() ? "" : ":\n" + result.compiler_output);
 }
 
-// As `grade` has it, but for what workers are linked from besides tasks.
-Config measuring_config() {
-  Config config = load_config(default_config_path());
-  const std::string changes = fs::path(default_config_path()).parent_path() / "writeup_boxed.json";
-  const auto json = nlohmann::json::parse(pt::read_file(changes, kMaxJson));
-  json.at("recording_flags").get_to(config.recording_flags);
-  json.at("framework").get_to(config.framework);
-  json.at("recording").get_to(config.recording);
-  json.at("radiance").get_to(config.radiance);
-  return config;
-}
-
 // The reference stands for what cannot be compiled, so that the rest can be looked at; a figure that
 // needs it says so instead.
 int build(const std::string& submission, const std::string& out) {
-  const Config config = measuring_config();
+  const Config config = worker_config("writeup_boxed.json");
   GradeRequest request;
   request.submission = base::submission_root(submission);
   request.isolation = sandbox::probe_isolation(config.root, config.work);

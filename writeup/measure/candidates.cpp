@@ -1,0 +1,225 @@
+#include "writeup/measure/candidates.h"
+
+#include "grader/base/files.h"
+#include "grader/base/parallel.h"
+#include "grader/base/printable.h"
+#include "grader/judge/alone.h"
+#include "pt/error.h"
+#include "writeup/measure/tasks.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace writeup::measure {
+
+namespace fs = std::filesystem;
+using grader::judge::Builder;
+using grader::judge::Built;
+using grader::judge::Config;
+using grader::judge::Judged;
+using grader::judge::TaskConfig;
+
+namespace {
+
+constexpr int kCompileSeconds = 60;
+constexpr std::size_t kMaxName = 40;  // of a column
+const char* const kFast = "fast";
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+// What there is beside the reference, in alphabetical order: right solutions, and the faster form of the render
+// program. The learners' edition has only the latter.
+std::vector<std::string> others(const Materials& materials, const std::string& slug) {
+  std::vector<std::string> names;
+  const fs::path folder = fs::path(materials.config.root) / "grader/tasks" / slug / "right";
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".cpp") names.push_back(entry.path().stem());
+    }
+  }
+  if (materials.fast.contains(slug)) names.emplace_back(kFast);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+const TaskConfig& config_of(const Config& config, const std::string& slug) {
+  return *std::find_if(config.tasks.begin(), config.tasks.end(),
+                       [&](const TaskConfig& task) { return task.slug == slug; });
+}
+
+// Names beside the reference, by task.
+using Asked = std::map<std::string, std::vector<std::string>>;
+
+// Of "hit_sphere.half_b" the task; "" for other words, as "1.3".
+std::string task_named(const Config& config, const std::string& word) {
+  const std::string slug = word.substr(0, word.find('.'));
+  const bool known = std::any_of(config.tasks.begin(), config.tasks.end(),
+                                 [&](const TaskConfig& task) { return task.slug == slug; });
+  return known && slug.size() < word.size() ? slug : "";
+}
+
+void add_named(const Materials& materials, const std::string& slug, const std::string& word,
+               Asked& asked) {
+  const std::string name = word.substr(slug.size() + 1);
+  const std::vector<std::string> known = others(materials, slug);
+  if (std::ranges::count(known, name) == 0) {
+    throw pt::Error(
+        known.empty() ? fmt::format("there is no '{}': nothing is here beside the reference", word)
+                      : fmt::format("there is no '{}'; of {} there are: {}", word, slug,
+                                    fmt::join(known, ", ")));
+  }
+  if (std::ranges::count(asked[slug], name) == 0) asked[slug].push_back(name);
+}
+
+Asked names_asked(const Materials& materials, const std::vector<std::string>& what) {
+  const Config& config = materials.config;
+  Asked asked;
+  std::vector<std::string> whole;
+  for (const std::string& word : what) {
+    const std::string slug = task_named(config, word);
+    if (!slug.empty()) {
+      add_named(materials, slug, word, asked);
+    } else {
+      for (const std::string& meant : grader::judge::tasks_meant(config, word))
+        whole.push_back(meant);
+    }
+  }
+  if (what.empty()) {
+    for (const TaskConfig& task : config.tasks) whole.push_back(task.slug);
+  }
+  for (const std::string& slug : whole) asked.insert_or_assign(slug, others(materials, slug));
+  return asked;
+}
+
+// Builds candidates. Objects are kept by what they were compiled with, so that both kinds of worker are linked from
+// the same ones.
+class Workshop {
+ public:
+  explicit Workshop(const Materials& materials)
+      : plain_config_(materials.config),
+        counted_config_(counted(materials.config)),
+        plain_(plain_config_, materials.tier, kCompileSeconds),
+        counted_(counted_config_, materials.tier, kCompileSeconds) {}
+
+  // Of what is compiled, or, where nothing is, says why.
+  void finish(const Judged& judged, bool counts, Candidate& candidate) const {
+    if (!judged.object.ok()) {
+      const auto& result = judged.result;
+      candidate.problem = result.reason;
+      if (!result.compiler_output.empty())
+        candidate.problem += ": " + first_line(result.compiler_output);
+      return;
+    }
+    const auto link = [&](const Config& config, const Builder& builder) {
+      const Built worker = link_alone(config, builder, judged, grader::judge::Elsewhere::reference);
+      if (!worker.ok()) candidate.problem = "it does not link: " + first_line(worker.error);
+      return worker.path;
+    };
+    candidate.plain = link(plain_config_, plain_);
+    if (counts && candidate.problem.empty()) candidate.counted = link(counted_config_, counted_);
+  }
+
+  // What is compiled already.
+  Judged compiled(const TaskConfig& task, const grader::judge::Paths& objects) const {
+    Judged judged = not_judged(plain_config_, task);
+    judged.object = {objects.at(0), grader::base::stamp(objects.at(0)), "", "", ""};
+    return judged;
+  }
+
+  Judged right(const TaskConfig& task, const std::string& name) const {
+    Judged judged = not_judged(plain_config_, task);
+    const fs::path folder = fs::path(plain_config_.root) / "grader/tasks" / task.slug / "right";
+    judged.object = plain_.compile(task, grader::base::read_file(folder / (name + ".cpp")));
+    judged.result.reason =
+        judged.object.rejected.empty() ? "it does not compile" : judged.object.rejected;
+    judged.result.compiler_output = judged.object.error;
+    return judged;
+  }
+
+  Judged own(const TaskConfig& task, const std::string& folder) const {
+    grader::judge::GradeRequest request;
+    request.submission = folder;
+    std::vector<Judged> judged{not_judged(plain_config_, task)};
+    compile_all(plain_, request, judged);
+    return judged[0];
+  }
+
+ private:
+  static Config counted(Config config) {
+    config.framework.insert(config.framework.end(), config.recording.begin(),
+                            config.recording.end());
+    config.link_flags.insert(config.link_flags.end(), config.recording_flags.begin(),
+                             config.recording_flags.end());
+    return config;
+  }
+
+  const Config plain_config_, counted_config_;
+  const Builder plain_, counted_;
+};
+
+std::string own_folder(const Options& options, const std::string& slug) {
+  for (const std::string& key : {slug, std::string()}) {
+    const auto found = options.own.find(key);
+    if (found != options.own.end()) return found->second;
+  }
+  return "";
+}
+
+std::string name_of(const std::string& folder) {
+  const fs::path path = fs::path(folder).lexically_normal();
+  const std::string name = (path.has_filename() ? path : path.parent_path()).filename();
+  return grader::base::printable(name, kMaxName);
+}
+
+std::vector<Contest> contests_of(const Materials& materials, const Options& options) {
+  const Asked asked = names_asked(materials, options.what);
+  std::vector<Contest> contests;
+  for (const About& about : tasks()) {
+    if (!asked.contains(about.slug)) continue;
+    Contest contest{about.slug, {{"reference", false, "", "", ""}}};
+    for (const std::string& name : asked.at(about.slug)) {
+      contest.candidates.push_back({name, false, "", "", ""});
+    }
+    const std::string folder = own_folder(options, about.slug);
+    if (!folder.empty()) contest.candidates.push_back({name_of(folder), true, "", "", ""});
+    contests.push_back(contest);
+  }
+  return contests;
+}
+
+}  // namespace
+
+std::vector<Contest> find_contests(const Materials& materials, const Options& options,
+                                   const std::function<void(double)>& progress) {
+  std::vector<Contest> contests = contests_of(materials, options);
+  std::vector<std::pair<Contest*, Candidate*>> jobs;
+  for (Contest& contest : contests) {
+    for (Candidate& candidate : contest.candidates) jobs.emplace_back(&contest, &candidate);
+  }
+  const Workshop workshop(materials);
+  std::mutex mutex;
+  std::size_t done = 0;
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  grader::base::for_each(jobs.size(), threads, [&](std::size_t i) {
+    const auto& [contest, candidate] = jobs[i];
+    const TaskConfig& task = config_of(materials.config, contest->slug);
+    const Judged judged = [&] {
+      if (candidate->is_own) return workshop.own(task, own_folder(options, contest->slug));
+      if (candidate == contest->candidates.data()) return workshop.compiled(task, task.reference);
+      if (candidate->name == kFast)
+        return workshop.compiled(task, materials.fast.at(contest->slug));
+      return workshop.right(task, candidate->name);
+    }();
+    workshop.finish(judged, contest->slug == "build_bvh" || contest->slug == "hit_bvh", *candidate);
+    const std::lock_guard lock(mutex);
+    progress(static_cast<double>(++done) / static_cast<double>(jobs.size()));
+  });
+  return contests;
+}
+
+}  // namespace writeup::measure

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "writeup/measure/message.h"
+
+#include <string>
+#include <vector>
+
+namespace writeup::measure {
+
+// What can be said of a task besides its time.
+enum class Kind {
+  exact,      // its largest error, against a closed form in long double
+  estimator,  // its noise, and whether its mean is that of a closed form
+  tree,       // what a ray tests
+};
+
+// What is measured of one task.
+struct About {
+  std::string slug;
+  Kind kind = Kind::exact;
+  std::vector<std::string> cases;   // "leaf 4"; one without a name where there is only one
+  bool one_front = false;           // the cases are settings to choose from, not other inputs
+  std::vector<std::string> errors;  // kinds of error, at most kMaxErrors; the first one is charted
+  std::string inputs;               // a sentence
+};
+
+// All tasks, in the order of the course.
+const std::vector<About>& tasks();
+
+}  // namespace writeup::measure
