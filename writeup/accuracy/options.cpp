@@ -108,6 +108,8 @@ void parse(CLI::App& app, Options& options, int argc, const char* const* argv, b
   }
 }
 
+}  // namespace
+
 Options parse_cheapest(int argc, const char* const* argv) {
   Options options;
   std::string error = "2%";
@@ -134,8 +136,6 @@ Options parse_converge(int argc, const char* const* argv) {
   parse(app, options, argc, argv);
   return options;
 }
-
-}  // namespace
 
 Call parse_call(int argc, const char* const* argv) {
   const std::string command = argc > 1 ? argv[1] : "";

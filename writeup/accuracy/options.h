@@ -42,7 +42,9 @@ struct Call {
 // Reads the command line, whose first word is the command. Prints help and exits for --help; throws
 // pt::Error for what it cannot use.
 Call parse_call(int argc, const char* const* argv);
-// The same of the program ladder.
+// The same of one command, without that word.
+Options parse_cheapest(int argc, const char* const* argv);
+Options parse_converge(int argc, const char* const* argv);
 Options parse_ladder(int argc, const char* const* argv);
 
 }  // namespace writeup::accuracy
