@@ -27,7 +27,7 @@ double seconds_to(Study& study, const Setting& setting, double error) {
 
 int run(int argc, const char* const* argv) {
   const Options options = parse_cheapest(argc, argv);
-  Measuring scene(options, kAllBounces);
+  Measuring scene(load_scene(options), {Command::cheapest, options}, kAllBounces);
   Study& study = scene.study;
   const Answer answer = find_cheapest(study, scene.view, options.error);
   const int bounces = answer.best.way.bounces;

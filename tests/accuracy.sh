@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The programs that find the cheapest settings, compare methods, and tell what an idea is worth: what they say, their files, what they refuse.
+# The programs that find the cheapest settings, compare methods, and tell what an idea is worth: what they say, their files,
+# what they refuse; and that a stopped run goes on.
 # accuracy.sh BUILD: whose programs are tried.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -19,7 +20,7 @@ expect() {
   }
 }
 # cheapest WORD ...: a little of everything, by the reference.
-cheapest() { "$programs/cheapest.reference" --seconds 2 -r 48 36 "$@"; }
+cheapest() { "$programs/accuracy.reference" cheapest --seconds 1 --pixels 600 -r 48 36 "$@"; }
 
 expect 0 './run render scenes/box_spheres.dae -s ' cheapest scenes/box_spheres.dae --error 10% --out "$folder/charts"
 for words in 'predicted ' 'measured ' 'Light samples: ' 'Bounces: ' 'Roulette:' 'Adaptive sampling: ' 'Hemisphere sampling: ' \
@@ -36,7 +37,7 @@ has() {
   done
   [ "$(find "$where" -type f | wc -l)" -le $# ] || { echo "FAILED: something is left over"; failures=$((failures + 1)); }
 }
-has "$folder/charts" options.csv options.svg bounces.csv bounces.svg noise.csv noise.svg
+has "$folder/charts" options.csv options.svg bounces.csv bounces.svg noise.csv noise.svg cheapest.json
 
 expect 0 'all lights are points or directions' cheapest scenes/point_light.dae --error .1
 expect 0 'Hemisphere sampling: cannot reach this error' cheapest scenes/point_light.dae --error 10%
@@ -48,11 +49,11 @@ for error in 0 -2% 2%% 101% nan two; do
 done
 expect 2 'no such file' cheapest scenes/nothing.dae
 expect 2 '--engine' cheapest scenes/box_spheres.dae --engine steam
-expect 2 'not written yet: ' "$programs/cheapest.student" scenes/box_spheres.dae
+expect 2 'not written yet: ' "$programs/accuracy.student" cheapest scenes/box_spheres.dae
 
-converge() { "$programs/converge.reference" --seconds 2 -r 48 36 "$@"; }
+converge() { "$programs/accuracy.reference" converge --seconds 1 --pixels 600 -r 48 36 "$@"; }
 expect 0 'hemisphere, l = 8 ' converge scenes/box_spheres.dae -m 3 --out "$folder/curves"
-has "$folder/curves" converge.csv samples.svg seconds.svg rays.svg
+has "$folder/curves" converge.csv converge.json factors.csv samples.svg seconds.svg rays.svg
 [ "$(grep -c '"lights, l = 1, adaptive"' "$folder/curves/converge.csv")" -eq 4 ] || {
   echo "FAILED: a curve has not four points"
   failures=$((failures + 1))
@@ -76,6 +77,33 @@ expect 2 'the scene has no light' ladder "$folder/dark.dae"
 expect 2 '--samples' ladder scenes/box_spheres.dae -s 2
 cp "$programs/ladder" "$folder/ladder/"
 expect 2 'is missing: build the target ladder_rungs' "$folder/ladder/ladder" --seconds 2 -r 48 36 scenes/point_light.dae
+
+expect 2 "there is no method 'steam' here, but these: \"lights, l = 1\"" converge scenes/box_spheres.dae --beside steam
+expect 2 'a submission is measured in a box' converge scenes/box_spheres.dae --submission reference
+
+# All engines have a line. Beside itself, a method takes 1 times the time.
+expect 0 'lights, l = 1, no tree' converge scenes/box_spheres.dae -m 1 --beside 'lights, l = 4' --out "$folder/engines"
+grep -qF 'lights, l = 1, the tree of part 2' "$folder/said" || { echo 'FAILED: no tree'; failures=$((failures + 1)); }
+grep -qE '^"lights, l = 4","lights, l = 4",1,[^,]*,1,[^,]*,1,' "$folder/engines/factors.csv" || {
+  echo "FAILED: a method is not as good as itself"
+  failures=$((failures + 1))
+}
+
+# Killed in the middle, it goes on; and what is printed at the end is what the renders before and after say.
+long() { "$programs/accuracy.reference" cheapest --seconds 20 --pixels 600 -r 48 36 --keep "$folder/kept" scenes/box_spheres.dae; }
+long >/dev/null 2>&1 &
+victim=$!
+for _ in $(seq 600); do
+  [ -n "$(find "$folder/kept" -type f -size +300k 2>/dev/null)" ] && break
+  sleep 0.1
+done
+pkill -9 -P "$victim" 2>/dev/null || true
+kill -9 "$victim" 2>/dev/null || true
+wait "$victim" 2>/dev/null || true
+before=$(find "$folder/kept" -type f -printf '%s')
+[ "${before:-0}" -gt 300000 ] || { echo 'FAILED: nothing was kept'; failures=$((failures + 1)); }
+expect 0 'going on where the same command was stopped' long
+[ -z "$(find "$folder/kept" -type f)" ] || { echo 'FAILED: what was kept is left over'; failures=$((failures + 1)); }
 
 [ "$failures" -eq 0 ] && echo 'cheapest, converge and ladder work'
 exit $((failures > 0))

@@ -1,4 +1,5 @@
 // What a scene needs and what methods are worth in it: the model of error and time, and what is measured.
+#include "pt/render/render_rows.h"
 #include "tests/proof/scenes.h"
 #include "writeup/accuracy/converge.h"
 #include "writeup/accuracy/ladder_turns.h"
@@ -126,6 +127,27 @@ TEST(Slope, knows_its_error) {
   EXPECT_NEAR(std::sqrt(squares / said), 1, .08);
 }
 
+// Of a method with this error for one sample, and this time of one sample.
+Curve curve_of(double error, double seconds) {
+  Curve curve;
+  curve.error2_second = {error * error * seconds, .01 * error * error * seconds};
+  curve.error2_ray = {error * error, .01 * error * error};
+  return curve;
+}
+
+// Half the error of a sample that takes as long: a quarter of the time, or half the error at the same time.
+TEST(Factors, are_of_time_at_equal_error_and_of_error_at_equal_time) {
+  const Factors f = factors(curve_of(.5, 3), curve_of(1, 3));
+  EXPECT_NEAR(f.time.value, .25, 1e-12);
+  EXPECT_NEAR(f.error.value, .5, 1e-12);
+  EXPECT_NEAR(f.rays.value, .25, 1e-12);
+  EXPECT_NEAR(f.time.error, .25 * .01 * std::sqrt(2), 1e-6);
+  const Factors back = factors(curve_of(1, 3), curve_of(.5, 3));
+  EXPECT_NEAR(f.time.value * back.time.value, 1, 1e-12);
+  const std::vector<Curve> curves{curve_of(1, 3), curve_of(.5, 3), curve_of(.5, 4)};
+  EXPECT_EQ(&fastest(curves), &curves[1]);
+}
+
 TEST(Pixels, one_is_in_each_block) {
   const std::vector<PixelAt> pixels = spread_pixels(103, 57, 600, 4);
   std::set<std::pair<int, int>> blocks;
@@ -207,6 +229,29 @@ TEST(Study, its_golden_may_have_fewer_bounces) {
   const double missing = .25 / 1.76;
   EXPECT_NEAR(fewer.value, missing * missing,
               kErrors * fewer.error + kOfWeights * missing * missing);
+}
+
+// As a worker renders them for a submission: some pixels are those of the picture.
+TEST(Rows, of_some_pixels_are_those_of_the_picture) {
+  const pt::Scene scene = furnace();
+  pt::View view = view_of(scene);
+  view.settings.from = 0;
+  view.settings.to = 3;
+  for (const bool apart : {false, true}) {
+    pt::RowsRequest request{0, view.height, 4, {}, 5, {}, {}};
+    if (apart) request.ranges = {{0, 0}, {1, 1}, {2, 3}};
+    const pt::PictureRows whole = pt::render_rows(view, request);
+    request.only = {3, 47, 299};
+    const pt::PictureRows some = pt::render_rows(view, request);
+    const std::size_t ranges = std::max<std::size_t>(1, request.ranges.size());
+    ASSERT_EQ(some.mean.size(), 3 * ranges);
+    for (std::size_t k = 0; k < ranges; ++k) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int x = request.only[i] % view.width, y = request.only[i] / view.width;
+        EXPECT_EQ(some.mean[k * 3 + i], whole.mean[(y * ranges + k) * view.width + x]);
+      }
+    }
+  }
 }
 
 // With four samples per pixel there is much noise. It is no light that few bounces would miss, and

@@ -16,9 +16,9 @@ while read -r command program words; do
   fi
 done <<'END'
 bless grader/bless
-cheapest writeup/cheapest.reference
+cheapest writeup/accuracy.reference cheapest
 compare pt/compare
-converge writeup/converge.reference
+converge writeup/accuracy.reference converge
 grade grader/grade
 grade-class grader/grade_class
 hint grader/hint

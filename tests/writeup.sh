@@ -16,7 +16,8 @@ complain() {
 }
 
 # Programs with lists of objects of their own, so that "the code has changed" needs no compiler.
-# code NAME SUFFIX: the renderer NAME, which runs writeup_render.SUFFIX.
+# code NAME SUFFIX: the renderer NAME, which runs writeup_render.SUFFIX, and NAME.accuracy, which measures as little as
+# it can.
 code() {
   local name=$1 program=$build/writeup/writeup_render.$2 task
   mkdir -p "$folder/writeup" "$folder/objects"
@@ -26,14 +27,26 @@ code() {
     echo "$name $task" >"$folder/objects/$name.$task"
     echo "$task objects/$name.$task"
   done >"$folder/writeup/$name.objects"
+  cp "$folder/writeup/$name.objects" "$folder/writeup/$name.accuracy.objects"
+  cat >"$folder/writeup/$name.accuracy" <<END
+#!/bin/bash
+words=()
+while [ \$# -gt 0 ]; do
+  words+=("\$1")
+  [ "\$1" != --seconds ] || { words+=(.1); shift; }
+  shift
+done
+exec "$build/writeup/accuracy.$2" "\${words[@]}"
+END
+  chmod +x "$folder/writeup/$name.accuracy"
 }
 # writeup CODE WORD ...
 writeup() {
   local name=$1
   shift
   ${go-} "$build/writeup/writeup" --quality draft --from "$name" --renderer "$folder/writeup/$name" \
-    --mistakes "$build/writeup" --generate "$build/scenes/generate" --work "$folder/work" \
-    --text "${texts:-$root/writeup}" "$@"
+    --accuracy "$folder/writeup/$name.accuracy" --mistakes "$build/writeup" --generate "$build/scenes/generate" \
+    --work "$folder/work" --text "${texts:-$root/writeup}" "$@"
 }
 # expect STATUS WORDS COMMAND ...: it ends with the status and says the words.
 expect() {
@@ -83,10 +96,10 @@ if grep -n 'class="problem"' "$folder"/work/draft/*.html; then complain "the ref
 expect 0 'draft/index.html' writeup reference
 ! grep -q 'to make' "$folder/said" || complain "the second call made something: $(cat "$folder/said")"
 
-# Another adaptive_pixel: part 5.
+# Another adaptive_pixel: part 5, and what is measured.
 echo changed >"$folder/objects/reference.adaptive_pixel"
 changed=$(writeup reference --list | { grep -F 'to be made' || true; } | awk '{print $2}' | sort | paste -sd' ')
-[ "$changed" = "adaptive adaptive_uniform survival" ] ||
+[ "$changed" = "adaptive adaptive_uniform converge_bunny converge_spheres left_out needs needs_spheres survival" ] ||
   complain "another adaptive_pixel changes: $changed"
 echo 'reference adaptive_pixel' >"$folder/objects/reference.adaptive_pixel"
 
@@ -107,6 +120,15 @@ for words in crashed 'endless loop'; do
   grep -qF "$words" "$folder/work/draft/part3.html" || complain "part 3 does not say '$words'"
 done
 [ -s "$folder/work/draft/figures/soft_shadows.l4.png" ] || complain "the other pictures are missing"
+
+# Somebody whose code measures nothing: a sentence on the page. What never ends is stopped once.
+code silent reference
+cat >"$folder/writeup/silent.accuracy" <<END
+#!/bin/bash
+echo 'not written yet: trace_path' >&2
+exit 2
+END
+expect 1 'needs_spheres: box_spheres: not written yet: trace_path' writeup silent needs_spheres
 
 # A trace_path that cannot be taken apart by bounces: these are rendered one by one, and give the same.
 code layered reference
@@ -166,7 +188,7 @@ if ! command -v chromium >/dev/null; then
   echo "SKIPPED, the pages were not opened: chromium is missing (cmake/packages-test.txt)"
 else
   writeup reference >/dev/null
-  for page in index part1 part2 part3 part4 part5 bugs; do
+  for page in index part1 part2 part3 part4 part5 accuracy needs bugs; do
     sed "s|</body>|<script>$(tr '\n' ' ' <tests/writeup_page.js | sed 's/[\\&|]/\\&/g')</script></body>|" \
       "$folder/work/draft/$page.html" >"$folder/work/draft/tried.html"
     HOME=$folder timeout 100 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr \

@@ -15,10 +15,12 @@ namespace {
 constexpr std::chrono::minutes kBuildTime{20};
 constexpr std::size_t kMaxJson = std::size_t{1} << 22;
 
+std::string built_file(const Options& options) { return options.work + "/submission.json"; }
+
 }  // namespace
 
 Code code_of_submission(const Options& options) {
-  const std::string built = options.work + "/submission.json";
+  const std::string built = built_file(options);
   const auto result =
       grader::process::run_command({{options.boxed, "build", options.submission, built},
                                     {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"},
@@ -34,6 +36,13 @@ Code code_of_submission(const Options& options) {
   code.hash["framework"] += grader::base::sha256(grader::base::stamp(options.boxed));
   code.unusable = in.at("unusable").get<std::map<std::string, std::string>>();
   return code;
+}
+
+Code accuracy_of_submission(const Options& options, const Code& code) {
+  Code accuracy = code;
+  accuracy.command = {options.accuracy, "--built", built_file(options)};
+  accuracy.hash["framework"] += grader::base::sha256(grader::base::stamp(options.accuracy));
+  return accuracy;
 }
 
 }  // namespace writeup

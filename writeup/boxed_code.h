@@ -9,4 +9,7 @@ namespace writeup {
 // too. No line of it runs in this process.
 Code code_of_submission(const Options& options);
 
+// The same in the program accuracy_boxed.
+Code accuracy_of_submission(const Options& options, const Code& code);
+
 }  // namespace writeup

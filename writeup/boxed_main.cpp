@@ -1,93 +1,28 @@
 // writeup_boxed: a submission's pictures, without running a line of it here.
 //   writeup_boxed build SUBMISSION OUT.json       compiles it in the box and links a worker
 //   writeup_boxed render WORKER TIER SPEC BAND    some rows of one render, by that worker
-#include "grader/base/sha256.h"
-#include "grader/judge/together.h"
 #include "grader/pictures/worker_rows.h"
-#include "grader/process/process_time.h"
 #include "grader/process/spawn.h"
 #include "grader/wire/session.h"
 #include "pt/error.h"
-#include "pt/file.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
 #include "writeup/band.h"
-#include "writeup/worker_config.h"
+#include "writeup/boxed.h"
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
-#include <map>
 
 namespace writeup {
 namespace {
 
 using namespace grader;
-using namespace grader::judge;
-namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr int kChunk = 6;       // rows that are asked for at first
-constexpr double kQuick = 0.1;  // seconds: what takes less is asked for in larger pieces
-constexpr int kCompileSeconds = 60;
+constexpr int kChunk = 6;                      // rows that are asked for at first
 constexpr std::chrono::minutes kCallLimit{5};  // the write-up's own limit is usually shorter
-constexpr std::chrono::hours kTotalLimit{5};
-
-std::string why_not(const Judged& judged) {
-  const results::TaskResult& result = judged.result;
-  return result.reason + (result.compiler_output.empty() ? "" : ":\n" + result.compiler_output);
-}
-
-// The reference stands for what cannot be compiled, so that the rest can be looked at; a figure that
-// needs it says so instead.
-int build(const std::string& submission, const std::string& out) {
-  const Config config = worker_config("writeup_boxed.json");
-  GradeRequest request;
-  request.submission = base::submission_root(submission);
-  request.isolation = sandbox::probe_isolation(config.root, config.work);
-  const Builder builder(config, request.isolation.tier, kCompileSeconds);
-  std::vector<Judged> judged;
-  for (const TaskConfig& task : config.tasks) judged.push_back(not_judged(config, task));
-  compile_all(builder, request, judged);
-  std::map<std::string, std::string> hash, unusable;
-  for (Judged& each : judged) {
-    each.right_alone = each.object.ok();  // link_together() leaves out what is not
-    hash[each.config->slug] = base::sha256(each.content);
-    if (!each.object.ok()) unusable[each.config->slug] = why_not(each);
-  }
-  const Built worker = link_together(config, builder, judged, Elsewhere::reference);
-  if (!worker.ok()) throw pt::Error("it does not link: " + worker.error);
-  std::string framework;
-  for (const auto* objects : {&config.framework, &config.recording, &config.radiance}) {
-    for (const std::string& object : *objects) framework += base::stamp(object);
-  }
-  hash["framework"] = base::sha256(framework);
-  const nlohmann::json all{{"worker", worker.path},
-                           {"tier", std::string(1, letter(request.isolation.tier))},
-                           {"hash", hash},
-                           {"unusable", unusable}};
-  pt::write_file(out, all.dump());
-  return 0;
-}
-
-void open_worker(const std::string& worker, const std::string& tier) {
-  wire::SessionSettings settings;
-  settings.task = "the write-up";
-  settings.program = worker;
-  settings.tier = sandbox::tier_of(tier);
-  settings.answers = false;
-  settings.give_up = [](results::Cause, const std::string& text) { throw pt::Error(text); };
-  settings.call_limit = kCallLimit;
-  settings.total_limit = kTotalLimit;
-  settings.max_timeouts = 1;
-  settings.max_failures = 1;
-  wire::open_session(settings);
-}
-
-double worker_seconds() {
-  return std::chrono::duration<double>(process::time_of_tree(getpid()).running).count();
-}
+constexpr double kQuick = 0.1;  // seconds: what takes less is asked for in larger pieces
 
 RowPixel row_pixel(const Spec& spec, const pt::PictureRows& answer, std::size_t i) {
   const pt::Rgb mean = is_finite(answer.mean[i]) ? answer.mean[i] : pt::Rgb{};
@@ -161,7 +96,7 @@ int render(const std::string& worker, const std::string& tier, const std::string
   const pt::View view{loaded.scene,
                       frame_camera(loaded, spec.framing, spec.frame_width, spec.frame_height),
                       spec.path, spec.width, spec.height};
-  open_worker(worker, tier);
+  open_worker(worker, tier, kCallLimit);
   // Whether there is a tree is known after one row.
   pictures::worker_rows(view, {band.first_row, 1, 1, {}, spec.seed, {}});
   const bool without_tree = spec.engine == pt::Engine::task && tree_is_missing();
@@ -179,7 +114,10 @@ int render(const std::string& worker, const std::string& tier, const std::string
 }
 
 int run(const Words& words) {
-  if (words.size() == 3 && words[0] == "build") return build(words[1], words[2]);
+  if (words.size() == 3 && words[0] == "build") {
+    write_boxed(build_submission(words[1]), words[2]);
+    return 0;
+  }
   if (words.size() == 5 && words[0] == "render") {
     return render(words[1], words[2], words[3], band_of(words[4]));
   }

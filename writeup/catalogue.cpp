@@ -17,8 +17,9 @@ const std::set<std::string> kSettings{
     "id",   "label",  "scene",    "size",          "frame",    "samples",    "adaptive",
     "seed", "engine", "normals",  "light_samples", "survival", "hemisphere", "bounces",
     "look", "camera", "exposure", "mistake",       "time_of",  "in_bounces", "show"};
-const std::set<std::string> kFigure{"id",    "part",     "title",    "kind",   "caption", "flip",
-                                    "small", "settings", "pictures", "golden", "scenes",  "file"};
+const std::set<std::string> kFigure{"id",     "part",  "title",    "kind",     "caption",
+                                    "flip",   "small", "settings", "pictures", "golden",
+                                    "scenes", "file",  "seconds",  "error"};
 
 void expect_known(const json& object, const std::set<std::string>& known) {
   for (const auto& [name, value] : object.items()) {
@@ -96,6 +97,8 @@ Figure figure_from(const json& in, const json& defaults) {
   figure.file = in.value("file", "");
   figure.flip = in.value("flip", true);
   figure.small = in.value("small", false);
+  figure.seconds = in.value("seconds", 0.0);
+  figure.error = in.value("error", 0.0);
   figure.scenes = in.value("scenes", std::vector<std::string>{});
   for (const json& picture : in.value("pictures", json::array())) {
     figure.pictures.push_back(picture_from(in, picture, defaults));
@@ -105,8 +108,9 @@ Figure figure_from(const json& in, const json& defaults) {
 }
 
 SceneSource scene_from(const json& in) {
-  return {in.value("title", ""), in.value("course", ""),   in.value("own", ""),
-          in.value("mesh", ""),  in.value("triangles", 0), in.value("room", false)};
+  return {in.value("title", ""),       in.value("course", ""),   in.value("own", ""),
+          in.value("mesh", ""),        in.value("triangles", 0), in.value("room", false),
+          in.value("camera", "course")};
 }
 
 void expect_scenes(const Catalogue& catalogue, const Figure& figure) {

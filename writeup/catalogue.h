@@ -15,11 +15,12 @@ namespace writeup {
 // Where a scene comes from: the course's file if there is one here, else a stand-in of our own.
 struct SceneSource {
   std::string title;
-  std::string course;  // below the folder of the course's scenes; may be empty
-  std::string own;     // below the root of the project, or:
-  std::string mesh;    // a kind of the generator, and
-  int triangles = 0;   // how many; of the other kinds about how many there are
-  bool room = false;   // around the mesh
+  std::string course;             // below the folder of the course's scenes; may be empty
+  std::string own;                // below the root of the project, or:
+  std::string mesh;               // a kind of the generator, and
+  int triangles = 0;              // how many; of the other kinds about how many there are
+  bool room = false;              // around the mesh
+  std::string camera = "course";  // of our own file: "file" where it is meant for the camera it has
 };
 
 // How the numbers of a render become colours.
@@ -38,7 +39,7 @@ struct Picture {
 
 struct Figure {
   std::string id, part, title;
-  std::string kind;     // "pictures" or "speedup"
+  std::string kind;     // "pictures", "speedup", or what is measured: see Plan::measurements()
   std::string source;   // as it stands in the file
   std::string file;     // of the handbook: where the picture is kept, below the project's root
   std::string caption;  // Markdown; may hold numbers
@@ -46,7 +47,9 @@ struct Figure {
   bool small = false;   // few pixels, shown as squares
   std::vector<Picture> pictures;
   std::optional<Picture> golden;    // what errors are measured against
-  std::vector<std::string> scenes;  // of a speed-up table
+  std::vector<std::string> scenes;  // of a table
+  double seconds = 0;               // by the clock, that a measurement may take
+  double error = 0;                 // that is wanted
 };
 
 struct Catalogue {

@@ -9,10 +9,10 @@
 
 namespace writeup {
 
-// Whose code renders: a program, and what stands for the content of all that is in it.
+// Whose code renders, or measures: a program, and what stands for the content of all that is in it.
 struct Code {
-  std::vector<std::string> command;         // of writeup_render or writeup_boxed, with its options
-  std::map<std::string, std::string> hash;  // by task, and "framework"
+  std::vector<std::string> command;             // a program, with its options
+  std::map<std::string, std::string> hash;      // by task, and "framework"
   std::map<std::string, std::string> unusable;  // tasks that cannot run, each with the reason
 };
 

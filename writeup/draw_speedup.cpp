@@ -123,25 +123,9 @@ Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folde
     }
   }
   draw_chart(folder, figure.id, lines);
-  drawn.table = figure.id + ".csv";
-  if (fs::exists(folder / (figure.id + ".svg"))) drawn.chart = figure.id + ".svg";
+  drawn.tables = {figure.id + ".csv"};
+  if (fs::exists(folder / (figure.id + ".svg"))) drawn.charts = {figure.id + ".svg"};
   return drawn;
-}
-
-std::vector<std::string> number_names(const Figure& figure) {
-  std::vector<std::string> names;
-  for (const std::string& scene : figure.scenes) {
-    for (const char* end : {"", ".linear", ".tree", ".linear_tests", ".tests"}) {
-      names.push_back(scene + end);
-    }
-  }
-  for (const Picture& picture : figure.pictures) {
-    for (const char* end : {"seconds", "samples", "rays", "mean", "average", "most", "ratio",
-                            "noise", "error", "factor"}) {
-      names.push_back(picture.id + "." + end);
-    }
-  }
-  return names;
 }
 
 }  // namespace writeup

@@ -30,17 +30,19 @@ struct Drawn {
   std::vector<Shown> pictures;
   std::vector<std::string> columns;            // of a table
   std::vector<std::vector<std::string>> rows;  // of it; the first cell is its head
-  std::string chart, table;                    // files: .svg, .csv
+  std::vector<std::string> charts, tables;     // files: .svg, .csv
   std::vector<std::string> problems;           // why something is missing, a sentence each
   std::map<std::string, std::string> numbers;  // "l16.seconds": "4.2"
   double seconds = 0;                          // of processor time
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Drawn, pictures, columns, rows, chart, table, problems, numbers,
-                                   seconds)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Drawn, pictures, columns, rows, charts, tables, problems,
+                                   numbers, seconds)
 
 // Draws into the folder, which is there. All of the figure's renders are settled.
 Drawn draw_pictures(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 Drawn draw_speedup(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
+
+Drawn draw_measured(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 
 // The names of the numbers that a figure has, whether or not they could be measured.
 std::vector<std::string> number_names(const Figure& figure);

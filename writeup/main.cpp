@@ -53,6 +53,10 @@ Codes read_codes(const Options& options, const Catalogue& catalogue) {
   codes.chosen =
       options.submission.empty() ? code_of_program(options.renderer) : code_of_submission(options);
   codes.reference_rays = options.submission.empty() && traces_with_reference(options.from);
+  if (!options.accuracy.empty()) {
+    codes.accuracy = options.submission.empty() ? code_of_program(options.accuracy)
+                                                : accuracy_of_submission(options, codes.chosen);
+  }
   if (options.mistakes.empty()) return codes;
   for (const std::string& wrong : mistakes_in(catalogue)) {
     const fs::path program = fs::path(options.mistakes) / ("writeup_render." + wrong);
@@ -85,6 +89,7 @@ void print_list(const Plan& plan, const std::vector<const Figure*>& figures) {
 void retry(const Plan& plan, const std::vector<const Figure*>& figures) {
   for (const Figure* figure : figures) {
     for (const Unit& unit : plan.units(*figure)) plan.store().forget_failure(unit);
+    for (const Measurement& each : plan.measurements(*figure)) plan.measured().forget_failure(each);
   }
 }
 
@@ -154,7 +159,7 @@ bool make_pages(const Plan& plan, const Catalogue& catalogue,
       options.out.empty() ? work / (options.draft ? "draft" : "pages") : fs::path(options.out);
   fs::create_directories(out);
   write_pages(site, out);  // a wrong name in a text must not be found after an hour
-  const bool made = make_renders(plan, figures, options);
+  const bool made = make_missing(plan, figures, options);
   site.figures = draw_figures(plan, catalogue, work / "drawn", out / "figures", options.threads);
   write_pages(site, out);
   if (made) print_times(figures, site.figures);
@@ -170,7 +175,7 @@ bool make_handbook(const Plan& plan, const Catalogue& catalogue,
     throw pt::Error("the handbook's pictures are made where the reference is, not in this edition");
   }
   const fs::path folder = options.out.empty() ? "." : options.out;
-  make_renders(plan, figures, options);
+  make_missing(plan, figures, options);
   const Problems problems = options.check ? check_handbook(plan, catalogue, figures, folder)
                                           : write_handbook(plan, figures, folder);
   for (const std::string& problem : problems) fmt::print("{}\n", problem);
@@ -188,7 +193,9 @@ int run(Options options) {
   const Codes codes = read_codes(options, catalogue);
   const Scenes scenes(catalogue, options.scenes, work / "scenes", options.generate, options.draft);
   const Store store(work / "renders");
-  const Plan plan(catalogue, codes, scenes, store, options.draft ? Quality::draft : Quality::full);
+  const Measurements measured(work / "measured", store);
+  const Plan plan(catalogue, codes, scenes, store, measured,
+                  options.draft ? Quality::draft : Quality::full);
   if (options.list) {
     print_list(plan, figures);
     return 0;

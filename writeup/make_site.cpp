@@ -37,14 +37,33 @@ std::vector<Unit> missing_units(const Plan& plan, const std::vector<const Figure
   return units;
 }
 
+// Measurements of several figures that are not settled, each once.
+std::vector<Measurement> missing_measurements(const Plan& plan,
+                                              const std::vector<const Figure*>& figures) {
+  std::vector<Measurement> missing;
+  std::set<std::string> keys;
+  for (const Figure* figure : figures) {
+    for (const Measurement& each : plan.measurements(*figure)) {
+      if (keys.insert(plan.measured().key(each)).second && !plan.measured().is_settled(each)) {
+        missing.push_back(each);
+      }
+    }
+  }
+  return missing;
+}
+
 void print_plan(const Plan& plan, const std::vector<const Figure*>& figures,
-                const std::vector<Unit>& units, int threads) {
+                const std::vector<Unit>& units, const std::vector<Measurement>& measurements,
+                int threads) {
   int unsettled = 0;
   for (const Figure* figure : figures) unsettled += is_settled(plan, *figure) ? 0 : 1;
   double seconds = 0;
-  for (const Unit& unit : units) seconds += plan.store().seconds(unit);
-  fmt::print("{} of {} figures to make, {} renders: about {:.1f} minutes on {} processors\n",
-             unsettled, figures.size(), units.size(), seconds / 60 / threads, threads);
+  for (const Unit& unit : units) seconds += plan.store().seconds(unit) / threads;
+  for (const Measurement& each : measurements) seconds += each.seconds;
+  fmt::print(
+      "{} of {} figures to make, {} renders and {} measurements: about {:.1f} minutes on {} "
+      "processors\n",
+      unsettled, figures.size(), units.size(), measurements.size(), seconds / 60, threads);
   std::fflush(stdout);
 }
 
@@ -57,6 +76,9 @@ std::string drawing_key(const Plan& plan, const Figure& figure) {
     text += fmt::format("{} {} {} {} ", plan.store().key(unit), unit.range, unit.spec.scene,
                         plan.store().failure(unit));
   }
+  for (const Measurement& each : plan.measurements(figure)) {
+    text += plan.measured().key(each) + plan.measured().failure(each);
+  }
   return grader::base::sha256(text).substr(0, 32);
 }
 
@@ -66,8 +88,9 @@ Drawn drawn_figure(const Plan& plan, const Figure& figure, const fs::path& folde
     return nlohmann::json::parse(pt::read_file(kept, kMaxDrawn)).get<Drawn>();
   }
   fs::create_directories(folder);
-  Drawn drawn = figure.kind == "speedup" ? draw_speedup(plan, figure, folder)
-                                         : draw_pictures(plan, figure, folder);
+  Drawn drawn = figure.kind == "speedup"    ? draw_speedup(plan, figure, folder)
+                : figure.kind == "pictures" ? draw_pictures(plan, figure, folder)
+                                            : draw_measured(plan, figure, folder);
   drawn.seconds = plan.seconds(figure);
   pt::write_file(kept, nlohmann::json(drawn).dump());
   return drawn;
@@ -113,14 +136,16 @@ std::vector<const Figure*> figures_meant(const Catalogue& catalogue,
 bool is_settled(const Plan& plan, const Figure& figure) {
   const std::vector<Unit> units = plan.units(figure);
   return std::all_of(units.begin(), units.end(),
-                     [&](const Unit& unit) { return plan.store().is_settled(unit); });
+                     [&](const Unit& unit) { return plan.store().is_settled(unit); }) &&
+         missing_measurements(plan, {&figure}).empty();
 }
 
-bool make_renders(const Plan& plan, const std::vector<const Figure*>& figures,
+bool make_missing(const Plan& plan, const std::vector<const Figure*>& figures,
                   const Options& options) {
   std::vector<Unit> units = missing_units(plan, figures);
-  if (units.empty()) return false;
-  print_plan(plan, figures, units, options.threads);
+  const std::vector<Measurement> measurements = missing_measurements(plan, figures);
+  if (units.empty() && measurements.empty()) return false;
+  print_plan(plan, figures, units, measurements, options.threads);
   // Some renders are settled only when the times of others are known.
   while (!units.empty()) {
     pt::Progress progress;
@@ -132,6 +157,10 @@ bool make_renders(const Plan& plan, const std::vector<const Figure*>& figures,
     progress.clear();
     units = missing_units(plan, figures);
   }
+  // What is timed comes last, when nothing else runs.
+  pt::Progress progress;
+  make(plan.measured(), measurements, options.threads, [&](double part) { progress.show(part); });
+  progress.clear();
   return true;
 }
 

@@ -14,11 +14,12 @@ namespace writeup {
 std::vector<const Figure*> figures_meant(const Catalogue& catalogue,
                                          const std::vector<std::string>& words);
 
-// Makes what is missing for the figures, in as many rounds as it takes. False if nothing was.
-bool make_renders(const Plan& plan, const std::vector<const Figure*>& figures,
+// Makes the renders and measurements that are missing for the figures, in as many rounds as it takes.
+// False if none was.
+bool make_missing(const Plan& plan, const std::vector<const Figure*>& figures,
                   const Options& options);
 
-// Whether all renders of a figure are there, or have failed for good.
+// Whether all renders and measurements of a figure are there, or have failed for good.
 bool is_settled(const Plan& plan, const Figure& figure);
 
 // All figures that are settled, as files in `folder`; drawn anew only where something has changed.

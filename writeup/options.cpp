@@ -22,7 +22,8 @@ const char* const kFooter =
     "is not (its place says why), 2 the call cannot be used.";
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("what", options.what, "Parts (1 to 5, bugs) and figures; default: all");
+  app.add_option("what", options.what,
+                 "Parts (1 to 5, accuracy, needs, bugs) and figures; default: all");
   app.add_flag("--list", options.list, "Name every figure, whether it is up to date, and its time");
   app.add_option_function<std::string>(
          "--quality", [&](const std::string& word) { options.draft = word == "draft"; },
@@ -51,6 +52,7 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 1024));
   app.add_option("--from", options.from)->group("");
   app.add_option("--renderer", options.renderer)->group("");
+  app.add_option("--accuracy", options.accuracy)->group("");
   app.add_option("--generate", options.generate)->group("");
   app.add_option("--mistakes", options.mistakes)->group("");
   app.add_option("--work", options.work)->group("");

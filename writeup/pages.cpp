@@ -88,10 +88,10 @@ data files_data(const Drawn& drawn) {
     file.set("alone", shown.command.empty() ? data(false) : data(shown.command));
     files.push_back(file);
   }
-  if (!drawn.table.empty()) {
+  if (!drawn.tables.empty()) {
     data links{data::type::list}, file;
-    links.push_back(link(drawn.table, ""));
-    if (!drawn.chart.empty()) links.push_back(link(drawn.chart, ""));
+    for (const std::string& table : drawn.tables) links.push_back(link(table, ""));
+    for (const std::string& chart : drawn.charts) links.push_back(link(chart, ""));
     file.set("label", "numbers");
     file.set("links", links);
     file.set("alone", false);
@@ -112,8 +112,9 @@ data rows_data(const Drawn& drawn) {
 }
 
 std::string scenes_text(const Site& site, const Figure& figure) {
-  if (!figure.scenes.empty()) return "";
+  if (figure.scenes.size() > 1) return "";
   std::vector<std::string> names;
+  for (const std::string& scene : figure.scenes) names.push_back(site.scenes.description(scene));
   for (const Picture& picture : figure.pictures) {
     const std::string name = site.scenes.description(picture.scene);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -137,7 +138,7 @@ std::string html_of(const Site& site, const Figure& figure) {
   out.set("count", std::to_string(drawn.pictures.size()));
   out.set("has_pictures", !drawn.pictures.empty());
   out.set("pictures", pictures);
-  out.set("chart", drawn.chart.empty() ? data(false) : data(drawn.chart));
+  out.set("charts", texts(drawn.charts));
   out.set("has_table", !drawn.rows.empty());
   out.set("columns", texts(drawn.columns));
   out.set("rows", rows_data(drawn));
@@ -220,8 +221,8 @@ std::string short_name(const Page& page) {
 }  // namespace
 
 const std::vector<std::string>& page_names() {
-  static const std::vector<std::string> names{"index", "part1", "part2", "part3",
-                                              "part4", "part5", "bugs"};
+  static const std::vector<std::string> names{"index", "part1",    "part2", "part3", "part4",
+                                              "part5", "accuracy", "needs", "bugs"};
   return names;
 }
 

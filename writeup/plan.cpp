@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace writeup {
 
 namespace {
 
 constexpr int kDraftSize = 4;                    // times fewer pixels on each side
 constexpr int kDraftSamples = 16;                // times fewer
+constexpr double kDraftSeconds = 40;             // times less, of a measurement
 constexpr const char* kReference = "reference";  // in place of a mistake: none
 constexpr int kUniformBatches = 2;
 constexpr int kSmall = 100;  // pixels wide: small enough for a draft
@@ -43,8 +46,8 @@ std::string without_bounces(const Spec& spec, const std::string& scene) {
 }  // namespace
 
 Plan::Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes, const Store& store,
-           Quality quality)
-    : codes_(codes), scenes_(scenes), store_(store), quality_(quality) {
+           const Measurements& measured, Quality quality)
+    : codes_(codes), scenes_(scenes), store_(store), measured_(measured), quality_(quality) {
   const auto add = [&](const Picture& picture) {
     if (!picture.in_bounces) return;
     const Spec spec = quality == Quality::draft ? draft(picture.spec) : picture.spec;
@@ -186,6 +189,7 @@ void Plan::prepare(const Figure& figure) const {
 std::vector<Unit> Plan::units(const Figure& figure) const {
   std::vector<Unit> all;
   for (const std::string& scene : figure.scenes) {
+    if (figure.kind != "speedup") break;
     for (const pt::Engine engine : kEngines) all.push_back(cell(scene, engine));
   }
   std::vector<Picture> pictures = figure.pictures;
@@ -202,12 +206,42 @@ std::vector<Unit> Plan::units(const Figure& figure) const {
   return all;
 }
 
+std::vector<Measurement> Plan::measurements(const Figure& figure) const {
+  std::vector<Measurement> all;
+  if (figure.kind == "pictures" || figure.kind == "speedup") return all;
+  const bool is_draft = quality_ == Quality::draft;
+  const double seconds = is_draft ? figure.seconds / kDraftSeconds : figure.seconds;
+  const Spec spec = is_draft ? draft({}) : Spec{};
+  for (const std::string& scene : figure.scenes) {
+    Measurement each{"converge", scenes_.path(scene), {}, seconds, nullptr};
+    if (codes_.accuracy) each.code = &*codes_.accuracy;
+    each.options = {"--lambertian",
+                    "--seconds",
+                    fmt::format("{:g}", seconds),
+                    "-r",
+                    std::to_string(spec.width),
+                    std::to_string(spec.height)};
+    if (const std::string camera = scenes_.camera(scene); camera != "course") {
+      each.options.insert(each.options.end(), {"--camera", camera});
+    }
+    if (is_draft) each.options.insert(each.options.end(), {"--pixels", "600"});
+    if (figure.kind != "converge") {
+      each.command = "cheapest";
+      const double error = is_draft ? kDraftSize * figure.error : figure.error;
+      each.options.insert(each.options.end(), {"--error", fmt::format("{:g}", error)});
+    }
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
 double Plan::seconds(const Figure& figure) const {
   std::set<std::string> keys;
   double sum = 0;
   for (const Unit& unit : units(figure)) {
     if (keys.insert(store_.key(unit)).second) sum += store_.seconds(unit);
   }
+  for (const Measurement& each : measurements(figure)) sum += measured_.cpu_seconds(each);
   return sum;
 }
 

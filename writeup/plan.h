@@ -1,10 +1,12 @@
 #pragma once
 
 #include "writeup/catalogue.h"
+#include "writeup/measurements.h"
 #include "writeup/scenes.h"
 #include "writeup/store.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@ enum class Quality { full, draft };
 // Who renders what.
 struct Codes {
   Code chosen;
+  std::optional<Code> accuracy;          // the same, in the program that measures
   bool reference_rays = false;           // `chosen` traces with the reference's tasks
   std::map<std::string, Code> mistakes;  // by wrong solution; empty in the learners' edition
 };
@@ -24,7 +27,7 @@ struct Codes {
 class Plan {
  public:
   Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes, const Store& store,
-       Quality quality);
+       const Measurements& measured, Quality quality);
 
   // The renders whose sum the picture is. Where their settings depend on the time of others that
   // have not been made, what has to be made first.
@@ -32,6 +35,10 @@ class Plan {
 
   // Everything a figure needs that can be named so far.
   std::vector<Unit> units(const Figure& figure) const;
+
+  // What is measured for a figure: of the kind "converge", method against method in its scene; of the
+  // kinds "needs", "left_out" and "scene_needs", what each of its scenes needs.
+  std::vector<Measurement> measurements(const Figure& figure) const;
 
   // Processor seconds of all of them, each once.
   double seconds(const Figure& figure) const;
@@ -51,6 +58,7 @@ class Plan {
 
   Quality quality() const { return quality_; }
   const Store& store() const { return store_; }
+  const Measurements& measured() const { return measured_; }
   const Scenes& scenes() const { return scenes_; }
 
  private:
@@ -63,6 +71,7 @@ class Plan {
   const Codes& codes_;
   const Scenes& scenes_;
   const Store& store_;
+  const Measurements& measured_;
   Quality quality_;
   // The bounces that are wanted, by everything else in the settings.
   std::map<std::string, std::vector<pt::BounceRange>> ranges_;

@@ -49,6 +49,11 @@ int Scenes::triangles(const std::string& name) const {
   return made ? mesh_size(source) : source.triangles;
 }
 
+std::string Scenes::camera(const std::string& name) const {
+  const SceneSource& source = sources_.at(name);
+  return has_course_file(source) ? "course" : source.camera;
+}
+
 std::string Scenes::description(const std::string& name) const {
   const SceneSource& source = sources_.at(name);
   const std::string course = fs::path(source.course).filename().string();

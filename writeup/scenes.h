@@ -19,6 +19,8 @@ class Scenes {
   // Paths of our own scenes are relative to the project's root, where this program runs.
   std::string path(const std::string& name) const;
   int triangles(const std::string& name) const;  // about
+  // As the option --camera has it.
+  std::string camera(const std::string& name) const;
   // "CBbunny.dae", or "box_blob, in place of CBbunny.dae".
   std::string description(const std::string& name) const;
 

@@ -53,7 +53,7 @@ Store::Store(fs::path folder) : folder_(std::move(folder)) {
 }
 
 // Large files are read once, and again when their size or time has changed.
-std::string Store::scene_hash(const std::string& file) const {
+std::string Store::hash_of(const std::string& file) const {
   std::string& known = scene_hashes_[file];
   if (!known.empty()) return known;
   const fs::path kept = folder_ / "hashes" / grader::base::sha256(grader::base::stamp(file));
@@ -65,12 +65,16 @@ std::string Store::scene_hash(const std::string& file) const {
   return known;
 }
 
+std::string Store::scene_hash(const std::string& file) const {
+  const std::lock_guard lock(mutex_);
+  return hash_of(file);
+}
+
 std::string Store::key(const Unit& unit) const {
   nlohmann::json spec = to_json(unit.spec);
   spec.erase("scene");
   const std::lock_guard lock(mutex_);
-  const std::string text =
-      spec.dump() + scene_hash(unit.spec.scene) + identity(*unit.code, unit.spec);
+  const std::string text = spec.dump() + hash_of(unit.spec.scene) + identity(*unit.code, unit.spec);
   std::string& key = keys_[text];
   if (key.empty()) key = grader::base::sha256(text).substr(0, 32);
   return key;

@@ -41,6 +41,9 @@ class Store {
   std::string key(const Unit& unit) const;
   std::filesystem::path folder(const Unit& unit) const { return folder_ / key(unit); }
 
+  // Of the content of a scene file.
+  std::string scene_hash(const std::string& file) const;
+
   // The render's bands, in `count` of about equal size; as they were cut when it was begun. Makes
   // the folder.
   std::vector<Band> begin(const Unit& unit, int count) const;
@@ -61,7 +64,7 @@ class Store {
 
  private:
   std::vector<Band> bands(const Unit& unit) const;
-  std::string scene_hash(const std::string& file) const;
+  std::string hash_of(const std::string& file) const;
   std::filesystem::path time_file(const Unit& unit) const;
 
   std::filesystem::path folder_;

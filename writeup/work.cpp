@@ -29,6 +29,8 @@ struct Job {
   double seconds;  // estimated, of all its rows
 };
 
+}  // namespace
+
 std::string reason_of(const grader::process::CommandResult& result, double limit) {
   if (result.timed_out) {
     return fmt::format("stopped after {:.0f} s: an endless loop, or very slow", limit);
@@ -39,6 +41,8 @@ std::string reason_of(const grader::process::CommandResult& result, double limit
   }
   return "crashed: " + grader::process::cause_of_end(result.status, words);
 }
+
+namespace {
 
 class Workshop {
  public:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/process/run_command.h"
 #include "writeup/store.h"
 
 #include <functional>
@@ -13,6 +14,9 @@ struct WorkSettings {
   double patience = 20;                  // times its estimate, if that is more
   std::function<void(double)> progress;  // the part done
 };
+
+// What to say of a program that did not end well within so many seconds.
+std::string reason_of(const grader::process::CommandResult& result, double limit);
 
 // Makes all renders that are not there, several at a time, the longest first. One that crashes or
 // takes too long leaves its reason in the store, and the others go on.

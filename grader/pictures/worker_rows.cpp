@@ -15,8 +15,10 @@ pt::PictureRows worker_rows(const pt::View& view, const pt::RowsRequest& request
   const std::string_view reply =
       session().call(kFunction<&pt::render_rows>, Signature::code(), Repetition{}, out);
   auto rows = read_reply<pt::PictureRows>(reply, get<pt::PictureRows>);
-  const std::size_t pixels = static_cast<std::size_t>(view.width) * request.rows *
-                             std::max<std::size_t>(1, request.ranges.size());
+  const std::size_t asked = request.only.empty()
+                                ? static_cast<std::size_t>(view.width) * request.rows
+                                : request.only.size();
+  const std::size_t pixels = asked * std::max<std::size_t>(1, request.ranges.size());
   const auto none_or_all = [&](const std::vector<double>& values) {
     return values.empty() || values.size() == pixels;
   };

@@ -64,7 +64,7 @@ FIRSTLIGHT_FIELDS(pt::AdaptiveSettings, max_samples, batch, tolerance);
 FIRSTLIGHT_FIELDS(pt::PixelEstimate, mean, samples);
 FIRSTLIGHT_FIELDS(pt::BsdfSample, wi, f, pdf);
 FIRSTLIGHT_FIELDS(pt::BounceRange, from, to);
-FIRSTLIGHT_FIELDS(pt::RowsRequest, first_row, rows, samples, adaptive, seed, ranges);
+FIRSTLIGHT_FIELDS(pt::RowsRequest, first_row, rows, samples, adaptive, seed, ranges, only);
 FIRSTLIGHT_FIELDS(pt::TestCount, boxes, triangles, spheres);
 FIRSTLIGHT_FIELDS(pt::RowsMeasured, variance_y, boxes, tests, not_finite, apart);
 FIRSTLIGHT_FIELDS(pt::PictureRows, mean, counts, measured);

@@ -19,7 +19,9 @@ struct RowsRequest {
   int samples = 1;                           // per pixel; unless adaptive
   std::optional<AdaptiveSettings> adaptive;  // adaptive_pixel in place of estimate_pixel
   std::uint64_t seed = 0;
-  std::vector<BounceRange> ranges{};  // for `measured`: a picture of each, from the same paths
+  // For `measured`:
+  std::vector<BounceRange> ranges{};  // a picture of each, from the same paths
+  std::vector<int> only{};  // if any: these pixels, y * width + x, as one row in place of the rows
 };
 
 // What only the implementation `measured` of render_rows says, of a value per pixel like the means.

@@ -2,15 +2,26 @@
 #include "pt/render/render_film.h"
 #include "pt/render/render_rows.h"
 
+#include <numeric>
+
 namespace pt {
 
 namespace {
 
-void add_row(const View& view, int y, const RowsRequest& request, PictureRows& result) {
+// The pixels of one row, y * width + x.
+std::vector<int> row_of(const View& view, int y) {
+  std::vector<int> pixels(view.width);
+  std::iota(pixels.begin(), pixels.end(), y * view.width);
+  return pixels;
+}
+
+void add_row(const View& view, const std::vector<int>& pixels, const RowsRequest& request,
+             PictureRows& result) {
   const RenderSettings settings{request.samples, request.adaptive, request.seed, 1};
-  for (int x = 0; x < view.width; ++x) {
+  for (const int pixel : pixels) {
     const long long boxes = test_count.boxes;
-    const RenderedPixel rendered = render_pixel(view, x, y, settings);
+    const RenderedPixel rendered =
+        render_pixel(view, pixel % view.width, pixel / view.width, settings);
     result.mean.push_back(rendered.pixel.mean);
     if (request.adaptive) result.counts.push_back(rendered.pixel.samples);
     result.measured.variance_y.push_back(rendered.pixel.variance_y);
@@ -19,17 +30,19 @@ void add_row(const View& view, int y, const RowsRequest& request, PictureRows& r
   }
 }
 
-void add_row_apart(const View& view, int y, const RowsRequest& request, PictureRows& result) {
+void add_row_apart(const View& view, const std::vector<int>& pixels, const RowsRequest& request,
+                   PictureRows& result) {
   const RenderSettings settings{request.samples, {}, request.seed, 1};
-  const std::size_t first = result.mean.size(), count = view.width * request.ranges.size();
+  const std::size_t first = result.mean.size(), count = pixels.size() * request.ranges.size();
   result.mean.resize(first + count);
   result.measured.variance_y.resize(first + count);
-  for (int x = 0; x < view.width; ++x) {
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    const int x = pixels[k] % view.width, y = pixels[k] / view.width;
     const PixelApart apart = render_pixel_apart(view, x, y, settings, request.ranges);
     result.measured.not_finite += apart.not_finite;
     result.measured.apart = result.measured.apart && apart.complete;
     for (std::size_t i = 0; i < request.ranges.size(); ++i) {
-      const std::size_t at = first + i * view.width + x;
+      const std::size_t at = first + i * pixels.size() + k;
       result.mean[at] = apart.pixels[i].mean;
       result.measured.variance_y[at] = apart.pixels[i].variance_y;
     }
@@ -41,13 +54,16 @@ void add_row_apart(const View& view, int y, const RowsRequest& request, PictureR
 PictureRows render_rows(const View& view, const RowsRequest& request) {
   PictureRows result;
   const TestCount before = test_count;
-  for (int y = request.first_row; y < request.first_row + request.rows; ++y) {
+  const auto add = [&](const std::vector<int>& pixels) {
     if (request.ranges.empty()) {
-      add_row(view, y, request, result);
+      add_row(view, pixels, request, result);
     } else {
-      add_row_apart(view, y, request, result);
+      add_row_apart(view, pixels, request, result);
     }
-  }
+  };
+  if (!request.only.empty()) add(request.only);
+  const int end = request.only.empty() ? request.first_row + request.rows : request.first_row;
+  for (int y = request.first_row; y < end; ++y) add(row_of(view, y));
   result.measured.tests = {test_count.boxes - before.boxes, test_count.triangles - before.triangles,
                            test_count.spheres - before.spheres};
   return result;

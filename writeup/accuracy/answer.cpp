@@ -19,12 +19,11 @@ using Direct = pt::PathSettings::Direct;
 const Way kCourse{Direct::lights, 5, 0.7};
 constexpr int kCourseLightSamples = 4;
 
-constexpr double kMostBias = 0.1;      // of error^2: then bounces cost more than they mend
-constexpr double kWorthTrying = 0.7;   // of error^2: with more bias there is no room for noise
-constexpr int kFewerBounces = 3;       // that are tried
-constexpr double kSignificant = 4;     // standard errors
-constexpr int kFewestForATree = 5000;  // more surfaces are never tried one by one
-constexpr double kFlat = 0.99985;      // cosine of 1 degree
+constexpr double kMostBias = 0.1;     // of error^2: then bounces cost more than they mend
+constexpr double kWorthTrying = 0.7;  // of error^2: with more bias there is no room for noise
+constexpr int kFewerBounces = 3;      // that are tried
+constexpr double kSignificant = 4;    // standard errors
+constexpr double kFlat = 0.99985;     // cosine of 1 degree
 
 Option look_at(Study& study, const Way& way, const std::vector<int>& light_samples, double bias2,
                double error) {
@@ -89,8 +88,8 @@ double part_with_smooth_normals(const pt::View& view) {
   return static_cast<double>(smooth) / (static_cast<double>(view.width) * view.height);
 }
 
-std::optional<double> look_without_tree(Study& study, const pt::View& view, const Option& best) {
-  if (view.scene.primitives.size() > kFewestForATree) return std::nullopt;
+std::optional<Uncertain> look_without_tree(Study& study, const pt::View& view, const Option& best) {
+  if (view.scene.primitives.size() > kMostWithoutTree) return std::nullopt;
   pt::Scene linear = view.scene;
   choose_engine(linear, pt::Engine::linear, 4);
   return study.times_as_long(linear, best.way, best.choice->light_samples);
@@ -119,6 +118,11 @@ void choose_bounces(Study& study, Answer& answer, const std::vector<int>& pair) 
 
 }  // namespace
 
+bool is_unwritten(const Answer& answer, const std::string& task) {
+  const std::vector<std::string>& tasks = answer.unwritten;
+  return std::find(tasks.begin(), tasks.end(), task) != tasks.end();
+}
+
 Answer find_cheapest(Study& study, const pt::View& view, double error) {
   Answer answer;
   answer.error = error;
@@ -135,6 +139,8 @@ Answer find_cheapest(Study& study, const pt::View& view, double error) {
   choose_survival(study, answer, bias2, pair);
   choose_bounces(study, answer, pair);
   answer.hemisphere = look_at_hemisphere(study, answer.best.way, answer.best.model.bias2, error);
+  answer.unwritten = unwritten_tasks();
+  if (is_unwritten(answer, "direct_hemisphere")) answer.hemisphere.choice.reset();
   if (is_better(answer.hemisphere, answer.best)) answer.best = answer.hemisphere;
   if (!answer.best.choice) {
     throw pt::Error(
@@ -151,7 +157,10 @@ Answer find_cheapest(Study& study, const pt::View& view, double error) {
   answer.checked = study.check(path_of(answer.best.way, choice.light_samples),
                                {choice.samples, {}, 0, 1}, choice.seconds, answer.best.model.bias2);
   answer.adaptive = look_at_adaptive(study, answer.best, error);
+  answer.unwritten = unwritten_tasks();
+  if (is_unwritten(answer, "adaptive_pixel")) answer.adaptive.reset();
   answer.without_tree = look_without_tree(study, view, answer.best);
+  answer.cpu_seconds = study.cpu_seconds();
   answer.smooth = part_with_smooth_normals(view);
   return answer;
 }

@@ -3,6 +3,7 @@
 #include "writeup/accuracy/study.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace writeup::accuracy {
@@ -28,15 +29,19 @@ struct Answer {
   std::vector<Uncertain> bias2;   // left with 0, 1, ... bounces
   std::vector<Option> survivals;  // the same number of bounces; at first the one of the course
   std::vector<Option> bounces;    // other numbers of bounces
-  Option hemisphere;
-  Option course;  // the settings of the course: 4 light samples, 5 bounces, .7
+  Option hemisphere;              // no choice: it cannot reach the error, or is not written
+  Option course;                  // the settings of the course: 4 light samples, 5 bounces, .7
   Option best;
   Checked checked;  // best
   std::optional<AdaptiveOption> adaptive;
-  std::optional<double> without_tree;  // times as long; nothing where there are too many surfaces
-  double smooth = 0;                   // part of the pixels that smooth normals change
-  bool delta_lights = false;           // all lights are points or directions
+  std::optional<Uncertain> without_tree;  // times as long; nothing: there are too many surfaces
+  std::vector<std::string> unwritten;     // tasks without which some of this is not known
+  double smooth = 0;                      // part of the pixels that smooth normals change
+  double cpu_seconds = 0;                 // of the study
+  bool delta_lights = false;              // all lights are points or directions
 };
+
+bool is_unwritten(const Answer& answer, const std::string& task);
 
 // Throws pt::Error where the error cannot be reached.
 Answer find_cheapest(Study& study, const pt::View& view, double error);

@@ -6,11 +6,12 @@
 
 namespace writeup::accuracy {
 
-// A scene that is being measured: loaded, ready to be traced, and with its long renders made. Each
-// member uses those before it. Throws pt::Error, one sentence, for what cannot be measured.
+// A scene that is being measured: ready to be traced, and with its long renders made. Each member uses
+// those before it. Throws pt::Error, one sentence, for what cannot be measured.
 struct Measuring {
-  // Makes the folder of --out. `bounces`: as Study has it, which may take `share` of the time.
-  Measuring(const Options& options, int bounces, double share = 1);
+  // `bounces`: as Study has it, which may take `share` of the time. It goes on where a run of the same
+  // call was stopped.
+  Measuring(pt::LoadedScene scene, const Call& call, int bounces, double share = 1);
   Measuring(const Measuring&) = delete;
   Measuring& operator=(const Measuring&) = delete;
 
@@ -19,5 +20,11 @@ struct Measuring {
   pt::Progress progress;
   Study study;
 };
+
+// Ctrl-C says from now on that the same command goes on.
+void say_when_stopped();
+
+// What the command asks for: prints it, and writes the files of --out.
+void run_call(const Call& call);
 
 }  // namespace writeup::accuracy

@@ -1,4 +1,5 @@
 #include "pt/file.h"
+#include "writeup/accuracy/json.h"
 #include "writeup/accuracy/print.h"
 #include "writeup/gnuplot.h"
 
@@ -15,12 +16,13 @@ namespace {
 const char* const kOptionsChart = R"gp(set logscale xy
 set xlabel "processor seconds for the picture"
 set ylabel "error (root of relMSE)"
-set key outside right
+set key outside right samplen 1.5 font ",11"
 plot )gp";
 
 const char* const kBouncesChart = R"gp(set logscale y
 set xlabel "most bounces, m"
 set ylabel "missing radiance, as a part"
+set format y "%g"
 set key off
 plot "bounces.csv" using 1:($2 > 0 ? $2 : NaN) skip 1 with linespoints lc rgb "#1b5288" lw 2 pt 7 ps .6
 )gp";
@@ -84,8 +86,16 @@ void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
     ++block;
   }
   pt::write_file(folder / "options.csv", csv);
+  // Where on its line each of the two stands.
+  std::string points;
+  for (const auto& [option, ink] :
+       {std::pair{&answer.best, "#000000"}, {&answer.course, "#e08214"}}) {
+    if (!option->choice) continue;
+    points += fmt::format("set label at {:.6g},{:.6g} point pt 7 ps 1.2 lc rgb \"{}\" front\n",
+                          option->choice->seconds * pixels, option->choice->error, ink);
+  }
   plot += fmt::format("{:.6g} lc rgb \"#8a9299\" dt 2 title \"error wanted\"\n", answer.error);
-  draw(folder, "options", kOptionsChart + plot);
+  draw(folder, "options", points + kOptionsChart + plot);
 }
 
 void draw_bounces(const Answer& answer, const fs::path& folder) {
@@ -113,10 +123,13 @@ void draw_noise(const Answer& answer, const fs::path& folder) {
 
 }  // namespace
 
-void write_charts(const Answer& answer, const Options& options, const fs::path& folder) {
-  draw_options(answer, static_cast<double>(options.width) * options.height, folder);
+void write_charts(const Answer& answer, const Options& options, const pt::Scene& scene) {
+  const fs::path& folder = options.out;
+  const double pixels = static_cast<double>(options.width) * options.height;
+  draw_options(answer, pixels, folder);
   draw_bounces(answer, folder);
   draw_noise(answer, folder);
+  pt::write_file(folder / "cheapest.json", to_json(answer, scene.primitives.size(), pixels).dump());
 }
 
 }  // namespace writeup::accuracy

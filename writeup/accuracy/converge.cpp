@@ -1,12 +1,15 @@
 #include "writeup/accuracy/converge.h"
 
-#include "pt/file.h"
-#include "writeup/gnuplot.h"
+#include "pt/error.h"
+#include "pt/render/choose_engine.h"
+#include "writeup/spec.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace writeup::accuracy {
 
@@ -14,38 +17,9 @@ namespace {
 
 using Direct = pt::PathSettings::Direct;
 
-constexpr int kSamples[] = {4, 16, 64, 256};
-constexpr double kTolerances[] = {0.8, 0.4, 0.2, 0.1};
-constexpr int kMostAdaptive = 4096;
-constexpr int kBatch = 16;
-constexpr double kSurvival = 0.7;  // where nothing else is said
-constexpr double kTime = 0.9;      // of the whole, for the curves and what is tried before them
-constexpr double kHeavy = 0.1;     // of the variance, that its own error may be
-
-std::vector<Method> methods(const pt::Scene& scene, int bounces) {
-  const bool delta = std::all_of(scene.lights.begin(), scene.lights.end(), pt::is_delta);
-  const bool some_delta = std::any_of(scene.lights.begin(), scene.lights.end(), pt::is_delta);
-  std::vector<Method> all;
-  const auto add = [&](const std::string& title, Direct direct, int l, double survival,
-                       bool adaptive) {
-    all.push_back({title, {direct, bounces, survival}, l, adaptive});
-  };
-  for (const int l : {1, 2, 4, 8, 16, 32}) {
-    if (l == 1 || !delta)
-      add(fmt::format("lights, l = {}", l), Direct::lights, l, kSurvival, false);
-  }
-  // What has no surface is never met by chance.
-  for (const int l : {1, 8, 32}) {
-    if (!some_delta)
-      add(fmt::format("hemisphere, l = {}", l), Direct::hemisphere, l, kSurvival, false);
-  }
-  for (const double survival : {0.3, 0.5, 0.85, 1.0}) {
-    if (bounces <= 2) break;  // there is no roulette
-    add(fmt::format("lights, l = 1, survival {:g}", survival), Direct::lights, 1, survival, false);
-  }
-  add("lights, l = 1, adaptive", Direct::lights, 1, kSurvival, true);
-  return all;
-}
+constexpr double kTime = 0.9;   // of the whole, for the curves and what is tried before them
+constexpr double kHeavy = 0.1;  // of the variance, that its own error may be
+constexpr int kMaxLeaf = 4;     // as ./run render has it
 
 // The mean with weights that are one over the squares of the errors.
 Uncertain combined(const std::vector<Uncertain>& values) {
@@ -58,73 +32,107 @@ Uncertain combined(const std::vector<Uncertain>& values) {
   return {sum / weights, 1 / std::sqrt(weights)};
 }
 
+Uncertain product(const Uncertain& error, double cost) {
+  return {error.value * error.value * cost, 2 * error.error * error.value * cost};
+}
+
+void add_products(Curve& curve) {
+  std::vector<Uncertain> seconds, rays;
+  for (const Checked& point : curve.points) {
+    seconds.push_back(product(point.error, point.seconds));
+    rays.push_back(product(point.error, point.rays));
+  }
+  curve.error2_second = combined(seconds);
+  curve.error2_ray = combined(rays);
+}
+
 Curve measured(Study& study, const Method& method, double part) {
-  Curve curve{method, {}, {}, {}, false};
+  Curve curve{method, {}, {}, {}, {}, false};
   const Tried tried = study.try_out(method.way, {method.light_samples})[0];
   curve.heavy_tails = tried.variance.error > kHeavy * tried.variance.value;
   const pt::PathSettings path = path_of(method.way, method.light_samples);
-  std::vector<Uncertain> products;
   for (std::size_t i = 0; i < std::size(kSamples); ++i) {
     pt::RenderSettings settings{kSamples[i], {}, 0, 1};
-    double seconds = kSamples[i] * tried.seconds.value;
     if (method.adaptive) {
       settings.adaptive = pt::AdaptiveSettings{kMostAdaptive, kBatch, kTolerances[i]};
     }
-    const Checked point = study.check(path, settings, seconds, 0, part / std::size(kSamples));
-    curve.points.push_back(point);
-    const double square = point.error.value * point.error.value;
-    products.push_back(
-        {square * point.seconds, 2 * point.error.error * point.error.value * point.seconds});
+    curve.points.push_back(study.check(path, settings, kSamples[i] * tried.seconds.value, 0,
+                                       part / std::size(kSamples)));
   }
   curve.slope = slope_of(curve.points);
-  curve.error2_second = combined(products);
+  add_products(curve);
   return curve;
 }
 
-std::string percent(double part) { return fmt::format("{:.3g} %", 100 * part); }
-
-// Where each pixel has a number of samples of its own, there is no slope to speak of.
-std::string slope_text(const Curve& curve) {
-  if (curve.method.adaptive) return fmt::format("{:>15}", "-");
-  return fmt::format("{:>7.3f} \u00b1 {:.3f}", curve.slope.value, curve.slope.error);
+// The same pictures as those of the first curve, at the times of another engine.
+Curve by_engine(Study& study, const pt::View& view, const Method& method, const Curve& first) {
+  pt::Scene other = view.scene;
+  choose_engine(other, *method.engine, kMaxLeaf);
+  const Uncertain factor = study.times_as_long(other, method.way, method.light_samples);
+  Curve curve = first;
+  curve.method = method;
+  for (Checked& point : curve.points) point.seconds *= factor.value;
+  add_products(curve);
+  curve.error2_second.error = std::hypot(curve.error2_second.error,
+                                         curve.error2_second.value * factor.error / factor.value);
+  return curve;
 }
 
-std::string row(const Curve& curve, double best) {
-  std::string text = fmt::format("  {:<30}", curve.method.title);
-  for (const Checked& point : curve.points) {
-    text += fmt::format("{:>10}", percent(point.error.value));
-  }
-  return text + fmt::format("  {} {:>8.3g}{}\n", slope_text(curve),
-                            curve.error2_second.value / best,
-                            curve.heavy_tails ? "  heavy tails" : "");
+// Whether what was measured were the tasks themselves, and no stub.
+bool is_written(const Method& method) {
+  Spec spec;
+  spec.engine = method.engine.value_or(pt::Engine::wide);
+  spec.path = path_of(method.way, method.light_samples);
+  if (method.adaptive) spec.adaptive = pt::AdaptiveSettings{};
+  const std::set<std::string> needed = tasks_used(spec);
+  const std::vector<std::string> unwritten = unwritten_tasks();
+  return std::none_of(unwritten.begin(), unwritten.end(),
+                      [&](const std::string& task) { return needed.contains(task); });
 }
 
-const char* const kChart = R"gp(set logscale xy
-set xlabel "{}"
-set ylabel "error (root of relMSE)"
-set key outside right
-plot {}
-)gp";
-
-// Blue: light sampling; green: other chances of survival; red: hemisphere sampling; black: adaptive.
-std::string plot(const std::vector<Curve>& curves, int column) {
-  std::string text;
-  int used[3] = {0, 0, 0};
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const Method& method = curves[i].method;
-    const Hue hue = method.way.direct == Direct::hemisphere ? Hue::red
-                    : method.way.survival != kSurvival      ? Hue::green
-                                                            : Hue::blue;
-    const std::string ink = method.adaptive ? "#000000" : color(hue, used[static_cast<int>(hue)]++);
-    text += fmt::format(
-        "{}\"converge.csv\" index {} using {}:6:7 with yerrorlines lc rgb \"{}\" lw 1.5 pt 7 ps .4 "
-        "title \"{}\"",
-        i == 0 ? "" : ", ", i, column, ink, method.title);
-  }
-  return text;
+Uncertain ratio(const Uncertain& a, const Uncertain& b) {
+  const double value = a.value / b.value;
+  return {value, value * std::hypot(a.error / a.value, b.error / b.value)};
 }
 
 }  // namespace
+
+std::vector<Method> methods_in(const pt::Scene& scene, int bounces, pt::Engine engine) {
+  const bool delta = std::all_of(scene.lights.begin(), scene.lights.end(), pt::is_delta);
+  const bool some_delta = std::any_of(scene.lights.begin(), scene.lights.end(), pt::is_delta);
+  const Way usual{Direct::lights, bounces, 0.7};
+  std::vector<Method> all;
+  for (const int l : {1, 2, 4, 8, 16, 32}) {
+    if (l > 1 && delta) break;  // one says everything
+    all.push_back({fmt::format("l{}", l), fmt::format("lights, l = {}", l), usual, l, false, {}});
+  }
+  const Way hemisphere{Direct::hemisphere, bounces, usual.survival};
+  for (const int l : {1, 8, 32}) {
+    if (some_delta) break;  // what has no surface is never met by chance
+    all.push_back(
+        {fmt::format("h{}", l), fmt::format("hemisphere, l = {}", l), hemisphere, l, false, {}});
+  }
+  for (const int percent : {30, 50, 85, 100}) {
+    if (bounces <= 2) break;  // there is no roulette
+    all.push_back({fmt::format("p{}", percent),
+                   fmt::format("lights, l = 1, survival {:g}", percent / 100.0),
+                   {Direct::lights, bounces, percent / 100.0},
+                   1,
+                   false,
+                   {}});
+  }
+  all.push_back({"adaptive", "lights, l = 1, adaptive", usual, 1, true, {}});
+  const std::pair<pt::Engine, const char*> engines[] = {{pt::Engine::wide, "the fast engine"},
+                                                        {pt::Engine::task, "the tree of part 2"},
+                                                        {pt::Engine::linear, "no tree"}};
+  for (const auto& [other, title] : engines) {
+    const bool slow = other == pt::Engine::linear && scene.primitives.size() > kMostWithoutTree;
+    if (other == engine || slow) continue;
+    all.push_back({std::string(name(other)), fmt::format("lights, l = 1, {}", title), usual, 1,
+                   false, other});
+  }
+  return all;
+}
 
 Uncertain slope_of(const std::vector<Checked>& points) {
   std::vector<LinePoint> logs;
@@ -137,54 +145,36 @@ Uncertain slope_of(const std::vector<Checked>& points) {
   return {fit.line.slope, fit.slope_error};
 }
 
-std::vector<Curve> find_curves(Study& study, const pt::Scene& scene, int bounces) {
-  const std::vector<Method> all = methods(scene, bounces);
+void expect_method(const std::vector<Method>& methods, const std::string& title) {
+  std::vector<std::string> titles;
+  for (const Method& method : methods) titles.push_back(method.title);
+  if (title.empty() || std::find(titles.begin(), titles.end(), title) != titles.end()) return;
+  throw pt::Error(fmt::format("--beside: there is no method '{}' here, but these: \"{}\"", title,
+                              fmt::join(titles, "\", \"")));
+}
+
+std::vector<Curve> find_curves(Study& study, const pt::View& view,
+                               const std::vector<Method>& methods) {
   std::vector<Curve> curves;
-  curves.reserve(all.size());
-  for (const Method& method : all) {
-    curves.push_back(measured(study, method, kTime / 2 / static_cast<double>(all.size())));
+  for (const Method& method : methods) {
+    const double part = kTime / 2 / static_cast<double>(methods.size());
+    Curve curve =
+        method.engine ? by_engine(study, view, method, curves[0]) : measured(study, method, part);
+    if (is_written(method)) curves.push_back(std::move(curve));
   }
   return curves;
 }
 
-std::string to_text(const std::vector<Curve>& curves, const Options& options) {
-  double best = curves[0].error2_second.value;
-  for (const Curve& curve : curves) best = std::min(best, curve.error2_second.value);
-  std::string text = fmt::format(
-      "{}, {} x {} pixels, at most {} bounces: the error, and the time for the same error\n\n  "
-      "{:<30}",
-      options.scene.string(), options.width, options.height, options.bounces, "");
-  for (const int samples : kSamples) text += fmt::format("{:>10}", fmt::format("s = {}", samples));
-  text += fmt::format("  {:>15} {:>8}\n", "slope", "time");
-  for (const Curve& curve : curves) text += row(curve, best);
-  text += fmt::format(
-      "\nAdaptive sampling: batches of {}, at most {} samples, tolerances {:g}, {:g}, {:g}, {:g} "
-      "in place of s.\n"
-      "The slope is that of log error over log samples: -0.5 where samples are independent.\n"
-      "At equal time, errors are as the roots of the last column.\n",
-      kBatch, kMostAdaptive, kTolerances[0], kTolerances[1], kTolerances[2], kTolerances[3]);
-  return text;
+Factors factors(const Curve& curve, const Curve& beside) {
+  const Uncertain time = ratio(curve.error2_second, beside.error2_second);
+  const double root = std::sqrt(time.value);
+  return {time, {root, time.error / (2 * root)}, ratio(curve.error2_ray, beside.error2_ray)};
 }
 
-void write_curves(const std::vector<Curve>& curves, const Options& options,
-                  const std::filesystem::path& folder) {
-  const double pixels = static_cast<double>(options.width) * options.height;
-  std::string csv = "method,light_samples,samples,seconds,rays,error,error_of_it\n";
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (i > 0) csv += "\n\n";
-    for (const Checked& point : curves[i].points) {
-      csv += fmt::format("\"{}\",{},{:.6g},{:.6g},{:.6g},{:.6g},{:.3g}\n", curves[i].method.title,
-                         curves[i].method.light_samples, point.samples, point.seconds * pixels,
-                         point.rays * pixels, point.error.value, point.error.error);
-    }
-  }
-  pt::write_file(folder / "converge.csv", csv);
-  const std::pair<const char*, const char*> axes[] = {
-      {"samples", "samples per pixel"}, {"seconds", "processor seconds"}, {"rays", "rays"}};
-  for (int i = 0; i < 3; ++i) {
-    draw(folder, axes[i].first,
-         fmt::format(fmt::runtime(kChart), axes[i].second, plot(curves, 3 + i)));
-  }
+const Curve& fastest(const std::vector<Curve>& curves) {
+  return *std::min_element(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
+    return a.error2_second.value < b.error2_second.value;
+  });
 }
 
 }  // namespace writeup::accuracy

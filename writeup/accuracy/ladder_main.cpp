@@ -8,7 +8,7 @@ namespace {
 
 int run(int argc, const char* const* argv) {
   const Options options = parse_ladder(argc, argv);
-  Measuring scene(options, options.bounces, kOfChoices);
+  Measuring scene(load_scene(options), {Command::converge, options}, options.bounces, kOfChoices);
   const std::filesystem::path programs = std::filesystem::absolute(argv[0]).parent_path();
   const Ladder ladder = climb(scene, options, programs);
   scene.progress.clear();

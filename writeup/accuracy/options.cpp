@@ -70,9 +70,14 @@ void describe(CLI::App& app, Options& options, std::vector<int>& size) {
   app.add_flag("--lambertian", options.lambertian,
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
   app.add_option("--seconds", options.seconds, "How long to measure; more is more exact")
-      ->check(CLI::Range(2, 36000))
+      ->check(CLI::Range(0.1, 36000.0))
       ->capture_default_str();
   app.add_option("--out", options.out, "A folder for charts and their numbers; default: none");
+  app.add_option("--keep", options.keep)->group("");
+  app.add_option("--pixels", options.pixels)->group("")->check(CLI::Range(100, 1000000));
+  app.add_option("--submission", options.submission, "Somebody else's code, in the box")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--built", options.built)->group("");
   app.add_option("--seed", options.seed, "Of the random numbers")->capture_default_str();
   app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")
       ->check(CLI::Range(1, 1024));
@@ -125,8 +130,18 @@ Options parse_converge(int argc, const char* const* argv) {
       "./run converge");
   app.footer(std::string(kError) + kConvergeExamples);
   add_bounces(app, options);
+  app.add_option("--beside", options.beside,
+                 "The method that all are compared with, as the table has it; default: the fastest")
+      ->type_name("METHOD");
   parse(app, options, argc, argv);
   return options;
+}
+
+Call parse_call(int argc, const char* const* argv) {
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (command == "cheapest") return {Command::cheapest, parse_cheapest(argc - 1, argv + 1)};
+  if (command == "converge") return {Command::converge, parse_converge(argc - 1, argv + 1)};
+  throw pt::Error("there is no command '" + command + "': write cheapest or converge");
 }
 
 Options parse_ladder(int argc, const char* const* argv) {

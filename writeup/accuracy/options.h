@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace writeup::accuracy {
 
@@ -24,10 +25,24 @@ struct Options {
   std::uint64_t seed = 0;
   int threads = 1;
   std::filesystem::path out;  // a folder; empty: no files
+  std::string beside;      // of converge: the method that all are compared with; empty: the fastest
+  std::string submission;  // somebody else's code, in the box; empty: what is linked here
+  std::string built;       // the same, built already: the file that says how; then its worker
+  std::filesystem::path keep;  // a folder for what a stopped run had measured; empty: none
+  int pixels = 10000;          // that are looked at, about
 };
 
-// They read the command line, print help and exit for --help, and throw pt::Error for what they cannot
-// use.
+enum class Command { cheapest, converge };
+
+struct Call {
+  Command command = Command::cheapest;
+  Options options;
+};
+
+// Reads the command line, whose first word is the command. Prints help and exits for --help; throws
+// pt::Error for what it cannot use.
+Call parse_call(int argc, const char* const* argv);
+// The same of one command, without that word.
 Options parse_cheapest(int argc, const char* const* argv);
 Options parse_converge(int argc, const char* const* argv);
 Options parse_ladder(int argc, const char* const* argv);

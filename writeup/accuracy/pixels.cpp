@@ -1,21 +1,12 @@
 #include "writeup/accuracy/pixels.h"
 
-#include "pt/math/rgb.h"
 #include "pt/sampling/sampler.h"
-#include "writeup/accuracy/timed.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 
 namespace writeup::accuracy {
-
-namespace {
-
-long long rays_so_far() { return pt::rays_traced().closest + pt::rays_traced().occluded; }
-
-}  // namespace
 
 std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint64_t seed) {
   const double all = static_cast<double>(width) * height;
@@ -34,23 +25,6 @@ std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint6
 
 long long Measured::all_samples() const {
   return std::accumulate(samples.begin(), samples.end(), 0LL);
-}
-
-Measured measure(const pt::View& view, const pt::RenderSettings& settings,
-                 std::span<const PixelAt> pixels) {
-  Measured result{std::vector<double>(pixels.size()), std::vector<double>(pixels.size()),
-                  std::vector<int>(pixels.size())};
-  std::atomic<long long> rays = 0;
-  result.cpu_seconds = timed(pixels.size(), settings.threads, [&](std::size_t i) {
-    const long long before = rays_so_far();
-    const pt::FilmPixel pixel = render_pixel(view, pixels[i].x, pixels[i].y, settings).pixel;
-    result.mean[i] = luminance(pixel.mean);
-    result.variance[i] = pixel.variance_y;
-    result.samples[i] = pixel.samples;
-    rays += rays_so_far() - before;
-  });
-  result.rays = rays;
-  return result;
 }
 
 }  // namespace writeup::accuracy

@@ -3,6 +3,7 @@
 #include "pt/render/render_film.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace writeup::accuracy {
@@ -20,6 +21,10 @@ inline constexpr int kSpreadPixels = 10000;
 // that `seed` says. Their mean stands for the mean of the picture.
 std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint64_t seed);
 
+// Pixels by one of two implementations, of which a program links one:
+//   here   (pixels_here.cpp), by the tasks linked into this program;
+//   boxed  (pixels_boxed.cpp), by the worker of a submission, in its box: one thread.
+
 // What some pixels came to. Luminance, everywhere.
 struct Measured {
   std::vector<double> mean;      // of each pixel
@@ -32,5 +37,8 @@ struct Measured {
 };
 Measured measure(const pt::View& view, const pt::RenderSettings& settings,
                  std::span<const PixelAt> pixels);
+
+// The tasks that were called so far and are not written yet.
+std::vector<std::string> unwritten_tasks();
 
 }  // namespace writeup::accuracy

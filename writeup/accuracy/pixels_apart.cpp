@@ -16,9 +16,7 @@ MeasuredApart measure_apart(const pt::View& view, const pt::RenderSettings& sett
     const pt::PixelApart apart =
         render_pixel_apart(view, pixels[i].x, pixels[i].y, settings, ranges);
     if (!apart.complete) {
-      throw pt::Error(
-          "trace_path cannot be taken apart by bounces: they do not add up to what it returns; "
-          "./run grade trace_path says what is wrong");
+      throw pt::Error(kNotApart);
     }
     for (std::size_t k = 0; k < ranges.size(); ++k) {
       result.mean[k][i] = luminance(apart.pixels[k].mean);

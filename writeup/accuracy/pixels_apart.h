@@ -8,6 +8,10 @@
 
 namespace writeup::accuracy {
 
+inline constexpr const char* kNotApart =
+    "trace_path cannot be taken apart by bounces: they do not add up to what it returns; ./run "
+    "grade trace_path says what is wrong";
+
 // The mean of each pixel (inner) in each range of bounces (outer), from the same paths. Throws
 // pt::Error where the linked trace_path cannot be taken apart.
 struct MeasuredApart {

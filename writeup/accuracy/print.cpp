@@ -125,6 +125,9 @@ std::string roulette_text(const Answer& answer) {
 }
 
 std::string adaptive_text(const Answer& answer) {
+  if (is_unwritten(answer, "adaptive_pixel")) {
+    return "Adaptive sampling: adaptive_pixel is not written yet.\n";
+  }
   if (!answer.adaptive) {
     return "Adaptive sampling: so few samples are enough that there is nothing to save.\n";
   }
@@ -145,12 +148,14 @@ std::string left_out(const Answer& answer) {
 
 std::string rest_text(const Answer& answer, const pt::Scene& scene) {
   std::string text =
-      fmt::format("Hemisphere sampling: {}\n", times(answer.hemisphere, answer.best));
+      fmt::format("Hemisphere sampling: {}\n", is_unwritten(answer, "direct_hemisphere")
+                                                   ? "direct_hemisphere is not written yet"
+                                                   : times(answer.hemisphere, answer.best));
   text += fmt::format("The course's settings (-l 4 -m 5 --survival .7): {}\n",
                       times(answer.course, answer.best) + left_out(answer));
   text += answer.without_tree
               ? fmt::format("Without a tree, {} surfaces one by one: {}\n", scene.primitives.size(),
-                            times(*answer.without_tree))
+                            times(answer.without_tree->value))
               : fmt::format("A tree is needed: there are {} surfaces.\n", scene.primitives.size());
   text += answer.smooth > 0 ? fmt::format("Smooth normals turn the surface in {} of the pixels.\n",
                                           percent(answer.smooth))

@@ -3,7 +3,6 @@
 #include "writeup/accuracy/answer.h"
 #include "writeup/accuracy/options.h"
 
-#include <filesystem>
 #include <string>
 
 namespace writeup::accuracy {
@@ -11,9 +10,8 @@ namespace writeup::accuracy {
 // The answer in sentences and small tables, for a terminal.
 std::string to_text(const Answer& answer, const Options& options, const pt::Scene& scene);
 
-// Writes options.csv (every way that was tried), noise.csv, bounces.csv, and a chart of each where
-// there is gnuplot.
-void write_charts(const Answer& answer, const Options& options,
-                  const std::filesystem::path& folder);
+// Writes into options.out: options.csv (every way that was tried), noise.csv, bounces.csv, a chart of each where there is
+// gnuplot, and cheapest.json.
+void write_charts(const Answer& answer, const Options& options, const pt::Scene& scene);
 
 }  // namespace writeup::accuracy

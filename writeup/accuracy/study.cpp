@@ -6,12 +6,15 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace writeup::accuracy {
 
 namespace {
 
 constexpr int kFewestPixels = 300;  // of a check
-constexpr double kBlack = 0.01;     // of relMSE
+constexpr int kTurns = 3;
+constexpr double kBlack = 0.01;  // of relMSE
 
 // Shares of the time.
 constexpr double kOfBounces = 0.25, kOfOneRender = 0.025;
@@ -80,13 +83,14 @@ pt::PathSettings path_of(const Way& way, int light_samples) {
 }
 
 Study::Study(const pt::View& view, int threads, std::uint64_t seed, const Effort& effort,
-             std::function<void(double)> progress, int bounces)
+             std::function<void(double)> progress, int bounces, Journal journal)
     : view_(view),
       threads_(threads),
       seed_(seed),
       effort_(effort),
       progress_(std::move(progress)),
-      pixels_(spread_pixels(view.width, view.height, kSpreadPixels, seed)) {
+      journal_(std::move(journal)),
+      pixels_(spread_pixels(view.width, view.height, effort.pixels, seed)) {
   look_at_bounces(bounces);
 }
 
@@ -96,13 +100,12 @@ void Study::look_at_bounces(int bounces) {
   const int samples =
       samples_in(kOfBounces * effort_.seconds,
                  [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
-                   return measure_apart(view, settings, ranges, some).cpu_seconds;
+                   return made_apart(view, settings, ranges, some).cpu_seconds;
                  });
   std::vector<std::vector<double>> rest[2];
   for (int half = 0; half < 2; ++half) {
-    rest[half] = missing(measure_apart(view, next_render(samples / 2), ranges, pixels_));
+    rest[half] = missing(made_apart(view, next_render(samples / 2), ranges, pixels_));
     golden_[half] = rest[half][0];
-    advance();
     if (bounces > kToldApart) continue;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       golden_[half][i] -= rest[half][bounces + 1][i];
@@ -132,8 +135,7 @@ std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_
   std::vector<Measured> halves[2];
   for (std::vector<Measured>& half : halves) {
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      half.push_back(measure(view_of(way, light_samples[k]), next_render(samples[k] / 2), pixels_));
-      advance();
+      half.push_back(made(view_of(way, light_samples[k]), next_render(samples[k] / 2), pixels_));
     }
   }
   std::vector<Tried> tried;
@@ -149,8 +151,7 @@ std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_
 std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samples) {
   const pt::View view = view_of(way, light_samples);
   const Measured measured =
-      measure(view, next_render(samples_in(2 * kOfOneRender * effort_.seconds, view)), pixels_);
-  advance();
+      made(view, next_render(samples_in(2 * kOfOneRender * effort_.seconds, view)), pixels_);
   std::vector<PixelNoise> noise;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const double v = measured.variance[i], g = measured.mean[i];
@@ -164,15 +165,13 @@ Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& set
   const double fit = part * effort_.seconds * threads_ / (2 * seconds);
   const std::size_t wanted = std::max<std::size_t>(kFewestPixels, static_cast<std::size_t>(fit));
   const std::size_t step = std::max<std::size_t>(1, pixels_.size() / wanted);
-  std::vector<PixelAt> some;
-  for (std::size_t i = 0; i < pixels_.size(); i += step) some.push_back(pixels_[i]);
+  const std::vector<PixelAt> some = every(step);
   const pt::View view{view_.scene, view_.camera, path, view_.width, view_.height};
   Measured pictures[2];
   for (Measured& picture : pictures) {
     pt::RenderSettings render = next_render(settings.samples);
     render.adaptive = settings.adaptive;
-    picture = measure(view, render, some);
-    advance();
+    picture = made(view, render, some);
   }
   const std::vector<double>&x = pictures[0].mean, &y = pictures[1].mean;
   const std::vector<double> of_x = products(x, x, step), of_y = products(y, y, step);
@@ -186,25 +185,33 @@ Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& set
       against_golden.error < against_itself.error ? against_golden : against_itself;
   const double error = std::sqrt(std::max(square.value, square.error));
   const auto n = static_cast<double>(2 * some.size());
-  return {{error, square.error / (2 * error)},
+  return {{error, error > 0 ? square.error / (2 * error) : 0},
           (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
           static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples()) / n,
           static_cast<double>(pictures[0].rays + pictures[1].rays) / n,
           some.size()};
 }
 
-double Study::times_as_long(const pt::Scene& other, const Way& way, int light_samples) {
+Uncertain Study::times_as_long(const pt::Scene& other, const Way& way, int light_samples) {
   const pt::View here = view_of(way, light_samples);
   const pt::View there{other, here.camera, here.settings, here.width, here.height};
-  const int samples = samples_in(kOfOneRender * effort_.seconds, there) / 2;
-  double seconds[2] = {0, 0};
-  for (int turn = 0; turn < 2; ++turn) {
+  // The other may be so slow that few pixels have to do.
+  const std::vector<PixelAt> few = every(pixels_.size() / kFewestPixels);
+  const double one =
+      made(there, next_render(2), few).cpu_seconds / (2.0 * static_cast<double>(few.size()));
+  const double fit = kOfOneRender * effort_.seconds * threads_ / one;  // samples of pixels
+  const std::size_t step =
+      static_cast<std::size_t>(static_cast<double>(pixels_.size()) / std::max(1.0, fit / 2));
+  const std::vector<PixelAt> some = every(std::min(step, pixels_.size() / kFewestPixels));
+  const double each = std::min(fit / static_cast<double>(some.size()), double{kMostTried});
+  const int samples = std::max(2, static_cast<int>(each));
+  std::vector<double> factors;
+  for (int turn = 0; turn < kTurns; ++turn) {
     const pt::RenderSettings render = next_render(samples);
-    seconds[0] += measure(here, render, pixels_).cpu_seconds;
-    seconds[1] += measure(there, render, pixels_).cpu_seconds;
-    advance();
+    const double seconds = made(here, render, some).cpu_seconds;
+    factors.push_back(made(there, render, some).cpu_seconds / seconds);
   }
-  return seconds[1] / seconds[0];
+  return mean_of(factors);
 }
 
 std::vector<double> Study::products(const std::vector<double>& a, const std::vector<double>& b,
@@ -217,6 +224,14 @@ std::vector<double> Study::products(const std::vector<double>& a, const std::vec
   return all;
 }
 
+std::vector<PixelAt> Study::every(std::size_t step) const {
+  std::vector<PixelAt> some;
+  for (std::size_t i = 0; i < pixels_.size(); i += std::max<std::size_t>(1, step)) {
+    some.push_back(pixels_[i]);
+  }
+  return some;
+}
+
 pt::RenderSettings Study::next_render(int samples) { return {samples, {}, ++seed_, threads_}; }
 
 pt::View Study::view_of(const Way& way, int light_samples) const {
@@ -225,8 +240,7 @@ pt::View Study::view_of(const Way& way, int light_samples) const {
 
 int Study::samples_in(double seconds, const Cost& cpu_seconds) {
   if (effort_.samples > 0) return effort_.samples;
-  std::vector<PixelAt> some;
-  for (std::size_t i = 0; i < pixels_.size(); i += 8) some.push_back(pixels_[i]);
+  const std::vector<PixelAt> some = every(8);
   const double one = cpu_seconds(next_render(2), some) / (2 * static_cast<double>(some.size()));
   const double fit = seconds * threads_ / (one * static_cast<double>(pixels_.size()));
   return std::clamp(static_cast<int>(std::min(fit, 1e6)) / 2 * 2, 4, kMostTried);
@@ -235,13 +249,83 @@ int Study::samples_in(double seconds, const Cost& cpu_seconds) {
 int Study::samples_in(double seconds, const pt::View& view) {
   return samples_in(seconds,
                     [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
-                      return measure(view, settings, some).cpu_seconds;
+                      return made(view, settings, some).cpu_seconds;
                     });
 }
 
-void Study::advance() {
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  if (progress_) progress_(std::min(0.99, passed.count() / effort_.seconds));
+namespace {
+
+std::string question_of(const pt::View& view, const pt::RenderSettings& settings,
+                        std::size_t pixels, std::size_t ranges) {
+  const pt::PathSettings& path = view.settings;
+  const pt::AdaptiveSettings adaptive = settings.adaptive.value_or(pt::AdaptiveSettings{0, 0, 0});
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", name(view.scene.tracer.engine()),
+                     static_cast<int>(path.direct), path.light_samples, path.to, path.survival,
+                     settings.samples, settings.seed, pixels, ranges, adaptive.max_samples,
+                     adaptive.batch, adaptive.tolerance);
+}
+
+}  // namespace
+
+Measured Study::made(const pt::View& view, const pt::RenderSettings& settings,
+                     std::span<const PixelAt> pixels) {
+  const std::string question = question_of(view, settings, pixels.size(), 0);
+  const std::size_t n = pixels.size();
+  Measured result;
+  if (const auto known = journal_.next(question); known && known->size() == 3 * n + 2) {
+    const double* const from = known->data();
+    result.mean.assign(from, from + n);
+    result.variance.assign(from + n, from + 2 * n);
+    result.samples.assign(from + 2 * n, from + 3 * n);
+    result.cpu_seconds = from[3 * n];
+    result.rays = static_cast<long long>(from[3 * n + 1]);
+  } else {
+    result = measure(view, settings, pixels);
+    std::vector<double> all = result.mean;
+    all.insert(all.end(), result.variance.begin(), result.variance.end());
+    all.insert(all.end(), result.samples.begin(), result.samples.end());
+    all.insert(all.end(), {result.cpu_seconds, static_cast<double>(result.rays)});
+    keep(question, all);
+  }
+  advance(result.cpu_seconds);
+  return result;
+}
+
+MeasuredApart Study::made_apart(const pt::View& view, const pt::RenderSettings& settings,
+                                std::span<const pt::BounceRange> ranges,
+                                std::span<const PixelAt> pixels) {
+  const std::string question = question_of(view, settings, pixels.size(), ranges.size());
+  const std::size_t n = pixels.size();
+  MeasuredApart result;
+  if (const auto known = journal_.next(question); known && known->size() == ranges.size() * n + 1) {
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      result.mean.emplace_back(known->begin() + k * n, known->begin() + (k + 1) * n);
+    }
+    result.cpu_seconds = known->back();
+  } else {
+    result = measure_apart(view, settings, ranges, pixels);
+    std::vector<double> all;
+    for (const std::vector<double>& mean : result.mean)
+      all.insert(all.end(), mean.begin(), mean.end());
+    all.push_back(result.cpu_seconds);
+    keep(question, all);
+  }
+  advance(result.cpu_seconds);
+  return result;
+}
+
+// Which tasks are not written is known from calls alone, and is not kept.
+void Study::keep(const std::string& question, const std::vector<double>& answer) {
+  if (unwritten_tasks().empty()) {
+    journal_.keep(question, answer);
+  } else {
+    journal_.remove();
+  }
+}
+
+void Study::advance(double cpu_seconds) {
+  cpu_seconds_ += cpu_seconds;
+  if (progress_) progress_(std::min(0.99, cpu_seconds_ / threads_ / effort_.seconds));
 }
 
 SampleModel model_of(const std::vector<Tried>& tried, double bias2) {

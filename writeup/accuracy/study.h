@@ -1,9 +1,9 @@
 #pragma once
 
+#include "writeup/accuracy/journal.h"
 #include "writeup/accuracy/model.h"
-#include "writeup/accuracy/pixels.h"
+#include "writeup/accuracy/pixels_apart.h"
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -50,22 +50,29 @@ struct Checked {
 
 // The most bounces that are told apart. What comes later is one rest.
 inline constexpr int kToldApart = 16;
-inline constexpr int kAllBounces = 100;  // as trace_path takes them
+inline constexpr int kMostWithoutTree = 30000;  // surfaces: more are not tried one by one
+inline constexpr int kAllBounces = 100;         // as trace_path takes them
 
 // How much may be measured.
 struct Effort {
   double seconds = 45;  // by the wall clock, what all of it may take, about
   int samples = 0;      // per pixel of each render, even; 0: as many as there is time for
+  int pixels = 10000;   // that are looked at, about
 };
 
 // A view whose settings are looked for. All renders are of the same pixels, and each has random
 // numbers of its own.
 class Study {
  public:
-  // `progress` is called with the part of the time that has passed. `bounces`: of the picture that
+  // `progress` is called with the part of the time that has been used. `bounces`: of the picture that
   // errors are measured against, at most kToldApart, or kAllBounces.
   Study(const pt::View& view, int threads, std::uint64_t seed, const Effort& effort,
-        std::function<void(double)> progress, int bounces = kAllBounces);
+        std::function<void(double)> progress, int bounces = kAllBounces, Journal journal = {});
+
+  // Of all renders so far.
+  double cpu_seconds() const { return cpu_seconds_; }
+  // The run has ended as it should: it will not have to go on.
+  void forget_journal() { journal_.remove(); }
 
   // The square of the relative bias that is left with 0, 1, ... kToldApart bounces at most.
   const std::vector<Uncertain>& bias2() const { return bias2_; }
@@ -89,8 +96,8 @@ class Study {
   Checked check(const pt::PathSettings& path, const pt::RenderSettings& settings, double seconds,
                 double bias2, double part = 0.08);
 
-  // How many times as long the same picture takes if another tracer answers.
-  double times_as_long(const pt::Scene& other, const Way& way, int light_samples);
+  // How many times as long the same picture takes if another tracer answers: both in turns.
+  Uncertain times_as_long(const pt::Scene& other, const Way& way, int light_samples);
 
   // 1 / (g + .01)^2 of each pixel, of which relMSE is made.
   const std::vector<double>& weights() const { return weight_; }
@@ -102,6 +109,7 @@ class Study {
 
  private:
   void look_at_bounces(int bounces);
+  std::vector<PixelAt> every(std::size_t step) const;  // of the pixels; 0 as 1
   pt::RenderSettings next_render(int samples);
   pt::View view_of(const Way& way, int light_samples) const;
   // An even number of samples per pixel that takes so long by the wall clock, where `cpu_seconds` is
@@ -109,14 +117,22 @@ class Study {
   using Cost = std::function<double(const pt::RenderSettings&, std::span<const PixelAt>)>;
   int samples_in(double seconds, const Cost& cpu_seconds);
   int samples_in(double seconds, const pt::View& view);
-  void advance();
+  // As measure() and measure_apart(), or what the journal has of them.
+  Measured made(const pt::View& view, const pt::RenderSettings& settings,
+                std::span<const PixelAt> pixels);
+  MeasuredApart made_apart(const pt::View& view, const pt::RenderSettings& settings,
+                           std::span<const pt::BounceRange> ranges,
+                           std::span<const PixelAt> pixels);
+  void keep(const std::string& question, const std::vector<double>& answer);
+  void advance(double cpu_seconds);
 
   pt::View view_;
   int threads_;
   std::uint64_t seed_;
   Effort effort_;
   std::function<void(double)> progress_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Journal journal_;
+  double cpu_seconds_ = 0;
   std::vector<PixelAt> pixels_;
   std::vector<double> golden_[2];  // two independent means of each pixel, with all bounces
   std::vector<double> weight_;     // 1 / (g + .01)^2

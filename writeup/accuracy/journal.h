@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace writeup::accuracy {
+
+// What was measured so far, in the order in which it was: a file from which the same run goes on after
+// it was stopped. What is measured next depends on nothing but what was measured before, so that the
+// same questions come again.
+class Journal {
+ public:
+  // Keeps nothing.
+  Journal() = default;
+  // In the file, which is made with its folder. Another run that has it open keeps it to itself: then
+  // this one keeps nothing.
+  explicit Journal(const std::filesystem::path& file);
+  Journal(Journal&& other) noexcept;
+  Journal& operator=(Journal&&) = delete;
+  ~Journal();
+
+  // The answer to the next question, if this very question was the next one then. Else what is left of
+  // the file is forgotten.
+  std::optional<std::vector<double>> next(const std::string& question);
+  // Adds the answer to a question that was not known.
+  void keep(const std::string& question, const std::vector<double>& answer);
+  // The run has ended: removes the file.
+  void remove();
+
+  bool goes_on() const { return size_ > 0; }  // with what an earlier run kept
+
+ private:
+  int file_ = -1;
+  std::filesystem::path path_;
+  std::uint64_t size_ = 0;  // of the entries that were there
+  std::uint64_t at_ = 0;    // of them, read so far
+};
+
+}  // namespace writeup::accuracy

@@ -1,0 +1,266 @@
+#include "pt/file.h"
+#include "writeup/figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+// Figures of what is measured by the program `accuracy`: its charts, and tables of its numbers.
+
+namespace writeup {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr double kUnknown = 0.05;  // of the error, by which it is not known better
+const char* const kDash = "\u2013";
+
+std::string digits(double value) {
+  return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+std::string percent(double part) {
+  return part < 1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
+}
+
+std::string times(const json& number) {
+  if (number.is_null()) return kDash;
+  const double value = number.is_array() ? number.at(0) : number;
+  return digits(value) + "\u00d7";
+}
+
+// Takes the files of a measurement over, with the figure's name before theirs.
+void take_files(const Plan& plan, const Measurement& measurement, const std::string& id,
+                const std::vector<std::string>& charts, const std::vector<std::string>& tables,
+                const fs::path& folder, Drawn& drawn) {
+  const fs::path from = plan.measured().folder(measurement);
+  const auto take = [&](const std::string& name, std::vector<std::string>& list) {
+    if (!fs::exists(from / name)) return;  // there may be no gnuplot
+    list.push_back(id + "." + name);
+    fs::copy_file(from / name, folder / list.back(), fs::copy_options::overwrite_existing);
+  };
+  for (const std::string& name : charts) take(name, drawn.charts);
+  for (const std::string& name : tables) take(name, drawn.tables);
+}
+
+// Whether the measurement is there; else why not stands among the problems.
+bool is_there(const Plan& plan, const Measurement& measurement, const std::string& scene,
+              Drawn& drawn) {
+  if (plan.measured().is_complete(measurement)) return true;
+  const std::string problem =
+      plan.scenes().short_name(scene) + ": " + plan.measured().failure(measurement);
+  drawn.problems.push_back(problem);
+  return false;
+}
+
+void enter_factors(const json& curve, const json& all, Drawn& drawn) {
+  const std::string id = curve.at("id");
+  for (const auto& [other, factors] : curve.at("beside").items()) {
+    for (const char* what : {"time", "error", "rays"}) {
+      drawn.numbers[id + ".beside." + other + "." + what] = digits(factors.at(what).at(0));
+    }
+  }
+  const json& points = curve.at("points");
+  drawn.numbers[id + ".time"] = digits(curve.at("beside").at(all.at("fastest")).at("time").at(0));
+  drawn.numbers[id + ".slope"] = fmt::format("{:.3f}", curve.at("slope").at(0).get<double>());
+  drawn.numbers[id + ".error"] = digits(100 * points.back().at("error").at(0).get<double>());
+}
+
+std::vector<std::string> row_of(const json& curve, const std::string& fastest) {
+  std::vector<std::string> row{curve.at("title")};
+  for (const json& point : curve.at("points")) row.push_back(percent(point.at("error").at(0)));
+  const double slope = curve.at("slope").at(0), error = curve.at("slope").at(1);
+  row.push_back(curve.at("adaptive") ? kDash : fmt::format("{:.3f} \u00b1 {:.3f}", slope, error));
+  const json& factors = curve.at("beside").at(fastest);
+  row.push_back(times(factors.at("time")));
+  row.push_back(times(factors.at("error")));
+  row.push_back(times(factors.at("rays")));
+  if (curve.at("heavy_tails")) row[0] += " (heavy tails)";
+  return row;
+}
+
+void draw_converge(const Plan& plan, const Figure& figure, const fs::path& folder, Drawn& drawn) {
+  const Measurement measurement = plan.measurements(figure).at(0);
+  if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return;
+  take_files(plan, measurement, figure.id, {"samples.svg", "seconds.svg", "rays.svg"},
+             {"converge.csv", "factors.csv"}, folder, drawn);
+  const json all = plan.measured().load(measurement);
+  drawn.columns = {"",
+                   "s = 4",
+                   "16",
+                   "64",
+                   "256",
+                   "slope",
+                   "same error: time",
+                   "same time: error",
+                   "same error: rays"};
+  for (const json& curve : all.at("curves")) {
+    drawn.rows.push_back(row_of(curve, all.at("fastest")));
+    enter_factors(curve, all, drawn);
+  }
+  drawn.numbers["fastest"] = all.at("curves").at(0).at("title");
+  for (const json& curve : all.at("curves")) {
+    if (curve.at("id") == all.at("fastest")) drawn.numbers["fastest"] = curve.at("title");
+  }
+}
+
+std::string method_of(const json& best) {
+  return best.at("hemisphere").get<bool>() ? "hemisphere" : "lights";
+}
+
+std::vector<std::string> needs_row(const json& answer) {
+  const json &best = answer.at("best"), &checked = answer.at("checked");
+  const double error = checked.at("error").at(0), of_it = checked.at("error").at(1);
+  return {std::to_string(answer.at("surfaces").get<int>()),
+          method_of(best),
+          std::to_string(best.at("samples").get<int>()),
+          std::to_string(best.at("light_samples").get<int>()),
+          std::to_string(best.at("bounces").get<int>()),
+          best.at("bounces") > 2 ? fmt::format("{:g}", best.at("survival").get<double>()) : kDash,
+          percent(best.at("bias")),
+          digits(best.at("seconds")),
+          digits(checked.at("seconds")),
+          fmt::format("{:.2f} \u00b1 {:.2f} %", 100 * error, 100 * of_it)};
+}
+
+json without_roulette(const json& answer) {
+  for (const json& option : answer.at("survivals")) {
+    const bool none = !option.is_null() && option.at("survival") == 1;
+    if (none && option.at("bounces") > 2) return option.at("times");
+  }
+  return nullptr;
+}
+
+json times_of(const json& option) { return option.is_null() ? json() : option.at("times"); }
+
+// What is missing with one bounce less than the settings found have.
+std::string one_bounce_less(const json& answer) {
+  const std::size_t bounces = answer.at("best").at("bounces");
+  const json& bias = answer.at("bias");
+  return bounces - 1 < bias.size() ? percent(bias.at(bounces - 1)) : kDash;
+}
+
+std::vector<std::string> left_out_row(const json& answer) {
+  const double smooth = answer.at("smooth");
+  return {times(times_of(answer.at("course"))),
+          times(times_of(answer.at("hemisphere"))),
+          times(without_roulette(answer)),
+          times(answer.at("adaptive")),
+          times(answer.at("without_tree")),
+          smooth > 0 ? percent(smooth) : "0",
+          one_bounce_less(answer)};
+}
+
+void enter_needs(const json& answer, const std::string& scene, Drawn& drawn) {
+  const json& best = answer.at("best");
+  const auto enter = [&](const char* name, const std::string& value) {
+    drawn.numbers[scene + "." + name] = value;
+  };
+  enter("samples", best.at("samples").dump());
+  enter("light_samples", best.at("light_samples").dump());
+  enter("bounces", best.at("bounces").dump());
+  enter("seconds", digits(best.at("seconds")));
+  enter("surfaces", answer.at("surfaces").dump());
+  const auto factor = [&](const char* name, const json& number) {
+    if (!number.is_null()) enter(name, digits(number.is_array() ? number.at(0) : number));
+  };
+  factor("course", times_of(answer.at("course")));
+  factor("hemisphere", times_of(answer.at("hemisphere")));
+  factor("no_roulette", without_roulette(answer));
+  factor("adaptive", answer.at("adaptive"));
+  factor("no_tree", answer.at("without_tree"));
+  enter("smooth", digits(100 * answer.at("smooth").get<double>()));
+}
+
+// Without the signs for a reader: of "1.5 %" and "2×" the number.
+std::string bare(const std::string& cell) {
+  return cell == kDash ? "" : cell.substr(0, cell.find_first_of(" \xc3"));
+}
+
+void write_table(const Drawn& drawn, const fs::path& file) {
+  std::string csv;
+  for (const std::string& column : drawn.columns) csv += (csv.empty() ? "" : ",") + column;
+  for (const std::vector<std::string>& row : drawn.rows) {
+    csv += "\n" + row[0];
+    for (std::size_t i = 1; i < row.size(); ++i) csv += "," + bare(row[i]);
+  }
+  pt::write_file(file, csv + "\n");
+}
+
+void draw_table(const Plan& plan, const Figure& figure, const fs::path& folder, Drawn& drawn) {
+  const bool needs = figure.kind == "needs";
+  const std::vector<std::string> settings{"scene",
+                                          "surfaces",
+                                          "method",
+                                          "s",
+                                          "l",
+                                          "m",
+                                          "survival",
+                                          "left out by m",
+                                          "predicted seconds",
+                                          "measured",
+                                          "measured error"};
+  const std::vector<std::string> parts{
+      "scene",    "course's settings", "hemisphere sampling",        "no roulette",
+      "adaptive", "no tree",           "pixels with smooth normals", "missing with m - 1"};
+  drawn.columns = needs ? settings : parts;
+  const std::vector<Measurement> all = plan.measurements(figure);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& scene = figure.scenes[i];
+    std::vector<std::string> row{plan.scenes().short_name(scene)};
+    if (is_there(plan, all[i], scene, drawn)) {
+      const json answer = plan.measured().load(all[i]);
+      if (answer.at("known") > kUnknown) row[0] += " (heavy tails)";
+      const std::vector<std::string> cells = needs ? needs_row(answer) : left_out_row(answer);
+      row.insert(row.end(), cells.begin(), cells.end());
+      enter_needs(answer, scene, drawn);
+    } else {
+      row.resize(drawn.columns.size(), kDash);
+    }
+    drawn.rows.push_back(row);
+  }
+  drawn.tables = {figure.id + ".csv"};
+  write_table(drawn, folder / drawn.tables[0]);
+}
+
+void draw_scene_needs(const Plan& plan, const Figure& figure, const fs::path& folder,
+                      Drawn& drawn) {
+  const Measurement measurement = plan.measurements(figure).at(0);
+  if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return;
+  take_files(plan, measurement, figure.id, {"options.svg", "noise.svg", "bounces.svg"},
+             {"options.csv", "noise.csv", "bounces.csv"}, folder, drawn);
+  const json answer = plan.measured().load(measurement);
+  const auto enter = [&](const char* name, const std::string& value) {
+    drawn.numbers[name] = value;
+  };
+  for (const char* name : {"a", "b", "best_light_samples"}) enter(name, digits(answer.at(name)));
+  enter("c0", digits(1e6 * answer.at("c0").get<double>()));
+  enter("c1", digits(1e6 * answer.at("c1").get<double>()));
+  enter("off_the_line", digits(100 * answer.at("off_the_line").get<double>()));
+  enter("error", digits(100 * answer.at("error").get<double>()));
+  drawn.columns = {"most bounces, m", "missing radiance"};
+  const json& bias = answer.at("bias");
+  for (std::size_t m = 0; m < bias.size(); ++m) {
+    const double part = bias[m];
+    enter(fmt::format("m{}", m).c_str(), digits(100 * part));
+    if (m > 0 && bias[m - 1] < answer.at("error").get<double>() / 10) continue;
+    drawn.rows.push_back({std::to_string(m), percent(part)});
+  }
+}
+
+}  // namespace
+
+Drawn draw_measured(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  Drawn drawn;
+  if (figure.kind == "converge") draw_converge(plan, figure, folder, drawn);
+  if (figure.kind == "scene_needs") draw_scene_needs(plan, figure, folder, drawn);
+  if (figure.kind == "needs" || figure.kind == "left_out") {
+    draw_table(plan, figure, folder, drawn);
+  }
+  return drawn;
+}
+
+}  // namespace writeup

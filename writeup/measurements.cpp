@@ -1,0 +1,123 @@
+#include "writeup/measurements.h"
+
+#include "grader/base/sha256.h"
+#include "grader/process/run_command.h"
+#include "pt/file.h"
+#include "writeup/work.h"
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+
+namespace writeup {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMaxText = std::size_t{1} << 24;
+constexpr double kLeastLimit = 60, kPatience = 10;  // seconds, and times what it should take
+
+fs::path with_ending(const fs::path& folder, const char* ending) {
+  return fs::path(folder) += ending;
+}
+
+}  // namespace
+
+Measurements::Measurements(fs::path folder, const Store& store)
+    : folder_(std::move(folder)), store_(store) {
+  fs::create_directories(folder_);
+}
+
+std::string Measurements::key(const Measurement& measurement) const {
+  std::string text = measurement.command + store_.scene_hash(measurement.scene);
+  for (const std::string& word : measurement.options) text += " " + word;
+  if (measurement.code != nullptr) {
+    for (const auto& [name, content] : measurement.code->hash) text += name + content;
+  }
+  return grader::base::sha256(text).substr(0, 32);
+}
+
+fs::path Measurements::folder(const Measurement& measurement) const {
+  return folder_ / key(measurement);
+}
+
+nlohmann::json Measurements::load(const Measurement& measurement) const {
+  const fs::path file = folder(measurement) / (measurement.command + ".json");
+  return nlohmann::json::parse(pt::read_file(file, kMaxText));
+}
+
+bool Measurements::is_complete(const Measurement& measurement) const {
+  return fs::exists(folder(measurement));
+}
+
+std::string Measurements::failure(const Measurement& measurement) const {
+  if (measurement.code == nullptr) return "not measured: this build has no program for it";
+  const fs::path file = with_ending(folder(measurement), ".failed");
+  return fs::exists(file) ? pt::read_file(file, kMaxText) : "";
+}
+
+void Measurements::fail(const Measurement& measurement, const std::string& reason) const {
+  pt::write_file(with_ending(folder(measurement), ".failed"), reason);
+}
+
+void Measurements::forget_failure(const Measurement& measurement) const {
+  fs::remove(with_ending(folder(measurement), ".failed"));
+}
+
+double Measurements::cpu_seconds(const Measurement& measurement) const {
+  return is_complete(measurement) ? load(measurement).at("cpu_seconds").get<double>()
+                                  : measurement.seconds;
+}
+
+namespace {
+
+// Returns whether it had to be stopped.
+bool make_one(const Measurements& measurements, const Measurement& measurement, int threads) {
+  const fs::path folder = measurements.folder(measurement);
+  const fs::path unfinished = with_ending(folder, ".unfinished");
+  fs::remove_all(unfinished);
+  const Code& code = *measurement.code;
+  std::vector<std::string> words{code.command.at(0), measurement.command, measurement.scene};
+  words.insert(words.end(), code.command.begin() + 1, code.command.end());
+  words.insert(words.end(), measurement.options.begin(), measurement.options.end());
+  words.insert(words.end(), {"-t", std::to_string(threads), "--out", unfinished.string()});
+  const double limit = std::max(kLeastLimit, kPatience * measurement.seconds) * threads;
+  const auto result =
+      grader::process::run_command({words, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}},
+                                   std::chrono::milliseconds(static_cast<long long>(1000 * limit)));
+  if (result.ok()) {
+    fs::rename(unfinished, folder);
+  } else {
+    measurements.fail(measurement, reason_of(result, limit));
+    fs::remove_all(unfinished);
+  }
+  return result.timed_out;
+}
+
+}  // namespace
+
+void make(const Measurements& measurements, const std::vector<Measurement>& missing, int threads,
+          const std::function<void(double)>& progress) {
+  using Clock = std::chrono::steady_clock;
+  double all = 0, done = 0;
+  for (const Measurement& each : missing) all += each.seconds;
+  std::string stopped;
+  for (const Measurement& each : missing) {
+    if (!stopped.empty()) {
+      measurements.fail(each, "not tried: the measurement of " + stopped + " did not end");
+      continue;
+    }
+    const Clock::time_point start = Clock::now();
+    auto one =
+        std::async(std::launch::async, make_one, std::cref(measurements), std::cref(each), threads);
+    while (one.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
+      const std::chrono::duration<double> passed = Clock::now() - start;
+      progress((done + std::min(passed.count(), each.seconds)) / all);
+    }
+    if (one.get()) stopped = fs::path(each.scene).filename().string();
+    done += each.seconds;
+  }
+}
+
+}  // namespace writeup

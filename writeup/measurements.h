@@ -1,0 +1,49 @@
+#pragma once
+
+#include "writeup/store.h"
+
+#include <functional>
+
+namespace writeup {
+
+// A run of the program `accuracy`: what methods are worth in a scene, or what the scene needs.
+struct Measurement {
+  std::string command;               // "cheapest" or "converge"
+  std::string scene;                 // path
+  std::vector<std::string> options;  // what else is typed
+  double seconds = 0;                // that it may take by the clock, about
+  const Code* code = nullptr;        // nothing: it is not in this build
+};
+
+// All measurements ever made, on disk: each in a folder that is named by a hash of what it depends on.
+class Measurements {
+ public:
+  Measurements(std::filesystem::path folder, const Store& store);
+
+  std::string key(const Measurement& measurement) const;
+  // Where its files are: <command>.json and charts.
+  std::filesystem::path folder(const Measurement& measurement) const;
+  nlohmann::json load(const Measurement& measurement) const;
+
+  bool is_complete(const Measurement& measurement) const;
+  std::string failure(const Measurement& measurement) const;  // "" if there was none
+  void fail(const Measurement& measurement, const std::string& reason) const;
+  void forget_failure(const Measurement& measurement) const;
+  bool is_settled(const Measurement& measurement) const {
+    return is_complete(measurement) || !failure(measurement).empty();
+  }
+
+  // Seconds of processor time; what is allowed if it has not been made.
+  double cpu_seconds(const Measurement& measurement) const;
+
+ private:
+  std::filesystem::path folder_;
+  const Store& store_;
+};
+
+// Makes those that are not settled, one after the other, each on so many threads: nothing else of the
+// write-up runs beside what is timed. Where one has to be stopped, the rest is not tried.
+void make(const Measurements& measurements, const std::vector<Measurement>& missing, int threads,
+          const std::function<void(double)>& progress);
+
+}  // namespace writeup

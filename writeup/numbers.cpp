@@ -1,0 +1,57 @@
+#include "writeup/figure.h"
+
+namespace writeup {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+void add(Words& names, const std::string& before, const Words& ends) {
+  for (const std::string& end : ends) names.push_back(before + end);
+}
+
+// Whether or not a method makes sense in the scene.
+const Words kMethods{"l1",  "l2",  "l4",  "l8",   "l16",      "l32",  "h1",   "h8",    "h32",
+                     "p30", "p50", "p85", "p100", "adaptive", "wide", "task", "linear"};
+
+Words of_converge() {
+  Words names{"fastest"};
+  for (const std::string& method : kMethods) {
+    add(names, method, {".time", ".slope", ".error"});
+    for (const std::string& other : kMethods) {
+      add(names, method + ".beside." + other, {".time", ".error", ".rays"});
+    }
+  }
+  return names;
+}
+
+Words of_scene_needs() {
+  Words names{"a", "b", "c0", "c1", "best_light_samples", "off_the_line", "error"};
+  for (int m = 0; m <= 16; ++m) names.push_back("m" + std::to_string(m));
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> number_names(const Figure& figure) {
+  if (figure.kind == "converge") return of_converge();
+  if (figure.kind == "scene_needs") return of_scene_needs();
+  Words names;
+  for (const std::string& scene : figure.scenes) {
+    if (figure.kind == "speedup") {
+      add(names, scene, {"", ".linear", ".tree", ".linear_tests", ".tests"});
+    } else {
+      add(names, scene,
+          {".samples", ".light_samples", ".bounces", ".seconds", ".surfaces", ".course",
+           ".hemisphere", ".no_roulette", ".adaptive", ".no_tree", ".smooth"});
+    }
+  }
+  for (const Picture& picture : figure.pictures) {
+    add(names, picture.id,
+        {".seconds", ".samples", ".rays", ".mean", ".average", ".most", ".ratio", ".noise",
+         ".error", ".factor"});
+  }
+  return names;
+}
+
+}  // namespace writeup
