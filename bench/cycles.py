@@ -148,7 +148,7 @@ def settings(described):
     cycles.use_fast_gi = False
     cycles.use_auto_tile = False
     cycles.blur_glossy = 0
-    # The default pattern of Blender 3.4 repeats itself between dimensions: a wall came out a five-hundredth darker.
+    # With the default pattern of Blender 3.4 a wall came out 0.2 % darker than with this one.
     cycles.sampling_pattern = "SOBOL"
     cycles.pixel_filter_type = "BOX"  # the pixel's own square
     # Direct light is no bounce there.
