@@ -24,6 +24,7 @@ refuses "--seed takes a whole number" grade hit_triangle --from student --seed o
 refuses "--html does not go with --from" grade hit_triangle --from student --html page.html
 refuses "say which task" debug
 refuses "'hit_me' is not a task" debug hit_me
+command -v blender >/dev/null || refuses "blender is missing" bench cycles
 
 # A checkout in a folder that CMake cannot read is told so; one with spaces and apostrophes is right.
 place=$(mktemp -d)

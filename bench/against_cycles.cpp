@@ -1,0 +1,183 @@
+#include "bench/against_cycles.h"
+
+#include "bench/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pt {
+namespace {
+
+std::vector<double> luminances(const Image& image) {
+  std::vector<double> values;
+  values.reserve(image.pixels.size());
+  for (const Rgb& pixel : image.pixels) values.push_back(luminance(pixel));
+  return values;
+}
+
+// What a golden is summed up from, render by render.
+struct GoldenSum {
+  Image picture;
+  std::vector<double> halves[2];
+  std::vector<std::vector<double>> means;  // [region][render]
+
+  explicit GoldenSum(std::size_t regions) : means(regions) {}
+
+  void add(const Image& image, int half, const std::vector<Region>& regions) {
+    const std::vector<double> values = luminances(image);
+    if (picture.pixels.empty()) picture = Image(image.width, image.height);
+    halves[half].resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      halves[half][i] += values[i];
+      picture.pixels[i] += image.pixels[i];
+    }
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      means[i].push_back(mean_over(regions[i], image));
+    }
+  }
+
+  Golden golden(int renders) const {
+    Golden golden{picture, {}, {}};
+    for (Rgb& pixel : golden.picture.pixels) pixel /= renders;
+    for (int i = 0; i < 2; ++i) {
+      golden.halves[i] = halves[i];
+      for (double& value : golden.halves[i]) value /= 0.5 * renders;
+    }
+    for (const std::vector<double>& region : means) golden.regions.push_back(mean_of(region));
+    return golden;
+  }
+};
+
+// relMSE without the noise of the golden, whose halves are independent of the picture and of each other.
+double squared_error(const std::vector<double>& picture, const Golden& golden) {
+  double sum = 0;
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const double g0 = golden.halves[0][i], g1 = golden.halves[1][i];
+    const double scale = 0.5 * (g0 + g1) + 0.01;
+    sum += (picture[i] - g0) * (picture[i] - g1) / (scale * scale);
+  }
+  return sum / static_cast<double>(picture.size());
+}
+
+// Of the square's mean; nothing is known of a square that is not positive.
+Mean root_of(const std::vector<double>& squares) {
+  const Mean square = mean_of(squares);
+  if (!(square.value > 0)) return {0, std::sqrt(square.error)};
+  const double root = std::sqrt(square.value);
+  return {root, 0.5 * square.error / root};
+}
+
+// The renders of one number of samples.
+struct Repeats {
+  std::vector<double> seconds;
+  std::vector<std::vector<double>> squares;  // relMSE, by golden
+};
+
+// All of it in one place, so that the parts stay short.
+class Renders {
+ public:
+  Renders(const std::vector<Contender>& contenders, const std::vector<Region>& regions,
+          const Effort& effort, const std::function<void(double)>& progress)
+      : contenders_(contenders), regions_(regions), effort_(effort), progress_(progress) {}
+
+  std::vector<Golden> goldens(const std::vector<int>& of);
+  // [contender][number of samples]; the first are of one sample: they show what costs nothing but a start.
+  std::vector<std::vector<Repeats>> repeats(const std::vector<Golden>& goldens,
+                                            const std::vector<int>& samples);
+  void count_renders(std::size_t goldens, int samples_of_repeats) {
+    all_ = static_cast<double>(goldens) * effort_.golden_renders * effort_.golden_samples +
+           static_cast<double>(contenders_.size()) * effort_.repeats * samples_of_repeats;
+  }
+
+ private:
+  TimedImage render(std::size_t contender, int samples) {
+    TimedImage timed = contenders_[contender].render(samples, seed_++);
+    done_ += samples;
+    progress_(done_ / all_);
+    return timed;
+  }
+
+  const std::vector<Contender>& contenders_;
+  const std::vector<Region>& regions_;
+  const Effort& effort_;
+  const std::function<void(double)>& progress_;
+  double done_ = 0, all_ = 1;  // samples per pixel
+  std::uint32_t seed_ = 1;
+};
+
+std::vector<Golden> Renders::goldens(const std::vector<int>& of) {
+  std::vector<GoldenSum> sums(of.size(), GoldenSum(regions_.size()));
+  for (int i = 0; i < effort_.golden_renders; ++i) {
+    for (std::size_t j = 0; j < of.size(); ++j) {
+      sums[j].add(render(of[j], effort_.golden_samples).image, i % 2, regions_);
+    }
+  }
+  std::vector<Golden> goldens;
+  for (const GoldenSum& sum : sums) goldens.push_back(sum.golden(effort_.golden_renders));
+  return goldens;
+}
+
+std::vector<std::vector<Repeats>> Renders::repeats(const std::vector<Golden>& goldens,
+                                                   const std::vector<int>& samples) {
+  const Repeats empty{{}, std::vector<std::vector<double>>(goldens.size())};
+  std::vector<std::vector<Repeats>> all(contenders_.size(),
+                                        std::vector<Repeats>(samples.size(), empty));
+  for (int i = 0; i < effort_.repeats; ++i) {
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      for (std::size_t j = 0; j < contenders_.size(); ++j) {
+        const TimedImage timed = render(j, samples[k]);
+        Repeats& repeats = all[j][k];
+        repeats.seconds.push_back(timed.cpu_seconds);
+        const std::vector<double> picture = luminances(timed.image);
+        for (std::size_t g = 0; g < goldens.size(); ++g) {
+          repeats.squares[g].push_back(squared_error(picture, goldens[g]));
+        }
+      }
+    }
+  }
+  return all;
+}
+
+// Seconds are a + b s. What does not depend on samples, a, is that of the line through the shortest and the longest.
+Curve curve_of(const std::vector<Repeats>& all, const std::vector<int>& samples) {
+  const double shortest = median(all.front().seconds), longest = median(all.back().seconds);
+  const double slope = (longest - shortest) / (samples.back() - samples.front());
+  Curve curve;
+  curve.fixed_seconds = std::max(shortest - slope * samples.front(), 0.0);
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    ErrorAfter point{samples[k], median(all[k].seconds) - curve.fixed_seconds, {}};
+    for (const std::vector<double>& squares : all[k].squares) {
+      point.errors.push_back(root_of(squares));
+    }
+    curve.points.push_back(point);
+  }
+  return curve;
+}
+
+}  // namespace
+
+Mean mean_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0};
+}
+
+Comparison compare(const std::vector<Contender>& contenders, const std::vector<int>& golden_of,
+                   const std::vector<Region>& regions, const Effort& effort,
+                   const std::function<void(double)>& progress) {
+  std::vector<int> samples{1};
+  samples.insert(samples.end(), effort.samples.begin(), effort.samples.end());
+  Renders renders(contenders, regions, effort, progress);
+  renders.count_renders(golden_of.size(), std::accumulate(samples.begin(), samples.end(), 0));
+  Comparison result;
+  result.goldens = renders.goldens(golden_of);
+  for (const std::vector<Repeats>& all : renders.repeats(result.goldens, samples)) {
+    result.curves.push_back(curve_of(all, samples));
+  }
+  return result;
+}
+
+}  // namespace pt

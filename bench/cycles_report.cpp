@@ -1,0 +1,151 @@
+#include "bench/cycles_report.h"
+
+#include "pt/file.h"
+#include "pt/image/image_io.h"
+#include "writeup/gnuplot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace pt {
+namespace {
+
+// Ours beside theirs, of one region.
+struct Agreement {
+  Mean ours, theirs;
+  double relative = 0;        // theirs / ours - 1
+  double relative_error = 0;  // its standard error
+  double sigmas = 0;  // the difference in units of its standard error; 0 where both are exact
+};
+
+Agreement agreement(const Mean& ours, const Mean& theirs) {
+  Agreement result{ours, theirs};
+  const double error = std::hypot(ours.error, theirs.error);
+  if (ours.value > 0) {
+    result.relative = theirs.value / ours.value - 1;
+    result.relative_error = error / ours.value;
+  }
+  // A light's own pixels are the same in each render, but for rounding.
+  if (error > 1e-6 * ours.value) result.sigmas = (theirs.value - ours.value) / error;
+  return result;
+}
+
+Agreement agreement(const SceneReport& report, std::size_t region) {
+  const std::vector<Golden>& goldens = report.comparison.goldens;
+  return agreement(goldens[0].regions[region], goldens[1].regions[region]);
+}
+
+std::string region_table(const SceneReport& report) {
+  std::string text = fmt::format("  {:<32}{:>7}{:>22}{:>22}{:>20}{:>8}\n", "region", "pixels",
+                                 "ours", "Cycles", "difference", "sigmas");
+  for (std::size_t i = 0; i < report.regions.size(); ++i) {
+    const Agreement a = agreement(report, i);
+    const auto mean = [](const Mean& m) {
+      return fmt::format("{:.6f} \u00b1 {:.6f}", m.value, m.error);
+    };
+    text += fmt::format(
+        "  {:<32}{:>7}{:>22}{:>22}{:>20}{:>8.1f}\n", report.regions[i].name,
+        report.regions[i].pixels.size(), mean(a.ours), mean(a.theirs),
+        fmt::format("{:+.3f} \u00b1 {:.3f} %", 100 * a.relative, 100 * a.relative_error), a.sigmas);
+  }
+  return text;
+}
+
+// The time for the same error, of the first curve as 1: the mean of error^2 x seconds.
+double cost(const Curve& curve) {
+  double sum = 0;
+  for (const ErrorAfter& point : curve.points) {
+    sum += point.errors[0].value * point.errors[0].value * point.cpu_seconds;
+  }
+  return sum / static_cast<double>(curve.points.size());
+}
+
+std::string error_table(const SceneReport& report) {
+  std::string text = fmt::format("  {:<28}{:>6}{:>10}{:>20}{:>22}\n", "renderer", "s", "seconds",
+                                 "error", "by the other golden");
+  const auto percent = [](const Mean& m) {
+    return fmt::format("{:.2f} \u00b1 {:.2f} %", 100 * m.value, 100 * m.error);
+  };
+  for (std::size_t i = 0; i < report.titles.size(); ++i) {
+    const Curve& curve = report.comparison.curves[i];
+    for (const ErrorAfter& point : curve.points) {
+      text += fmt::format("  {:<28}{:>6}{:>10.3f}{:>20}{:>22}\n", report.titles[i], point.samples,
+                          point.cpu_seconds, percent(point.errors[0]), percent(point.errors[1]));
+    }
+    text += fmt::format(
+        "  {:<28}the same error takes {:.2f} of the time of the first; {:.3f} s a render besides\n",
+        "", cost(curve) / cost(report.comparison.curves[0]), curve.fixed_seconds);
+  }
+  return text;
+}
+
+const char* const kChart = R"gp(set logscale xy
+set xlabel "processor seconds for the picture"
+set ylabel "error (root of relMSE)"
+set key top right
+plot )gp";
+
+// Ours blue, theirs red.
+void draw_errors(const SceneReport& report, const std::filesystem::path& folder) {
+  const std::string file = report.scene + "_error.csv";
+  std::string csv = "renderer,samples,seconds,error,error_of_it\n", plot = kChart;
+  int used[2] = {0, 0};
+  for (std::size_t i = 0; i < report.titles.size(); ++i) {
+    const std::string& title = report.titles[i];
+    const bool ours = title.starts_with("ours");
+    if (i > 0) csv += "\n\n";
+    for (const ErrorAfter& point : report.comparison.curves[i].points) {
+      csv += fmt::format("\"{}\",{},{:.6g},{:.6g},{:.3g}\n", title, point.samples,
+                         point.cpu_seconds, point.errors[0].value, point.errors[0].error);
+    }
+    plot += fmt::format(
+        "{}\"{}\" index {} using 3:4:5 with yerrorlines lc rgb \"{}\" lw 1.5 pt {} ps .6 title "
+        "\"{}\"",
+        i > 0 ? ", " : "", file, i,
+        writeup::color(ours ? writeup::Hue::blue : writeup::Hue::red, 3 * used[ours]++ + 1),
+        ours ? 7 : 5, title);
+  }
+  write_file(folder / file, csv);
+  writeup::draw(folder, report.scene, plot + "\n");
+}
+
+// Of the long renders, which ./run compare lays side by side.
+void write_pictures(const SceneReport& report, const std::filesystem::path& folder) {
+  const char* const names[] = {"ours", "cycles"};
+  for (int i = 0; i < 2; ++i) {
+    const Image& image = report.comparison.goldens[i].picture;
+    Film film(image.width, image.height);
+    for (std::size_t j = 0; j < image.pixels.size(); ++j) film.pixels[j].mean = image.pixels[j];
+    write_exr(folder / fmt::format("{}_{}.exr", report.scene, names[i]), film);
+  }
+}
+
+}  // namespace
+
+std::string to_text(const SceneReport& report) {
+  std::string text = report.scene + "\n" + region_table(report) + "\n" + error_table(report) + "\n";
+  for (const StartTimes& start : report.times) {
+    text += fmt::format("  {}: {:.2f} s until the scene is there, {:.3f} s for the tree\n",
+                        start.title, start.scene, start.tree);
+  }
+  return text;
+}
+
+void write_reports(const std::vector<SceneReport>& reports, const std::filesystem::path& folder) {
+  std::string csv = "scene,region,pixels,ours,ours_error,cycles,cycles_error,sigmas\n";
+  for (const SceneReport& report : reports) {
+    for (std::size_t i = 0; i < report.regions.size(); ++i) {
+      const Agreement a = agreement(report, i);
+      csv += fmt::format("{},\"{}\",{},{:.8g},{:.3g},{:.8g},{:.3g},{:.2f}\n", report.scene,
+                         report.regions[i].name, report.regions[i].pixels.size(), a.ours.value,
+                         a.ours.error, a.theirs.value, a.theirs.error, a.sigmas);
+    }
+    draw_errors(report, folder);
+    write_pictures(report, folder);
+  }
+  write_file(folder / "regions.csv", csv);
+}
+
+}  // namespace pt

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "bench/against_cycles.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pt {
+
+// What is done before the first sample, in seconds of processor time.
+struct StartTimes {
+  std::string title;
+  double scene = 0;  // until the scene was in memory; for Blender, its own start too
+  double tree = 0;   // and ready to be traced
+};
+
+struct SceneReport {
+  std::string scene;
+  std::vector<Region> regions;
+  std::vector<std::string> titles;  // of the contenders
+  Comparison comparison;            // its goldens: ours, theirs
+  std::vector<StartTimes> times;
+};
+
+// Tables for the terminal.
+std::string to_text(const SceneReport& report);
+
+// regions.csv, error.csv and, where there is gnuplot, a chart <scene>.svg for each. Throws Error if they cannot be
+// written.
+void write_reports(const std::vector<SceneReport>& reports, const std::filesystem::path& folder);
+
+}  // namespace pt

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "pt/scene/camera.h"
+#include "pt/scene/load_collada.h"
+
+#include <filesystem>
+#include <string>
+
+namespace pt {
+
+struct CyclesSettings {
+  int width = 0;
+  int height = 0;
+  int bounces = 5;  // as PathSettings::to counts: 1 is direct light
+  int threads = 1;
+  int sphere_level = 6;  // of each sphere's mesh: 20 x 4^(level - 1) triangles
+};
+
+// The scene as the loader reads it and as the camera sees it, in JSON for bench/cycles.py. Throws Error, naming
+// `file`, for a light that Cycles is not told of: the sky, and an area light without a surface.
+std::string cycles_scene(const LoadedScene& loaded, const std::filesystem::path& file,
+                         const Camera& camera, const CyclesSettings& settings);
+
+}  // namespace pt
