@@ -31,7 +31,8 @@ json to_json(const check::NamedCurve& named, const std::vector<check::Measured>&
                        {"limit", curve.promised.limit}};
   }
   for (const check::Method& method : curve.methods) {
-    all["methods"].push_back({{"file", method.file}, {"title", method.title}, {"single", method.single}});
+    all["methods"].push_back(
+        {{"file", method.file}, {"title", method.title}, {"single", method.single}});
   }
   for (const check::Measured& at : measured) all["places"].push_back(to_json(at));
   return all;
