@@ -82,10 +82,10 @@ says 0 'seed 7 ' '(as before)'
 # A name that begins a new line, has a colour, and is a formula.
 mkdir "$folder/class/=1+1"$'\n\x1b[31mzoe'
 cp student/2_bvh/hit_box.cpp "$folder/class/=1+1"$'\n\x1b[31mzoe'
-says 0 $'1/2 =1+1 \xef\xbf\xbd[31mzoe: 0 of 2' '2/2 a, flat'
+says 0 '1/2 =1+1__[31mzoe: 0 of 2' '2/2 a, flat'
 [ "$(wc -l <"$folder/class-graded/class.csv")" -eq 3 ] || complain "$(cat "$folder/class-graded/class.csv")"
 ! grep -q $'\x1b' "$folder/class-graded/class.csv" || complain 'a colour code in the table'
-row 'len(row) == 2 and any(name.startswith("\u0027=1+1 ") for name in row)'
+row 'len(row) == 2 and any(name.startswith("\u0027=1+1_") for name in row)'
 rm -rf "$folder/class/"*
 says 2 'has no submissions in it'
 
