@@ -1,4 +1,5 @@
 // What a scene needs and what methods are worth in it: the model of error and time, and what is measured.
+#include "pt/render/render_apart.h"
 #include "pt/render/render_rows.h"
 #include "tests/proof/scenes.h"
 #include "writeup/accuracy/converge.h"
@@ -249,6 +250,10 @@ TEST(Rows, of_some_pixels_are_those_of_the_picture) {
       for (std::size_t i = 0; i < 3; ++i) {
         const int x = request.only[i] % view.width, y = request.only[i] / view.width;
         EXPECT_EQ(some.mean[k * 3 + i], whole.mean[(y * ranges + k) * view.width + x]);
+        if (!apart) continue;
+        const pt::PixelApart alone =
+            pt::render_pixel_apart(view, x, y, {4, {}, 5, 1}, request.ranges);
+        EXPECT_EQ(some.mean[k * 3 + i], alone.pixels[k].mean);
       }
     }
   }

@@ -184,8 +184,8 @@ void write_table(const Drawn& drawn, const fs::path& file) {
   std::string csv;
   for (const std::string& column : drawn.columns) csv += (csv.empty() ? "" : ",") + column;
   for (const std::vector<std::string>& row : drawn.rows) {
-    csv += "\n" + row[0];
-    for (std::size_t i = 1; i < row.size(); ++i) csv += "," + bare(row[i]);
+    csv += '\n' + row[0];
+    for (std::size_t i = 1; i < row.size(); ++i) csv += ',' + bare(row[i]);
   }
   pt::write_file(file, csv + "\n");
 }

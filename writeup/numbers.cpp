@@ -27,7 +27,7 @@ Words of_converge() {
 
 Words of_scene_needs() {
   Words names{"a", "b", "c0", "c1", "best_light_samples", "off_the_line", "error"};
-  for (int m = 0; m <= 16; ++m) names.push_back("m" + std::to_string(m));
+  for (int m = 0; m <= 16; ++m) names.push_back('m' + std::to_string(m));
   return names;
 }
 
