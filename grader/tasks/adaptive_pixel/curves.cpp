@@ -11,7 +11,7 @@ using namespace adaptive;
 // How far the mean of many pixels is below the mean of their samples, as a part of it. The samples
 // are `rare` with the chance, else `usual`.
 double too_dark(double chance, double rare, double usual) {
-  constexpr int kPixels = 60;
+  constexpr int kPixels = 40;
   const double expected = chance * rare + (1 - chance) * usual;
   double sum = 0;
   for (int i = 0; i < kPixels; ++i) {
@@ -20,7 +20,7 @@ double too_dark(double chance, double rare, double usual) {
         [&](int, const pt::Ray&) { return pt::gray(values.next_1d() < chance ? rare : usual); });
     const pt::Scene empty;
     const pt::View view{empty, pt::Camera{}, {}, 1, 1};
-    const AdaptiveSettings settings{.max_samples = 4096, .batch = 32, .tolerance = 0.1};
+    const AdaptiveSettings settings{.max_samples = 1024, .batch = 32, .tolerance = 0.1};
     sum += pt::adaptive_pixel(view, 0, 0, settings, sampler).mean.r / kPixels;
   }
   return std::abs(1 - sum / expected);
@@ -29,7 +29,7 @@ double too_dark(double chance, double rare, double usual) {
 // The interval of 95 % assumes that the variance is known. A batch in which the rare light is missing
 // knows nothing of it.
 CURVE(adaptive_pixel, rare_light) {
-  return {.title = "Light that a sample rarely meets, in a pixel that is dim without it",
+  return {.title = "Light that a sample rarely meets; at most 1,024 samples",
           .input = "chance of a sample to meet it",
           .error = "the mean is off by this part",
           .source = "the first batch may not meet it, and the pixel is done",
@@ -37,12 +37,12 @@ CURVE(adaptive_pixel, rare_light) {
           .promised = {},
           .methods = {{"right/stratified", "stratified points"}},
           .statistic = Statistic::median,
-          .cases = 3,
+          .cases = 1,
           .measure = [](double chance) { return too_dark(chance, 1 / chance, 0.1); }};
 }
 
 CURVE(adaptive_pixel, fireflies) {
-  return {.title = "One sample in a thousand is a firefly",
+  return {.title = "One sample in a thousand is a firefly; at most 1,024 samples",
           .input = "radiance of a firefly, where other samples have 1",
           .error = "the mean is off by this part",
           .source = "most pixels are done before they meet one",
@@ -50,7 +50,7 @@ CURVE(adaptive_pixel, fireflies) {
           .promised = {},
           .methods = {{"right/stratified", "stratified points"}},
           .statistic = Statistic::median,
-          .cases = 3,
+          .cases = 1,
           .measure = [](double radiance) { return too_dark(1e-3, radiance, 1); }};
 }
 
