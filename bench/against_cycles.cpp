@@ -16,7 +16,7 @@ std::vector<double> luminances(const Image& image) {
   return values;
 }
 
-// What a golden is summed up from, render by render.
+// The sum of the renders of a golden so far.
 struct GoldenSum {
   Image picture;
   std::vector<double> halves[2];

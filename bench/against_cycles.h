@@ -39,7 +39,7 @@ struct Golden {
   std::vector<Mean> regions;
 };
 
-// What a picture of `samples` samples has left. Errors are roots of relMSE, the mean over the pixels of
+// The error of a picture of `samples` samples. Errors are roots of relMSE, the mean over the pixels of
 // (x - g)^2 / (g + .01)^2 of luminance, without the part that is the noise of g.
 struct ErrorAfter {
   int samples = 0;

@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// What is done before the first sample, in seconds of processor time.
+// The work before the first sample, in seconds of processor time.
 struct StartTimes {
   std::string title;
   double scene = 0;  // until the scene was in memory; for Blender, its own start too

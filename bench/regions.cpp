@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeastPart = 0.01;  // of the picture, to be a region of its own
 constexpr double kUnits = 1e6;       // planes that differ by less than a millionth are one
 
-// What a point of the picture shows: a sphere, a plane, or anything else of a material.
+// The kind of surface at a point of the picture: a sphere, a plane, or anything else of a material.
 struct Surface {
   int material = -1;  // -1: nothing
   int sphere = -1;

@@ -32,7 +32,7 @@ struct Method {
   bool single = false;  // REAL is float
 };
 
-// What the contract promises: an error of at most `limit` at places from `first` to `last`.
+// The promise of the contract: an error of at most `limit` at places from `first` to `last`.
 struct Promised {
   double first = 0, last = 0;  // both 0: nothing is promised
   double limit = 0;

@@ -38,17 +38,18 @@ judge::Judged compiled(const judge::Config& config, const judge::Builder& builde
     judged.object.key = base::stamp(judged.object.path);
     return judged;
   }
-  std::string text;
   if (line.kind == Line::Kind::submission) {
-    const base::Submitted file = base::read_submitted(request.submission, task.part, task.slug);
-    if (!file.present) judged.object.error = "there is no " + task.file();
-    if (!file.rejected.empty()) judged.object.error = file.rejected;
-    text = file.text;
-  } else {
-    text = base::read_file(folder_of(config, task) + line.file + ".cpp");
-    if (line.single) text = "#define REAL float\n" + text;
+    judge::GradeRequest own = request.judge;
+    own.submission = request.submission;
+    std::vector<judge::Judged> one{judged};
+    judge::compile_all(builder, own, one);
+    if (!one[0].object.ok() && one[0].object.error.empty()) {
+      one[0].object.error = one[0].result.reason;
+    }
+    return one[0];
   }
-  if (judged.object.error.empty()) judged.object = builder.compile(task, text);
+  const std::string text = base::read_file(folder_of(config, task) + line.file + ".cpp");
+  judged.object = builder.compile(task, line.single ? "#define REAL float\n" + text : text);
   return judged;
 }
 
@@ -159,19 +160,19 @@ Charts measure_task(const judge::Config& config, const judge::TaskConfig& task,
     charts.lines.push_back({Line::Kind::submission, "yours", "", false, ""});
   }
   // The reference tells which methods there are.
-  const json first = curves_of(config, builder, task, request, charts.lines[0]);
-  for (Line& line : kept_solutions(config, task, first, request.variants)) {
+  std::vector<json> found{curves_of(config, builder, task, request, charts.lines[0])};
+  for (Line& line : kept_solutions(config, task, found[0], request.variants)) {
     charts.lines.push_back(std::move(line));
   }
-  for (const json& curve : first) {
+  for (const json& curve : found[0]) {
     charts.charts.push_back(chart_of(task, curve));
     charts.charts.back().methods = methods_of(curve, charts.lines);
   }
-  std::vector<json> found(charts.lines.size());
+  found.resize(charts.lines.size());
   std::mutex mutex;
-  std::size_t done = 0;
-  base::for_each(charts.lines.size(), request.judge.threads, [&](std::size_t i) {
-    found[i] = curves_of(config, builder, task, request, charts.lines[i]);
+  std::size_t done = 1;
+  base::for_each(charts.lines.size() - 1, request.judge.threads, [&](std::size_t i) {
+    found[i + 1] = curves_of(config, builder, task, request, charts.lines[i + 1]);
     const std::lock_guard lock(mutex);
     progress(static_cast<double>(++done) / static_cast<double>(charts.lines.size()));
   });
