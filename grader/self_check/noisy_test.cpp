@@ -1,5 +1,6 @@
 // A solution in grader/tasks/*/noisy/ keeps every promise, and the picture that its first line
 // names says that it is right on average and too noisy. No picture says that it is wrong.
+#include "grader/base/sources_in.h"
 #include "grader/self_check/hostile_submission.h"
 #include "grader/self_check/task_folder.h"
 
@@ -15,7 +16,7 @@ TEST(noisy, solutions_are_too_noisy_and_not_wrong) {
   int tried = 0;
   for (const auto& folder : fs::directory_iterator(FIRSTLIGHT_ROOT "/grader/tasks")) {
     const std::string slug = folder.path().filename();
-    for (const fs::path& file : sources_in(folder.path() / "noisy")) {
+    for (const fs::path& file : base::sources_in(folder.path() / "noisy")) {
       SCOPED_TRACE(file);
       ++tried;
       const Submission submission("noisy");

@@ -2,6 +2,7 @@
 
 #include "grader/base/files.h"
 #include "grader/base/sha256.h"
+#include "grader/base/sources_in.h"
 #include "grader/self_check/task_folder.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -108,7 +109,8 @@ Choices right_choices(const judge::Config& config) {
       throw pt::Error(reference.string() + " is missing: the learners' edition cannot do this");
     }
     choices[task.slug] = {reference};
-    const auto variants = sources_in(fs::path(config.root) / "grader/tasks" / task.slug / "right");
+    const auto variants =
+        base::sources_in(fs::path(config.root) / "grader/tasks" / task.slug / "right");
     choices[task.slug].insert(choices[task.slug].end(), variants.begin(), variants.end());
   }
   return choices;

@@ -2,7 +2,6 @@
 
 #include "grader/results/promises.h"
 
-#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -24,16 +23,6 @@ std::string first_line(const fs::path& file, const std::string& label) {
   std::string line;
   std::getline(in, line);
   return line.starts_with(label) ? line.substr(label.size()) : "";
-}
-
-std::vector<fs::path> sources_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  if (!fs::is_directory(folder)) return files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".cpp") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 }  // namespace grader::self_check

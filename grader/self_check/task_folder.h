@@ -13,7 +13,4 @@ std::vector<std::string> promises_in(const std::filesystem::path& contract);
 // if it says nothing.
 std::string first_line(const std::filesystem::path& file, const std::string& label);
 
-// The .cpp files of a folder in alphabetical order; none if there is no such folder.
-std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folder);
-
 }  // namespace grader::self_check

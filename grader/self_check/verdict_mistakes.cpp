@@ -8,6 +8,7 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
+#include "grader/base/sources_in.h"
 #include "grader/judge/alone.h"
 #include "grader/judge/picture_trial.h"
 #include "grader/pictures/recipes.h"
@@ -83,7 +84,7 @@ std::vector<Job> find_jobs(const judge::Config& config, const Options& options,
     if (!options.tasks.empty() && !contains(options.tasks, task.slug)) continue;
     for (const char* kind : {"wrong", "right", "noisy"}) {
       const fs::path folder = fs::path(config.root) / "grader/tasks" / task.slug / kind;
-      for (const fs::path& file : sources_in(folder)) {
+      for (const fs::path& file : base::sources_in(folder)) {
         Job job{&task, kind, file, base::read_file(file), {}};
         for (const pictures::Recipe& recipe : recipes) {
           const auto& judged = recipe.tasks;

@@ -1,4 +1,5 @@
 #include "grader/base/parallel.h"
+#include "grader/base/sources_in.h"
 #include "grader/self_check/submission.h"
 #include "grader/self_check/task_folder.h"
 
@@ -67,13 +68,13 @@ std::vector<Submission> find_submissions(const std::vector<Task>& tasks) {
   std::vector<Submission> all;
   for (const Task& task : tasks) {
     const fs::path folder = kRoot / "grader/tasks" / task.slug;
-    for (const fs::path& file : sources_in(folder / "wrong")) {
+    for (const fs::path& file : base::sources_in(folder / "wrong")) {
       all.push_back({task.slug, Kind::wrong, file, first_line(file, "// breaks: "), {}});
     }
-    for (const fs::path& file : sources_in(folder / "right")) {
+    for (const fs::path& file : base::sources_in(folder / "right")) {
       all.push_back({task.slug, Kind::right, file, first_line(file, "// right: "), {}});
     }
-    for (const fs::path& file : sources_in(folder / "noisy")) {
+    for (const fs::path& file : base::sources_in(folder / "noisy")) {
       all.push_back({task.slug, Kind::noisy, file, first_line(file, "// noisy: "), {}});
     }
     for (const auto& part : fs::directory_iterator(kRoot / "student")) {
@@ -184,7 +185,7 @@ TEST(SelfCheck, has_a_solution_that_keeps_every_bonus_promise) {
     for (const std::string& promise : task.promises) {
       if (!is_bonus(promise)) continue;
       bool kept = false;
-      std::vector<fs::path> files = sources_in(kRoot / "grader/tasks" / task.slug / "right");
+      std::vector<fs::path> files = base::sources_in(kRoot / "grader/tasks" / task.slug / "right");
       for (const auto& part : fs::directory_iterator(kRoot / "reference")) {
         const fs::path file = part.path() / (task.slug + ".cpp");
         if (fs::exists(file)) files.push_back(file);

@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/printable.h"
+#include "grader/base/sources_in.h"
 #include "grader/judge/alone.h"
 #include "pt/error.h"
 #include "writeup/measure/tasks.h"
@@ -37,11 +38,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 std::vector<std::string> others(const Materials& materials, const std::string& slug) {
   std::vector<std::string> names;
   const fs::path folder = fs::path(materials.config.root) / "grader/tasks" / slug / "right";
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == ".cpp") names.push_back(entry.path().stem());
-    }
-  }
+  for (const fs::path& file : grader::base::sources_in(folder)) names.push_back(file.stem());
   if (materials.fast.contains(slug)) names.emplace_back(kFast);
   std::sort(names.begin(), names.end());
   return names;

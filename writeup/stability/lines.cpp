@@ -2,6 +2,7 @@
 
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
+#include "grader/base/sources_in.h"
 #include "grader/judge/alone.h"
 #include "grader/judge/ask_graded.h"
 #include "pt/error.h"
@@ -134,16 +135,12 @@ std::vector<Line> kept_solutions(const judge::Config& config, const judge::TaskC
       add(line_of(method));
     }
   }
-  if (!variants || !fs::is_directory(folder + "right")) return lines;
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder + "right")) {
-    if (entry.path().extension() == ".cpp") files.push_back(entry.path().stem());
-  }
-  std::ranges::sort(files);
-  for (const std::string& file : files) {
-    std::string title = file;
+  if (!variants) return lines;
+  for (const fs::path& file : base::sources_in(folder + "right")) {
+    const std::string name = file.stem();
+    std::string title = name;
     std::ranges::replace(title, '_', ' ');
-    add({Line::Kind::variant, title, "right/" + file, false, ""});
+    add({Line::Kind::variant, title, "right/" + name, false, ""});
   }
   return lines;
 }
