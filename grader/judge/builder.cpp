@@ -128,7 +128,8 @@ Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
       tier_(tier),
       seconds_(seconds),
       cache_(config.work + "/cache"),
-      headers_(public_headers(config.root)) {
+      headers_(public_headers(config.root)),
+      precompiled_(config, headers_) {
   fs::create_directories(cache_);
   // An object that was compiled where more can be read, or audited by another judge, is not used.
   std::string tools = base::stamp(config.compiler) +
@@ -183,6 +184,9 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   sandbox::Box box = tool_box(stage);
   add(box, config_.compile_flags);
   box.command.insert(box.command.end(), kSubmissionFlags.begin(), kSubmissionFlags.end());
+  const std::vector<std::string> precompiled = precompiled_.flags_for(task, text);
+  add(box, precompiled);
+  if (!precompiled.empty()) box.visible.push_back(precompiled_.folder());
   add(box, {"-I.", "-fdiagnostics-color=never", "-c", task.file(), "-o", "task.o"});
   process::CommandResult result = run(box, task.slug);
   const std::string warnings = warnings_of(result.output, task.file());

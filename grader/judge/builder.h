@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/judge/config.h"
+#include "grader/judge/precompiled.h"
 #include "grader/judge/staging.h"
 #include "grader/process/run_command.h"
 #include "grader/sandbox/box.h"
@@ -49,6 +50,7 @@ class Builder {
   std::string toolchain_;  // stands for compiler, flags and headers
   std::string framework_;  // and for the objects of the framework
   Headers headers_;
+  PrecompiledHeaders precompiled_;
 };
 
 }  // namespace grader::judge

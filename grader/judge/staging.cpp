@@ -53,12 +53,6 @@ void add_reached(const std::string& path, const Headers& all, std::set<std::stri
   }
 }
 
-std::set<std::string> reached_from(const std::string& path, const Headers& all) {
-  std::set<std::string> reached;
-  add_reached(path, all, reached);
-  return reached;
-}
-
 // Returns whether a header is part of what tasks are made of; all others belong to the renderer.
 bool is_common(const std::string& path) {
   for (const char* folder : {"pt/math/", "pt/geometry/", "pt/sampling/", "pt/tasks/"}) {
@@ -84,6 +78,12 @@ void make_folder(const fs::path& path) {
 }
 
 }  // namespace
+
+std::set<std::string> reached_from(const std::string& path, const Headers& all) {
+  std::set<std::string> reached;
+  add_reached(path, all, reached);
+  return reached;
+}
 
 Headers public_headers(const std::string& root) {
   Headers headers;

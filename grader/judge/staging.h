@@ -5,6 +5,7 @@
 #include "grader/tasks.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace grader::judge {
@@ -12,6 +13,9 @@ namespace grader::judge {
 // The headers of the project: path below the root ("pt/math/vec3.h") and text.
 using Headers = std::map<std::string, std::string>;
 Headers public_headers(const std::string& root);
+
+// The paths of a header and of all that it includes, directly or not.
+std::set<std::string> reached_from(const std::string& path, const Headers& all);
 
 // The same for one task: in place of a header that it may not include there is one that says so, as
 // an error of the compiler. A task may include its contract, those of what it may call, and every

@@ -2,9 +2,11 @@
 
 #include "grader/judge/audit.h"
 #include "grader/judge/config.h"
+#include "grader/judge/precompiled.h"
 #include "grader/judge/submission_flags.h"
 #include "grader/tasks.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -39,18 +41,27 @@ int run(const std::string& command, const fs::path& log) {
   return std::system(fmt::format("{} > {} 2>&1", command, quoted(log)).c_str());
 }
 
-// The flags with which `grade` compiles a submission.
-std::string compile_flags() {
-  static const judge::Config config =
-      judge::load_config(fs::path(FIRSTLIGHT_CHECKS) / "grade.json");
-  return fmt::format("{} {}", fmt::join(config.compile_flags, " "),
-                     fmt::join(judge::kSubmissionFlags, " "));
+const judge::Config& config() {
+  static const judge::Config known = judge::load_config(fs::path(FIRSTLIGHT_CHECKS) / "grade.json");
+  return known;
+}
+
+// The flags with which `grade` compiles a file of the task.
+std::string compile_flags(const std::string& slug, const fs::path& file) {
+  static const judge::PrecompiledHeaders precompiled(config(),
+                                                     judge::public_headers(FIRSTLIGHT_ROOT));
+  const auto task = std::ranges::find(config().tasks, slug, &judge::TaskConfig::slug);
+  return fmt::format("{} {} {}", fmt::join(config().compile_flags, " "),
+                     fmt::join(judge::kSubmissionFlags, " "),
+                     fmt::join(precompiled.flags_for(*task, text_of(file)), " "));
 }
 
 // Compiles a file as `grade` does; false if it does not compile.
-bool compile(const fs::path& file, const fs::path& object, const fs::path& log) {
-  const std::string command = fmt::format("{} {} -I{} -c {} -o {}", FIRSTLIGHT_CXX, compile_flags(),
-                                          quoted(FIRSTLIGHT_ROOT), quoted(file), quoted(object));
+bool compile(const std::string& slug, const fs::path& file, const fs::path& object,
+             const fs::path& log) {
+  const std::string command =
+      fmt::format("{} {} -I{} -c {} -o {}", FIRSTLIGHT_CXX, compile_flags(slug, file),
+                  quoted(FIRSTLIGHT_ROOT), quoted(file), quoted(object));
   if (run(command, log) != 0) return false;
   if (text_of(log).find(judge::kNoReturn) == std::string::npos) return true;
   return run(fmt::format("{} {}", command, fmt::join(judge::kTrapFlags, " ")), log) == 0;
@@ -77,7 +88,7 @@ Verdict judge(const std::string& slug, const fs::path& file, const std::string& 
   const std::string link =
       fmt::format("{} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, quoted(object),
                   quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
-  verdict.compiled = compile(file, object, log) && run(link, log) == 0;
+  verdict.compiled = compile(slug, file, object, log) && run(link, log) == 0;
   if (verdict.compiled)
     verdict.audit = judge::audit(text_of(object), contract_of(slug), task_of(slug));
   if (verdict.compiled) {

@@ -1,0 +1,119 @@
+#include "grader/judge/precompiled.h"
+
+#include "grader/base/sha256.h"
+#include "grader/judge/cache.h"
+#include "grader/process/run_command.h"
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <filesystem>
+#include <sstream>
+
+namespace grader::judge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kMostToMake{60};
+
+// "#include <cmath>" of a line, without the blanks; empty if it is no directive.
+std::string directive_in(const std::string& line) {
+  std::string text;
+  for (const char c : line) {
+    if (c != ' ' && c != '\t') text += c;
+  }
+  return text.starts_with('#') ? text : "";
+}
+
+// Returns whether a header that the contract includes means the same where it is included before
+// the first line: nothing but other headers comes before the contract. A macro of the file could
+// change what a header says.
+bool starts_with_headers(const std::string& text, const std::string& contract) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string directive = directive_in(line);
+    if (directive == "#include\"" + contract + '"') return true;
+    if (!directive.empty() && !directive.starts_with("#include")) return false;
+  }
+  return false;
+}
+
+// Headers of other versions of the project, compiler or flags, unless somebody may still use them.
+void remove_older(const fs::path& folder) {
+  std::error_code error;
+  const auto now = fs::file_time_type::clock::now();
+  for (const auto& entry : fs::directory_iterator(folder.parent_path(), error)) {
+    if (entry.path() == folder || now - entry.last_write_time(error) < kInUse) continue;
+    fs::remove_all(entry.path(), error);
+  }
+}
+
+}  // namespace
+
+PrecompiledHeaders::PrecompiledHeaders(const Config& config, Headers headers)
+    : config_(config), headers_(std::move(headers)) {
+  kept_[0].included = "pt/scene/scene.h";
+  kept_[1].included = "pt/math/vec3.h";
+  std::string all = base::stamp(config.compiler) + config.compiler_version;
+  for (const std::string& flag : config.compile_flags) all += flag + '\0';
+  for (const auto& [path, text] : headers_) all += path + '\0' + base::sha256(text);
+  folder_ = config.work + "/headers/" + base::sha256(all);
+}
+
+std::string PrecompiledHeaders::path_of(const Header& header) const {
+  return folder_ + '/' + fs::path(header.included).filename().string();
+}
+
+std::vector<std::string> PrecompiledHeaders::flags_for(const TaskConfig& task,
+                                                       const std::string& text) const {
+  const std::string contract = "pt/tasks/" + task.slug + ".h";
+  if (!config_.compiler_version.starts_with("GNU ")) return {};
+  if (!starts_with_headers(text, contract)) return {};
+  const std::set<std::string> reached = reached_from(contract, headers_);
+  for (const Header& header : kept_) {
+    if (!reached.contains(header.included)) continue;
+    std::call_once(header.once, [&] { make(header); });
+    if (header.there) return {"-include", path_of(header)};
+  }
+  return {};
+}
+
+// A header that cannot be made is done without. Another judge may make the same one at once: both
+// write under names of their own, and the last one stays.
+void PrecompiledHeaders::make(const Header& header) const try {
+  const std::string path = path_of(header), made = path + ".gch";
+  if (!fs::exists(made)) {
+    // What is left of a run that was ended is removed from there.
+    const fs::path cache = config_.work + "/cache";
+    for (const fs::path& folder : {cache, fs::path(folder_)}) fs::create_directories(folder);
+    remove_older(folder_);
+    pt::write_file(path, "#include \"" + header.included + "\"\n");
+    const std::string temporary = pt::temporary_name(cache / fs::path(made).filename());
+    const Stage stage(pt::temporary_name(cache / "headers.tree"));
+    for (const auto& [name, text] : headers_) stage.put(name, text);
+    if (!compiled(path, stage.folder(), temporary)) {
+      fs::remove(temporary);
+      return;
+    }
+    // Another user reads it.
+    fs::permissions(temporary, fs::perms(0644));
+    fs::rename(temporary, made);
+  }
+  mark_used(folder_);
+  header.there = true;
+} catch (const std::exception&) {
+}
+
+bool PrecompiledHeaders::compiled(const std::string& path, const std::string& folder,
+                                  const std::string& output) const {
+  process::Child child{{config_.compiler}, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, folder, {}};
+  std::vector<std::string>& words = child.command;
+  words.insert(words.end(), config_.compile_flags.begin(), config_.compile_flags.end());
+  for (const char* word : {"-I.", "-x", "c++-header", path.c_str(), "-o", output.c_str()}) {
+    words.emplace_back(word);
+  }
+  return process::run_command(child, kMostToMake).ok();
+}
+
+}  // namespace grader::judge
