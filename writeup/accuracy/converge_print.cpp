@@ -40,11 +40,13 @@ const Curve& beside_which(const std::vector<Curve>& curves, const Options& optio
 
 constexpr int kSecondsColumn = 4;
 
-const char* const kChart = R"gp(set logscale xy
+// The key has a row below the curves for every three of them.
+const char* const kChart = R"gp(set terminal svg size 760,620 font "sans-serif,13"
+set logscale xy
 set format x "{}"
-set xlabel "{}"
+set xlabel "{}" offset 0,.5
 set ylabel "error (root of relMSE)"
-set key outside right samplen 1.5 font ",11"
+set key bmargin center horizontal maxcols 3 Left reverse samplen 1.5 font ",11"
 plot {}
 )gp";
 
