@@ -1,8 +1,10 @@
 // A limit of time counts what a process had, not what others took from it.
 #include "grader/process/time_limit.h"
+#include "pt/error.h"
 
 #include <chrono>
 #include <csignal>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -129,6 +131,32 @@ TEST(time_limit, ends_what_sleeps) {
   const pid_t child = crowd.add(wait_for_ever);
   EXPECT_TRUE(look(child, milliseconds(50)).over);
   EXPECT_LT(time_of_tree(child).running, milliseconds(50));
+}
+
+// Nobody waited for the child here, so that it did not sleep as far as the limit knows: it had no processor.
+TEST(time_limit, says_that_the_machine_is_too_busy_and_not_that_the_program_is_too_slow) {
+  Crowd crowd;
+  TimeLimit time(crowd.add(wait_for_ever), milliseconds(2));
+  const auto start = TimeLimit::Clock::now();
+  bool over = false;
+  std::string said;
+  while (said.empty() && !over && TimeLimit::Clock::now() - start < std::chrono::seconds(30)) {
+    usleep(1000);
+    if (TimeLimit::Clock::now() < time.next_look()) continue;
+    try {
+      over = time.is_over();
+    } catch (const pt::Error& error) {
+      said = error.what();
+    }
+  }
+  EXPECT_FALSE(over);
+  EXPECT_NE(said.find("the machine is too busy"), std::string::npos) << said;
+  EXPECT_GE(TimeLimit::Clock::now() - start, TimeLimit::kForever * milliseconds(2));
+}
+
+TEST(time_limit, is_not_about_the_machine_before_its_time) {
+  EXPECT_NO_THROW(expect_processor(milliseconds(1), milliseconds(10), milliseconds(10)));
+  EXPECT_THROW(expect_processor(milliseconds(1), milliseconds(11), milliseconds(10)), pt::Error);
 }
 
 // A compiler starts others that do the work.

@@ -35,6 +35,21 @@ bool is_over_after_waiting(TimeLimit& limit, pollfd* awaited, int longest) {
   return ready <= 0 && Clock::now() >= limit.next_look() && limit.is_over();
 }
 
+// A child that is ended where an exception leaves it alone.
+class Awaited {
+ public:
+  explicit Awaited(pid_t pid) : pid_(pid) {}
+  ~Awaited() {
+    if (pid_ > 0) kill_child(pid_);
+  }
+  Awaited(const Awaited&) = delete;
+  Awaited& operator=(const Awaited&) = delete;
+  void has_ended() { pid_ = -1; }
+
+ private:
+  pid_t pid_;
+};
+
 // The status of a child that ends by itself within the limit.
 std::optional<int> await(pid_t pid, TimeLimit& limit) {
   for (int pause = 0;; pause = 5) {
@@ -63,6 +78,7 @@ CommandResult run_command(Child child, milliseconds most) {
   base::Pipe output = base::make_pipe();
   child.descriptors = {nothing.number(), output.write_end.number(), output.write_end.number()};
   const pid_t pid = spawn(child);
+  Awaited awaited(pid);
   output.write_end.close();
   TimeLimit limit(pid, most);
 
@@ -82,6 +98,7 @@ CommandResult run_command(Child child, milliseconds most) {
   const std::optional<int> status = over ? std::nullopt : await(pid, limit);
   result.timed_out = !status;
   result.status = status ? *status : kill_child(pid);
+  awaited.has_ended();
   kill(-pid, SIGKILL);  // what it left behind
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;

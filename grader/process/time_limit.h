@@ -12,7 +12,8 @@ inline constexpr std::chrono::milliseconds kCallLimit{2000};
 // A limit on the time that a process and its descendants may take, whatever else the machine does:
 // so much of processor time. Time spent waiting for a processor does not count, nor does time in
 // which this process computes. A process that sleeps instead of computing ends too, after kPatience times
-// the limit.
+// the limit. Where the machine is so busy that neither comes to an end, nobody can say how long the
+// program takes: that is no verdict (expect_processor).
 //
 // The kernel is asked only when so much time has gone by that the limit may have been reached.
 class TimeLimit {
@@ -31,7 +32,7 @@ class TimeLimit {
   // This process did nothing for so long but wait for the other one (see Wait).
   void add_waited(std::chrono::nanoseconds time) { waited_ += time; }
 
-  // Asks the kernel, and puts off the next look.
+  // Asks the kernel, and puts off the next look. Throws pt::Error where the machine is too busy.
   bool is_over();
 
  private:
@@ -41,6 +42,11 @@ class TimeLimit {
   std::optional<ProcessTime> first_;    // what was known then
   Clock::time_point start_, next_look_;
 };
+
+// Throws pt::Error, with what to do about it, if a program that has run for so long was not ended by its limits within
+// `most`, by the clock: it waits for a processor.
+void expect_processor(std::chrono::nanoseconds running, std::chrono::nanoseconds by_the_clock,
+                      std::chrono::nanoseconds most);
 
 // One wait of this thread, from the constructor on. Takes some 20 microseconds.
 class Wait {

@@ -130,7 +130,7 @@ void Session::expect_time_left() {
 }
 
 // Time in which workers slept counts too: nothing in a task waits. What they wait for a processor is
-// nobody's fault, and yet no run may last for ever.
+// nobody's fault, and yet no run may last for ever: then there is no verdict.
 void Session::expect_total_time_left() {
   const auto give_up = [&](std::chrono::nanoseconds took) {
     settings_.give_up(
@@ -140,13 +140,17 @@ void Session::expect_total_time_left() {
   const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
   if (running > settings_.total_limit) give_up(running);
   const auto waited = waited_ + (worker_ ? worker_->waited() : Clock::duration::zero());
-  const auto age = Clock::now() - first_call_;
-  if (age > kMaxAge * settings_.total_limit) give_up(age);
   const auto patience = settings_.total_limit / 2;
-  if (waited - running <= patience) return;
-  const auto starved = starved_ + (worker_ ? worker_->starved() : Clock::duration::zero());
-  const auto slept = waited - running - starved;
-  if (slept > patience) give_up(slept);
+  if (waited - running > patience) {
+    const auto starved = starved_ + (worker_ ? worker_->starved() : Clock::duration::zero());
+    const auto slept = waited - running - starved;
+    if (slept > patience) give_up(slept);
+  }
+  try {
+    process::expect_processor(running, Clock::now() - first_call_, kMaxAge * settings_.total_limit);
+  } catch (const pt::Error& busy) {
+    settings_.at_fault(busy.what());
+  }
 }
 
 // A dead process does not tell how long it waited for a processor, so that nothing may be held
