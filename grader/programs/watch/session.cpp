@@ -164,7 +164,7 @@ void WatchSession::start_next() {
     command.insert(command.end(), {"--no-pictures"});
   }
   command.insert(command.end(), {"--submission", options_.submission, "--json", results_path_,
-                                 "--config", options_.config});
+                                 "--config", options_.config, "--quiet"});
   std::filesystem::remove(results_path_);
   running_.emplace(command);
   draw();
