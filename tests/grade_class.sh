@@ -139,3 +139,15 @@ assert zoe["Full name"] == "Zoë 北" and 0 < int(zoe["Grade"]) <= int(zoe["Maxi
 assert nobody["Grade"] == "" and "none of the files" in nobody["Feedback comments"], nobody
 assert zipfile.ZipFile(folder + "/feedback.zip").namelist() == ["Zoë 北_7_assignsubmission_file_/report.html"]
 END
+
+# What unpacks an archive is in a box: another program in its place sees no other file, and cannot write elsewhere.
+mkdir "$folder/programs"
+cp "$(dirname "$program")/grade.json" "$folder/programs"
+echo words >"$folder/secret"
+cat >"$folder/programs/unpack" <<END
+#!/bin/sh
+cat "$folder/secret" && echo "\$1 cannot be unpacked: it sees other files" && exit 2
+echo words >"$folder/elsewhere" && echo "\$1 cannot be unpacked: it writes elsewhere" && exit 2
+ls "$folder/class/a.zip" && echo "\$1 cannot be unpacked: it sees the class" && exit 2
+echo words >inside.cpp && echo "\$1 cannot be unpacked: it is in a box"
+exit 2

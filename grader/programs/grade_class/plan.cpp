@@ -1,14 +1,12 @@
 #include "grader/programs/grade_class/plan.h"
 
 #include "grader/base/files.h"
-#include "grader/base/printable.h"
 #include "grader/base/sha256.h"
-#include "grader/process/run_command.h"
+#include "grader/programs/grade_class/unpack_boxed.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -16,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace grader::programs {
@@ -26,26 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::chrono::minutes kMaxUnpacking{5};
-constexpr std::size_t kMaxReason = 300;
 constexpr std::size_t kDigitsOfAlias = 10;
-
-std::vector<intake::HandedIn> handed_in(const std::string& programs, const PlanRequest& request) {
-  const auto unpack = [&](const std::string& archive, const std::string& folder) {
-    const process::CommandResult run =
-        process::run_command({{programs + "/unpack", archive, folder},
-                              {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"},
-                              {},
-                              "",
-                              {}},
-                             kMaxUnpacking);
-    if (run.ok()) return std::string();
-    if (!run.timed_out && WIFEXITED(run.status)) return base::printable(run.output, kMaxReason);
-    return fmt::format("'{}' cannot be unpacked: {}", fs::path(archive).filename().string(),
-                       process::fault_of(run));
-  };
-  return intake::handed_in(request.input, request.out + "/unpacked", unpack);
-}
 
 std::uint64_t seed_for(const PlanRequest& request) {
   const std::string path = request.out + "/seed";
@@ -180,7 +158,8 @@ Plan make_plan(const judge::Config& config, const std::string& programs,
   plan.seed = seed_for(request);
   plan.host = host_name();
   plan.former = request.former;
-  plan.everybody = handed_in(programs, request);
+  plan.everybody =
+      intake::handed_in(request.input, request.out + "/unpacked", unpack_boxed(config, programs));
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
   }
