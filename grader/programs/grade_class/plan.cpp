@@ -142,6 +142,29 @@ intake::HandedIn handed_in_from(const json& from) {
       text_from(from.at("feedback"))};
 }
 
+// Of what another program may have written.
+void check_plan(const Plan& plan) {
+  const auto check = [](bool holds, const char* what) {
+    if (!holds) throw pt::Error(what);
+  };
+  check(plan.real_names.empty() || plan.real_names.size() == plan.everybody.size(),
+        "it has not as many real names as submissions");
+  for (const intake::HandedIn& by : plan.everybody) {
+    const bool is_file_name = !by.name.empty() && by.name != "." && by.name != ".." &&
+                              by.name.find('/') == by.name.npos &&
+                              by.name.find('\0') == by.name.npos;
+    check(is_file_name, "a submission's name cannot be that of a file");
+  }
+  for (const Chunk& chunk : plan.chunks) {
+    for (const Equal& equal : chunk) {
+      check(!equal.empty(), "a chunk has nobody in it");
+      for (const std::size_t i : equal) {
+        check(i < plan.everybody.size(), "a chunk has a submission that there is not");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::string host_name() {
@@ -200,11 +223,7 @@ Plan read_plan(const std::string& out) {
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
     for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));
     for (const json& name : all.at("real_names")) plan.real_names.push_back(text_from(name));
-    for (const Chunk& chunk : plan.chunks) {
-      for (const Equal& group : chunk) {
-        for (const std::size_t i : group) (void)plan.everybody.at(i);
-      }
-    }
+    check_plan(plan);
     return plan;
   } catch (const std::exception& error) {
     throw pt::Error(
