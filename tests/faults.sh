@@ -36,7 +36,7 @@ END
 grades() {
   local name=$1 status=$2 got=0
   shift 2
-  "$grader/grade" --config "$folder/$name/grade.json" "$@" >"$folder/said" 2>&1 || got=$?
+  "$grader/grade" --config "$folder/$name/grade.json" --quiet "$@" >"$folder/said" 2>&1 || got=$?
   [ "$got" -eq "$status" ] || complain "grade $* ended with $got, not $status:" "$(cat "$folder/said")"
   [ "$got" -ne 2 ] || [ "$(wc -l <"$folder/said")" -eq 1 ] || complain "not one line:" "$(cat "$folder/said")"
 }
@@ -65,7 +65,7 @@ full_disk() {
   for size in 64k 512k 1m 2m 3m 4m 6m; do
     mount -o "remount,size=$size" "$mounted"
     got=0
-    "$grader/grade" --config "$folder/disk/grade.json" "${asked[@]}" >"$folder/said" 2>&1 || got=$?
+    "$grader/grade" --config "$folder/disk/grade.json" --quiet "${asked[@]}" >"$folder/said" 2>&1 || got=$?
     case $got in
       0) ;;
       2) refused=$((refused + 1)); [ "$(wc -l <"$folder/said")" -eq 1 ] || complain "$(cat "$folder/said")" ;;

@@ -139,3 +139,20 @@ assert zoe["Full name"] == "Zoë 北" and 0 < int(zoe["Grade"]) <= int(zoe["Maxi
 assert nobody["Grade"] == "" and "none of the files" in nobody["Feedback comments"], nobody
 assert zipfile.ZipFile(folder + "/feedback.zip").namelist() == ["Zoë 北_7_assignsubmission_file_/report.html"]
 END
+
+# What unpacks an archive is in a box: in its place stands awk here, which takes the archive's name for its program.
+boxed=$(grep -l '"isolation": "[AB]:' "$folder/class-graded/"*.json || true)
+rm -rf "$folder/class" "$folder/class-graded"
+mkdir "$folder/programs" "$folder/class"
+cp "$(dirname "$program")/grade.json" "$folder/programs"
+cp "$(readlink -f "$(command -v awk)")" "$folder/programs/unpack"
+echo words >"$folder/secret"
+looks='BEGIN { s = sprintf("%c", 47); p = "'${folder//\//@}'@secret"; gsub("@", s, p)'
+looks+='; print "cannot be unpacked: sees " ((getline x <p) >= 0) " files"; exit 2 } #.zip'
+echo words >"$folder/class/$looks"
+class=$folder/class options="--jobs 1 --config $folder/programs/grade.json"
+if [ -n "$boxed" ] && ! grep -qa __asan_init "$program"; then
+  says 2 'cannot be unpacked: sees 0 files'
+else
+  echo 'NOT TESTED, the box in which archives are unpacked: there is none here'
+fi

@@ -183,6 +183,18 @@ TEST(readable, long_inputs_are_folded) {
   EXPECT_EQ(shown.input[10], "and 162 more lines; --json writes them all");
   report.input.resize(12);
   EXPECT_EQ(readable(report).input, report.input);
+  EXPECT_TRUE(left_out(report).empty());
+}
+
+TEST(readable, what_is_folded_is_there) {
+  Failure report;
+  for (int i = 0; i < 172; ++i) report.input.push_back("box " + std::to_string(i) + ".123456789");
+  const std::vector<std::string> rest = left_out(report);
+  ASSERT_EQ(rest.size(), 162U);
+  EXPECT_EQ(rest.front(), "box 10.1235");
+  EXPECT_EQ(rest.back(), "box 171.123");
+  report.input.resize(5000);
+  EXPECT_EQ(left_out(report).back(), "and 4590 more lines; --json writes them all");
 }
 
 }  // namespace

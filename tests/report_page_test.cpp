@@ -40,6 +40,25 @@ TEST_F(Page, says_all_that_there_is_to_say) {
   EXPECT_THAT(text, Not(HasSubstr(results::kStopped)));
 }
 
+TEST_F(Page, folds_long_inputs) {
+  EXPECT_THAT(to_html(run), Not(HasSubstr("more lines</summary>")));
+  results::Results long_inputs = run;
+  for (results::TaskResult& task : long_inputs.tasks) {
+    for (results::PromiseResult& promise : task.promises) {
+      for (results::Failure& failure : promise.failures) {
+        failure.input.clear();
+        for (int i = 0; i < 30; ++i) failure.input.push_back("box " + std::to_string(i));
+      }
+    }
+  }
+  const std::string text = to_html(long_inputs);
+  EXPECT_THAT(
+      text,
+      HasSubstr("<code>box 9</code><details><summary>20 more lines</summary><code>box 10</code>"));
+  EXPECT_THAT(text, HasSubstr("<code>box 29</code></details>"));
+  EXPECT_THAT(text, Not(HasSubstr("--json writes")));
+}
+
 TEST_F(Page, opens_what_failed) {
   const std::string text = to_html(run);
   EXPECT_THAT(text, HasSubstr("id=\"hit_triangle\" open"));

@@ -1,5 +1,6 @@
 #include "grader/intake/unpack.h"
 
+#include "grader/base/descriptor.h"
 #include "grader/base/files.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -13,6 +14,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 
 namespace grader::intake {
@@ -59,15 +61,15 @@ using Reader = std::unique_ptr<archive, Closed>;
 
 class Unpacking {
  public:
-  Unpacking(const std::string& file, fs::path folder)
-      : name_(fs::path(file).filename()), folder_(std::move(folder)), reader_(archive_read_new()) {
+  Unpacking(int file, std::string name, fs::path folder)
+      : name_(std::move(name)), folder_(std::move(folder)), reader_(archive_read_new()) {
     archive_read_support_filter_all(reader_.get());
     archive_read_support_format_zip(reader_.get());
     archive_read_support_format_tar(reader_.get());
     archive_read_support_format_gnutar(reader_.get());
     archive_read_support_format_7zip(reader_.get());
     constexpr std::size_t kBlock = 1 << 16;
-    expect(archive_read_open_filename(reader_.get(), file.c_str(), kBlock));
+    expect(archive_read_open_fd(reader_.get(), file, kBlock));
   }
 
   void run() {
@@ -182,8 +184,15 @@ bool is_archive(const std::string& name) {
 }
 
 void unpack(const std::string& archive, const std::string& folder) {
+  const std::string name = fs::path(archive).filename();
+  const base::Descriptor file(open(archive.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) throw pt::Error(fmt::format("'{}' cannot be read", name));
   fs::create_directories(folder);
-  Unpacking(archive, folder).run();
+  unpack(file.number(), name, folder);
+}
+
+void unpack(int archive, const std::string& name, const std::string& folder) {
+  Unpacking(archive, name, folder).run();
 }
 
 }  // namespace grader::intake

@@ -22,6 +22,9 @@ bool is_archive(const std::string& name);
 // too large: more than 64 MiB of such files, 5,000 of them, 100,000 entries, or 2 GiB in all.
 void unpack(const std::string& archive, const std::string& folder);
 
+// The same of an archive that is open; sentences call it `name`.
+void unpack(int archive, const std::string& name, const std::string& folder);
+
 // A file that goes into an archive, and its path there.
 struct Packed {
   std::string path, file;

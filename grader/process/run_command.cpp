@@ -76,7 +76,8 @@ CommandResult run_command(Child child, milliseconds most) {
   const auto start = Clock::now();
   base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   base::Pipe output = base::make_pipe();
-  child.descriptors = {nothing.number(), output.write_end.number(), output.write_end.number()};
+  const int input = child.descriptors.empty() ? nothing.number() : child.descriptors[0];
+  child.descriptors = {input, output.write_end.number(), output.write_end.number()};
   const pid_t pid = spawn(child);
   Awaited awaited(pid);
   output.write_end.close();

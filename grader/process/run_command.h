@@ -23,8 +23,8 @@ inline constexpr std::size_t kMaxOutput = std::size_t{1} << 18;
 
 // Runs a command to its end, or until it and its descendants have had `most` of processor time
 // (grader/process/time_limit.h: a busy machine changes nothing, and one that sleeps ends too), and
-// keeps what it prints. Its descriptors are set here: no input, and both outputs are read. Throws
-// pt::Error where the machine is too busy for it; it has ended then.
+// keeps what it prints. Its descriptors are set here: both outputs are read, and its input is the first that it has,
+// or nothing. Throws pt::Error where the machine is too busy for it; it has ended then.
 CommandResult run_command(Child child, std::chrono::milliseconds most);
 
 }  // namespace grader::process

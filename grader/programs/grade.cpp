@@ -5,6 +5,7 @@
 #include "grader/base/files.h"
 #include "grader/process/spawn.h"
 #include "grader/programs/grade_options.h"
+#include "grader/programs/status_line.h"
 #include "grader/report/hint_memory.h"
 #include "grader/report/terminal.h"
 #include "grader/results/points.h"
@@ -14,7 +15,6 @@
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/file.h"
-#include "pt/render/progress.h"
 
 #include <csignal>
 #include <cstdio>
@@ -24,7 +24,7 @@
 #include <set>
 #include <sstream>
 
-#include <unistd.h>
+#include <fmt/format.h>
 
 namespace {
 
@@ -138,19 +138,14 @@ void remember_run(const judge::Config& config, const results::Results& results,
                                             results::verdict(results) + "\n");
 }
 
-// The part of all verdicts that is there, in [0, 1].
-double part_judged(const results::Results& results) {
-  std::size_t all = 0, judged = 0;
-  for (const results::TaskResult& task : results.tasks) {
-    all += task.promises.size() + task.pictures.size();
-    for (const results::PromiseResult& each : task.promises) {
-      judged += results::is_judged(task, each) ? 1 : 0;
-    }
-    for (const results::PictureResult& each : task.pictures) {
-      judged += each.state != results::State::not_judged ? 1 : 0;
-    }
-  }
-  return all == 0 ? 0 : static_cast<double>(judged) / static_cast<double>(all);
+// How many verdicts there are, and how many there will be.
+void show_progress(StatusLine& line, const results::Results& so_far) {
+  const results::Counts verdicts = results::verdicts(so_far);
+  const double part = static_cast<double>(verdicts.judged) / static_cast<double>(verdicts.all);
+  line.show(verdicts.judged == 0
+                ? "judging: compiling what was handed in"
+                : fmt::format("judging: {} of {} verdicts", verdicts.judged, verdicts.all),
+            part);
 }
 
 int run(Words words) {
@@ -167,14 +162,14 @@ int run(Words words) {
   const judge::GradeRequest request = request_for(config, options);
   if (request.pictures) unfinished.begin(words);
   report::ProgressReports reports(options.files);
-  pt::Progress progress;
-  const bool watched = isatty(STDERR_FILENO) == 1;
+  std::optional<StatusLine> line(std::in_place,
+                                 options.quiet ? StatusLine::Output::none : StatusLine::standard());
   const results::Results results =
       judge::grade(config, request, [&](const results::Results& so_far) {
         reports.write(so_far);
-        if (watched) progress.show(part_judged(so_far));
+        show_progress(*line, so_far);
       });
-  progress.clear();
+  line.reset();
   if (request.pictures) unfinished.end();
   report::remember_failures(config.work, results);
   remember_run(config, results, options);

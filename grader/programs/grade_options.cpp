@@ -24,6 +24,7 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_option("--name", options.name,
                  "who handed it in: reports say this, and no path of this machine");
   app.add_flag("--all", options.all, "show every failure, not only the first");
+  app.add_flag("--quiet", options.quiet, "do not say on standard error how far it is");
   app.add_flag("--no-pictures", options.no_pictures, "judge the promises only");
   app.add_option("--json", options.files.json, "also write the results to this file");
   app.add_option("--html", options.files.html, "also write a page with all pictures");

@@ -26,6 +26,7 @@ struct GradeOptions {
   bool require_isolation = false;
   bool all = false;
   bool no_pictures = false;
+  bool quiet = false;
   bool resume = false;  // what an interrupted run was asked; all else here is what it was
 };
 

@@ -1,5 +1,6 @@
-// unpack ARCHIVE FOLDER: for grade_class, in a process of its own. An archive that makes the library crash, or that
-// never ends, costs that submission and no other.
+// unpack NAME: for grade_class, in a box of its own (grade_class/unpack_boxed.h): the archive on standard input is
+// unpacked in the folder where this program starts. An archive that makes the library crash, or that never ends,
+// costs that submission and no other.
 #include "grader/intake/unpack.h"
 
 #include "pt/end_of_program.h"
@@ -9,6 +10,7 @@
 #include <cstdio>
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace {
 
@@ -30,8 +32,8 @@ int main(int argc, char** argv) {
   bound(RLIMIT_CORE, 0);
   std::setlocale(LC_ALL, "C.UTF-8");  // names in any script
   try {
-    if (argc != 3) throw pt::Error("unpack ARCHIVE FOLDER");
-    grader::intake::unpack(argv[1], argv[2]);
+    if (argc != 2) throw pt::Error("unpack NAME <ARCHIVE");
+    grader::intake::unpack(STDIN_FILENO, argv[1], ".");
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());

@@ -32,9 +32,13 @@ void set_texts(data& out, const std::string& list, const std::string& key,
 }
 
 data failure_data(const results::Failure& exact) {
-  const results::Failure failure = results::readable(exact);
+  results::Failure failure = results::readable(exact);
   data out;
+  const std::vector<std::string> folded = results::left_out(exact);
+  if (!folded.empty()) failure.input.pop_back();  // which says how many they are
   set_texts(out, "input", "line", failure.input);
+  set_texts(out, "folded", "line", folded);
+  out.set("lines_folded", std::to_string(exact.input.size() - failure.input.size()));
   set_text(out, "what", failure.what);
   set_text(out, "got", failure.got);
   set_text(out, "expected", failure.expected);

@@ -16,8 +16,6 @@ namespace grader::report {
 
 namespace {
 
-constexpr int kWidth = 100;
-
 std::string paint(const std::string& text, const char* code, const TerminalStyle& style) {
   return style.color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
 }
@@ -108,7 +106,7 @@ std::string failure_text(const results::Failure& failure) {
 std::string promise_text(const results::TaskResult& task, const results::PromiseResult& promise,
                          const TerminalStyle& style) {
   std::string text = "\n";
-  for (const std::string& line : base::wrap(task.slug + " " + promise.words, kWidth)) {
+  for (const std::string& line : base::wrap(task.slug + " " + promise.words, style.width)) {
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
@@ -128,12 +126,13 @@ std::string picture_text(const results::TaskResult& task, const results::Picture
       fmt::format("{}: picture {}{}{} ({}, {} of {} points)", task.slug, picture.recipe,
                   picture.title.empty() ? "" : ", ", picture.title, results::words(picture.state),
                   picture.points, picture.max_points);
-  for (const std::string& line : base::wrap(head, kWidth)) {
+  for (const std::string& line : base::wrap(head, style.width)) {
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
   if (picture.integrated) text += "  With your own tasks in all places:\n";
-  for (const std::string& line : base::wrap(picture.text, kWidth - 2)) text += "  " + line + "\n";
+  for (const std::string& line : base::wrap(picture.text, style.width - 2))
+    text += "  " + line + "\n";
   text += "\n";
   const std::string see = results::how_to_see(task, picture);
   if (!see.starts_with(picture.replay)) text += labelled("replay", {picture.replay});
@@ -158,7 +157,7 @@ std::string mistake_lines(const results::TaskResult& task, const TerminalStyle& 
   if (task.mistake.empty()) return "";
   std::string text = "\n";
   for (const std::string& line :
-       base::wrap(task.slug + ": " + results::mistake_text(task), kWidth)) {
+       base::wrap(task.slug + ": " + results::mistake_text(task), style.width)) {
     text += paint(line, "1", style) + "\n";
   }
   const std::string spared = results::spared_text(task);

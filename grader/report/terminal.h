@@ -2,6 +2,7 @@
 
 #include "grader/results/results.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace grader::report {
 struct TerminalStyle {
   bool color = false;
   bool all = false;  // every failure, not only the first
+  std::size_t width = 100;
 };
 
 // The results for a person in front of a terminal: a table, then failures in full.

@@ -13,7 +13,7 @@ namespace grader::results {
 namespace {
 
 constexpr int kDigits = 6, kAllDigits = 17;
-constexpr std::size_t kMaxLines = 12, kShownLines = 10;
+constexpr std::size_t kMaxLines = 12, kShownLines = 10, kMaxLeftOut = 400;
 
 bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -134,6 +134,19 @@ Failure readable(Failure failure) {
   failure.got = with_digits(failure.got, digits);
   failure.expected = with_digits(failure.expected, digits);
   return failure;
+}
+
+std::vector<std::string> left_out(const Failure& failure) {
+  std::vector<std::string> lines;
+  if (failure.input.size() <= kMaxLines) return lines;
+  const std::size_t end = std::min(failure.input.size(), kShownLines + kMaxLeftOut);
+  for (std::size_t i = kShownLines; i < end; ++i)
+    lines.push_back(with_few_digits(failure.input[i]));
+  if (end < failure.input.size()) {
+    lines.push_back(
+        fmt::format("and {} more lines; --json writes them all", failure.input.size() - end));
+  }
+  return lines;
 }
 
 }  // namespace grader::results

@@ -17,4 +17,7 @@ std::string with_few_digits(const std::string& text);
 // digits: as many as show how far `got` is from `expected`.
 Failure readable(Failure failure);
 
+// The lines of its input that readable() leaves out, with few digits; of thousands the first ones.
+std::vector<std::string> left_out(const Failure& failure);
+
 }  // namespace grader::results

@@ -55,6 +55,18 @@ bool is_judged(const TaskResult& task, const PromiseResult& promise) {
   return task.state != State::not_judged || promise.held || !promise.failures.empty();
 }
 
+Counts verdicts(const Results& results) {
+  Counts counts;
+  for (const TaskResult& task : results.tasks) {
+    counts.all += task.promises.size() + task.pictures.size();
+    for (const PromiseResult& each : task.promises) counts.judged += is_judged(task, each) ? 1 : 0;
+    for (const PictureResult& each : task.pictures) {
+      counts.judged += each.state != State::not_judged ? 1 : 0;
+    }
+  }
+  return counts;
+}
+
 std::string passed(const Results& results) {
   const Totals all = totals(results.tasks);
   std::string text = fmt::format("{} of {} tasks pass", all.passed, results.tasks.size());

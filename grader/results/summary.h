@@ -2,6 +2,7 @@
 
 #include "grader/results/results.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,12 @@ Totals totals(const std::vector<TaskResult>& tasks);
 // Returns whether there is a verdict on a promise of the task. Before the run has ended, the
 // promises of a task wait for their verdict together.
 bool is_judged(const TaskResult& task, const PromiseResult& promise);
+
+// Of promises and pictures: how many there are, and on how many there is a verdict.
+struct Counts {
+  std::size_t all = 0, judged = 0;
+};
+Counts verdicts(const Results& results);
 
 // "7 of 12 tasks pass", "2 of 12 tasks pass, 9 not judged yet"
 std::string passed(const Results& results);

@@ -119,7 +119,7 @@ std::vector<std::string> Collector::write() {
     for (const char* name : {"/compare.csv", "/compare.html"}) written.push_back(out_ + name);
     pt::write_file(out_ + "/compare.csv", report::comparison_csv(comparison));
     pt::write_file(out_ + "/compare.html", report::comparison_html(comparison));
-    fmt::print("{}\n", report::comparison_sentence(comparison));
+    comparison_ = report::comparison_sentence(comparison);
   }
   if (!plan_.real_names.empty()) {
     std::string names = std::string(report::kByteOrderMark) + "submission,name,id\r\n";

@@ -32,6 +32,9 @@ class Collector {
   // Writes everything. Returns the paths.
   std::vector<std::string> write();
 
+  // After that: who gains and who loses, in a sentence; empty where nothing is compared.
+  const std::string& comparison() const { return comparison_; }
+
  private:
   void write_table();
   std::vector<std::string> write_returns() const;
@@ -43,6 +46,7 @@ class Collector {
   std::vector<report::GradeRow> for_platforms_;
   report::ClassPage page_;
   int max_points_ = 0;
+  std::string comparison_;
   std::chrono::steady_clock::time_point next_table_{};
 };
 

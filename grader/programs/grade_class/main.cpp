@@ -4,12 +4,12 @@
 #include "grader/programs/grade_class/engine.h"
 #include "grader/programs/grade_class/one.h"
 #include "grader/programs/grade_class/plan.h"
+#include "grader/programs/status_line.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
-#include "pt/render/progress.h"
 
 #include <algorithm>
 #include <csignal>
@@ -117,10 +117,10 @@ Judging judging_of(const judge::Config& config, const Options& options, const Pl
 // Says one outcome after another, and how long the rest will take.
 class Teller {
  public:
-  explicit Teller(std::size_t all) : all_(all) {}
+  Teller(std::size_t all, StatusLine& line) : all_(all), line_(line) { show(); }
 
   void tell(const Graded& graded) {
-    bar_.clear();
+    line_.clear();
     fmt::print("{}/{} {}: {}{}\n", ++count_, all_, results::one_line(graded.by.name),
                graded.problem.empty() ? results::verdict(graded.results)
                                       : results::one_line(graded.problem),
@@ -128,19 +128,20 @@ class Teller {
     std::fflush(stdout);
     all_judged_ = all_judged_ && graded.problem.empty();
     if (graded.again) ++known_;
-    // What was known takes no time, and says nothing about the rest.
-    if (count_ < all_) {
-      bar_.show(static_cast<double>(count_ - known_) / static_cast<double>(all_ - known_));
-    } else {
-      bar_.clear();
-    }
+    show();
   }
   bool all_judged() const { return all_judged_; }
 
  private:
-  pt::Progress bar_;
+  // What was known takes no time, and says nothing about the rest.
+  void show() const {
+    const double part = static_cast<double>(count_ - known_) / static_cast<double>(all_ - known_);
+    line_.show(fmt::format("judging: {} of {} submissions", count_, all_), part);
+  }
+
   std::size_t all_, count_ = 0, known_ = 0;
   bool all_judged_ = true;
+  StatusLine& line_;
 };
 
 Plan planned(Options& options, const judge::Config& config, const std::vector<std::string>& words) {
@@ -166,17 +167,25 @@ Plan planned(Options& options, const judge::Config& config, const std::vector<st
   Plan plan = make_plan(config, programs_of(options), request);
   forget_outcomes(request.out, plan.everybody);
   write_plan(plan, request.out);
-  fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
   return plan;
 }
 
-void print_files(Collector& collector) {
-  for (const std::string& file : collector.write()) fmt::print("{}\n", file);
+void print_seed(const Plan& plan) {
+  fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
+}
+
+void print_files(const Collector& collector, const std::vector<std::string>& files) {
+  if (!collector.comparison().empty()) fmt::print("{}\n", collector.comparison());
+  for (const std::string& file : files) fmt::print("{}\n", file);
 }
 
 int grade_all(Options options, const std::vector<std::string>& words) {
+  StatusLine line;
+  line.show("reading what was handed in", 0);
   const judge::Config config = judge::load_config(config_of(options));
   const Plan plan = planned(options, config, words);
+  line.clear();
+  print_seed(plan);
   EngineRequest& engine = options.engine;
   if (engine.engine == Engine::local && engine.jobs == 0) engine.jobs = processors();
   const int threads = std::max(1, processors() / std::max(1, engine.jobs));
@@ -185,7 +194,7 @@ int grade_all(Options options, const std::vector<std::string>& words) {
   if (engine.engine == Engine::parallel) engine.program.emplace_back("--end-with-parent");
 
   Collector collector(config, plan, options.plan.out);
-  Teller teller(plan.everybody.size());
+  Teller teller(plan.everybody.size(), line);
   std::vector<bool> known(plan.everybody.size(), false);
   const auto report = [&](std::size_t i, const Graded& graded) {
     teller.tell(graded);
@@ -199,12 +208,16 @@ int grade_all(Options options, const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < plan.everybody.size(); ++i) {
     if (!known[i]) report(i, graded_before(judging, plan.everybody[i]));
   }
-  print_files(collector);
+  line.show("writing tables and pages", 0);
+  const std::vector<std::string> files = collector.write();
+  line.clear();
+  print_files(collector, files);
   return teller.all_judged() ? 0 : 2;
 }
 
 int make_plan_only(Options options, const std::vector<std::string>& words) {
   const Plan plan = planned(options, judge::load_config(config_of(options)), words);
+  print_seed(plan);
   fmt::print("{} submissions in {} chunks: ./run grade-class chunk {} NUMBER, from 1 to {}\n",
              plan.everybody.size(), plan.chunks.size(), options.plan.out, plan.chunks.size());
   return 0;
@@ -226,7 +239,8 @@ int run_chunks(const Options& options) {
   }
   std::size_t count = 0;
   for (const Equal& equal : all) count += equal.size();
-  Teller teller(count);
+  StatusLine line(StatusLine::Output::none);  // its log has the outcomes
+  Teller teller(count, line);
   const int jobs = std::max(1, options.engine.jobs);
   run_chunk(judging_of(config, options, plan, out, 1), plan, all, jobs,
             [&](std::size_t, const Graded& graded) { teller.tell(graded); });
@@ -246,7 +260,7 @@ int collect(const Options& options) {
     collector.add(i, graded);
   }
   fmt::print("{} of {} submissions are judged\n", judged, plan.everybody.size());
-  print_files(collector);
+  print_files(collector, collector.write());
   return judged == plan.everybody.size() ? 0 : 2;
 }
 

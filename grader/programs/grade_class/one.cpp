@@ -101,6 +101,7 @@ std::string run_grade(const Judging& judging, const intake::HandedIn& by, const 
                                    "--json=" + path + ".json",
                                    "--html=" + path + ".html",
                                    "--small-page",
+                                   "--quiet",
                                    "--seed=" + std::to_string(judging.seed)};
   if (std::ranges::none_of(judging.words,
                            [](const auto& word) { return word.starts_with("--threads"); })) {

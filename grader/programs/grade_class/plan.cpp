@@ -1,14 +1,12 @@
 #include "grader/programs/grade_class/plan.h"
 
 #include "grader/base/files.h"
-#include "grader/base/printable.h"
 #include "grader/base/sha256.h"
-#include "grader/process/run_command.h"
+#include "grader/programs/grade_class/unpack_boxed.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -16,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace grader::programs {
@@ -26,26 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::chrono::minutes kMaxUnpacking{5};
-constexpr std::size_t kMaxReason = 300;
 constexpr std::size_t kDigitsOfAlias = 10;
-
-std::vector<intake::HandedIn> handed_in(const std::string& programs, const PlanRequest& request) {
-  const auto unpack = [&](const std::string& archive, const std::string& folder) {
-    const process::CommandResult run =
-        process::run_command({{programs + "/unpack", archive, folder},
-                              {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"},
-                              {},
-                              "",
-                              {}},
-                             kMaxUnpacking);
-    if (run.ok()) return std::string();
-    if (!run.timed_out && WIFEXITED(run.status)) return base::printable(run.output, kMaxReason);
-    return fmt::format("'{}' cannot be unpacked: {}", fs::path(archive).filename().string(),
-                       process::fault_of(run));
-  };
-  return intake::handed_in(request.input, request.out + "/unpacked", unpack);
-}
 
 std::uint64_t seed_for(const PlanRequest& request) {
   const std::string path = request.out + "/seed";
@@ -164,6 +142,29 @@ intake::HandedIn handed_in_from(const json& from) {
       text_from(from.at("feedback"))};
 }
 
+// Of what another program may have written.
+void check_plan(const Plan& plan) {
+  const auto check = [](bool holds, const char* what) {
+    if (!holds) throw pt::Error(what);
+  };
+  check(plan.real_names.empty() || plan.real_names.size() == plan.everybody.size(),
+        "it has not as many real names as submissions");
+  for (const intake::HandedIn& by : plan.everybody) {
+    const bool is_file_name = !by.name.empty() && by.name != "." && by.name != ".." &&
+                              by.name.find('/') == by.name.npos &&
+                              by.name.find('\0') == by.name.npos;
+    check(is_file_name, "a submission's name cannot be that of a file");
+  }
+  for (const Chunk& chunk : plan.chunks) {
+    for (const Equal& equal : chunk) {
+      check(!equal.empty(), "a chunk has nobody in it");
+      for (const std::size_t i : equal) {
+        check(i < plan.everybody.size(), "a chunk has a submission that there is not");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::string host_name() {
@@ -180,7 +181,8 @@ Plan make_plan(const judge::Config& config, const std::string& programs,
   plan.seed = seed_for(request);
   plan.host = host_name();
   plan.former = request.former;
-  plan.everybody = handed_in(programs, request);
+  plan.everybody =
+      intake::handed_in(request.input, request.out + "/unpacked", unpack_boxed(config, programs));
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
   }
@@ -221,11 +223,7 @@ Plan read_plan(const std::string& out) {
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
     for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));
     for (const json& name : all.at("real_names")) plan.real_names.push_back(text_from(name));
-    for (const Chunk& chunk : plan.chunks) {
-      for (const Equal& group : chunk) {
-        for (const std::size_t i : group) (void)plan.everybody.at(i);
-      }
-    }
+    check_plan(plan);
     return plan;
   } catch (const std::exception& error) {
     throw pt::Error(

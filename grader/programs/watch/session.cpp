@@ -1,8 +1,8 @@
 #include "grader/programs/watch/session.h"
 
 #include "grader/base/files.h"
-#include "grader/base/wrap.h"
 #include "grader/process/run_command.h"
+#include "grader/programs/watch/fit.h"
 #include "grader/results/read_json.h"
 #include "pt/error.h"
 
@@ -16,7 +16,6 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace grader::programs {
@@ -34,27 +33,6 @@ std::string time_of_day() {
   char text[16] = "";
   std::strftime(text, sizeof text, "%H:%M:%S", std::localtime(&now));
   return text;
-}
-
-int rows_of_screen() {
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 24;
-}
-
-// The first lines that there is room for.
-std::string cut(const std::string& text, int rows) {
-  std::vector<std::string> lines = base::lines_of(text);
-  while (!lines.empty() && lines.back().empty()) lines.pop_back();
-  const auto room = static_cast<std::size_t>(std::max(rows, 2));
-  std::string all;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (i + 1 == room && lines.size() > room) {
-      return all + fmt::format("  ... {} more lines: make the window taller, or type ./run grade\n",
-                               lines.size() - i);
-    }
-    all += lines[i] + '\n';
-  }
-  return all;
 }
 
 // Whether a browser was asked to show it.
@@ -164,7 +142,7 @@ void WatchSession::start_next() {
     command.insert(command.end(), {"--no-pictures"});
   }
   command.insert(command.end(), {"--submission", options_.submission, "--json", results_path_,
-                                 "--config", options_.config});
+                                 "--config", options_.config, "--quiet"});
   std::filesystem::remove(results_path_);
   running_.emplace(command);
   draw();
@@ -247,9 +225,11 @@ void WatchSession::draw() const {
   const std::string what = judging_.empty()    ? "checking all tasks"
                            : judging_ == kPage ? "rendering the pictures of " + task_
                                                : "checking " + judging_;
+  ScreenSize room = screen_size();
+  room.rows -= 5;
   const std::string now = running_ ? what + " ...  " : "";
-  fmt::print("{}{}\n{}\n\n{}\n{}{}", kClearScreen, verdicts_.bar(), head_,
-             cut(text_, rows_of_screen() - 5), now, kKeys);
+  fmt::print("{}{}\n{}\n\n{}\n{}{}", kClearScreen, verdicts_.bar(), head_, fit(text_, room), now,
+             kKeys);
   std::fflush(stdout);
 }
 

@@ -1,11 +1,13 @@
 // watch: judges each task when its file is saved, by running grade, and shows what it found. Exit
 // status 0 when the learner quits, 2 if there is no terminal or nothing to watch.
 #include "grader/judge/config.h"
+#include "grader/programs/watch/fit.h"
 #include "grader/programs/watch/raw_terminal.h"
 #include "grader/programs/watch/session.h"
 #include "grader/report/terminal.h"
 #include "pt/command_line.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -25,6 +27,7 @@ int main(int argc, char** argv) {
   return pt::run_command_line(app, argc, argv, [&] {
     if (options.config.empty()) options.config = judge::default_config_path();
     options.programs = std::filesystem::absolute(options.config).parent_path();
+    options.style.width = std::clamp(programs::screen_size().columns, 40, 100);
     options.style.color = report::terminal_has_color();
     const judge::Config config = judge::load_config(options.config);
     programs::RawTerminal terminal;

@@ -1,0 +1,78 @@
+#include "grader/programs/status_line.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace grader::programs {
+
+namespace {
+
+constexpr std::chrono::seconds kOnTerminal{1};
+constexpr std::chrono::seconds kInLog{10};
+constexpr double kBeforeEstimate = 3;  // seconds
+constexpr const char* kClearLine = "\r\x1b[K";
+
+}  // namespace
+
+StatusLine::Output StatusLine::standard() {
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal == nullptr || std::string(terminal) == "dumb";
+  return isatty(STDERR_FILENO) == 1 && !dumb ? Output::terminal : Output::log;
+}
+
+StatusLine::StatusLine(Output output, std::chrono::milliseconds pause)
+    : output_(output),
+      pause_(pause.count() > 0            ? pause
+             : output == Output::terminal ? kOnTerminal
+                                          : kInLog) {
+  if (output_ != Output::none) thread_ = std::thread([this] { run(); });
+}
+
+StatusLine::~StatusLine() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+  clear();
+}
+
+void StatusLine::show(const std::string& what, double part) {
+  const std::lock_guard lock(mutex_);
+  what_ = what;
+  part_ = part;
+  if (visible_) print();
+}
+
+void StatusLine::clear() {
+  const std::lock_guard lock(mutex_);
+  if (visible_) std::fputs(kClearLine, stderr);
+  visible_ = false;
+}
+
+void StatusLine::run() {
+  std::unique_lock lock(mutex_);
+  for (auto next = start_ + pause_; !ended_; next += pause_) {
+    if (changed_.wait_until(lock, next, [&] { return ended_; })) return;
+    if (!what_.empty()) print();
+  }
+}
+
+// Called with the lock.
+void StatusLine::print() {
+  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+  std::string line = what_;
+  if (part_ > 0 && part_ < 1 && elapsed >= kBeforeEstimate) {
+    line += fmt::format(", about {:.0f} s left", elapsed * (1 - part_) / part_ + 1);
+  }
+  line += fmt::format(" ({:.0f} s)", elapsed);
+  visible_ = output_ == Output::terminal;
+  std::fputs((visible_ ? kClearLine + line : line + "\n").c_str(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace grader::programs

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace grader::programs {
+
+// Says on standard error what a long run is doing, also while nothing comes to an end: on a terminal
+// one line that is rewritten every second, elsewhere a line every ten seconds. Runs that are over
+// before say nothing. May be used by several threads.
+class StatusLine {
+ public:
+  enum class Output { terminal, log, none };
+
+  // What standard error is.
+  static Output standard();
+
+  // `pause`: between two lines, if not as said above.
+  explicit StatusLine(Output output = standard(), std::chrono::milliseconds pause = {});
+  ~StatusLine();
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+
+  // What is being done, and the part of all that is done, in [0, 1]: with it, the time left is told.
+  void show(const std::string& what, double part);
+
+  // Removes the line, so that what is printed next starts on a clean one. It comes back.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void run();
+  void print();
+
+  const Output output_;
+  const std::chrono::milliseconds pause_;
+  const Clock::time_point start_ = Clock::now();
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::string what_;
+  double part_ = 0;
+  bool visible_ = false, ended_ = false;
+  std::thread thread_;
+};
+
+}  // namespace grader::programs

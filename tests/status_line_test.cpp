@@ -1,0 +1,86 @@
+// The line that says how far a long run is, with a pipe in the place of standard error.
+#include "grader/programs/status_line.h"
+
+#include "grader/base/descriptor.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <unistd.h>
+
+namespace grader::programs {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+class StatusLineTest : public testing::Test {
+ protected:
+  StatusLineTest() : standard_error_(dup(STDERR_FILENO)) {
+    dup2(pipe_.write_end.number(), STDERR_FILENO);
+  }
+  ~StatusLineTest() override { dup2(standard_error_.number(), STDERR_FILENO); }
+
+  // What is written within so many milliseconds, up to the first piece of it.
+  std::string said(int within) const {
+    pollfd ready{pipe_.read_end.number(), POLLIN, 0};
+    if (poll(&ready, 1, within) <= 0) return "";
+    char buffer[4096];
+    const ssize_t got = read(pipe_.read_end.number(), buffer, sizeof buffer);
+    return {buffer, got > 0 ? static_cast<std::size_t>(got) : 0};
+  }
+
+  static constexpr int kSoon = 30000;  // ends early where something is said
+  const base::Pipe pipe_ = base::make_pipe();
+  const base::Descriptor standard_error_;
+};
+
+TEST_F(StatusLineTest, comes_by_itself_and_again_after_it_was_cleared) {
+  StatusLine line(StatusLine::Output::terminal);
+  line.show("judging: 3 of 8 verdicts", 3. / 8);
+  const std::string first = said(kSoon);
+  EXPECT_THAT(first, HasSubstr("judging: 3 of 8 verdicts"));
+  EXPECT_THAT(first, Not(HasSubstr("left")));  // too early to tell
+  EXPECT_THAT(first, Not(HasSubstr("\n")));
+  line.show("judging: 4 of 8 verdicts", .5);
+  EXPECT_THAT(said(kSoon), HasSubstr("4 of 8"));
+  line.clear();
+  EXPECT_THAT(said(kSoon), EndsWith("\r\x1b[K"));
+  EXPECT_THAT(said(kSoon), HasSubstr("4 of 8"));
+}
+
+TEST_F(StatusLineTest, is_removed_in_the_end) {
+  {
+    StatusLine line(StatusLine::Output::terminal);
+    line.show("writing", 0);
+    EXPECT_THAT(said(kSoon), HasSubstr("writing"));
+  }
+  EXPECT_THAT(said(kSoon), EndsWith("\r\x1b[K"));
+}
+
+TEST_F(StatusLineTest, says_nothing_of_what_is_over_at_once) {
+  for (const auto output : {StatusLine::Output::terminal, StatusLine::Output::log}) {
+    StatusLine line(output);
+    line.show("judging", .5);
+    line.clear();
+  }
+  StatusLine quiet(StatusLine::Output::none);
+  quiet.show("judging", .5);
+  EXPECT_EQ(said(1500), "");
+}
+
+TEST_F(StatusLineTest, is_a_line_now_and_then_in_a_log) {
+  StatusLine line(StatusLine::Output::log, std::chrono::milliseconds(100));
+  line.show("judging: 3 of 8 verdicts", 3. / 8);
+  const std::string first = said(kSoon);
+  EXPECT_THAT(first, HasSubstr("judging: 3 of 8 verdicts"));
+  EXPECT_THAT(first, Not(HasSubstr("\x1b")));
+  EXPECT_EQ(first.back(), '\n');
+  EXPECT_THAT(said(kSoon), HasSubstr("judging: 3 of 8 verdicts"));
+}
+
+}  // namespace
+}  // namespace grader::programs

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""screens.py: makes docs/screens/*.png, which the handbook shows: what `watch` says in a terminal of 80 by 24 characters,
+and the page of a report. Needs ./run watch built before, and Chromium."""
+import html
+import os
+import pty
+import re
+import select
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PROGRAMS = os.path.join(ROOT, "build/check/grader")
+COLUMNS, ROWS = 80, 24
+COLORS = {"31": "#f08a7c", "32": "#8fd18a", "33": "#e8c66a", "1": None, "2": "#9a9a9a"}
+
+
+def submission(folder):
+    """Part 1 is written, with a mistake in hit_triangle; of the other parts there are the stubs."""
+    shutil.copytree(os.path.join(ROOT, "student"), folder)
+    for name in ("camera_ray", "estimate_pixel", "hit_sphere"):
+        shutil.copy(os.path.join(ROOT, f"reference/1_rays/{name}.cpp"), os.path.join(folder, "1_rays"))
+    shutil.copy(os.path.join(ROOT, "grader/tasks/hit_triangle/wrong/sum_of_weights_unchecked.cpp"),
+                os.path.join(folder, "1_rays/hit_triangle.cpp"))
+
+
+def last_screen(command, until):
+    """What a program shows in a terminal once `until` stands there, its last screen only."""
+    child, terminal = pty.fork()
+    if child == 0:
+        os.environ["TERM"] = "xterm"
+        subprocess.run(["stty", "rows", str(ROWS), "columns", str(COLUMNS)], check=True)
+        os.execv(command[0], command)
+    text, end = b"", time.time() + 60
+    while not all(part in text.decode(errors="replace").rsplit("\x1b[2J", 1)[-1] for part in until):
+        if time.time() > end:
+            sys.exit(f"{command[0]} did not say {until}:\n" + text.decode(errors="replace").rsplit("\x1b[2J", 1)[-1])
+        if select.select([terminal], [], [], 1)[0]:
+            text += os.read(terminal, 4096)
+    os.write(terminal, b"q")
+    os.waitpid(child, 0)
+    os.close(terminal)
+    return text.decode().rsplit("\x1b[2J", 1)[-1].replace("\r", "")
+
+
+def as_html(screen):
+    """A screen with colours, as a page."""
+    body = html.escape(screen.rstrip("\n"))
+    body = re.sub("\x1b\\[K", "", body)
+    body = re.sub("\x1b\\[0?m", "</span>", body)
+    body = re.sub("\x1b\\[(\\d+)m", lambda found: "<span style='" + (
+        f"color:{COLORS[found[1]]}" if COLORS.get(found[1]) else "font-weight:bold") + "'>", body)
+    return ("<!doctype html><meta charset=utf-8><style>body{margin:0;background:#1d1f21;color:#e6e6e6}"
+            "pre{font:14px/18px 'DejaVu Sans Mono',monospace;margin:12px 14px}</style><pre>" + body + "</pre>")
+
+
+def take_picture(page, picture, width, height):
+    subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+                    f"--window-size={width},{height}", f"--screenshot={picture}", "file://" + page],
+                   check=True, stderr=subprocess.DEVNULL, timeout=120)
+
+
+# Of the page, what it says of the pictures of a task; the first two.
+ONLY_PICTURES = """<style>.head, [aria-labelledby=overview], .part > h2, .task h4, .promises, .reason, footer,
+.picture ~ .picture ~ .picture, .readout { display: none }</style>"""
+
+
+def main():
+    out = os.path.join(ROOT, "docs/screens")
+    os.makedirs(out, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        submission("student")
+        page = os.path.join(folder, "watch.html")
+        with open(page, "w", encoding="utf-8") as file:
+            file.write(as_html(last_screen([PROGRAMS + "/watch"], ["expected", "q quit"])))
+        take_picture(page, out + "/watch.png", 720, 24 + 18 * ROWS)
+        page = os.path.join(folder, "report.html")
+        subprocess.run([PROGRAMS + "/grade", "hit_triangle", "--html", page],
+                       check=False, stdout=subprocess.DEVNULL)
+        with open(page, encoding="utf-8") as file:
+            text = file.read().replace("</head>", ONLY_PICTURES + "</head>")
+        with open(page, "w", encoding="utf-8") as file:
+            file.write(text)
+        take_picture(page, out + "/report.png", 760, 900)
+
+
+main()
