@@ -1,4 +1,5 @@
 #include "pt/accel/wide_bvh.h"
+#include "pt/math/frame.h"
 #include "tests/generated_meshes.h"
 #include "tests/hard_rays.h"
 
@@ -197,6 +198,64 @@ TEST_P(Wide, answers_groups_from_one_point_like_asking_every_primitive) {
       }
     }
     EXPECT_GT(hits, 100) << mesh.name;
+  }
+}
+
+// Past the side of a sphere, inside or outside by a little or nothing, from on it or from elsewhere;
+// the range begins or ends close to where it is met.
+Ray grazing_ray(const Sphere& sphere, Sampler& sampler) {
+  const auto little = [&] {
+    const double size = sampler.next_1d() < 0.2 ? 0 : std::pow(10, uniform(sampler, -17, -1));
+    return 1 + (sampler.next_1d() < 0.5 ? -size : size);
+  };
+  const Frame frame = frame_from_normal(uniform_direction(sampler));
+  const Vec3 side = sphere.center + little() * sphere.radius * frame.z;
+  const double length = std::pow(10, uniform(sampler, -4, 1));
+  Ray ray{side - (sampler.next_1d() < 0.3 ? 0 : length) * frame.x, length * frame.x};
+  if (sampler.next_1d() < 0.3) ray.direction += 0.1 * sampler.next_1d() * length * frame.z;
+  const ExactHit hit = exact_hit(sphere, ray);
+  const int range = static_cast<int>(4 * sampler.next_1d());
+  if (hit.hit && range == 0) ray.t_min = std::max(0.0, hit.t * little());
+  if (hit.hit && range == 1) ray.t_max = std::max(0.0, hit.t * little());
+  return ray;
+}
+
+TEST_P(Wide, answers_rays_that_graze_spheres) {
+  const auto [scale, shift] = GetParam();
+  const std::vector<const Kernel*> all = kernels();
+  for (const Mesh& mesh : {Mesh{"one", {{}, {{{0.1, 0.2, 0.3}, 0.4}}}},
+                           Mesh{"in a block of triangles", {blob(2), some_spheres(6, 0.5)}},
+                           Mesh{"many", {{}, some_spheres(40, 0.3)}}}) {
+    Sampler sampler(300);
+    Primitives primitives = mesh.primitives;
+    place(primitives, scale, shift);
+    const std::vector<WideBvh> bvhs = with_each(all, primitives);
+    int hits = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const auto& spheres = mesh.primitives.spheres;
+      std::vector<Ray> rays{
+          grazing_ray(spheres[static_cast<std::size_t>(i) % spheres.size()], sampler)};
+      rays.resize(4, rays.front());
+      for (Ray& ray : rays) {
+        ray.direction += 1e-8 * sampler.next_1d() * uniform_direction(sampler);
+        place(ray, scale, shift);
+      }
+      std::uint32_t blocked = 0;
+      for (std::size_t k = 0; k < rays.size(); ++k) {
+        const Brute expected = brute_force(primitives, rays[k]);
+        blocked |= std::uint32_t{expected.primitive >= 0} << k;
+        if (k > 0) continue;
+        for (std::size_t j = 0; j < all.size(); ++j) {
+          ASSERT_TRUE(agrees(bvhs[j], primitives, rays[k], expected)) << mesh.name << all[j]->name;
+        }
+      }
+      hits += std::popcount(blocked);
+      for (std::size_t j = 0; j < all.size(); ++j) {
+        ASSERT_TRUE(group_agrees(bvhs[j], primitives, rays, blocked)) << mesh.name << all[j]->name;
+      }
+    }
+    EXPECT_GT(hits, 2000) << mesh.name;
+    EXPECT_LT(hits, 15900) << mesh.name;
   }
 }
 

@@ -4,18 +4,25 @@
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 
 namespace pt {
 
-// Draws of one light, each of which brings light unless its shadow ray is blocked.
+// Draws of lights, each of which brings light unless its shadow ray is blocked.
 struct LightDraws {
-  std::array<Ray, 8> shadow_rays;
-  std::array<Rgb, 8> light;
+  // Not initialised: that would take as long as tracing a ray.
+  union {
+    std::array<Ray, 8> shadow_rays;
+  };
+  union {
+    std::array<Rgb, 8> light;
+  };
   std::size_t count = 0;
 
+  LightDraws() {}
   bool is_full() const { return count == light.size(); }
 
   void add(const Ray& shadow_ray, const Rgb& light_along_it) {
@@ -25,8 +32,8 @@ struct LightDraws {
   }
 };
 
-// The task direct_lights, but that shadow rays are traced in groups of up to eight. `occluded` takes
-// a span of rays and returns a mask: bit i says whether ray i is blocked.
+// The task direct_lights, but that lights are sampled and shadow rays are traced in groups of up to
+// eight. `occluded` takes a span of rays and returns a mask: bit i says whether ray i is blocked.
 //
 // Random numbers are drawn and light is added in the order of the plain loop in reference/, so the
 // result has the same bits.
@@ -34,24 +41,29 @@ template <typename Occluded>
 Rgb direct_lights_grouped(const Scene& scene, const SurfacePoint& point, int samples,
                           Sampler& sampler, const Occluded& occluded) {
   const Vec3 wo = point.frame.to_local(point.wo);
+  const Rgb albedo = point.albedo;
   LightDraws group;
+  LightSampleGroup drawn;
   Rgb sum;
   for (const Light& light : scene.lights) {
     const int draws = is_delta(light) ? 1 : samples;
     Rgb of_this_light;
     for (int i = 0; i < draws; ++i) {
-      const LightSample sample = sample_light(light, point.p, sampler);
-      const Vec3 wi = point.frame.to_local(sample.wi);
-      if (wi.z > 0 && !is_black(sample.radiance)) {
-        const Rgb f = diffuse_f(point.albedo, wo, wi);
-        group.add(shadow_ray(point, sample.wi, sample.distance),
-                  f * sample.radiance * (wi.z / sample.pdf));
+      const int k = i % kLightGroup;
+      if (k == 0) {
+        sample_light_group(light, point.p, std::min(draws - i, kLightGroup), sampler, drawn);
+      }
+      const Vec3 world_wi = drawn.wi_of(k), wi = point.frame.to_local(world_wi);
+      if (wi.z > 0 && drawn.is_lit[k]) {
+        const Rgb f = diffuse_f(albedo, wo, wi);
+        group.add(shadow_ray(point, world_wi, drawn.distance[k]),
+                  f * drawn.radiance * (wi.z / drawn.pdf[k]));
       }
       if (!group.is_full() && i + 1 < draws) continue;
 
       const std::uint32_t blocked = occluded(std::span(group.shadow_rays.data(), group.count));
-      for (std::size_t k = 0; k < group.count; ++k) {
-        if ((blocked >> k & 1) == 0) of_this_light += group.light[k];
+      for (std::size_t j = 0; j < group.count; ++j) {
+        if ((blocked >> j & 1) == 0) of_this_light += group.light[j];
       }
       group.count = 0;
     }

@@ -5,20 +5,31 @@
 #include "pt/accel/decide.h"
 #include "pt/accel/node_test.h"
 #include "pt/accel/push_children.h"
+#include "pt/accel/sphere_test.h"
 
 namespace pt {
 namespace {
 
-PT_INLINE bool is_blocked(const WideQuery& query, const Ray& ray, const FloatRay& r,
-                          const Block& block) {
-  const Verdict<kWidth> verdict = test_block(block, r, r.t_max);
+// Those that are hit for certain need no decision.
+template <int W>
+PT_INLINE bool is_any_hit(const WideQuery& query, const Ray& ray, const Verdict<W>& verdict,
+                          const std::uint32_t* primitives) {
   const std::uint32_t surely = verdict.maybe & verdict.surely();
   if (__builtin_expect(surely == verdict.maybe, 1)) return surely != 0;
   if (surely != 0) return true;
   for (std::uint32_t mask = verdict.maybe; mask != 0; mask &= mask - 1) {
-    if (decide(query, ray, block.primitive[__builtin_ctz(mask)]).hit) return true;
+    if (decide(query, ray, primitives[__builtin_ctz(mask)]).hit) return true;
   }
   return false;
+}
+
+PT_INLINE bool is_blocked(const WideQuery& query, const Ray& ray, const FloatRay& r,
+                          const Block& block) {
+  for (int i = 0; i < kWidth && is_sphere(block, i); i += kSpheres) {
+    if (is_any_hit(query, ray, test_spheres(block, i, r, r.t_max), block.primitive + i))
+      return true;
+  }
+  return is_any_hit(query, ray, test_block(block, r, r.t_max), block.primitive);
 }
 
 // The children of a node are visited in any order.

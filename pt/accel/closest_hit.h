@@ -6,6 +6,7 @@
 #include "pt/accel/kernel.h"
 #include "pt/accel/node_test.h"
 #include "pt/accel/push_children.h"
+#include "pt/accel/sphere_test.h"
 
 namespace pt {
 namespace {
@@ -19,9 +20,9 @@ PT_INLINE bool offer(const ExactHit& hit, std::uint32_t primitive, WideHit& best
   return true;
 }
 
-// The nearest hit so far: `best` has been decided; `sure` is a triangle that is hit for certain,
+// The nearest hit so far: `best` has been decided; `sure` is a primitive that is hit for certain,
 // somewhere between t_low and t_max, and nearer than all that was decided. Most rays decide one
-// triangle, the last.
+// primitive, the last.
 struct Nearest {
   WideHit best;
   std::uint32_t sure = kNothing;
@@ -31,7 +32,11 @@ struct Nearest {
 
 PT_INLINE void settle(const WideQuery& query, const Ray& ray, Nearest& nearest) {
   if (nearest.sure == kNothing) return;
-  offer(exact::meet(query.triangles[nearest.sure], ray), nearest.sure, nearest.best);
+  const ExactHit hit =
+      nearest.sure < query.view.triangle_count
+          ? exact::meet(query.triangles[nearest.sure], ray)
+          : exact_hit(query.spheres[nearest.sure - query.view.triangle_count], ray);
+  offer(hit, nearest.sure, nearest.best);
   nearest.sure = kNothing;
 }
 
@@ -42,19 +47,20 @@ PT_INLINE void ask(const WideQuery& query, const Ray& ray, const FloatRay& r,
   nearest.t_max = t < nearest.t_max ? t : nearest.t_max;
 }
 
-PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay& r,
-                          const Block& block, Nearest& nearest) {
-  const Verdict<kWidth> verdict = test_block(block, r, nearest.t_max);
+// The primitives of a verdict, from the nearest hit so far.
+template <int W>
+PT_INLINE void meet(const WideQuery& query, const Ray& ray, const FloatRay& r,
+                    const Verdict<W>& verdict, const std::uint32_t* primitives, Nearest& nearest) {
   if (verdict.maybe == 0) return;
   const std::uint32_t surely = verdict.surely();
-  alignas(64) float low[kWidth], high[kWidth];
-  const Floats<kWidth> inverse = 1 / verdict.det;
-  store<kWidth>(low, (verdict.distance - verdict.error) * inverse);
-  store<kWidth>(high, (verdict.distance + verdict.error) * inverse);
+  alignas(64) float low[W], high[W];
+  const Floats<W> inverse = 1 / verdict.det;
+  store<W>(low, (verdict.distance - verdict.error) * inverse);
+  store<W>(high, (verdict.distance + verdict.error) * inverse);
   for (std::uint32_t mask = verdict.maybe; mask != 0; mask &= mask - 1) {
     const int i = __builtin_ctz(mask);
     if (!(surely >> i & 1)) {
-      ask(query, ray, r, block.primitive[i], nearest);
+      ask(query, ray, r, primitives[i], nearest);
       continue;
     }
     const float t_low = low[i] * (1 - 8 * kUnit), t_high = high[i] * (1 + 8 * kUnit);
@@ -62,19 +68,30 @@ PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay
     if (nearest.sure != kNothing && !(t_high < nearest.t_low)) {
       // Too close to call.
       settle(query, ray, nearest);
-      ask(query, ray, r, block.primitive[i], nearest);
+      ask(query, ray, r, primitives[i], nearest);
       continue;
     }
-    nearest.sure = block.primitive[i];
-    const auto* corners = reinterpret_cast<const char*>(query.triangles + nearest.sure);
-    for (std::size_t at = 0; at < sizeof(Triangle); at += 64) __builtin_prefetch(corners + at);
+    nearest.sure = primitives[i];
+    if (nearest.sure < query.view.triangle_count) {
+      const auto* corners = reinterpret_cast<const char*>(query.triangles + nearest.sure);
+      for (std::size_t at = 0; at < sizeof(Triangle); at += 64) __builtin_prefetch(corners + at);
+    }
     nearest.t_low = t_low;
     nearest.t_max = t_high < nearest.t_max ? t_high : nearest.t_max;
   }
 }
 
-PT_INLINE void trace_closest(const WideQuery& query, const Ray& ray, const FloatRay& r,
-                             Nearest& nearest) {
+PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay& r,
+                          const Block& block, Nearest& nearest) {
+  for (int i = 0; i < kWidth && is_sphere(block, i); i += kSpheres) {
+    const Verdict<kSpheres> spheres = test_spheres(block, i, r, nearest.t_max);
+    meet(query, ray, r, spheres, block.primitive + i, nearest);
+  }
+  meet(query, ray, r, test_block(block, r, nearest.t_max), block.primitive, nearest);
+}
+
+// Afterwards `sure`, if any, is still to be settled.
+PT_INLINE void search(const WideQuery& query, const Ray& ray, const FloatRay& r, Nearest& nearest) {
   const Node* nodes = static_cast<const Node*>(query.view.nodes);
   const Block* blocks = static_cast<const Block*>(query.view.blocks);
   Stack stack;
@@ -90,7 +107,7 @@ PT_INLINE void trace_closest(const WideQuery& query, const Ray& ray, const Float
       meet_block(query, ray, r, blocks[ref & ~kLeaf], nearest);
     }
     do {
-      if (stack.size == 0) return settle(query, ray, nearest);
+      if (stack.size == 0) return;
       --stack.size;
     } while (stack.enter[stack.size] > nearest.t_max);
     ref = stack.ref[stack.size];

@@ -58,29 +58,33 @@ WideBlock<W> empty_block() {
   return block;
 }
 
-// A slot that every ray has to test: see WideBlock.
 template <int W>
-void put_sphere(WideBlock<W>& block, int slot) {
-  put(block.p0, slot, {});
-  put(block.e1, slot, {});
+void put(WideBlock<W>& block, int slot, const Sphere& sphere, const WideFrame& frame) {
+  put(block.p0, slot, frame(sphere.center));
+  put(block.e1, slot, {sphere.radius * frame.scale, 0, 0});
   put(block.e2, slot, {});
   put(block.n, slot, {});
-  block.size[slot] = std::numeric_limits<float>::infinity();
-  block.area[slot] = std::numeric_limits<float>::infinity();
+  block.size[slot] = kSphere;
+  block.area[slot] = 0;
 }
 
 template <int W>
 WideBlock<W> make_block(const BinaryTree& binary, const BinaryNode& leaf,
                         const Primitives& primitives, const WideFrame& frame) {
   WideBlock<W> block = empty_block<W>();
-  for (int slot = 0; slot < static_cast<int>(leaf.count); ++slot) {
-    const std::uint32_t primitive = binary.primitives[leaf.first + slot].primitive;
-    block.primitive[slot] = primitive;
-    const int index = static_cast<int>(primitive);
-    if (primitives.is_triangle(index)) {
-      put(block, slot, primitives.triangle(index), frame);
-    } else {
-      put_sphere(block, slot);
+  int slot = 0;
+  for (const bool triangles : {false, true}) {
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+      const std::uint32_t primitive = binary.primitives[i].primitive;
+      const int index = static_cast<int>(primitive);
+      if (primitives.is_triangle(index) != triangles) continue;
+      block.primitive[slot] = primitive;
+      if (triangles) {
+        put(block, slot, primitives.triangle(index), frame);
+      } else {
+        put(block, slot, primitives.sphere(index), frame);
+      }
+      ++slot;
     }
   }
   return block;

@@ -66,6 +66,7 @@ struct alignas(16) FloatRay {
   float t_min;
   float t_max;
   float reach;
+  float longest;      // D
   float edge_error;   // kVolume reach D
   float plane_error;  // kVolume reach
   float t_slack;      // u C / D where t was shifted
@@ -100,10 +101,14 @@ PT_INLINE void clip(double o, double d, double side, double& begin, double& end)
   end = end < far ? end : far;
 }
 
+// One at a time: a processor waits for what was just stored in pieces if it loads it as a whole.
 PT_INLINE Doubles4 load3(const double* p) {
-  Doubles4 a;  // the fourth lane is whatever follows
-  __builtin_memcpy(&a, p, sizeof a);
-  return a;
+#if defined(__AVX__)
+  const __m128d xy = _mm_loadh_pd(_mm_load_sd(p), p + 1);
+  return (Doubles4)_mm256_insertf128_pd(_mm256_castpd128_pd256(xy), _mm_load_sd(p + 2), 1);
+#else
+  return Doubles4{p[0], p[1], p[2], 0};
+#endif
 }
 PT_INLINE double largest(Doubles4 a) {
   typedef std::int64_t Longs4 __attribute__((vector_size(32)));
@@ -142,10 +147,12 @@ static bool prepare_any(const WideView& view, const Ray& ray, FloatRay& r) {
 }
 
 // Sets what depends on the direction, once the rest of r is known.
-PT_INLINE void set_direction(FloatRay& r, Floats4 direction, Floats4 length) {
-  const Floats4 origin = load<4>(r.origin);
-  r.edge_error = r.plane_error * largest(length);
+PT_INLINE void set_direction(const WideView& view, FloatRay& r, Floats4 direction, Floats4 length) {
+  r.longest = largest(length);
+  r.edge_error = r.plane_error * r.longest;
   store<4>(r.direction, direction);
+  if (view.root & kLeaf) return;  // there are no boxes
+  const Floats4 origin = load<4>(r.origin);
   const Floats4 abs_inverse = 1 / max<4>(length, splat<4>(kFlat));
   const Floats4 inverse = flip<4>(abs_inverse, sign_of<4>(direction));
   const Floats4 slack = (kSlab * r.reach) * abs_inverse;
@@ -190,7 +197,7 @@ PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
   const auto source = static_cast<std::uint32_t>(ray.source_triangle);
   r.source_triangle = source < view.triangle_count ? source : kNothing;
   r.plane_error = kVolume * r.reach;
-  set_direction(r, direction, length);
+  set_direction(view, r, direction, length);
   return true;
 }
 
@@ -207,7 +214,7 @@ PT_INLINE bool prepare_like(const FloatRay& usual, const WideView& view, const R
   r.reach = usual.reach;
   r.plane_error = usual.plane_error;
   r.source_triangle = usual.source_triangle;
-  set_direction(r, direction, length);
+  set_direction(view, r, direction, length);
   return is_usual(length);
 }
 

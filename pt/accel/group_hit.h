@@ -50,6 +50,9 @@ struct alignas(kSmallPage) GroupWork {
   Visits<kNodeVisits> inner;
 };
 
+// So many rays in one leaf are tested together.
+constexpr int kCrowd = 3;
+
 PT_INLINE std::uint32_t leaf_children(const Node& node) {
   static_assert(kLeaf == 1u << 31);
   return bits<kWidth>(children(node));
@@ -69,7 +72,7 @@ PT_INLINE std::uint32_t meet_block(const WideQuery& query, const Ray* rays, cons
   std::uint32_t blocked = 0;
   for (; slots != 0; slots &= slots - 1) {
     const int slot = __builtin_ctz(slots);
-    const Verdict<kGroup> verdict = test_triangle(block, slot, pyramid, work.r[0]);
+    const Verdict<kGroup> verdict = test_slot(block, slot, pyramid, work.r[0]);
     std::uint32_t maybe = verdict.maybe & those;
     if (maybe == 0) continue;
     const std::uint32_t surely = maybe & verdict.surely();
@@ -82,9 +85,21 @@ PT_INLINE std::uint32_t meet_block(const WideQuery& query, const Ray* rays, cons
   return blocked;
 }
 
+// The first step of rays that are alike, where the root is a block.
+PT_INLINE std::uint32_t meet_root(const WideQuery& query, const Ray* rays, int count,
+                                  GroupWork& work) {
+  if (count < kCrowd) {
+    for (int i = 0; i < count; ++i) work.leaves.add(query.view.root, i);
+    return 0;
+  }
+  const Pyramid pyramid = pyramid_of(work.r, count);
+  return meet_block(query, rays, pyramid, query.view.root, (1u << count) - 1, work);
+}
+
 // The first step of rays that are alike. Returns those that are blocked.
 PT_INLINE std::uint32_t enter_root(const WideQuery& query, const Ray* rays, int count,
                                    GroupWork& work) {
+  if (query.view.root & kLeaf) return meet_root(query, rays, count, work);
   const Node& root = static_cast<const Node*>(query.view.nodes)[query.view.root];
   const std::uint32_t leaf = leaf_children(root);
   std::uint32_t entered[kGroup];
@@ -94,7 +109,7 @@ PT_INLINE std::uint32_t enter_root(const WideQuery& query, const Ray* rays, int 
     who |= lanes<kWidth>(entered[i]) & (1 << i);
   }
   const Ints<kWidth> but_one = who & (who - 1), but_two = but_one & (but_one - 1);
-  std::uint32_t crowded = leaf & bits<kWidth>(-but_two);  // by three rays or more
+  std::uint32_t crowded = leaf & bits<kWidth>(-but_two);
   const std::uint32_t entered_by_any = bits<kWidth>(-who);
   if ((entered_by_any & ~leaf) != 0) {
     for (int i = 0; i < count; ++i) work.inner.add(root, entered[i] & ~leaf, i);
@@ -182,9 +197,8 @@ PT_INLINE std::uint32_t finish(const WideQuery& query, const Ray* rays, std::uin
 PT_INLINE std::uint32_t any_hits(const WideQuery& query, const Ray* rays, int count) {
   const WideView& view = query.view;
   GroupWork work;
-  // A root of kNothing is a leaf too.
   const bool alike =
-      view.beside_count == 0 && !(view.root & kLeaf) && prepare_alike(view, rays, count, work.r);
+      view.beside_count == 0 && view.root != kNothing && prepare_alike(view, rays, count, work.r);
   const std::uint32_t blocked =
       alike ? enter_root(query, rays, count, work) : enter_any(query, rays, count, work);
   return finish(query, rays, blocked, work);

@@ -3,6 +3,7 @@
 
 #include "pt/accel/block_test.h"
 #include "pt/accel/float_ray.h"
+#include "pt/accel/sphere_test.h"
 
 namespace pt {
 namespace {
@@ -16,7 +17,8 @@ struct Pyramid {
   float middle[4];
   float spread[4];
   float t_max;
-  float edge_error;   // as in FloatRay: the largest
+  float longest;  // as in FloatRay: the largest
+  float edge_error;
   float plane_error;  // of all
   std::uint32_t source_triangle;
   Lanes3<kGroup> direction;  // of each ray; where there are less, of the first again
@@ -42,12 +44,10 @@ PT_INLINE bool are_alike(const Ray* rays, int count) {
 PT_INLINE Pyramid pyramid_of(const FloatRay* r, int count) {
   Floats4 low = load<4>(r[0].direction), high = low;
   Pyramid pyramid;
-  pyramid.edge_error = r[0].edge_error;
   for (int i = 0; i < kGroup; ++i) {
     const FloatRay& ray = r[i < count ? i : 0];
     low = min<4>(low, load<4>(ray.direction));
     high = max<4>(high, load<4>(ray.direction));
-    if (ray.edge_error > pyramid.edge_error) pyramid.edge_error = ray.edge_error;
     pyramid.direction.x[i] = ray.direction[0];
     pyramid.direction.y[i] = ray.direction[1];
     pyramid.direction.z[i] = ray.direction[2];
@@ -57,12 +57,14 @@ PT_INLINE Pyramid pyramid_of(const FloatRay* r, int count) {
   store<4>(pyramid.middle, 0.5f * (low + high));
   store<4>(pyramid.spread, 0.5f * (high - low) + 4 * kUnit * longest);
   pyramid.t_max = r[0].t_max;
+  pyramid.longest = largest(longest);
   pyramid.plane_error = r[0].plane_error;
+  pyramid.edge_error = pyramid.plane_error * pyramid.longest;
   pyramid.source_triangle = r[0].source_triangle;
   return pyramid;
 }
 
-// The triangles of the block that some ray of the pyramid may meet: test_block for all directions
+// The triangles of the block that some ray of the pyramid may meet, and all spheres: test_block for all directions
 // within it, each volume a range. With g = c x e an edge's volume is g . d, so for a ray of the
 // pyramid it is g . middle, give or take |g| . spread. Twice the errors of float_ray.h cover what
 // the ranges round.
@@ -86,17 +88,25 @@ PT_INLINE std::uint32_t test_block(const Block& b, const Pyramid& pyramid) {
   const Floats<W> below = volume - min<W>(det.low, Floats<W>{}) * pyramid.t_max;
   const Floats<W> edge_error = 2 * pyramid.edge_error * load<W>(b.size);
   const Floats<W> error = 2 * pyramid.plane_error * load<W>(b.area);
-  return less_equal<W>(Floats<W>{}, min<W>(inside + edge_error, min<W>(above, below) + error)) &
-         not_equal<W>(b.primitive, pyramid.source_triangle);
+  std::uint32_t slots =
+      less_equal<W>(Floats<W>{}, min<W>(inside + edge_error, min<W>(above, below) + error)) &
+      not_equal<W>(b.primitive, pyramid.source_triangle);
+  for (int i = 0; i < W && is_sphere(b, i); ++i) slots |= 1u << i;
+  return slots;
 }
 
-// One of the block's triangles and all rays of the pyramid; they begin and end like `r`.
-PT_INLINE Verdict<kGroup> test_triangle(const Block& b, int slot, const Pyramid& pyramid,
-                                        const FloatRay& r) {
+// One of the block's primitives and all rays of the pyramid; they begin and end like `r`.
+PT_INLINE Verdict<kGroup> test_slot(const Block& b, int slot, const Pyramid& pyramid,
+                                    const FloatRay& r) {
   constexpr int W = kGroup;
   const auto all = [&](const float(&m)[3][kWidth]) __attribute__((always_inline)) {
     return Lanes3<W>{splat<W>(m[0][slot]), splat<W>(m[1][slot]), splat<W>(m[2][slot])};
   };
+  if (is_sphere(b, slot)) {
+    return test_spheres<W>(all(b.p0) - splat3<W>(pyramid.origin), splat<W>(b.e1[0][slot]),
+                           pyramid.direction, splat<W>(pyramid.edge_error),
+                           splat<W>(pyramid.longest), splat<W>(r.t_min), splat<W>(r.t_max));
+  }
   return test_pairs<W>({all(b.p0) - splat3<W>(pyramid.origin), pyramid.direction, splat<W>(r.t_min),
                         splat<W>(r.t_max), all(b.e1), all(b.e2), all(b.n),
                         splat<W>(pyramid.edge_error * b.size[slot]),

@@ -215,6 +215,7 @@ PT_INLINE std::uint32_t less_equal(Floats<W> a, Floats<W> b) {
 #if defined(__AVX512VL__)
   if constexpr (W == 16) return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LE_OQ);
   if constexpr (W == 8) return _mm256_cmp_ps_mask((__m256)a, (__m256)b, _CMP_LE_OQ);
+  if constexpr (W == 4) return _mm_cmp_ps_mask((__m128)a, (__m128)b, _CMP_LE_OQ);
 #endif
 #if !defined(__AVX__)
   if constexpr (W == 8) {
@@ -223,6 +224,39 @@ PT_INLINE std::uint32_t less_equal(Floats<W> a, Floats<W> b) {
   }
 #endif
   return bits<W>(a <= b);
+}
+
+// Lane i of a where bit i of `mask` is set, else of b.
+template <int W>
+PT_INLINE Floats<W> choose(std::uint32_t mask, Floats<W> a, Floats<W> b) {
+#if defined(__AVX512VL__)
+  if constexpr (W == 16) {
+    return (Floats<W>)_mm512_mask_blend_ps(static_cast<__mmask16>(mask), (__m512)b, (__m512)a);
+  }
+  if constexpr (W == 8) {
+    return (Floats<W>)_mm256_mask_blend_ps(static_cast<__mmask8>(mask), (__m256)b, (__m256)a);
+  }
+  if constexpr (W == 4) {
+    return (Floats<W>)_mm_mask_blend_ps(static_cast<__mmask8>(mask), (__m128)b, (__m128)a);
+  }
+#endif
+  const Ints<W> those = lanes<W>(mask);
+  return (Floats<W>)((those & (Ints<W>)a) | (~those & (Ints<W>)b));
+}
+
+template <int W>
+PT_INLINE Floats<W> square_root(Floats<W> a) {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) return (Floats<W>)_mm512_maskz_sqrt_ps(0xffff, (__m512)a);
+#endif
+#if defined(__AVX__)
+  if constexpr (W == 8) return (Floats<W>)_mm256_sqrt_ps((__m256)a);
+#endif
+#if defined(__SSE2__)
+  if constexpr (W == 4) return (Floats<W>)_mm_sqrt_ps((__m128)a);
+#endif
+  for (int i = 0; i < W; ++i) a[i] = __builtin_sqrtf(a[i]);
+  return a;
 }
 
 // Points or directions, a row per component. `p` is x, y, z.

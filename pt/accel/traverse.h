@@ -18,7 +18,8 @@ WideHit closest(const WideQuery& query, const Ray& ray) {
   FloatRay r;
   if (view.root != kNothing && prepare(view, ray, r)) {
     nearest.t_max = nearest.best.hit.hit ? r.upper(nearest.best.hit.t) : r.t_max;
-    trace_closest(query, ray, r, nearest);
+    search(query, ray, r, nearest);
+    settle(query, ray, nearest);
   }
   return nearest.best;
 }

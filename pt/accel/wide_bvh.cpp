@@ -122,26 +122,27 @@ WideBvh WideBvh::build(const Primitives& primitives, const Kernel& kernel) {
   return bvh;
 }
 
+WideQuery WideBvh::query(const Primitives& primitives) const {
+  return {tree_->view, primitives.triangles.data(), primitives.spheres.data()};
+}
+
 std::optional<Hit> WideBvh::closest(const Primitives& primitives, const Ray& ray) const {
   if (!tree_) return std::nullopt;
-  const WideHit found = tree_->kernel.closest(
-      {tree_->view, primitives.triangles.data(), primitives.spheres.data()}, ray);
+  const WideHit found = tree_->kernel.closest(query(primitives), ray);
   if (found.primitive == kNothing) return std::nullopt;
   const int primitive = static_cast<int>(found.primitive);
   return Hit{found.hit.t, normal(primitives, primitive, ray, found.hit), primitive};
 }
 
 bool WideBvh::occluded(const Primitives& primitives, const Ray& ray) const {
-  return tree_ && tree_->kernel.occluded(
-                      {tree_->view, primitives.triangles.data(), primitives.spheres.data()}, ray);
+  return tree_ && tree_->kernel.occluded(query(primitives), ray);
 }
 
 std::uint32_t WideBvh::occluded(const Primitives& primitives, std::span<const Ray> rays) const {
   assert(rays.size() <= 32);
   if (!tree_) return 0;
-  return tree_->kernel.occluded_batch(
-      {tree_->view, primitives.triangles.data(), primitives.spheres.data()}, rays.data(),
-      static_cast<int>(rays.size()));
+  return tree_->kernel.occluded_batch(query(primitives), rays.data(),
+                                      static_cast<int>(rays.size()));
 }
 
 std::size_t WideBvh::bytes() const {

@@ -48,6 +48,9 @@ class WideBvh {
   // Of memory, beside the primitives.
   std::size_t bytes() const;
 
+  // What the kernel's queries read; of a tree that was built, and as long as it lives.
+  WideQuery query(const Primitives& primitives) const;
+
  private:
   struct Tree;
   std::shared_ptr<const Tree> tree_;  // shared by copies, since it never changes

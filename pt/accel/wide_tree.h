@@ -4,6 +4,7 @@
 #include "pt/geometry/triangle.h"
 
 #include <cstdint>
+#include <limits>
 
 // The data that the wide engine's queries read. See wide_bvh.h for the idea.
 
@@ -15,6 +16,8 @@ inline constexpr WideRef kLeaf = 0x80000000u;
 inline constexpr WideRef kNothing = 0xffffffffu;
 inline constexpr int kMaxTreeDepth = 80;
 
+inline constexpr float kSphere = -std::numeric_limits<float>::infinity();
+
 // The boxes of up to W children, each bound in a row of its own. Empty slots have min > max.
 template <int W>
 struct alignas(4 * W) WideNode {
@@ -23,8 +26,8 @@ struct alignas(4 * W) WideNode {
 };
 
 // Up to W triangles. The third edge and all else follows from e1 = p0 - p1 and e2 = p2 - p0.
-// Empty slots are NaN, which no test accepts. A slot with infinite `size` and `area` is accepted by
-// every test and left to the decision in double precision: spheres.
+// Empty slots are NaN, which no test accepts. Spheres come first. One has its centre in p0, its
+// radius in e1[0], and kSphere as `size`, so that the tests of triangles never accept it.
 template <int W>
 struct alignas(4 * W) WideBlock {
   float p0[3][W];

@@ -49,7 +49,7 @@ constexpr double length_squared(Vec3 a) { return dot(a, a); }
 inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 
 // The zero vector has no direction: its normalised components are NaN.
-inline Vec3 normalize(Vec3 a) { return a / length(a); }
+[[gnu::always_inline]] inline Vec3 normalize(Vec3 a) { return a / length(a); }
 
 // Componentwise, as boxes need them.
 constexpr Vec3 min(Vec3 a, Vec3 b) {

@@ -70,17 +70,19 @@ std::uint32_t Scene::occluded(std::span<const Ray> rays) const {
 
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
   const Material& material = scene.materials[scene.material_of[hit.primitive]];
-  SurfacePoint point;
-  point.p = ray.at(hit.t);
-  point.wo = normalize(-ray.direction);
-  point.n = dot(hit.n, point.wo) < 0 ? -hit.n : hit.n;
-  point.geometric_normal = unit_geometric_normal(scene.primitives, hit);
-  point.frame = frame_from_normal(point.n);
-  point.albedo = material.albedo;
-  if (dot(point.geometric_normal, point.wo) > 0) point.emission = material.emission;
-  if (scene.primitives.is_triangle(hit.primitive)) point.triangle = hit.primitive;
-  point.scale = error_scale(scene.primitives, ray, hit, point.p);
-  return point;
+  const bool on_triangle = scene.primitives.is_triangle(hit.primitive);
+  const Vec3 p = ray.at(hit.t), wo = normalize(-ray.direction);
+  const Vec3 n = dot(hit.n, wo) < 0 ? -hit.n : hit.n;
+  const Vec3 geometric_normal = unit_geometric_normal(scene.primitives, hit);
+  return {p,
+          n,
+          geometric_normal,
+          frame_from_normal(n),
+          wo,
+          material.albedo,
+          dot(geometric_normal, wo) > 0 ? material.emission : Rgb{},
+          on_triangle ? hit.primitive : -1,
+          error_scale(scene.primitives, ray, hit, p)};
 }
 
 Rgb background(const Scene& scene, Vec3 direction) {

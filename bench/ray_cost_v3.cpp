@@ -1,0 +1,2 @@
+#define PT_KERNEL v3
+#include "bench/ray_cost_kernel.h"
