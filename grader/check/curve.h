@@ -64,7 +64,8 @@ struct Measured {
 
 struct CurveSettings {
   std::uint64_t seed = 1;
-  double effort = 1;  // times the usual number of cases
+  double effort = 1;    // times the usual number of cases
+  bool coarse = false;  // only every third place
 };
 
 // `begin` is called before each place.

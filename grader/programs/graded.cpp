@@ -33,6 +33,7 @@ struct Options {
   std::string curves;   // where to write them
   std::string curve;    // only this one
   double effort = 1;    // times the usual number of cases
+  bool coarse = false;  // every third place
 };
 
 // All calls of a battery take some milliseconds: what takes this long hangs, also where the machine
@@ -62,7 +63,8 @@ int run_battery(Options options) {
 int run_curves(Options options) {
   options.session.max_timeouts = 1;
   options.session.total_limit = std::chrono::minutes(5);
-  grader::programs::write_curves(options.curves, options.curve, {options.seed, options.effort},
+  grader::programs::write_curves(options.curves, options.curve,
+                                 {options.seed, options.effort, options.coarse},
                                  [&] { grader::wire::open_session(options.session); });
   return 0;
 }
@@ -111,6 +113,7 @@ int main(int argc, char** argv) {
   app.add_option("--curve", options.curve, "only the curve of this name");
   app.add_option("--effort", options.effort, "of the curves: times the usual number of cases")
       ->check(CLI::PositiveNumber);
+  app.add_flag("--coarse", options.coarse, "of the curves: every third place only");
   app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
   app.add_option("--call-limit", call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);

@@ -23,8 +23,10 @@ struct Line {
 // What is measured, and how.
 struct Request {
   std::string submission;  // a folder; empty: none
+  bool methods = true;     // those that the curves are about
   bool variants = true;    // every right solution of the task's folder too
   double effort = 1;       // times the usual number of cases
+  bool coarse = false;     // every third place only
   grader::judge::GradeRequest judge;
 };
 
@@ -48,6 +50,16 @@ struct Charts {
   std::vector<Line> lines;
   std::vector<Chart> charts;
 };
+
+// A name for files and texts: "reference", "yours", "quadratic_single".
+std::string id_of(const Line& line);
+
+// Whether the line belongs to what the chart is about: then it has a colour and a name there.
+bool is_named(const Charts& charts, const Chart& chart, std::size_t line);
+
+// A hash of all that the charts of a task depend on, besides the request's numbers.
+std::string charts_hash(const grader::judge::Config& config, const grader::judge::TaskConfig& task,
+                        const Request& request);
 
 // Measures all curves of a task. The code of a submission runs in a box only: what hangs, crashes or
 // does not compile is found in the answer. Throws pt::Error where nothing can be measured. `progress`

@@ -84,6 +84,25 @@ CURVE(direct_lights, far_from_the_origin) {
           }};
 }
 
+CURVE(direct_lights, light_is_a_surface) {
+  return {.title = "A light that is a surface of the scene, in scenes of any size",
+          .input = "size of the scene",
+          .error = "share of points from which it is hidden by itself",
+          .source = "a shadow ray that ends on the light may meet it",
+          .places = by_factors(1e-8, 1e8, 17),
+          .promised = {1e-6, 1e6, 0},
+          .methods = {{"wrong/shadow_ray_ends_on_the_light", "the ray ends on the light"},
+                      {"wrong/shadow_ray_shortened_by_a_fixed_bit", "shortened by a fixed bit"},
+                      {"right/shadow_ray_of_its_own", "shortened by a part"}},
+          .statistic = Statistic::mean,
+          .measure = [](double size) {
+            Stage stage({*rotation(), size * *point(), size});
+            stage.rectangle(*rectangle_above(0.5, 0.3, 1), pt::gray(1), Body::surface);
+            const Situation s = stage.patch(pt::gray(0.5), *direction_above(1.4)).done();
+            return one_estimate(s).r > 0 ? 0 : 1;
+          }};
+}
+
 CURVE(direct_lights, many_lights) {
   return {.title = "Many lights",
           .input = "point lights",
