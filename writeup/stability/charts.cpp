@@ -15,17 +15,27 @@ namespace {
 // What a logarithmic axis can show. Where some errors are 0, the lowest tic stands for 0.
 struct Range {
   double bottom = 1e-17, zero = 3e-17, top = 1;
+  bool has_zeros = true;
 };
+
+// A text of gnuplot.
+std::string quoted(std::string text) {
+  std::ranges::replace(text, '"', '\'');
+  return '"' + text + '"';
+}
 
 Range range_of(const Chart& chart) {
   double least = 1e300, most = 0;
+  bool has_zeros = false;
   for (const auto& points : chart.points) {
     for (const Point& point : points) {
+      has_zeros = has_zeros || point.error == 0;
       if (!(point.error > 0)) continue;
       least = std::min(least, point.error);
       most = std::max(most, point.error);
     }
   }
+  for (const double error : chart.theory) most = std::max(most, error);
   if (most == 0) return {};
   if (chart.limit > 0) {
     least = std::min(least, chart.limit);
@@ -33,7 +43,7 @@ Range range_of(const Chart& chart) {
   }
   // A part of the height, whatever that spans.
   const double part = std::pow(3 * most / least, 0.08);
-  return {least / part / part / 1.5, least / part / 1.5, most * part * 1.5};
+  return {least / part / part / 1.5, least / part / 1.5, most * part * 1.5, has_zeros};
 }
 
 std::string data(const Charts& charts, const Chart& chart) {
@@ -48,6 +58,15 @@ std::string data(const Charts& charts, const Chart& chart) {
                          p.place, std::isnan(p.error) ? "" : fmt::format("{:.4g}", p.error),
                          p.cases, p.without, grader::report::csv_field(p.reason));
     }
+  }
+  return csv;
+}
+
+// A block behind all lines.
+std::string theory_data(const Chart& chart) {
+  std::string csv = "\n\n";
+  for (std::size_t i = 0; i < chart.theory.size(); ++i) {
+    csv += fmt::format("theory,{:g},{:.4g},,,\n", chart.points[0][i].place, chart.theory[i]);
   }
   return csv;
 }
@@ -75,12 +94,13 @@ std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
   const std::size_t rows = (keys + 1) / 2;
   std::string commands = fmt::format(
       "set logscale xy\nset format \"10^{{%L}}\"\nset xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
-      "set xlabel \"{}\"\nset title \"{{/:Bold {}}}\\n{}\"\n"
+      "set xlabel {}\nset title \"{{/:Bold {}}}\\n{}\"\n"
       "set terminal svg size 760,{} font \"sans-serif,13\"\nset bmargin {}\nset rmargin 3\n"
       "set key at screen 0.09,screen 0.01 left bottom vertical Left reverse maxrows {} samplen 3 "
-      "width -2\nset ytics add (\"0\" {:g})\n",
-      places.front().place, places.back().place, range.bottom, range.top, chart.input, chart.title,
-      chart.error, 400 + 20 * rows, 4 + 1.25 * static_cast<double>(rows), rows, range.zero);
+      "width -2\n",
+      places.front().place, places.back().place, range.bottom, range.top, quoted(chart.input),
+      chart.title, chart.error, 400 + 20 * rows, 4 + 1.25 * static_cast<double>(rows), rows);
+  if (range.has_zeros) commands += fmt::format("set ytics add (\"0\" {:g})\n", range.zero);
   // A short axis needs every number that it has.
   const auto is_short = [](double low, double high) {
     return std::abs(std::log10(high / low)) < 3;
@@ -100,7 +120,8 @@ std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
 
 void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem::path& folder) {
   const std::string name = chart.slug + "." + chart.name;
-  pt::write_file(folder / (name + ".csv"), data(charts, chart));
+  pt::write_file(folder / (name + ".csv"),
+                 data(charts, chart) + (chart.theory.empty() ? "" : theory_data(chart)));
   const Range range = range_of(chart);
   std::string plot = "plot ";
   std::size_t keys = 0;
@@ -115,8 +136,15 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem:
           "\"{4}\" lw {5} dt {6} {7}, \"\" index {1} using 2:($5 > 0 ? {8:g} : NaN) skip {3} with "
           "points pt 2 ps .8 lc rgb \"{4}\" notitle, ",
           name, i, range.zero, i == 0 ? 1 : 0, pen.color, pen.width, pen.dashes,
-          pen.named ? "title \"" + charts.lines[i].title + "\"" : "notitle", range.top / 1.3);
+          pen.named ? "title " + quoted(charts.lines[i].title) : "notitle", range.top / 1.3);
     }
+  }
+  if (!chart.theory.empty()) {
+    ++keys;
+    plot += fmt::format(
+        "\"{}.csv\" index {} using 2:($3 > {:g} ? $3 : NaN) with points pt 6 ps .7 lc rgb "
+        "\"#6a3d9a\" title \"theory\", ",
+        name, charts.lines.size(), range.bottom);
   }
   // The corner has an entry in the key too.
   if (chart.promised_last > 0) {

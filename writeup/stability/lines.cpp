@@ -6,6 +6,8 @@
 #include "grader/base/sources_in.h"
 #include "grader/judge/alone.h"
 #include "grader/judge/ask_graded.h"
+#include "grader/process/run_command.h"
+#include "grader/sandbox/box.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -55,17 +57,22 @@ judge::Judged compiled(const judge::Config& config, const judge::Builder& builde
   return judged;
 }
 
+// A worker of one line; or why there is none, in `line`.
+judge::Built worker_of(const judge::Config& config, const judge::Builder& builder,
+                       const judge::TaskConfig& task, const Request& request, Line& line) {
+  const judge::Judged judged = compiled(config, builder, task, request, line);
+  line.unusable = judged.object.rejected.empty() ? judged.object.error : judged.object.rejected;
+  if (!line.unusable.empty()) return {};
+  judge::Built worker = judge::link_alone(config, builder, judged, judge::Elsewhere::answers);
+  line.unusable = worker.error;
+  return worker;
+}
+
 // The curves of one line as JSON; or why there are none, in `line`.
 json curves_of(const judge::Config& config, const judge::Builder& builder,
                const judge::TaskConfig& task, const Request& request, Line& line) {
-  const judge::Judged judged = compiled(config, builder, task, request, line);
-  line.unusable = judged.object.rejected.empty() ? judged.object.error : judged.object.rejected;
+  const judge::Built worker = worker_of(config, builder, task, request, line);
   if (!line.unusable.empty()) return json::array();
-  const judge::Built worker = judge::link_alone(config, builder, judged, judge::Elsewhere::answers);
-  if (!worker.ok()) {
-    line.unusable = worker.error;
-    return json::array();
-  }
   const judge::Trial trial{task, worker, false, request.judge, {}};
   std::vector<std::string> words{"--seed", std::to_string(request.judge.seed), "--effort",
                                  std::to_string(request.effort)};
@@ -96,6 +103,9 @@ Chart chart_of(const judge::TaskConfig& task, const json& curve) {
   chart.input = curve.at("input");
   chart.error = curve.at("error");
   chart.source = curve.at("source");
+  for (const json& at : curve.at("places")) {
+    if (at.contains("theory")) chart.theory.push_back(at.at("theory"));
+  }
   if (curve.contains("promised")) {
     const json& promised = curve.at("promised");
     chart.promised_first = promised.at("first");
@@ -157,6 +167,28 @@ bool is_named(const Charts& charts, const Chart& chart, std::size_t line) {
   const Line::Kind kind = charts.lines[line].kind;
   return kind == Line::Kind::reference || kind == Line::Kind::submission ||
          std::ranges::count(chart.methods, line) > 0;
+}
+
+json search_task(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
+                 const Hunt& hunt, Line& line) {
+  const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
+  const judge::Built worker = worker_of(config, builder, task, request, line);
+  if (!line.unusable.empty()) return json::array();
+  // Not judge::ask_graded: each search goes on where the last one ended.
+  const double seconds = 60 * hunt.minutes;
+  const grader::process::Child child{
+      {task.graded, "--worker", worker.path, "--isolation",
+       std::string(1, grader::sandbox::letter(request.judge.isolation.tier)), "--seed",
+       std::to_string(request.judge.seed), "--seconds", std::to_string(seconds), "--search",
+       hunt.file},
+      grader::sandbox::judges_environment(),
+      {},
+      "",
+      {}};
+  const auto most = std::chrono::seconds(static_cast<long long>(60 + 4 * seconds));
+  const auto result = grader::process::run_command(child, most);
+  if (!result.ok()) throw pt::Error("the search of " + task.slug + ": " + result.output);
+  return json::parse(base::read_file(hunt.file));
 }
 
 std::string charts_hash(const judge::Config& config, const judge::TaskConfig& task,

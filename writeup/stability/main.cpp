@@ -8,6 +8,7 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/render/progress.h"
+#include "writeup/stability/hunt.h"
 #include "writeup/stability/print.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ namespace judge = grader::judge;
 struct Options {
   std::vector<std::string> what;
   std::string out;
-  bool no_methods = false, no_variants = false, keys = false;
+  bool no_methods = false, no_variants = false, keys = false, search = false;
+  double minutes = 1;
   Request request;
 };
 
@@ -56,6 +58,21 @@ int print_keys(const judge::Config& config, const std::vector<judge::TaskConfig>
   return 0;
 }
 
+// What was found so far is kept beside what `grade` keeps.
+int search(const judge::Config& config, const std::vector<judge::TaskConfig>& tasks,
+           const Options& options) {
+  bool all = true, any = false;
+  for (const judge::TaskConfig& task : tasks) {
+    if (!has_searches(config, task)) continue;
+    any = true;
+    const std::string folder = config.work + "/searches";
+    all = hunt(config, task, options.request, options.minutes, folder) && all;
+    std::fflush(stdout);
+  }
+  if (!any) throw pt::Error(tasks[0].slug + " has no search: its oracles are statistical");
+  return all ? 0 : 1;
+}
+
 double cpu_seconds() {
   return std::chrono::duration<double>(grader::process::time_of_tree(getpid()).running).count();
 }
@@ -71,6 +88,7 @@ int run(Options options) {
   }
   if (options.keys) return print_keys(config, tasks, request);
   request.judge.isolation = grader::sandbox::probe_isolation(config.root, config.work);
+  if (options.search) return search(config, tasks, options);
   if (!options.out.empty()) fs::create_directories(options.out);
   bool all_measured = true;
   std::vector<Charts> all;
@@ -115,8 +133,14 @@ int main(int argc, char** argv) {
                "only the methods that a curve is about, not every right solution");
   app.add_option("--effort", options.request.effort, "times the usual number of random cases")
       ->check(CLI::Range(0.001, 1000.0))
+      ->take_last()
       ->capture_default_str();
   app.add_flag("--coarse", options.request.coarse, "only every third place");
+  app.add_flag("--search", options.search,
+               "search for inputs with large errors instead; it goes on where the last one ended");
+  app.add_option("--minutes", options.minutes, "of a search, per task")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->capture_default_str();
   app.add_flag("--keys", options.keys)->group("");
   app.add_option("--seed", options.request.judge.seed, "of the random cases")
       ->capture_default_str();

@@ -46,7 +46,7 @@ std::string table(const Charts& charts, const Chart& chart) {
     text += fmt::format("  {}: {}\n", letter, charts.lines[i].title);
     head += fmt::format("{:>{}}", letter++, kColumn);
   }
-  text += head + "\n";
+  text += head + (chart.theory.empty() ? "" : fmt::format("{:>{}}", "theory", kColumn)) + "\n";
   for (std::size_t place = 0; place < chart.points[0].size(); ++place) {
     text += fmt::format("{:>10.3g}", chart.points[0][place].place);
     for (std::size_t i = 0; i < charts.lines.size(); ++i) {
@@ -54,6 +54,7 @@ std::string table(const Charts& charts, const Chart& chart) {
       const bool known = place < chart.points[i].size();
       text += fmt::format("{:>{}}", known ? cell(chart.points[i][place]) : "", kColumn);
     }
+    if (!chart.theory.empty()) text += fmt::format("{:>{}.2g}", chart.theory[place], kColumn);
     text += "\n";
   }
   return text + why_none(charts, chart) + "  source: " + chart.source + "\n";

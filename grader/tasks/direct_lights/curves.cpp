@@ -46,7 +46,8 @@ CURVE(direct_lights, close_to_a_light) {
           .source = "the density of a point of an area has the squared distance in it",
           .places = by_factors(10, 1e-3, 13),
           .promised = {},
-          .methods = {{"right/multiple_importance", "multiple importance sampling"}},
+          .methods = {{"right/multiple_importance", "multiple importance sampling"},
+                      {"right/solid_angle", "sampling the solid angle"}},
           .statistic = Statistic::median,
           .cases = 3,
           .measure = [](double distance) {
