@@ -35,6 +35,7 @@ cp grader/tasks/hit_sphere/right/textbook.cpp "$work/mine/1_rays/hit_sphere.cpp"
 shown 0 hit_sphere --submission "$work/mine" --out "$work/out"
 csv=$work/out/hit_sphere.far_away.csv
 larger 1e-9 "$(error "$csv" yours 10)" || complain "a textbook's sphere is wrong at ten radii:" "$(cat "$csv")"
+larger 1e-3 "$(error "$csv" yours 1e+06)" || complain "a textbook's sphere is wrong at 1e6 radii:" "$(cat "$csv")"
 larger "$(error "$csv" yours 1e+07)" 1e-3 || complain "a textbook's sphere is right at 1e7 radii:" "$(cat "$csv")"
 larger 1e-6 "$(error "$csv" reference 1e+07)" || complain "the reference is wrong at 1e7 radii:" "$(cat "$csv")"
 ! command -v gnuplot >/dev/null || [ -s "$work/out/hit_sphere.far_away.svg" ] || complain "there is no chart"
@@ -50,6 +51,16 @@ for how in '__builtin_trap();' 'for (volatile int i = 0;; i = 0) { }' \
     complain "with $how, places have the wrong numbers:" "$(cat "$csv")"
   says '* yours: '
 done
+
+# A search finds at once that there is no answer, and goes on where it was.
+shown 0 hit_sphere --submission "$work/mine" --search --minutes .01
+says 'broken: '
+before=$(grep -o '[0-9]* inputs in' <<<"$said" | head -1)
+shown 0 hit_sphere --submission "$work/mine" --search --minutes .01
+[ "$(grep -o '[0-9]* inputs in' <<<"$said" | head -1 | tr -dc 0-9)" -gt "$(tr -dc 0-9 <<<"$before")" ] ||
+  complain "a second search did not go on:" "$before" "$said"
+shown 2 trace_path --search
+says 'trace_path has no search'
 
 echo 'int' >"$work/mine/1_rays/hit_sphere.cpp"
 shown 1 hit_sphere --submission "$work/mine"

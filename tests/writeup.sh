@@ -40,12 +40,26 @@ exec "$build/writeup/accuracy.$2" "\${words[@]}"
 END
   chmod +x "$folder/writeup/$name.accuracy"
 }
+# Curves of the reference alone, with as few cases as there can be; of the prices one.
+cat >"$folder/stability" <<END
+#!/bin/bash
+exec "$build/grader/stability" "\$@" --no-methods --effort .001
+END
+cat >"$folder/measure" <<END
+#!/bin/bash
+words=(hit_sphere.textbook)
+for word; do
+  case \$word in */*) words+=("\$word") ;; *.*) ;; *) words+=("\$word") ;; esac
+done
+exec "$build/grader/measure" "\${words[@]}"
+END
+chmod +x "$folder/stability" "$folder/measure"
 # writeup CODE WORD ...
 writeup() {
   local name=$1
   shift
   ${go-} "$build/writeup/writeup" --quality draft --from "$name" --renderer "$folder/writeup/$name" \
-    --accuracy "$folder/writeup/$name.accuracy" --mistakes "$build/writeup" --generate "$build/scenes/generate" \
+    --accuracy "$folder/writeup/$name.accuracy" --stability "$folder/stability" --measure "$folder/measure" --mistakes "$build/writeup" --generate "$build/scenes/generate" \
     --work "$folder/work" --text "${texts:-$root/writeup}" "$@"
 }
 # expect STATUS WORDS COMMAND ...: it ends with the status and says the words.
@@ -99,7 +113,7 @@ expect 0 'draft/index.html' writeup reference
 # Another adaptive_pixel: part 5, and what is measured.
 echo changed >"$folder/objects/reference.adaptive_pixel"
 changed=$(writeup reference --list | { grep -F 'to be made' || true; } | awk '{print $2}' | sort | paste -sd' ')
-[ "$changed" = "adaptive adaptive_uniform converge_bunny converge_spheres left_out needs needs_spheres survival" ] ||
+[ "$changed" = "adaptive adaptive_uniform converge_bunny converge_spheres left_out needs needs_spheres prices survival" ] ||
   complain "another adaptive_pixel changes: $changed"
 echo 'reference adaptive_pixel' >"$folder/objects/reference.adaptive_pixel"
 
@@ -188,7 +202,7 @@ if ! command -v chromium >/dev/null; then
   echo "SKIPPED, the pages were not opened: chromium is missing (cmake/packages-test.txt)"
 else
   writeup reference >/dev/null
-  for page in index part1 part2 part3 part4 part5 accuracy needs bugs; do
+  for page in index part1 part2 part3 part4 part5 accuracy needs stability bugs; do
     sed "s|</body>|<script>$(tr '\n' ' ' <tests/writeup_page.js | sed 's/[\\&|]/\\&/g')</script></body>|" \
       "$folder/work/draft/$page.html" >"$folder/work/draft/tried.html"
     HOME=$folder timeout 100 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr \

@@ -17,9 +17,9 @@ const std::set<std::string> kSettings{
     "id",   "label",  "scene",    "size",          "frame",    "samples",    "adaptive",
     "seed", "engine", "normals",  "light_samples", "survival", "hemisphere", "bounces",
     "look", "camera", "exposure", "mistake",       "time_of",  "in_bounces", "show"};
-const std::set<std::string> kFigure{"id",     "part",  "title",    "kind",     "caption",
-                                    "flip",   "small", "settings", "pictures", "golden",
-                                    "scenes", "file",  "seconds",  "error"};
+const std::set<std::string> kFigure{
+    "id",     "part",   "title", "kind",    "caption", "flip",  "small", "settings",  "pictures",
+    "golden", "scenes", "file",  "seconds", "error",   "curve", "lines", "threshold", "prices"};
 
 void expect_known(const json& object, const std::set<std::string>& known) {
   for (const auto& [name, value] : object.items()) {
@@ -100,6 +100,13 @@ Figure figure_from(const json& in, const json& defaults) {
   figure.seconds = in.value("seconds", 0.0);
   figure.error = in.value("error", 0.0);
   figure.scenes = in.value("scenes", std::vector<std::string>{});
+  figure.curve = in.value("curve", "");
+  figure.threshold = in.value("threshold", 0.0);
+  figure.lines = in.value("lines", std::vector<std::string>{});
+  for (const json& price : in.value("prices", json::array())) {
+    figure.prices.push_back({price.at("id"), price.at("failure"), price.at("task"),
+                             price.at("plain"), price.at("remedy")});
+  }
   for (const json& picture : in.value("pictures", json::array())) {
     figure.pictures.push_back(picture_from(in, picture, defaults));
   }

@@ -37,6 +37,12 @@ struct Picture {
   std::string time_of;  // take so many samples that it takes as long as this picture
 };
 
+// A remedy, and what it is compared with: right ways of a task, as ./run measure has them.
+struct Price {
+  std::string id, failure, task;
+  std::string plain, remedy;  // names in right/, or "reference"
+};
+
 struct Figure {
   std::string id, part, title;
   std::string kind;     // "pictures", "speedup", or what is measured: see Plan::measurements()
@@ -50,7 +56,16 @@ struct Figure {
   std::vector<std::string> scenes;  // of a table
   double seconds = 0;               // by the clock, that a measurement may take
   double error = 0;                 // that is wanted
+  std::string curve;                // of the kind "curve": "hit_sphere.far_away"
+  double threshold = 0;             // of it: an error that is called a failure
+  std::vector<std::string> lines;   // of it: those that the texts have numbers of
+  std::vector<Price> prices;        // of the kind "prices"
 };
+
+// Of a curve.
+inline std::string task_of(const Figure& figure) {
+  return figure.curve.substr(0, figure.curve.find('.'));
+}
 
 struct Catalogue {
   std::map<std::string, SceneSource> scenes;

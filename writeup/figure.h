@@ -42,6 +42,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Drawn, pictures, columns, rows, charts, table
 Drawn draw_pictures(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 Drawn draw_speedup(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 
+Drawn draw_curve(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
+Drawn draw_prices(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 Drawn draw_measured(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 
 // The names of the numbers that a figure has, whether or not they could be measured.

@@ -3,6 +3,7 @@
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 #include "writeup/boxed_code.h"
+#include "writeup/check_build.h"
 #include "writeup/handbook.h"
 #include "writeup/make_site.h"
 
@@ -57,7 +58,10 @@ Codes read_codes(const Options& options, const Catalogue& catalogue) {
     codes.accuracy = options.submission.empty() ? code_of_program(options.accuracy)
                                                 : accuracy_of_submission(options, codes.chosen);
   }
+  codes.stability = code_of_stability(options);
+  // The learners' edition has no right ways to compare.
   if (options.mistakes.empty()) return codes;
+  codes.measure = code_of_measure(options, codes.chosen);
   for (const std::string& wrong : mistakes_in(catalogue)) {
     const fs::path program = fs::path(options.mistakes) / ("writeup_render." + wrong);
     if (fs::exists(program)) codes.mistakes[wrong] = code_of_program(program);

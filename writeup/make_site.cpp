@@ -82,15 +82,21 @@ std::string drawing_key(const Plan& plan, const Figure& figure) {
   return grader::base::sha256(text).substr(0, 32);
 }
 
+Drawn draw(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  if (figure.kind == "speedup") return draw_speedup(plan, figure, folder);
+  if (figure.kind == "pictures") return draw_pictures(plan, figure, folder);
+  if (figure.kind == "curve") return draw_curve(plan, figure, folder);
+  if (figure.kind == "prices") return draw_prices(plan, figure, folder);
+  return draw_measured(plan, figure, folder);
+}
+
 Drawn drawn_figure(const Plan& plan, const Figure& figure, const fs::path& folder) {
   const fs::path kept = folder / "figure.json";
   if (fs::exists(kept)) {
     return nlohmann::json::parse(pt::read_file(kept, kMaxDrawn)).get<Drawn>();
   }
   fs::create_directories(folder);
-  Drawn drawn = figure.kind == "speedup"    ? draw_speedup(plan, figure, folder)
-                : figure.kind == "pictures" ? draw_pictures(plan, figure, folder)
-                                            : draw_measured(plan, figure, folder);
+  Drawn drawn = draw(plan, figure, folder);
   drawn.seconds = plan.seconds(figure);
   pt::write_file(kept, nlohmann::json(drawn).dump());
   return drawn;

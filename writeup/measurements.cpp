@@ -30,9 +30,12 @@ Measurements::Measurements(fs::path folder, const Store& store)
 }
 
 std::string Measurements::key(const Measurement& measurement) const {
-  std::string text = measurement.command + store_.scene_hash(measurement.scene);
+  std::string text = measurement.command;
+  if (!measurement.scene.empty()) text += store_.scene_hash(measurement.scene);
   for (const std::string& word : measurement.options) text += " " + word;
-  if (measurement.code != nullptr) {
+  if (!measurement.depends.empty()) {
+    text += measurement.depends;
+  } else if (measurement.code != nullptr) {
     for (const auto& [name, content] : measurement.code->hash) text += name + content;
   }
   return grader::base::sha256(text).substr(0, 32);
@@ -66,8 +69,8 @@ void Measurements::forget_failure(const Measurement& measurement) const {
 }
 
 double Measurements::cpu_seconds(const Measurement& measurement) const {
-  return is_complete(measurement) ? load(measurement).at("cpu_seconds").get<double>()
-                                  : measurement.seconds;
+  if (measurement.command == "measure" || !is_complete(measurement)) return measurement.seconds;
+  return load(measurement).at("cpu_seconds");
 }
 
 namespace {
@@ -78,10 +81,17 @@ bool make_one(const Measurements& measurements, const Measurement& measurement, 
   const fs::path unfinished = with_ending(folder, ".unfinished");
   fs::remove_all(unfinished);
   const Code& code = *measurement.code;
-  std::vector<std::string> words{code.command.at(0), measurement.command, measurement.scene};
+  std::vector<std::string> words{code.command.at(0)};
+  if (!measurement.scene.empty()) {
+    words.insert(words.end(), {measurement.command, measurement.scene});
+  }
   words.insert(words.end(), code.command.begin() + 1, code.command.end());
   words.insert(words.end(), measurement.options.begin(), measurement.options.end());
-  words.insert(words.end(), {"-t", std::to_string(threads), "--out", unfinished.string()});
+  // On one processor, whatever there is.
+  if (measurement.command != "measure") {
+    words.insert(words.end(), {"-t", std::to_string(threads)});
+  }
+  words.insert(words.end(), {"--out", unfinished.string()});
   const double limit = std::max(kLeastLimit, kPatience * measurement.seconds) * threads;
   const auto result =
       grader::process::run_command({words, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}},
@@ -115,7 +125,8 @@ void make(const Measurements& measurements, const std::vector<Measurement>& miss
       const std::chrono::duration<double> passed = Clock::now() - start;
       progress((done + std::min(passed.count(), each.seconds)) / all);
     }
-    if (one.get()) stopped = fs::path(each.scene).filename().string();
+    if (one.get())
+      stopped = each.scene.empty() ? each.options.at(0) : fs::path(each.scene).filename().string();
     done += each.seconds;
   }
 }

@@ -6,13 +6,15 @@
 
 namespace writeup {
 
-// A run of the program `accuracy`: what methods are worth in a scene, or what the scene needs.
+// A run of the program `accuracy`: what methods are worth in a scene, or what the scene needs; or one
+// of `stability` or `measure`, which have no scenes.
 struct Measurement {
-  std::string command;               // "cheapest" or "converge"
-  std::string scene;                 // path
+  std::string command;               // "cheapest", "converge", "stability" or "measure"
+  std::string scene;                 // path; empty without one
   std::vector<std::string> options;  // what else is typed
   double seconds = 0;                // that it may take by the clock, about
   const Code* code = nullptr;        // nothing: it is not in this build
+  std::string depends;               // the part of the code that it depends on; empty: all of it
 };
 
 // All measurements ever made, on disk: each in a folder that is named by a hash of what it depends on.
@@ -21,7 +23,7 @@ class Measurements {
   Measurements(std::filesystem::path folder, const Store& store);
 
   std::string key(const Measurement& measurement) const;
-  // Where its files are: <command>.json and charts.
+  // Where its files are: charts, tables, and but for `measure` <command>.json.
   std::filesystem::path folder(const Measurement& measurement) const;
   nlohmann::json load(const Measurement& measurement) const;
 

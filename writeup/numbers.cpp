@@ -37,6 +37,10 @@ std::vector<std::string> number_names(const Figure& figure) {
   if (figure.kind == "converge") return of_converge();
   if (figure.kind == "scene_needs") return of_scene_needs();
   Words names;
+  for (const std::string& line : figure.lines) {
+    add(names, line, {".fails", ".first", ".last", ".largest"});
+  }
+  for (const Price& price : figure.prices) add(names, price.id, {".time", ".work"});
   for (const std::string& scene : figure.scenes) {
     if (figure.kind == "speedup") {
       add(names, scene, {"", ".linear", ".tree", ".linear_tests", ".tests"});

@@ -23,7 +23,7 @@ const char* const kFooter =
 
 void describe(CLI::App& app, Options& options) {
   app.add_option("what", options.what,
-                 "Parts (1 to 5, accuracy, needs, bugs) and figures; default: all");
+                 "Parts (1 to 5, accuracy, needs, stability, bugs) and figures; default: all");
   app.add_flag("--list", options.list, "Name every figure, whether it is up to date, and its time");
   app.add_option_function<std::string>(
          "--quality", [&](const std::string& word) { options.draft = word == "draft"; },
@@ -53,6 +53,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--from", options.from)->group("");
   app.add_option("--renderer", options.renderer)->group("");
   app.add_option("--accuracy", options.accuracy)->group("");
+  app.add_option("--stability", options.stability)->group("");
+  app.add_option("--measure", options.measure)->group("");
   app.add_option("--generate", options.generate)->group("");
   app.add_option("--mistakes", options.mistakes)->group("");
   app.add_option("--work", options.work)->group("");

@@ -14,7 +14,7 @@ struct Options {
   std::string from = "reference";  // a mixture, as ./run has it
   int threads = 1;
   // Set by ./run.
-  std::string renderer, accuracy, generate, mistakes, work, boxed;
+  std::string renderer, accuracy, stability, measure, generate, mistakes, work, boxed;
 };
 
 // Throws CommandLine for --help and for what it cannot use, with the exit status.

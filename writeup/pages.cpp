@@ -119,6 +119,7 @@ std::string scenes_text(const Site& site, const Figure& figure) {
     const std::string name = site.scenes.description(picture.scene);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
+  if (names.empty()) return "";
   std::string text = names.size() == 1 ? "Scene: " : "Scenes: ";
   for (std::size_t i = 0; i < names.size(); ++i) text += (i > 0 ? "; " : "") + names[i];
   return text + ".";
@@ -221,8 +222,8 @@ std::string short_name(const Page& page) {
 }  // namespace
 
 const std::vector<std::string>& page_names() {
-  static const std::vector<std::string> names{"index", "part1",    "part2", "part3", "part4",
-                                              "part5", "accuracy", "needs", "bugs"};
+  static const std::vector<std::string> names{"index", "part1",    "part2", "part3",     "part4",
+                                              "part5", "accuracy", "needs", "stability", "bugs"};
   return names;
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr int kDraftSize = 4;                    // times fewer pixels on each side
 constexpr int kDraftSamples = 16;                // times fewer
 constexpr double kDraftSeconds = 40;             // times less, of a measurement
+constexpr double kDraftCurves = 8;               // times less, of curves
 constexpr const char* kReference = "reference";  // in place of a mistake: none
 constexpr int kUniformBatches = 2;
 constexpr int kSmall = 100;  // pixels wide: small enough for a draft
@@ -206,14 +207,13 @@ std::vector<Unit> Plan::units(const Figure& figure) const {
   return all;
 }
 
-std::vector<Measurement> Plan::measurements(const Figure& figure) const {
+std::vector<Measurement> Plan::of_scenes(const Figure& figure) const {
   std::vector<Measurement> all;
-  if (figure.kind == "pictures" || figure.kind == "speedup") return all;
   const bool is_draft = quality_ == Quality::draft;
   const double seconds = is_draft ? figure.seconds / kDraftSeconds : figure.seconds;
   const Spec spec = is_draft ? draft({}) : Spec{};
   for (const std::string& scene : figure.scenes) {
-    Measurement each{"converge", scenes_.path(scene), {}, seconds, nullptr};
+    Measurement each{"converge", scenes_.path(scene), {}, seconds, nullptr, {}};
     if (codes_.accuracy) each.code = &*codes_.accuracy;
     each.options = {"--lambertian",
                     "--seconds",
@@ -233,6 +233,45 @@ std::vector<Measurement> Plan::measurements(const Figure& figure) const {
     all.push_back(std::move(each));
   }
   return all;
+}
+
+Measurement Plan::of_curve(const Figure& figure) const {
+  const std::string task = task_of(figure);
+  Measurement each{"stability", "", {task}, figure.seconds, nullptr, {}};
+  if (codes_.stability) {
+    each.code = &*codes_.stability;
+    each.depends = each.code->hash.at(task);
+  }
+  // Grey lines only make a chart fuller.
+  each.options.push_back("--no-variants");
+  if (quality_ == Quality::draft) {
+    each.seconds /= kDraftCurves;
+    each.options.insert(each.options.end(), {"--coarse", "--effort", "0.05"});
+  }
+  return each;
+}
+
+std::vector<Measurement> Plan::of_prices(const Figure& figure) const {
+  if (!codes_.measure) return {};
+  std::set<std::string> ways;
+  const bool is_draft = quality_ == Quality::draft;
+  for (const Price& price : figure.prices) {
+    if (is_draft && !price.task.starts_with("hit_")) continue;  // others take seconds each
+    for (const std::string& way : {price.plain, price.remedy}) {
+      if (way != kReference) ways.insert(price.task + "." + way);
+    }
+  }
+  const double seconds = is_draft ? 1 : figure.seconds;
+  Measurement each{"measure", "", {ways.begin(), ways.end()}, seconds, &*codes_.measure, {}};
+  each.depends = each.code->hash.at("framework");
+  each.options.insert(each.options.end(), {"--seconds", fmt::format("{:g}", seconds)});
+  return {each};
+}
+
+std::vector<Measurement> Plan::measurements(const Figure& figure) const {
+  if (figure.kind == "pictures" || figure.kind == "speedup") return {};
+  if (figure.kind == "curve") return {of_curve(figure)};
+  return figure.kind == "prices" ? of_prices(figure) : of_scenes(figure);
 }
 
 double Plan::seconds(const Figure& figure) const {

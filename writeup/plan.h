@@ -19,6 +19,8 @@ enum class Quality { full, draft };
 struct Codes {
   Code chosen;
   std::optional<Code> accuracy;          // the same, in the program that measures
+  std::optional<Code> stability;         // the program that measures curves; hash by task
+  std::optional<Code> measure;           // the program that takes the time of tasks
   bool reference_rays = false;           // `chosen` traces with the reference's tasks
   std::map<std::string, Code> mistakes;  // by wrong solution; empty in the learners' edition
 };
@@ -37,7 +39,8 @@ class Plan {
   std::vector<Unit> units(const Figure& figure) const;
 
   // What is measured for a figure: of the kind "converge", method against method in its scene; of the
-  // kinds "needs", "left_out" and "scene_needs", what each of its scenes needs.
+  // kinds "needs", "left_out" and "scene_needs", what each of its scenes needs; of the kind "curve", all
+  // curves of its task, which other figures share; of the kind "prices", the time of right ways.
   std::vector<Measurement> measurements(const Figure& figure) const;
 
   // Processor seconds of all of them, each once.
@@ -63,6 +66,9 @@ class Plan {
 
  private:
   const Code& code_of(const Picture& picture) const;
+  std::vector<Measurement> of_scenes(const Figure& figure) const;
+  Measurement of_curve(const Figure& figure) const;
+  std::vector<Measurement> of_prices(const Figure& figure) const;
   bool traces_as_reference(const Picture& picture) const;
   Unit unit(const Picture& picture) const;
   std::vector<Unit> in_bounces(const Unit& whole, const std::string& scene) const;

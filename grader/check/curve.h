@@ -47,7 +47,8 @@ struct Curve {
   Promised promised;
   std::vector<Method> methods;
   Statistic statistic = Statistic::largest;
-  int cases = 200;  // at each place
+  int cases = 200;                                  // at each place
+  std::function<double(double place)> theory = {};  // what a formula says of the error, if any
   // One case: draws from generators, calls the task, and returns its error, at least 0. A case may
   // fail (expect) where there is no error to speak of, for example without a hit.
   std::function<double(double place)> measure;
@@ -64,7 +65,8 @@ struct Measured {
 
 struct CurveSettings {
   std::uint64_t seed = 1;
-  double effort = 1;  // times the usual number of cases
+  double effort = 1;    // times the usual number of cases
+  bool coarse = false;  // only every third place
 };
 
 // `begin` is called before each place.

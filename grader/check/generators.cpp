@@ -1,5 +1,7 @@
 #include "grader/check/generators.h"
 
+#include "grader/check/choices.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,15 +11,29 @@ namespace grader::check {
 
 namespace {
 
+Choices* chosen = nullptr;
+
+}  // namespace
+
+void choose_from(Choices* choices) { chosen = choices; }
+
+double next_choice(std::uint64_t random) {
+  const double usual = static_cast<double>(random >> 11) * 0x1p-53;
+  if (chosen == nullptr) return usual;
+  if (chosen->taken == chosen->numbers.size()) chosen->numbers.push_back(usual);
+  return chosen->numbers[chosen->taken++];
+}
+
+namespace {
+
 // Makes a generator from two functions. `make` turns a random number into a value. `simpler` lists
 // the values that are simpler than a value, the simplest first.
 template <class Make, class Simpler>
 auto shrinking(Make make, Simpler simpler) {
   using T = decltype(make(0.0));
   return rc::Gen<T>([=](const rc::Random& random, int) {
-    const auto bits = rc::Random(random).next();
     return rc::shrinkable::shrinkRecur(
-        make(static_cast<double>(bits >> 11) * 0x1p-53),
+        make(next_choice(rc::Random(random).next())),
         [=](const T& value) { return rc::seq::fromContainer(simpler(value)); });
   });
 }
@@ -114,7 +130,12 @@ rc::Gen<double> magnitude(double low, double high) {
 }
 
 rc::Gen<int> whole(int low, int high) {
-  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
+  const rc::Gen<int> usual = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
+  return rc::Gen<int>([=](const rc::Random& random, int size) {
+    if (chosen == nullptr) return usual(random, size);
+    const double part = next_choice(rc::Random(random).next());
+    return rc::shrinkable::just(low + static_cast<int>(part * (high - low + 1.0)));
+  });
 }
 
 rc::Gen<pt::Vec3> point(double size) {
@@ -128,8 +149,8 @@ rc::Gen<pt::Vec3> direction() {
   return rc::Gen<pt::Vec3>([](const rc::Random& random, int) {
     rc::Random first(random);
     rc::Random second = first.split();
-    const double z = static_cast<double>(first.next() >> 11) * 0x1p-52 - 1;
-    const double phi = 2 * pt::kPi * (static_cast<double>(second.next() >> 11) * 0x1p-53);
+    const double z = 2 * next_choice(first.next()) - 1;
+    const double phi = 2 * pt::kPi * next_choice(second.next());
     const double r = std::sqrt(1 - z * z);
     return rc::shrinkable::shrinkRecur(
         pt::Vec3{r * std::cos(phi), r * std::sin(phi), z},

@@ -2,8 +2,10 @@
 // submission runs in here. Writes what it found as a results.json; the exit status is 0 if every
 // promise held, 1 if one did not, 2 if nothing could be judged. With --battery it runs the task's
 // battery instead (grader/mistakes/battery.h), and writes the answers; with --curves it measures where
-// the task's methods fail (grader/check/curve.h).
+// the task's methods fail (grader/check/curve.h); with --search it looks for bad inputs
+// (grader/check/search.h).
 #include "grader/check/property.h"
+#include "grader/check/search.h"
 #include "grader/mistakes/battery.h"
 #include "grader/process/spawn.h"
 #include "grader/programs/graded_curves.h"
@@ -33,6 +35,9 @@ struct Options {
   std::string curves;   // where to write them
   std::string curve;    // only this one
   double effort = 1;    // times the usual number of cases
+  bool coarse = false;  // every third place
+  std::string search;   // where to keep the worst inputs
+  double seconds = 60;  // of the search
 };
 
 // All calls of a battery take some milliseconds: what takes this long hangs, also where the machine
@@ -62,8 +67,18 @@ int run_battery(Options options) {
 int run_curves(Options options) {
   options.session.max_timeouts = 1;
   options.session.total_limit = std::chrono::minutes(5);
-  grader::programs::write_curves(options.curves, options.curve, {options.seed, options.effort},
+  grader::programs::write_curves(options.curves, options.curve,
+                                 {options.seed, options.effort, options.coarse},
                                  [&] { grader::wire::open_session(options.session); });
+  return 0;
+}
+
+int run_search(Options options) {
+  options.session.max_timeouts = 1;
+  options.session.total_limit = std::chrono::hours(1);
+  options.session.max_failures = 1000000000;
+  grader::check::run_searches({options.seed, options.seconds, options.search,
+                               [&] { grader::wire::open_session(options.session); }});
   return 0;
 }
 
@@ -111,6 +126,10 @@ int main(int argc, char** argv) {
   app.add_option("--curve", options.curve, "only the curve of this name");
   app.add_option("--effort", options.effort, "of the curves: times the usual number of cases")
       ->check(CLI::PositiveNumber);
+  app.add_option("--search", options.search,
+                 "search for bad inputs instead: where to keep the worst");
+  app.add_option("--seconds", options.seconds, "of the search")->check(CLI::PositiveNumber);
+  app.add_flag("--coarse", options.coarse, "of the curves: every third place only");
   app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
   app.add_option("--call-limit", call_limit, "milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
@@ -124,6 +143,7 @@ int main(int argc, char** argv) {
     options.session.call_limit = std::chrono::milliseconds(call_limit);
     options.session.total_limit = 15 * options.session.call_limit;
     if (!options.curves.empty()) return run_curves(options);
+    if (!options.search.empty()) return run_search(options);
     return options.battery.empty() ? run(options, argv[0]) : run_battery(options);
   });
 }

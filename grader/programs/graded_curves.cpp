@@ -34,7 +34,10 @@ json to_json(const check::NamedCurve& named, const std::vector<check::Measured>&
     all["methods"].push_back(
         {{"file", method.file}, {"title", method.title}, {"single", method.single}});
   }
-  for (const check::Measured& at : measured) all["places"].push_back(to_json(at));
+  for (const check::Measured& at : measured) {
+    all["places"].push_back(to_json(at));
+    if (curve.theory) all["places"].back()["theory"] = curve.theory(at.place);
+  }
   return all;
 }
 

@@ -100,6 +100,20 @@ TEST(curve, more_effort_is_more_cases_and_each_place_begins_anew) {
   EXPECT_EQ(measured[0].cases, 25);
 }
 
+TEST(curve, a_coarse_curve_has_the_same_numbers_at_fewer_places) {
+  const auto drawn = [](bool coarse) {
+    Curve curve = curve_of(Statistic::mean, 5, [](double) { return *real(0, 1); });
+    curve.places = by_factors(1, 64, 7);
+    return measure(curve, {.seed = 1, .effort = 1, .coarse = coarse}, nothing);
+  };
+  const auto all = drawn(false), some = drawn(true);
+  ASSERT_EQ(some.size(), 3U);
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    EXPECT_EQ(some[i].place, all[3 * i].place);
+    EXPECT_EQ(some[i].error, all[3 * i].error);
+  }
+}
+
 TEST(curve, places_by_equal_factors) {
   const std::vector<double> places = by_factors(1e-2, 1e2, 5);
   ASSERT_EQ(places.size(), 5U);

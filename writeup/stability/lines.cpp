@@ -2,9 +2,12 @@
 
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
+#include "grader/base/sha256.h"
 #include "grader/base/sources_in.h"
 #include "grader/judge/alone.h"
 #include "grader/judge/ask_graded.h"
+#include "grader/process/run_command.h"
+#include "grader/sandbox/box.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -54,23 +57,28 @@ judge::Judged compiled(const judge::Config& config, const judge::Builder& builde
   return judged;
 }
 
+// A worker of one line; or why there is none, in `line`.
+judge::Built worker_of(const judge::Config& config, const judge::Builder& builder,
+                       const judge::TaskConfig& task, const Request& request, Line& line) {
+  const judge::Judged judged = compiled(config, builder, task, request, line);
+  line.unusable = judged.object.rejected.empty() ? judged.object.error : judged.object.rejected;
+  if (!line.unusable.empty()) return {};
+  judge::Built worker = judge::link_alone(config, builder, judged, judge::Elsewhere::answers);
+  line.unusable = worker.error;
+  return worker;
+}
+
 // The curves of one line as JSON; or why there are none, in `line`.
 json curves_of(const judge::Config& config, const judge::Builder& builder,
                const judge::TaskConfig& task, const Request& request, Line& line) {
-  const judge::Judged judged = compiled(config, builder, task, request, line);
-  line.unusable = judged.object.rejected.empty() ? judged.object.error : judged.object.rejected;
+  const judge::Built worker = worker_of(config, builder, task, request, line);
   if (!line.unusable.empty()) return json::array();
-  const judge::Built worker = judge::link_alone(config, builder, judged, judge::Elsewhere::answers);
-  if (!worker.ok()) {
-    line.unusable = worker.error;
-    return json::array();
-  }
   const judge::Trial trial{task, worker, false, request.judge, {}};
-  const judge::Written written =
-      judge::ask_graded(builder, trial,
-                        {"--seed", std::to_string(request.judge.seed), "--effort",
-                         std::to_string(request.effort), "--curves"},
-                        kMostTime);
+  std::vector<std::string> words{"--seed", std::to_string(request.judge.seed), "--effort",
+                                 std::to_string(request.effort)};
+  if (request.coarse) words.push_back("--coarse");
+  words.push_back("--curves");
+  const judge::Written written = judge::ask_graded(builder, trial, words, kMostTime);
   if (written.path.empty()) throw pt::Error("the curves of " + task.slug + ": " + written.error);
   return json::parse(base::read_file(written.path));
 }
@@ -95,6 +103,9 @@ Chart chart_of(const judge::TaskConfig& task, const json& curve) {
   chart.input = curve.at("input");
   chart.error = curve.at("error");
   chart.source = curve.at("source");
+  for (const json& at : curve.at("places")) {
+    if (at.contains("theory")) chart.theory.push_back(at.at("theory"));
+  }
   if (curve.contains("promised")) {
     const json& promised = curve.at("promised");
     chart.promised_first = promised.at("first");
@@ -123,7 +134,7 @@ std::vector<std::size_t> methods_of(const json& curve, const std::vector<Line>& 
 // The methods that the curves name, each once, and then the other right solutions. A learners'
 // edition has none of their files.
 std::vector<Line> kept_solutions(const judge::Config& config, const judge::TaskConfig& task,
-                                 const json& curves, bool variants) {
+                                 const json& curves, const Request& request) {
   const std::string folder = folder_of(config, task);
   std::vector<Line> lines;
   const auto add = [&](const Line& line) {
@@ -131,11 +142,10 @@ std::vector<Line> kept_solutions(const judge::Config& config, const judge::TaskC
     if (!known && fs::exists(folder + line.file + ".cpp")) lines.push_back(line);
   };
   for (const json& curve : curves) {
-    for (const json& method : curve.at("methods")) {
-      add(line_of(method));
-    }
+    if (!request.methods) break;
+    for (const json& method : curve.at("methods")) add(line_of(method));
   }
-  if (!variants) return lines;
+  if (!request.variants) return lines;
   for (const fs::path& file : base::sources_in(folder + "right")) {
     const std::string name = file.stem();
     std::string title = name;
@@ -146,6 +156,55 @@ std::vector<Line> kept_solutions(const judge::Config& config, const judge::TaskC
 }
 
 }  // namespace
+
+std::string id_of(const Line& line) {
+  if (line.kind == Line::Kind::reference) return "reference";
+  if (line.kind == Line::Kind::submission) return "yours";
+  return fs::path(line.file).filename().string() + (line.single ? "_single" : "");
+}
+
+bool is_named(const Charts& charts, const Chart& chart, std::size_t line) {
+  const Line::Kind kind = charts.lines[line].kind;
+  return kind == Line::Kind::reference || kind == Line::Kind::submission ||
+         std::ranges::count(chart.methods, line) > 0;
+}
+
+json search_task(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
+                 const Hunt& hunt, Line& line) {
+  const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
+  const judge::Built worker = worker_of(config, builder, task, request, line);
+  if (!line.unusable.empty()) return json::array();
+  // Not judge::ask_graded: each search goes on where the last one ended.
+  const double seconds = 60 * hunt.minutes;
+  const grader::process::Child child{
+      {task.graded, "--worker", worker.path, "--isolation",
+       std::string(1, grader::sandbox::letter(request.judge.isolation.tier)), "--seed",
+       std::to_string(request.judge.seed), "--seconds", std::to_string(seconds), "--search",
+       hunt.file},
+      grader::sandbox::judges_environment(),
+      {},
+      "",
+      {}};
+  const auto most = std::chrono::seconds(static_cast<long long>(60 + 4 * seconds));
+  const auto result = grader::process::run_command(child, most);
+  if (!result.ok()) throw pt::Error("the search of " + task.slug + ": " + result.output);
+  return json::parse(base::read_file(hunt.file));
+}
+
+std::string charts_hash(const judge::Config& config, const judge::TaskConfig& task,
+                        const Request& request) {
+  std::string text = base::stamp("/proc/self/exe") + base::stamp(task.graded);
+  for (const std::string& object : task.reference) text += base::stamp(object);
+  for (const char* kind : {"methods", "right", "wrong"}) {
+    for (const fs::path& file : base::sources_in(folder_of(config, task) + kind)) {
+      text += base::stamp(file.string());
+    }
+  }
+  if (!request.submission.empty()) {
+    text += base::read_submitted(request.submission, task.part, task.slug).text;
+  }
+  return base::sha256(text);
+}
 
 Charts measure_task(const judge::Config& config, const judge::TaskConfig& task,
                     const Request& request, const std::function<void(double)>& progress) {
@@ -158,7 +217,7 @@ Charts measure_task(const judge::Config& config, const judge::TaskConfig& task,
   }
   // The reference tells which methods there are.
   std::vector<json> found{curves_of(config, builder, task, request, charts.lines[0])};
-  for (Line& line : kept_solutions(config, task, found[0], request.variants)) {
+  for (Line& line : kept_solutions(config, task, found[0], request)) {
     charts.lines.push_back(std::move(line));
   }
   for (const json& curve : found[0]) {

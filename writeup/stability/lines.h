@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace writeup::stability {
 
 // One implementation of a task: a line in each of its charts.
@@ -23,8 +25,10 @@ struct Line {
 // What is measured, and how.
 struct Request {
   std::string submission;  // a folder; empty: none
+  bool methods = true;     // those that the curves are about
   bool variants = true;    // every right solution of the task's folder too
   double effort = 1;       // times the usual number of cases
+  bool coarse = false;     // every third place only
   grader::judge::GradeRequest judge;
 };
 
@@ -39,6 +43,7 @@ struct Point {
 struct Chart {
   std::string slug, name, title, input, error, source;
   double promised_first = 0, promised_last = 0, limit = 0;  // nothing is promised: last is 0
+  std::vector<double> theory;                               // by place; none: empty
   std::vector<std::vector<Point>> points;                   // by line
   std::vector<std::size_t> methods;                         // the lines that it is about
 };
@@ -48,6 +53,28 @@ struct Charts {
   std::vector<Line> lines;
   std::vector<Chart> charts;
 };
+
+// A name for files and texts: "reference", "yours", "quadratic_single".
+std::string id_of(const Line& line);
+
+// Whether the line belongs to what the chart is about: then it has a colour and a name there.
+bool is_named(const Charts& charts, const Chart& chart, std::size_t line);
+
+// A search for bad inputs of a task (grader/check/search.h), by the reference or the submission.
+struct Hunt {
+  double minutes = 1;
+  std::string file;  // keeps what was found; the next search goes on from there
+};
+
+// Searches, and returns what was found as the program wrote it; or why nothing could be tried, in
+// `line`. Throws pt::Error where nothing can be measured.
+nlohmann::json search_task(const grader::judge::Config& config,
+                           const grader::judge::TaskConfig& task, const Request& request,
+                           const Hunt& hunt, Line& line);
+
+// A hash of all that the charts of a task depend on, besides the request's numbers.
+std::string charts_hash(const grader::judge::Config& config, const grader::judge::TaskConfig& task,
+                        const Request& request);
 
 // Measures all curves of a task. The code of a submission runs in a box only: what hangs, crashes or
 // does not compile is found in the answer. Throws pt::Error where nothing can be measured. `progress`

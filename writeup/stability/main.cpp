@@ -2,16 +2,20 @@
 // curves (grader/tasks/<task>/curves.cpp) with the reference, a submission, and the solutions that are
 // kept in the tree, all in boxes. The exit status is 1 if a task of the submission cannot be measured.
 #include "grader/base/files.h"
+#include "grader/process/process_time.h"
 #include "grader/sandbox/probe.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
+#include "pt/file.h"
 #include "pt/render/progress.h"
+#include "writeup/stability/hunt.h"
 #include "writeup/stability/print.h"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace writeup::stability {
 namespace {
@@ -22,7 +26,8 @@ namespace judge = grader::judge;
 struct Options {
   std::vector<std::string> what;
   std::string out;
-  bool no_variants = false;
+  bool no_methods = false, no_variants = false, keys = false, search = false;
+  double minutes = 1;
   Request request;
 };
 
@@ -44,29 +49,65 @@ std::vector<judge::TaskConfig> tasks_of(const judge::Config& config, const Optio
   return tasks;
 }
 
+// What the charts of each task depend on, for the write-up.
+int print_keys(const judge::Config& config, const std::vector<judge::TaskConfig>& tasks,
+               const Request& request) {
+  for (const judge::TaskConfig& task : tasks) {
+    fmt::print("{} {}\n", task.slug, charts_hash(config, task, request));
+  }
+  return 0;
+}
+
+// What was found so far is kept beside what `grade` keeps.
+int search(const judge::Config& config, const std::vector<judge::TaskConfig>& tasks,
+           const Options& options) {
+  bool all = true, any = false;
+  for (const judge::TaskConfig& task : tasks) {
+    if (!has_searches(config, task)) continue;
+    any = true;
+    const std::string folder = config.work + "/searches";
+    all = hunt(config, task, options.request, options.minutes, folder) && all;
+    std::fflush(stdout);
+  }
+  if (!any) throw pt::Error(tasks[0].slug + " has no search: its oracles are statistical");
+  return all ? 0 : 1;
+}
+
+double cpu_seconds() {
+  return std::chrono::duration<double>(grader::process::time_of_tree(getpid()).running).count();
+}
+
 int run(Options options) {
   const judge::Config config = judge::load_config(judge::default_config_path());
   const std::vector<judge::TaskConfig> tasks = tasks_of(config, options);
   Request& request = options.request;
-  request.variants = !options.no_variants;
-  request.judge.isolation = grader::sandbox::probe_isolation(config.root, config.work);
+  request.methods = !options.no_methods;
+  request.variants = !options.no_variants && request.methods;
   if (!request.submission.empty()) {
     request.submission = grader::base::submission_root(request.submission);
   }
+  if (options.keys) return print_keys(config, tasks, request);
+  request.judge.isolation = grader::sandbox::probe_isolation(config.root, config.work);
+  if (options.search) return search(config, tasks, options);
   if (!options.out.empty()) fs::create_directories(options.out);
   bool all_measured = true;
+  std::vector<Charts> all;
   pt::Progress progress;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const Charts charts = measure_task(config, tasks[i], request, [&](double part) {
+    all.push_back(measure_task(config, tasks[i], request, [&](double part) {
       progress.show((static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
-    });
+    }));
+    const Charts& charts = all.back();
     progress.clear();
     fmt::print("{}", to_text(charts));
     std::fflush(stdout);
     if (!options.out.empty()) write_charts(charts, options.out);
     for (const Line& line : charts.lines) all_measured = all_measured && line.unusable.empty();
   }
-  if (!options.out.empty()) fmt::print("charts and numbers: {}\n", options.out);
+  if (!options.out.empty()) {
+    pt::write_file(fs::path(options.out) / "stability.json", to_json(all, cpu_seconds()));
+    fmt::print("charts and numbers: {}\n", options.out);
+  }
   return all_measured ? 0 : 1;
 }
 
@@ -86,11 +127,21 @@ int main(int argc, char** argv) {
                  "a folder with the tree of student/: its lines are drawn too")
       ->check(CLI::ExistingDirectory);
   app.add_option("--out", options.out, "a folder for charts and their numbers; default: none");
+  app.add_flag("--no-methods", options.no_methods,
+               "only the reference and your own code, and no other method");
   app.add_flag("--no-variants", options.no_variants,
                "only the methods that a curve is about, not every right solution");
   app.add_option("--effort", options.request.effort, "times the usual number of random cases")
       ->check(CLI::Range(0.001, 1000.0))
+      ->take_last()
       ->capture_default_str();
+  app.add_flag("--coarse", options.request.coarse, "only every third place");
+  app.add_flag("--search", options.search,
+               "search for inputs with large errors instead; it goes on where the last one ended");
+  app.add_option("--minutes", options.minutes, "of a search, per task")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->capture_default_str();
+  app.add_flag("--keys", options.keys)->group("");
   app.add_option("--seed", options.request.judge.seed, "of the random cases")
       ->capture_default_str();
   app.add_option("-t,--threads", options.request.judge.threads, "how many lines at the same time")

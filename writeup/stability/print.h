@@ -14,4 +14,7 @@ std::string to_text(const Charts& charts);
 // <slug>.<curve>.csv with all lines, and a chart where there is gnuplot.
 void write_charts(const Charts& charts, const std::filesystem::path& folder);
 
+// The lines that the charts are about, with their numbers, for programs.
+std::string to_json(const std::vector<Charts>& tasks, double cpu_seconds);
+
 }  // namespace writeup::stability

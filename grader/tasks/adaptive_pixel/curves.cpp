@@ -8,10 +8,12 @@ namespace {
 
 using namespace adaptive;
 
+constexpr AdaptiveSettings kUsual{.max_samples = 1024, .batch = 32, .tolerance = 0.1};
+
 // How far the mean of many pixels is below the mean of their samples, as a part of it. The samples
 // are `rare` with the chance, else `usual`.
-double too_dark(double chance, double rare, double usual) {
-  constexpr int kPixels = 40;
+double too_dark(double chance, double rare, double usual, const AdaptiveSettings& settings) {
+  constexpr int kPixels = 20;
   const double expected = chance * rare + (1 - chance) * usual;
   double sum = 0;
   for (int i = 0; i < kPixels; ++i) {
@@ -20,16 +22,22 @@ double too_dark(double chance, double rare, double usual) {
         [&](int, const pt::Ray&) { return pt::gray(values.next_1d() < chance ? rare : usual); });
     const pt::Scene empty;
     const pt::View view{empty, pt::Camera{}, {}, 1, 1};
-    const AdaptiveSettings settings{.max_samples = 1024, .batch = 32, .tolerance = 0.1};
     sum += pt::adaptive_pixel(view, 0, 0, settings, sampler).mean.r / kPixels;
   }
   return std::abs(1 - sum / expected);
 }
 
+// What a pixel loses that is done after a first batch without the rare light, by the chance that it
+// is. A pixel that has met it sees so much noise that it goes on to the end.
+double lost(double chance, double rare, double usual, int batch) {
+  const double expected = chance * rare + (1 - chance) * usual;
+  return std::pow(1 - chance, batch) * (1 - usual / expected);
+}
+
 // The interval of 95 % assumes that the variance is known. A batch in which the rare light is missing
 // knows nothing of it.
 CURVE(adaptive_pixel, rare_light) {
-  return {.title = "Light that a sample rarely meets; at most 1,024 samples",
+  return {.title = "Light that a sample rarely meets; batches of 32, at most 1,024 samples",
           .input = "chance of a sample to meet it",
           .error = "the mean is off by this part",
           .source = "the first batch may not meet it, and the pixel is done",
@@ -37,8 +45,47 @@ CURVE(adaptive_pixel, rare_light) {
           .promised = {},
           .methods = {{"right/stratified", "stratified points"}},
           .statistic = Statistic::median,
-          .cases = 1,
-          .measure = [](double chance) { return too_dark(chance, 1 / chance, 0.1); }};
+          .cases = 5,
+          .theory = [](double chance) { return lost(chance, 1 / chance, 0.1, kUsual.batch); },
+          .measure = [](double chance) { return too_dark(chance, 1 / chance, 0.1, kUsual); }};
+}
+
+CURVE(adaptive_pixel, first_batch) {
+  return {.title = "Light that one sample of a hundred meets, and the size of a batch",
+          .input = "samples of the first batch",
+          .error = "the mean is off by this part",
+          .source = "(1 - chance) to the power of the batch is the chance to see nothing",
+          .places = {512, 256, 128, 64, 32, 16, 8},
+          .promised = {},
+          .methods = {},
+          .statistic = Statistic::median,
+          .cases = 5,
+          .theory = [](double batch) { return lost(0.01, 100, 0.1, static_cast<int>(batch)); },
+          .measure =
+              [](double batch) {
+                AdaptiveSettings settings = kUsual;
+                settings.batch = static_cast<int>(batch);
+                return too_dark(0.01, 100, 0.1, settings);
+              }};
+}
+
+CURVE(adaptive_pixel, tolerance) {
+  return {.title = "Light that one sample of a hundred meets, and the tolerance; batches of 32",
+          .input = "tolerance",
+          .error = "the mean is off by this part",
+          .source = "a pixel that has seen no noise is done, whatever the tolerance",
+          .places = by_factors(1e-3, 1, 7),
+          .promised = {},
+          .methods = {},
+          .statistic = Statistic::median,
+          .cases = 5,
+          .theory = [](double) { return lost(0.01, 100, 0.1, kUsual.batch); },
+          .measure =
+              [](double tolerance) {
+                AdaptiveSettings settings = kUsual;
+                settings.tolerance = tolerance;
+                return too_dark(0.01, 100, 0.1, settings);
+              }};
 }
 
 CURVE(adaptive_pixel, fireflies) {
@@ -50,8 +97,9 @@ CURVE(adaptive_pixel, fireflies) {
           .promised = {},
           .methods = {{"right/stratified", "stratified points"}},
           .statistic = Statistic::median,
-          .cases = 1,
-          .measure = [](double radiance) { return too_dark(1e-3, radiance, 1); }};
+          .cases = 5,
+          .theory = [](double radiance) { return lost(1e-3, radiance, 1, kUsual.batch); },
+          .measure = [](double radiance) { return too_dark(1e-3, radiance, 1, kUsual); }};
 }
 
 // Samples that are in turns above and below 1. The tolerance asks for 1,041 of them, which is 33

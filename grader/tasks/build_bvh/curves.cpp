@@ -1,5 +1,6 @@
 #include "grader/check/curve.h"
 #include "grader/tasks/build_bvh/walk.h"
+#include "pt/geometry/ray.h"
 
 namespace grader::check {
 namespace {
@@ -41,6 +42,107 @@ CURVE(build_bvh, identical) {
           .methods = splits(),
           .cases = 3,
           .measure = [](double boxes) { return depth_of(Kind::identical, boxes); }};
+}
+
+// Whether a line through the point meets the box, a little enlarged.
+bool meets(const pt::Box& box, pt::Vec3 p, pt::Vec3 d) {
+  double enter = -pt::kInfinity, leave = pt::kInfinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (box.min[axis] - p[axis]) / d[axis], b = (box.max[axis] - p[axis]) / d[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave + 1e-9;
+}
+
+// Boxes and primitives that a line tests, if nothing that it meets ends the search.
+double tests_of_a_line(const pt::Bvh& bvh, pt::Vec3 p, pt::Vec3 d) {
+  int tests = 1;
+  std::vector<int> open{0};
+  while (!open.empty()) {
+    const pt::BvhNode& node = bvh.nodes[open.back()];
+    open.pop_back();
+    if (!meets(node.box, p, d)) continue;
+    tests += node.is_leaf() ? node.count : 2;
+    if (has_children(node)) open.insert(open.end(), {node.left, node.right});
+  }
+  return tests;
+}
+
+double tests_of_a_line(const std::vector<pt::Box>& boxes) {
+  constexpr int kLines = 200;
+  const pt::Bvh bvh = pt::build_bvh(boxes, 1);
+  walk_from_root(bvh);  // it is a tree
+  Many make(*sampler_seed());
+  double sum = 0;
+  for (int i = 0; i < kLines; ++i) {
+    const pt::Vec3 p = make.vector(-1, 1), q = make.vector(-1, 1);
+    sum += tests_of_a_line(bvh, p, q - p) / kLines;
+  }
+  return sum;
+}
+
+// Small boxes all over a sphere, as those of its triangles, and the six walls of a room around it.
+std::vector<pt::Box> sphere_in_a_room(int n) {
+  Many make(*sampler_seed());
+  std::vector<pt::Box> boxes;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      pt::Vec3 half{1, 1, 1};
+      half[axis] = 0;
+      boxes.push_back(around(on_axis(axis, side), half));
+    }
+  }
+  const double size = 1 / std::sqrt(n);
+  while (static_cast<int>(boxes.size()) < n) {
+    const pt::Vec3 p = make.vector(-1, 1);
+    if (!(length(p) > 0.1 && length(p) < 1)) continue;
+    const pt::Vec3 half = size * make.vector(0.2, 1);
+    boxes.push_back(around(0.6 * normalize(p), half));
+  }
+  make.shuffle(boxes);
+  return boxes;
+}
+
+CURVE(build_bvh, tests_per_line) {
+  return {.title = "A sphere of small triangles in a room",
+          .input = "boxes",
+          .error = "boxes and primitives that a line tests",
+          .source = "an axis or an order that has nothing to do with where the boxes are",
+          .places = {30, 100, 300, 1000, 3000, 10000},
+          .promised = {},
+          .methods = {{"right/median", "median"},
+                      {"right/swept_surface_area", "surface area heuristic"},
+                      {"wrong/shortest_axis", "middle of the shortest axis"},
+                      {"wrong/halves_in_the_given_order", "halves, in the given order"}},
+          .statistic = Statistic::median,
+          .cases = 3,
+          .measure = [](double boxes) {
+            return tests_of_a_line(sphere_in_a_room(static_cast<int>(boxes)));
+          }};
+}
+
+// A long thin triangle along a diagonal has a box that is mostly empty, and meets all others.
+CURVE(build_bvh, slivers) {
+  return {.title = "A thousand boxes that overlap, as those of long thin triangles",
+          .input = "side of a box, in sizes of the scene",
+          .error = "boxes and primitives that a line tests",
+          .source = "no plane separates what overlaps: smaller triangles are the only remedy",
+          .places = by_factors(1e-3, 1, 10),
+          .promised = {},
+          .methods = {{"right/median", "median"},
+                      {"right/swept_surface_area", "surface area heuristic"},
+                      {"wrong/halves_in_the_given_order", "halves, in the given order"}},
+          .statistic = Statistic::median,
+          .cases = 3,
+          .measure = [](double side) {
+            Many make(*sampler_seed());
+            std::vector<pt::Box> boxes;
+            for (int i = 0; i < 1000; ++i) {
+              boxes.push_back(around((1 - side) * make.vector(-1, 1), {side, side, side}));
+            }
+            return tests_of_a_line(boxes);
+          }};
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ CURVE(direct_lights, close_to_a_light) {
           .source = "the density of a point of an area has the squared distance in it",
           .places = by_factors(10, 1e-3, 13),
           .promised = {},
-          .methods = {{"right/multiple_importance", "multiple importance sampling"}},
+          .methods = {{"right/multiple_importance", "multiple importance sampling"},
+                      {"right/solid_angle", "sampling the solid angle"}},
           .statistic = Statistic::median,
           .cases = 3,
           .measure = [](double distance) {
@@ -81,6 +82,25 @@ CURVE(direct_lights, far_from_the_origin) {
           .statistic = Statistic::mean,
           .measure = [](double away) {
             return wrong_in_the_sun({*rotation(), *point(away), 1});
+          }};
+}
+
+CURVE(direct_lights, light_is_a_surface) {
+  return {.title = "A light that is a surface of the scene, in scenes of any size",
+          .input = "size of the scene",
+          .error = "share of points from which it is hidden by itself",
+          .source = "a shadow ray that ends on the light may meet it",
+          .places = by_factors(1e-8, 1e8, 17),
+          .promised = {1e-6, 1e6, 0},
+          .methods = {{"wrong/shadow_ray_ends_on_the_light", "the ray ends on the light"},
+                      {"wrong/shadow_ray_shortened_by_a_fixed_bit", "shortened by a fixed bit"},
+                      {"right/shadow_ray_of_its_own", "shortened by a part"}},
+          .statistic = Statistic::mean,
+          .measure = [](double size) {
+            Stage stage({*rotation(), size * *point(), size});
+            stage.rectangle(*rectangle_above(0.5, 0.3, 1), pt::gray(1), Body::surface);
+            const Situation s = stage.patch(pt::gray(0.5), *direction_above(1.4)).done();
+            return one_estimate(s).r > 0 ? 0 : 1;
           }};
 }
 

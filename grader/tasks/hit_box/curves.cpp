@@ -3,6 +3,8 @@
 #include "grader/tasks/hit_box/cases.h"
 #include "pt/tasks/hit_box.h"
 
+#include <limits>
+
 namespace grader::check {
 namespace {
 
@@ -39,14 +41,22 @@ CURVE(hit_box, thin) {
           .measure = [](double thickness) { return missed(*at_a_sheet(thickness)); }};
 }
 
+// Logarithmic places have no 0: the last one stands for it, with either sign.
+std::vector<double> down_to_zero() {
+  std::vector<double> places = by_factors(1, 1e-315, 16);
+  places.push_back(std::numeric_limits<double>::denorm_min());
+  return places;
+}
+
 CURVE(hit_box, in_a_side) {
   return {.title = "A ray that starts in a side of the box and goes inwards",
-          .input = "component of the direction across the side",
+          .input = "component of the direction across the side; the last place is 0 and -0",
           .error = "share of rays that miss",
           .source = "1 / d overflows, and 0 times infinity is not a number",
-          .places = by_factors(1, 1e-320, 17),
+          .places = down_to_zero(),
           .promised = {},
           .methods = {{"wrong/plain_slabs_in_a_side", "min and max of NaN"},
+                      {"wrong/sign_of_minus_zero", "swapped where d < 0"},
                       {"right/special_case_and_wider", "parallel rays apart"},
                       {"wrong/short_components_are_parallel", "short components taken as 0"}},
           .statistic = Statistic::mean,
@@ -56,6 +66,7 @@ CURVE(hit_box, in_a_side) {
             const bool upper = *whole(0, 1) == 1;
             c.ray.origin[axis] = upper ? c.box.max[axis] : c.box.min[axis];
             c.ray.direction[axis] = upper ? -across : across;
+            if (across < 1e-320) c.ray.direction[axis] = zero();
             return expected(c.box, c.ray).is_miss() ? 0 : missed(c);
           }};
 }

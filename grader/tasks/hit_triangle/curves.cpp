@@ -1,6 +1,7 @@
 #include "grader/check/curve.h"
 #include "grader/check/property.h"
 #include "grader/tasks/hit_triangle/cases.h"
+#include "pt/geometry/box.h"
 #include "pt/tasks/hit_triangle.h"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ CURVE(hit_triangle, sliver) {
           .promised = {},
           .methods = {{"wrong/slivers_dropped", "slivers dropped"},
                       {"methods/determinants", "determinants, single precision", true},
+                      {"right/elimination", "elimination with pivots"},
                       {"right/watertight", "in the frame of the ray"}},
           .measure = [](double thin) {
             return error_of_t(*aimed_inside({.size = 1, .thin = thin, .thick = thin, .flat = 0.5}));
@@ -78,6 +80,55 @@ CURVE(hit_triangle, far_from_the_origin) {
                       {"right/watertight", "in the frame of the ray"}},
           .measure = [](double away) {
             return error_of_t(*aimed_inside({.size = 1, .away = away, .near = 1, .flat = 0.5}));
+          }};
+}
+
+// Whether an answer about a triangle without area, or a ray in its plane, is a number that has
+// nothing to do with the triangle. Rounding gives it a little area, so that a hit on it is no error.
+double anywhere(const Degenerate& c) {
+  const auto hit = pt::hit_triangle(c.triangle, c.ray);
+  if (!hit) return 0;
+  pt::Box box;
+  for (const pt::Vec3 p : {c.triangle.p0, c.triangle.p1, c.triangle.p2}) box.grow(p);
+  const pt::Vec3 p = c.ray.at(hit->t);
+  const double slack = 1e-3 * length(box.extent()) + 1e-12 * max_abs(p);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(p[axis] >= box.min[axis] - slack && p[axis] <= box.max[axis] + slack)) return 1;
+  }
+  return 0;
+}
+
+// Turned, so that no determinant is exactly 0, and moved, so that all of them are rounding errors.
+Degenerate turned_and_moved(Degenerate c, double away) {
+  const pt::Frame turn = *rotation();
+  const double edge = length(c.triangle.p1 - c.triangle.p0);
+  const pt::Vec3 shift = (away > 1 ? away * std::max(edge, 1e-30) : 0.0) * *direction();
+  const auto place = [&](pt::Vec3 p) { return turn.to_world(p) + shift; };
+  c.triangle.p0 = place(c.triangle.p0);
+  c.triangle.p1 = place(c.triangle.p1);
+  c.triangle.p2 = place(c.triangle.p2);
+  c.ray.origin = place(c.ray.origin);
+  c.ray.direction = turn.to_world(c.ray.direction);
+  return c;
+}
+
+CURVE(hit_triangle, without_area) {
+  return {.title = "Triangles without area, and rays in the plane of a triangle",
+          .input = "distance from the world's origin, in lengths of an edge",
+          .error = "share of rays with a hit that is not at the triangle, or not a number",
+          .source = "a rounding error over another, or 0 / 0, which no comparison rejects",
+          .places = by_factors(1, 1e9, 10),
+          .promised = {1, 1, 0},
+          .methods = {{"wrong/nan_accepted", "rejects if t < t_min"},
+                      {"methods/determinants", "determinants, no guard"},
+                      {"right/relative_guard", "relative guard"},
+                      {"methods/determinants", "determinants, single precision", true}},
+          .statistic = Statistic::mean,
+          .cases = 1000,
+          .measure = [](double away) {
+            const bool exact = away <= 1 && *whole(0, 1) == 0;
+            const Degenerate c = *whole(0, 1) == 0 ? *without_area() : *in_the_plane();
+            return anywhere(exact ? c : turned_and_moved(c, away));
           }};
 }
 

@@ -42,6 +42,31 @@ CURVE(trace_path, bright_walls) {
           }};
 }
 
+// Where the variance is finite, a hundred times the samples are a tenth of the error. Where it has no
+// limit, most means are too low, and now and then one is far too high.
+CURVE(trace_path, more_samples) {
+  return {.title = "More samples, where squared albedo over survival is 1.8; survival 0.35",
+          .input = "estimates in a mean, at most 100 bounces each",
+          .error = "relative error of the mean",
+          .source = "the law of large numbers gives 1 over a root only for a finite variance",
+          .places = by_factors(30, 30000, 7),
+          .promised = {},
+          .methods = {{"right/survival_by_throughput", "survives by its throughput"},
+                      {"right/survival_by_albedo", "survives by the albedo"}},
+          .statistic = Statistic::median,
+          .cases = 9,
+          .theory = [](double estimates) { return 1 / std::sqrt(estimates); },
+          .measure =
+              [](double estimated) {
+                constexpr double kSurvival = 0.35;
+                constexpr int kBounces = 100;
+                const Room room =
+                    *glowing_room(rc::gen::just(pt::gray(std::sqrt(1.8 * kSurvival))));
+                const Mean mean = estimates(room, static_cast<int>(estimated), kBounces, kSurvival);
+                return std::abs(mean.value.r / room.sum(1, kBounces).r - 1);
+              }};
+}
+
 CURVE(trace_path, many_bounces) {
   return {.title = "A closed room with walls of albedo 0.99, without roulette",
           .input = "bounces asked for",

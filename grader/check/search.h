@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+// A search for the inputs on which a task is furthest from an exact oracle: extended precision, brute
+// force, a closed form. It draws from the generators of the properties, and then changes the worst
+// inputs that it has found, one number or two at a time. The searches of a task are in
+// grader/tasks/<task>/searches.cpp:
+//
+//   SEARCH(hit_sphere, point_off_the_sphere) {
+//     return {.title = "...", .badness = [] { const Chord c = *chord(From::outside); ... }};
+//   }
+
+namespace grader::check {
+
+struct BadInputs {
+  std::string title;
+  std::string measure;  // what is measured, and what 1 is: usually what the contract allows
+  // One input: draws from generators, calls the task, and returns how bad its answer is, at least 0.
+  // kBroken where it is wrong whatever the size of the error. Calls `show_input` if it is asked to.
+  std::function<double()> badness;
+};
+
+inline constexpr double kBroken = 1e9;
+
+// Keeps the text of the input if this is the run that shows it. To be called by badness().
+void show_input(const std::function<std::string()>& text);
+
+struct NamedSearch {
+  std::string name;
+  BadInputs search;
+};
+const std::vector<NamedSearch>& searches();
+
+struct SearchSettings {
+  std::uint64_t seed = 1;
+  double seconds = 60;                        // of all searches of the program together
+  std::string file;                           // keeps what was found, and goes on from there
+  std::function<void()> begin;                // before each piece of about a second
+  std::function<void(double)> progress = {};  // the part that is done
+};
+
+// Runs the searches in turns and keeps the worst inputs in the file, as JSON: how many inputs were
+// tried in how many seconds, and of the worst ones the badness and the input as text.
+void run_searches(const SearchSettings& settings);
+
+// Used by SEARCH.
+bool keep_search(const char* name, BadInputs (*make)());
+
+}  // namespace grader::check
+
+#define SEARCH(task, name)                                         \
+  static ::grader::check::BadInputs search_##task##_##name();      \
+  static const bool kept_search_##task##_##name =                  \
+      ::grader::check::keep_search(#name, search_##task##_##name); \
+  static ::grader::check::BadInputs search_##task##_##name()

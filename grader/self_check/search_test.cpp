@@ -1,0 +1,91 @@
+// The search for bad inputs: it climbs where chance would not get, keeps what is broken, and goes on
+// where it ended.
+#include "grader/check/search.h"
+
+#include "grader/check/generators.h"
+#include "grader/check/property.h"
+#include "pt/file.h"
+#include "tests/temporary_folder.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace grader::check {
+namespace {
+
+using nlohmann::json;
+
+// Two numbers, both of which have to be right to a millionth of a millionth. One draw of a million
+// comes as close as a thousandth.
+SEARCH(test, peak) {
+  return {.title = "a peak", .measure = "", .badness = [] {
+            const double x = *real(0, 1), y = *magnitude(1e-3, 1e3);
+            show_input([&] { return show(x) + " " + show(y); });
+            return 1 / (1e-12 + std::abs(x - 0.73) + std::abs(y / 17 - 1));
+          }};
+}
+
+SEARCH(test, breaks) {
+  return {.title = "no answer", .measure = "", .badness = [] {
+            const int n = *whole(0, 3);
+            show_input([&] { return std::to_string(n); });
+            expect(n != 2, "a hit", "no hit");
+            return n == 1 ? std::nan("") : 1.0;
+          }};
+}
+
+// Tries at least so many inputs, in as many pieces as it takes.
+json searched(const std::string& file, long long inputs, int& begun) {
+  json all;
+  do {
+    run_searches({3, 0.05, file, [&] { ++begun; }});
+    all = json::parse(pt::read_file(file, 1 << 22));
+  } while (all[0].at("tried") < inputs);
+  return all;
+}
+
+TEST(search, climbs_shows_and_goes_on) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/search.json";
+  int begun = 0;
+  const json first = searched(file, 100, begun);
+  const json last = searched(file, 6000, begun);
+  EXPECT_GT(begun, 0);
+  EXPECT_GT(last[0].at("tried"), first[0].at("tried"));
+  const json& worst = last[0].at("worst");
+  EXPECT_GE(worst[0].at("badness"), first[0].at("worst")[0].at("badness"));
+  EXPECT_GT(worst[0].at("badness"), 1e6);
+  EXPECT_EQ(worst[0].at("input").get<std::string>().substr(0, 4), "0.73");
+  EXPECT_GT(worst.size(), 3U);
+  for (std::size_t i = 1; i < worst.size(); ++i) {
+    EXPECT_LT(worst[i].at("badness"), worst[i - 1].at("badness"));
+  }
+}
+
+TEST(search, what_fails_or_is_not_a_number_is_broken) {
+  const TemporaryFolder folder;
+  int begun = 0;
+  const json all = searched(folder.path() + "/search.json", 100, begun);
+  const json& worst = all[1].at("worst");
+  ASSERT_EQ(worst.size(), 2U);
+  EXPECT_EQ(worst[0].at("badness"), kBroken);
+  EXPECT_TRUE(worst[0].at("input") == "1" || worst[0].at("input") == "2");
+  EXPECT_EQ(worst[1].at("badness"), 1);
+}
+
+// Without a search, generators are RapidCheck's own again.
+TEST(search, leaves_the_generators_as_they_were) {
+  const auto drawn = [] {
+    return rc::gen::exec([] { return *real(0, 1) + *whole(0, 100); })(rc::Random(5), 100).value();
+  };
+  const double before = drawn();
+  const TemporaryFolder folder;
+  int begun = 0;
+  searched(folder.path() + "/search.json", 100, begun);
+  EXPECT_EQ(drawn(), before);
+}
+
+}  // namespace
+}  // namespace grader::check

@@ -1,0 +1,55 @@
+#include "grader/check/curve.h"
+#include "grader/check/property.h"
+#include "grader/tasks/camera_ray/cases.h"
+#include "pt/tasks/camera_ray.h"
+
+#include <cmath>
+
+namespace grader::check {
+namespace {
+
+using namespace camera_ray_cases;
+
+// How far the ray through a random point of the picture meets the window from there, in widths of
+// the window, which is from -half to half. The tangent of the angle that the task is given is taken
+// in extended precision.
+double off_the_window(double half, const pt::Frame& turn) {
+  constexpr long double kHalfDegree = 3.14159265358979323846264338327950288L / 360;
+  pt::Camera camera;
+  camera.hfov_deg = static_cast<double>(std::atan(static_cast<long double>(half)) / kHalfDegree);
+  camera.vfov_deg = 60;
+  camera.camera_to_world = turn;
+  const auto width = static_cast<double>(2 * std::tan(kHalfDegree * camera.hfov_deg));
+  const double x = *real(0, 1);
+  const pt::Vec3 direction = turn.to_local(pt::camera_ray(camera, x, 0.5).direction);
+  return std::abs(on_plane(direction).x - (x - 0.5) * width) / width;
+}
+
+constexpr double kWidest = 11.43;  // tan(170 degrees / 2)
+
+CURVE(camera_ray, wide) {
+  return {.title = "A field of view that gets wider, towards 180 degrees",
+          .input = "half the width of the window, at distance 1",
+          .error = "distance from the right point, in widths of the window",
+          .source = "the tangent of an angle close to 90 degrees, where its rounding is all",
+          .places = by_factors(0.1, 1e8, 19),
+          .promised = {0.1, kWidest, kPrecision},
+          .methods = {{"right/single_precision", "single precision"},
+                      {"wrong/wide_angles_clamped", "no field of view above 150 degrees"}},
+          .measure = [](double half) { return off_the_window(half, {}); }};
+}
+
+CURVE(camera_ray, narrow) {
+  return {.title = "A field of view that gets narrower, of a camera that is turned",
+          .input = "half the width of the window, at distance 1",
+          .error = "distance from the right point, in widths of the window",
+          .source = "the direction keeps an absolute precision, and its differences do not",
+          .places = by_factors(0.1, 1e-12, 23),
+          .promised = {0.1, 0.1, kPrecision},
+          .methods = {{"right/single_precision", "single precision"},
+                      {"wrong/narrow_angles_clamped", "no field of view under one degree"}},
+          .measure = [](double half) { return off_the_window(half, *rotation()); }};
+}
+
+}  // namespace
+}  // namespace grader::check

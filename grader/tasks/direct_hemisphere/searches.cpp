@@ -1,0 +1,34 @@
+#include "grader/check/generators.h"
+#include "grader/check/property.h"
+#include "grader/check/scenes.h"
+#include "grader/check/search.h"
+#include "pt/tasks/direct_hemisphere.h"
+
+#include <sstream>
+
+namespace grader::check {
+namespace {
+
+SEARCH(direct_hemisphere, closed_room) {
+  return {.title = "a patch in a closed room of light, at any scale and far from the origin",
+          .measure = "a black estimate is broken: the ray met its own surface, or left the room",
+          .badness = [] {
+            Stage stage(*pose(1e6, 1e4));
+            std::vector<Rectangle> walls = cube();
+            walls.pop_back();  // the floor is the patch
+            for (const Rectangle& wall : walls) stage.surface(wall, pt::gray(0.5), pt::gray(1));
+            stage.patch(pt::gray(0.5), *direction_above_at(magnitude(1e-3, 1)), *whole(0, 1) == 1);
+            const Situation s = stage.done();
+            show_input([&] {
+              std::ostringstream out;
+              showValue(s, out);
+              return out.str();
+            });
+            pt::Sampler sampler(*sampler_seed());
+            const double got = pt::direct_hemisphere(s.scene, s.point, 1, sampler).r;
+            return got > 0 ? 0 : kBroken;
+          }};
+}
+
+}  // namespace
+}  // namespace grader::check

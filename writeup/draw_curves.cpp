@@ -1,0 +1,204 @@
+#include "pt/file.h"
+#include "writeup/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#include <fmt/format.h>
+
+// Figures of where methods fail, measured by the program `stability`, and of what a remedy costs,
+// measured by `measure`.
+
+namespace writeup {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t kMaxTable = std::size_t{1} << 22;
+const char* const kDash = "\u2013";
+
+// Two digits: "340", "2.3e6".
+std::string digits(double value) {
+  std::string text = fmt::format("{:g}", std::stod(fmt::format("{:.1e}", value)));
+  for (const auto& [long_form, short_form] : {std::pair{"e+0", "e"}, {"e+", "e"}, {"e-0", "e-"}}) {
+    const std::size_t at = text.find(long_form);
+    if (at != std::string::npos) text.replace(at, std::strlen(long_form), short_form);
+  }
+  return text;
+}
+
+// The place at which a line first passes the threshold, between two places of the curve by a straight
+// line in the chart. A line without a number has passed it.
+std::optional<double> passes(const json& points, double threshold) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double place = points[i].at("place");
+    const json& error = points[i].at("error");
+    if (!error.is_null() && error <= threshold) continue;
+    if (i == 0 || error.is_null() || points[i - 1].at("error") <= 0) return place;
+    const double before = points[i - 1].at("place"), low = points[i - 1].at("error"), high = error;
+    const double part = std::log(threshold / low) / std::log(high / low);
+    return before * std::pow(place / before, part);
+  }
+  return {};
+}
+
+std::string error_at(const json& point) {
+  const json& error = point.at("error");
+  if (error.is_null()) return "none";
+  return error == 0 ? "0" : digits(error);
+}
+
+void enter_line(const json& line, double threshold, Drawn& drawn) {
+  const std::string id = line.at("id");
+  const json& points = line.at("points");
+  if (points.empty()) return;
+  const std::optional<double> fails = passes(points, threshold);
+  double largest = 0;
+  for (const json& point : points) {
+    if (!point.at("error").is_null()) largest = std::max(largest, point.at("error").get<double>());
+  }
+  const auto enter = [&](const char* what, const std::string& value) {
+    drawn.numbers[id + what] = value;
+  };
+  enter(".fails", fails ? digits(*fails) : kDash);
+  enter(".first", error_at(points.front()));
+  enter(".last", error_at(points.back()));
+  enter(".largest", digits(largest));
+  drawn.rows.push_back({line.at("title"), error_at(points.front()), error_at(points.back()),
+                        fails ? digits(*fails) : kDash});
+}
+
+const json* find_curve(const json& all, const Figure& figure) {
+  for (const json& chart : all.at("charts")) {
+    const std::string slug = chart.at("slug"), name = chart.at("name");
+    if (figure.curve == slug + "." + name) return &chart;
+  }
+  return nullptr;
+}
+
+void copy_file(const fs::path& from, const fs::path& folder, const std::string& name,
+               std::vector<std::string>& list) {
+  if (!fs::exists(from)) return;  // there may be no gnuplot
+  fs::copy_file(from, folder / name, fs::copy_options::overwrite_existing);
+  list.push_back(name);
+}
+
+}  // namespace
+
+Drawn draw_curve(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  Drawn drawn;
+  const Measurement measurement = plan.measurements(figure).at(0);
+  if (!plan.measured().is_complete(measurement)) {
+    drawn.problems.push_back(task_of(figure) + ": " + plan.measured().failure(measurement));
+    return drawn;
+  }
+  const json all = plan.measured().load(measurement);
+  for (const json& line : all.at("unusable")) {
+    drawn.problems.push_back(task_of(figure) + ", " + line.at("title").get<std::string>() + ": " +
+                             line.at("reason").get<std::string>());
+  }
+  const json* const chart = find_curve(all, figure);
+  if (chart == nullptr) {
+    drawn.problems.push_back("there is no curve " + figure.curve);
+    return drawn;
+  }
+  const fs::path from = plan.measured().folder(measurement);
+  copy_file(from / (figure.curve + ".svg"), folder, figure.id + ".svg", drawn.charts);
+  copy_file(from / (figure.curve + ".csv"), folder, figure.id + ".csv", drawn.tables);
+  const json& places = chart->at("lines").at(0).at("points");
+  drawn.columns = {chart->at("error"), "at " + digits(places.front().at("place")),
+                   "at " + digits(places.back().at("place")),
+                   "first above " + digits(figure.threshold)};
+  for (const json& line : chart->at("lines")) enter_line(line, figure.threshold, drawn);
+  return drawn;
+}
+
+namespace {
+
+using Cells = std::map<std::string, std::string>;
+
+// The lines of measure.csv by the names of their columns. Its texts have no commas.
+std::vector<Cells> read_rows(const fs::path& file) {
+  std::istringstream in(pt::read_file(file, kMaxTable));
+  const auto cells_of = [](const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream words(line);
+    for (std::string cell; std::getline(words, cell, ',');) {
+      std::erase(cell, '"');
+      cells.push_back(cell);
+    }
+    return cells;
+  };
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> names = cells_of(line);
+  std::vector<Cells> rows;
+  while (std::getline(in, line)) {
+    const std::vector<std::string> cells = cells_of(line);
+    Cells row;
+    for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i) row[names[i]] = cells[i];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// The geometric mean over the cases of a task (scenes, sizes) of the ratio of two ways in a column;
+// nothing where one of them has no number.
+std::optional<double> ratio(const std::vector<Cells>& rows, const Price& price,
+                            const std::string& column) {
+  std::map<std::string, std::map<std::string, double>> numbers;  // by case and way
+  for (const Cells& row : rows) {
+    if (row.at("task") != price.task || !row.contains(column) || row.at(column).empty()) continue;
+    std::string name = row.at("implementation");
+    std::ranges::replace(name, ' ', '_');
+    numbers[row.at("case")][name] = std::stod(row.at(column));
+  }
+  double sum = 0;
+  int cases = 0;
+  for (const auto& [name, of_case] : numbers) {
+    if (!of_case.contains(price.plain) || !of_case.contains(price.remedy)) continue;
+    sum += std::log(of_case.at(price.remedy) / of_case.at(price.plain));
+    ++cases;
+  }
+  if (cases == 0) return {};
+  return std::exp(sum / cases);
+}
+
+std::string times(std::optional<double> factor) {
+  return factor ? fmt::format("{:.2f}\u00d7", *factor) : kDash;
+}
+
+}  // namespace
+
+Drawn draw_prices(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  Drawn drawn;
+  const std::vector<Measurement> measurements = plan.measurements(figure);
+  if (measurements.empty()) return drawn;  // not in this edition
+  if (!plan.measured().is_complete(measurements[0])) {
+    drawn.problems.push_back(plan.measured().failure(measurements[0]));
+    return drawn;
+  }
+  const fs::path file = plan.measured().folder(measurements[0]) / "measure.csv";
+  copy_file(file, folder, figure.id + ".csv", drawn.tables);
+  const std::vector<Cells> rows = read_rows(file);
+  drawn.columns = {"what fails", "task", "plain", "remedy", "time per call", "time × variance"};
+  for (const Price& price : figure.prices) {
+    const std::optional<double> time = ratio(rows, price, "nanoseconds");
+    const std::optional<double> work = ratio(rows, price, "time_x_variance");
+    const auto words = [](std::string name) {
+      std::ranges::replace(name, '_', ' ');
+      return name;
+    };
+    drawn.rows.push_back({price.failure, price.task, words(price.plain), words(price.remedy),
+                          times(time), times(work)});
+    if (time) drawn.numbers[price.id + ".time"] = fmt::format("{:.2f}", *time);
+    if (work) drawn.numbers[price.id + ".work"] = fmt::format("{:.2f}", *work);
+  }
+  return drawn;
+}
+
+}  // namespace writeup

@@ -1,0 +1,163 @@
+#include "grader/report/csv.h"
+#include "pt/file.h"
+#include "writeup/gnuplot.h"
+#include "writeup/stability/print.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace writeup::stability {
+
+namespace {
+
+// What a logarithmic axis can show. Where some errors are 0, the lowest tic stands for 0.
+struct Range {
+  double bottom = 1e-17, zero = 3e-17, top = 1;
+  bool has_zeros = true;
+};
+
+// A text of gnuplot.
+std::string quoted(std::string text) {
+  std::ranges::replace(text, '"', '\'');
+  return '"' + text + '"';
+}
+
+Range range_of(const Chart& chart) {
+  double least = 1e300, most = 0;
+  bool has_zeros = false;
+  for (const auto& points : chart.points) {
+    for (const Point& point : points) {
+      has_zeros = has_zeros || point.error == 0;
+      if (!(point.error > 0)) continue;
+      least = std::min(least, point.error);
+      most = std::max(most, point.error);
+    }
+  }
+  for (const double error : chart.theory) most = std::max(most, error);
+  if (most == 0) return {};
+  if (chart.limit > 0) {
+    least = std::min(least, chart.limit);
+    most = std::max(most, chart.limit);
+  }
+  // A part of the height, whatever that spans.
+  const double part = std::pow(3 * most / least, 0.08);
+  return {least / part / part / 1.5, least / part / 1.5, most * part * 1.5, has_zeros};
+}
+
+std::string data(const Charts& charts, const Chart& chart) {
+  std::string csv = "line,place,error,cases,without,reason\n";
+  for (std::size_t i = 0; i < charts.lines.size(); ++i) {
+    if (i > 0) csv += "\n\n";
+    // gnuplot counts blocks that have lines.
+    if (chart.points[i].empty())
+      csv += grader::report::csv_field(charts.lines[i].title) + ",,,,,\n";
+    for (const Point& p : chart.points[i]) {
+      csv += fmt::format("{},{:g},{},{},{},{}\n", grader::report::csv_field(charts.lines[i].title),
+                         p.place, std::isnan(p.error) ? "" : fmt::format("{:.4g}", p.error),
+                         p.cases, p.without, grader::report::csv_field(p.reason));
+    }
+  }
+  return csv;
+}
+
+// A block behind all lines.
+std::string theory_data(const Chart& chart) {
+  std::string csv = "\n\n";
+  for (std::size_t i = 0; i < chart.theory.size(); ++i) {
+    csv += fmt::format("theory,{:g},{:.4g},,,\n", chart.points[0][i].place, chart.theory[i]);
+  }
+  return csv;
+}
+
+struct Pen {
+  std::string color;
+  double width;
+  int dashes;  // of gnuplot: 1 is a whole line
+  bool named;
+};
+
+// Lines that lie on each other can be told apart: each method has dashes of its own.
+Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line) {
+  constexpr Hue kHues[] = {Hue::red, Hue::blue, Hue::green};
+  if (!is_named(charts, chart, line)) return {"#c8ccd0", 1, 1, false};
+  if (charts.lines[line].kind == Line::Kind::reference) return {"#000000", 3, 1, true};
+  if (charts.lines[line].kind == Line::Kind::submission) return {"#e08214", 3, 1, true};
+  const auto method =
+      static_cast<int>(std::ranges::find(chart.methods, line) - chart.methods.begin());
+  return {color(kHues[method % 3], 2 + method / 3), 2, 2 + method, true};
+}
+
+std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
+  const auto& places = chart.points[0];
+  const std::size_t rows = (keys + 1) / 2;
+  std::string commands = fmt::format(
+      "set logscale xy\nset format \"10^{{%L}}\"\nset xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
+      "set xlabel {}\nset title \"{{/:Bold {}}}\\n{}\"\n"
+      "set terminal svg size 760,{} font \"sans-serif,13\"\nset bmargin {}\nset rmargin 3\n"
+      "set key at screen 0.09,screen 0.01 left bottom vertical Left reverse maxrows {} samplen 3 "
+      "width -2\n",
+      places.front().place, places.back().place, range.bottom, range.top, quoted(chart.input),
+      chart.title, chart.error, 400 + 20 * rows, 4 + 1.25 * static_cast<double>(rows), rows);
+  if (range.has_zeros) commands += fmt::format("set ytics add (\"0\" {:g})\n", range.zero);
+  // A short axis needs every number that it has.
+  const auto is_short = [](double low, double high) {
+    return std::abs(std::log10(high / low)) < 3;
+  };
+  if (is_short(places.front().place, places.back().place)) commands += "set format x \"%g\"\n";
+  if (is_short(range.zero, range.top)) commands += "set format y \"%g\"\n";
+  if (chart.promised_last > 0) {
+    // The corner that the contract allows.
+    commands += fmt::format(
+        "set object rectangle from {:g},{:g} to {:g},{:g} fc rgb \"#d9f0d3\" fs solid noborder "
+        "behind\n",
+        chart.promised_first, range.bottom, chart.promised_last,
+        std::max(chart.limit, std::sqrt(range.zero * range.zero * range.zero / range.bottom)));
+  }
+  return commands;
+}
+
+void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem::path& folder) {
+  const std::string name = chart.slug + "." + chart.name;
+  pt::write_file(folder / (name + ".csv"),
+                 data(charts, chart) + (chart.theory.empty() ? "" : theory_data(chart)));
+  const Range range = range_of(chart);
+  std::string plot = "plot ";
+  std::size_t keys = 0;
+  // The thin ones first, so that the others lie above them; above all what has no number.
+  for (const bool named : {false, true}) {
+    for (std::size_t i = 0; i < charts.lines.size(); ++i) {
+      const Pen pen = pen_of(charts, chart, i);
+      if (pen.named != named) continue;
+      keys += named ? 1 : 0;
+      plot += fmt::format(
+          "\"{0}.csv\" index {1} using 2:($3 > {2:g} ? $3 : {2:g}) skip {3} with lines lc rgb "
+          "\"{4}\" lw {5} dt {6} {7}, \"\" index {1} using 2:($5 > 0 ? {8:g} : NaN) skip {3} with "
+          "points pt 2 ps .8 lc rgb \"{4}\" notitle, ",
+          name, i, range.zero, i == 0 ? 1 : 0, pen.color, pen.width, pen.dashes,
+          pen.named ? "title " + quoted(charts.lines[i].title) : "notitle", range.top / 1.3);
+    }
+  }
+  if (!chart.theory.empty()) {
+    ++keys;
+    plot += fmt::format(
+        "\"{}.csv\" index {} using 2:($3 > {:g} ? $3 : NaN) with points pt 6 ps .7 lc rgb "
+        "\"#6a3d9a\" title \"theory\", ",
+        name, charts.lines.size(), range.bottom);
+  }
+  // The corner has an entry in the key too.
+  if (chart.promised_last > 0) {
+    ++keys;
+    plot += "NaN with boxes fs solid lc rgb \"#a6dba0\" title \"promised by the contract\", ";
+  }
+  draw(folder, name, axes(chart, range, keys) + plot.substr(0, plot.size() - 2) + "\n");
+}
+
+}  // namespace
+
+void write_charts(const Charts& charts, const std::filesystem::path& folder) {
+  for (const Chart& chart : charts.charts) draw_chart(charts, chart, folder);
+}
+
+}  // namespace writeup::stability

@@ -1,0 +1,65 @@
+#include "writeup/stability/hunt.h"
+
+#include "grader/base/sha256.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace writeup::stability {
+
+namespace fs = std::filesystem;
+namespace judge = grader::judge;
+using nlohmann::json;
+
+namespace {
+
+constexpr double kBroken = 1e9;  // grader/check/search.h
+constexpr std::size_t kShown = 2;
+
+std::string text_of(const std::string& slug, const json& search) {
+  std::string text =
+      fmt::format("{}: {}\n  {}\n  {} inputs in {:.0f} seconds, all runs together\n", slug,
+                  search.at("title").get<std::string>(), search.at("measure").get<std::string>(),
+                  search.at("tried").get<long long>(), search.at("seconds").get<double>());
+  const json& worst = search.at("worst");
+  for (std::size_t i = 0; i < std::min(kShown, worst.size()); ++i) {
+    const double badness = worst[i].at("badness");
+    text += badness >= kBroken ? "  broken: " + worst[i].at("reason").get<std::string>() + "\n"
+                               : fmt::format("  {:.3g}\n", badness);
+    std::string input = worst[i].at("input");
+    for (std::size_t at = 0; (at = input.find('\n', at)) != input.npos; at += 5) {
+      input.replace(at, 1, "\n    ");
+    }
+    text += "    " + input + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+bool has_searches(const judge::Config& config, const judge::TaskConfig& task) {
+  return fs::exists(config.root + "/grader/tasks/" + task.slug + "/searches.cpp");
+}
+
+bool hunt(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
+          double minutes, const std::string& folder) {
+  fs::create_directories(folder);
+  Line line;
+  std::string name = task.slug;
+  if (!request.submission.empty()) {
+    line.kind = Line::Kind::submission;
+    name += "." + grader::base::sha256(fs::absolute(request.submission).string()).substr(0, 8);
+  }
+  const json found =
+      search_task(config, task, request, {minutes, folder + "/" + name + ".json"}, line);
+  if (!line.unusable.empty()) {
+    fmt::print("{} is not searched: {}\n", task.slug, line.unusable);
+    return false;
+  }
+  for (const json& search : found) fmt::print("{}\n", text_of(task.slug, search));
+  return true;
+}
+
+}  // namespace writeup::stability
