@@ -19,6 +19,9 @@ Headers public_headers(const std::string& root);
 // linker, so that the audit does not see them.
 Headers headers_for(const Task& task, const Headers& all);
 
+// What a compiler sees of a header: without comments and empty lines, where nothing asks for the number of a line.
+std::string code_of(const std::string& header);
+
 // A new folder in which a compiler or a linker works: what is put there, and nothing else. Everybody
 // may read it. It is gone with this object.
 class Stage {
