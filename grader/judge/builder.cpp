@@ -83,11 +83,10 @@ std::string first_error(const process::CommandResult& result, int seconds) {
   return text.empty() ? "the compiler ended with " + process::describe_status(result.status) : text;
 }
 
-// Headers were found below the project, for all that a person has to know.
-std::string in_project(std::string text, const std::string& root) {
-  for (std::size_t at = text.find("./pt/"); at != text.npos; at = text.find("./pt/", at + 1)) {
-    text.replace(at, 1, root);
-    at += root.size();
+// Headers by their places in the project, wherever that is: a report says no path of this machine.
+std::string in_project(std::string text) {
+  for (std::size_t at = text.find("./pt/"); at != text.npos; at = text.find("./pt/", at)) {
+    text.erase(at, 2);
   }
   return text;
 }
@@ -196,7 +195,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
     result = run(box, task.slug);
   }
   if (!result.ok()) {
-    return {"", key, in_project(first_error(result, seconds_), config_.root), "", ""};
+    return {"", key, in_project(first_error(result, seconds_)), "", ""};
   }
   const base::Submitted object = stage.take("task.o", kMaxObject);
   if (!object.present || !object.rejected.empty()) {
