@@ -1,6 +1,7 @@
 // The judge's cache: which files are removed when it is too large, and which must stay.
 #include "grader/judge/cache.h"
 
+#include "grader/judge/staging.h"
 #include "pt/file.h"
 #include "tests/temporary_folder.h"
 
@@ -141,6 +142,32 @@ TEST_F(Cache, nothing_there_is_no_error) {
   EXPECT_NO_THROW(trim_cache(path("none"), 0));
   EXPECT_NO_THROW(remove_left_overs(path("none")));
   EXPECT_EQ(names(), Names{});
+}
+
+TEST_F(Cache, a_file_that_is_made_again_is_the_same) {
+  fs::create_directory(path("cache"));
+  const auto stamp = [&] { return content_stamp(path("program"), path("cache")); };
+  add("program", 10, minutes(30));
+  const std::string before = stamp();
+  age("program", minutes(5));
+  EXPECT_EQ(stamp(), before);
+  pt::write_file(path("program"), "yyyyyyyyyy");
+  age("program", minutes(4));
+  EXPECT_NE(stamp(), before);
+  // What is damaged, as by a machine that lost its power, is found again.
+  for (const auto& entry : fs::directory_iterator(path("cache"))) pt::write_file(entry.path(), "");
+  add("program", 10, minutes(30));
+  EXPECT_EQ(stamp(), before);
+}
+
+TEST(code_of, is_what_a_compiler_sees) {
+  EXPECT_EQ(code_of("// words\n\n#pragma once\nint f();  // more\n"), "#pragma once\nint f();  \n");
+  EXPECT_EQ(code_of("int /* here */ f();\n/* two\nlines */\n"), "int   f();\n \n");
+  const std::string text = "const char* a = \"// \\\" // no comment\"; char b = '\"';\n";
+  EXPECT_EQ(code_of(text + "// words\n"), text);
+  EXPECT_NE(code_of("int f();"), code_of("int g();"));
+  // Where a line's number is in the code, it is as it stands.
+  EXPECT_EQ(code_of("// words\nassert(x);\n"), "// words\nassert(x);\n");
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ mkdir -p "$folder/class/a, flat" "$folder/class/nested/unpacked" "$folder/class/
 cp reference/1_rays/hit_*.cpp "$folder/class/a, flat"
 cp -r student "$folder/class/nested/unpacked"
 cp reference/1_rays/hit_sphere.cpp "$folder/class/nested/unpacked/student/1_rays"
+{ echo '#include "pt/render/radiance.h"'; cat student/1_rays/hit_sphere.cpp; } >"$folder/forbidden.cpp"
 mkdir "$folder/class/wrong/1_rays"
 cp grader/tasks/hit_triangle/wrong/absolute_offset.cpp "$folder/class/wrong/1_rays/hit_triangle.cpp"
 ln -s "$PWD/reference/1_rays/hit_sphere.cpp" "$folder/class/wrong/1_rays/hit_sphere.cpp"
@@ -57,6 +58,7 @@ grep -qF 'href="a%2C%20flat.html"' "$folder/class-graded/class.html" || complain
 
 cp reference/1_rays/hit_triangle.cpp "$folder/class/wrong/1_rays/"
 mkdir "$folder/class/zoe" "$folder/class-graded/zoe.json"
+cp "$folder/forbidden.cpp" "$folder/class/zoe/hit_sphere.cpp"
 cp student/2_bvh/hit_box.cpp "$folder/class/zoe"
 says 2 'a, flat: 2 of 2 tasks pass. '"$(python3 - "$folder/class-graded/class.csv" <<'END'
 import csv, sys
@@ -67,6 +69,9 @@ END
 row 'row["wrong"]["hit_triangle"] == "pass" and row["zoe"]["problem"] != "" and row["zoe"]["points"] == ""'
 rmdir "$folder/class-graded/zoe.json"
 says 0 '3/4 wrong: 1 of 2 tasks pass' '4/4 zoe: 0 of 2 tasks pass'
+# A header that it may not include is named, and not where the project is.
+grep -qF 'hit_sphere may not include pt/render/radiance.h' "$folder/class-graded/zoe.html" || complain 'the header is not named'
+! grep -qF "$PWD" "$folder/class-graded/zoe.html" || complain 'a learner would read where the project is'
 
 # The seed is drawn once for the class, printed, kept, and what the reports say; another one judges anew.
 seed=$(cat "$folder/class-graded/seed")

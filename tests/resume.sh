@@ -127,4 +127,24 @@ log = {name: open(f"{folder}/{name}/log").read().splitlines() for name in ("kill
 assert sorted(log["whole"]) == sorted(set(log["whole"])) and len(log["whole"]) == 7, log
 assert sorted(log["killed"]) == sorted(log["whole"] + ["picture rays_camera"]), log
 END
-echo 'a killed run goes on where it was'
+# Another project with the same cache: what changes in a contract touches the tasks that may include it, and words touch none.
+prepare changed
+mkdir "$folder/root"
+for each in grader golden scenes; do ln -s "$PWD/$each" "$folder/root/$each"; done
+cp -r pt "$folder/root"
+sed -i "s|\"root\": \"[^\"]*\"|\"root\": \"$folder/root\"|" "$folder/changed/grade.json"
+grep -qF "$folder/root" "$folder/changed/grade.json" || complain 'grade.json names no root'
+judged() {
+  : >"$folder/changed/log"
+  grades changed 0 "${asked[@]}" --no-pictures
+  wc -l <"$folder/changed/log"
+}
+[ "$(judged)" -gt 0 ] || complain 'nothing was judged'
+[ "$(judged)" -eq 0 ] || complain 'it is judged again though nothing changed'
+printf '\n// A word more.\n' | tee -a "$folder/root/pt/tasks/"{hit_sphere,camera_ray}.h >/dev/null
+[ "$(judged)" -eq 0 ] || complain 'words of contracts changed, and it is judged again'
+echo 'struct Unused;' >>"$folder/root/pt/tasks/trace_path.h"
+[ "$(judged)" -eq 0 ] || complain 'a contract that its tasks may not include changed, and it is judged again'
+echo 'struct Unused;' >>"$folder/root/pt/tasks/camera_ray.h"
+[ "$(judged)" -gt 0 ] || complain 'its contract changed, and it is not judged again'
+echo 'a killed run goes on where it was, and nothing is judged again without need'

@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
+#include "grader/judge/cache.h"
 #include "grader/results/presentable.h"
 #include "grader/results/promises.h"
 #include "grader/tasks.h"
@@ -141,7 +142,7 @@ Built link_alone(const Config& config, const Builder& builder, const Judged& jud
                                             std::ranges::count(task.mocks, name) > 0);
     for (const std::string& path : answer ? config.callbacks.at(name) : reference) {
       objects.push_back(path);
-      key += base::stamp(path);
+      key += content_stamp(path, builder.cache());
     }
   };
   for (const TaskConfig& other : config.tasks) {

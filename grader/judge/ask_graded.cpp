@@ -18,7 +18,7 @@ Written ask_graded(const Builder& builder, const Trial& trial,
   std::vector<std::string> command{trial.task.graded, "--worker", trial.worker.path, "--isolation",
                                    std::string(1, sandbox::letter(trial.request.isolation.tier))};
   command.insert(command.end(), words.begin(), words.end());
-  std::string key = base::stamp(trial.task.graded) + trial.worker.key;
+  std::string key = content_stamp(trial.task.graded, builder.cache()) + trial.worker.key;
   for (const std::string& word : command) key += '\0' + word;
   const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (!fs::exists(path)) {

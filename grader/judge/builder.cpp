@@ -83,11 +83,10 @@ std::string first_error(const process::CommandResult& result, int seconds) {
   return text.empty() ? "the compiler ended with " + process::describe_status(result.status) : text;
 }
 
-// Headers were found below the project, for all that a person has to know.
-std::string in_project(std::string text, const std::string& root) {
-  for (std::size_t at = text.find("./pt/"); at != text.npos; at = text.find("./pt/", at + 1)) {
-    text.replace(at, 1, root);
-    at += root.size();
+// Headers by their places in the project, wherever that is: a report says no path of this machine.
+std::string in_project(std::string text) {
+  for (std::size_t at = text.find("./pt/"); at != text.npos; at = text.find("./pt/", at)) {
+    text.erase(at, 2);
   }
   return text;
 }
@@ -133,16 +132,17 @@ Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
   fs::create_directories(cache_);
   // An object that was compiled where more can be read, or audited by another judge, is not used.
   std::string tools = base::stamp(config.compiler) +
-                      base::stamp(fs::read_symlink("/proc/self/exe")) + sandbox::letter(tier);
+                      content_stamp(fs::read_symlink("/proc/self/exe"), cache_) +
+                      sandbox::letter(tier);
   for (const char* flag : kSubmissionFlags) tools += std::string(flag) + '\0';
   for (const auto* flags : {&config.compile_flags, &config.link_flags, &config.recording_flags}) {
     for (const std::string& flag : *flags) tools += flag + '\0';
   }
-  for (const auto& [path, text] : headers_) tools += path + '\0' + base::sha256(text);
+  for (const auto& [path, text] : headers_) header_hashes_[path] = base::sha256(code_of(text));
   toolchain_ = base::sha256(tools);
   std::string objects;
   for (const auto* paths : {&config.framework, &config.recording}) {
-    for (const std::string& path : *paths) objects += base::stamp(path);
+    for (const std::string& path : *paths) objects += content_stamp(path, cache_);
   }
   framework_ = base::sha256(objects);
 }
@@ -169,7 +169,13 @@ process::CommandResult Builder::run(const sandbox::Box& box, const std::string& 
 }
 
 Built Builder::compile(const TaskConfig& task, const std::string& text) const {
-  const std::string key = base::sha256(toolchain_ + task.file() + '\0' + text);
+  const Headers headers = headers_for(task_of(task.slug), headers_);
+  // A header that the task may not include cannot touch it.
+  std::string seen;
+  for (const auto& [name, content] : headers) {
+    seen += name + '\0' + (content == headers_.at(name) ? header_hashes_.at(name) : "") + '\0';
+  }
+  const std::string key = base::sha256(toolchain_ + seen + task.file() + '\0' + text);
   const std::string path = cache_ + "/" + key + ".o";
   const std::string warnings_path = cache_ + "/" + key + ".warnings";
   if (fs::exists(path)) {
@@ -177,9 +183,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
     return {path, key, "", "", fs::exists(warnings_path) ? base::read_file(warnings_path) : ""};
   }
   const Stage stage(pt::temporary_name(cache_ + "/" + key + ".tree"));
-  for (const auto& [name, content] : headers_for(task_of(task.slug), headers_)) {
-    stage.put(name, content);
-  }
+  for (const auto& [name, content] : headers) stage.put(name, content);
   stage.put(task.file(), text);
   sandbox::Box box = tool_box(stage);
   add(box, config_.compile_flags);
@@ -195,7 +199,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
     result = run(box, task.slug);
   }
   if (!result.ok()) {
-    return {"", key, in_project(first_error(result, seconds_), config_.root), "", ""};
+    return {"", key, in_project(first_error(result, seconds_)), "", ""};
   }
   const base::Submitted object = stage.take("task.o", kMaxObject);
   if (!object.present || !object.rejected.empty()) {

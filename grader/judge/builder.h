@@ -6,6 +6,7 @@
 #include "grader/process/run_command.h"
 #include "grader/sandbox/box.h"
 
+#include <map>
 #include <string>
 
 namespace grader::judge {
@@ -47,10 +48,11 @@ class Builder {
   sandbox::Tier tier_;
   int seconds_;
   std::string cache_;      // the folder
-  std::string toolchain_;  // stands for compiler, flags and headers
+  std::string toolchain_;  // stands for compiler and flags
   std::string framework_;  // and for the objects of the framework
   Headers headers_;
   PrecompiledHeaders precompiled_;
+  std::map<std::string, std::string> header_hashes_;
 };
 
 }  // namespace grader::judge

@@ -1,11 +1,16 @@
 #include "grader/judge/cache.h"
 
+#include "grader/base/files.h"
+#include "grader/base/sha256.h"
+#include "pt/file.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <vector>
 
 namespace grader::judge {
@@ -69,6 +74,25 @@ std::vector<Entry> entries_of(const std::string& folder) {
 }
 
 }  // namespace
+
+std::string content_stamp(const std::string& path, const std::string& folder) {
+  static std::mutex mutex;
+  static std::map<std::string, std::string> known;
+  const std::string version = base::stamp(path);
+  const std::lock_guard lock(mutex);
+  std::string& hash = known[version];
+  if (!hash.empty()) return hash;
+  const std::string kept = folder + "/" + base::sha256(version) + ".content";
+  if (fs::exists(kept)) hash = base::read_file(kept);
+  if (hash.size() == base::sha256("").size()) {
+    mark_used(kept);
+  } else {
+    hash = base::sha256(base::read_file(path));
+    fs::create_directories(folder);
+    pt::write_file(kept, hash);
+  }
+  return hash;
+}
 
 void mark_used(const std::string& path) {
   std::error_code ignored;

@@ -19,6 +19,10 @@ inline constexpr std::chrono::hours kInUse{1};
 // Marks an entry's file as used now. Does nothing if the file is not there.
 void mark_used(const std::string& path);
 
+// Stands for what is in a file: objects and programs that are built again from sources that mean the same are
+// the same, whenever that was. Found once for each version of the file, and kept in the folder.
+std::string content_stamp(const std::string& path, const std::string& folder);
+
 // Removes temporary files and folders of processes that are gone: half-made trees, files of
 // compilers, linkers and probes. No clock is asked, as clocks jump: where another process has the
 // number by now, they stay for the moment. A file that cannot be removed, or is gone already, is not an error.

@@ -58,15 +58,15 @@ std::vector<std::string> command(const Config& config, const GradeRequest& reque
 }
 
 // All that the verdict depends on.
-std::string key_of(const Config& config, const std::vector<std::string>& words,
-                   const PictureTrial& trial) {
-  std::string key = base::stamp(config.picture) + trial.worker.key +
-                    base::stamp(trial.recipe.scene) +
-                    base::stamp(config.root + "/scenes/recipes.json");
-  if (fs::exists(known_mistakes(config))) key += base::stamp(known_mistakes(config));
+std::string key_of(const Config& config, const std::string& cache,
+                   const std::vector<std::string>& words, const PictureTrial& trial) {
+  std::string key = content_stamp(config.picture, cache) + trial.worker.key +
+                    content_stamp(trial.recipe.scene, cache) +
+                    content_stamp(config.root + "/scenes/recipes.json", cache);
+  if (fs::exists(known_mistakes(config))) key += content_stamp(known_mistakes(config), cache);
   const std::string golden = config.root + "/golden/" + trial.recipe.name;
   for (const char* ending : {".exr", "_rates.json"}) {
-    if (fs::exists(golden + ending)) key += base::stamp(golden + ending);
+    if (fs::exists(golden + ending)) key += content_stamp(golden + ending, cache);
   }
   for (const std::string& word : words) key += '\0' + word;
   return base::sha256(key);
@@ -102,7 +102,8 @@ results::PictureResult run_program(std::vector<std::string> words, const std::st
 results::PictureResult try_picture(const Config& config, const Builder& builder,
                                    const GradeRequest& request, const PictureTrial& trial) {
   const std::vector<std::string> words = command(config, request, trial);
-  const std::string path = builder.cache() + "/" + key_of(config, words, trial) + ".picture.json";
+  const std::string path =
+      builder.cache() + "/" + key_of(config, builder.cache(), words, trial) + ".picture.json";
   const std::optional<results::PictureResult> known = read_picture(path);
   results::PictureResult result = known ? *known : run_program(words, path, trial);
   if (!known && process::was_killed(result.text)) result = run_program(words, path, trial);

@@ -94,6 +94,34 @@ Headers public_headers(const std::string& root) {
   return headers;
 }
 
+std::string code_of(const std::string& header) {
+  for (const char* word : {"assert", "__LINE__", "R\"", "\\\n"}) {
+    if (header.find(word) != header.npos) return header;
+  }
+  std::string code;
+  for (std::size_t i = 0; i < header.size();) {
+    const char c = header[i];
+    std::size_t end = i + 1;
+    if (header.compare(i, 2, "//") == 0) {
+      i = std::min(header.find('\n', i), header.size());
+      continue;
+    }
+    if (header.compare(i, 2, "/*") == 0) {
+      const std::size_t close = header.find("*/", i + 2);
+      i = close == header.npos ? header.size() : close + 2;
+      code += ' ';
+      continue;
+    }
+    if (c == '"' || c == '\'') {
+      while (end < header.size() && header[end] != c) end += header[end] == '\\' ? 2 : 1;
+      end = std::min(end + 1, header.size());
+    }
+    if (c != '\n' || (!code.empty() && code.back() != '\n')) code.append(header, i, end - i);
+    i = end;
+  }
+  return code;
+}
+
 Headers headers_for(const Task& task, const Headers& all) {
   std::set<std::string> known = reached_from("pt/tasks/" + task.slug + ".h", all);
   for (const auto& [path, text] : all) {

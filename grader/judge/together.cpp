@@ -2,6 +2,7 @@
 
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
+#include "grader/judge/cache.h"
 #include "grader/tasks.h"
 
 #include <algorithm>
@@ -140,7 +141,7 @@ Built link_together(const Config& config, const Builder& builder, const std::vec
   const auto add = [&](const Paths& paths) {
     for (const std::string& path : paths) {
       objects.push_back(path);
-      key += base::stamp(path);
+      key += content_stamp(path, builder.cache());
     }
   };
   for (const TaskConfig& task : config.tasks) {

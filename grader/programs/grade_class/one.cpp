@@ -2,6 +2,7 @@
 
 #include "grader/base/files.h"
 #include "grader/base/sha256.h"
+#include "grader/judge/cache.h"
 #include "grader/process/run_command.h"
 #include "grader/programs/grade_class/claim.h"
 #include "grader/report/write_reports.h"
@@ -44,8 +45,10 @@ std::string points_file(const Judging& judging) {
 
 Key key_of(const Judging& judging, const std::string& submission) {
   const judge::Config& config = judging.config;
-  std::string key = base::stamp(judging.grade) + base::stamp(config.picture) +
-                    base::stamp(config.root + "/scenes/recipes.json");
+  const std::string cache = config.work + "/cache";
+  const auto stamp = [&](const std::string& path) { return judge::content_stamp(path, cache); };
+  std::string key =
+      stamp(judging.grade) + stamp(config.picture) + stamp(config.root + "/scenes/recipes.json");
   const std::string golden = config.root + "/golden";
   if (fs::exists(golden)) key += base::stamp(golden);
   for (const std::string& word : judging.words) key += word + '\0';
@@ -54,7 +57,7 @@ Key key_of(const Judging& judging, const std::string& submission) {
   for (const judge::TaskConfig& task : config.tasks) {
     const base::Submitted file = base::read_submitted(root, task.part, task.slug);
     key += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
-    if (!task.graded.empty()) key += base::stamp(task.graded);
+    if (!task.graded.empty()) key += stamp(task.graded);
   }
   return {base::sha256(key), base::sha256(base::read_file(points_file(judging)))};
 }
