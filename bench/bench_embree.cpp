@@ -3,6 +3,7 @@
 #include "bench/against_embree.h"
 #include "pt/accel/kernel.h"
 #include "pt/command_line.h"
+#include "pt/error.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -14,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The course's scenes that are here.
+// A scene of 14 primitives, and the course's scenes that are here.
 std::vector<std::string> scene_files(const fs::path& folder) {
-  std::vector<std::string> files;
+  std::vector<std::string> files{FIRSTLIGHT_ROOT "/scenes/box_spheres.dae"};
   for (const char* name : {"sky/CBbunny.dae", "sky/CBcoil.dae", "meshedit/maxplanck.dae"}) {
     const fs::path file = folder / name;
     if (fs::exists(file)) {
@@ -51,13 +52,16 @@ int run(pt::BenchSettings settings, const std::string& scenes, bool quick) {
     settings = {settings.folder, 3, 20000, 160, 4};
     blobs.pop_back();
   }
+  std::error_code failed;
+  fs::create_directories(settings.folder, failed);
+  if (failed) throw pt::Error(settings.folder + " cannot be made: " + failed.message());
   std::printf("kernel %s; times are CPU time, ratios medians of rounds\n", pt::best_kernel().name);
 
   const std::vector<std::string> files = scene_files(scenes);
   std::vector<pt::Goal> goals = pt::compare_rays(settings, blobs, files);
   draw_chart(settings.folder);
-  std::vector<std::string> pictures{"10000"};
-  if (!files.empty()) pictures.insert(pictures.begin(), files.front());
+  std::vector<std::string> pictures{"10000", files.front()};
+  if (files.size() > 1) pictures.insert(pictures.begin(), files[1]);
   const std::vector<pt::Goal> more = pt::compare_renders(settings, pictures);
   goals.insert(goals.end(), more.begin(), more.end());
   pt::Csv csv(settings.folder + "/goals.csv", "what,wanted,measured,verdict");
@@ -75,8 +79,7 @@ int main(int count, char** arguments) {
   pt::BenchSettings settings;
   std::string scenes = default_scenes();
   bool quick = false;
-  app.add_option("--out", settings.folder, "folder of what is written")
-      ->check(CLI::ExistingDirectory)
+  app.add_option("--out", settings.folder, "folder of what is written, made if it is not there")
       ->capture_default_str();
   app.add_option("--scenes", scenes, "folder of the course's scenes (sky/CBbunny.dae, ...)")
       ->capture_default_str();

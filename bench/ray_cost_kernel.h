@@ -30,11 +30,10 @@ WideHit prepared(const WideQuery& query, const Ray& ray) {
 // The whole search in single precision, with those decisions that it cannot do without.
 WideHit found(const WideQuery& query, const Ray& ray) {
   Nearest nearest;
-  nearest.best = {{false, kInfinity, 0, 0, 0}, kNothing};
   FloatRay r;
   if (prepare(query.view, ray, r)) {
     nearest.t_max = r.t_max;
-    search(query, ray, r, nearest);
+    search<false>(query, ray, r, nearest);
   }
   return {{nearest.best.hit.hit, nearest.t_max, 0, 0, 0}, nearest.sure};
 }

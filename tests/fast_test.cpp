@@ -9,6 +9,9 @@
 #define direct_lights plain_direct_lights
 #include "reference/3_direct/direct_lights.cpp"
 #undef direct_lights
+#define camera_ray plain_camera_ray
+#include "reference/1_rays/camera_ray.cpp"
+#undef camera_ray
 
 namespace pt::proof {
 namespace {
@@ -73,6 +76,24 @@ TEST(FastDirectLights, traces_the_rays_of_the_plain_loop) {
     const long long between = rays_traced().occluded;
     direct_lights(scene, point, 20, fast_sampler);
     EXPECT_EQ(between - before, rays_traced().occluded - between);
+  }
+}
+
+// Two cameras by turns, whose fields of view are each other's.
+TEST(FastCameraRay, has_the_bits_of_the_plain_one) {
+  Camera one, other;
+  one.position = {0.3, -2, 5};
+  one.camera_to_world = frame_from_normal(normalize({0.2, 0.5, 0.8}));
+  other.hfov_deg = one.vfov_deg = 31;
+  other.vfov_deg = one.hfov_deg = 77;
+  Sampler sampler(8);
+  for (int i = 0; i < 1000; ++i) {
+    const Camera& camera = i % 3 == 0 ? one : other;
+    const Vec2 at = sampler.next_2d();
+    const Ray plain = plain_camera_ray(camera, at.x, at.y), fast = camera_ray(camera, at.x, at.y);
+    ASSERT_EQ(plain.direction, fast.direction);
+    ASSERT_EQ(plain.origin, fast.origin);
+    ASSERT_EQ(plain.t_max, fast.t_max);
   }
 }
 

@@ -23,17 +23,21 @@ PT_INLINE bool is_any_hit(const WideQuery& query, const Ray& ray, const Verdict<
   return false;
 }
 
+// kWalls: most triangles are of walls that the ray does not reach.
+template <bool kSpheres, bool kWalls = false>
 PT_INLINE bool is_blocked(const WideQuery& query, const Ray& ray, const FloatRay& r,
                           const Block& block) {
-  for (int i = 0; i < kWidth && is_sphere(block, i); i += kSpheres) {
-    if (is_any_hit(query, ray, test_spheres(block, i, r, r.t_max), block.primitive + i))
-      return true;
+  for (int i = 0; kSpheres && i < kWidth && is_sphere(block, i); i += kSphereLanes) {
+    const Verdict<kSphereLanes> spheres = test_spheres(block, i, r, r.t_max);
+    if (is_any_hit(query, ray, spheres, block.primitive + i)) return true;
   }
+  if (kWalls && !may_reach_planes(block, r)) return false;
   return is_any_hit(query, ray, test_block(block, r, r.t_max), block.primitive);
 }
 
 // The children of a node are visited in any order.
-PT_INLINE bool trace_any(const WideQuery& query, const Ray& ray, const FloatRay& r) {
+template <bool kSpheres>
+PT_INLINE bool search_any(const WideQuery& query, const Ray& ray, const FloatRay& r) {
   const Node* nodes = static_cast<const Node*>(query.view.nodes);
   const Block* blocks = static_cast<const Block*>(query.view.blocks);
   WideRef stack[kStack];
@@ -48,12 +52,22 @@ PT_INLINE bool trace_any(const WideQuery& query, const Ray& ray, const FloatRay&
         size += push_others(node, mask & (mask - 1), stack + size);
         continue;
       }
-    } else if (is_blocked(query, ray, r, blocks[ref & ~kLeaf])) {
+    } else if (is_blocked<kSpheres>(query, ray, r, blocks[ref & ~kLeaf])) {
       return true;
     }
     if (size == 0) return false;
     ref = stack[--size];
   }
+}
+
+// Of a scene of one block, a tree with spheres, and one without.
+PT_INLINE bool trace_any(const WideQuery& query, const Ray& ray, const FloatRay& r) {
+  const WideView& view = query.view;
+  if (view.root & kLeaf) {
+    const Block& block = static_cast<const Block*>(view.blocks)[view.root & ~kLeaf];
+    return is_blocked<true, true>(query, ray, r, block);
+  }
+  return view.has_spheres ? search_any<true>(query, ray, r) : search_any<false>(query, ray, r);
 }
 
 PT_INLINE bool any_hit(const WideQuery& query, const Ray& ray) {

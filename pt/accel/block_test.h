@@ -77,6 +77,22 @@ PT_INLINE Lanes3<kWidth> rows(const float (&m)[3][kWidth]) {
   return {load<kWidth>(m[0]), load<kWidth>(m[1]), load<kWidth>(m[2])};
 }
 
+// Whether the ray may reach the plane of any triangle of the block within its range: the half of
+// test_block that rules out most walls.
+PT_INLINE bool may_reach_planes(const Block& b, const FloatRay& r) {
+  constexpr int W = kWidth;
+  const Lanes3<W> n = rows(b.n);
+  const Floats<W> volume = dot<W>(rows(b.p0) - splat3<W>(r.origin), n);
+  const Floats<W> det = dot<W>(splat3<W>(r.direction), n);
+  const Ints<W> sign = sign_of<W>(det);
+  const Floats<W> distance = flip<W>(volume, sign), size = flip<W>(det, sign);
+  const Floats<W> after = multiply_add<W>(size, splat<W>(-r.t_min), distance);
+  const Floats<W> before = multiply_subtract<W>(size, splat<W>(r.t_max), distance);
+  const Floats<W> error = r.plane_error * load<W>(b.area);
+  return (less_equal<W>(Floats<W>{}, min<W>(after, before) + error) &
+          not_equal<W>(b.primitive, r.source_triangle)) != 0;
+}
+
 // A ray and the triangles of a block.
 PT_INLINE Verdict<kWidth> test_block(const Block& b, const FloatRay& r, float t_max) {
   Verdict<kWidth> verdict = test_pairs<kWidth>(

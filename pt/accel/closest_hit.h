@@ -24,19 +24,22 @@ PT_INLINE bool offer(const ExactHit& hit, std::uint32_t primitive, WideHit& best
 // somewhere between t_low and t_max, and nearer than all that was decided. Most rays decide one
 // primitive, the last.
 struct Nearest {
-  WideHit best;
+  WideHit best{{false, kInfinity, 0, 0, 0}, kNothing};
   std::uint32_t sure = kNothing;
   float t_low = 0;
-  float t_max;
+  float t_max = 0;
 };
 
+template <bool kSpheres>
 PT_INLINE void settle(const WideQuery& query, const Ray& ray, Nearest& nearest) {
   if (nearest.sure == kNothing) return;
-  const ExactHit hit =
-      nearest.sure < query.view.triangle_count
-          ? exact::meet(query.triangles[nearest.sure], ray)
-          : exact_hit(query.spheres[nearest.sure - query.view.triangle_count], ray);
-  offer(hit, nearest.sure, nearest.best);
+  // Two calls, because a choice between two results would go through memory.
+  const std::uint32_t triangles = query.view.triangle_count;
+  if (!kSpheres || nearest.sure < triangles) {
+    offer(exact::meet(query.triangles[nearest.sure], ray), nearest.sure, nearest.best);
+  } else {
+    offer(exact_hit(query.spheres[nearest.sure - triangles], ray), nearest.sure, nearest.best);
+  }
   nearest.sure = kNothing;
 }
 
@@ -47,12 +50,18 @@ PT_INLINE void ask(const WideQuery& query, const Ray& ray, const FloatRay& r,
   nearest.t_max = t < nearest.t_max ? t : nearest.t_max;
 }
 
-// The primitives of a verdict, from the nearest hit so far.
-template <int W>
+// The primitives of a verdict, from the nearest hit so far. Nothing is left to compare with if this
+// kEnds the search.
+template <bool kSpheres, bool kEnds, int W>
 PT_INLINE void meet(const WideQuery& query, const Ray& ray, const FloatRay& r,
                     const Verdict<W>& verdict, const std::uint32_t* primitives, Nearest& nearest) {
   if (verdict.maybe == 0) return;
   const std::uint32_t surely = verdict.surely();
+  const bool is_one = (verdict.maybe & (verdict.maybe - 1)) == 0;
+  if (kEnds && is_one && (surely & verdict.maybe) != 0 && nearest.sure == kNothing) {
+    nearest.sure = primitives[__builtin_ctz(verdict.maybe)];
+    return;
+  }
   alignas(64) float low[W], high[W];
   const Floats<W> inverse = 1 / verdict.det;
   store<W>(low, (verdict.distance - verdict.error) * inverse);
@@ -67,12 +76,12 @@ PT_INLINE void meet(const WideQuery& query, const Ray& ray, const FloatRay& r,
     if (t_low > nearest.t_max) continue;
     if (nearest.sure != kNothing && !(t_high < nearest.t_low)) {
       // Too close to call.
-      settle(query, ray, nearest);
+      settle<kSpheres>(query, ray, nearest);
       ask(query, ray, r, primitives[i], nearest);
       continue;
     }
     nearest.sure = primitives[i];
-    if (nearest.sure < query.view.triangle_count) {
+    if (!kSpheres || nearest.sure < query.view.triangle_count) {
       const auto* corners = reinterpret_cast<const char*>(query.triangles + nearest.sure);
       for (std::size_t at = 0; at < sizeof(Triangle); at += 64) __builtin_prefetch(corners + at);
     }
@@ -81,17 +90,21 @@ PT_INLINE void meet(const WideQuery& query, const Ray& ray, const FloatRay& r,
   }
 }
 
+template <bool kSpheres, bool kEnds>
 PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay& r,
                           const Block& block, Nearest& nearest) {
-  for (int i = 0; i < kWidth && is_sphere(block, i); i += kSpheres) {
-    const Verdict<kSpheres> spheres = test_spheres(block, i, r, nearest.t_max);
-    meet(query, ray, r, spheres, block.primitive + i, nearest);
+  for (int i = 0; kSpheres && i < kWidth && is_sphere(block, i); i += kSphereLanes) {
+    const Verdict<kSphereLanes> spheres = test_spheres(block, i, r, nearest.t_max);
+    meet<true, false>(query, ray, r, spheres, block.primitive + i, nearest);
   }
-  meet(query, ray, r, test_block(block, r, nearest.t_max), block.primitive, nearest);
+  const Verdict<kWidth> triangles = test_block(block, r, nearest.t_max);
+  meet<kSpheres, kEnds>(query, ray, r, triangles, block.primitive, nearest);
 }
 
 // Afterwards `sure`, if any, is still to be settled.
-PT_INLINE void search(const WideQuery& query, const Ray& ray, const FloatRay& r, Nearest& nearest) {
+template <bool kSpheres>
+PT_INLINE void search_tree(const WideQuery& query, const Ray& ray, const FloatRay& r,
+                           Nearest& nearest) {
   const Node* nodes = static_cast<const Node*>(query.view.nodes);
   const Block* blocks = static_cast<const Block*>(query.view.blocks);
   Stack stack;
@@ -104,13 +117,31 @@ PT_INLINE void search(const WideQuery& query, const Ray& ray, const FloatRay& r,
         continue;
       }
     } else {
-      meet_block(query, ray, r, blocks[ref & ~kLeaf], nearest);
+      meet_block<kSpheres, false>(query, ray, r, blocks[ref & ~kLeaf], nearest);
     }
     do {
       if (stack.size == 0) return;
       --stack.size;
     } while (stack.enter[stack.size] > nearest.t_max);
     ref = stack.ref[stack.size];
+  }
+}
+
+// A scene of one block, a tree with spheres and one without: each has code of its own, so that none
+// pays for what it does not have. Without kSettled `sure`, if any, is still to be decided.
+template <bool kSettled>
+PT_INLINE void search(const WideQuery& query, const Ray& ray, const FloatRay& r, Nearest& nearest) {
+  const WideView& view = query.view;
+  if (view.root & kLeaf) {
+    const Block& block = static_cast<const Block*>(view.blocks)[view.root & ~kLeaf];
+    meet_block<true, true>(query, ray, r, block, nearest);
+    if (kSettled) settle<true>(query, ray, nearest);
+  } else if (view.has_spheres) {
+    search_tree<true>(query, ray, r, nearest);
+    if (kSettled) settle<true>(query, ray, nearest);
+  } else {
+    search_tree<false>(query, ray, r, nearest);
+    if (kSettled) settle<false>(query, ray, nearest);
   }
 }
 

@@ -61,10 +61,11 @@ PT_INLINE std::uint32_t leaf_children(const Node& node) {
 // The rays `those` enter the block: either each of them is tested against all triangles, later, or
 // all of them against the triangles that they may meet, whichever are fewer. Returns those that are
 // blocked.
+template <bool kSpheres, bool kWalls>
 PT_INLINE std::uint32_t meet_block(const WideQuery& query, const Ray* rays, const Pyramid& pyramid,
                                    WideRef ref, std::uint32_t those, GroupWork& work) {
   const Block& block = static_cast<const Block*>(query.view.blocks)[ref & ~kLeaf];
-  std::uint32_t slots = test_block(block, pyramid);
+  std::uint32_t slots = test_block<kSpheres, kWalls>(block, pyramid);
   if (__builtin_popcount(slots) > __builtin_popcount(those)) {
     for (; those != 0; those &= those - 1) work.leaves.add(ref, __builtin_ctz(those));
     return 0;
@@ -72,7 +73,7 @@ PT_INLINE std::uint32_t meet_block(const WideQuery& query, const Ray* rays, cons
   std::uint32_t blocked = 0;
   for (; slots != 0; slots &= slots - 1) {
     const int slot = __builtin_ctz(slots);
-    const Verdict<kGroup> verdict = test_slot(block, slot, pyramid, work.r[0]);
+    const Verdict<kGroup> verdict = test_slot<kSpheres>(block, slot, pyramid, work.r[0]);
     std::uint32_t maybe = verdict.maybe & those;
     if (maybe == 0) continue;
     const std::uint32_t surely = maybe & verdict.surely();
@@ -93,13 +94,13 @@ PT_INLINE std::uint32_t meet_root(const WideQuery& query, const Ray* rays, int c
     return 0;
   }
   const Pyramid pyramid = pyramid_of(work.r, count);
-  return meet_block(query, rays, pyramid, query.view.root, (1u << count) - 1, work);
+  return meet_block<true, true>(query, rays, pyramid, query.view.root, (1u << count) - 1, work);
 }
 
 // The first step of rays that are alike. Returns those that are blocked.
+template <bool kSpheres>
 PT_INLINE std::uint32_t enter_root(const WideQuery& query, const Ray* rays, int count,
                                    GroupWork& work) {
-  if (query.view.root & kLeaf) return meet_root(query, rays, count, work);
   const Node& root = static_cast<const Node*>(query.view.nodes)[query.view.root];
   const std::uint32_t leaf = leaf_children(root);
   std::uint32_t entered[kGroup];
@@ -124,7 +125,8 @@ PT_INLINE std::uint32_t enter_root(const WideQuery& query, const Ray* rays, int 
   std::uint32_t blocked = 0;
   for (; crowded != 0; crowded &= crowded - 1) {
     const int child = __builtin_ctz(crowded);
-    blocked |= meet_block(query, rays, pyramid, root.child[child], those[child] & ~blocked, work);
+    blocked |= meet_block<kSpheres, false>(query, rays, pyramid, root.child[child],
+                                           those[child] & ~blocked, work);
   }
   return blocked;
 }
@@ -162,6 +164,7 @@ PT_INLINE std::uint32_t enter_any(const WideQuery& query, const Ray* rays, int c
 }
 
 // Visits what the rays that are not `blocked` have still to visit, and returns all that are then.
+template <bool kSpheres>
 PT_INLINE std::uint32_t finish(const WideQuery& query, const Ray* rays, std::uint32_t blocked,
                                GroupWork& work) {
   const Node* nodes = static_cast<const Node*>(query.view.nodes);
@@ -170,7 +173,7 @@ PT_INLINE std::uint32_t finish(const WideQuery& query, const Ray* rays, std::uin
     for (int k = 0; k < work.leaves.size; ++k) {
       const int i = work.leaves.ray[k];
       const Block& block = blocks[work.leaves.ref[k] & ~kLeaf];
-      const bool hit = is_blocked(query, rays[i], work.r[i], block);
+      const bool hit = is_blocked<kSpheres>(query, rays[i], work.r[i], block);
       blocked |= static_cast<std::uint32_t>(hit) << i;
     }
     work.leaves.size = 0;
@@ -199,9 +202,17 @@ PT_INLINE std::uint32_t any_hits(const WideQuery& query, const Ray* rays, int co
   GroupWork work;
   const bool alike =
       view.beside_count == 0 && view.root != kNothing && prepare_alike(view, rays, count, work.r);
-  const std::uint32_t blocked =
-      alike ? enter_root(query, rays, count, work) : enter_any(query, rays, count, work);
-  return finish(query, rays, blocked, work);
+  std::uint32_t blocked = 0;
+  if (!alike) {
+    blocked = enter_any(query, rays, count, work);
+  } else if (view.root & kLeaf) {
+    blocked = meet_root(query, rays, count, work);
+  } else {
+    blocked = view.has_spheres ? enter_root<true>(query, rays, count, work)
+                               : enter_root<false>(query, rays, count, work);
+  }
+  return view.has_spheres ? finish<true>(query, rays, blocked, work)
+                          : finish<false>(query, rays, blocked, work);
 }
 
 }  // namespace

@@ -68,6 +68,8 @@ PT_INLINE Pyramid pyramid_of(const FloatRay* r, int count) {
 // within it, each volume a range. With g = c x e an edge's volume is g . d, so for a ray of the
 // pyramid it is g . middle, give or take |g| . spread. Twice the errors of float_ray.h cover what
 // the ranges round.
+// kWalls: a scene of one block, whose planes are mostly out of reach.
+template <bool kSpheres, bool kWalls>
 PT_INLINE std::uint32_t test_block(const Block& b, const Pyramid& pyramid) {
   constexpr int W = kWidth;
   const Lanes3<W> middle = splat3<W>(pyramid.middle), spread = splat3<W>(pyramid.spread);
@@ -75,34 +77,36 @@ PT_INLINE std::uint32_t test_block(const Block& b, const Pyramid& pyramid) {
     const Floats<W> center = dot<W>(g, middle), margin = dot<W>(magnitude<W>(g), spread);
     return Range<W>{center - margin, center + margin};
   };
+  std::uint32_t spheres = 0;
+  for (int i = 0; kSpheres && i < W && is_sphere(b, i); ++i) spheres |= 1u << i;
   const Lanes3<W> c = rows(b.p0) - splat3<W>(pyramid.origin), n = rows(b.n);
-  const Lanes3<W> over_e2 = cross<W>(c, rows(b.e2)), over_e1 = cross<W>(c, rows(b.e1));
-  const Range<W> u = range(over_e2), v = range(over_e1), w = range(n - over_e2 - over_e1);
   const Range<W> det = range(n);
   const Floats<W> volume = dot<W>(c, n);
+  const Floats<W> above = max<W>(det.high, Floats<W>{}) * pyramid.t_max - volume;
+  const Floats<W> below = volume - min<W>(det.low, Floats<W>{}) * pyramid.t_max;
+  const Floats<W> error = 2 * pyramid.plane_error * load<W>(b.area);
+  const std::uint32_t reached = less_equal<W>(Floats<W>{}, min<W>(above, below) + error) &
+                                not_equal<W>(b.primitive, pyramid.source_triangle);
+  if (kWalls && reached == 0) return spheres;
 
+  const Lanes3<W> over_e2 = cross<W>(c, rows(b.e2)), over_e1 = cross<W>(c, rows(b.e1));
+  const Range<W> u = range(over_e2), v = range(over_e1), w = range(n - over_e2 - over_e1);
   const Floats<W> least = min<W>(min<W>(u.high, v.high), w.high);
   const Floats<W> most = max<W>(max<W>(u.low, v.low), w.low);
   const Floats<W> inside = max<W>(least, -most);
-  const Floats<W> above = max<W>(det.high, Floats<W>{}) * pyramid.t_max - volume;
-  const Floats<W> below = volume - min<W>(det.low, Floats<W>{}) * pyramid.t_max;
   const Floats<W> edge_error = 2 * pyramid.edge_error * load<W>(b.size);
-  const Floats<W> error = 2 * pyramid.plane_error * load<W>(b.area);
-  std::uint32_t slots =
-      less_equal<W>(Floats<W>{}, min<W>(inside + edge_error, min<W>(above, below) + error)) &
-      not_equal<W>(b.primitive, pyramid.source_triangle);
-  for (int i = 0; i < W && is_sphere(b, i); ++i) slots |= 1u << i;
-  return slots;
+  return spheres | (reached & less_equal<W>(Floats<W>{}, inside + edge_error));
 }
 
 // One of the block's primitives and all rays of the pyramid; they begin and end like `r`.
+template <bool kSpheres>
 PT_INLINE Verdict<kGroup> test_slot(const Block& b, int slot, const Pyramid& pyramid,
                                     const FloatRay& r) {
   constexpr int W = kGroup;
   const auto all = [&](const float(&m)[3][kWidth]) __attribute__((always_inline)) {
     return Lanes3<W>{splat<W>(m[0][slot]), splat<W>(m[1][slot]), splat<W>(m[2][slot])};
   };
-  if (is_sphere(b, slot)) {
+  if (kSpheres && is_sphere(b, slot)) {
     return test_spheres<W>(all(b.p0) - splat3<W>(pyramid.origin), splat<W>(b.e1[0][slot]),
                            pyramid.direction, splat<W>(pyramid.edge_error),
                            splat<W>(pyramid.longest), splat<W>(r.t_min), splat<W>(r.t_max));

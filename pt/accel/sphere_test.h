@@ -49,14 +49,14 @@ PT_INLINE Verdict<W> test_spheres(const Lanes3<W>& l, Floats<W> radius, const La
 }
 
 // Spheres of a block are tested four at a time.
-constexpr int kSpheres = 4;
+constexpr int kSphereLanes = 4;
 
 PT_INLINE bool is_sphere(const Block& b, int slot) { return b.size[slot] == kSphere; }
 
 // A ray and those of the four slots from `first` on that are spheres.
-PT_INLINE Verdict<kSpheres> test_spheres(const Block& b, int first, const FloatRay& r,
-                                         float t_max) {
-  constexpr int W = kSpheres;
+PT_INLINE Verdict<kSphereLanes> test_spheres(const Block& b, int first, const FloatRay& r,
+                                             float t_max) {
+  constexpr int W = kSphereLanes;
   const std::uint32_t those = less_equal<W>(load<W>(b.size + first), splat<W>(kSphere));
   const auto row = [&](const float* m) __attribute__((always_inline)) {
     return load<W>(m + first);

@@ -11,15 +11,13 @@ namespace {
 WideHit closest(const WideQuery& query, const Ray& ray) {
   const WideView& view = query.view;
   Nearest nearest;
-  nearest.best = {{false, kInfinity, 0, 0, 0}, kNothing};
   for (std::uint32_t i = 0; i < view.beside_count; ++i) {
     offer(decide(query, ray, view.beside[i]), view.beside[i], nearest.best);
   }
   FloatRay r;
   if (view.root != kNothing && prepare(view, ray, r)) {
     nearest.t_max = nearest.best.hit.hit ? r.upper(nearest.best.hit.t) : r.t_max;
-    search(query, ray, r, nearest);
-    settle(query, ray, nearest);
+    search<true>(query, ray, r, nearest);
   }
   return nearest.best;
 }

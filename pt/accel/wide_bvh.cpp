@@ -82,6 +82,7 @@ WideView view_of(const WideTree<W>& wide, const WideFrame& frame) {
           frame.scale,
           {},
           {},
+          {},
           {}};
 }
 
@@ -117,6 +118,7 @@ WideBvh WideBvh::build(const Primitives& primitives, const Kernel& kernel) {
   tree->view.beside = tree->beside.data();
   tree->view.beside_count = static_cast<std::uint32_t>(tree->beside.size());
   tree->view.triangle_count = static_cast<std::uint32_t>(primitives.triangles.size());
+  tree->view.has_spheres = primitives.spheres.size() > tree->beside.size();
   WideBvh bvh;
   bvh.tree_ = tree;
   return bvh;

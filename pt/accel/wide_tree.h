@@ -51,6 +51,7 @@ struct WideView {
   const std::uint32_t* beside;  // primitives outside the tree, tested by every query
   std::uint32_t beside_count;
   std::uint32_t triangle_count;
+  bool has_spheres;  // in its blocks
 };
 
 // A tree and the primitives it was built for.
