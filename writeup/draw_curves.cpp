@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <sstream>
 
@@ -23,7 +24,8 @@ const char* const kDash = "\u2013";
 
 // Two digits: "340", "2.3e6".
 std::string digits(double value) {
-  std::string text = fmt::format("{:g}", std::stod(fmt::format("{:.1e}", value)));
+  std::string text =
+      fmt::format("{:g}", std::strtod(fmt::format("{:.1e}", value).c_str(), nullptr));
   for (const auto& [long_form, short_form] : {std::pair{"e+0", "e"}, {"e+", "e"}, {"e-0", "e-"}}) {
     const std::size_t at = text.find(long_form);
     if (at != std::string::npos) text.replace(at, std::strlen(long_form), short_form);
