@@ -24,8 +24,9 @@ const char* const kDash = "\u2013";
 
 // Two digits: "340", "2.3e6".
 std::string digits(double value) {
-  std::string text =
-      fmt::format("{:g}", std::strtod(fmt::format("{:.1e}", value).c_str(), nullptr));
+  const double rounded = std::strtod(fmt::format("{:.1e}", value).c_str(), nullptr);
+  const bool plain = rounded >= 1e-3 && rounded < 1e6;
+  std::string text = plain ? fmt::format("{:g}", rounded) : fmt::format("{:.2g}", rounded);
   for (const auto& [long_form, short_form] : {std::pair{"e+0", "e"}, {"e+", "e"}, {"e-0", "e-"}}) {
     const std::size_t at = text.find(long_form);
     if (at != std::string::npos) text.replace(at, std::strlen(long_form), short_form);
