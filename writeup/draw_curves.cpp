@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <sstream>
 
@@ -23,7 +24,9 @@ const char* const kDash = "\u2013";
 
 // Two digits: "340", "2.3e6".
 std::string digits(double value) {
-  std::string text = fmt::format("{:g}", std::stod(fmt::format("{:.1e}", value)));
+  const double rounded = std::strtod(fmt::format("{:.1e}", value).c_str(), nullptr);
+  const bool plain = rounded >= 1e-3 && rounded < 1e6;
+  std::string text = plain ? fmt::format("{:g}", rounded) : fmt::format("{:.2g}", rounded);
   for (const auto& [long_form, short_form] : {std::pair{"e+0", "e"}, {"e+", "e"}, {"e-0", "e-"}}) {
     const std::size_t at = text.find(long_form);
     if (at != std::string::npos) text.replace(at, std::strlen(long_form), short_form);
@@ -168,6 +171,11 @@ std::optional<double> ratio(const std::vector<Cells>& rows, const Price& price,
   return std::exp(sum / cases);
 }
 
+std::string words_of(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
 std::string times(std::optional<double> factor) {
   return factor ? fmt::format("{:.2f}\u00d7", *factor) : kDash;
 }
@@ -177,7 +185,14 @@ std::string times(std::optional<double> factor) {
 Drawn draw_prices(const Plan& plan, const Figure& figure, const fs::path& folder) {
   Drawn drawn;
   const std::vector<Measurement> measurements = plan.measurements(figure);
-  if (measurements.empty()) return drawn;  // not in this edition
+  if (measurements.empty()) {
+    // The right ways are not in this edition.
+    drawn.columns = {"what fails", "task", "remedy"};
+    for (const Price& price : figure.prices) {
+      drawn.rows.push_back({price.failure, price.task, words_of(price.remedy)});
+    }
+    return drawn;
+  }
   if (!plan.measured().is_complete(measurements[0])) {
     drawn.problems.push_back(plan.measured().failure(measurements[0]));
     return drawn;
@@ -189,11 +204,7 @@ Drawn draw_prices(const Plan& plan, const Figure& figure, const fs::path& folder
   for (const Price& price : figure.prices) {
     const std::optional<double> time = ratio(rows, price, "nanoseconds");
     const std::optional<double> work = ratio(rows, price, "time_x_variance");
-    const auto words = [](std::string name) {
-      std::ranges::replace(name, '_', ' ');
-      return name;
-    };
-    drawn.rows.push_back({price.failure, price.task, words(price.plain), words(price.remedy),
+    drawn.rows.push_back({price.failure, price.task, words_of(price.plain), words_of(price.remedy),
                           times(time), times(work)});
     if (time) drawn.numbers[price.id + ".time"] = fmt::format("{:.2f}", *time);
     if (work) drawn.numbers[price.id + ".work"] = fmt::format("{:.2f}", *work);

@@ -136,7 +136,8 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem:
           "\"{4}\" lw {5} dt {6} {7}, \"\" index {1} using 2:($5 > 0 ? {8:g} : NaN) skip {3} with "
           "points pt 2 ps .8 lc rgb \"{4}\" notitle, ",
           name, i, range.zero, i == 0 ? 1 : 0, pen.color, pen.width, pen.dashes,
-          pen.named ? "title " + quoted(charts.lines[i].title) : "notitle", range.top / 1.3);
+          pen.named ? "title " + quoted(charts.lines[i].title) + " noenhanced" : "notitle",
+          range.top / 1.3);
     }
   }
   if (!chart.theory.empty()) {

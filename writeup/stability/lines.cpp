@@ -171,6 +171,7 @@ bool is_named(const Charts& charts, const Chart& chart, std::size_t line) {
 
 json search_task(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
                  const Hunt& hunt, Line& line) {
+  if (!config.no_reference.empty()) throw pt::Error(config.no_reference);
   const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
   const judge::Built worker = worker_of(config, builder, task, request, line);
   if (!line.unusable.empty()) return json::array();

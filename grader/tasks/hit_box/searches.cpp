@@ -1,3 +1,4 @@
+#include "grader/check/exact.h"
 #include "grader/check/search.h"
 #include "grader/tasks/hit_box/cases.h"
 #include "pt/tasks/hit_box.h"
@@ -17,14 +18,30 @@ void show_case(const Case& c) {
   });
 }
 
-// How far an end is from the right one, where 1 is what the contract allows. An end of the ray's own
-// range is exact.
-double off(double got, const Ends& right, const pt::Ray& ray) {
-  if (got == ray.t_min || got == ray.t_max)
-    return got < right.low || got > right.high ? kBroken : 0;
-  const long double middle = (right.low + right.high) / 2, half = (right.high - right.low) / 2;
-  const long double error = std::abs(got - middle);
-  return static_cast<double>(error == 0 ? 0 : error / half);
+// The interval by arithmetic of 113 bits; the directions of these cases have no parallel slabs
+// outside the box.
+struct Inside {
+  Exact enter, leave;
+};
+
+Inside exactly(const Case& c) {
+  Inside inside{c.ray.t_min, c.ray.t_max};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Exact o = c.ray.origin[axis], d = c.ray.direction[axis];
+    if (d == 0) continue;
+    const Exact a = (c.box.min[axis] - o) / d, b = (c.box.max[axis] - o) / d;
+    inside.enter = std::max(inside.enter, std::min(a, b));
+    inside.leave = std::min(inside.leave, std::max(a, b));
+  }
+  return inside;
+}
+
+// How far an end is from the right one, where 1 is what the contract allows on that side.
+double off(double got, Exact right, const Ends& allowed) {
+  const double error = rounded(Exact(got) - right);
+  if (error == 0) return 0;
+  const Exact end = error < 0 ? allowed.low : allowed.high;
+  return error / rounded(end - right);
 }
 
 Case any_case() {
@@ -51,7 +68,9 @@ SEARCH(hit_box, ends) {
             const auto hit = pt::hit_box(c.box, c.ray);
             if (!hit) return part.is_hit() ? kBroken : 0;
             if (part.is_miss()) return kBroken;
-            return std::max(off(hit->min, part.enter, c.ray), off(hit->max, part.leave, c.ray));
+            const Inside right = exactly(c);
+            return std::max(off(hit->min, right.enter, part.enter),
+                            off(hit->max, right.leave, part.leave));
           }};
 }
 
