@@ -20,9 +20,9 @@ PT_INLINE bool offer(const ExactHit& hit, std::uint32_t primitive, WideHit& best
   return true;
 }
 
-// The nearest hit so far: `best` has been decided; `sure` is a primitive that is hit for certain,
+// The nearest hit so far: `best` has been decided; `sure` is a triangle that is hit for certain,
 // somewhere between t_low and t_max, and nearer than all that was decided. Most rays decide one
-// primitive, the last.
+// triangle, the last.
 struct Nearest {
   WideHit best{{false, kInfinity, 0, 0, 0}, kNothing};
   std::uint32_t sure = kNothing;
@@ -30,16 +30,9 @@ struct Nearest {
   float t_max = 0;
 };
 
-template <bool kSpheres>
 PT_INLINE void settle(const WideQuery& query, const Ray& ray, Nearest& nearest) {
   if (nearest.sure == kNothing) return;
-  // Two calls, because a choice between two results would go through memory.
-  const std::uint32_t triangles = query.view.triangle_count;
-  if (!kSpheres || nearest.sure < triangles) {
-    offer(exact::meet(query.triangles[nearest.sure], ray), nearest.sure, nearest.best);
-  } else {
-    offer(exact_hit(query.spheres[nearest.sure - triangles], ray), nearest.sure, nearest.best);
-  }
+  offer(exact::meet(query.triangles[nearest.sure], ray), nearest.sure, nearest.best);
   nearest.sure = kNothing;
 }
 
@@ -50,11 +43,14 @@ PT_INLINE void ask(const WideQuery& query, const Ray& ray, const FloatRay& r,
   nearest.t_max = t < nearest.t_max ? t : nearest.t_max;
 }
 
-// The primitives of a verdict, from the nearest hit so far. Nothing is left to compare with if this
+// The triangles of a block, from the nearest hit so far. Nothing is left to compare with if this
 // kEnds the search.
-template <bool kSpheres, bool kEnds, int W>
-PT_INLINE void meet(const WideQuery& query, const Ray& ray, const FloatRay& r,
-                    const Verdict<W>& verdict, const std::uint32_t* primitives, Nearest& nearest) {
+template <bool kEnds>
+PT_INLINE void meet_triangles(const WideQuery& query, const Ray& ray, const FloatRay& r,
+                              const Block& block, Nearest& nearest) {
+  constexpr int W = kWidth;
+  const std::uint32_t* primitives = block.primitive;
+  const Verdict<W> verdict = test_block(block, r, nearest.t_max);
   if (verdict.maybe == 0) return;
   const std::uint32_t surely = verdict.surely();
   const bool is_one = (verdict.maybe & (verdict.maybe - 1)) == 0;
@@ -76,29 +72,29 @@ PT_INLINE void meet(const WideQuery& query, const Ray& ray, const FloatRay& r,
     if (t_low > nearest.t_max) continue;
     if (nearest.sure != kNothing && !(t_high < nearest.t_low)) {
       // Too close to call.
-      settle<kSpheres>(query, ray, nearest);
+      settle(query, ray, nearest);
       ask(query, ray, r, primitives[i], nearest);
       continue;
     }
     nearest.sure = primitives[i];
-    if (!kSpheres || nearest.sure < query.view.triangle_count) {
-      const auto* corners = reinterpret_cast<const char*>(query.triangles + nearest.sure);
-      for (std::size_t at = 0; at < sizeof(Triangle); at += 64) __builtin_prefetch(corners + at);
-    }
+    const auto* corners = reinterpret_cast<const char*>(query.triangles + nearest.sure);
+    for (std::size_t at = 0; at < sizeof(Triangle); at += 64) __builtin_prefetch(corners + at);
     nearest.t_low = t_low;
     nearest.t_max = t_high < nearest.t_max ? t_high : nearest.t_max;
   }
 }
 
+// Double precision says no to a sphere as fast as single precision says where it is met.
 template <bool kSpheres, bool kEnds>
 PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay& r,
                           const Block& block, Nearest& nearest) {
-  for (int i = 0; kSpheres && i < kWidth && is_sphere(block, i); i += kSphereLanes) {
-    const Verdict<kSphereLanes> spheres = test_spheres(block, i, r, nearest.t_max);
-    meet<true, false>(query, ray, r, spheres, block.primitive + i, nearest);
+  for (int first = 0; kSpheres && first < kWidth && is_sphere(block, first);
+       first += kSphereLanes) {
+    for (std::uint32_t mask = possible_spheres(block, first, r); mask != 0; mask &= mask - 1) {
+      ask(query, ray, r, block.primitive[first + __builtin_ctz(mask)], nearest);
+    }
   }
-  const Verdict<kWidth> triangles = test_block(block, r, nearest.t_max);
-  meet<kSpheres, kEnds>(query, ray, r, triangles, block.primitive, nearest);
+  meet_triangles<kEnds>(query, ray, r, block, nearest);
 }
 
 // Afterwards `sure`, if any, is still to be settled.
@@ -135,14 +131,12 @@ PT_INLINE void search(const WideQuery& query, const Ray& ray, const FloatRay& r,
   if (view.root & kLeaf) {
     const Block& block = static_cast<const Block*>(view.blocks)[view.root & ~kLeaf];
     meet_block<true, true>(query, ray, r, block, nearest);
-    if (kSettled) settle<true>(query, ray, nearest);
   } else if (view.has_spheres) {
     search_tree<true>(query, ray, r, nearest);
-    if (kSettled) settle<true>(query, ray, nearest);
   } else {
     search_tree<false>(query, ray, r, nearest);
-    if (kSettled) settle<false>(query, ray, nearest);
   }
+  if (kSettled) settle(query, ray, nearest);
 }
 
 }  // namespace

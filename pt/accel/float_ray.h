@@ -107,7 +107,9 @@ PT_INLINE Doubles4 load3(const double* p) {
   const __m128d xy = _mm_loadh_pd(_mm_load_sd(p), p + 1);
   return (Doubles4)_mm256_insertf128_pd(_mm256_castpd128_pd256(xy), _mm_load_sd(p + 2), 1);
 #else
-  return Doubles4{p[0], p[1], p[2], 0};
+  Doubles4 a;  // the fourth lane is whatever follows
+  __builtin_memcpy(&a, p, sizeof a);
+  return a;
 #endif
 }
 PT_INLINE double largest(Doubles4 a) {

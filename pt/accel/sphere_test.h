@@ -17,19 +17,35 @@ namespace {
 // exact_hit takes one of the two roots from their product. It has no digits where both are within
 // rounding of zero: where a ray starts on a sphere it touches there. Such a pair is never certain.
 template <int W>
-PT_INLINE Verdict<W> test_spheres(const Lanes3<W>& l, Floats<W> radius, const Lanes3<W>& d,
-                                  Floats<W> edge_error, Floats<W> longest, Floats<W> t_min,
-                                  Floats<W> t_max) {
-  const Floats<W> zero{}, along = dot<W>(l, d), squared = dot<W>(d, d);
+struct SphereLines {
+  Floats<W> along;  // l . d
+  Floats<W> squared;
+  Floats<W> h_squared;
+  Floats<W> slack;
+  std::uint32_t possible;  // the ray's line may meet those
+};
+template <int W>
+PT_INLINE SphereLines<W> meet_lines(const Lanes3<W>& l, Floats<W> radius, const Lanes3<W>& d,
+                                    Floats<W> edge_error, Floats<W> longest) {
+  const Floats<W> squared = dot<W>(d, d);
   const Lanes3<W> across = cross<W>(d, l);
   const Floats<W> h_squared =
       multiply_subtract<W>(radius * radius, squared, dot<W>(across, across));
   // |d| is at most the square root of three times its largest component.
   const Floats<W> slack = 2 * edge_error * multiply_add<W>(radius, 1.75f * longest, edge_error);
+  return {dot<W>(l, d), squared, h_squared, slack, less_equal<W>(Floats<W>{}, h_squared + slack)};
+}
+
+template <int W>
+PT_INLINE Verdict<W> test_spheres(const Lanes3<W>& l, Floats<W> radius, const Lanes3<W>& d,
+                                  Floats<W> edge_error, Floats<W> longest, Floats<W> t_min,
+                                  Floats<W> t_max) {
+  const SphereLines<W> lines = meet_lines<W>(l, radius, d, edge_error, longest);
   Verdict<W> verdict;
-  const std::uint32_t possible = less_equal<W>(zero, h_squared + slack);
-  verdict.maybe = possible;
-  if (possible == 0) return verdict;
+  verdict.maybe = lines.possible;
+  if (lines.possible == 0) return verdict;
+  const Floats<W> zero{}, along = lines.along, squared = lines.squared;
+  const Floats<W> h_squared = lines.h_squared, slack = lines.slack;
   const Floats<W> most = square_root<W>(max<W>(h_squared + slack, zero));
   const Floats<W> least = square_root<W>(max<W>(h_squared - slack, zero));
   const Floats<W> half_chord = 0.5f * (most + least);
@@ -53,19 +69,33 @@ constexpr int kSphereLanes = 4;
 
 PT_INLINE bool is_sphere(const Block& b, int slot) { return b.size[slot] == kSphere; }
 
-// A ray and those of the four slots from `first` on that are spheres.
+// Those of the four slots from `first` on that are spheres.
+PT_INLINE std::uint32_t sphere_slots(const Block& b, int first) {
+  return less_equal<kSphereLanes>(load<kSphereLanes>(b.size + first), splat<kSphereLanes>(kSphere));
+}
+PT_INLINE Lanes3<kSphereLanes> sphere_centers(const Block& b, int first) {
+  constexpr int W = kSphereLanes;
+  return {load<W>(b.p0[0] + first), load<W>(b.p0[1] + first), load<W>(b.p0[2] + first)};
+}
+
+// Those of them that the ray's line may meet.
+PT_INLINE std::uint32_t possible_spheres(const Block& b, int first, const FloatRay& r) {
+  constexpr int W = kSphereLanes;
+  return sphere_slots(b, first) & meet_lines<W>(sphere_centers(b, first) - splat3<W>(r.origin),
+                                                load<W>(b.e1[0] + first), splat3<W>(r.direction),
+                                                splat<W>(r.edge_error), splat<W>(r.longest))
+                                      .possible;
+}
+
+// A ray and those spheres.
 PT_INLINE Verdict<kSphereLanes> test_spheres(const Block& b, int first, const FloatRay& r,
                                              float t_max) {
   constexpr int W = kSphereLanes;
-  const std::uint32_t those = less_equal<W>(load<W>(b.size + first), splat<W>(kSphere));
-  const auto row = [&](const float* m) __attribute__((always_inline)) {
-    return load<W>(m + first);
-  };
-  const Lanes3<W> center{row(b.p0[0]), row(b.p0[1]), row(b.p0[2])};
-  Verdict<W> verdict = test_spheres<W>(center - splat3<W>(r.origin), row(b.e1[0]),
-                                       splat3<W>(r.direction), splat<W>(r.edge_error),
-                                       splat<W>(r.longest), splat<W>(r.t_min), splat<W>(t_max));
-  verdict.maybe &= those;
+  Verdict<W> verdict =
+      test_spheres<W>(sphere_centers(b, first) - splat3<W>(r.origin), load<W>(b.e1[0] + first),
+                      splat3<W>(r.direction), splat<W>(r.edge_error), splat<W>(r.longest),
+                      splat<W>(r.t_min), splat<W>(t_max));
+  verdict.maybe &= sphere_slots(b, first);
   return verdict;
 }
 
