@@ -20,6 +20,8 @@ namespace {
 
 using std::string_view;
 
+// Of a task's variables and code; beyond 2 GiB no linker can address them.
+constexpr std::uint64_t kMaxMemory = std::uint64_t{256} << 20;
 constexpr int kUnique = 10;  // STB_GNU_UNIQUE, of inline variables and statics of templates
 constexpr std::uint32_t kLinkerOptions = 0x6fff4c01;  // SHT_LLVM_LINKER_OPTIONS, of clang: empty
 constexpr std::uint32_t kAddresses = 0x6fff4c03;      // SHT_LLVM_ADDRSIG, of clang
@@ -153,8 +155,14 @@ std::set<std::string> functions_in(string_view object) {
 std::string audit(string_view bytes, const std::set<std::string>& contract, const Task& task) {
   try {
     const ObjectFile object = read_object(bytes);
+    std::uint64_t bytes_of_all = 0;
     for (const ObjectSection& section : object.sections) {
       if (std::string reason = judge_section(section); !reason.empty()) return reason;
+      // A section of the largest size that there can be must not make the sum small.
+      bytes_of_all += std::min(section.size, kMaxMemory + 1);
+    }
+    if (bytes_of_all > kMaxMemory) {
+      return fmt::format("its variables and its code take more than {} MiB", kMaxMemory >> 20);
     }
     for (const ObjectSymbol& symbol : object.symbols) {
       std::string reason = symbol.section == SHN_UNDEF ? judge_request(symbol, task)

@@ -146,6 +146,7 @@ std::string with_state_marked(std::string_view bytes) {
   std::vector<Elf64_Shdr> headers = sections_of(file, header);
   const Bytes names = content(file, headers, header.e_shstrndx);
   Elf64_Shdr& names_header = headers[header.e_shstrndx];
+  if (names_header.sh_type == SHT_NOBITS) throw pt::Error("its sections have no names");
   std::string all(bytes.substr(names_header.sh_offset, names_header.sh_size));
   const auto with_value = static_cast<Elf64_Word>(all.size());
   all += std::string(kStateSections[0]) + '\0';

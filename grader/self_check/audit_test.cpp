@@ -118,6 +118,8 @@ TEST(audit, rejects_what_reaches_beyond_the_task) {
   const Attempt attempts[] = {
       {"namespace pt { int helper(int x) { return x; } }", "pt::helper(int)"},
       {"namespace pt { int table[3]{1, 2, 3}; }", "pt::table"},
+      {"asm(\".bss\\n.zero 300000000\\n.text\");", "take more than 256 MiB"},
+      {"asm(\".bss\\n.zero 6000000000\\n.text\");", "take more than 256 MiB"},
       {"extern \"C\" int memcmp(const void*, const void*, unsigned long) { return 0; }", "memcmp"},
       {"extern \"C\" __attribute__((weak)) int memcmp(const void*, const void*, unsigned long) "
        "{ return 0; }",
