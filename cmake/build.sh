@@ -26,16 +26,14 @@ unlock_tree() {
 }
 
 # configure PRESET: with the mixtures of implementations asked for so far, and again where a file that CMake read has changed.
-# FIRSTLIGHT_WERROR=ON makes warnings errors, FIRSTLIGHT_PCH=ON keeps headers of libraries compiled (cmake/precompiled.cmake). 2 if
-# CMake fails; explain_configure says why.
+# FIRSTLIGHT_WERROR=ON makes warnings errors. 2 if CMake fails; explain_configure says why.
 configure() {
-  local preset=$1 folder=$build/$1 mixtures='' settings command=() options=()
+  local preset=$1 folder=$build/$1 mixtures='' settings command=()
   lock_tree
   [ -e "$build/mixtures" ] && mixtures=$(sort -u "$build/mixtures" | paste -sd';')
-  options=("-DFIRSTLIGHT_MIXTURES=$mixtures" "-DFIRSTLIGHT_WERROR=${FIRSTLIGHT_WERROR:-OFF}" "-DFIRSTLIGHT_PCH=${FIRSTLIGHT_PCH:-OFF}")
-  settings=${options[*]}
+  settings="$mixtures ${FIRSTLIGHT_WERROR:-OFF}"
   if [ "$root/CMakePresets.json" -nt "$folder/build.ninja" ] || [ "$settings" != "$(cat "$folder/settings" 2>/dev/null)" ]; then
-    command=(cmake -S "$root" --preset "$preset" "${options[@]}")
+    command=(cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=$mixtures" "-DFIRSTLIGHT_WERROR=${FIRSTLIGHT_WERROR:-OFF}")
   elif ! ninja -C "$folder" -n build.ninja 2>/dev/null | grep -q 'no work to do'; then
     command=(ninja -C "$folder" build.ninja)
   else
