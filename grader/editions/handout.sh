@@ -35,10 +35,18 @@ cmake "$build" >/dev/null
 cp "$build/reference.stamp" "$objects/stamp"
 # In place of this folder its name is as many characters that mean the folder in which one is.
 nowhere=.$(printf '%*s' "${#PWD}" '' | tr ' ' /)
+# rename_locals OBJECT: the linker needs the names of variables that each thread has one of; any name will do.
+rename_locals() {
+  local name options=()
+  for name in $(nm "$1" 2>/dev/null | sed -n 's/^.* [bdrt] //p'); do options+=("--redefine-sym=$name=local${#options[@]}"); done
+  [ ${#options[@]} -eq 0 ] || objcopy "${options[@]}" "$1"
+}
+
 # copy_stripped FROM TO: without local names, debugging information, and where it was compiled.
 copy_stripped() {
   mkdir -p "$(dirname "$2")"
   strip --strip-unneeded --remove-section=.comment -o "$2" "$1"
+  [[ $2 != *.o ]] || rename_locals "$2"
   LC_ALL=C sed -i "s|$PWD/|$nowhere|g" "$2"
   ! grep -qaF "$PWD" "$2" || fail "$1 tells where it was compiled"
 }
