@@ -74,7 +74,9 @@ std::vector<std::string> PrecompiledHeaders::flags_for(const TaskConfig& task,
   for (const Header& header : kept_) {
     if (!reached.contains(header.included)) continue;
     std::call_once(header.once, [&] { make(header); });
-    if (header.there) return {"-include", path_of(header)};
+    if (!header.there) continue;
+    mark_used(folder_);
+    return {"-include", path_of(header)};
   }
   return {};
 }
@@ -100,7 +102,6 @@ void PrecompiledHeaders::make(const Header& header) const try {
     fs::permissions(temporary, fs::perms(0644));
     fs::rename(temporary, made);
   }
-  mark_used(folder_);
   header.there = true;
 } catch (const std::exception&) {
 }
