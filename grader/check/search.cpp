@@ -43,6 +43,7 @@ void to_json(json& out, const Input& input) {
   out = {{"seed", input.seed},
          {"numbers", input.numbers},
          {"badness", input.badness},
+         {"broken", input.badness >= kBroken},
          {"reason", input.reason}};
 }
 void from_json(const json& in, Input& input) {
@@ -92,10 +93,8 @@ class Searching {
     before.at("tried").get_to(tried_);
     before.at("seconds").get_to(seconds_);
     // The code may be another one now.
-    for (const json& input : before.at("worst")) {
-      again_.push_back(input.get<Input>());
-      random_ = pt::Sampler(seed + static_cast<std::uint64_t>(tried_));
-    }
+    random_ = pt::Sampler(seed + static_cast<std::uint64_t>(tried_));
+    for (const json& input : before.at("worst")) again_.push_back(input.get<Input>());
   }
 
   void run(double seconds) {

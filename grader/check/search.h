@@ -1,7 +1,10 @@
 #pragma once
 
+#include "grader/check/show.h"
+
 #include <cstdint>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,6 +31,24 @@ inline constexpr double kBroken = 1e9;
 
 // Keeps the text of the input if this is the run that shows it. To be called by badness().
 void show_input(const std::function<std::string()>& text);
+
+// The same of a case of a property, as its showValue writes it, and of single values, each on a line.
+template <class Case>
+void show_case(const Case& c) {
+  show_input([&] {
+    std::ostringstream out;
+    showValue(c, out);
+    return out.str();
+  });
+}
+template <class First, class... Others>
+requires(sizeof...(Others) > 0) void show_case(const First& first, const Others&... others) {
+  show_input([&] {
+    std::ostringstream out;
+    show_lines(out, first, others...);
+    return out.str();
+  });
+}
 
 struct NamedSearch {
   std::string name;

@@ -15,7 +15,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kBroken = 1e9;  // grader/check/search.h
 constexpr std::size_t kShown = 2;
 
 std::string text_of(const std::string& slug, const json& search) {
@@ -25,9 +24,8 @@ std::string text_of(const std::string& slug, const json& search) {
                   search.at("tried").get<long long>(), search.at("seconds").get<double>());
   const json& worst = search.at("worst");
   for (std::size_t i = 0; i < std::min(kShown, worst.size()); ++i) {
-    const double badness = worst[i].at("badness");
-    text += badness >= kBroken ? "  broken: " + worst[i].at("reason").get<std::string>() + "\n"
-                               : fmt::format("  {:.3g}\n", badness);
+    text += worst[i].at("broken") ? "  broken: " + worst[i].at("reason").get<std::string>() + "\n"
+                                  : fmt::format("  {:.3g}\n", worst[i].at("badness").get<double>());
     std::string input = worst[i].at("input");
     for (std::size_t at = 0; (at = input.find('\n', at)) != input.npos; at += 5) {
       input.replace(at, 1, "\n    ");

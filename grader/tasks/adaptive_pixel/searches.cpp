@@ -3,7 +3,6 @@
 #include "grader/tasks/adaptive_pixel/cases.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace grader::check {
 namespace {
@@ -34,11 +33,7 @@ SEARCH(adaptive_pixel, count_and_mean) {
           .measure = "1 is what the contract allows of the mean; a wrong number is broken",
           .badness = [] {
             const Case c = any_pixel();
-            show_input([&] {
-              std::ostringstream out;
-              showValue(c, out);
-              return out.str();
-            });
+            show_case(c);
             const PixelEstimate got = ask(c).estimate;
             const int n = got.samples;
             if (!may_stop(c, n, true) && !may_stop(c, n, false)) return kBroken;

@@ -2,7 +2,6 @@
 #include "grader/tasks/build_bvh/walk.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace grader::check {
 namespace {
@@ -20,11 +19,7 @@ SEARCH(build_bvh, levels) {
           .badness = [] {
             Input input = *boxes_of(kAll, 8, 500);
             input.max_leaf = 1;
-            show_input([&] {
-              std::ostringstream out;
-              showValue(input, out);
-              return out.str();
-            });
+            show_case(input);
             const pt::Bvh bvh = pt::build_bvh(input.boxes, input.max_leaf);
             for (const int i : walk_from_root(bvh)) {
               const pt::BvhNode& node = bvh.nodes[i];

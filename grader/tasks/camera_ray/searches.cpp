@@ -3,8 +3,6 @@
 #include "grader/tasks/camera_ray/cases.h"
 #include "pt/tasks/camera_ray.h"
 
-#include <sstream>
-
 namespace grader::check {
 namespace {
 

@@ -4,8 +4,6 @@
 #include "grader/check/search.h"
 #include "pt/tasks/direct_hemisphere.h"
 
-#include <sstream>
-
 namespace grader::check {
 namespace {
 
@@ -19,11 +17,7 @@ SEARCH(direct_hemisphere, closed_room) {
             for (const Rectangle& wall : walls) stage.surface(wall, pt::gray(0.5), pt::gray(1));
             stage.patch(pt::gray(0.5), *direction_above_at(magnitude(1e-3, 1)), *whole(0, 1) == 1);
             const Situation s = stage.done();
-            show_input([&] {
-              std::ostringstream out;
-              showValue(s, out);
-              return out.str();
-            });
+            show_case(s);
             pt::Sampler sampler(*sampler_seed());
             const double got = pt::direct_hemisphere(s.scene, s.point, 1, sampler).r;
             return got > 0 ? 0 : kBroken;

@@ -5,7 +5,6 @@
 #include "pt/tasks/direct_lights.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace grader::check {
 namespace {
@@ -27,11 +26,7 @@ SEARCH(direct_lights, without_noise) {
             const bool behind = *whole(0, 1) == 1;
             stage.patch(pt::gray(*real(0.01, 1)), *direction_above_at(magnitude(1e-3, 1)), behind);
             const Situation s = stage.done();
-            show_input([&] {
-              std::ostringstream out;
-              showValue(s, out);
-              return out.str();
-            });
+            show_case(s);
             pt::Sampler sampler(*sampler_seed());
             const double got = pt::direct_lights(s.scene, s.point, 1, sampler).r;
             return std::abs(got / s.expected.r - 1) / kColorPrecision;

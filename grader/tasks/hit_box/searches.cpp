@@ -3,20 +3,10 @@
 #include "grader/tasks/hit_box/cases.h"
 #include "pt/tasks/hit_box.h"
 
-#include <sstream>
-
 namespace grader::check {
 namespace {
 
 using namespace hit_box_cases;
-
-void show_case(const Case& c) {
-  show_input([&] {
-    std::ostringstream out;
-    show_lines(out, c.box, c.ray);
-    return out.str();
-  });
-}
 
 // The interval by arithmetic of 113 bits; the directions of these cases have no parallel slabs
 // outside the box.

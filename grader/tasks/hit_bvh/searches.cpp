@@ -2,7 +2,6 @@
 #include "grader/tasks/hit_bvh/queries.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace grader::check {
 namespace {
@@ -17,11 +16,7 @@ SEARCH(hit_bvh, nearest) {
             const Case c = *with_tree({Shape::balanced, Shape::random, Shape::chain,
                                        Shape::left_chain, Shape::right_chain, Shape::leaf},
                                       wanted);
-            show_input([&] {
-              std::ostringstream out;
-              showValue(c, out);
-              return out.str();
-            });
+            show_case(c);
             const Truth truth = truth_of(c.primitives, c.ray);
             if (!truth.is_clear) return 0.0;
             const auto hit = ask(c);

@@ -4,20 +4,10 @@
 #include "grader/tasks/hit_sphere/cases.h"
 #include "pt/tasks/hit_sphere.h"
 
-#include <sstream>
-
 namespace grader::check {
 namespace {
 
 using namespace hit_sphere_cases;
-
-void show_case(const pt::Sphere& sphere, const pt::Ray& ray) {
-  show_input([&] {
-    std::ostringstream out;
-    show_lines(out, sphere, ray);
-    return out.str();
-  });
-}
 
 // How far the point at t is from the sphere, in radii: r^2 - R^2 is exact, and so small that its root
 // can be had from it.

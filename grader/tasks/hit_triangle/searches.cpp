@@ -3,8 +3,6 @@
 #include "grader/tasks/hit_triangle/cases.h"
 #include "pt/tasks/hit_triangle.h"
 
-#include <sstream>
-
 namespace grader::check {
 namespace {
 
@@ -35,14 +33,6 @@ constexpr Range kEverything{.size = 1e6,
                             .near = 1e-2,
                             .far = 1e3,
                             .flat = 1e-6};
-
-void show_case(const pt::Triangle& triangle, const pt::Ray& ray) {
-  show_input([&] {
-    std::ostringstream out;
-    show_lines(out, triangle, ray);
-    return out.str();
-  });
-}
 
 // The contract's precision of a point in the plane, as a difference of weights: the least height of
 // the triangle is its unit.
