@@ -9,7 +9,7 @@
 namespace pt {
 namespace {
 
-// What a query costs that does nothing: the call, the ray read, the result copied.
+// The cost of a query that does nothing: the call, reading the ray, copying the result.
 WideHit call(const WideQuery& query, const Ray& ray) {
   return {{false, ray.t_max, ray.t_min, ray.direction.x, 0}, query.view.root};
 }

@@ -168,7 +168,7 @@ class Searching {
   double seconds_ = 0;
 };
 
-// What an earlier run kept of a search.
+// The record of a search by an earlier run.
 json before_of(const std::string& file, const std::string& name) {
   if (!std::filesystem::exists(file)) return nullptr;
   const json all = json::parse(pt::read_file(file, kMaxFile));
