@@ -56,8 +56,8 @@ PROMISE(trace_path, matches_the_furnace) {
         expect_estimate(*asked_of(glowing_room(gray(0.3, 0.8)), all));
       },
       kCases);
-  // One bounce far along the path. If roulette of the solution's own ends most paths before, their
-  // mean cannot be judged.
+  // One bounce far along the path. If roulette of the solution's own ends most paths before, or if
+  // the weights of its diffuse_sample vary much, their mean cannot be judged.
   for_all(
       [] {
         const rc::Gen<Bounces> far = rc::gen::map(rc::gen::element(8, 15, 30), [](int bounce) {
@@ -65,7 +65,10 @@ PROMISE(trace_path, matches_the_furnace) {
         });
         const Case c = *asked_of(glowing_room(gray(0.7, 1)), far);
         const std::vector<Rgb> found = estimates(c, 2000);
-        if (lit_among(found) > 1000) expect_mean_of(c, found);
+        constexpr double kMostVariance = 15;
+        if (lit_among(found) > 1000 && relative_variance_far_along(c) < kMostVariance) {
+          expect_mean_of(c, found);
+        }
       },
       4);
 }
