@@ -118,4 +118,13 @@ void Battery::estimate(int n, const Colors& draw) {
 Battery::Numbers numbers(pt::Vec3 v) { return {v.x, v.y, v.z}; }
 Battery::Numbers numbers(pt::Rgb c) { return {c.r, c.g, c.b}; }
 
+Battery::Numbers use_of_sampler(const std::function<Battery::Numbers(pt::Sampler& sampler)>& call) {
+  const pt::Sampler start(5);
+  pt::Sampler first = start, second = start, by_one = start;
+  by_one.next_1d();
+  const bool same = call(first) == call(second);
+  const double moved = first.state() == start.state() ? 0 : first.state() == by_one.state() ? 1 : 2;
+  return {moved, flag(same)};
+}
+
 }  // namespace grader::mistakes

@@ -4,6 +4,7 @@
 #include "grader/results/results.h"
 #include "pt/math/rgb.h"
 #include "pt/math/vec3.h"
+#include "pt/sampling/sampler.h"
 
 #include <cstdint>
 #include <functional>
@@ -67,5 +68,9 @@ void run_battery(Battery& battery);
 Battery::Numbers numbers(pt::Vec3 v);
 Battery::Numbers numbers(pt::Rgb c);
 inline double flag(bool condition) { return condition ? 1 : 0; }
+
+// What two calls do with the same sampler: how far the first one moves it (0: not at all, 1: by one
+// number, 2: further), and whether both return the same, as all calls must.
+Battery::Numbers use_of_sampler(const std::function<Battery::Numbers(pt::Sampler& sampler)>& call);
 
 }  // namespace grader::mistakes

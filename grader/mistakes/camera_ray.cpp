@@ -35,18 +35,40 @@ std::vector<Camera> cameras() {
   return all;
 }
 
+// Fields of view that are narrow, wide, or not in whole degrees. The last one has a range without an
+// end, so that its other numbers are of the size of a direction and a small error of an angle shows.
+std::vector<Camera> unusual() {
+  std::vector<Camera> all(3);
+  constexpr std::array<double, 2> kAngles[] = {{0.5, 0.4}, {175, 170}, {86.3, 60.7}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].hfov_deg = kAngles[i][0];
+    all[i].vfov_deg = kAngles[i][1];
+    all[i].near_clip = 0.25;
+    all[i].far_clip = 40;
+  }
+  all.back().far_clip = pt::kInfinity;
+  return all;
+}
+
+void ask(Battery& battery, const Camera& camera, double x, double y) {
+  battery.ask([&]() -> Battery::Numbers {
+    const pt::Ray ray = pt::camera_ray(camera, x, y);
+    const auto& [o, d] = std::pair(ray.origin, ray.direction);
+    return {o.x, o.y, o.z, d.x, d.y, d.z, ray.t_min, ray.t_max};
+  });
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
   constexpr std::array<double, 2> kPlaces[] = {{.5, .5}, {0, .5},  {1, .5}, {.5, 0},
                                                {.5, 1},  {.1, .8}, {1, 1},  {.7, .35}};
   for (const Camera& camera : cameras()) {
-    for (const auto& [x, y] : kPlaces) {
-      battery.ask([&]() -> Battery::Numbers {
-        const pt::Ray ray = pt::camera_ray(camera, x, y);
-        const auto& [o, d] = std::pair(ray.origin, ray.direction);
-        return {o.x, o.y, o.z, d.x, d.y, d.z, ray.t_min, ray.t_max};
-      });
+    for (const auto& [x, y] : kPlaces) ask(battery, camera, x, y);
+  }
+  for (const Camera& camera : unusual()) {
+    for (const auto& [x, y] : {kPlaces[0], kPlaces[2], kPlaces[4], kPlaces[5]}) {
+      ask(battery, camera, x, y);
     }
   }
 }

@@ -31,6 +31,9 @@ void values(Battery& battery) {
     battery.ask([&] { return numbers(pt::diffuse_f(kAlbedo, towards(out, 1), towards(in, 3))); });
   }
   battery.ask([&] { return numbers(pt::diffuse_f({}, towards(.5, 1), towards(.6, 3))); });
+  for (const auto& [out, in] : {std::pair(.5, 5e-4), std::pair(5e-4, .5), std::pair(5e-7, .5)}) {
+    battery.ask([&] { return numbers(pt::diffuse_f(kAlbedo, towards(out, 1), towards(in, 3))); });
+  }
 }
 
 // The integral of the pdf over one hemisphere. The sum is exact for a pdf that is linear in z.
@@ -71,11 +74,20 @@ Battery::Numbers about(const pt::BsdfSample& s, Vec3 wo) {
           flag(pdf_agrees)};
 }
 
+void sampler(Battery& battery) {
+  battery.ask([] {
+    return use_of_sampler([](pt::Sampler& sampler) {
+      return numbers(pt::diffuse_sample(kAlbedo, towards(.9, .7), sampler).wi);
+    });
+  });
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
   values(battery);
   density(battery);
+  sampler(battery);
   for (const double out : {0.9, 0.2}) {
     const Vec3 wo = towards(out, 0.7);
     battery.mean(1500, [&](int n, std::uint64_t seed) {

@@ -74,6 +74,29 @@ void scales(Battery& battery) {
   }
 }
 
+// Light of any brightness and any colour, and many directions.
+void brightness(Battery& battery) {
+  for (const pt::Rgb radiance :
+       {pt::Rgb{3e5, 2e5, 1e5}, pt::Rgb{30, 20, 40}, pt::Rgb{3e-3, 2e-3, 1e-3}, pt::Rgb{2, 0, 3}}) {
+    ask(battery, Stage(here()).rectangle(kAbove, radiance, Body::surface).patch(kAlbedo, kTilted),
+        1, 1000);
+  }
+  for (const int each : {64, 3000}) {
+    ask(battery, Stage(here()).sky(kRadiance).patch(kAlbedo, kTilted), each,
+        each == 64 ? 1000 : 60);
+  }
+}
+
+void sampler(Battery& battery) {
+  const Situation s =
+      Stage(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted).done();
+  battery.ask([&] {
+    return use_of_sampler([&](pt::Sampler& sampler) {
+      return numbers(pt::direct_hemisphere(s.scene, s.point, 4, sampler));
+    });
+  });
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -81,6 +104,8 @@ void run_battery(Battery& battery) {
   lights(battery);
   samples(battery);
   scales(battery);
+  brightness(battery);
+  sampler(battery);
 }
 
 }  // namespace grader::mistakes

@@ -131,6 +131,31 @@ void scales(Battery& battery) {
   }
 }
 
+// Lights of any brightness, at flat angles, many of them, and a surface just before a light.
+void extremes(Battery& battery) {
+  for (const pt::Rgb radiance : {pt::Rgb{3e5, 2e5, 1e5}, pt::Rgb{3e-4, 2e-4, 1e-4}}) {
+    ask_exactly(battery, patch().point_light({0.8, 0.6, 0.9}, radiance));
+    ask(battery, patch().rectangle(kAside, radiance, Body::surface), 1, 1000);
+  }
+  ask_exactly(battery, patch().directional_light({1, 0, 0.005}, kRadiance));
+  Stage many = patch();
+  for (int i = 0; i < 40; ++i) many.point_light({0.1 * i - 2, 0.3, 1 + 0.02 * i}, kRadiance);
+  ask_exactly(battery, many);
+  for (const double way : {0.98, 0.995}) {
+    const Rectangle plate{{0, 0, 2 * way}, {0, 1, 0}, {1, 0, 0}};
+    ask_exactly(battery, patch().point_light({0, 0, 2}, kRadiance).surface(plate, {.5, .5, .5}));
+  }
+}
+
+void sampler(Battery& battery) {
+  const Situation s = patch().rectangle(kAside, kRadiance, Body::surface).done();
+  battery.ask([&] {
+    return use_of_sampler([&](pt::Sampler& sampler) {
+      return numbers(pt::direct_lights(s.scene, s.point, 4, sampler));
+    });
+  });
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -140,6 +165,8 @@ void run_battery(Battery& battery) {
   several(battery);
   samples(battery);
   scales(battery);
+  extremes(battery);
+  sampler(battery);
 }
 
 }  // namespace grader::mistakes

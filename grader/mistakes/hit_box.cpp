@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace grader::mistakes {
 namespace {
@@ -135,6 +136,48 @@ void flat(Battery& battery, Many& make) {
   }
 }
 
+// Directions of any length, boxes of any size, and rays that run nearly along a side.
+void extremes(Battery& battery, Many& make) {
+  const Vec3 along{0.6, -0.5, 0.7};
+  for (const double longer : {1e-9, 3e-8, 4e-7, 1e10}) {
+    const Box box = some_box(make, 1);
+    ask(battery, box, {inside(box, make) - 5 * along, longer * along});
+  }
+  for (const double size : {1e-8, 1e7}) {
+    const Box box = some_box(make, size);
+    ask(battery, box, {inside(box, make) - 5 * size * along, along});
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double flat : {5e-4, 5e-3}) {
+      const Box box = some_box(make, 1);
+      Vec3 direction{1, 1, 1};
+      direction[axis] = flat;
+      ask(battery, box, {inside(box, make) - 5 * direction, direction});
+      // It leaves through the side that it runs along.
+      Vec3 origin = box.center();
+      origin[axis] = box.max[axis] - 0.1 * flat;
+      ask(battery, box, {origin, direction});
+    }
+  }
+}
+
+// Whether the interval is as precise as a double can be.
+void precisely(Battery& battery, Many& make) {
+  for (int i = 0; i < 3; ++i) {
+    const Box box = some_box(make, 1);
+    const double t = make.between(2, 5);
+    Vec3 target = inside(box, make);
+    target.x = box.min.x;
+    const Vec3 direction = normalize(Vec3{1, 0.3, -0.2} + 0.1 * make.vector(-1, 1));
+    const Ray ray{target - t * direction, direction};
+    battery.ask([&]() -> Battery::Numbers {
+      const auto inside = pt::hit_box(box, ray);
+      if (!inside) return {};
+      return {flag(std::abs(inside->min / t - 1) < 1e-9)};
+    });
+  }
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -144,6 +187,8 @@ void run_battery(Battery& battery) {
   ranges(battery, make);
   along_the_axes(battery, make);
   flat(battery, make);
+  extremes(battery, make);
+  precisely(battery, make);
 }
 
 }  // namespace grader::mistakes

@@ -7,6 +7,7 @@
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -195,6 +196,49 @@ void deep(Battery& battery, Many& make) {
   }
 }
 
+// Six primitives in a row. The ray meets all of them, so boxes and primitives have to be asked for.
+Case row(Many& make, bool spheres) {
+  Case c;
+  for (int i = 0; i < 6; ++i) {
+    const double z = 4.0 * i;
+    if (spheres) {
+      c.primitives.spheres.push_back({{0, 0, z}, 1});
+    } else {
+      c.primitives.triangles.push_back(pt::flat_triangle({-9, -9, z}, {9, -9, z}, {0, 18, z}));
+    }
+  }
+  c.bvh = tree_of(c.primitives, Shape::random, 1, 0, make);
+  c.ray = {{0.1, 0.2, -6}, {0.01, -0.02, 1}};
+  return c;
+}
+
+// Whether others are asked: hit_box, and hit_primitive for each kind.
+void others(Battery& battery, Many& make) {
+  for (const bool spheres : {false, true}) {
+    const Case c = row(make, spheres);
+    battery.ask([&]() -> Battery::Numbers {
+      forget_tests();
+      pt::hit_bvh(c.bvh, c.primitives, c.ray);
+      const Tested log = tested();
+      return {flag(log.boxes.empty()), flag(log.triangles.empty()), flag(log.spheres.empty())};
+    });
+  }
+}
+
+// Leaves with many primitives, hits at a small t, and whether t is as precise as a double can be.
+void extremes(Battery& battery, Many& make) {
+  for (int i = 0; i < 3; ++i) ask(battery, some_case(make, Shape::leaf, 200, 0, 1, true), false);
+  Case fast = row(make, true);
+  fast.ray.direction = 1e6 * fast.ray.direction;
+  ask(battery, fast, false);
+  const Case c = row(make, false);
+  battery.ask([&]() -> Battery::Numbers {
+    const auto hit = pt::hit_bvh(c.bvh, c.primitives, c.ray);
+    if (!hit) return {};
+    return {flag(std::abs(hit->t / 6 - 1) < 1e-12)};
+  });
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -206,6 +250,8 @@ void run_battery(Battery& battery) {
   ranges(battery, make);
   walls(battery, make);
   deep(battery, make);
+  others(battery, make);
+  extremes(battery, make);
 }
 
 }  // namespace grader::mistakes

@@ -104,6 +104,20 @@ void scales(Battery& battery, Many& make) {
   }
 }
 
+// Directions of any length, the very end of the range, and rays that hardly touch.
+void extremes(Battery& battery, Many& make) {
+  for (const double longer : {1e-9, 3e-8, 1e12}) {
+    ask(battery, Line(make, 1, 0.3, 3, longer), 0, pt::kInfinity);
+  }
+  for (const double beyond : {1.0005, 1.00005}) {
+    const Line line(make, 1, 0.3, 3, 1);
+    ask(battery, line, 0, beyond * line.near);
+  }
+  for (const double cosine : {5e-2, 5e-3, 5e-4}) {
+    ask(battery, Line(make, 1, std::sqrt(1 - cosine * cosine), 3, 1), 0, pt::kInfinity);
+  }
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -111,6 +125,7 @@ void run_battery(Battery& battery) {
   plain(battery, make);
   ranges(battery, make);
   scales(battery, make);
+  extremes(battery, make);
 }
 
 }  // namespace grader::mistakes

@@ -137,6 +137,42 @@ void special(Battery& battery, Many& make) {
   ask(battery, {flat, {{0.5, 0.5, 1}, {1, 0, 0}}, 1});
 }
 
+// A ray that meets the plane at an angle of this sine.
+Aim grazing(Many& make, double sine) {
+  Aim a = aim(some_triangle(make, 1, false), {.3, .3, .4}, make, 3, 1, 1);
+  const Vec3 target = a.ray.at(a.t), face = normalize(geometric_normal(a.triangle));
+  const Vec3 along = normalize(a.triangle.p1 - a.triangle.p0);
+  const Vec3 away = std::sqrt(1 - sine * sine) * along + sine * face;
+  a.ray = {target + 3 * away, -away};
+  return a;
+}
+
+// Directions of any length, the very end of the range, flat angles, slivers, and points close to an
+// edge or a corner.
+void extremes(Battery& battery, Many& make) {
+  constexpr std::array<double, 3> kMiddle{.3, .3, .4};
+  for (const double longer : {1e-9, 3e-8, 1e12}) {
+    ask(battery, aim(some_triangle(make, 1, false), kMiddle, make, 3, longer, 1));
+  }
+  for (const double beyond : {1.0005, 1.00005}) {
+    Aim a = aim(some_triangle(make, 1, false), kMiddle, make, 2, 1, 1);
+    a.ray.t_max = beyond * a.t;
+    ask(battery, a);
+  }
+  for (const double sine : {5e-2, 5e-4, 5e-6}) ask(battery, grazing(make, sine));
+  for (const double height : {3e-2, 3e-3}) {
+    Triangle sliver = some_triangle(make, 1, false);
+    sliver.p2 = 0.4 * sliver.p0 + 0.6 * sliver.p1 + height * (sliver.p2 - sliver.p0);
+    ask(battery, aim(sliver, kMiddle, make, 3, 1, 1));
+  }
+  for (const double over : {5e-4, 5e-7}) {
+    ask(battery, aim(some_triangle(make, 1, false), {-over, .4, .6 + over}, make, 3, 1, 1));
+    ask(battery, aim(some_triangle(make, 1, false), {.4, .6 + over, -over}, make, 3, 1, 1));
+  }
+  ask(battery, aim(some_triangle(make, 1, false), {.9994, .0003, .0003}, make, 3, 1, 1));
+  ask(battery, aim(some_triangle(make, 1, false), {.0003, .9994, .0003}, make, 3, 1, 1));
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -145,6 +181,7 @@ void run_battery(Battery& battery) {
   ranges(battery, make);
   scales(battery, make);
   special(battery, make);
+  extremes(battery, make);
 }
 
 }  // namespace grader::mistakes

@@ -71,6 +71,31 @@ void walls(Battery& battery, bool open, PathSettings::Direct direct) {
   }
 }
 
+// Light of any brightness from one bounce and two, and bounces of which there are none.
+void extremes(Battery& battery) {
+  for (const pt::Rgb radiance : {pt::Rgb{3e5, 2e5, 1e5}, pt::Rgb{60, 40, 50}}) {
+    Stage stage(here());
+    stage.patch(kAlbedo, kTilted).point_light({0.4, 0.3, 0.5}, radiance);
+    for (const Rectangle& side : cube()) stage.surface(side, {.5, .6, .4});
+    const Situation s = stage.done();
+    for (const auto& [from, to] : {std::pair(1, 1), std::pair(2, 2), std::pair(3, 1)}) {
+      const PathSettings settings = bounces(from, to);
+      battery.estimate(1000, [&](int n, std::uint64_t seed) {
+        return repeat<pt::trace_path>(n, seed, s.scene, s.point, settings);
+      });
+    }
+  }
+}
+
+void sampler(Battery& battery, const Room& room) {
+  battery.ask([&] {
+    return use_of_sampler([&](pt::Sampler& sampler) {
+      const PathSettings settings = bounces(1, 3);
+      return numbers(pt::trace_path(room.scene, room.point, settings, sampler));
+    });
+  });
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -107,6 +132,8 @@ void run_battery(Battery& battery) {
   ask(battery, black, bounces(1, 4));
   ask(battery, gray, bounces(1, 4));
   ask(battery, gray, bounces(2, 2));
+  extremes(battery);
+  sampler(battery, round);
 }
 
 }  // namespace grader::mistakes
