@@ -102,7 +102,8 @@ Message WorkerProcess::receive(std::uint64_t sequence) {
   }
   if (header.length > kMaxPayload) {
     throw WorkerFailed{results::Cause::bad_reply,
-                       fmt::format("a reply of {} bytes", header.length)};
+                       fmt::format("an answer of {} MiB, where {} are the most",
+                                   header.length >> 20, kMaxPayload >> 20)};
   }
   fill(sizeof header + header.length);
   Message message{header.kind, buffer_.substr(sizeof header, header.length)};

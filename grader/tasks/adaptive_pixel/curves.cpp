@@ -50,6 +50,35 @@ CURVE(adaptive_pixel, rare_light) {
           .measure = [](double chance) { return too_dark(chance, 1 / chance, 0.1, kUsual); }};
 }
 
+// Returns 1 if a pixel is done before it has met the rare light, else 0. The other samples are equal.
+double done_before_it_is_met(double chance, const AdaptiveSettings& settings) {
+  pt::Sampler values(*sampler_seed()), sampler(*sampler_seed());
+  bool is_met = false;
+  script_radiance([&](int, const pt::Ray&) {
+    const bool meets = values.next_1d() < chance;
+    is_met |= meets;
+    return pt::gray(meets ? 1 / chance : 0.1);
+  });
+  const pt::Scene empty;
+  const pt::View view{empty, pt::Camera{}, {}, 1, 1};
+  const PixelEstimate estimate = pt::adaptive_pixel(view, 0, 0, settings, sampler);
+  return estimate.samples < settings.max_samples && !is_met ? 1 : 0;
+}
+
+CURVE(adaptive_pixel, stops_too_early) {
+  return {.title = "Pixels that are done before they meet a light; batches of 32",
+          .input = "chance of a sample to meet it",
+          .error = "share of the pixels that stop too early",
+          .source = "(1 - chance) to the power of 32: a batch of equal samples has no noise",
+          .places = by_factors(0.15, 5e-4, 9),
+          .promised = {},
+          .methods = {{"right/stratified", "stratified points"}},
+          .statistic = Statistic::mean,
+          .cases = 2000,
+          .theory = [](double chance) { return std::pow(1 - chance, kUsual.batch); },
+          .measure = [](double chance) { return done_before_it_is_met(chance, kUsual); }};
+}
+
 CURVE(adaptive_pixel, first_batch) {
   return {.title = "Light that one sample of a hundred meets, and the size of a batch",
           .input = "samples of the first batch",
