@@ -127,6 +127,12 @@ log = {name: open(f"{folder}/{name}/log").read().splitlines() for name in ("kill
 assert sorted(log["whole"]) == sorted(set(log["whole"])) and len(log["whole"]) == 7, log
 assert sorted(log["killed"]) == sorted(log["whole"] + ["picture rays_camera"]), log
 END
+# A task that was not asked for is not judged together with the others, as long as nothing fails.
+prepare needed
+grades needed 0 direct_lights --submission reference --no-pictures
+together=$(grep together "$folder/needed/log")
+[ "$together" = 'direct_lights.together ' ] || complain 'judged together with the others:' "$together"
+
 # Another project with the same cache: what changes in a contract touches the tasks that may include it, and words touch none.
 prepare changed
 mkdir "$folder/root"

@@ -45,19 +45,33 @@ class Integration {
   }
 
  private:
+  // Tasks that nobody asked for matter only if one that was asked for fails: it may fail because of
+  // them, and waits then.
   void judge_all(std::vector<Judged*> together) {
     const Built worker = link_together(config_, builder_, judged_, Elsewhere::answers);
-    std::mutex mutex;
-    base::for_each(together.size(), request_.threads, [&](std::size_t i) {
-      Judged found = *together[i];  // the others report what they know of it meanwhile
-      judge(found, worker);
-      found.settled = found.result.state == results::State::pass;
-      const std::lock_guard lock(mutex);
-      *together[i] = std::move(found);
-      progress_();
+    const auto others = std::ranges::stable_partition(together, [&](const Judged* each) {
+      return std::ranges::count(request_.asked, each->config->slug) > 0;
     });
+    const std::vector<Judged*> asked(together.begin(), others.begin());
+    judge_each(asked, worker);
+    if (std::ranges::all_of(asked, passes)) return;
+    judge_each({others.begin(), others.end()}, worker);
     std::erase_if(together, [&](Judged* each) { return block_by_failed(*each, together); });
     base::for_each(together.size(), request_.threads, [&](std::size_t i) { blame(*together[i]); });
+  }
+
+  static bool passes(const Judged* judged) { return judged->result.state == results::State::pass; }
+
+  void judge_each(const std::vector<Judged*>& tasks, const Built& worker) {
+    std::mutex mutex;
+    base::for_each(tasks.size(), request_.threads, [&](std::size_t i) {
+      Judged found = *tasks[i];  // the others report what they know of it meanwhile
+      judge(found, worker);
+      found.settled = passes(&found);
+      const std::lock_guard lock(mutex);
+      *tasks[i] = std::move(found);
+      progress_();
+    });
   }
 
   void block(Judged& judged, const std::vector<std::string>& by) const {
