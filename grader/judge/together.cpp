@@ -49,13 +49,14 @@ class Integration {
   // them, and waits then.
   void judge_all(std::vector<Judged*> together) {
     const Built worker = link_together(config_, builder_, judged_, Elsewhere::answers);
-    const auto others = std::ranges::stable_partition(together, [&](const Judged* each) {
-      return std::ranges::count(request_.asked, each->config->slug) > 0;
-    });
-    const std::vector<Judged*> asked(together.begin(), others.begin());
+    const auto others =
+        std::stable_partition(together.begin(), together.end(), [&](const Judged* each) {
+          return std::ranges::count(request_.asked, each->config->slug) > 0;
+        });
+    const std::vector<Judged*> asked(together.begin(), others);
     judge_each(asked, worker);
     if (std::ranges::all_of(asked, passes)) return;
-    judge_each({others.begin(), others.end()}, worker);
+    judge_each({others, together.end()}, worker);
     std::erase_if(together, [&](Judged* each) { return block_by_failed(*each, together); });
     base::for_each(together.size(), request_.threads, [&](std::size_t i) { blame(*together[i]); });
   }
