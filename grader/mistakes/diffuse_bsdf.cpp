@@ -24,16 +24,16 @@ Vec3 towards(double z, double phi) {
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
+void ask(Battery& battery, pt::Rgb albedo, double out, double in) {
+  battery.ask([&] { return numbers(pt::diffuse_f(albedo, towards(out, 1), towards(in, 3))); });
+}
+
 void values(Battery& battery) {
-  constexpr std::array<double, 2> kCosines[] = {{.9, .8},  {.3, .9},  {.9, .1},   {.5, .5},
-                                                {.5, -.5}, {-.4, .6}, {-.7, -.3}, {-.1, -.9}};
-  for (const auto& [out, in] : kCosines) {
-    battery.ask([&] { return numbers(pt::diffuse_f(kAlbedo, towards(out, 1), towards(in, 3))); });
-  }
-  battery.ask([&] { return numbers(pt::diffuse_f({}, towards(.5, 1), towards(.6, 3))); });
-  for (const auto& [out, in] : {std::pair(.5, 5e-4), std::pair(5e-4, .5), std::pair(5e-7, .5)}) {
-    battery.ask([&] { return numbers(pt::diffuse_f(kAlbedo, towards(out, 1), towards(in, 3))); });
-  }
+  constexpr std::array<double, 2> kCosines[] = {{.9, .8},   {.3, .9},   {.9, .1},   {.5, .5},
+                                                {.5, -.5},  {-.4, .6},  {-.7, -.3}, {-.1, -.9},
+                                                {.5, 5e-4}, {5e-4, .5}, {5e-7, .5}};
+  for (const auto& [out, in] : kCosines) ask(battery, kAlbedo, out, in);
+  ask(battery, {}, .5, .6);
 }
 
 // The integral of the pdf over one hemisphere. The sum is exact for a pdf that is linear in z.
