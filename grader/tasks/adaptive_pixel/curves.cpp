@@ -10,19 +10,33 @@ using namespace adaptive;
 
 constexpr AdaptiveSettings kUsual{.max_samples = 1024, .batch = 32, .tolerance = 0.1};
 
-// How far the mean of many pixels is below the mean of their samples, as a part of it. The samples
-// are `rare` with the chance, else `usual`.
+// A pixel whose samples are `rare` with the chance, else `usual`, and whether it has met a rare one.
+struct Pixel {
+  PixelEstimate estimate;
+  bool has_met = false;
+};
+
+Pixel pixel_of(double chance, double rare, double usual, const AdaptiveSettings& settings) {
+  pt::Sampler values(*sampler_seed()), sampler(*sampler_seed());
+  Pixel pixel;
+  script_radiance([&](int, const pt::Ray&) {
+    const bool meets = values.next_1d() < chance;
+    pixel.has_met |= meets;
+    return pt::gray(meets ? rare : usual);
+  });
+  const pt::Scene empty;
+  const pt::View view{empty, pt::Camera{}, {}, 1, 1};
+  pixel.estimate = pt::adaptive_pixel(view, 0, 0, settings, sampler);
+  return pixel;
+}
+
+// How far the mean of many pixels is below the mean of their samples, as a part of it.
 double too_dark(double chance, double rare, double usual, const AdaptiveSettings& settings) {
   constexpr int kPixels = 20;
   const double expected = chance * rare + (1 - chance) * usual;
   double sum = 0;
   for (int i = 0; i < kPixels; ++i) {
-    pt::Sampler values(*sampler_seed()), sampler(*sampler_seed());
-    script_radiance(
-        [&](int, const pt::Ray&) { return pt::gray(values.next_1d() < chance ? rare : usual); });
-    const pt::Scene empty;
-    const pt::View view{empty, pt::Camera{}, {}, 1, 1};
-    sum += pt::adaptive_pixel(view, 0, 0, settings, sampler).mean.r / kPixels;
+    sum += pixel_of(chance, rare, usual, settings).estimate.mean.r / kPixels;
   }
   return std::abs(1 - sum / expected);
 }
@@ -50,19 +64,10 @@ CURVE(adaptive_pixel, rare_light) {
           .measure = [](double chance) { return too_dark(chance, 1 / chance, 0.1, kUsual); }};
 }
 
-// Returns 1 if a pixel is done before it has met the rare light, else 0. The other samples are equal.
+// Returns 1 if a pixel is done before it has met the rare light, else 0.
 double done_before_it_is_met(double chance, const AdaptiveSettings& settings) {
-  pt::Sampler values(*sampler_seed()), sampler(*sampler_seed());
-  bool is_met = false;
-  script_radiance([&](int, const pt::Ray&) {
-    const bool meets = values.next_1d() < chance;
-    is_met |= meets;
-    return pt::gray(meets ? 1 / chance : 0.1);
-  });
-  const pt::Scene empty;
-  const pt::View view{empty, pt::Camera{}, {}, 1, 1};
-  const PixelEstimate estimate = pt::adaptive_pixel(view, 0, 0, settings, sampler);
-  return estimate.samples < settings.max_samples && !is_met ? 1 : 0;
+  const Pixel pixel = pixel_of(chance, 1 / chance, 0.1, settings);
+  return pixel.estimate.samples < settings.max_samples && !pixel.has_met ? 1 : 0;
 }
 
 CURVE(adaptive_pixel, stops_too_early) {
