@@ -1,9 +1,12 @@
 #pragma once
 
 #include "pt/end_of_program.h"
+#include "pt/error.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +18,18 @@ inline int exit_status(const CLI::App& app, const CLI::ParseError& error) {
   // It names files as they were typed: a shell's wildcard may have found them.
   std::fprintf(stderr, "%s\nRun with --help for more information.\n", sentence_of(error).c_str());
   return 2;
+}
+
+// Fills the app's options. Help that is asked for is printed and ends the program. Throws Error where the arguments
+// do not fit.
+inline void parse(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    std::exit(app.exit(help));
+  } catch (const CLI::ParseError& error) {
+    throw Error(std::string(error.what()) + "; see " + app.get_name() + " --help");
+  }
 }
 
 // The exit status for main: that of `run` once the arguments fit the app's options, 0 where they

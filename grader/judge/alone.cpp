@@ -4,6 +4,7 @@
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
+#include "grader/judge/together.h"
 #include "grader/results/presentable.h"
 #include "grader/results/promises.h"
 #include "grader/tasks.h"
@@ -162,9 +163,18 @@ void compile_all(const Builder& builder, const GradeRequest& request, std::vecto
 void judge_alone(const Config& config, const Builder& builder, const GradeRequest& request,
                  std::vector<Judged>& judged, const std::function<void()>& progress) {
   std::mutex mutex;
-  base::for_each(judged.size(), request.threads, [&](std::size_t i) {
+  std::stop_source ahead;
+  const auto known_so_far = [&] {
+    const std::lock_guard lock(mutex);
+    return judged;
+  };
+  base::for_each(judged.size() + 1, request.threads, [&](std::size_t i) {
+    if (i == judged.size()) {
+      return judge_ahead(config, builder, request, known_so_far(), ahead.get_token());
+    }
     Judged found = judged[i];  // the others report what they know of it meanwhile
     judge_one(config, builder, request, found);
+    if (!found.right_alone) ahead.request_stop();
     // Without a reference, what fails may fail because another task does.
     found.settled =
         found.right_alone ? needs(found.config->slug).empty() : config.no_reference.empty();

@@ -66,8 +66,9 @@ bool was_killed(const results::TaskResult& task) {
 }
 
 results::TaskResult run_program(const Trial& trial, const std::string& report) {
-  const process::CommandResult result = process::run_command(
-      {command(trial, report), sandbox::judges_environment(), {}, "", {}}, kProgramTime);
+  const process::CommandResult result =
+      process::run_command({command(trial, report), sandbox::judges_environment(), {}, "", {}},
+                           kProgramTime, trial.stop);
   const bool finished =
       !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
   if (!finished || !std::filesystem::exists(report)) {
@@ -85,7 +86,7 @@ results::TaskResult run_program(const Trial& trial, const std::string& report) {
 }  // namespace
 
 results::TaskResult try_worker(const Builder& builder, const Trial& trial) {
-  std::string key = base::stamp(trial.task.graded) + trial.worker.key;
+  std::string key = content_stamp(trial.task.graded, builder.cache()) + trial.worker.key;
   for (const std::string& word : command(trial, "")) key += '\0' + word;
   const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (std::filesystem::exists(path)) {

@@ -4,6 +4,7 @@
 #include "grader/judge/grade.h"
 #include "grader/results/results.h"
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Trial {
   bool integrated = false;
   const GradeRequest& request;
   std::vector<std::string> promises;  // only these; all if empty
+  std::stop_token stop{};             // asks try_worker to throw process::Stopped
 };
 
 // Runs the property program, unless the same was run before, and returns what it wrote

@@ -77,7 +77,7 @@ class Gallery {
         put(*task, without_picture(exhibit.recipe, results::State::not_attempted, "not rendered"));
       }
     }
-    link_workers();
+    link_what_is_right();
     base::for_each(exhibits_.size(), request_.threads, [&](std::size_t i) {
       judge(exhibits_[i]);
       const std::lock_guard lock(mutex_);
@@ -91,22 +91,11 @@ class Gallery {
     return task.object.ok() && task.result.state != results::State::not_attempted;
   }
 
-  void link_workers() {
-    bool together = false;
-    for (const Exhibit& exhibit : exhibits_) {
-      for (Judged* task : exhibit.tasks) {
-        together = together || task->right_alone;
-        if (attempted(*task)) alone_[task->config->slug];
-      }
-    }
+  void link_what_is_right() {
+    const bool together = std::ranges::any_of(exhibits_, [](const Exhibit& exhibit) {
+      return std::ranges::any_of(exhibit.tasks, &Judged::right_alone);
+    });
     if (together) together_ = link_together(config_, builder_, judged_, Elsewhere::reference);
-    for (auto& [slug, worker] : alone_) {
-      for (const Judged& each : judged_) {
-        if (each.config->slug == slug) {
-          worker = link_alone(config_, builder_, each, Elsewhere::reference);
-        }
-      }
-    }
     for (const Judged& each : judged_) {
       if (each.right_alone) content_ += each.content;
     }
@@ -185,14 +174,18 @@ class Gallery {
     return blamed;
   }
 
+  Built by_itself(const Judged& task) const {
+    return link_alone(config_, builder_, task, Elsewhere::reference);
+  }
+
   results::PictureResult judge_alone(const pictures::Recipe& recipe, const Judged& task) const {
-    return trial(recipe, task, alone_.at(task.config->slug), task.content, false);
+    return trial(recipe, task, by_itself(task), task.content, false);
   }
 
   // A picture of a task that is wrong already: one round, and little patience with one that does
   // not answer, or a submission of endless loops would take ten minutes.
   results::PictureResult look_at(const pictures::Recipe& recipe, const Judged& task) const {
-    return trial(recipe, task, alone_.at(task.config->slug), task.content, false, 1,
+    return trial(recipe, task, by_itself(task), task.content, false, 1,
                  task.result.state == results::State::timeout ? 1 : kPatience);
   }
 
@@ -219,8 +212,7 @@ class Gallery {
   std::vector<Judged>& judged_;
   std::vector<Exhibit> exhibits_;
   Built together_;
-  std::map<std::string, Built> alone_;  // by slug
-  std::string content_;                 // of all tasks that are right by themselves
+  std::string content_;  // of all tasks that are right by themselves
   std::mutex mutex_;
 };
 

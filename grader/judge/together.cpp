@@ -3,7 +3,9 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/judge/cache.h"
+#include "grader/process/run_command.h"
 #include "grader/tasks.h"
+#include "pt/error.h"
 
 #include <algorithm>
 #include <mutex>
@@ -171,12 +173,32 @@ Built link_together(const Config& config, const Builder& builder, const std::vec
   add(elsewhere == Elsewhere::answers ? config.callbacks.at("radiance") : config.radiance);
   // Last: where inline functions are in several objects, the linker takes the first.
   objects.insert(objects.end(), own_objects.begin(), own_objects.end());
-  return builder.link(objects, key, true);
+  // No picture asks which boxes and primitives were tested, and counting takes time.
+  return builder.link(objects, key, elsewhere == Elsewhere::answers);
 }
 
 void judge_together(const Config& config, const Builder& builder, const GradeRequest& request,
                     std::vector<Judged>& judged, const std::function<void()>& progress) {
   Integration(config, builder, request, judged, progress).run();
+}
+
+void judge_ahead(const Config& config, const Builder& builder, const GradeRequest& request,
+                 std::vector<Judged> judged, const std::stop_token& stop) {
+  if (request.asked.size() != 1 || needs(request.asked[0]).empty() || stop.stop_requested()) return;
+  const auto asked = std::ranges::find(judged, request.asked[0],
+                                       [](const Judged& each) { return each.config->slug; });
+  if (!asked->object.ok()) return;
+  asked->right_alone = true;
+  if (!std::ranges::all_of(judged, &Judged::right_alone)) return;
+  try {
+    const Built worker = link_together(config, builder, judged, Elsewhere::answers);
+    if (worker.ok()) try_worker(builder, {*asked->config, worker, true, request, {}, stop});
+    if (request.pictures) link_together(config, builder, judged, Elsewhere::reference);
+  } catch (const process::Stopped&) {
+    return;
+  } catch (const pt::Error&) {
+    return;  // it comes again where it matters, and is told there
+  }
 }
 
 }  // namespace grader::judge

@@ -2,6 +2,8 @@
 
 #include "grader/judge/alone.h"
 
+#include <stop_token>
+
 namespace grader::judge {
 
 // The worker of all tasks that are right by themselves, and of the reference for all others and for
@@ -15,5 +17,12 @@ Built link_together(const Config& config, const Builder& builder, const std::vec
 // all tasks. `progress` is called after every task that passes, by one thread at a time.
 void judge_together(const Config& config, const Builder& builder, const GradeRequest& request,
                     std::vector<Judged>& judged, const std::function<void()>& progress);
+
+// What judge_together will have to find out about the one task that is asked for, found out while that task is still
+// judged by itself, as if it were right: a processor is idle then. It is kept in the cache, where judge_together finds
+// it. Does nothing where several tasks are asked for or another one is not right by itself; ends without a result
+// where somebody asks it to stop.
+void judge_ahead(const Config& config, const Builder& builder, const GradeRequest& request,
+                 std::vector<Judged> judged, const std::stop_token& stop);
 
 }  // namespace grader::judge

@@ -124,9 +124,13 @@ pid_t spawn(const Child& child) {
   return pid;
 }
 
-int kill_child(pid_t pid) {
+void end_child(pid_t pid) {
   kill(-pid, SIGKILL);
   kill(pid, SIGKILL);
+}
+
+int kill_child(pid_t pid) {
+  end_child(pid);
   int status = 0;
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }

@@ -40,6 +40,12 @@ pt::Engine engine_for(const std::string& slug) {
   return traces ? pt::Engine::task : pt::Engine::wide;
 }
 
+// This program renders one scene.
+pt::PictureRows rows_of_the_scene(const pt::View& view, const pt::RowsRequest& request) {
+  wire::session().keep(view.scene);
+  return pictures::worker_rows(view, request);
+}
+
 int run(const Options& options) {
   const std::vector<pictures::Recipe> recipes = pictures::load_recipes(options.recipes);
   const pictures::Recipe& recipe = pictures::find(recipes, options.recipe);
@@ -47,8 +53,7 @@ int run(const Options& options) {
   const std::string beside = std::filesystem::path(options.report).replace_extension();
   wire::open_session(options.session);
   results::PictureResult result = pictures::judge_recipe(
-      recipe,
-      {pictures::worker_rows, engine_for(options.session.task), options.source, options.rounds},
+      recipe, {rows_of_the_scene, engine_for(options.session.task), options.source, options.rounds},
       {golden + ".exr", golden + "_rates.json", beside + ".exr", beside + ".evidence.exr",
        beside + ".csv", beside + ".usual.csv"});
   result.integrated = options.session.integrated;

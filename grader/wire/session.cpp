@@ -5,6 +5,7 @@
 #include "pt/error.h"
 #include "pt/scene/scene.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 
@@ -28,6 +29,12 @@ double seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
 }
 
+std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content) {
+  const std::string_view bytes = content.bytes();
+  return std::make_shared<Definition>(
+      Definition{content_hash(kind, bytes), kind, std::string(bytes)});
+}
+
 }  // namespace
 
 void open_session(const SessionSettings& settings) {
@@ -44,19 +51,27 @@ void Session::begin() {
   scenes_.clear();
 }
 
-Handle Session::define(ObjectKind kind, std::string_view bytes) {
-  const Handle handle = content_hash(kind, bytes);
-  const bool named = std::any_of(definitions_.begin(), definitions_.end(),
-                                 [&](const Definition& each) { return each.handle == handle; });
-  if (!named) definitions_.push_back({handle, kind, std::string(bytes)});
-  return handle;
+void Session::keep(const pt::Scene& scene) {
+  if (!kept_.contains(&scene)) kept_[&scene] = definition_of(scene);
 }
 
-Handle Session::name(const pt::Scene& scene) {
+Session::Shared Session::definition_of(const pt::Scene& scene) const {
   Writer content;
   Codec<pt::Scene>::put(content, scene,
                         settings_.integrated ? pt::Engine::task : scene.tracer.engine());
-  const Handle handle = define(ObjectKind::scene, content.bytes());
+  return defined(ObjectKind::scene, content);
+}
+
+Handle Session::need(const Shared& definition) {
+  const bool named = std::ranges::any_of(
+      definitions_, [&](const Shared& each) { return each->handle == definition->handle; });
+  if (!named) definitions_.push_back(definition);
+  return definition->handle;
+}
+
+Handle Session::name(const pt::Scene& scene) {
+  const auto kept = kept_.find(&scene);
+  const Handle handle = need(kept == kept_.end() ? definition_of(scene) : kept->second);
   scenes_[handle] = &scene;
   return handle;
 }
@@ -64,13 +79,13 @@ Handle Session::name(const pt::Scene& scene) {
 Handle Session::name(const pt::Primitives& primitives) {
   Writer content;
   put(content, primitives);
-  return define(ObjectKind::primitives, content.bytes());
+  return need(defined(ObjectKind::primitives, content));
 }
 
 Handle Session::name(const pt::Bvh& bvh) {
   Writer content;
   put(content, bvh);
-  return define(ObjectKind::bvh, content.bytes());
+  return need(defined(ObjectKind::bvh, content));
 }
 
 const pt::Scene& Session::scene(Handle handle) const {
@@ -91,9 +106,9 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
     Reader reply(reply_);
     take_head(reply, code);
     expect_attempted();
-    for (const Definition& each : definitions_) {
-      known_.insert(each.handle);
-      known_bytes_ += each.content.size();
+    for (const Shared& each : definitions_) {
+      known_.insert(each->handle);
+      known_bytes_ += each->content.size();
     }
     return reply.raw(reply.left());
   } catch (const WorkerFailed& failure) {
@@ -164,13 +179,13 @@ void Session::keep_times(results::Cause cause) {
 
 void Session::drop_known_definitions() {
   std::size_t bytes = known_bytes_;
-  for (const Definition& each : definitions_) bytes += each.content.size();
+  for (const Shared& each : definitions_) bytes += each->content.size();
   forget_ = !worker_ || known_.size() > kMaxKnown || bytes > kMaxKnownBytes;
   if (forget_) {
     known_.clear();
     known_bytes_ = 0;
   }
-  std::erase_if(definitions_, [&](const Definition& each) { return known_.contains(each.handle); });
+  std::erase_if(definitions_, [&](const Shared& each) { return known_.contains(each->handle); });
 }
 
 Writer Session::message(Function function, std::uint64_t code, const Repetition& repetition,
@@ -178,7 +193,7 @@ Writer Session::message(Function function, std::uint64_t code, const Repetition&
   Writer out;
   put(out, CallHead{static_cast<std::uint32_t>(function), code, repetition, forget_,
                     definitions_.size()});
-  for (const Definition& each : definitions_) put(out, each);
+  for (const Shared& each : definitions_) put(out, *each);
   out.raw(arguments.bytes().data(), arguments.bytes().size());
   return out;
 }

@@ -51,6 +51,10 @@ class Session {
  public:
   explicit Session(SessionSettings settings) : settings_(std::move(settings)) {}
 
+  // This scene stays what and where it is as long as the session: it is written down once, however
+  // many calls name it, and however often this is said.
+  void keep(const pt::Scene& scene);
+
   // Begins a call. Name the arguments' objects while they are written to `arguments`.
   void begin();
   Handle name(const pt::Scene& scene);
@@ -75,7 +79,9 @@ class Session {
   SessionRecord record() const;
 
  private:
-  Handle define(ObjectKind kind, std::string_view bytes);
+  using Shared = std::shared_ptr<const Definition>;
+  Shared definition_of(const pt::Scene& scene) const;
+  Handle need(const Shared& definition);
   const pt::Scene& scene(Handle handle) const;
   void expect_attempted() const;
   void expect_time_left();
@@ -96,8 +102,9 @@ class Session {
   std::uint64_t sequence_ = 0;
   std::set<Handle> known_;  // to the worker
   std::size_t known_bytes_ = 0;
-  bool forget_ = false;                        // this call begins with a worker that knows nothing
-  std::vector<Definition> definitions_;        // that this call needs
+  bool forget_ = false;              // this call begins with a worker that knows nothing
+  std::vector<Shared> definitions_;  // that this call needs
+  std::map<const pt::Scene*, Shared> kept_;
   std::map<Handle, const pt::Scene*> scenes_;  // of this call
   std::string reply_;
   Clock::time_point first_call_;

@@ -1,18 +1,16 @@
 #include "pt/render/options.h"
 
+#include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/render/option_words.h"
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <string>
 #include <thread>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 namespace pt {
 
@@ -137,13 +135,7 @@ RenderOptions parse_options(int argc, const char* const* argv) {
   describe_picture(app, options, pairs);
   describe_transport(app, options, pairs);
   describe_machine(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    std::exit(app.exit(help));
-  } catch (const CLI::ParseError& error) {
-    throw Error(std::string(error.what()) + "; see ./run render --help");
-  }
+  parse(app, argc, argv);
   if (!pairs.size.empty()) {
     options.width = pairs.size[0];
     options.height = pairs.size[1];

@@ -1,15 +1,13 @@
 #include "writeup/accuracy/options.h"
 
+#include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/render/option_words.h"
 
 #include <charconv>
-#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 namespace writeup::accuracy {
 
@@ -95,13 +93,7 @@ void parse(CLI::App& app, Options& options, int argc, const char* const* argv, b
   std::vector<int> size;
   describe(app, options, size);
   if (!engine) app.get_option("--engine")->group("");  // not in the help
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    std::exit(app.exit(help));
-  } catch (const CLI::ParseError& problem) {
-    throw pt::Error(std::string(problem.what()) + "; see " + app.get_name() + " --help");
-  }
+  pt::parse(app, argc, argv);
   if (!size.empty()) {
     options.width = size[0];
     options.height = size[1];

@@ -1,11 +1,8 @@
 #include "writeup/measure/options.h"
 
 #include "grader/base/files.h"
+#include "pt/command_line.h"
 #include "pt/error.h"
-
-#include <cstdlib>
-
-#include <CLI/CLI.hpp>
 
 namespace writeup::measure {
 
@@ -60,13 +57,7 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
       ->check(CLI::Range(1, 36000));
   app.add_option("--out", out, "A folder for charts and measure.csv; default: none");
   app.add_option("--isolation", options.isolation, "A, B or C, as ./run grade has it");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    std::exit(app.exit(help));
-  } catch (const CLI::ParseError& problem) {
-    throw pt::Error(std::string(problem.what()) + "; see " + app.get_name() + " --help");
-  }
+  pt::parse(app, argc, argv);
   options.out = out;
   if (!submission.empty()) options.own[""] = grader::base::submission_root(submission);
   if (!submission.empty() && !from.empty()) {
