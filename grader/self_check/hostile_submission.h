@@ -48,7 +48,8 @@ class Submission {
   // `words` for grade: tasks and options; milliseconds that a call may take.
   Outcome grade(std::vector<std::string> words = {}, int call_limit = 1000) const;
 
-  // The same with a folder of its own for what the judge builds and knows, new and empty.
+  // The same with a folder of its own for what the judge builds and knows, new and empty but for
+  // compiled headers.
   Outcome grade_afresh(std::vector<std::string> words) const;
   // The command for that, not run.
   std::vector<std::string> command(std::vector<std::string> words) const;

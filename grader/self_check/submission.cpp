@@ -27,6 +27,9 @@ constexpr int kCpuSeconds = 5;
 constexpr int kWallSeconds = 30;
 constexpr long kMemoryBytes = 1L << 30;
 
+// Hundreds of programs are linked: gold takes half the time of ld.
+const std::string kFastLinker = fs::exists("/usr/bin/ld.gold") ? "-fuse-ld=gold" : "";
+
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
 std::string text_of(const fs::path& file) {
@@ -86,7 +89,7 @@ Verdict judge(const std::string& slug, const fs::path& file, const std::string& 
 
   Verdict verdict;
   const std::string link =
-      fmt::format("{} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, quoted(object),
+      fmt::format("{} {} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, kFastLinker, quoted(object),
                   quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
   verdict.compiled = compile(slug, file, object, log) && run(link, log) == 0;
   if (verdict.compiled)
