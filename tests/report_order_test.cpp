@@ -165,11 +165,11 @@ TEST(readable, a_difference_keeps_the_digits_that_show_it) {
   Failure report;
   report.got = "0.123456789012345";
   report.expected = "0.123456789512345, give or take 1e-12";
-  Failure shown = readable(report);
+  Failure shown = readable(report).failure;
   EXPECT_EQ(shown.got, "0.123456789");
   EXPECT_EQ(shown.expected, "0.1234567895, give or take 1e-12");
   report.expected = "0.987654321987, give or take 1e-12";
-  shown = readable(report);
+  shown = readable(report).failure;
   EXPECT_EQ(shown.got, "0.123457");
   EXPECT_EQ(shown.expected, "0.987654, give or take 1e-12");
 }
@@ -177,24 +177,27 @@ TEST(readable, a_difference_keeps_the_digits_that_show_it) {
 TEST(readable, long_inputs_are_folded) {
   Failure report;
   for (int i = 0; i < 172; ++i) report.input.push_back("box " + std::to_string(i));
-  const Failure shown = readable(report);
-  ASSERT_EQ(shown.input.size(), 11U);
-  EXPECT_EQ(shown.input[9], "box 9");
-  EXPECT_EQ(shown.input[10], "and 162 more lines; --json writes them all");
+  const Readable shown = readable(report);
+  ASSERT_EQ(shown.failure.input.size(), 10U);
+  EXPECT_EQ(shown.failure.input[9], "box 9");
+  EXPECT_EQ(shown.lines_left_out, 162U);
+  EXPECT_EQ(more_lines(162), "and 162 more lines; --json writes them all");
   report.input.resize(12);
-  EXPECT_EQ(readable(report).input, report.input);
-  EXPECT_TRUE(left_out(report).empty());
+  EXPECT_EQ(readable(report).failure.input, report.input);
+  EXPECT_TRUE(readable(report).left_out.empty());
+  EXPECT_EQ(readable(report).lines_left_out, 0U);
 }
 
 TEST(readable, what_is_folded_is_there) {
   Failure report;
   for (int i = 0; i < 172; ++i) report.input.push_back("box " + std::to_string(i) + ".123456789");
-  const std::vector<std::string> rest = left_out(report);
+  const std::vector<std::string> rest = readable(report).left_out;
   ASSERT_EQ(rest.size(), 162U);
   EXPECT_EQ(rest.front(), "box 10.1235");
   EXPECT_EQ(rest.back(), "box 171.123");
   report.input.resize(5000);
-  EXPECT_EQ(left_out(report).back(), "and 4590 more lines; --json writes them all");
+  EXPECT_EQ(readable(report).left_out.size(), 400U);
+  EXPECT_EQ(readable(report).lines_left_out, 4990U);
 }
 
 }  // namespace

@@ -93,10 +93,13 @@ std::string labelled(const std::string& label, const std::vector<std::string>& l
   return text;
 }
 
-std::string failure_text(const results::Failure& failure) {
+std::string failure_text(const results::Readable& readable) {
+  const results::Failure& failure = readable.failure;
+  std::vector<std::string> input = failure.input;
+  if (readable.lines_left_out > 0) input.push_back(results::more_lines(readable.lines_left_out));
   std::string text;
   if (failure.integrated) text += "  With your own tasks in all places:\n";
-  text += labelled("input", failure.input);
+  text += labelled("input", input);
   if (!failure.what.empty()) text += labelled("compared", {failure.what});
   text += labelled("got", {failure.got}) + labelled("expected", {failure.expected});
   if (!failure.off_by.empty()) text += labelled("off by", {failure.off_by});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -123,30 +124,28 @@ std::string with_few_digits(const std::string& text) {
   });
 }
 
-Failure readable(Failure failure) {
-  if (failure.input.size() > kMaxLines) {
-    const std::size_t more = failure.input.size() - kShownLines;
-    failure.input.resize(kShownLines);
-    failure.input.push_back(fmt::format("and {} more lines; --json writes them all", more));
+Readable readable(Failure failure) {
+  Readable shown;
+  std::vector<std::string>& input = failure.input;
+  if (input.size() > kMaxLines) {
+    shown.lines_left_out = input.size() - kShownLines;
+    const auto first = input.begin() + kShownLines;
+    shown.left_out.assign(
+        first, first + static_cast<std::ptrdiff_t>(std::min(shown.lines_left_out, kMaxLeftOut)));
+    input.erase(first, input.end());
   }
-  for (std::string& line : failure.input) line = with_few_digits(line);
+  for (auto* lines : {&input, &shown.left_out}) {
+    for (std::string& line : *lines) line = with_few_digits(line);
+  }
   const int digits = digits_for(failure.got, failure.expected);
   failure.got = with_digits(failure.got, digits);
   failure.expected = with_digits(failure.expected, digits);
-  return failure;
+  shown.failure = std::move(failure);
+  return shown;
 }
 
-std::vector<std::string> left_out(const Failure& failure) {
-  std::vector<std::string> lines;
-  if (failure.input.size() <= kMaxLines) return lines;
-  const std::size_t end = std::min(failure.input.size(), kShownLines + kMaxLeftOut);
-  for (std::size_t i = kShownLines; i < end; ++i)
-    lines.push_back(with_few_digits(failure.input[i]));
-  if (end < failure.input.size()) {
-    lines.push_back(
-        fmt::format("and {} more lines; --json writes them all", failure.input.size() - end));
-  }
-  return lines;
+std::string more_lines(std::size_t count) {
+  return fmt::format("and {} more lines; --json writes them all", count);
 }
 
 }  // namespace grader::results

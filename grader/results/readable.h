@@ -13,11 +13,15 @@ namespace grader::results {
 // would become that one: 0.30000004 stays. Whole numbers stay as they are.
 std::string with_few_digits(const std::string& text);
 
-// The failure with the first ten lines of an input of more than twelve, and numbers with few
-// digits: as many as show how far `got` is from `expected`.
-Failure readable(Failure failure);
+// A failure whose numbers have few digits: as many as show how far `got` is from `expected`.
+struct Readable {
+  Failure failure;                    // with the first ten lines of an input of more than twelve
+  std::vector<std::string> left_out;  // the other lines; of thousands the first 400
+  std::size_t lines_left_out = 0;     // how many they are in all
+};
+Readable readable(Failure failure);
 
-// The lines of its input that readable() leaves out, with few digits; of thousands the first ones.
-std::vector<std::string> left_out(const Failure& failure);
+// "and 162 more lines; --json writes them all".
+std::string more_lines(std::size_t count);
 
 }  // namespace grader::results
