@@ -12,6 +12,7 @@
 #include "pt/file.h"
 
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -83,10 +84,18 @@ std::string first_error(const process::CommandResult& result, int seconds) {
   return text.empty() ? "the compiler ended with " + process::describe_status(result.status) : text;
 }
 
-// Headers by their places in the project, wherever that is: a report says no path of this machine.
-std::string in_project(std::string text) {
-  for (std::size_t at = text.find("./pt/"); at != text.npos; at = text.find("./pt/", at)) {
-    text.erase(at, 2);
+// Headers by their places in the project, wherever that is, and none of the judge's own: a report says
+// no path of this machine.
+std::string in_project(const std::string& output, const std::string& tree, const std::string& own) {
+  std::istringstream lines(output);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(own) == line.npos) text += line + '\n';
+  }
+  for (const std::string& folder : {tree + "/pt/", std::string("./pt/")}) {
+    for (std::size_t at = text.find(folder); at != text.npos; at = text.find(folder, at)) {
+      text.replace(at, folder.size(), "pt/");
+    }
   }
   return text;
 }
@@ -145,6 +154,27 @@ Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
     for (const std::string& path : *paths) objects += content_stamp(path, cache_);
   }
   framework_ = base::sha256(objects);
+  keep_parts();
+}
+
+// The objects of workers that no submission has a part in.
+void Builder::keep_parts() {
+  std::set<std::string> all;
+  for (const auto* paths : {&config_.framework, &config_.recording, &config_.radiance}) {
+    all.insert(paths->begin(), paths->end());
+  }
+  for (const auto& [name, paths] : config_.callbacks) all.insert(paths.begin(), paths.end());
+  for (const TaskConfig& task : config_.tasks) {
+    all.insert(task.reference.begin(), task.reference.end());
+  }
+  std::string key;
+  for (const std::string& path : all) key += content_stamp(path, cache_);
+  parts_ = kept_folder(config_.work, base::sha256(key), [&](const Stage& stage) {
+    int number = 0;
+    for (const std::string& path : all) stage.copy(fmt::format("{}.o", ++number), path);
+  });
+  int number = 0;
+  for (const std::string& path : all) part_of_[path] = fmt::format("{}/{}.o", parts_, ++number);
 }
 
 process::CommandResult Builder::run(const sandbox::Box& box, const std::string& what) const {
@@ -182,24 +212,36 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
     mark_used(path);
     return {path, key, "", "", fs::exists(warnings_path) ? base::read_file(warnings_path) : ""};
   }
+  std::string whole;  // its comments too: messages quote lines
+  for (const auto& [name, content] : headers) whole += name + '\0' + content + '\0';
+  const std::string tree = kept_folder(config_.work, base::sha256(whole), [&](const Stage& stage) {
+    for (const auto& [name, content] : headers) stage.put(name, content);
+  });
   const Stage stage(pt::temporary_name(cache_ + "/" + key + ".tree"));
-  for (const auto& [name, content] : headers) stage.put(name, content);
   stage.put(task.file(), text);
   sandbox::Box box = tool_box(stage);
+  box.visible.push_back(tree);
   add(box, config_.compile_flags);
   box.command.insert(box.command.end(), kSubmissionFlags.begin(), kSubmissionFlags.end());
   const std::vector<std::string> precompiled = precompiled_.flags_for(task, text);
   add(box, precompiled);
   if (!precompiled.empty()) box.visible.push_back(precompiled_.folder());
-  add(box, {"-I.", "-fdiagnostics-color=never", "-c", task.file(), "-o", "task.o"});
-  process::CommandResult result = run(box, task.slug);
+  // Of a failed assertion, too: no path of this machine is in an object.
+  add(box, {"-I" + tree, "-fmacro-prefix-map=" + tree + "/=", "-fdiagnostics-color=never", "-c",
+            task.file(), "-o", "task.o"});
+  const auto compiled = [&] {
+    process::CommandResult result = run(box, task.slug);
+    result.output = in_project(result.output, tree, precompiled_.folder());
+    return result;
+  };
+  process::CommandResult result = compiled();
   const std::string warnings = warnings_of(result.output, task.file());
   if (result.ok() && warnings.find(kNoReturn) != std::string::npos) {
     box.command.insert(box.command.end(), kTrapFlags.begin(), kTrapFlags.end());
-    result = run(box, task.slug);
+    result = compiled();
   }
   if (!result.ok()) {
-    return {"", key, in_project(first_error(result, seconds_)), "", ""};
+    return {"", key, first_error(result, seconds_), "", ""};
   }
   const base::Submitted object = stage.take("task.o", kMaxObject);
   if (!object.present || !object.rejected.empty()) {
@@ -216,7 +258,8 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   return {path, key, "", "", warnings};
 }
 
-// A linker reads what a submission shaped: it works in a box as a compiler does, on copies.
+// A linker reads what a submission shaped: it works in a box as a compiler does, on copies, of which it may change
+// those of the submission's objects only.
 Built Builder::link(const Paths& objects, const std::string& key, bool integrated) const {
   const std::string whole = base::sha256(framework_ + toolchain_ + key + (integrated ? "i" : "s"));
   const std::string path = cache_ + "/" + whole + ".worker";
@@ -226,9 +269,15 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   }
   const Stage stage(pt::temporary_name(cache_ + "/" + whole + ".tree"));
   sandbox::Box box = tool_box(stage);
+  box.visible.push_back(parts_);
   int number = 0;
   const auto add_objects = [&](const Paths& paths) {
     for (const std::string& object : paths) {
+      const auto part = part_of_.find(object);
+      if (part != part_of_.end()) {
+        box.command.push_back(part->second);
+        continue;
+      }
       const std::string name = fmt::format("{}.o", ++number);
       stage.copy(name, object);
       box.command.push_back(name);

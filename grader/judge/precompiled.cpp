@@ -39,16 +39,6 @@ bool starts_with_headers(const std::string& text, const std::string& contract) {
   return false;
 }
 
-// Headers of other versions of the project, compiler or flags, unless somebody may still use them.
-void remove_older(const fs::path& folder) {
-  std::error_code error;
-  const auto now = fs::file_time_type::clock::now();
-  for (const auto& entry : fs::directory_iterator(folder.parent_path(), error)) {
-    if (entry.path() == folder || now - entry.last_write_time(error) < kInUse) continue;
-    fs::remove_all(entry.path(), error);
-  }
-}
-
 }  // namespace
 
 PrecompiledHeaders::PrecompiledHeaders(const Config& config, Headers headers)
@@ -89,7 +79,7 @@ void PrecompiledHeaders::make(const Header& header) const try {
     // What is left of a run that was ended is removed from there.
     const fs::path cache = config_.work + "/cache";
     for (const fs::path& folder : {cache, fs::path(folder_)}) fs::create_directories(folder);
-    remove_older(folder_);
+    remove_unused_beside(folder_);
     pt::write_file(path, "#include \"" + header.included + "\"\n");
     const std::string temporary = pt::temporary_name(cache / fs::path(made).filename());
     const Stage stage(pt::temporary_name(cache / "headers.tree"));

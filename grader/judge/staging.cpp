@@ -1,6 +1,7 @@
 #include "grader/judge/staging.h"
 
 #include "grader/base/descriptor.h"
+#include "grader/judge/cache.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
@@ -172,6 +173,25 @@ base::Submitted Stage::take(const std::string& name, std::size_t most) const {
   const base::Descriptor place(
       open(folder_.c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   return base::read_plain_file(place.number(), name, most);
+}
+
+std::string kept_folder(const std::string& work, const std::string& key,
+                        const std::function<void(const Stage&)>& fill) {
+  const std::string folder = work + "/kept/" + key;
+  if (!fs::exists(folder)) {
+    make_folder(work + "/kept");
+    // What is left of a run that was ended is removed from the cache.
+    const Stage stage(pt::temporary_name(work + "/cache/kept.tree"));
+    fill(stage);
+    std::error_code error;
+    fs::rename(stage.folder(), folder, error);  // or another judge has made it meanwhile
+    if (!fs::exists(folder)) {
+      throw pt::Error(folder + ": cannot be made (" + error.message() + ")");
+    }
+    remove_unused_beside(folder);
+  }
+  mark_used(folder);
+  return folder;
 }
 
 std::string lack_of_room(const std::string& folder) {

@@ -4,6 +4,7 @@
 #include "grader/judge/may_call.h"
 #include "grader/tasks.h"
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -48,6 +49,11 @@ class Stage {
  private:
   std::string folder_;
 };
+
+// The folder of files that stay as they are and that many compilers or linkers read: `work`/kept/`key`. Whoever
+// needs it first fills it. A file that is made and removed a thousand times a minute costs more than what reads it.
+std::string kept_folder(const std::string& work, const std::string& key,
+                        const std::function<void(const Stage&)>& fill);
 
 // Why nothing more can be written in the folder, or too little for a compiler, in a few words; empty
 // if there is room. Looks at the disk as somebody who is not root finds it, too.

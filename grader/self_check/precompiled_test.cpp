@@ -1,5 +1,6 @@
 #include "grader/judge/precompiled.h"
 
+#include "grader/judge/builder.h"
 #include "grader/judge/staging.h"
 
 #include <algorithm>
@@ -132,6 +133,31 @@ TEST_F(Precompiled, headers_that_nobody_uses_any_more_are_removed) {
 TEST_F(Precompiled, headers_of_another_compiler_are_not_made) {
   config.compiler_version = "Clang 14.0.6";
   EXPECT_EQ(flags_for("hit_box", kBox), Words{});
+}
+
+// What a compiler says is shown to learners.
+struct Compiled : Precompiled {
+  std::string error_of(const std::string& slug, const std::string& text) const {
+    const Builder builder(config, sandbox::Tier::limits, 60);
+    const Built built = builder.compile(task(config, slug), text);
+    EXPECT_FALSE(built.ok());
+    return built.error;
+  }
+};
+
+TEST_F(Compiled, errors_name_headers_by_their_places_in_the_project) {
+  const std::string error =
+      error_of("hit_box", kBox + "pt::Vec3 sum(pt::Vec3 a) { return a + 1; }\n");
+  EXPECT_NE(error.find("2_bvh/hit_box.cpp:2:"), error.npos) << error;
+  EXPECT_NE(error.find("\npt/math/vec3.h:"), error.npos) << error;
+  EXPECT_EQ(error.find(config.work), error.npos) << error;
+}
+
+TEST_F(Compiled, a_header_that_is_not_for_a_task_says_so_by_its_name) {
+  for (const std::string slug : {"hit_triangle", "hit_sphere"}) {
+    const std::string error = error_of(slug, "#include \"pt/scene/tracer.h\"\n");
+    EXPECT_NE(error.find(slug + " may not include pt/scene/tracer.h"), error.npos) << error;
+  }
 }
 
 }  // namespace
