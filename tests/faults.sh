@@ -167,11 +167,12 @@ resumed_elsewhere() {
   cp reference/1_rays/camera_ray.cpp "$home/work here/1_rays"
   (cd "$home" && printf '%s\0' "$PWD" --config "$folder/resume/grade.json" camera_ray --no-pictures \
     --submission 'work here' --json it.json) >"$folder/unfinished"
-  mkdir -p "$folder/resume/work"
-  cp "$folder/unfinished" "$folder/resume/work/unfinished"
+  local work=$folder/resume/work
+  mkdir -p "$work"
+  cp "$folder/unfinished" "$work"
   (cd / && grades resume 0 --resume)
   [ -e "$home/it.json" ] || complain "the results went elsewhere"
-  cp "$folder/unfinished" "$folder/resume/work/unfinished"
+  cp "$folder/unfinished" "$work"
   rm -r "$home"
   (cd / && grades resume 2 --resume)
   says 'which is not there any more'
@@ -228,8 +229,8 @@ END
 
 # What is damaged in the cache, as by a machine that lost its power, is made again.
 damaged_cache() {
-  local file
-  for file in "$folder"/output/work/cache/*.json; do echo '{"promises": [' >"$file"; done
+  local file work=$folder/output/work
+  for file in "$work"/cache/*.json; do echo '{"promises": [' >"$file"; done
   grades output 0 "${asked[@]}"
 }
 

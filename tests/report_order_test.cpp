@@ -196,7 +196,8 @@ TEST(readable, what_is_folded_is_there) {
   EXPECT_EQ(rest.front(), "box 10.1235");
   EXPECT_EQ(rest.back(), "box 171.123");
   report.input.resize(5000);
-  EXPECT_EQ(readable(report).left_out.size(), 400U);
+  EXPECT_EQ(readable(report).left_out.size(), 401U);
+  EXPECT_EQ(readable(report).left_out.back(), "and 4590 more lines; --json writes them all");
   EXPECT_EQ(readable(report).lines_left_out, 4990U);
 }
 

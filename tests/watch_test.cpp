@@ -195,7 +195,7 @@ TEST_F(WatchTest, draws_the_page_of_pictures_and_opens_it) {
     begin(terminal);
     terminal.type("p");
     terminal.expect("rendering the pictures of hit_triangle");
-    const std::string page = here_ + "/work/watch.html";
+    const std::string work = here_ + "/work", page = work + "/watch.html";
     terminal.expect("Your pictures beside the right ones: " + page);
     terminal.type("f");
     terminal.expect("got for one");

@@ -75,10 +75,11 @@ code reference reference
 code student student
 
 # Killed in the middle, it goes on: what was finished then is not made again.
+made=$folder/work
 go=exec writeup reference >"$folder/first" 2>&1 &
 victim=$!
 for _ in $(seq 600); do
-  [ "$(find "$folder/work/renders" -name '*+*.json' 2>/dev/null | wc -l)" -ge 5 ] && break
+  [ "$(find "$made/renders" -name '*+*.json' 2>/dev/null | wc -l)" -ge 5 ] && break
   sleep 0.1
 done
 kill -9 "$victim"

@@ -4,6 +4,7 @@
 #include "grader/base/sha256.h"
 #include "grader/judge/audit.h"
 #include "grader/judge/cache.h"
+#include "grader/judge/compiler_output.h"
 #include "grader/judge/object_file.h"
 #include "grader/judge/submission_flags.h"
 #include "grader/process/run_command.h"
@@ -13,7 +14,6 @@
 
 #include <filesystem>
 #include <set>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -35,83 +35,16 @@ constexpr process::Limits kCompilerLimits{
     .processes = 64,
     .open_files = 256,
 };
-constexpr std::size_t kMaxErrorLines = 12;
 
 // Far above what any task compiles to.
 constexpr std::size_t kMaxObject = std::size_t{16} << 20;
 
-constexpr std::size_t kMaxWarningLines = 40;
-
-// The warnings about the file itself, each with the lines that explain it.
-std::string warnings_of(const std::string& output, const std::string& file) {
-  std::istringstream lines(base::printable(output, process::kMaxOutput, true));
-  std::string text;
-  std::size_t count = 0;
-  bool about_file = false;
-  for (std::string line; std::getline(lines, line) && count < kMaxWarningLines;) {
-    const bool explains = line.starts_with(' ');
-    if (!explains) about_file = line.starts_with(file + ":");
-    const bool starts =
-        line.find(" warning: ") != std::string::npos || line.find(" note: ") != std::string::npos;
-    if (!about_file || (!explains && !starts)) continue;
-    text += line + '\n';
-    ++count;
-  }
-  return text;
-}
-
-bool starts_error(const std::string& line) {
-  for (const char* sign :
-       {"error:", "Error:", "undefined reference to", "multiple definition of"}) {
-    if (line.find(sign) != std::string::npos) return true;
-  }
-  return false;
-}
-
-// The first error with the lines that explain it.
-std::string first_error(const process::CommandResult& result, int seconds) {
-  if (result.timed_out) return fmt::format("the compiler did not finish in {} s", seconds);
-  std::istringstream lines(base::printable(result.output, process::kMaxOutput, true));
-  std::string text;
-  std::size_t count = 0;
-  for (std::string line; std::getline(lines, line) && count < kMaxErrorLines;) {
-    if (starts_error(line) && count > 0) break;
-    if (count > 0 || starts_error(line)) {
-      text += line + '\n';
-      ++count;
-    }
-  }
-  return text.empty() ? "the compiler ended with " + process::describe_status(result.status) : text;
-}
-
-// Headers by their places in the project, wherever that is, and none of the judge's own: a report says
-// no path of this machine.
-std::string in_project(const std::string& output, const std::string& tree, const std::string& own) {
-  std::istringstream lines(output);
-  std::string text;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find(own) == line.npos) text += line + '\n';
-  }
-  for (const std::string& folder : {tree + "/pt/", std::string("./pt/")}) {
-    for (std::size_t at = text.find(folder); at != text.npos; at = text.find(folder, at)) {
-      text.replace(at, folder.size(), "pt/");
-    }
-  }
-  return text;
-}
+std::string name_of_part(const std::string& object) { return base::sha256(object) + ".o"; }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 void add(sandbox::Box& box, const std::vector<std::string>& words) {
   box.command.insert(box.command.end(), words.begin(), words.end());
-}
-
-// Returns whether an error of the linker is about the given objects; other errors are the machine's.
-bool is_about_objects(const std::string& error) {
-  for (const char* words : {"undefined reference to", "multiple definition of", "relocation"}) {
-    if (error.find(words) != std::string::npos) return true;
-  }
-  return false;
 }
 
 // Returns whether the box ended before it ran its program.
@@ -154,11 +87,9 @@ Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
     for (const std::string& path : *paths) objects += content_stamp(path, cache_);
   }
   framework_ = base::sha256(objects);
-  keep_parts();
 }
 
-// The objects of workers that no submission has a part in.
-void Builder::keep_parts() {
+std::string Builder::folder_of_parts() const {
   std::set<std::string> all;
   for (const auto* paths : {&config_.framework, &config_.recording, &config_.radiance}) {
     all.insert(paths->begin(), paths->end());
@@ -168,13 +99,10 @@ void Builder::keep_parts() {
     all.insert(task.reference.begin(), task.reference.end());
   }
   std::string key;
-  for (const std::string& path : all) key += content_stamp(path, cache_);
-  parts_ = kept_folder(config_.work, base::sha256(key), [&](const Stage& stage) {
-    int number = 0;
-    for (const std::string& path : all) stage.copy(fmt::format("{}.o", ++number), path);
+  for (const std::string& path : all) key += path + '\0' + content_stamp(path, cache_);
+  return kept_folder(config_.work, base::sha256(key), [&](const Stage& stage) {
+    for (const std::string& path : all) stage.copy(name_of_part(path), path);
   });
-  int number = 0;
-  for (const std::string& path : all) part_of_[path] = fmt::format("{}/{}.o", parts_, ++number);
 }
 
 process::CommandResult Builder::run(const sandbox::Box& box, const std::string& what) const {
@@ -269,13 +197,14 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   }
   const Stage stage(pt::temporary_name(cache_ + "/" + whole + ".tree"));
   sandbox::Box box = tool_box(stage);
-  box.visible.push_back(parts_);
+  const std::string parts = folder_of_parts();
+  box.visible.push_back(parts);
   int number = 0;
   const auto add_objects = [&](const Paths& paths) {
     for (const std::string& object : paths) {
-      const auto part = part_of_.find(object);
-      if (part != part_of_.end()) {
-        box.command.push_back(part->second);
+      const std::string part = parts + '/' + name_of_part(object);
+      if (fs::exists(part)) {
+        box.command.push_back(part);
         continue;
       }
       const std::string name = fmt::format("{}.o", ++number);

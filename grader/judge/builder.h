@@ -40,7 +40,8 @@ class Builder {
   const std::string& cache() const { return cache_; }
 
  private:
-  void keep_parts();
+  // Copies of the objects that no submission has a part in.
+  std::string folder_of_parts() const;
   sandbox::Box tool_box(const Stage& stage) const;
   // Throws pt::Error if it fails and the machine is at fault; `what` could then not be judged.
   process::CommandResult run(const sandbox::Box& box, const std::string& what) const;
@@ -54,8 +55,6 @@ class Builder {
   Headers headers_;
   PrecompiledHeaders precompiled_;
   std::map<std::string, std::string> header_hashes_;
-  std::string parts_;                           // a folder: copies of our own objects
-  std::map<std::string, std::string> part_of_;  // the copy of each, by its path
 };
 
 }  // namespace grader::judge

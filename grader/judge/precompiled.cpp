@@ -76,7 +76,7 @@ std::vector<std::string> PrecompiledHeaders::flags_for(const TaskConfig& task,
 void PrecompiledHeaders::make(const Header& header) const try {
   const std::string path = path_of(header), made = path + ".gch";
   if (!fs::exists(made)) {
-    // What is left of a run that was ended is removed from there.
+    // In the cache the next run removes what a killed one leaves.
     const fs::path cache = config_.work + "/cache";
     for (const fs::path& folder : {cache, fs::path(folder_)}) fs::create_directories(folder);
     remove_unused_beside(folder_);

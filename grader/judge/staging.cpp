@@ -180,7 +180,7 @@ std::string kept_folder(const std::string& work, const std::string& key,
   const std::string folder = work + "/kept/" + key;
   if (!fs::exists(folder)) {
     make_folder(work + "/kept");
-    // What is left of a run that was ended is removed from the cache.
+    // In the cache the next run removes what a killed one leaves.
     const Stage stage(pt::temporary_name(work + "/cache/kept.tree"));
     fill(stage);
     std::error_code error;

@@ -18,10 +18,10 @@ Built link_together(const Config& config, const Builder& builder, const std::vec
 void judge_together(const Config& config, const Builder& builder, const GradeRequest& request,
                     std::vector<Judged>& judged, const std::function<void()>& progress);
 
-// What judge_together will have to find out about the one task that is asked for, found out while that task is still
-// judged by itself, as if it were right: a processor is idle then. It is kept in the cache, where judge_together finds
-// it. Does nothing where several tasks are asked for or another one is not right by itself; ends without a result
-// where somebody asks it to stop.
+// For the one task that is asked for, while it is still judged by itself and a processor is idle:
+// judges it together with the others, as if it were right. The verdict lies in the cache, where
+// judge_together finds it. Does nothing where several tasks are asked for, or another one is not
+// right by itself; ends without a verdict where `stop` asks for that.
 void judge_ahead(const Config& config, const Builder& builder, const GradeRequest& request,
                  std::vector<Judged> judged, const std::stop_token& stop);
 

@@ -34,13 +34,9 @@ void set_texts(data& out, const std::string& list, const std::string& key,
 data failure_data(const results::Failure& exact) {
   const results::Readable readable = results::readable(exact);
   const results::Failure& failure = readable.failure;
-  std::vector<std::string> folded = readable.left_out;
-  if (folded.size() < readable.lines_left_out) {
-    folded.push_back(results::more_lines(readable.lines_left_out - folded.size()));
-  }
   data out;
   set_texts(out, "input", "line", failure.input);
-  set_texts(out, "folded", "line", folded);
+  set_texts(out, "folded", "line", readable.left_out);
   out.set("lines_folded", std::to_string(readable.lines_left_out));
   set_text(out, "what", failure.what);
   set_text(out, "got", failure.got);

@@ -134,9 +134,11 @@ Readable readable(Failure failure) {
         first, first + static_cast<std::ptrdiff_t>(std::min(shown.lines_left_out, kMaxLeftOut)));
     input.erase(first, input.end());
   }
+  const std::size_t untold = shown.lines_left_out - shown.left_out.size();
   for (auto* lines : {&input, &shown.left_out}) {
     for (std::string& line : *lines) line = with_few_digits(line);
   }
+  if (untold > 0) shown.left_out.push_back(more_lines(untold));
   const int digits = digits_for(failure.got, failure.expected);
   failure.got = with_digits(failure.got, digits);
   failure.expected = with_digits(failure.expected, digits);

@@ -15,9 +15,10 @@ std::string with_few_digits(const std::string& text);
 
 // A failure whose numbers have few digits: as many as show how far `got` is from `expected`.
 struct Readable {
-  Failure failure;                    // with the first ten lines of an input of more than twelve
-  std::vector<std::string> left_out;  // the other lines; of thousands the first 400
-  std::size_t lines_left_out = 0;     // how many they are in all
+  Failure failure;  // with the first ten lines of an input of more than twelve
+  std::vector<std::string>
+      left_out;                    // the other lines; of thousands the first 400, and how many more
+  std::size_t lines_left_out = 0;  // how many they are in all
 };
 Readable readable(Failure failure);
 

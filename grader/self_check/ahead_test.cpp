@@ -1,7 +1,7 @@
 // Judging one task together with the others while it is judged by itself.
 #include "grader/judge/alone.h"
 #include "grader/judge/together.h"
-#include "pt/file.h"
+#include "grader/tasks.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -135,7 +135,7 @@ TEST_F(Precompiled, headers_of_another_compiler_are_not_made) {
   EXPECT_EQ(flags_for("hit_box", kBox), Words{});
 }
 
-// What a compiler says is shown to learners.
+// A learner reads the errors of the compiler.
 struct Compiled : Precompiled {
   std::string error_of(const std::string& slug, const std::string& text) const {
     const Builder builder(config, sandbox::Tier::limits, 60);

@@ -4,6 +4,8 @@
 #include "pt/command_line.h"
 #include "pt/error.h"
 
+#include <CLI/CLI.hpp>
+
 namespace writeup::measure {
 
 namespace fs = std::filesystem;

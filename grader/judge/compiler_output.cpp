@@ -1,0 +1,79 @@
+#include "grader/judge/compiler_output.h"
+
+#include "grader/base/printable.h"
+
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace grader::judge {
+
+namespace {
+
+constexpr std::size_t kMaxErrorLines = 12;
+constexpr std::size_t kMaxWarningLines = 40;
+
+bool starts_error(const std::string& line) {
+  for (const char* sign :
+       {"error:", "Error:", "undefined reference to", "multiple definition of"}) {
+    if (line.find(sign) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string warnings_of(const std::string& output, const std::string& file) {
+  std::istringstream lines(base::printable(output, process::kMaxOutput, true));
+  std::string text;
+  std::size_t count = 0;
+  bool about_file = false;
+  for (std::string line; std::getline(lines, line) && count < kMaxWarningLines;) {
+    const bool explains = line.starts_with(' ');
+    if (!explains) about_file = line.starts_with(file + ":");
+    const bool starts =
+        line.find(" warning: ") != std::string::npos || line.find(" note: ") != std::string::npos;
+    if (!about_file || (!explains && !starts)) continue;
+    text += line + '\n';
+    ++count;
+  }
+  return text;
+}
+
+std::string first_error(const process::CommandResult& result, int seconds) {
+  if (result.timed_out) return fmt::format("the compiler did not finish in {} s", seconds);
+  std::istringstream lines(base::printable(result.output, process::kMaxOutput, true));
+  std::string text;
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line) && count < kMaxErrorLines;) {
+    if (starts_error(line) && count > 0) break;
+    if (count > 0 || starts_error(line)) {
+      text += line + '\n';
+      ++count;
+    }
+  }
+  return text.empty() ? "the compiler ended with " + process::describe_status(result.status) : text;
+}
+
+std::string in_project(const std::string& output, const std::string& tree, const std::string& own) {
+  std::istringstream lines(output);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(own) == line.npos) text += line + '\n';
+  }
+  for (const std::string& folder : {tree + "/pt/", std::string("./pt/")}) {
+    for (std::size_t at = text.find(folder); at != text.npos; at = text.find(folder, at)) {
+      text.replace(at, folder.size(), "pt/");
+    }
+  }
+  return text;
+}
+
+bool is_about_objects(const std::string& error) {
+  for (const char* words : {"undefined reference to", "multiple definition of", "relocation"}) {
+    if (error.find(words) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace grader::judge

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "grader/process/run_command.h"
+
+#include <string>
+
+// What a compiler or a linker printed, as a learner reads it.
+
+namespace grader::judge {
+
+// The warnings about the file itself, each with the lines that explain it; 40 lines at most.
+std::string warnings_of(const std::string& output, const std::string& file);
+
+// The first error with the lines that explain it, 12 lines at most; or, in a sentence, how it ended
+// without one. `seconds`: its limit.
+std::string first_error(const process::CommandResult& result, int seconds);
+
+// The output with headers by their places in the project ("pt/math/vec3.h"): a report says no path of
+// this machine. `tree`: the folder in which the compiler found pt/; lines that name a file in the
+// folder `own`, of the judge, are left out.
+std::string in_project(const std::string& output, const std::string& tree, const std::string& own);
+
+// Returns whether an error of the linker is about the given objects; other errors are the machine's.
+bool is_about_objects(const std::string& error);
+
+}  // namespace grader::judge
