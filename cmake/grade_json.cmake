@@ -1,6 +1,8 @@
 # grade.json: what `grade` needs to build and judge a submission without CMake. It stands beside the programs of the grader,
 # where they look for each other; the target `grade` is all of them.
 
+include(CheckLinkerFlag)
+
 # A list of words as the inside of a JSON array, and the objects of libraries likewise.
 function(firstlight_json_list result)
   list(TRANSFORM ARGN REPLACE "\\\\" "\\\\\\\\" OUTPUT_VARIABLE words)
@@ -32,6 +34,11 @@ function(firstlight_write_grade_json)
   get_target_property(options firstlight_options INTERFACE_LINK_OPTIONS)
   if(NOT options)
     set(options)
+  endif()
+  # A worker is linked for each task that was touched: gold takes a third of ld's time.
+  check_linker_flag(CXX -fuse-ld=gold FIRSTLIGHT_GOLD)
+  if(FIRSTLIGHT_GOLD)
+    list(APPEND flags -fuse-ld=gold)
   endif()
   firstlight_json_list(link_flags ${flags} ${options} -pthread)
   firstlight_wrap("" flags ${FIRSTLIGHT_JUDGE_ANSWERS_hit_bvh})

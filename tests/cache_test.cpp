@@ -102,6 +102,23 @@ TEST_F(Cache, another_judge_finds_what_it_used_within_the_hour) {
   EXPECT_EQ(names(), (Names{"a.o", "b.o"}));
 }
 
+TEST_F(Cache, is_looked_at_now_and_then) {
+  const auto finds_and_trims = [&] {
+    add("a.o", 1100, hours(2));
+    trim_cache_now_and_then(folder(), 1000);
+    return !names().contains("a.o");
+  };
+  EXPECT_TRUE(finds_and_trims());
+  EXPECT_FALSE(finds_and_trims()) << "at once again";
+  age("trimmed", kTrimPause - minutes(1));
+  EXPECT_FALSE(finds_and_trims());
+  age("trimmed", kTrimPause + minutes(1));
+  EXPECT_TRUE(finds_and_trims());
+  EXPECT_FALSE(finds_and_trims()) << "the pause begins anew";
+  age("trimmed", hours(-24));
+  EXPECT_TRUE(finds_and_trims()) << "the clock was set back";
+}
+
 // The number of a process that has ended.
 std::string dead_process() {
   const pid_t child = fork();

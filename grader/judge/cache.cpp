@@ -132,4 +132,14 @@ void trim_cache(const std::string& folder, std::uintmax_t most) {
   }
 }
 
+// The time of a file tells when. One of the future is of a clock that was set back.
+void trim_cache_now_and_then(const std::string& folder, std::uintmax_t most) {
+  const std::string looked = folder + "/trimmed";
+  std::error_code error;
+  const fs::file_time_type last = fs::last_write_time(looked, error), now = Clock::now();
+  if (!error && last <= now && now - last < kTrimPause) return;
+  trim_cache(folder, most);
+  pt::write_file(looked, "");
+}
+
 }  // namespace grader::judge

@@ -9,8 +9,10 @@
 // entry.
 namespace grader::judge {
 
-// A cache that is larger than this when the judge starts is trimmed to less than half of it.
+// A cache that is larger than this is trimmed to less than half of it, when a judge starts and none
+// has looked for kTrimPause: a look at all of its files takes as long as a small task's promises.
 inline constexpr std::uintmax_t kMaxCached = std::uintmax_t{1} << 30;
+inline constexpr std::chrono::minutes kTrimPause{10};
 
 // For so long after its last use another judge may still count on an entry. Longer than any run
 // takes.
@@ -35,5 +37,8 @@ void remove_unused_beside(const std::string& folder);
 // If the folder holds more than `most` bytes, removes the entries least recently used, until it
 // holds less than half. Nothing that was used within kInUse goes.
 void trim_cache(const std::string& folder, std::uintmax_t most = kMaxCached);
+
+// The same where the last look was not within kTrimPause.
+void trim_cache_now_and_then(const std::string& folder, std::uintmax_t most = kMaxCached);
 
 }  // namespace grader::judge

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <set>
 
 #include <fmt/format.h>
@@ -85,7 +86,6 @@ class Run {
       results_.isolation +=
           "; each task is judged with your own other tasks only, as " + config.no_reference;
     }
-    results_.versions = versions(config);
     results_.command = request.command;
     for (const TaskConfig* task : to_judge(config, request)) {
       if (task->graded.empty()) {
@@ -105,11 +105,13 @@ class Run {
     for (const std::string& folder : {config_.work, builder.cache(), config_.work + "/hints"}) {
       remove_left_overs(folder);
     }
-    trim_cache(builder.cache());
+    trim_cache_now_and_then(builder.cache());
     const auto report = [&] { progress(summary()); };
     report();
     phase("properties", [&] {
+      auto found = std::async(std::launch::async, [&] { return versions(config_); });
       compile_all(builder, request_, judged_);
+      results_.versions = found.get();
       if (!config_.no_reference.empty()) config_ = with_own_tasks(config_, judged_);
       judge_alone(config_, builder, request_, judged_, report);
       // Without a reference, what fails may fail because of another task.

@@ -79,6 +79,7 @@ void WorkerProcess::send(Kind kind, std::uint64_t sequence, std::string_view pay
   const Header header{kMagic, kind, sequence, payload.size()};
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
   bytes.append(payload);
+  together_.hold(worker_);
   for (std::size_t sent = 0; sent < bytes.size();) {
     const ssize_t count = write(to_worker_.number(), bytes.data() + sent, bytes.size() - sent);
     if (count > 0) {
@@ -133,6 +134,7 @@ void WorkerProcess::wait(const base::Descriptor& descriptor, short event) {
     constexpr int kShort = 2;
     int ready = poll(waiting, 2, std::min(left, kShort));  // poll ignores a closed output_, -1
     if (ready == 0 && left > kShort) {
+      together_.let_go();
       const process::Wait wait;
       ready = poll(waiting, 2, left - kShort);
       const std::chrono::nanoseconds waited = wait.net(std::chrono::milliseconds(left));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/base/descriptor.h"
+#include "grader/process/one_processor.h"
 #include "grader/process/time_limit.h"
 #include "grader/results/results.h"
 #include "grader/sandbox/box.h"
@@ -71,6 +72,7 @@ class WorkerProcess {
   pid_t worker_ = -1;  // the program, once that is known
   sandbox::Tier tier_;
   process::TimeLimit limit_;
+  process::OneProcessor together_;  // with the worker
   std::chrono::nanoseconds running_{0}, waited_{0};
   base::Descriptor to_worker_, from_worker_, output_;
   base::Descriptor started_;  // see Box::tells_start
