@@ -36,17 +36,17 @@ start() {
   running=$!
 }
 
-# as_many_as N: waits until so many judgements have begun, and a moment more; starts again what has ended. No if it is
-# complete before.
+# as_many_as N: waits until so many judgements have begun, and for a part of one (it takes a third of a second); starts
+# again what has ended. No if it is complete before.
 as_many_as() {
   while [ "$(begun)" -lt "$1" ]; do
     if ! kill -0 "$running" 2>/dev/null; then
       is_complete && return 1
       start
     fi
-    sleep 0.05
+    sleep 0.02
   done
-  sleep "0.$((RANDOM % 9))"
+  sleep "0.0$((RANDOM % 9))"
 }
 
 # Everybody is judged but for who handed in nothing.

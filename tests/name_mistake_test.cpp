@@ -238,6 +238,12 @@ TEST(name_by_pictures, only_what_explains_all_pictures_is_named) {
   EXPECT_EQ(named({"a"}, {"a"}), "");
   EXPECT_EQ(named({}, {"b"}), "");
   EXPECT_EQ(named({"b"}, {}), "") << "a name without a sentence";
+  task.pictures[0] = {};
+  task.pictures[0].text = "is the last batch counted?";
+  task.pictures[0].like = {"a"};
+  judge::name_by_pictures(task, file);
+  EXPECT_EQ(task.pictures[0].text,
+            "is the last batch counted? A known mistake makes the same picture: Forgets it.");
 }
 
 // The task's mistake is named by its promises and answers first; then the pictures are looked at.

@@ -109,9 +109,10 @@ class Run {
     const auto report = [&] { progress(summary()); };
     report();
     phase("properties", [&] {
-      auto found = std::async(std::launch::async, [&] { return versions(config_); });
+      // git looks at every file of the project meanwhile.
+      auto judged_with = std::async(std::launch::async, [&] { return versions(config_); });
       compile_all(builder, request_, judged_);
-      results_.versions = found.get();
+      results_.versions = judged_with.get();
       if (!config_.no_reference.empty()) config_ = with_own_tasks(config_, judged_);
       judge_alone(config_, builder, request_, judged_, report);
       // Without a reference, what fails may fail because of another task.

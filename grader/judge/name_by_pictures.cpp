@@ -71,7 +71,8 @@ void name_by_pictures(results::TaskResult& task, const std::string& file) {
   for (results::PictureResult& picture : task.pictures) {
     if (!sentence.empty() && std::count(picture.like.begin(), picture.like.end(), names[0]) > 0) {
       picture.mistake = names[0];
-      picture.text += ". A known mistake makes the same picture: " + sentence;
+      picture.text += picture.text.ends_with('?') ? " " : ". ";
+      picture.text += "A known mistake makes the same picture: " + sentence;
     }
     picture.like.clear();
     picture.unlike.clear();

@@ -57,16 +57,10 @@ std::string hint_for(const Config& config, const results::TaskResult& task) {
   const std::string path = config.root + "/grader/tasks/" + task.slug + "/hints.md";
   if (!std::filesystem::exists(path)) return "";
   const report::Hints hints = report::parse_hints(base::read_file(path), path);
-  // What is said of another promise may have nothing to do with the mistake.
-  for (const results::PromiseResult* promise : results::by_importance(task)) {
-    for (const std::size_t tier : {1, 2}) {
-      std::string text = report::about(hints[tier], promise->name);
-      if (text == hints[tier].general) continue;
-      std::ranges::replace(text, '\n', ' ');
-      return text.substr(0, text.find_last_not_of(' ') + 1);
-    }
-  }
-  return "";
+  const std::vector<const results::PromiseResult*> broken = results::by_importance(task);
+  std::string text = report::about(hints[1], broken.empty() ? "" : broken[0]->name);
+  std::ranges::replace(text, '\n', ' ');
+  return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
 void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,

@@ -13,8 +13,9 @@ namespace grader::judge {
 void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,
                    std::vector<Judged>& judged, const std::function<void()>& progress);
 
-// The hint for the named mistake of a task, in one line. It is the second hint (a direction) for the
-// most telling broken promise that has one, or else the third. Empty where there is none.
+// The hint for the named mistake of a task, in one line: the second one (a direction) for its most
+// telling broken promise. The third ones name usual mistakes, which may be others than this. Empty
+// where the task has no hints.
 std::string hint_for(const Config& config, const results::TaskResult& task);
 
 }  // namespace grader::judge
