@@ -1,7 +1,13 @@
 # grade.json: what `grade` needs to build and judge a submission without CMake. It stands beside the programs of the grader,
 # where they look for each other; the target `grade` is all of them.
 
+# Programs of one learner's file are linked by the hundred: gold takes a third of ld's time.
 include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold FIRSTLIGHT_GOLD)
+set(FIRSTLIGHT_FAST_LINKER)
+if(FIRSTLIGHT_GOLD)
+  set(FIRSTLIGHT_FAST_LINKER -fuse-ld=gold)
+endif()
 
 # A list of words as the inside of a JSON array, and the objects of libraries likewise.
 function(firstlight_json_list result)
@@ -35,12 +41,7 @@ function(firstlight_write_grade_json)
   if(NOT options)
     set(options)
   endif()
-  # A worker is linked for each task that was touched: gold takes a third of ld's time.
-  check_linker_flag(CXX -fuse-ld=gold FIRSTLIGHT_GOLD)
-  if(FIRSTLIGHT_GOLD)
-    list(APPEND flags -fuse-ld=gold)
-  endif()
-  firstlight_json_list(link_flags ${flags} ${options} -pthread)
+  firstlight_json_list(link_flags ${flags} ${FIRSTLIGHT_FAST_LINKER} ${options} -pthread)
   firstlight_wrap("" flags ${FIRSTLIGHT_JUDGE_ANSWERS_hit_bvh})
   firstlight_json_list(recording_flags ${flags})
   # The parts of every program that runs tasks, besides the tasks.

@@ -7,6 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD build=$1
 folder=$(mktemp -d)
+made=$folder/work  # what the write-up makes
 trap 'rm -rf "$folder"' EXIT
 
 failures=0
@@ -60,7 +61,7 @@ writeup() {
   shift
   ${go-} "$build/writeup/writeup" --quality draft --from "$name" --renderer "$folder/writeup/$name" \
     --accuracy "$folder/writeup/$name.accuracy" --stability "$folder/stability" --measure "$folder/measure" --mistakes "$build/writeup" --generate "$build/scenes/generate" \
-    --work "$folder/work" --text "${texts:-$root/writeup}" "$@"
+    --work "$made" --text "${texts:-$root/writeup}" "$@"
 }
 # expect STATUS WORDS COMMAND ...: it ends with the status and says the words.
 expect() {
@@ -75,7 +76,6 @@ code reference reference
 code student student
 
 # Killed in the middle, it goes on: what was finished then is not made again.
-made=$folder/work
 go=exec writeup reference >"$folder/first" 2>&1 &
 victim=$!
 for _ in $(seq 600); do
@@ -84,7 +84,7 @@ for _ in $(seq 600); do
 done
 kill -9 "$victim"
 wait "$victim" 2>/dev/null || true
-find "$folder/work/renders" -name '*+*.json' -printf '%p %T@\n' | sort >"$folder/before"
+find "$made/renders" -name '*+*.json' -printf '%p %T@\n' | sort >"$folder/before"
 [ -s "$folder/before" ] || complain "nothing was finished before it was killed"
 expect 0 'draft/index.html' writeup reference
 renders() { sed -n 's/.* to make, \([0-9]*\) renders.*/\1/p' "$1"; }
@@ -98,14 +98,14 @@ done <"$folder/before"
 mapfile -t figures < <(writeup reference --list | awk '{print $2}')
 [ "${#figures[@]}" -ge 20 ] || complain "the list has ${#figures[@]} figures"
 for figure in "${figures[@]}"; do
-  [ "$(grep -lF "<figure class=\"figure" "$folder"/work/draft/*.html | xargs grep -hoF "id=\"$figure\"" | wc -l)" -eq 1 ] ||
+  [ "$(grep -lF "<figure class=\"figure" "$made"/draft/*.html | xargs grep -hoF "id=\"$figure\"" | wc -l)" -eq 1 ] ||
     complain "$figure is not on exactly one page"
-  compgen -G "$folder/work/draft/figures/$figure.*" >/dev/null || complain "$figure has no files"
+  compgen -G "$made/draft/figures/$figure.*" >/dev/null || complain "$figure has no files"
 done
 while read -r file; do
-  [ -s "$folder/work/draft/$file" ] || complain "a page names $file, which is not there"
-done < <(grep -ohE '(src|href)="figures/[^"]+' "$folder"/work/draft/*.html | cut -d'"' -f2 | sort -u)
-if grep -n 'class="problem"' "$folder"/work/draft/*.html; then complain "the reference has problems"; fi
+  [ -s "$made/draft/$file" ] || complain "a page names $file, which is not there"
+done < <(grep -ohE '(src|href)="figures/[^"]+' "$made"/draft/*.html | cut -d'"' -f2 | sort -u)
+if grep -n 'class="problem"' "$made"/draft/*.html; then complain "the reference has problems"; fi
 
 # Nothing has changed: nothing is made.
 expect 0 'draft/index.html' writeup reference
@@ -120,7 +120,7 @@ echo 'reference adaptive_pixel' >"$folder/objects/reference.adaptive_pixel"
 
 # An untouched handout.
 expect 1 'not written yet: ' writeup student 1
-grep -qF 'not written yet' "$folder/work/draft/part1.html" || complain "part 1 does not say what is missing"
+grep -qF 'not written yet' "$made/draft/part1.html" || complain "part 1 does not say what is missing"
 
 # A renderer that crashes in one figure and never ends in another.
 code broken reference
@@ -132,9 +132,9 @@ exec "$build/writeup/writeup_render.reference" "\$@"
 END
 expect 1 'soft_shadows: ' writeup broken soft_shadows
 for words in crashed 'endless loop'; do
-  grep -qF "$words" "$folder/work/draft/part3.html" || complain "part 3 does not say '$words'"
+  grep -qF "$words" "$made/draft/part3.html" || complain "part 3 does not say '$words'"
 done
-[ -s "$folder/work/draft/figures/soft_shadows.l4.png" ] || complain "the other pictures are missing"
+[ -s "$made/draft/figures/soft_shadows.l4.png" ] || complain "the other pictures are missing"
 
 # Somebody whose code measures nothing: a sentence on the page. What never ends is stopped once.
 code silent reference
@@ -161,15 +161,15 @@ done
 code thief reference
 cat >"$folder/writeup/thief" <<END
 #!/bin/bash
-rm -rf "$folder/work/renders/times"
+rm -rf "$made/renders/times"
 exec "$build/writeup/writeup_render.reference" "\$@"
 END
-expect 2 "there is no folder '$folder/work/renders/times'" writeup thief soft_shadows
+expect 2 "there is no folder '$made/renders/times'" writeup thief soft_shadows
 
 # The pictures that are kept are those that the plan makes, and no others.
 handbook() {
   "$build/writeup/writeup" --handbook --from reference --renderer "$folder/writeup/reference" \
-    --mistakes "$build/writeup" --generate "$build/scenes/generate" --work "$folder/work" "$@"
+    --mistakes "$build/writeup" --generate "$build/scenes/generate" --work "$made" "$@"
 }
 expect 0 '' handbook --check 1 2
 kept=$folder/kept
@@ -205,10 +205,10 @@ else
   writeup reference >/dev/null
   for page in index part1 part2 part3 part4 part5 accuracy needs stability bugs; do
     sed "s|</body>|<script>$(tr '\n' ' ' <tests/writeup_page.js | sed 's/[\\&|]/\\&/g')</script></body>|" \
-      "$folder/work/draft/$page.html" >"$folder/work/draft/tried.html"
+      "$made/draft/$page.html" >"$made/draft/tried.html"
     HOME=$folder timeout 100 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr \
       --user-data-dir="$folder/profile" --virtual-time-budget=20000 --dump-dom \
-      "file://$folder/work/draft/tried.html" >"$folder/dom" 2>"$folder/console" || true
+      "file://$made/draft/tried.html" >"$folder/dom" 2>"$folder/console" || true
     grep -q 'data-tried="good"' "$folder/dom" ||
       complain "$page.html: $(grep -o 'data-tried="[^"]*"' "$folder/dom")"
     if grep -F 'CONSOLE' "$folder/console"; then complain "$page.html: the console says the above"; fi

@@ -4,7 +4,7 @@
 
 #include <string>
 
-// What a compiler or a linker printed, as a learner reads it.
+// The output of a compiler or a linker, as a learner reads it.
 
 namespace grader::judge {
 

@@ -27,9 +27,6 @@ constexpr int kCpuSeconds = 5;
 constexpr int kWallSeconds = 30;
 constexpr long kMemoryBytes = 1L << 30;
 
-// Hundreds of programs are linked: gold takes half the time of ld.
-const std::string kFastLinker = fs::exists("/usr/bin/ld.gold") ? "-fuse-ld=gold" : "";
-
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
 std::string text_of(const fs::path& file) {
@@ -88,9 +85,9 @@ Verdict judge(const std::string& slug, const fs::path& file, const std::string& 
   const fs::path object = folder / "task.o", program = folder / "check", log = folder / "log";
 
   Verdict verdict;
-  const std::string link =
-      fmt::format("{} {} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, kFastLinker, quoted(object),
-                  quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
+  const std::string link = fmt::format(
+      "{} {} {} @{} -pthread -o {}", FIRSTLIGHT_CXX, FIRSTLIGHT_FAST_LINKER, quoted(object),
+      quoted(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".objects")), quoted(program));
   verdict.compiled = compile(slug, file, object, log) && run(link, log) == 0;
   if (verdict.compiled)
     verdict.audit = judge::audit(text_of(object), contract_of(slug), task_of(slug));
