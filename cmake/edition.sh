@@ -23,7 +23,7 @@ open_edition() {
     from=$unpacked
   fi
   edition=$(find "$from" -maxdepth 2 -name .edition -type f | head -1)
-  [ -n "$edition" ] || fail "$1 is no learners' edition: it has no file .edition"
+  [ -n "$edition" ] || fail "$1 is not a learners' edition: it has no file .edition"
   edition=$(realpath -- "$(dirname "$edition")")
   [ "$edition" != "$root" ] || fail "$1 is this edition itself: name the newer one"
   (cd "$edition" && grep -v '  student/.*\.cpp$' .edition | sha256sum --quiet --status -c -) ||

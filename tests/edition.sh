@@ -73,7 +73,7 @@ done
 cd "$folder/mine"
 refuses 'there is no ../nowhere' ./run update ../nowhere
 refuses 'cannot be unpacked' ./run update scenes.txt
-refuses 'is no learners' ./run update new
+refuses 'is not a learners' ./run update new
 refuses 'is this edition itself' ./run update .
 echo spoilt >../second/grader/judge.txt
 refuses 'is damaged' ./run update ../second

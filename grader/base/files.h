@@ -8,7 +8,7 @@ namespace grader::base {
 // The whole file. Throws pt::Error if it cannot be read.
 std::string read_file(const std::string& path);
 
-// A file that changes whenever the content may have: its path, size and time, as text.
+// A text that changes whenever the file's content may have changed: its path, size and time.
 std::string stamp(const std::string& path);
 
 // A file that somebody else made.

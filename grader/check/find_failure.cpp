@@ -23,15 +23,15 @@ constexpr std::chrono::milliseconds kShrinkTime{500};
 // Thrown to stop RapidCheck, which would continue a search for as long as it finds something.
 struct Enough {};
 
-// Returns how many smaller inputs to try after a failure. A call that crashed costs a new process,
-// and a call that hangs costs the whole time limit.
-int shrink_attempts(Cause cause) {
+// Returns how many smaller inputs to try after a failure. A call that hangs costs the whole time limit.
+int shrink_attempts(Cause cause, const Search& search) {
+  if (!search.shrinks) return 0;
   switch (cause) {
     case Cause::wrong:
       return std::numeric_limits<int>::max();
     case Cause::crash:
     case Cause::bad_reply:
-      return 20;
+      return search.max_crashes;
     case Cause::timeout:
       return 1;
     case Cause::not_attempted:
@@ -75,7 +75,7 @@ void add_input(Failure& failure, const std::string& name, const std::string& val
 // it.)
 class Watcher : public rc::detail::TestListener {
  public:
-  Watcher(const Counted& counted, bool shrinks) : counted_(counted), shrinks_(shrinks) {}
+  Watcher(const Counted& counted, const Search& search) : counted_(counted), search_(search) {}
 
   void onTestCaseFinished(const rc::detail::CaseDescription& tried) override {
     if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
@@ -83,7 +83,7 @@ class Watcher : public rc::detail::TestListener {
     keep(tried);
     deadline_ = Clock::now() + kShrinkTime;
     cause_ = failure_.cause;
-    attempts_left_ = shrinks_ ? shrink_attempts(cause_) : 0;
+    attempts_left_ = shrink_attempts(cause_, search_);
     if (attempts_left_ == 0) throw Enough{};
   }
 
@@ -93,7 +93,7 @@ class Watcher : public rc::detail::TestListener {
       // must not depend on the machine.
       const Cause cause = counted_.failure ? counted_.failure->cause : Cause::wrong;
       if (cause == cause_) keep(tried);
-      attempts_left_ = std::min(attempts_left_, shrink_attempts(cause));
+      attempts_left_ = std::min(attempts_left_, shrink_attempts(cause, search_));
     }
     if (--attempts_left_ <= 0 || Clock::now() > deadline_) throw Enough{};
   }
@@ -117,7 +117,7 @@ class Watcher : public rc::detail::TestListener {
   }
 
   const Counted& counted_;
-  bool shrinks_ = true;
+  const Search& search_;
   std::optional<rc::detail::CaseDescription> smallest_;
   Failure failure_;  // of the smallest failing case
   int smallest_run_ = 0;
@@ -163,7 +163,7 @@ std::string check(Counted& counted, const Search& search, rc::detail::TestListen
 
 Found find_failure(const std::function<void()>& property, const Search& search) {
   Counted counted{property};
-  Watcher watcher(counted, search.shrinks);
+  Watcher watcher(counted, search);
   const std::string fault = check(counted, search, watcher);
   Found found = watcher.found();
   if (!found.failure) found.fault = fault;

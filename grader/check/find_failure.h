@@ -17,6 +17,7 @@ struct Search {
   std::uint64_t seed = 0;  // of the random inputs
   int cases = 0;           // the largest number of random inputs
   bool shrinks = true;     // looks for a smaller input, for a limited time
+  int max_crashes = 20;    // smaller inputs after a crash, of which each costs a new process
 };
 
 struct Found {

@@ -30,6 +30,8 @@ std::uint64_t hash(std::string_view text, std::uint64_t start) {
   return h;
 }
 
+bool crashed(const FailedPromise& promise) { return promise.failure.cause == Cause::crash; }
+
 std::string print(const Failure& failure) {
   std::string text = fmt::format("input (after {} cases that held, seed {}):\n",
                                  failure.cases_before, failure.seed);
@@ -61,7 +63,9 @@ const std::vector<FailedPromise>& failures() { return mutable_failures(); }
 void for_all(const std::function<void()>& property, int cases) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string task = test->test_suite_name(), promise = test->name();
-  const Search search{hash(task + "." + promise, seed()), cases, is_shrinking};
+  Search search{hash(task + "." + promise, seed()), cases, is_shrinking};
+  // What crashes in one promise crashes in most of them, and one small input shows it.
+  if (std::ranges::any_of(failures(), crashed)) search.max_crashes = 4;
   Found found = find_failure(property, search);
   if (found.failure) {
     found.failure->seed = seed();

@@ -10,7 +10,7 @@
 
 // A search for the inputs on which a task is furthest from an exact oracle: extended precision, brute
 // force, a closed form. It draws from the generators of the properties, and then changes the worst
-// inputs that it has found, one number or two at a time. The searches of a task are in
+// inputs that it has found, one to three numbers at a time. The searches of a task are in
 // grader/tasks/<task>/searches.cpp:
 //
 //   SEARCH(hit_sphere, point_off_the_sphere) {

@@ -21,8 +21,8 @@ inline constexpr std::chrono::hours kInUse{1};
 // Marks an entry's file as used now. Does nothing if the file is not there.
 void mark_used(const std::string& path);
 
-// Stands for what is in a file: objects and programs that are built again from sources that mean the same are
-// the same, whenever that was. Found once for each version of the file, and kept in the folder.
+// A hash of the content of a file; of objects and programs, one that stays the same when they are built again from the same
+// sources. Found once for each version of the file, and kept in the folder.
 std::string content_stamp(const std::string& path, const std::string& folder);
 
 // Removes temporary files and folders of processes that are gone: half-made trees, files of

@@ -20,7 +20,7 @@ struct TaskConfig {
 };
 
 // The settings for building workers: written by CMake for this build
-// (grader/programs/CMakeLists.txt), trusted.
+// (cmake/grade_json.cmake), trusted.
 struct Config {
   std::string root;  // of the project
   std::string work;  // where `grade` keeps what it builds

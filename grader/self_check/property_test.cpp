@@ -1,6 +1,7 @@
 #include "grader/check/property.h"
 
 #include "grader/check/cameras.h"
+#include "grader/check/find_failure.h"
 #include "grader/check/generators.h"
 #include "pt/sampling/sampler.h"
 
@@ -75,6 +76,23 @@ TEST(Property, keeps_the_cause_of_the_first_failure) {
   });
   EXPECT_EQ(failure.cause, results::Cause::crash);
   EXPECT_EQ(failure.got, "signal 11");
+}
+
+// Each crash costs a new process, and one small input is enough.
+TEST(Property, looks_less_for_small_inputs_that_crash_once_another_promise_crashed) {
+  int calls = 0;
+  const auto crashes = [&] {
+    ++calls;
+    for (int i = 0; i < 8; ++i) check::draw("x", check::real(0, 1000));
+    check::fail_call(results::Cause::crash, "signal 11");
+  };
+  check::find_failure(crashes, {.seed = 1, .cases = 100});
+  const int at_first = calls;
+  failure_of(crashes);
+  calls = 0;
+  failure_of(crashes);
+  EXPECT_LT(calls, at_first);
+  EXPECT_GT(calls, 1);
 }
 
 struct Two {

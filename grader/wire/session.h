@@ -51,8 +51,8 @@ class Session {
  public:
   explicit Session(SessionSettings settings) : settings_(std::move(settings)) {}
 
-  // This scene stays what and where it is as long as the session: it is written down once, however
-  // many calls name it, and however often this is said.
+  // The scene must neither change nor move until the session ends. It is encoded once, however many
+  // calls name it; a second call does nothing.
   void keep(const pt::Scene& scene);
 
   // Begins a call. Name the arguments' objects while they are written to `arguments`.

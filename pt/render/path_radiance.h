@@ -5,7 +5,7 @@
 
 namespace pt {
 
-// The common part of the implementations `path` and `recorded` of radiance().
+// The common part of the implementations `path`, `recorded` and `apart` of radiance().
 inline Rgb path_radiance(const Scene& scene, const Ray& ray, const PathSettings& settings,
                          Sampler& sampler) {
   const std::optional<Hit> hit = scene.closest(ray);

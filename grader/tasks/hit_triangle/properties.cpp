@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace grader::check {
 namespace {
 
@@ -154,7 +156,7 @@ PROMISE(hit_triangle, never_flips_the_normal) {
   });
 }
 
-// Other promises judge the point of the hit and its normal; this one does not.
+// Other promises judge the point of the hit and its normal; here t must be somewhere near, which no constant is.
 PROMISE(hit_triangle, hits_both_faces) {
   for_all([] {
     Aimed aimed = *aimed_inside();
@@ -163,7 +165,9 @@ PROMISE(hit_triangle, hits_both_faces) {
         const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
         const std::string which = std::string("from ") + side + ", with the corners " + corners;
         expect(hit.has_value(), "a hit " + which, "none");
-        expect(hit->t > 0, "t above 0 " + which, "t " + show(hit->t));
+        expect(hit->t > aimed.t / 2 && hit->t < 2 * aimed.t,
+               fmt::format("t between {} and {} {}", show(aimed.t / 2), show(2 * aimed.t), which),
+               "t " + show(hit->t));
         aimed.ray.origin = aimed.ray.at(2 * aimed.t);
         aimed.ray.direction = -aimed.ray.direction;
       }
