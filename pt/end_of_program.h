@@ -33,7 +33,7 @@ inline std::string without_controls(std::string text) {
   return text;
 }
 
-// What an exception says, in one line that a terminal does not obey: names of files may hold
+// The text of an exception, in one line that a terminal does not obey: names of files may hold
 // anything.
 inline std::string sentence_of(const std::exception& error) {
   std::string text = error.what();

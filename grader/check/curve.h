@@ -17,7 +17,7 @@
 
 namespace grader::check {
 
-// How the numbers of many cases become the one that is drawn.
+// The number that is drawn for many cases.
 enum class Statistic {
   largest,  // of an error
   mean,     // of 0 and 1: the share of the cases that went wrong
@@ -54,7 +54,7 @@ struct Curve {
   std::function<double(double place)> measure;
 };
 
-// What was measured at one place.
+// The measurement at one place.
 struct Measured {
   double place = 0;
   double error = 0;    // NaN if no case has given a number

@@ -44,7 +44,7 @@ rc::Gen<pt::Frame> rotation();
 // A colour with each channel in [low, high]. Each channel is usually different from the other two.
 rc::Gen<pt::Rgb> color(double low = 0, double high = 1);
 
-// How bright a light is, by the contracts from 1e-4 to 1e6: often one of the ends.
+// The brightness of a light, by the contracts from 1e-4 to 1e6: often one of the ends.
 rc::Gen<double> brightness();
 
 // Channels of 0 or 1, at least one of them 1: the hues of pure and mixed lights, and white.

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-// How a promise of a contract is checked. A property is a GoogleTest with the name of the promise,
+// The check of a promise of a contract. A property is a GoogleTest with the name of the promise,
 // in a suite with the name of the task. Its body hands a RapidCheck property to for_all:
 //
 //   PROMISE(hit_sphere, returns_the_outward_unit_normal) {
@@ -83,7 +83,7 @@ struct Mean {
 };
 Mean mean_of(const std::vector<pt::Rgb>& draws);
 
-// How noisy one draw of a right method may be. The kurtosis (fourth central moment over the squared
+// The noise that one draw of a right method may have. The kurtosis (fourth central moment over the squared
 // variance: 3 for a normal distribution) says how well the variance is known from many draws.
 struct Noise {
   pt::Rgb deviation;  // the largest standard deviation of one draw

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-// How much light leaves the point of a room, and how noisy a path tracer is there.
+// The light that leaves the point of a room, and the noise of a path tracer there.
 
 namespace grader::check {
 

@@ -59,7 +59,7 @@ struct Choosing {
   Choosing& operator=(const Choosing&) = delete;
 };
 
-// How bad the task's answer is. The input may use fewer or more numbers than it had.
+// The error of the task's answer. The input may use fewer or more numbers than it had.
 void try_input(const BadInputs& search, Input& input) {
   Choices choices{input.numbers, 0};
   const Choosing choosing(choices);

@@ -24,7 +24,7 @@ std::set<std::string> reached_from(const std::string& path, const Headers& all);
 // linker, so that the audit does not see them.
 Headers headers_for(const Task& task, const Headers& all);
 
-// What a compiler sees of a header: without comments and empty lines, where nothing asks for the number of a line.
+// The code of a header as a compiler sees it: without comments and empty lines, where nothing asks for the number of a line.
 std::string code_of(const std::string& header);
 
 // A new folder in which a compiler or a linker works: what is put there, and nothing else. Everybody

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-// How a submission is compiled, in addition to the flags that the build has for everything
+// The flags with which a submission is compiled, in addition to those that the build has for everything
 // (Config::compile_flags).
 
 namespace grader::judge {

@@ -89,7 +89,7 @@ MemoryGroups::MemoryGroups(std::string place) : place_(std::move(place)) {
   }
 }
 
-// What was killed takes a moment to be gone. What is left then, the next process removes.
+// A killed process takes a moment to be gone. The next process removes what is left then.
 MemoryGroups::~MemoryGroups() {
   for (int i = 0; i < 20 && !made_.empty(); ++i) {
     remove_empty();

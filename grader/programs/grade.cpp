@@ -138,7 +138,7 @@ void remember_run(const judge::Config& config, const results::Results& results,
                                             results::verdict(results) + "\n");
 }
 
-// How many verdicts there are, and how many there will be.
+// The number of verdicts there are, and of those there will be.
 void show_progress(StatusLine& line, const results::Results& so_far) {
   const results::Counts verdicts = results::verdicts(so_far);
   const double part = static_cast<double>(verdicts.judged) / static_cast<double>(verdicts.all);

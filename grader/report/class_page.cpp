@@ -29,7 +29,7 @@ data bar(const std::string& key, int part, int whole) {
   return out;
 }
 
-// What fewest have right comes first; what all have right is left out.
+// The promise or picture that fewest have right comes first; those that all have right are left out.
 data hardest_of(const ClassPage::Counts& counts) {
   std::vector<std::pair<ClassPage::Key, ClassPage::Count>> hard;
   for (const auto& each : counts) {

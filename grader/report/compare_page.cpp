@@ -28,7 +28,7 @@ std::string signed_text(int points) {
 
 std::string field(const std::string& text) { return csv_field(results::one_line(text)); }
 
-// How many have another number of points by one promise.
+// The number of submissions that have other points by one promise.
 struct Cause {
   std::string slug, what;
   int gain = 0, lose = 0, points = 0;

@@ -22,7 +22,7 @@ struct Comparison {
   std::vector<std::string> only_after;
 };
 
-// Who gains, who loses, and by what. A table (RFC 4180), a line for each change: submission, points before and
+// The submissions that gain and lose, and by what. A table (RFC 4180), a line for each change: submission, points before and
 // after; task, promise, and its points before and after.
 std::string comparison_csv(const Comparison& comparison);
 

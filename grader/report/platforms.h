@@ -14,12 +14,12 @@ struct GradeRow {
   std::string comment;  // one sentence
 };
 
-// What Canvas imports under Grades (Instructure's guide "How do I import grades in the Gradebook?"): a
+// The table that Canvas imports under Grades (Instructure's guide "How do I import grades in the Gradebook?"): a
 // column of points named `assignment`.
 std::string canvas_csv(const std::vector<GradeRow>& rows, const std::string& assignment,
                        int max_points);
 
-// What Moodle takes as an offline grading worksheet (MoodleDocs, "Assignment settings"): grade and
+// The table that Moodle takes as an offline grading worksheet (MoodleDocs, "Assignment settings"): grade and
 // feedback by the participant's number.
 std::string moodle_csv(const std::vector<GradeRow>& rows, int max_points);
 

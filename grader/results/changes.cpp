@@ -7,7 +7,7 @@ namespace grader::results {
 
 namespace {
 
-// What a task has earned, and by what.
+// The points that a task has earned, and by what.
 struct Item {
   std::string key, words;
   int points = 0;

@@ -58,7 +58,7 @@ Rgb played(const Scene& scene, const SurfacePoint& point, const PathSettings& se
   return trace_path(scene, point, settings, sampler);
 }
 
-// What light a range brings. The first bounce reaches the camera as it is.
+// The light that a range brings. The first bounce reaches the camera as it is.
 Rgb light_of(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
              const BounceRange& range, Sampler sampler, DirectTape& tape) {
   Rgb first;

@@ -40,7 +40,7 @@ BouncesApart trace_path_apart(const Scene& scene, const SurfacePoint& point,
                               const PathSettings& settings, std::span<const BounceRange> ranges,
                               Sampler& sampler);
 
-// What the taped form of a task returns: what the task itself does, or what it is on the tape.
+// The answer of the taped form of a task: that of the task itself, or the one that is on the tape.
 using DirectTask = Rgb(const Scene&, const SurfacePoint&, int, Sampler&);
 Rgb direct_by_tape(DirectTask& task, const Scene& scene, const SurfacePoint& point, int samples,
                    Sampler& sampler);

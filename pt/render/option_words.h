@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// What is typed after --engine and --camera, in every program that has them.
+// The words after --engine and --camera, in every program that has them.
 inline const std::map<std::string, Engine> kEngineWords{
     {"linear", Engine::linear}, {"task", Engine::task}, {"wide", Engine::wide}};
 inline const std::map<std::string, Framing> kFramingWords{

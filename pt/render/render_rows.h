@@ -24,7 +24,7 @@ struct RowsRequest {
   std::vector<int> only{};  // if any: these pixels, y * width + x, as one row in place of the rows
 };
 
-// What only the implementation `measured` of render_rows says, of a value per pixel like the means.
+// The part of a result that only the implementation `measured` of render_rows fills in; a value per pixel, like the means.
 struct RowsMeasured {
   std::vector<double> variance_y;  // of one sample's luminance
   std::vector<double> boxes;       // tested for the pixel; empty if there are ranges

@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// What scene.closest answered, in order, so that the same path can be walked again without tracing
+// The answers of scene.closest, in order, so that the same path can be walked again without tracing
 // a ray.
 struct HitTape {
   enum class Mode { record, play };

@@ -68,7 +68,7 @@ std::string list_of(const std::vector<std::size_t>& numbers) {
   return fmt::format("{}", fmt::join(numbers, ","));
 }
 
-// What others have judged since the last look.
+// The submissions that others have judged since the last look.
 class Watch {
  public:
   Watch(const Judging& judging, const Plan& plan, const Report& report)

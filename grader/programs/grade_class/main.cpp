@@ -133,7 +133,7 @@ class Teller {
   bool all_judged() const { return all_judged_; }
 
  private:
-  // What was known takes no time, and says nothing about the rest.
+  // A verdict that was known takes no time, and says nothing about the rest.
   void show() const {
     const double part = static_cast<double>(count_ - known_) / static_cast<double>(all_ - known_);
     line_.show(fmt::format("judging: {} of {} submissions", count_, all_), part);

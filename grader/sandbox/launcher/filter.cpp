@@ -51,7 +51,7 @@ constexpr const char* kToolCalls[] = {
     "statfs",    "fstatfs",  "setrlimit", "flock",     "alarm",           "setitimer",
     "getpgid",   "getsid"};
 
-// What C++ asks of a descriptor. Others would have the kernel send signals to any process of the
+// The commands that C++ gives to a descriptor. Others would have the kernel send signals to any process of the
 // user (F_SETOWN, F_SETSIG), or tell of what others do with a file.
 constexpr int kDescriptorCommands[] = {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL};
 

@@ -46,7 +46,7 @@ DirectionalLight directional_light(const ColladaDocument& document, const Instan
   return {normalize(ahead), color};
 }
 
-// What the text of a <light> says, read once however often the light is instanced.
+// The content of a <light>, read once however often the light is instanced.
 struct LightText {
   std::string_view kind;
   Rgb color;

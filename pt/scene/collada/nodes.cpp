@@ -26,7 +26,7 @@ struct Child {
   const XMLElement* target;
 };
 
-// What the text of a node says, read once however often the node is instanced.
+// The content of a node, read once however often the node is instanced.
 struct NodeContent {
   Transform to_parent;
   std::vector<Child> children;

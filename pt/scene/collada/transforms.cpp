@@ -19,7 +19,7 @@ Vec3 read_vec3(const ColladaDocument& document, const XMLElement& element) {
 // Exporters compute the matrix in single precision, and its last row with it.
 constexpr double kRounding = 1e-5;
 
-// How far the last row is from 0 0 0 1.
+// The distance of the last row from 0 0 0 1.
 double off_affine(const std::vector<double>& m) {
   return std::max({std::abs(m[12]), std::abs(m[13]), std::abs(m[14]), std::abs(m[15] - 1)});
 }
