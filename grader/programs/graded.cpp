@@ -52,7 +52,7 @@ constexpr std::chrono::milliseconds kBatteryCallLimit{2000};
 
 int run_battery(Options options) {
   options.session.call_limit = kBatteryCallLimit;
-  options.session.total_limit = std::chrono::minutes(5);
+  options.session.total_limit = std::chrono::minutes(1);
   options.session.give_up = [](grader::results::Cause cause, const std::string&) {
     throw grader::mistakes::CallEnded{cause};
   };

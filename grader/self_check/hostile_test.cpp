@@ -93,6 +93,8 @@ TEST(hostile, cannot_keep_the_judge_busy) {
   EXPECT_EQ(outcome.exit_status, 1) << outcome.output;
   EXPECT_EQ(outcome.state("camera_ray"), "timeout");
   EXPECT_NE(outcome.task("camera_ray").dump().find("all calls so far took"), std::string::npos);
+  EXPECT_EQ(outcome.state("hit_triangle"), "crash");
+  EXPECT_NE(outcome.task("hit_triangle").dump().find("too many calls"), std::string::npos);
   EXPECT_EQ(outcome.state("build_bvh"), "fail");
   for (const json& promise : outcome.task("build_bvh").at("promises")) {
     EXPECT_FALSE(promise.at("held").get<bool>()) << promise.at("name");

@@ -22,6 +22,7 @@ constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // in a call; sum
 constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
 constexpr int kMaxStarts = 4;
 constexpr int kMaxAge = 20;  // times the limit of all calls, by the clock
+constexpr int kHung = 50;    // failures that one counts for after which the worker did not end
 
 std::unique_ptr<Session> the_session;
 
@@ -138,8 +139,7 @@ void Session::expect_time_left() {
                                                seconds(settings_.call_limit)));
   }
   if (failures_ >= settings_.max_failures) {
-    settings_.give_up(last_cause_,
-                      fmt::format("not called any more: {} calls came to nothing", failures_));
+    settings_.give_up(last_cause_, "not called any more: too many calls came to nothing");
   }
   expect_total_time_left();
 }
@@ -259,7 +259,11 @@ void Session::reject(const std::string& why) {
 
 void Session::fail(const WorkerFailed& failure) {
   last_cause_ = failure.cause;
-  ++(failure.cause == results::Cause::timeout ? timeouts_ : failures_);
+  if (failure.cause == results::Cause::timeout) {
+    ++timeouts_;
+  } else {
+    failures_ += failure.hung ? kHung : 1;
+  }
   if (!failure.alive) {
     if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
     if (worker_) keep_times(failure.cause);

@@ -187,7 +187,9 @@ void WorkerProcess::ended() {
     take_output();
     if (bytes_printed_ == before) break;
   }
-  if (!dead) throw WorkerFailed{results::Cause::crash, "it closed its connection to the judge"};
+  if (!dead) {
+    throw WorkerFailed{results::Cause::crash, "it closed its connection to the judge", false, true};
+  }
   running_ = duration(used.ru_utime) + duration(used.ru_stime);
   kill(-pid_, SIGKILL);
   pid_ = -1;

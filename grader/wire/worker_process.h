@@ -19,6 +19,7 @@ struct WorkerFailed {
   results::Cause cause = results::Cause::crash;
   std::string text;
   bool alive = false;  // the worker may be called again
+  bool hung = false;   // it did not end by itself, and the judge waited for that
 };
 
 // The worker did not come into being: nothing that a submission could have done.
