@@ -164,6 +164,7 @@ class Bless : public ::testing::Test {
     }
     return rest;
   }
+
   std::string text(const std::string& file) const { return pt::read_file(folder_ / file, 1 << 20); }
   bool exists(const std::string& file) const { return fs::exists(folder_ / file); }
 

@@ -188,7 +188,7 @@ void WorkerProcess::ended() {
     if (bytes_printed_ == before) break;
   }
   if (!dead) {
-    throw WorkerFailed{results::Cause::crash, "it closed its connection to the judge", false, true};
+    throw WorkerFailed{.text = "it closed its connection to the judge", .hung = true};
   }
   running_ = duration(used.ru_utime) + duration(used.ru_stime);
   kill(-pid_, SIGKILL);
