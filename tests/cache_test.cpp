@@ -1,7 +1,7 @@
 // The judge's cache: which files are removed when it is too large, and which must stay.
 #include "grader/judge/cache.h"
 
-#include "grader/judge/staging.h"
+#include "grader/judge/headers.h"
 #include "pt/file.h"
 #include "tests/temporary_folder.h"
 

@@ -32,8 +32,8 @@ TEST(hints, every_task_has_three_tiers_about_its_own_promises) {
     ASSERT_NO_THROW(hints = parse_hints(base::read_file(path), path)) << path;
     const auto promises =
         results::promises_of(base::read_file(FIRSTLIGHT_SOURCE_DIR "/pt/tasks/" + slug + ".h"));
-    for (const Tier& tier : hints) {
-      for (const PromiseHint& hint : tier.promises) {
+    for (const HintStep& step : hints) {
+      for (const PromiseHint& hint : step.promises) {
         const std::string name = results::property_name(hint.title);
         EXPECT_TRUE(std::any_of(promises.begin(), promises.end(),
                                 [&](const results::Promise& promise) {
@@ -104,7 +104,7 @@ std::string error_of(const std::string& text) {
 
 TEST(hints, that_are_not_complete_are_refused_with_the_line) {
   EXPECT_EQ(error_of("## Question\na\n## Direction\nb\n"),
-            "hints.md:4: the tier '## Usual mistake' is missing; write it");
+            "hints.md:4: the step '## Usual mistake' is missing; write it");
   EXPECT_EQ(error_of("## Question\na\n## Usual mistake\nb\n"),
             "hints.md:3: write the heading '## Direction' here");
   EXPECT_EQ(error_of("## Question\n\n## Direction\nb\n## Usual mistake\nc\n"),
@@ -112,8 +112,8 @@ TEST(hints, that_are_not_complete_are_refused_with_the_line) {
   EXPECT_EQ(error_of("## Question\na\n### p\n## Direction\nb\n## Usual mistake\nc\n"),
             "hints.md:3: there is no text below this heading; write some");
   EXPECT_EQ(error_of("## Question\na\n## Direction\nb\n## Usual mistake\nc\n## More\nd\n"),
-            "hints.md:7: a tier too many; leave it out");
-  EXPECT_THAT(error_of("### p\na\n"), HasSubstr("hints.md:1: a promise comes below a tier"));
+            "hints.md:7: a step too many; leave it out");
+  EXPECT_THAT(error_of("### p\na\n"), HasSubstr("hints.md:1: a promise comes below a step"));
   EXPECT_THAT(error_of(""), HasSubstr("'## Question' is missing"));
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 // Where the generators (grader/check/generators.h) take their numbers from. Usually that is RapidCheck's
-// random numbers. A search for bad inputs (grader/check/search.h) gives them its own list instead, so
+// random numbers. A search for bad inputs (grader/check/bad_inputs.h) gives them its own list instead, so
 // that it can change one number and keep the others (MacIver and Hatfield-Dodds 2019, Hypothesis: A
 // New Approach to Property-Based Testing).
 

@@ -24,7 +24,7 @@ constexpr std::chrono::milliseconds kShrinkTime{500};
 struct Enough {};
 
 // Returns how many smaller inputs to try after a failure. A call that hangs costs the whole time limit.
-int shrink_attempts(Cause cause, const Search& search) {
+int shrink_attempts(Cause cause, const FailureSearch& search) {
   if (!search.shrinks) return 0;
   switch (cause) {
     case Cause::wrong:
@@ -75,7 +75,8 @@ void add_input(Failure& failure, const std::string& name, const std::string& val
 // it.)
 class Watcher : public rc::detail::TestListener {
  public:
-  Watcher(const Counted& counted, const Search& search) : counted_(counted), search_(search) {}
+  Watcher(const Counted& counted, const FailureSearch& search)
+      : counted_(counted), search_(search) {}
 
   void onTestCaseFinished(const rc::detail::CaseDescription& tried) override {
     if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
@@ -117,7 +118,7 @@ class Watcher : public rc::detail::TestListener {
   }
 
   const Counted& counted_;
-  const Search& search_;
+  const FailureSearch& search_;
   std::optional<rc::detail::CaseDescription> smallest_;
   Failure failure_;  // of the smallest failing case
   int smallest_run_ = 0;
@@ -145,7 +146,8 @@ class Replayer : public rc::detail::TestListener {
 };
 
 // Returns RapidCheck's message if the property failed and the listener did not end the search.
-std::string check(Counted& counted, const Search& search, rc::detail::TestListener& listener) {
+std::string check(Counted& counted, const FailureSearch& search,
+                  rc::detail::TestListener& listener) {
   rc::detail::TestParams params;
   params.seed = search.seed;
   params.maxSuccess = search.cases;
@@ -161,7 +163,7 @@ std::string check(Counted& counted, const Search& search, rc::detail::TestListen
 
 }  // namespace
 
-Found find_failure(const std::function<void()>& property, const Search& search) {
+Found find_failure(const std::function<void()>& property, const FailureSearch& search) {
   Counted counted{property};
   Watcher watcher(counted, search);
   const std::string fault = check(counted, search, watcher);
@@ -170,7 +172,7 @@ Found find_failure(const std::function<void()>& property, const Search& search) 
   return found;
 }
 
-void run_again(const std::function<void()>& property, const Search& search, int run) {
+void run_again(const std::function<void()>& property, const FailureSearch& search, int run) {
   Counted counted{property, run};
   Replayer replayer(counted);
   check(counted, search, replayer);

@@ -13,7 +13,7 @@
 
 namespace grader::check {
 
-struct Search {
+struct FailureSearch {
   std::uint64_t seed = 0;  // of the random inputs
   int cases = 0;           // the largest number of random inputs
   bool shrinks = true;     // looks for a smaller input, for a limited time
@@ -26,10 +26,10 @@ struct Found {
   std::string fault;  // what is wrong with the property itself, for example no inputs
 };
 
-Found find_failure(const std::function<void()>& property, const Search& search);
+Found find_failure(const std::function<void()>& property, const FailureSearch& search);
 
 // Repeats the same search. A debugger stops (at_smallest_failure) just before this run.
-void run_again(const std::function<void()>& property, const Search& search, int run);
+void run_again(const std::function<void()>& property, const FailureSearch& search, int run);
 
 // The place where a debugger stops (./run debug).
 [[gnu::noinline]] void at_smallest_failure();

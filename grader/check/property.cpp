@@ -63,7 +63,7 @@ const std::vector<FailedPromise>& failures() { return mutable_failures(); }
 void for_all(const std::function<void()>& property, int cases) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string task = test->test_suite_name(), promise = test->name();
-  Search search{hash(task + "." + promise, seed()), cases, is_shrinking};
+  FailureSearch search{hash(task + "." + promise, seed()), cases, is_shrinking};
   // A task that crashes in one promise crashes in most of them, and one small input shows it.
   if (std::ranges::any_of(failures(), crashed)) search.max_crashes = 4;
   Found found = find_failure(property, search);

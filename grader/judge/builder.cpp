@@ -100,8 +100,8 @@ std::string Builder::folder_of_parts() const {
   }
   std::string key;
   for (const std::string& path : all) key += path + '\0' + content_stamp(path, cache_);
-  return kept_folder(config_.work, base::sha256(key), [&](const Stage& stage) {
-    for (const std::string& path : all) stage.copy(name_of_part(path), path);
+  return kept_folder(config_.work, base::sha256(key), [&](const ToolFolder& place) {
+    for (const std::string& path : all) place.copy(name_of_part(path), path);
   });
 }
 
@@ -142,12 +142,13 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   }
   std::string whole;  // its comments too: messages quote lines
   for (const auto& [name, content] : headers) whole += name + '\0' + content + '\0';
-  const std::string tree = kept_folder(config_.work, base::sha256(whole), [&](const Stage& stage) {
-    for (const auto& [name, content] : headers) stage.put(name, content);
-  });
-  const Stage stage(pt::temporary_name(cache_ + "/" + key + ".tree"));
-  stage.put(task.file(), text);
-  sandbox::Box box = tool_box(stage);
+  const std::string tree =
+      kept_folder(config_.work, base::sha256(whole), [&](const ToolFolder& place) {
+        for (const auto& [name, content] : headers) place.put(name, content);
+      });
+  const ToolFolder place(pt::temporary_name(cache_ + "/" + key + ".tree"));
+  place.put(task.file(), text);
+  sandbox::Box box = tool_box(place);
   box.visible.push_back(tree);
   add(box, config_.compile_flags);
   box.command.insert(box.command.end(), kSubmissionFlags.begin(), kSubmissionFlags.end());
@@ -171,7 +172,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   if (!result.ok()) {
     return {"", key, first_error(result, seconds_), "", ""};
   }
-  const base::Submitted object = stage.take("task.o", kMaxObject);
+  const base::Submitted object = place.take("task.o", kMaxObject);
   if (!object.present || !object.rejected.empty()) {
     return {"", key, "", "the compiled object is not accepted: " + object.rejected, ""};
   }
@@ -195,8 +196,8 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
     mark_used(path);
     return {path, whole, "", "", ""};
   }
-  const Stage stage(pt::temporary_name(cache_ + "/" + whole + ".tree"));
-  sandbox::Box box = tool_box(stage);
+  const ToolFolder place(pt::temporary_name(cache_ + "/" + whole + ".tree"));
+  sandbox::Box box = tool_box(place);
   const std::string parts = folder_of_parts();
   box.visible.push_back(parts);
   int number = 0;
@@ -208,7 +209,7 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
         continue;
       }
       const std::string name = fmt::format("{}.o", ++number);
-      stage.copy(name, object);
+      place.copy(name, object);
       box.command.push_back(name);
     }
   };
@@ -225,7 +226,7 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
     if (is_about_objects(error)) return {"", whole, error, "", ""};
     throw pt::Error("the judge's own link fails: " + base::printable(result.output, 300));
   }
-  const base::Submitted worker = stage.take("worker", kMaxWorker);
+  const base::Submitted worker = place.take("worker", kMaxWorker);
   if (!worker.present || !worker.rejected.empty()) {
     throw pt::Error("the linked worker is not there: " + worker.rejected);
   }
@@ -237,12 +238,12 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   return {path, whole, "", "", ""};
 }
 
-sandbox::Box Builder::tool_box(const Stage& stage) const {
+sandbox::Box Builder::tool_box(const ToolFolder& place) const {
   sandbox::Box box{{config_.compiler},
                    {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=."},
                    {},
                    {},
-                   stage.folder(),
+                   place.folder(),
                    true,
                    kCompilerLimits};
   box.limits.cpu_seconds = seconds_;

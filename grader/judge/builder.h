@@ -1,8 +1,9 @@
 #pragma once
 
 #include "grader/judge/config.h"
+#include "grader/judge/headers.h"
 #include "grader/judge/precompiled.h"
-#include "grader/judge/staging.h"
+#include "grader/judge/tool_folder.h"
 #include "grader/process/run_command.h"
 #include "grader/sandbox/box.h"
 
@@ -42,7 +43,7 @@ class Builder {
  private:
   // Copies of the objects that no submission has a part in.
   std::string folder_of_parts() const;
-  sandbox::Box tool_box(const Stage& stage) const;
+  sandbox::Box tool_box(const ToolFolder& place) const;
   // Throws pt::Error if it fails and the machine is at fault; `what` could then not be judged.
   process::CommandResult run(const sandbox::Box& box, const std::string& what) const;
 

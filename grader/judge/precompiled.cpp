@@ -82,9 +82,9 @@ void PrecompiledHeaders::make(const Header& header) const try {
     remove_unused_beside(folder_);
     pt::write_file(path, "#include \"" + header.included + "\"\n");
     const std::string temporary = pt::temporary_name(cache / fs::path(made).filename());
-    const Stage stage(pt::temporary_name(cache / "headers.tree"));
-    for (const auto& [name, text] : headers_) stage.put(name, text);
-    if (!compiled(path, stage.folder(), temporary)) {
+    const ToolFolder folder(pt::temporary_name(cache / "headers.tree"));
+    for (const auto& [name, text] : headers_) folder.put(name, text);
+    if (!compiled(path, folder.folder(), temporary)) {
       fs::remove(temporary);
       return;
     }

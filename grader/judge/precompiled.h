@@ -1,7 +1,8 @@
 #pragma once
 
 #include "grader/judge/config.h"
-#include "grader/judge/staging.h"
+#include "grader/judge/headers.h"
+#include "grader/judge/tool_folder.h"
 
 #include <array>
 #include <mutex>

@@ -3,9 +3,9 @@
 // promise held, 1 if one did not, 2 if nothing could be judged. With --battery it runs the task's
 // battery instead (grader/mistakes/battery.h), and writes the answers; with --curves it measures where
 // the task's methods fail (grader/check/curve.h); with --search it looks for bad inputs
-// (grader/check/search.h).
+// (grader/check/bad_inputs.h).
+#include "grader/check/bad_inputs.h"
 #include "grader/check/property.h"
-#include "grader/check/search.h"
 #include "grader/mistakes/battery.h"
 #include "grader/process/spawn.h"
 #include "grader/programs/graded_curves.h"

@@ -77,17 +77,17 @@ int run(const Options& options) {
   const results::Promise about_it =
       asked.empty() ? results::Promise{} : find_promise(promises, slug, asked);
 
-  int& tier = memory.given[about_it.name];
-  if (options.first) tier = 0;
+  int& step = memory.given[about_it.name];
+  if (options.first) step = 0;
   const std::string name = slug + (asked.empty() ? "" : " " + about_it.title);
-  if (tier < 0 || tier >= static_cast<int>(report::kTiers.size())) {
+  if (step < 0 || step >= static_cast<int>(report::kHintSteps.size())) {
     fmt::print("There are no more hints for \"{}\"; ./run hint {} --first starts again.\n", name,
                slug);
     return 0;
   }
-  const auto index = static_cast<std::size_t>(tier++);
-  fmt::print("{}\n{} ({} of {}):\n\n{}", name, report::kTiers[index], tier, report::kTiers.size(),
-             paragraphs(report::about(hints[index], about_it.name)));
+  const auto index = static_cast<std::size_t>(step++);
+  fmt::print("{}\n{} ({} of {}):\n\n{}", name, report::kHintSteps[index], step,
+             report::kHintSteps.size(), paragraphs(report::about(hints[index], about_it.name)));
   report::remember(config.work, slug, memory);
   return 0;
 }

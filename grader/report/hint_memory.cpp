@@ -28,13 +28,13 @@ Memory recall(const std::string& work, const std::string& slug) {
   for (const std::string& line : base::lines_of(base::read_file(path))) {
     std::istringstream words(line);
     std::string label, promise;
-    int tier = 0;
+    int step = 0;
     words >> label;
     if (label == "seed") words >> memory.seed;
     if (label == "fails" && words >> promise) memory.fails.push_back(promise);
-    if (label == "given" && words >> tier) {
+    if (label == "given" && words >> step) {
       words >> promise;
-      memory.given[promise] = tier;
+      memory.given[promise] = step;
     }
   }
   return memory;
@@ -43,8 +43,8 @@ Memory recall(const std::string& work, const std::string& slug) {
 void remember(const std::string& work, const std::string& slug, const Memory& memory) {
   std::string text = fmt::format("seed {}\n", memory.seed);
   for (const std::string& promise : memory.fails) text += "fails " + promise + "\n";
-  for (const auto& [promise, tier] : memory.given) {
-    text += fmt::format("given {} {}\n", tier, promise);
+  for (const auto& [promise, step] : memory.given) {
+    text += fmt::format("given {} {}\n", step, promise);
   }
   const std::string path = path_of(work, slug);
   fs::create_directories(fs::path(path).parent_path());

@@ -13,11 +13,11 @@ namespace grader::report {
 // went: a text file per task, in the folder hints/ below `work`, in lines
 //   seed 1
 //   fails <property>            for each promise that failed, in the order of the report
-//   given <tier> <property>     no property: the general hint
+//   given <step> <property>     no property: the general hint
 struct Memory {
   std::uint64_t seed = 1;
   std::vector<std::string> fails;
-  std::map<std::string, int> given;  // by property: the last tier, counted from 1
+  std::map<std::string, int> given;  // by property: the last step, counted from 1
 };
 
 // An empty memory if there is none.

@@ -33,20 +33,20 @@ void end(const Section& section, const std::string& path) {
 Hints parse_hints(const std::string& text, const std::string& path) {
   Hints hints;
   Section section;
-  std::size_t tiers = 0, number = 0;
+  std::size_t steps = 0, number = 0;
   for (const std::string& line : base::lines_of(text)) {
     ++number;
     if (line.starts_with("## ")) {
       end(section, path);
-      if (tiers == kTiers.size()) fail(path, number, "a tier too many; leave it out");
-      if (line.substr(3) != kTiers[tiers]) {
-        fail(path, number, fmt::format("write the heading '## {}' here", kTiers[tiers]));
+      if (steps == kHintSteps.size()) fail(path, number, "a step too many; leave it out");
+      if (line.substr(3) != kHintSteps[steps]) {
+        fail(path, number, fmt::format("write the heading '## {}' here", kHintSteps[steps]));
       }
-      section = {&hints[tiers++].general, number};
+      section = {&hints[steps++].general, number};
     } else if (line.starts_with("### ")) {
-      if (tiers == 0) fail(path, number, "a promise comes below a tier; write '## Question' first");
+      if (steps == 0) fail(path, number, "a promise comes below a step; write '## Question' first");
       end(section, path);
-      auto& promises = hints[tiers - 1].promises;
+      auto& promises = hints[steps - 1].promises;
       promises.push_back({line.substr(4), ""});
       section = {&promises.back().text, number};
     } else if (section.text != nullptr) {
@@ -54,18 +54,18 @@ Hints parse_hints(const std::string& text, const std::string& path) {
     }
   }
   end(section, path);
-  if (tiers < kTiers.size()) {
-    fail(path, number, fmt::format("the tier '## {}' is missing; write it", kTiers[tiers]));
+  if (steps < kHintSteps.size()) {
+    fail(path, number, fmt::format("the step '## {}' is missing; write it", kHintSteps[steps]));
   }
   return hints;
 }
 
-const std::string& about(const Tier& tier, const std::string& promise) {
-  for (const PromiseHint& hint : tier.promises) {
+const std::string& about(const HintStep& step, const std::string& promise) {
+  for (const PromiseHint& hint : step.promises) {
     const std::string name = results::property_name(hint.title);
     if (promise == name || promise == name + "_bonus") return hint.text;
   }
-  return tier.general;
+  return step.general;
 }
 
 }  // namespace grader::report

@@ -2,7 +2,7 @@
 #include "grader/judge/audit.h"
 
 #include "grader/base/files.h"
-#include "grader/judge/staging.h"
+#include "grader/judge/headers.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -226,7 +226,7 @@ TEST(headers, that_trace_are_closed_to_what_is_to_be_traced) {
     EXPECT_TRUE(open("pt/math/frame.h") && open("pt/sampling/directions.h")) << slug;
     EXPECT_TRUE(open("pt/geometry/primitives.h") && open("pt/todo.h")) << slug;
     for (const char* closed :
-         {"pt/accel/closest_hit.h", "pt/accel/traverse.h", "pt/render/path_radiance.h",
+         {"pt/accel/closest_hit.h", "pt/accel/traverse.h", "pt/render/common_radiance.h",
           "pt/render/render_film.h", "pt/image/image_io.h", "pt/scene/load_collada.h"}) {
       EXPECT_FALSE(open(closed)) << slug << " " << closed;
     }

@@ -1,7 +1,7 @@
 #include "grader/judge/precompiled.h"
 
 #include "grader/judge/builder.h"
-#include "grader/judge/staging.h"
+#include "grader/judge/headers.h"
 
 #include <algorithm>
 #include <chrono>

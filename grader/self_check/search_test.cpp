@@ -1,7 +1,6 @@
 // The search for bad inputs: it climbs where chance would not get, keeps what is broken, and goes on
 // where it ended.
-#include "grader/check/search.h"
-
+#include "grader/check/bad_inputs.h"
 #include "grader/check/generators.h"
 #include "grader/check/property.h"
 #include "pt/file.h"

@@ -1,6 +1,6 @@
 #include "pt/render/radiance_apart.h"
 
-#include "pt/render/path_radiance.h"
+#include "pt/render/common_radiance.h"
 #include "pt/render/pixel_record.h"
 
 #include <set>
@@ -72,7 +72,7 @@ std::vector<BounceRange> pieces_of(std::span<const BounceRange> ranges) {
 
 Rgb radiance(const Scene& scene, const Ray& ray, const PathSettings& settings, Sampler& sampler) {
   ApartRecord& record = apart_record();
-  if (record.ranges.empty()) return recorded(path_radiance(scene, ray, settings, sampler));
+  if (record.ranges.empty()) return recorded(common_radiance(scene, ray, settings, sampler));
   const std::vector<BounceRange>& pieces = pieces_for(record.ranges);
   const Sample sample = take(scene, ray, settings, sampler, pieces);
   if (!is_finite(sample.sum())) return recorded(sample.sum());

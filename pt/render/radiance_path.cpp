@@ -1,9 +1,9 @@
-#include "pt/render/path_radiance.h"
+#include "pt/render/common_radiance.h"
 
 namespace pt {
 
 Rgb radiance(const Scene& scene, const Ray& ray, const PathSettings& settings, Sampler& sampler) {
-  return path_radiance(scene, ray, settings, sampler);
+  return common_radiance(scene, ray, settings, sampler);
 }
 
 }  // namespace pt

@@ -60,7 +60,7 @@ std::string id_of(const Line& line);
 // Whether the line belongs to what the chart is about: then it has a colour and a name there.
 bool is_named(const Charts& charts, const Chart& chart, std::size_t line);
 
-// A search for bad inputs of a task (grader/check/search.h), by the reference or the submission.
+// A search for bad inputs of a task (grader/check/bad_inputs.h), by the reference or the submission.
 struct Hunt {
   double minutes = 1;
   std::string file;  // keeps what was found; the next search goes on from there

@@ -1,5 +1,5 @@
+#include "grader/check/bad_inputs.h"
 #include "grader/check/many.h"
-#include "grader/check/search.h"
 #include "grader/tasks/adaptive_pixel/cases.h"
 
 #include <cmath>

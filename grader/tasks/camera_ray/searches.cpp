@@ -1,5 +1,5 @@
+#include "grader/check/bad_inputs.h"
 #include "grader/check/exact.h"
-#include "grader/check/search.h"
 #include "grader/tasks/camera_ray/cases.h"
 #include "pt/tasks/camera_ray.h"
 

@@ -1,6 +1,6 @@
+#include "grader/check/bad_inputs.h"
 #include "grader/check/generators.h"
 #include "grader/check/property.h"
-#include "grader/check/search.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
+#include "grader/check/bad_inputs.h"
 #include "grader/check/many.h"
 #include "grader/check/property.h"
-#include "grader/check/search.h"
 #include "grader/tasks/estimate_pixel/cases.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
+#include "grader/check/bad_inputs.h"
 #include "grader/check/exact.h"
 #include "grader/check/property.h"
-#include "grader/check/search.h"
 #include "grader/tasks/hit_sphere/cases.h"
 #include "pt/tasks/hit_sphere.h"
 

@@ -1,5 +1,5 @@
+#include "grader/check/bad_inputs.h"
 #include "grader/check/exact.h"
-#include "grader/check/search.h"
 #include "grader/tasks/hit_triangle/cases.h"
 #include "pt/tasks/hit_triangle.h"
 

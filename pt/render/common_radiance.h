@@ -6,8 +6,8 @@
 namespace pt {
 
 // The common part of the implementations `path`, `recorded` and `apart` of radiance().
-inline Rgb path_radiance(const Scene& scene, const Ray& ray, const PathSettings& settings,
-                         Sampler& sampler) {
+inline Rgb common_radiance(const Scene& scene, const Ray& ray, const PathSettings& settings,
+                           Sampler& sampler) {
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return {};
   if (settings.show_normals) {
