@@ -97,7 +97,19 @@ END
   grade_class hidden --anonymous || true
   ! grep -rlE 'learner [1-7]|nobody' "$folder/hidden" --include='*.html' --include='*.json' --include='class.csv' | grep -v plan.json ||
     complain 'an anonymous class has names'
-  [ "$(grep -c 'learner [1-7]\|nobody' "$folder/hidden/names.csv")" -eq 8 ] || complain "$(cat "$folder/hidden/names.csv")"
+  python3 - "$folder" <<'END' || complain "$(cat "$folder/hidden/names.csv")"
+import csv, os, sys
+folder = sys.argv[1]
+def table(path):
+    return list(csv.DictReader(open(folder + path, newline="", encoding="utf-8-sig")))
+names = {row["submission"]: row["name"] for row in table("/hidden/names.csv")}
+points = {row["submission"]: row["points"] for row in table("/again/class.csv")}
+hidden = table("/hidden/class.csv")
+assert sorted(names.values()) == sorted(points), names
+assert sorted(names) == sorted(row["submission"] for row in hidden), names
+for row in hidden:  # whose number it is
+    assert row["points"] == points[names[row["submission"]]], row
+END
   numbers() { grep -o '"submission-[0-9a-f]*"' "$folder/$1/plan.json" | sort; }
   before=$(numbers hidden)
   for plan in hidden other; do grade_class "$plan" plan --anonymous || complain "$(cat "$folder/said")"; done
