@@ -20,8 +20,8 @@
 #include <string_view>
 
 // The one table of what crosses the border between judge and worker: the functions of every task,
-// as their contracts declare them. What differs from a contract does not compile. CALL is a pure
-// function, DRAW one that also takes a Sampler& (last), so that it can be repeated.
+// as their contracts declare them. A line that differs from a contract does not compile. CALL is a
+// pure function, DRAW one that also takes a Sampler& (last), so that it can be repeated.
 //   (result, function, (parameters), (their names))
 
 #define FIRSTLIGHT_CALLS_estimate_pixel(CALL, DRAW)                                          \

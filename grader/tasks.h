@@ -6,9 +6,9 @@
 
 namespace grader {
 
-// What the grader knows about one task of the course: a line of grader/tasks.json, which the build
-// and the script ./run read too. The functions with their types are in grader/calls.h, what they
-// promise in pt/tasks/, what that is worth in grader/points.json.
+// The facts about one task of the course: a line of grader/tasks.json, which the build and the
+// script ./run read too. The functions with their types are in grader/calls.h, their promises in
+// pt/tasks/, the points for these in grader/points.json.
 struct Task {
   std::string slug;                          // "hit_triangle"
   std::string part;                          // "1_rays"

@@ -14,7 +14,7 @@ std::string stamp(const std::string& path);
 // A file that somebody else made.
 struct Submitted {
   bool present = false;
-  std::string rejected;  // why the file is not accepted; empty if it is
+  std::string rejected;  // the reason why the file is not accepted; empty if it is
   std::string text;
 };
 

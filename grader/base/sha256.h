@@ -5,8 +5,8 @@
 
 namespace grader::base {
 
-// The digest in 64 hexadecimal digits (FIPS 180-4). What is cached is found by it: nobody can make
-// two files with the same one.
+// The digest in 64 hexadecimal digits (FIPS 180-4). Caches find their files by it: nobody can make
+// two files with the same digest.
 std::string sha256(std::string_view text);
 
 }  // namespace grader::base

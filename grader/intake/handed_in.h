@@ -13,9 +13,9 @@ struct HandedIn {
   std::string name;     // unlike all others, and a file's name of at most 200 bytes without control
                         // characters: of the learner, or of the folder
   std::string id;       // that the learning platform has for it; may be empty
-  std::string folder;   // where the files are, in `work` or where they lay
+  std::string folder;   // of the files, in `work` or the place where they lay
   bool late = false;    // the platform says so
-  std::string problem;  // why it cannot be judged, in one sentence; else empty
+  std::string problem;  // the reason why it cannot be judged, in one sentence; else empty
   Platform platform = Platform::none;
   std::string feedback{};  // the path under which the platform takes a page back; empty: none
 };

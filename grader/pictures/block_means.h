@@ -21,7 +21,8 @@ struct BlockMean {
 struct BlockMeans {
   int samples = 0;  // per pixel; of an adaptive picture, runs
   // Red, green and blue, and of an adaptive picture the samples that its pixels took; in each the
-  // blocks row by row, the top row first. What a ragged border leaves of a block is a block.
+  // blocks row by row, the top row first. The part of a block that a ragged border leaves is a
+  // block too.
   std::vector<std::vector<BlockMean>> planes;
 
   bool operator==(const BlockMeans&) const = default;
@@ -30,8 +31,8 @@ struct BlockMeans {
 // Precondition: the film knows its samples and variances.
 BlockMeans block_means(const pt::Film& film);
 
-// Adds the plane of the samples per pixel, of one run. How much they vary between runs is not known
-// and taken from how much they vary within a block, which is more.
+// Adds the plane of the samples per pixel, of one run. Their variation between runs is not known;
+// it is taken from the variation within a block, which is larger.
 void add_counts(BlockMeans& blocks, const pt::SampleMap& counts);
 
 // In letters and digits, means to 0.01 % and errors to 1 %; 5 characters for each value.

@@ -26,7 +26,7 @@ std::vector<Cell> cells_of(const Golden& golden);
 // A cell and its deviation from the golden. It fails beyond its threshold.
 struct MeasuredCell {
   Cell cell;
-  double z = 0;          // how far beyond its margin, in standard deviations; at most 1e6
+  double z = 0;          // distance beyond its margin, in standard deviations; at most 1e6
   double threshold = 0;  // that |z| exceeds
   double off_by = 0;     // relative to the golden
 

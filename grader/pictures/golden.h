@@ -30,7 +30,7 @@ struct Golden {
   Planes mean;
   Planes variance;                      // of one sample
   Plane samples;                        // per pixel
-  std::array<double, kPlanes> scale{};  // what counts as bright: the mean over all pixels
+  std::array<double, kPlanes> scale{};  // the brightness to compare with: the mean over all pixels
   std::vector<char> constant;           // pixels whose samples are all alike
   Plane plain;                          // weights: 1, and 0 for constant pixels
   Plane weighted;  // weights that favour the pixels known best, by their neighbours; 0 as above

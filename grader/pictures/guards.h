@@ -14,7 +14,7 @@ namespace grader::pictures {
 
 struct Unusable {
   std::string sentence;
-  std::optional<std::size_t> pixel;  // where, if it is a pixel
+  std::optional<std::size_t> pixel;  // the faulty pixel, if it is one
 };
 
 // Values that are not a radiance, images of another size than the golden's, fewer images than asked

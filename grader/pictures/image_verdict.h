@@ -61,7 +61,7 @@ struct ImageVerdict {
   Outcome outcome = Outcome::pass;
   int rounds = 0;        // that were rendered
   int samples = 0;       // per pixel, all rounds together
-  std::string sentence;  // what is wrong, for a person; empty if it passes
+  std::string sentence;  // the fault, for a person; empty if it passes
   double noise = 0;      // variance of a sample over the golden's, mean over the pixels; last round
   // The smallest that fail, at most 16. A cell as large as the picture stands for all of it.
   // Relative to the golden's mean there, or to 1/1000 of the whole golden's where that is more.

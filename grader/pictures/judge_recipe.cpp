@@ -64,8 +64,8 @@ void keep(const ImageVerdict& verdict, const PictureFiles& files, results::Pictu
   result.evidence = files.evidence;
 }
 
-// Where a first batch may be all zero, a right program may stop there or go on: such pixels are not
-// judged.
+// Blackens each pixel whose first batch may be all zero: a right program may stop there or go on,
+// so such pixels are not judged.
 void blacken(const std::vector<char>& where, pt::Image& image) {
   for (std::size_t i = 0; i < where.size(); ++i) {
     if (where[i] != 0) image.pixels[i] = {};

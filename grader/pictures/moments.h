@@ -20,7 +20,7 @@ struct PixelMoments {
 PixelMoments moments_of(const pt::FilmPixel& pixel);
 PixelMoments one_sample(const pt::FilmPixel& pixel);
 
-// Of both sets of samples (Chan, Golub and LeVeque 1979). Where all samples are alike the squares
+// Of both sets of samples (Chan, Golub and LeVeque 1979). Where all samples are alike, the squares
 // stay exactly zero.
 PixelMoments merge(const PixelMoments& a, const PixelMoments& b);
 

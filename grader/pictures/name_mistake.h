@@ -52,7 +52,7 @@ struct JudgedPicture {
   std::optional<BlockMeans> blocks;
 };
 
-// `golden`: of the reference. What is known of another version of the recipe does not count.
+// `golden`: of the reference. Known mistakes of another version of the recipe do not count.
 Likeness compare(const std::string& recipe, const std::string& recipe_hash,
                  const JudgedPicture& picture, const BlockMeans& golden,
                  std::span<const KnownMistake> mistakes);

@@ -18,7 +18,7 @@ struct Provenance {
   int parts = 0;    // each with the next seed
   int samples = 0;  // per pixel in all; of an adaptive recipe the runs, of which each is a sample
   double cpu_seconds = 0;
-  std::string because;   // why it replaced one that contradicted it; mostly empty
+  std::string because;   // the reason to replace one that contradicted it; mostly empty
   std::string settings;  // of the recipe, as recipe_settings says them
   std::string sha256;    // picture_hash() of the recipe
 };

@@ -16,12 +16,12 @@
 
 namespace grader::pictures {
 
-// One picture: of what, from where, how, and whose work it shows. How many samples a pixel takes is
-// not part of it, unless it is adaptive: who renders decides, but for a golden or a verdict never
-// fewer than two at a time, so that all go through random points of the pixel.
+// One picture: of what, from where, how, and whose work it shows. The number of samples per pixel
+// is not part of it, unless it is adaptive: the caller of the renderer decides, but for a golden or
+// a verdict never fewer than two at a time, so that all go through random points of the pixel.
 struct Recipe {
   std::string name;             // also of its files in golden/: lower case, digits and underscores
-  std::string title;            // what it shows, for a person
+  std::string title;            // its content, for a person
   std::filesystem::path scene;  // exists
   pt::Framing framing = pt::Framing::file;
   int width = 96;  // pixels

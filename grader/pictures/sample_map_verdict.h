@@ -25,10 +25,10 @@ struct SampleMapReference {
   std::vector<double> mean;            // of the samples a pixel took
   std::vector<double> deviation;       // of the same, between the runs; one run's, not the mean's
   std::vector<char> always_one_batch;  // pixels that took one batch in every run
-  std::vector<char> constant;          // whose value was the same in every run,
-  std::vector<char> all_zero;          // and was 0
-  // Whose first batch was all zero in a run: there < and <= part ways, and both are right. Not
-  // known to reference_of; all 0 until somebody sets it.
+  std::vector<char> constant;          // pixels of the same value in every run,
+  std::vector<char> all_zero;          // pixels of value 0 in every run
+  // Pixels whose first batch was all zero in a run: there < and <= differ, and both are right.
+  // reference_of cannot know it; all 0 until somebody sets it.
   std::vector<char> dark_start;
 };
 
@@ -49,8 +49,8 @@ pt::SampleMap usual_counts(const SampleMapReference& reference);
 
 struct SampleMapVerdict {
   bool pass = false;
-  // What is wrong, for a person. If it passes: empty, or how it differs from the reference all the
-  // same, where that has a likely cause.
+  // The fault, for a person. If it passes: empty, or a difference from the reference that has a
+  // likely cause.
   std::string sentence;
   double off_batch = 0;    // fraction of the pixels whose count is not a multiple of the batch
   double outside = 0;      // fraction with less than a batch or more than the maximum

@@ -64,8 +64,7 @@ int report_again(const GradeOptions& options) {
 }
 
 // The folder and the words of a run that has not ended, each with a zero byte behind it, so that it
-// can go on. What it has found out so far is in the cache. Runs without pictures are too short for
-// that.
+// can go on. Its results so far are in the cache. Runs without pictures are too short for that.
 class Unfinished {
  public:
   explicit Unfinished(const judge::Config& config) : path_(config.work + "/unfinished") {}

@@ -13,11 +13,11 @@ namespace grader::programs {
 struct GradeOptions {
   std::vector<std::string> what;
   std::string submission = "student";
-  std::string name;  // who handed it in
+  std::string name;  // of the learner who handed it in
   report::ReportFiles files;
   std::string from_results;
   std::string config;
-  std::string work;  // where it keeps what it builds; empty: where the config says
+  std::string work;  // the folder for its builds; empty: the one of the config
   std::uint64_t seed = 1;
   int call_limit = static_cast<int>(process::kCallLimit.count());
   int compile_limit = 60;
@@ -27,7 +27,7 @@ struct GradeOptions {
   bool all = false;
   bool no_pictures = false;
   bool quiet = false;
-  bool resume = false;  // what an interrupted run was asked; all else here is what it was
+  bool resume = false;  // goes on with the interrupted run; all else here then comes from it
 };
 
 // As a person would type it, so that it gives the same verdicts again.

@@ -30,13 +30,13 @@ struct Options {
   std::string report;
   std::string promises = "*";  // a filter as GoogleTest has it
   std::uint64_t seed = 1;
-  std::string battery;  // where to write the answers
+  std::string battery;  // the file for the answers
   int draws = 1;        // times the usual number
-  std::string curves;   // where to write them
+  std::string curves;   // the file for them
   std::string curve;    // only this one
   double effort = 1;    // times the usual number of cases
   bool coarse = false;  // every third place
-  std::string search;   // where to keep the worst inputs
+  std::string search;   // the file for the worst inputs
   double seconds = 60;  // of the search
 };
 

@@ -10,8 +10,8 @@ namespace grader::programs {
 
 // Writes what a property program found as a results.json (docs/results.md) with the one task of the
 // session: its state, its promises with name, held, seconds and failures, what was printed, and
-// whether it keeps a variable between calls. What is in no program but `grade`, such as words, points
-// and replay, is left empty. Throws pt::Error if the file cannot be written.
+// whether it keeps a variable between calls. Fields that only the program `grade` can fill, such as
+// words, points and replay, are left empty. Throws pt::Error if the file cannot be written.
 void write_report(const std::string& path, const testing::UnitTest& test,
                   const wire::SessionSettings& settings, const wire::SessionRecord& record);
 

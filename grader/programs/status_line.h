@@ -15,7 +15,7 @@ class StatusLine {
  public:
   enum class Output { terminal, log, none };
 
-  // What standard error is.
+  // The kind of output that standard error is.
   static Output standard();
 
   // `pause`: between two lines, if not as said above.
@@ -24,7 +24,8 @@ class StatusLine {
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
 
-  // What is being done, and the part of all that is done, in [0, 1]: with it, the time left is told.
+  // The current work, and the part of all that is done, in [0, 1], from which the line tells the
+  // time left.
   void show(const std::string& what, double part);
 
   // Removes the line, so that what is printed next starts on a clean one. It comes back.

@@ -1,6 +1,6 @@
 // The untrusted side: runs tasks of a submission on request, until the judge closes the connection
-// or kills it. Whatever happens in here is the judge's to handle (grader/wire/worker_process.h);
-// the judge has set all limits before this program started.
+// or kills it. The judge handles all that happens in here (grader/wire/worker_process.h), and has
+// set all limits before this program started.
 #include "grader/process/limits.h"
 #include "grader/wire/connection.h"
 #include "grader/wire/crash.h"

@@ -88,7 +88,7 @@ data distribution(const std::vector<int>& points, int most) {
   return list;
 }
 
-// How many there are, and what they have.
+// The numbers of submissions and problems, their time, and the distribution of points.
 void set_sums(data& out, const std::vector<ClassPage::Line>& lines) {
   int most = 0;
   double seconds = 0;
@@ -159,7 +159,7 @@ void ClassPage::add(const ClassRow& row, const results::Results& exact) {
 }
 
 void ClassPage::count(const results::TaskResult& task) {
-  // Who has not begun has found nothing hard yet.
+  // A learner who has not begun has found nothing hard yet.
   if (task.state == results::State::not_attempted) return;
   if (!task.mistake.empty()) ++mistakes_[{task.slug, task.mistake.sentence}];
   const auto enter = [](Count& count, const std::string& title, bool right) {

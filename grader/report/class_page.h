@@ -15,7 +15,7 @@ struct ClassRow {
   std::string name;
   std::string id;       // of the learning platform; may be empty
   std::string page;     // the file of its own report, beside the page of the class
-  std::string problem;  // why it was not judged; else empty
+  std::string problem;  // the reason why it was not judged; else empty
   bool late = false;
 };
 

@@ -16,7 +16,7 @@ struct Comparison {
     int after = 0, max_after = 0;
     std::vector<results::Change> changes;
   };
-  std::string former;                    // where the earlier reports are
+  std::string former;                    // the folder of the earlier reports
   std::vector<Row> rows;                 // of all that were judged both times
   std::vector<std::string> only_before;  // names: judged in one of the two gradings only
   std::vector<std::string> only_after;

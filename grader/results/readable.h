@@ -18,7 +18,7 @@ struct Readable {
   Failure failure;  // with the first ten lines of an input of more than twelve
   std::vector<std::string>
       left_out;                    // the other lines; of thousands the first 400, and how many more
-  std::size_t lines_left_out = 0;  // how many they are in all
+  std::size_t lines_left_out = 0;  // the number of these, in all
 };
 Readable readable(Failure failure);
 

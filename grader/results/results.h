@@ -31,8 +31,8 @@ inline constexpr std::array kStates{State::pass,      State::fail,          Stat
 // "pass", "not_attempted": as it stands in JSON.
 const char* name(State state);
 
-// Why a case failed. All but the first are known only where the task runs in another process: the call
-// itself came to nothing.
+// The reason that a case failed. All but the first mean that the call itself came to nothing, and are
+// known only where the task runs in another process.
 enum class Cause {
   wrong,          // the answer is not what was promised
   crash,          // the process died, or the task threw
@@ -50,12 +50,12 @@ const char* name(Cause cause);
 // A promise that was not kept, on the smallest input found. All texts are for a person to read.
 struct Failure {
   std::vector<std::string> input{};  // a line per value
-  std::string what{};                // what was compared; may be empty
+  std::string what{};                // the thing compared; may be empty
   std::string got{};
   std::string expected{};
   std::string off_by{};  // empty where there is no number
   Cause cause = Cause::wrong;
-  int cases_before = 0;     // how many cases held first
+  int cases_before = 0;     // the number of cases that held first
   std::uint64_t seed = 0;   // of the run
   bool integrated = false;  // found with the submission's other tasks, not by itself
   std::string replay{};     // the command that shows it again
@@ -116,13 +116,13 @@ struct PictureResult {
   bool operator==(const PictureResult&) const = default;
 };
 
-// A mistake that alone explains all that is wrong with a task. Where nothing is certain, there is
+// A mistake that alone explains all that is wrong with a task. If nothing is certain, there is
 // none.
 struct Mistake {
   std::string name;      // as the file of a wrong solution is called; several are joined by ", "
   std::string sentence;  // that says it
   std::string found_by;  // "battery": by the task's answers; "picture"
-  std::string hint{};    // how to mend it, about the promise that tells most
+  std::string hint{};    // the hint of the promise that tells most
   bool always_the_same = false;  // the answer to every question: nothing of its own is computed
 
   bool empty() const { return name.empty(); }

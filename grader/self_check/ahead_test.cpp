@@ -33,7 +33,7 @@ struct Ahead : testing::Test {
   }
   static std::string work() { return fs::current_path() / "ahead_test.work"; }
 
-  // How many verdicts of properties each step left: by itself, together.
+  // The number of verdicts of properties that each step left in the cache.
   struct Found {
     long tasks = 0, alone = 0, together = 0;
     results::State state{};

@@ -1,4 +1,4 @@
-// What may be linked: objects made by the compiler from a few lines, and damaged ones.
+// Objects that may be linked and others: made by the compiler from a few lines, and damaged ones.
 #include "grader/judge/audit.h"
 
 #include "grader/base/files.h"
@@ -57,7 +57,7 @@ TEST(audit, knows_a_contract_by_its_object) {
   EXPECT_EQ(judge::functions_in(compiled(kTask)), std::set<std::string>{"_ZN2pt4taskEi"});
 }
 
-// What a learner may write, all at once.
+// Everything that a learner may write, in one file.
 TEST(audit, accepts_a_task_and_its_helpers) {
   EXPECT_EQ(verdict(R"(
 #include <algorithm>
@@ -161,7 +161,7 @@ TEST(audit, rejects_what_reaches_beyond_the_task) {
   }
 }
 
-// Whatever way a name comes into an object, the linker would have to find it.
+// The linker would have to find each name in an object, in whatever way it came there.
 TEST(audit, rejects_calls_that_the_contract_does_not_allow) {
   const Attempt attempts[] = {
       {"namespace pt { double fast(int); double use() __attribute__((weak)); "

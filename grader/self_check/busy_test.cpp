@@ -1,4 +1,5 @@
-// What else the machine does changes no verdict: a limit counts what a submission computes.
+// Other work on the machine changes no verdict: a limit counts the processor time of the
+// submission.
 #include "grader/self_check/busy_loops.h"
 #include "grader/self_check/hostile_submission.h"
 

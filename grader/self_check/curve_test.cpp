@@ -1,4 +1,4 @@
-// How curves are measured: their statistics, and cases without a number.
+// The measurement of curves: their statistics, and cases without a number.
 #include "grader/check/curve.h"
 
 #include "grader/check/generators.h"

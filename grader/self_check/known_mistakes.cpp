@@ -1,5 +1,5 @@
-// known_mistakes: measures every solution in grader/tasks/*/wrong, and writes how each shows into
-// grader/mistakes/known.json. What is measured already is kept in a folder, so that it may be
+// known_mistakes: measures every solution in grader/tasks/*/wrong, and writes the fingerprint of
+// each into grader/mistakes/known.json. Measurements are kept in a folder, so that it may be
 // stopped and started as one likes. Then the check of what is known: each wrong solution is handed
 // in, with other random numbers, and named or not; the right ones too; and each once more with its
 // own fingerprint taken away.
@@ -37,7 +37,7 @@ struct Options {
   bool verbose = false;
 };
 
-// What the project asks of itself.
+// The project's own demands: parts of the solutions, in [0, 1].
 constexpr double kMinNamed = 0.8, kMaxLeftOut = 0.02;
 
 using All = std::map<std::string, std::vector<std::pair<Kept, Measured>>>;  // by slug
@@ -88,7 +88,7 @@ mistakes::KnownTask known_of(const std::vector<std::pair<Kept, Measured>>& solut
     }
   }
   for (const auto& [kept, measured] : solutions) {
-    // What breaks nothing but a bonus passes, and what passes is not named.
+    // A solution that breaks only a bonus promise passes, and a solution that passes is not named.
     const bool fails = !measured.broken.empty() || !measured.unsure.empty();
     if (kept.kind != "wrong" || !fails) continue;
     mistakes::Fingerprint print{kept.name,       sentence_of(kept.text), measured.source,

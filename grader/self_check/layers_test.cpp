@@ -22,7 +22,7 @@ const std::vector<std::string> kRooms{"base",   "process",  "sandbox",   "result
                                       "wire",   "mistakes", "pictures",  "report",  "judge",
                                       "intake", "programs", "self_check"};
 
-// Where the order alone would allow more than is good: what these may include, all told.
+// Folders for which the order alone would allow too much, each with all that it may include.
 const std::map<std::string, std::set<std::string>> kOnly{
     {"results", {"base"}},
     {"check", {"base", "process", "results"}},
@@ -94,7 +94,7 @@ TEST(layers, private_parts_of_rapidcheck_are_in_one_file) {
                          "detail") != std::string::npos)
       users.push_back(source.path);
   }
-  std::erase(users, "check/find_failure.h");  // which says so
+  std::erase(users, "check/find_failure.h");  // it names them in a comment
   EXPECT_EQ(users, std::vector<std::string>{"check/find_failure.cpp"});
 }
 

@@ -7,7 +7,7 @@
 
 namespace grader::self_check {
 
-// How a sample map differs from the reference's (SampleMapVerdict).
+// The difference of a sample map from the reference's (SampleMapVerdict).
 struct MapFigures {
   bool pass = false;
   double ratio = 0, a = 0, b = 0, correlation = 0;

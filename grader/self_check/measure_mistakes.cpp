@@ -52,7 +52,7 @@ std::string text_of(const judge::Config& config, const Variation& variation) {
   return text.replace(at, variation.from.size(), variation.to);
 }
 
-// Which promises hold at a seed: name and whether.
+// For the name of each promise: whether it holds at the seed.
 std::map<std::string, bool> promises_at(const judge::Trial& trial, const std::string& report,
                                         std::uint64_t seed) {
   const std::vector<std::string> command{

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-// What one kept solution answers, and which promises it keeps: measured as the judge measures it.
+// The answers of a kept solution, and the promises that it keeps: measured as the judge does.
 
 namespace grader::self_check {
 
@@ -25,7 +25,7 @@ struct Kept {
 std::vector<Kept> kept_solutions(const judge::Config& config, const judge::TaskConfig& task,
                                  const std::vector<std::string>& kinds);
 
-// What was measured of one of them.
+// The measurements of one of them.
 struct Measured {
   std::string source, battery, properties;  // hashes of what it depends on
   mistakes::Answers answers;                // with many draws

@@ -34,7 +34,7 @@ pictures::BlockMeans golden_blocks(const judge::Config& config, const pictures::
   return blocks;
 }
 
-// What the judge would find in the pictures of one solution.
+// The verdicts of the judge on the pictures of one solution.
 std::vector<results::PictureResult> judged_again(
     const pictures::KnownMistake& seen, const std::map<std::string, pictures::BlockMeans>& goldens,
     std::span<const pictures::KnownMistake> known) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// What verdict_mistakes keeps of the pictures of wrong solutions, and which of these the pictures
+// The pictures of wrong solutions that verdict_mistakes keeps, and the mistakes that these pictures
 // name.
 
 namespace grader::self_check {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// What the benchmark verdict_mistakes finds out: which pictures see which mistakes.
+// The results of the benchmark verdict_mistakes: the pictures that see each mistake.
 
 namespace grader::self_check {
 
@@ -27,7 +27,7 @@ struct MistakeRow {
   std::optional<MapFigures> map;  // of an adaptive recipe
   std::string text;
 
-  // What tells it from all others.
+  // Unique to it.
   std::string key() const {
     return task + ',' + kind + ',' + solution + ',' + content + ',' + recipe;
   }

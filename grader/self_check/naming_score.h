@@ -8,7 +8,7 @@
 
 namespace grader::self_check {
 
-// How well known mistakes are named: kept solutions handed in as submissions.
+// Counts how many known mistakes are named right: kept solutions are handed in as submissions.
 class Score {
  public:
   // Of the kinds "wrong", "right", "reference" and "variation", whose name is the mistake it makes.

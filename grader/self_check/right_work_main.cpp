@@ -85,7 +85,7 @@ int report(const std::vector<RightRow>& rows, const std::set<std::string>& asked
 
 int run(const Options& options) {
   judge::Config config = judge::load_config(judge::default_config_path());
-  // What is known in the judge's cache says nothing about a busy machine.
+  // Verdicts in the judge's cache say nothing about a busy machine.
   if (options.busy > 0) config.work += "/right-busy-" + std::to_string(getpid());
   std::filesystem::create_directories(config.work);
   const sandbox::Isolation isolation = sandbox::probe_isolation(config.root, config.work);

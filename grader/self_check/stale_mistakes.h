@@ -8,8 +8,8 @@
 
 namespace grader::self_check {
 
-// Why what is known of the wrong solutions is out of date, a sentence each: a battery or a solution
-// that has changed since, a solution that is not known, one that is known and not kept any more.
+// The reasons why the known mistakes are out of date, a sentence each: a battery or a solution that
+// has changed since, a solution that is not known, one that is known and not kept any more.
 // Solutions that break only a bonus promise need not be known: they pass.
 std::vector<std::string> out_of_date(const judge::Config& config,
                                      const mistakes::KnownMistakes& known);

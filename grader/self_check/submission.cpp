@@ -21,8 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a wrong solution may use: an endless loop ends here. The right ones take well under a
-// second.
+// Limits of one wrong solution: they end an endless loop. The right ones take well under a second.
 constexpr int kCpuSeconds = 5;
 constexpr int kWallSeconds = 30;
 constexpr long kMemoryBytes = 1L << 30;
@@ -67,7 +66,7 @@ bool compile(const std::string& slug, const fs::path& file, const fs::path& obje
   return run(fmt::format("{} {}", command, fmt::join(judge::kTrapFlags, " ")), log) == 0;
 }
 
-// What the reference defines.
+// The functions that the reference defines.
 std::set<std::string> contract_of(const std::string& slug) {
   std::ifstream names(fs::path(FIRSTLIGHT_OBJECTS) / (slug + ".contract"));
   std::set<std::string> functions;

@@ -5,13 +5,13 @@
 
 namespace grader::self_check {
 
-// How a run of one task's properties on one submitted file ended.
+// The outcome of one task's properties on one submitted file.
 struct Verdict {
   bool compiled = false;
   bool passed = false;   // all selected properties held, and at least one was selected
   bool crashed = false;  // by a signal, or killed by a limit
   std::string output;    // of the compiler, or of the properties
-  std::string audit;     // why `grade` would reject it; empty if it would not
+  std::string audit;     // the reason for which `grade` would reject it; empty if none
 };
 
 // Compiles the file as a submission of the task, links it to the task's properties, with the

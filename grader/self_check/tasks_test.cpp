@@ -48,7 +48,7 @@ Object object_of(const Task& task) {
   for (std::string path; std::getline(paths, path);) {
     for (const judge::ObjectSymbol& symbol : judge::read_object(base::read_file(path)).symbols) {
       const std::string name = name_of(symbol.name);
-      // What is whole in a header is no function of the task.
+      // A function with its body in a header is not a function of the task.
       if (!name.starts_with("pt::") || symbol.in_group) continue;
       (symbol.section == SHN_UNDEF ? object.called : object.defined).insert(name.substr(4));
     }

@@ -1,4 +1,5 @@
-// Which tier is taken where some do not work. `contained` makes this process's world smaller.
+// Tests the tier that is taken where some do not work. `contained` forbids the system calls that
+// make namespaces, as a container does.
 #include "grader/self_check/hostile_submission.h"
 
 #include <algorithm>

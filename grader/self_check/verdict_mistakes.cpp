@@ -1,10 +1,10 @@
-// Which pictures see which mistakes: each solution in grader/tasks/*/{wrong,right,noisy}/, alone
-// among the reference's tasks, built and judged as a submission is, on the recipes that judge its
-// task. Each verdict is a line of a CSV, and what is there already is not judged again, so that it
-// may be stopped and started as one likes. What the pictures of wrong solutions look like is kept
-// in golden/known_mistakes.jsonl, from samples of their own, and it is tried which of them are
-// named by the pictures that were judged. The reference with other chances to survive is added on
-// an adaptive recipe: right, and drawn with another variance.
+// Finds the pictures that see each mistake: judges each solution in
+// grader/tasks/*/{wrong,right,noisy}/, alone among the reference's tasks, built and judged as a
+// submission is, on the recipes that judge its task. Each verdict is a line of a CSV, and a pair
+// that has its line is not judged again, so that it may be stopped and started as one likes. The
+// block means of the wrong pictures are kept in golden/known_mistakes.jsonl, from samples of their
+// own; then it is tried how many of the mistakes the judged pictures name. The reference with other
+// chances to survive is added on an adaptive recipe: right, and drawn with another variance.
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
@@ -41,8 +41,8 @@ struct Options {
   std::vector<std::string> recipes;  // empty: all
   int threads = 2;
   int rounds = kRounds;
-  // What is wrong by the number of samples asked for at a time differs between rounds, and a task
-  // that breaks promises is judged by the first alone.
+  // A mistake that depends on the number of samples per call looks different in each round, and a
+  // task that breaks promises is judged by the first round alone.
   int known_rounds = 1;
   bool pictures = false;
   bool tables_only = false;
@@ -117,7 +117,7 @@ class Book {
     file_ << to_line(row) + '\n' << std::flush;
   }
 
-  // What the picture that was judged looks like, and what is to be known of it.
+  // Keeps the picture as it was judged, and as it is to be known: from other samples.
   void add(const Job& job, const pictures::Recipe& recipe,
            const pictures::KnownMistake::Picture& seen,
            const pictures::KnownMistake::Picture& known) {
@@ -228,7 +228,7 @@ int run(const Options& options) {
   for (const std::string& recipe : options.recipes) pictures::find(recipes, recipe);
   if (!options.tables_only) {
     std::set<std::string> known;
-    // What passes by the first stage passes.
+    // A picture that passes does so with any number of rounds.
     for (const MistakeRow& row : read_rows(options.out)) {
       if (row.state == "pass" || row.most_rounds >= options.rounds) known.insert(row.key());
     }

@@ -162,7 +162,7 @@ TEST(SelfCheck, rejects_every_wrong_solution_for_the_promise_it_names) {
   }
 }
 
-// What is only noisier than it should be keeps every promise; pictures tell (noisy_test.cpp).
+// A solution that is only too noisy keeps every promise; its pictures show it (noisy_test.cpp).
 TEST(SelfCheck, accepts_every_right_solution_and_every_noisy_one) {
   for (const Submission& s : submissions()) {
     if (s.kind != Kind::right && s.kind != Kind::noisy) continue;

@@ -77,8 +77,8 @@ PT_INLINE Lanes3<kWidth> rows(const float (&m)[3][kWidth]) {
   return {load<kWidth>(m[0]), load<kWidth>(m[1]), load<kWidth>(m[2])};
 }
 
-// Whether the ray may reach the plane of any triangle of the block within its range: the half of
-// test_block that rules out most walls.
+// Returns whether the ray may reach the plane of any triangle of the block within its range. This
+// half of test_block rules out most walls.
 PT_INLINE bool may_reach_planes(const Block& b, const FloatRay& r) {
   constexpr int W = kWidth;
   const Lanes3<W> n = rows(b.n);

@@ -11,9 +11,9 @@ namespace pt {
 
 // Chooses the binary nodes that become the children of each wide node: those for which the area of
 // all wide nodes together, and so the number that a ray visits, is least (Ylitie, Karras and Laine
-// 2017, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, section 3.1). What
-// stands below a binary node may fill several slots of the wide node above; what that costs follows
-// from what it costs the two children to share as many.
+// 2017, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, section 3.1). The
+// subtree below a binary node may fill several slots of the wide node above; its cost with so many
+// slots follows from the costs of the two children, which share them.
 template <int W>
 class ChildChoice {
  public:

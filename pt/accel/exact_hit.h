@@ -8,7 +8,7 @@
 #include <immintrin.h>
 #endif
 
-// The wide engine's own decision, in double precision, whether a ray meets a surface. Whatever the
+// The wide engine's own decision, in double precision, whether a ray meets a surface. All that the
 // engine finds in single precision is decided here, so its answers are those of testing every
 // primitive in turn. All machines compute the same bits: nothing here depends on the instruction
 // set. Functions have internal linkage, because this file is compiled for several of them.
@@ -217,9 +217,9 @@ static inline ExactHit meet(const Triangle& triangle, const Ray& ray) {
 // of it the ray passes: none leaks. Edges and corners belong to the triangle.
 //
 // The weights are accurate relative to themselves, and of one sign, so that t is a mean of the
-// corners' own. What comes back is therefore right for a triangle whose corners are moved by at
-// most 16 rounding errors (2^-53) of their largest distance from the origin, however thin it is and
-// however flat the ray meets it. The engine's bounds are made for that.
+// corners' own. The answer is therefore right for a triangle whose corners are moved by at most 16
+// rounding errors (2^-53) of their largest distance from the origin, however thin it is and however
+// flat the ray meets it. The engine's bounds are made for that.
 static inline ExactHit exact_hit(const Triangle& triangle, const Ray& ray) {
   if (exact::is_clearly_outside(triangle, ray)) return {};
   const ExactHit hit = exact::meet(triangle, ray);

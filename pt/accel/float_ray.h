@@ -23,9 +23,9 @@ namespace {
 //   where det is so small that its sign is wrong; for a bound on t that was itself rounded by
 //   4 u t + u C / D another 18 u C N. kVolume covers these.
 //
-// What is left over in both (a sixteenth at least) exceeds all that is not of first order, and the
-// 16 rounding errors in double by which exact_hit may move a corner. Far away these are no longer
-// small against u C; `reach`, which stands for C, grows for them.
+// The margin left in both constants (a sixteenth at least) exceeds all terms of higher order, and
+// the 16 rounding errors in double by which exact_hit may move a corner. Far away these are no
+// longer small against u C; `reach`, which stands for C, grows for them.
 constexpr float kUnit = 0x1p-24f;
 constexpr float kSlab = 16 * kUnit;
 constexpr float kVolume = 50 * kUnit;
@@ -61,7 +61,7 @@ struct alignas(16) FloatRay {
   float inverse[4];
   float enter[4];         // b inverse + enter: no later than the ray crosses the plane b
   float leave[4];         // and no earlier
-  std::int32_t first[4];  // which row of a node's bounds the ray meets first on each axis
+  std::int32_t first[4];  // per axis, the row of a node's bounds that the ray meets first
   std::int32_t last[4];
   float t_min;
   float t_max;
@@ -203,8 +203,9 @@ PT_INLINE bool prepare(const WideView& view, const Ray& ray, FloatRay& r) {
   return true;
 }
 
-// A ray that differs from one that was prepared, and is usual, in nothing but its direction. What
-// only its nearest hit would ask for is left out. False where the direction is not usual.
+// A ray that differs from one that was prepared, and is usual, in nothing but its direction. It
+// leaves out the values that only a query for the nearest hit needs. False where the direction is
+// not usual.
 PT_INLINE bool prepare_like(const FloatRay& usual, const WideView& view, const Ray& ray,
                             FloatRay& r) {
   const Doubles4 d = load3(&ray.direction.x) * view.scale;

@@ -1,7 +1,7 @@
 // Several floats at once, by the vector extensions of gcc and clang: + - * work lane by lane, also
-// with one float for all lanes. What the extensions lack is below, with the instruction where there
-// is one. Included through traverse.h only, which is compiled for several instruction sets; all is
-// internal, so that no function compiled for one of them stands in for another.
+// with one float for all lanes. Operations that the extensions lack are below, with the instruction
+// where there is one. Included through traverse.h only, which is compiled for several instruction
+// sets; all is internal, so that no function compiled for one of them stands in for another.
 #pragma once
 
 #include <cstdint>

@@ -24,11 +24,11 @@ namespace pt {
 //     a b c d e f g h                                        max z | a b c d e f g h |
 //
 // All this happens in single precision, with bounds that err on the safe side only: it finds
-// candidates, and tells those that are hit for certain. Where the nearest is hit, and whether one
-// that is not certain is, is decided in double precision by exact_hit.h from the primitive itself.
-// The source triangle of a ray is not tested. So the answers are those of testing every
-// primitive in turn with exact_hit: the smallest t in the ray's range, of several at the same t the
-// primitive with the smallest index, and the same bits on every machine and for every kernel.
+// candidates, and tells those that are hit for certain. The t of the nearest hit, and each hit that
+// is not certain, is decided in double precision by exact_hit.h from the primitive itself. The
+// source triangle of a ray is not tested. So the answers are those of testing every primitive in
+// turn with exact_hit: the smallest t in the ray's range, of several at the same t the primitive
+// with the smallest index, and the same bits on every machine and for every kernel.
 //
 // Any ray will do: of any range and origin, with a direction of any length but zero. Surfaces that
 // are not finite are never hit. Queries are const and safe from any thread; each is handed the same
@@ -48,7 +48,8 @@ class WideBvh {
   // Of memory, beside the primitives.
   std::size_t bytes() const;
 
-  // What the kernel's queries read; of a tree that was built, and as long as it lives.
+  // The data that the kernel's queries read. Needs a tree that was built, and is valid as long as
+  // that tree lives.
   WideQuery query(const Primitives& primitives) const;
 
  private:

@@ -34,9 +34,9 @@ struct alignas(4 * W) WideBlock {
   float e1[3][W];
   float e2[3][W];
   float n[3][W];  // e1 x e2
-  float size[W];  // what the errors of edges grow with: E + E^2 / 6, where E is the longer
+  float size[W];  // the scale of the errors of edges: E + E^2 / 6, where E is the longer
                   // edge, its components added up
-  float area[W];  // what those of the plane grow with: the length of n, or a little more
+  float area[W];  // the scale of those of the plane: the length of n, or a little more
   std::uint32_t primitive[W];
 };
 

@@ -18,8 +18,8 @@ struct BvhNode {
   bool is_leaf() const { return count > 0; }
 };
 
-// A bounding volume hierarchy over boxes 0 .. n - 1, flat in memory. What holds for every tree, of
-// whatever shape:
+// A bounding volume hierarchy over boxes 0 .. n - 1, flat in memory. Invariants of every tree, of
+// any shape:
 //   - without boxes there are no nodes; else nodes[0] is the root;
 //   - order is a permutation of 0 .. n - 1, and the leaves' ranges cover it without overlap;
 //   - a node's children have larger indices than the node, and every node but the root is the child

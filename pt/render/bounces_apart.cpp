@@ -25,7 +25,7 @@ struct DirectTape {
   Mode mode = Mode::off;
   std::vector<Entry> entries;
   std::size_t next = 0;
-  Vec3 start;        // where the path begins
+  Vec3 start;        // of the path
   BounceRange only;  // while it is played
   HitTape hits;
 };

@@ -14,12 +14,13 @@ namespace pt {
 
 // The parts of one estimate of trace_path, bounce by bounce, whoever wrote it. The path is walked
 // once. Its direct light and its hits are kept on tapes, and it is walked again on these for each
-// range whose light is wanted, without a ray: all direct light of other bounces is then black. What
-// comes back is what the range adds to the sum, for the sum is linear in direct light. It works
-// where direct_lights and direct_hemisphere are linked in their taped form (cmake/taped.cpp.in).
+// range whose light is wanted, without a ray: all direct light of other bounces is then black. The
+// result is the part of the sum that the range adds, for the sum is linear in direct light. It
+// works where direct_lights and direct_hemisphere are linked in their taped form
+// (cmake/taped.cpp.in).
 struct BouncesApart {
-  Rgb sum;                  // what trace_path returned
-  std::vector<Rgb> ranges;  // what each adds to it
+  Rgb sum;                  // the result of trace_path
+  std::vector<Rgb> ranges;  // the part that each adds to it
   bool complete = false;    // they add up to it
 };
 

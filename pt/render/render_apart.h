@@ -15,8 +15,8 @@ struct PixelApart {
   bool complete = true;           // else the tasks linked here cannot be taken apart
 };
 
-// Where radiance() is the implementation `apart`. The view's bounces are those of all ranges
-// together; settings are not adaptive. What is taken apart are samples of the whole, whose mean the
+// For programs where radiance() is the implementation `apart`. The view's bounces are those of all
+// ranges together; settings are not adaptive. It takes apart samples of the whole, whose mean the
 // task has to return.
 PixelApart render_pixel_apart(const View& view, int x, int y, const RenderSettings& settings,
                               std::span<const BounceRange> ranges);

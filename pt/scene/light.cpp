@@ -15,7 +15,7 @@ struct Overloaded : Visitors... {
   using Visitors::operator()...;
 };
 template <class... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;  // which clang before 17 does not deduce itself
+Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang before 17 does not deduce this itself
 
 // A point q on an emitting surface with normal n, chosen with density 1 / area. The density a
 // steradian follows by the solid angle that a piece of surface fills: cos(light) dA / distance^2.

@@ -31,7 +31,7 @@ struct LoadedScene {
   bool course_profile = false;  // the file has the course's own data (profile CGL or CMU462)
   bool exported = false;        // a program wrote the file, as its <authoring_tool> says
   std::vector<std::string> unsupported_lights;  // "spot light 'Lamp'": what no Light can stand for
-  std::vector<std::string> notes;               // what was corrected or ignored, a sentence each
+  std::vector<std::string> notes;               // corrections and ignored things, a sentence each
 };
 
 // Reads a COLLADA 1.4.1 file; the dialect, and the answer to each of its traps, is in

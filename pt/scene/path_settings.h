@@ -4,7 +4,7 @@ namespace pt {
 
 // The light that radiance() adds up along one ray.
 struct PathSettings {
-  enum class Direct { hemisphere, lights };  // how direct light is estimated
+  enum class Direct { hemisphere, lights };  // the estimator of direct light
 
   int light_samples = 1;  // directions for `hemisphere`; samples an area light for `lights`
   Direct direct = Direct::lights;

@@ -13,9 +13,9 @@ namespace pt {
 //      in any number, zero included. max_leaf >= 1.
 // Out: the tree. No leaf holds more than max_leaf primitives, whatever the boxes are.
 //
-// How the boxes are split is free: at the midpoint of the longest axis of the box of all centroids,
-// at the mean, at the median, by the surface area heuristic. What a plane fails to separate must be
-// divided otherwise.
+// Any rule may split the boxes: the midpoint of the longest axis of the box of all centroids, the
+// mean, the median, the surface area heuristic. Boxes that a plane fails to separate must be
+// divided in another way.
 //
 // Precision: a node's box contains the boxes below it exactly, as Box::grow makes it: it is made of
 // their own numbers in double, and none of them is rounded. It may be larger by rounding errors.

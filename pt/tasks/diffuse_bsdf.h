@@ -14,7 +14,7 @@ struct BsdfSample {
   double pdf = 0;
 };
 
-// How a diffuse surface reflects: the same radiance in all directions (Lambert).
+// Reflection by a diffuse surface: the same radiance in all directions (Lambert).
 //
 // In:  wo and wi are unit vectors in the local shading frame, z along the normal, both pointing
 //      away from the surface. The albedo, in [0, 1], is the part of the light that is not absorbed.

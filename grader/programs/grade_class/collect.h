@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// What the class as a whole gets.
+// The files for the class as a whole.
 
 namespace grader::programs {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Where the chunks of a plan are run.
+// The engines that run the chunks of a plan: this process, GNU parallel or Slurm.
 
 namespace grader::programs {
 
@@ -31,8 +31,8 @@ struct EngineRequest {
 std::vector<std::string> engine_command(const EngineRequest& request, const std::string& out,
                                         const std::vector<std::size_t>& numbers);
 
-// Runs all chunks that are not done. What a process that was killed left undone is tried again, twice. What
-// GNU parallel or sbatch print is in <out>/engine.log. Throws pt::Error if they are missing or refuse.
+// Runs all chunks that are not done. Work that a killed process left undone is tried again, twice. The
+// output of GNU parallel and sbatch is in <out>/engine.log. Throws pt::Error if they are missing or refuse.
 void run_plan(const Judging& judging, const Plan& plan, const EngineRequest& request,
               const Report& report);
 

@@ -116,7 +116,7 @@ std::string run_grade(const Judging& judging, const intake::HandedIn& by, const 
     return process::run_command({command, sandbox::judges_environment(), {}, "", {}}, kMaxTime);
   };
   process::CommandResult result = run();
-  // Killed from outside: for want of memory, or by hand. What it found out is kept.
+  // Killed from outside: for want of memory, or by hand. Its results so far are kept.
   if (!result.timed_out && WIFSIGNALED(result.status)) result = run();
   if (!result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1) return "";
   return process::fault_of(result);

@@ -15,7 +15,7 @@
 
 namespace grader::programs {
 
-// How everybody in the class is judged.
+// The settings with which everybody in the class is judged.
 struct Judging {
   const judge::Config& config;
   std::string grade;                 // the program
@@ -24,14 +24,14 @@ struct Judging {
   std::vector<std::string> words{};  // of the program's command line
   std::uint64_t seed = 1;            // of all random inputs
   int threads = 1;                   // of one submission; verdicts do not depend on it
-  std::string work{};                // where the program keeps what it builds; empty: where it does
+  std::string work{};                // the program's folder for its builds; empty: the usual one
 };
 
 // The outcome for one submission.
 struct Graded {
   intake::HandedIn by;
   results::Results results{};  // if there is no problem
-  std::string problem{};       // why it was not judged, in one sentence; else empty
+  std::string problem{};       // the reason why it was not judged, one sentence; else empty
   bool again = false;          // it was judged before, and nothing has changed since
 };
 
@@ -39,16 +39,16 @@ struct Graded {
 // reports of a submission in which there is nothing to judge any more.
 void forget_outcomes(const std::string& out, const std::vector<intake::HandedIn>& everybody);
 
-// What is known of a submission: its reports, if they are complete and made from the same files with the same
-// words by the same judge; else its problem.
+// The earlier outcome of a submission: its reports, if they are complete and made from the same files with
+// the same words by the same judge; else its problem.
 Graded graded_before(const Judging& judging, const intake::HandedIn& by);
 
-// Whether grade_all has come to an end with it: there are such reports, or there is a problem.
+// Returns whether grade_all is done with it: there are such reports, or there is a problem.
 bool is_done(const Judging& judging, const intake::HandedIn& by);
 
-// Judges submissions whose files are equal, and writes their reports. What is known is used again:
-// reports of before; results that differ in points only, which are counted anew; those of an equal
-// submission. Another process that judges the same is waited for.
+// Judges submissions whose files are equal, and writes their reports. Earlier outcomes are used
+// again: reports of before; results that differ in points only, which are counted anew; those of an
+// equal submission. Another process that judges the same is waited for.
 std::vector<Graded> grade_equal(const Judging& judging, const std::vector<intake::HandedIn>& equal);
 
 }  // namespace grader::programs

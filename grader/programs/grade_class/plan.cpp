@@ -52,7 +52,7 @@ std::string content_of(const judge::Config& config, const std::string& submissio
   return any ? base::sha256(all) : "";
 }
 
-// Groups what is equal. Where there is nothing to judge, that is the submission's problem.
+// Groups equal submissions. One with nothing to judge gets that as its problem.
 std::vector<Equal> groups_of(const judge::Config& config,
                              std::vector<intake::HandedIn>& everybody) {
   std::vector<Equal> groups;

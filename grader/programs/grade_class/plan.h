@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-// What there is to do for a class, in a file, so that several processes and machines can do it.
+// All the work for a class, in a file, so that several processes and machines can share it.
 
 namespace grader::programs {
 
 // Submissions whose task files are equal, by their places in Plan::everybody. The first is judged; all get its verdict.
 using Equal = std::vector<std::size_t>;
 
-// What one process does.
+// The work of one process.
 using Chunk = std::vector<Equal>;
 
 struct Plan {

@@ -12,7 +12,7 @@ namespace grader::programs {
 // file over the old one.
 class Files {
  public:
-  // `folder` has the tree of student/. What is there now counts as seen.
+  // `folder` has the tree of student/. The files that exist now count as seen.
   Files(std::string folder, const std::vector<judge::TaskConfig>& tasks);
 
   // The slugs whose files have changed since the last call, in the order of the course. A file that

@@ -26,7 +26,7 @@ std::size_t end_of_character(const std::string& text, std::size_t i) {
   return i;
 }
 
-// Where to break a text so that at most `columns` characters come before: behind a space, if there is one.
+// The place to break a text so that at most `columns` characters come before: behind a space, if any.
 std::size_t break_of(const std::string& text, std::size_t columns) {
   std::size_t width = 0, after_space = 0, i = 0;
   while (i < text.size()) {

@@ -35,7 +35,7 @@ std::string time_of_day() {
   return text;
 }
 
-// Whether a browser was asked to show it.
+// Asks a browser to show the file. Returns whether that worked.
 bool open_in_browser(const std::string& path) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
   process::Child child{{"/bin/sh", "-c", "exec xdg-open \"$1\"", "sh", path}, {}, {}, "", {}};
@@ -183,7 +183,8 @@ void WatchSession::show_page() {
   show(where + (open_in_browser(page_path_) ? " (opened in the browser)" : "") + "\n");
 }
 
-// The results of `grade`. What is looked at stays, unless it was saved, or stands differently now.
+// The results of `grade`. The task on the screen stays, unless it was saved, or its verdict is
+// another one now.
 void WatchSession::take_results() {
   const results::Results results =
       results::results_from_json(base::read_file(results_path_), results_path_);

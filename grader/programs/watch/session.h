@@ -16,12 +16,12 @@ namespace grader::programs {
 struct WatchOptions {
   std::string submission;
   std::string programs;  // the folder of the programs grade and hint
-  std::string config;    // what to hand on to them
+  std::string config;    // handed on to them
   report::TerminalStyle style;
 };
 
 // One sitting of a learner: judges everything once, then each task whose file is saved, and answers
-// keys meanwhile. What is shown of a task stays until that task passes, or another is saved.
+// keys meanwhile. A task stays on the screen until it passes, or another is saved.
 class WatchSession {
  public:
   WatchSession(const judge::Config& config, WatchOptions options);
@@ -55,13 +55,13 @@ class WatchSession {
   Verdicts verdicts_;
   std::string page_path_;
   std::deque<std::string> waiting_{""};  // slugs to judge; empty: all tasks; kPage: draw the page
-  std::string judging_;                  // what running_ judges
+  std::string judging_;                  // slug that running_ judges
   std::optional<Running> running_;
   bool judged_ = false;  // something, so far
-  std::string task_;     // what is looked at
-  std::string failure_;  // the failure of it that is looked at, or what is to be written
-  std::string text_;     // what is on the screen: that, or what a key has asked for
-  std::string head_;     // when it was judged
+  std::string task_;     // slug on the screen
+  std::string failure_;  // of it, the failure on the screen, or the function to write
+  std::string text_;     // on the screen: that, or the answer to a key
+  std::string head_;     // the time of its verdict
   std::optional<int> quit_;
 };
 

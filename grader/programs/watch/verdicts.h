@@ -18,7 +18,7 @@ class Verdicts {
   // Takes in the tasks of a run; those it did not judge stay as they are.
   void update(const results::Results& results);
 
-  // How many of the tasks pass, as a bar, and the points: one line.
+  // The number of tasks that pass, as a bar, and the points: one line.
   std::string bar() const;
 
   // Lists the state and the file of each task.

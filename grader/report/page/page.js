@@ -51,7 +51,8 @@ function row(label, values) {
   return line;
 }
 
-// What the numbers at a pixel are, as a table; decoded when they are first asked for.
+// Returns the function that makes a table of the numbers at a pixel; it decodes them on its first
+// call.
 function reader(viewer) {
   const data = viewer.dataset;
   const film = data.kind === "film";

@@ -9,8 +9,8 @@
 
 namespace pt {
 
-// The last camera of the scene; nothing where there is none that has a perspective. What was
-// ignored or corrected is added to notes.
+// The last camera of the scene; nothing where there is none that has a perspective. Adds a note for
+// each thing that it ignores or corrects.
 std::optional<FileCamera> read_camera(const ColladaDocument& document,
                                       const std::vector<Instance>& cameras,
                                       std::vector<std::string>& notes);

@@ -8,8 +8,8 @@
 
 namespace pt {
 
-// Each surface that emits and each light node is a light. Which of them coincide is found by looking
-// at all pairs, and a picture asks all of them at every point.
+// Each surface that emits and each light node is a light. The search for lights that coincide looks
+// at all pairs, and a picture samples all of them at every point.
 inline constexpr std::size_t kMaxLights = 10'000;
 
 // A light that a node of the scene holds.

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMaxPrimitives = 10'000'000;
 
 // The materials that an <instance_geometry> binds to the symbols of its mesh. Where none has a symbol, the only
-// binding there is serves all: a sphere has no symbol to bind, and some exporters bind another name.
+// binding serves all: a sphere has no symbol to bind, and some exporters bind another name.
 struct Bindings {
   std::unordered_map<std::string, const XMLElement*> by_symbol;
   const XMLElement* only = nullptr;

@@ -9,8 +9,8 @@
 namespace pt {
 
 // The map from a node's space to its parent's: its <matrix>, <translate>, <rotate> and <scale> in
-// document order, so that the last listed acts first on a point. What was corrected is added to
-// notes.
+// document order, so that the last listed acts first on a point. Adds a note for each thing that it
+// corrects.
 Transform node_transform(const ColladaDocument& document, const XMLElement& node,
                          std::vector<std::string>& notes);
 
