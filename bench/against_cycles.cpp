@@ -139,7 +139,8 @@ std::vector<std::vector<Repeats>> Renders::repeats(const std::vector<Golden>& go
   return all;
 }
 
-// Seconds are a + b s. What does not depend on samples, a, is that of the line through the shortest and the longest.
+// Seconds are a + b s. a, the part that does not depend on samples, is that of the line through the shortest and the
+// longest.
 Curve curve_of(const std::vector<Repeats>& all, const std::vector<int>& samples) {
   const double shortest = median(all.front().seconds), longest = median(all.back().seconds);
   const double slope = (longest - shortest) / (samples.back() - samples.front());

@@ -11,7 +11,7 @@
 
 namespace pt {
 
-// How thoroughly is compared.
+// The effort of the comparison.
 struct Effort {
   int golden_renders = 16;  // even; each with a seed of its own
   int golden_samples = 64;
@@ -49,7 +49,7 @@ struct ErrorAfter {
 
 struct Curve {
   std::vector<ErrorAfter> points;
-  double fixed_seconds = 0;  // what a render costs besides its samples
+  double fixed_seconds = 0;  // of a render, besides its samples
 };
 
 struct Comparison {

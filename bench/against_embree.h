@@ -7,7 +7,7 @@
 
 namespace pt {
 
-// How thoroughly the benchmark measures, and where it writes.
+// The effort of the benchmark, and the place of its files.
 struct BenchSettings {
   std::string folder = ".";  // of the CSV files
   int rounds = 7;            // of which medians are taken

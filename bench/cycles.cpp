@@ -42,7 +42,7 @@ grader::process::Child blender_with(const fs::path& blender, const fs::path& fol
                    FIRSTLIGHT_ROOT "/bench/cycles.py",
                    "--",
                    (folder / "scene.json").string()};
-  // Whatever it wants to keep stays in the folder.
+  // All files that it keeps for itself stay in the folder.
   child.environment = {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "HOME=" + folder.string()};
   return child;
 }

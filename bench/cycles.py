@@ -14,7 +14,7 @@ import bmesh
 import bpy
 from mathutils import Matrix, Vector
 
-FARTHEST = 1e5  # where the camera sees without an end
+FARTHEST = 1e5  # for a camera whose view has no end
 
 
 def material_of(described):

@@ -25,7 +25,7 @@ class EmbreeScene {
   std::optional<Hit> closest(const Primitives& primitives, const Ray& ray) const;
   bool occluded(const Ray& ray) const;
 
-  // What rtcIntersect1 found for the ray.
+  // The result of rtcIntersect1 for the ray.
   std::optional<Hit> hit_of(const Primitives& primitives, const Ray& ray,
                             const RTCRayHit& query) const;
 
@@ -47,7 +47,7 @@ class EmbreeScene {
   RTCScene scene_;
   std::uint32_t triangle_count_;
   double margin_ = 0;
-  long long bytes_ = 0;  // what Embree itself says that it holds
+  long long bytes_ = 0;  // of memory, by Embree's own count
 };
 
 }  // namespace pt

@@ -7,14 +7,15 @@
 
 namespace pt {
 
-// What was reached for, and what was measured: `at_least` or, where `lower_is_better`, at most.
+// A goal and its measurement, which has to be at least `wanted` or, where `lower_is_better`, at
+// most.
 struct Goal {
   std::string what;
   double wanted;
   double measured;
   bool lower_is_better = false;
 
-  // How many times better than wanted; missed below 1.
+  // The factor by which it is better than wanted; below 1 the goal is missed.
   double factor() const { return lower_is_better ? wanted / measured : measured / wanted; }
 };
 

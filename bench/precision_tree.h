@@ -10,10 +10,10 @@
 
 namespace pt {
 
-// What single precision is worth to a binary tree such as learners write: the tree of the task
-// build_bvh, its boxes and triangles in Real, one ray against one box or triangle at a time, the
-// nearer child first. No errors are bounded: in float it is neither tight nor exact, only as fast
-// as that. Triangles only.
+// Measures the gain of single precision in a binary tree such as learners write: the tree of the
+// task build_bvh, its boxes and triangles in Real, one ray against one box or triangle at a time,
+// the nearer child first. No errors are bounded: in float it is neither tight nor exact, only as
+// fast as that. Triangles only.
 template <class Real>
 class PrecisionTree {
  public:
@@ -43,7 +43,7 @@ class PrecisionTree {
             static_cast<Real>(ray.t_max)};
   }
 
-  // Where the nearest triangle is met; `line.t_max` where none is.
+  // The t of the nearest triangle; `line.t_max` if there is none.
   Real closest(const Line& line) const {
     const Vec inverse{1 / line.direction.x, 1 / line.direction.y, 1 / line.direction.z};
     Real t_max = line.t_max;
@@ -81,7 +81,7 @@ class PrecisionTree {
   }
   static Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-  // Where the line enters the node's box; infinite where it does not by t_max.
+  // The t at which the line enters the node's box; infinite if it does not up to t_max.
   static Real entry(const Node& node, const Line& line, Vec inverse, Real t_max) {
     Real begin = line.t_min, end = t_max;
     const auto cut = [&](Real low, Real high, Real o, Real d) {

@@ -1,4 +1,4 @@
-// Where the time of a ray goes: nanoseconds of each step of a query, on the same rays in one run,
+// The time of a ray by its parts: nanoseconds of each step of a query, on the same rays in one run,
 // for each kernel. Decision 10 has the table.
 #include "bench/ray_cost.h"
 

@@ -4,8 +4,8 @@
 
 namespace pt {
 
-// The steps of a query for the nearest hit, each with all that comes before it: what one costs is
-// its time less that of the step before. What they return depends on all that they compute.
+// The steps of a query for the nearest hit, each with all that comes before it: the cost of a step
+// is its time less that of the step before. The results depend on all that the steps compute.
 struct RaySteps {
   WideHit (*call)(const WideQuery& query, const Ray& ray);      // reads the ray, copies a result
   WideHit (*to_frame)(const WideQuery& query, const Ray& ray);  // also changes to the tree's frame

@@ -8,9 +8,9 @@
 
 namespace pt {
 
-// How the benchmark's renders trace: set before a render, read by all its threads.
+// The way in which the benchmark's renders trace: set before a render, read by all its threads.
 struct RenderTracing {
-  const EmbreeScene* embree = nullptr;  // what the task hit_bvh asks; null: the tracer is `wide`
+  const EmbreeScene* embree = nullptr;  // called by the task hit_bvh; null: the tracer is `wide`
   bool groups = false;                  // shadow rays in groups of eight, not one at a time
 };
 extern RenderTracing render_tracing;

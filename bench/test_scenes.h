@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// What is traced: a scene without a tracer, and where it is seen from.
+// A scene to trace, without a tracer, and its camera.
 struct TestScene {
   std::string name;
   Scene scene;

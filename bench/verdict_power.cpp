@@ -1,4 +1,4 @@
-// How often the verdict on a picture fails right pictures, and how often it finds known mistakes,
+// The rates at which the verdict on a picture fails right pictures and finds known mistakes,
 // against the samples spent: on pictures drawn from known distributions
 // (tests/synthetic_pictures.h), 96 x 72. Writes verdict_power.csv, which verdict_power.gp draws,
 // and prints docs/verdicts.md's tables.

@@ -3,7 +3,7 @@
 # of it (firstlight_add_compiled), and only the learner's files are left to compile; where it does not, all is built from
 # its sources, as in the full tree.
 
-# What the programs link, in archives; the objects of some are listed in grade.json and by the write-up.
+# The archives that the programs link; the objects of some are listed in grade.json and by the write-up.
 set(compiled_archives pt_base pt_scene pt_image pt_loader pt_render pt_rows pt_progress grader_tasks grader_base grader_process
   grader_sandbox grader_results grader_pictures grader_recipe_scenes grader_report grader_judge grader_mistakes grader_check
   grader_counting grader_wire)
@@ -60,8 +60,8 @@ function(firstlight_describe_compiled)
   file(WRITE ${PROJECT_BINARY_DIR}/compiled/links.cmake "${links}")
 endfunction()
 
-# Sets `result` to the reason why it cannot be used here; empty if it can. Whether the libraries of the system are those that
-# the programs want is seen by starting them.
+# Sets `result` to the reason why it cannot be used here; empty if it can. It starts the programs to see whether the
+# libraries of the system fit them.
 function(firstlight_compiled_misfit folder result)
   firstlight_misfit(${folder} why)
   firstlight_source_hash(${PROJECT_SOURCE_DIR} here)

@@ -38,8 +38,8 @@ put() {
 }
 
 # update FOLDER|ARCHIVE: the twelve files stay as they are, unless they are still the stubs of the edition before. Other
-# files that were changed here are kept beside the new ones, as FILE.mine. What was interrupted goes on when it is
-# called again.
+# files that were changed here are kept beside the new ones, as FILE.mine. An update that was interrupted goes on when
+# it is called again.
 update() {
   [ $# -eq 1 ] || fail "say which edition: ./run update FOLDER, or the archive"
   [ -e "$root/.edition" ] || fail "this is the whole project, no learners' edition: update it with git"

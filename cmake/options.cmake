@@ -13,7 +13,7 @@ target_link_libraries(firstlight_options INTERFACE Threads::Threads)
 add_library(firstlight_warnings INTERFACE)
 target_compile_options(firstlight_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
-# Where people build, a newer compiler's first warning stops nobody; .ci/run lets none pass.
+# A warning of a newer compiler stops nobody's own build; .ci/run lets none pass.
 option(FIRSTLIGHT_WERROR "Warnings are errors" OFF)
 if(FIRSTLIGHT_WERROR)
   target_compile_options(firstlight_warnings INTERFACE -Werror)

@@ -23,7 +23,7 @@ LongVec cross(LongVec a, LongVec b) {
 }
 Long length(LongVec a) { return std::sqrt(dot(a, a)); }
 
-// Where a ray meets a triangle's plane, by Cramer's rule, and how far that is from its edges (in
+// The hit of a ray with a triangle's plane, by Cramer's rule, and its distance from the edges (in
 // barycentric coordinates: negative outside).
 struct LongHit {
   Long t = 0, inside = 0, cosine = 0;

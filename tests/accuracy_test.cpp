@@ -1,4 +1,5 @@
-// What a scene needs and what methods are worth in it: the model of error and time, and what is measured.
+// The settings that a scene needs and the worth of methods in it: the model of error and time, and the
+// measurements.
 #include "pt/render/render_apart.h"
 #include "pt/render/render_rows.h"
 #include "tests/proof/scenes.h"

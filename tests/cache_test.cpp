@@ -137,7 +137,7 @@ TEST_F(Cache, what_dead_runs_left_goes_at_once) {
   fs::create_directories(path("probe." + dead + ".1.tmp"));
   remove_left_overs(folder());
   EXPECT_EQ(names(), (Names{"a.o"}));
-  // What a process that runs may need stays, whatever a clock says.
+  // Files that a running process may need stay, whatever their time.
   const Names used{"a.o", "b.tree." + here + ".2.tmp", "b.o." + here + ".3.tmp"};
   for (const std::string& name : used) add(name, 10, hours(90));
   remove_left_overs(folder());
@@ -171,7 +171,7 @@ TEST_F(Cache, a_file_that_is_made_again_is_the_same) {
   pt::write_file(path("program"), "yyyyyyyyyy");
   age("program", minutes(4));
   EXPECT_NE(stamp(), before);
-  // What is damaged, as by a machine that lost its power, is found again.
+  // Stamps are right again after the files of the cache are damaged, as by a loss of power.
   for (const auto& entry : fs::directory_iterator(path("cache"))) pt::write_file(entry.path(), "");
   add("program", 10, minutes(30));
   EXPECT_EQ(stamp(), before);
@@ -183,7 +183,7 @@ TEST(code_of, is_what_a_compiler_sees) {
   const std::string text = "const char* a = \"// \\\" // no comment\"; char b = '\"';\n";
   EXPECT_EQ(code_of(text + "// words\n"), text);
   EXPECT_NE(code_of("int f();"), code_of("int g();"));
-  // Where a line's number is in the code, it is as it stands.
+  // Code that uses the number of its line is kept as it is.
   EXPECT_EQ(code_of("// words\nassert(x);\n"), "// words\nassert(x);\n");
 }
 

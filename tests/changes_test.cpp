@@ -1,4 +1,4 @@
-// What has changed between two verdicts on a submission, and what is told of a class that was graded twice.
+// The changes between two verdicts on a submission, and the page on a class that was graded twice.
 #include "grader/results/changes.h"
 
 #include "grader/report/compare_page.h"
@@ -52,7 +52,7 @@ TEST(changes, tell_of_weights_and_of_promises_and_tasks_that_come_and_go) {
                                                   Change{"hit_bvh", "c: in words", 4, 0}));
 }
 
-// Whatever has happened, the differences add up to that of the points.
+// The differences always add up to that of the points.
 TEST(changes, add_up_to_the_difference_of_the_points) {
   std::mt19937 random(18);
   const auto draw = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };

@@ -55,7 +55,7 @@ float least_area(const BinaryTree& tree, std::uint32_t node) {
   return n.box.half_area() + least_of_sets(tree, {n.first, n.first + 1});
 }
 
-// What was chosen; counts how often each leaf is reached.
+// The half area of all chosen nodes from `node` on; counts how often each leaf is reached.
 float chosen_area(const BinaryTree& tree, const pt::ChildChoice<kWidth>& choice, std::uint32_t node,
                   std::vector<int>& reached) {
   if (tree.nodes[node].count > 0) {
@@ -84,8 +84,8 @@ TEST(ChildChoice, NoOtherChoiceHasLessArea) {
   }
 }
 
-// Where all boxes are points, every choice has the same area, and the flattest tree is asked for:
-// not a chain of nodes with two children each.
+// If all boxes are points, every choice has the same area, and the flattest tree is required: not a
+// chain of nodes with two children each.
 TEST(ChildChoice, NodesAreFullWhereAllChoicesAreAlike) {
   const BinaryTree tree =
       pt::build_binary_tree(std::vector<pt::BoxedPrimitive>(64, {{{0, 0, 0}, {0, 0, 0}}, 0}), 1);

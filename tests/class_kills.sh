@@ -18,7 +18,8 @@ make_class 50
 kills=10
 RANDOM=18
 
-# What may be killed: whatever has our folder in its command line, but for Slurm itself.
+# The processes that may be killed: all that have our folder in their command line, but for Slurm
+# itself.
 victims() {
   pgrep -f -- "$folder" | while read -r pid; do
     [ "$pid" -ne $$ ] || continue

@@ -25,7 +25,7 @@ results::Results run_with(State state, bool first, bool second, int points) {
   return run;
 }
 
-// Where the text stands in the page; fails if it does not.
+// The place of the text in the page; fails if it is not there.
 std::size_t place(const std::string& page, const std::string& text) {
   EXPECT_THAT(page, HasSubstr(text));
   return page.find(text);

@@ -76,7 +76,7 @@ std::string damaged(const std::string& good, Sampler& sampler) {
   return text;
 }
 
-// Whatever happens to a file, it loads as a sound scene or is refused with one sentence.
+// Each damaged file loads as a sound scene or is refused with one sentence.
 TEST(Damage, of_any_kind_ends_in_a_scene_or_an_error) {
   const std::string good = rich_scene();
   ASSERT_EQ(load_text(good).scene.primitives.size(), 4);

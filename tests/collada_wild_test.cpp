@@ -1,5 +1,5 @@
-// What files of the course's public repositories hold, each in a small file of our own: what may be
-// wrong in a file that can still be shown, and what is read once or not at all.
+// Oddities of files in the course's public repositories, each in a small file of our own: mistakes
+// in a file that can still be shown, and parts that are read once or not at all.
 #include "collada_text.h"
 #include "pt/error.h"
 

@@ -227,7 +227,7 @@ END
   [ ! -e "$folder/page.html" ] || complain "there is a page of damaged results"
 }
 
-# What is damaged in the cache, as by a machine that lost its power, is made again.
+# Damaged files of the cache, as after a loss of power, are made again.
 damaged_cache() {
   local file work=$folder/output/work
   for file in "$work"/cache/*.json; do echo '{"promises": [' >"$file"; done

@@ -57,7 +57,7 @@ TEST(FrameCamera, adds_the_cameras_position_to_its_view_direction_as_the_course_
   loaded.camera->backwards = {0, 0, 2};
   camera = frame_camera(loaded, Framing::course, 480, 360);
   expect_near(camera.camera_to_world.z, Vec3{0, 1, 1} / std::sqrt(2));
-  // Where the axis runs through the origin, it is the axis.
+  // An axis through the origin stays as it is.
   loaded.camera->position = {0, 0, 3};
   camera = frame_camera(loaded, Framing::course, 480, 360);
   expect_near(camera.camera_to_world.z, {0, 0, 1});

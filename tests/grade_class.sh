@@ -114,7 +114,7 @@ row 'row["lovelace"]["late"] == "late" and row["lovelace"]["id"] == "12" and row
 row 'row["hopper"]["points"] == "" and "cannot be unpacked" in row["hopper"]["problem"] and len(row) == 4'
 says 2 'lovelace: 2 of 2' '(as before)'
 
-# What goes back: Canvas' table, Moodle's, and the pages under the names that they know.
+# The files that go back: Canvas' table, Moodle's, and the pages under the names that they know.
 python3 - "$folder/class-graded" <<'END' || complain 'Canvas cannot read it'
 import csv, sys, zipfile
 folder = sys.argv[1]
@@ -145,7 +145,8 @@ assert nobody["Grade"] == "" and "none of the files" in nobody["Feedback comment
 assert zipfile.ZipFile(folder + "/feedback.zip").namelist() == ["Zoë 北_7_assignsubmission_file_/report.html"]
 END
 
-# What unpacks an archive is in a box: in its place stands awk here, which takes the archive's name for its program.
+# The program that unpacks an archive runs in a box: here awk takes its place, and takes the archive's name for its
+# own program.
 boxed=$(grep -l '"isolation": "[AB]:' "$folder/class-graded/"*.json || true)
 rm -rf "$folder/class" "$folder/class-graded"
 mkdir "$folder/programs" "$folder/class"

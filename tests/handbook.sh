@@ -17,7 +17,7 @@ anchors() { sed -n 's/^##* //p' "$1" | tr '[:upper:] ' '[:lower:]-' | tr -cd 'a-
 check_page() {
   local page=$1 folder link file
   folder=$(dirname "$page")
-  # What stands at the root of the learners' edition.
+  # This page stands at the root of the learners' edition.
   [ "$page" != ./grader/editions/handout_README.md ] || folder=.
   while read -r link; do
     case $link in http*) continue ;; esac

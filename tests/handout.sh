@@ -53,7 +53,7 @@ if nm "$folder"/reference-objects/*.o | grep -i ' [tbdr] .*_GLOBAL__N_'; then
   complain "the objects name what is local to the reference"
 fi
 
-# What is compiled is used: nothing but the learner's files has a rule.
+# The compiled parts are used: nothing but the learner's files has a rule.
 grades 1 'not attempted' hit_triangle
 if grep -E '^build [^:]*[.]o:' "$folder/build/check/build.ninja" | grep -vE 'student/|writeup/|counted/|taped/'; then
   complain "more than the learner's files is compiled"

@@ -126,7 +126,7 @@ TEST_F(Judged, noise_is_a_verdict_of_its_own) {
   EXPECT_NE(dark.sentence.find("too dark"), std::string::npos) << dark.sentence;
 }
 
-// Where edges have moved, samples vary where the golden's hardly do: that is not noise.
+// If edges have moved, samples vary where the golden's hardly do: that is not noise.
 TEST(image_guards, a_picture_of_something_else_is_wrong_not_noisy) {
   constexpr int kWidth = 48, kHeight = 36;
   SyntheticScene right{kWidth, kHeight, Spread::diffuse, {}};

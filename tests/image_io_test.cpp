@@ -232,8 +232,7 @@ TEST_F(ImageIo, refuses_every_beginning_of_a_png) {
   }
 }
 
-// What comes back from damaged bytes is a picture of an accepted size or a pt::Error; the
-// sanitizers watch the rest.
+// Damaged bytes give a picture of an accepted size or a pt::Error; the sanitizers watch the rest.
 TEST_F(ImageIo, survives_damaged_files) {
   write_png(in_folder("whole"), mean(random_film(3, 20)));
   const std::string sources[] = {encode_exr(random_film(3, 20)), plain_exr(),

@@ -1,4 +1,4 @@
-// What learning platforms export becomes one folder a learner; archives are read as data.
+// Exports of learning platforms become one folder per learner; archives are read as data.
 #include "grader/intake/handed_in.h"
 #include "grader/intake/unpack.h"
 #include "pt/error.h"
@@ -304,7 +304,7 @@ TEST_F(Intake, names_of_a_list_are_names_of_files) {
   }
 }
 
-// What no platform exports is nobody's submission, and the others are judged.
+// A file that no platform exports is nobody's submission, and the others are judged.
 TEST_F(Intake, pipes_and_devices_are_left_out) {
   add("ada/hit_box.cpp", "a");
   ASSERT_EQ(mkfifo(in("bob_1_2_hit_box.cpp").c_str(), 0600), 0);

@@ -1,4 +1,4 @@
-// What a stopped run had measured is what the next one begins with.
+// A run begins with the measurements of one that was stopped.
 #include "writeup/accuracy/journal.h"
 
 #include "tests/temporary_folder.h"

@@ -37,8 +37,8 @@ TEST(measure, median_and_mean_of_known_numbers) {
   EXPECT_NEAR(mean_of({1, 2, 3}).high, 2 + 1.96 / std::sqrt(3), 1e-12);
 }
 
-// How often does the interval hold the true median? 3000 runs: 95 % within five standard deviations of 0.4 %, and
-// the interval may be a little too wide, since it ends at values.
+// The rate at which the interval holds the true median, in 3000 runs: 95 % within five standard deviations of 0.4
+// %, and the interval may be a little too wide, since it ends at values.
 TEST(measure, intervals_hold_the_median_as_often_as_they_say) {
   pt::Sampler sampler(1);
   for (const int n : {15, 40, 301}) {

@@ -55,7 +55,7 @@ class RecipeFile : public ::testing::Test {
     return load_recipes(file_);
   }
 
-  // What is said about a file of these recipes; the path of the file left out.
+  // The error message about a file of these recipes, without the path of the file.
   std::string complaint(const std::string& recipes) {
     return complaint_about("{\"recipes\": [" + recipes + "]}");
   }

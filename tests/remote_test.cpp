@@ -92,7 +92,7 @@ TEST(remote, lengths_are_held_against_what_is_there) {
   }
 }
 
-// Where one more byte than an element takes is there, and one less.
+// Two elements, with one byte too few, exactly enough, and one too many.
 TEST(remote, lengths_are_held_against_the_size_of_an_element) {
   constexpr std::size_t kSize = Codec<double>::kMinSize;
   for (const std::size_t bytes : {2 * kSize - 1, 2 * kSize, 2 * kSize + 1}) {

@@ -150,7 +150,7 @@ TEST_F(Page, a_picture_of_two_tasks_is_in_it_once) {
   EXPECT_EQ(count(text, "id=\"adaptive_pixel.two_lights\""), 1);
   EXPECT_EQ(count(text, "data-place=\"direct_lights.two_lights\""), 1);
   EXPECT_EQ(count(text, "alt=\"The submission&apos;s render of two_lights\""), 1);
-  // What differs in anything that is shown is another picture.
+  // A result that differs in anything shown is another picture.
   results::Results results = run;
   results::PictureResult& other = results.tasks[8].pictures[1];
   other.cells = {{8, 8, 8, 8, "Y", 0.1, 1.2}};

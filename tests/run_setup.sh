@@ -120,7 +120,7 @@ PATH=$bin TERM=xterm script -qec "stty cols 60; $tree/run grade 1" /dev/null >"$
 grep -q $'\r\x1b\\[Kbuilding grade (check): \\[1/2\\] linked grade' "$folder/screen" || complain "no line is rewritten: $(cat -v "$folder/screen")"
 [ "$(tr '\r' '\n' <"$folder/screen" | sed 's/\x1b\[K//' | awk '{ if (length > longest) longest = length } END { print longest }')" -lt 60 ] ||
   complain "a line is wider than the terminal: $(cat -v "$folder/screen")"
-# What the compiler says is shown where it fails.
+# The compiler's words are shown where it fails.
 printf '#!/bin/bash\necho "[1/2] Building x"; echo "a.cpp:3: error: no"; exit 1\n' >"$tree/steps"
 status=0
 said=$(run grade 1 2>&1) || status=$?

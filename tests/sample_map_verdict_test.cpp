@@ -106,7 +106,7 @@ ManyBatches many_batches(int max_samples) {
   return many;
 }
 
-// Where pixels take many batches, one more or less hardly changes the ratio.
+// In pixels that take many batches, one more or less hardly changes the ratio.
 TEST(sample_map, a_batch_more_or_less_everywhere_fails) {
   const auto [golden, map] = many_batches(500 * kSettings.batch);
   EXPECT_TRUE(judge_sample_map(golden, map).pass);

@@ -103,8 +103,8 @@ TEST_F(Scenes, are_not_generated_from_what_cannot_be_used) {
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-// What a picture of light needs: the model has all of it, nothing gains energy, and the corner
-// normals lie on the side that the winding order, and with it the emission, is on.
+// The conditions on a scene: the model has everything in it, no surface gains energy, and the
+// corner normals lie on the side of the winding order, and so of the emission.
 TEST_F(Scenes, load_as_the_model_has_them) {
   for (const fs::path& file : scene_files()) {
     const LoadedScene loaded = load_collada(file);

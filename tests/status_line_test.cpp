@@ -24,7 +24,7 @@ class StatusLineTest : public testing::Test {
   }
   ~StatusLineTest() override { dup2(standard_error_.number(), STDERR_FILENO); }
 
-  // What is written within so many milliseconds, up to the first piece of it.
+  // The first piece of text that is written within so many milliseconds; empty if there is none.
   std::string said(int within) const {
     pollfd ready{pipe_.read_end.number(), POLLIN, 0};
     if (poll(&ready, 1, within) <= 0) return "";

@@ -11,7 +11,7 @@ struct Pixel {
   double brightness = 1;
 };
 
-// What has entered so far: the sums that the rule judges, and those of the picture.
+// The samples so far: the sums that the rule judges, and those of the picture.
 struct Entered {
   double n = 0, x = 0, xx = 0, total = 0;
 

@@ -27,7 +27,7 @@ enum class Spread {
 struct SyntheticPixel {
   pt::Rgb direct;
   pt::Rgb indirect;
-  double shape = 1;       // what is not zero is gamma distributed: variance 1 / shape
+  double shape = 1;       // of the gamma distribution of nonzero values: variance 1 / shape
   double hit = 1;         // probability that X, or Y, is not zero (mostly_zero)
   bool constant = false;  // X = Y = 1
 };

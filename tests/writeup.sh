@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD build=$1
 folder=$(mktemp -d)
-made=$folder/work  # what the write-up makes
+made=$folder/work  # the files that the write-up makes
 trap 'rm -rf "$folder"' EXIT
 
 failures=0
@@ -136,7 +136,8 @@ for words in crashed 'endless loop'; do
 done
 [ -s "$made/draft/figures/soft_shadows.l4.png" ] || complain "the other pictures are missing"
 
-# Somebody whose code measures nothing: a sentence on the page. What never ends is stopped once.
+# Somebody whose code measures nothing: a sentence on the page. A program that never ends is stopped
+# once.
 code silent reference
 cat >"$folder/writeup/silent.accuracy" <<END
 #!/bin/bash

@@ -12,8 +12,9 @@
 
 #include <unistd.h>
 
-// What the fuzz targets share. A target is one function, LLVMFuzzerTestOneInput of libFuzzer
-// (llvm.org/docs/LibFuzzer.html): it takes any bytes and returns; what it finds, it aborts on.
+// Functions that the fuzz targets share. A target is one function, LLVMFuzzerTestOneInput of
+// libFuzzer (llvm.org/docs/LibFuzzer.html): it takes any bytes and returns, or aborts if it finds a
+// fault.
 
 namespace fuzz {
 

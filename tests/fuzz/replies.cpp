@@ -1,5 +1,5 @@
-// What a worker sends: the reply to a call of each function, and its own calls back. The first byte
-// chooses the function, and which of the two.
+// The messages of a worker: the reply to a call of each function, and its own calls back. The first
+// byte chooses the function, and one of the two.
 #include "grader/check/fail.h"
 #include "grader/check/scripted_radiance.h"
 #include "grader/tasks/build_bvh/walk.h"

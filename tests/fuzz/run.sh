@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # run.sh FOLDER [--seconds N | --runs N] [TARGET ...] | --list: builds fuzz targets with clang in FOLDER and runs each, one
-# after the other, for 600 s unless told. All targets, where none is named. What an input does wrong is shown, and the input
-# stays in FOLDER, as does the corpus that grows. Exit status 1: something was found; 77: there is no clang.
+# after the other, for 600 s unless told. All targets, where none is named. It shows the fault that an input causes, and
+# the input stays in FOLDER, as does the corpus that grows. Exit status 1: something was found; 77: there is no clang.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 mapfile -t all < <(sed -n 's/^firstlight_fuzz(\([a-z_]*\) .*/\1/p' "$here/CMakeLists.txt")
@@ -28,7 +28,7 @@ if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { r
 fi
 cmake -S "$here/../.." -B "$folder" --preset fuzz >"$folder/cmake.log" 2>&1 || { cat "$folder/cmake.log"; exit 2; }
 ninja -C "$folder" "${targets[@]/#/fuzz.}" >"$folder/ninja.log" 2>&1 || { tail -30 "$folder/ninja.log"; exit 2; }
-# What a library leaves behind when it refuses a file is not ours to find; what we leave behind is found by the tests.
+# Memory that a library leaks when it refuses a file is not our fault; the tests find our own leaks.
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 status=0
 for target in "${targets[@]}"; do
   mkdir -p "$folder/corpus/$target"

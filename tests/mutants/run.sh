@@ -2,8 +2,8 @@
 # run.sh --check | FOLDER [--only NAME]...
 #
 # Tests the tests of the framework: puts one mistake of the table (mutants.txt) after the other into a copy of
-# the project in FOLDER, builds one program and runs one test there, which must fail. What is known of a
-# tree is kept in FOLDER, so that a run may be stopped and started again. --check: runs nothing; says which
+# the project in FOLDER, builds one program and runs one test there, which must fail. The results for a tree
+# are kept in FOLDER, so that a run may be stopped and started again. --check: runs nothing; says which
 # entries do not fit the files any more.
 #
 # The exit status is 1 if a mistake survives its test, 2 if the table cannot be used.
@@ -126,7 +126,7 @@ check_without_mistakes() {
   done
 }
 
-# Whether the mistake is killed, in `outcome`.
+# Sets `outcome` to the result of the test on the mistake.
 try() {
   local i=$1 path=$folder/tree/${files[$1]} targets_of
   text_of "$path"

@@ -94,8 +94,8 @@ TEST(RectangleLight, matches_lamberts_formula) {
   }
 }
 
-// Where the point is in the plane of the light or behind it, or looked at from the other side,
-// there is no light at all.
+// A point in the plane of the light or behind it, or one seen from its side away from the light,
+// gets no light at all.
 TEST(RectangleLight, is_dark_on_the_other_sides) {
   const Rectangle turned_away{"", {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, false};
   const Rectangle below{"", {0, 0, -2}, {1, 0, 0}, {0, 1, 0}, false};
@@ -147,7 +147,7 @@ TEST(RectangleLight, is_hidden_in_part_by_a_sheet) {
   }
 }
 
-// What stands behind the light, beside it or below the surface hides nothing.
+// A surface behind the light, beside it or below the receiver hides nothing.
 TEST(RectangleLight, is_not_hidden_by_what_is_elsewhere) {
   const Rectangle& r = kRectangles[0];
   const Place place = askew();

@@ -27,9 +27,9 @@ inline Exact cross(Exact a, Exact b) {
 }
 inline long double length(Exact a) { return std::sqrt(dot(a, a)); }
 
-// What a ray does to one surface: it misses; it meets it at t; or it comes so close to an edge, a
-// silhouette or an end of its range, or runs so flat, that either answer is right (then t is where
-// it would be).
+// The meeting of a ray and one surface: it misses; it meets it at t; or it comes so close to an
+// edge, a silhouette or an end of its range, or runs so flat, that either answer is right (then t
+// is where it would be).
 struct Meeting {
   enum class Kind { miss, hit, either } kind = Kind::miss;
   long double t = 0;

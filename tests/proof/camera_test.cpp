@@ -46,7 +46,7 @@ TEST(CameraRay, fills_the_field_of_view) {
   }
 }
 
-// Where the ray meets the window, in units of half its width and height: 2x - 1 and 2y - 1.
+// The ray meets the window at (2x - 1, 2y - 1), in units of half its width and height.
 TEST(CameraRay, keeps_the_picture_flat) {
   Sampler sampler(91);
   for (const Camera& camera : cameras()) {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// What the tests of bounces taken apart share.
+// The scene and the ranges that the tests of bounces taken apart share.
 
 namespace pt::proof {
 

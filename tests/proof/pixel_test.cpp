@@ -12,10 +12,10 @@ namespace pt {
 
 namespace {
 
-// What the pixel sees, in order, and what it asked.
+// The radiances that the pixel sees, in order, and the arguments of its calls.
 struct Script {
   std::function<Rgb(int)> value;  // of sample 0, 1, ...
-  std::vector<Vec2> at;           // where each ray went through the picture, in pixels
+  std::vector<Vec2> at;           // of each ray in the picture, in pixels
   const Scene* scene = nullptr;
   PathSettings settings;
 };

@@ -139,7 +139,7 @@ TEST(Quasirandom, fills_the_square_evenly) {
   }
 }
 
-// Whatever the start, point 0 is the start, and all others keep their places beside it.
+// For any start, point 0 is the start, and all others keep their places beside it.
 TEST(Quasirandom, moves_as_a_whole) {
   const Vec2 here = low_discrepancy_point({.25, .75}, 0), there = low_discrepancy_point({0, 0}, 0);
   EXPECT_EQ(here.x - there.x, .25);

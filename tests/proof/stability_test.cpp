@@ -12,7 +12,7 @@ namespace pt::proof {
 namespace {
 
 constexpr double kSizes[] = {1e-6, 1, 1e6};
-// How many sizes away from the origin.
+// Distances from the origin, in sizes.
 constexpr double kShifts[] = {0, 1e2, 1e4, 1e6};
 
 Vec3 any_direction(Sampler& sampler) {

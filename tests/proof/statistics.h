@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-// What turns "the two agree" into a number. Every comparison has a level, the chance at which right
-// code would fail it: 1e-9, so that all of the suite's together stay below 1e-6.
+// Tests that turn "the two agree" into a number. Every comparison has a level, the chance at which
+// right code would fail it: 1e-9, so that all of the suite's together stay below 1e-6.
 
 namespace pt::proof {
 
@@ -68,8 +68,8 @@ inline void expect_mean(const RunningRgb& samples, Rgb truth, const std::string&
   expect_mean(samples.b, truth.b, what + ", blue");
 }
 
-// A number without noise, the product of some dozens of operations. Where these cancel, more
-// roundings are allowed.
+// A number without noise, the product of some dozens of operations. If these cancel, more roundings
+// are allowed.
 inline void expect_exact(double value, double truth, const std::string& what,
                          double roundings = 64) {
   EXPECT_LE(std::abs(value - truth), roundings * 0x1p-53 * std::abs(truth))
