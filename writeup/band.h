@@ -23,7 +23,7 @@ struct Band {
 // From "FOLDER/FIRST+ROWS". Throws pt::Error.
 Band band_of(const std::string& words);
 
-// What a band says of itself when all its rows are there.
+// The end of a band's file, written when all its rows are there.
 struct BandEnd {
   std::vector<std::string> missing;  // tasks that are not written yet
   std::string engine;

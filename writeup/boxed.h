@@ -18,7 +18,7 @@ struct Boxed {
   std::map<std::string, std::string> unusable;  // tasks that do not compile, each with the reason
 };
 
-// What a submission did: a crash, an endless loop, words that are not those of the protocol.
+// The fault of a submission: a crash, an endless loop, words that are not those of the protocol.
 struct SubmissionFailed : pt::Error {
   using pt::Error::Error;
 };

@@ -36,7 +36,7 @@ RowPixel row_pixel(const Spec& spec, const pt::PictureRows& answer, std::size_t 
           value(answer.measured.boxes)};
 }
 
-// A row of the file for each row of the answer. What is known of all rows together is divided among them.
+// A row of the file for each row of the answer. Sums over all rows together are divided among them.
 void append(const Band& band, const Spec& spec, const pt::PictureRows& answer, int rows,
             const RowHead& total) {
   for (int y = 0; y < rows; ++y) {
@@ -97,7 +97,7 @@ int render(const std::string& worker, const std::string& tier, const std::string
                       frame_camera(loaded, spec.framing, spec.frame_width, spec.frame_height),
                       spec.path, spec.width, spec.height};
   open_worker(worker, tier, kCallLimit);
-  // Whether there is a tree is known after one row.
+  // One row shows whether there is a tree.
   pictures::worker_rows(view, {band.first_row, 1, 1, {}, spec.seed, {}});
   const bool without_tree = spec.engine == pt::Engine::task && tree_is_missing();
   if (without_tree) loaded.scene.tracer = pt::Tracer(pt::Engine::linear, loaded.scene.primitives);

@@ -37,7 +37,7 @@ Look look_of(const std::string& word) {
   return found->second;
 }
 
-// What a figure need not say.
+// Default values of a figure's fields.
 json defaults() {
   Spec spec;
   spec.path.to = 5;

@@ -8,22 +8,22 @@
 #include <string>
 #include <vector>
 
-// What the write-up shows, read from figures.json. docs/writeup.md lists the fields.
+// The figures of the write-up, read from figures.json. docs/writeup.md lists the fields.
 
 namespace writeup {
 
-// Where a scene comes from: the course's file if there is one here, else a stand-in of our own.
+// The source of a scene: the course's file if there is one here, else a stand-in of our own.
 struct SceneSource {
   std::string title;
   std::string course;             // below the folder of the course's scenes; may be empty
   std::string own;                // below the root of the project, or:
   std::string mesh;               // a kind of the generator, and
-  int triangles = 0;              // how many; of the other kinds about how many there are
+  int triangles = 0;              // of the mesh; of the other files, about so many
   bool room = false;              // around the mesh
   std::string camera = "course";  // of our own file: "file" where it is meant for the camera it has
 };
 
-// How the numbers of a render become colours.
+// The colouring of a render's numbers.
 enum class Look { radiance, rates, boxes, predicted };
 
 struct Picture {
@@ -52,7 +52,7 @@ struct Figure {
   bool flip = false;    // the pictures can be laid over each other
   bool small = false;   // few pixels, shown as squares
   std::vector<Picture> pictures;
-  std::optional<Picture> golden;    // what errors are measured against
+  std::optional<Picture> golden;    // against which errors are measured
   std::vector<std::string> scenes;  // of a table
   double seconds = 0;               // by the clock, that a measurement may take
   double error = 0;                 // that is wanted

@@ -9,7 +9,7 @@
 
 namespace writeup {
 
-// Whose code renders, or measures: a program, and what stands for the content of all that is in it.
+// The code that renders or measures: a program, and hashes of all that is in it.
 struct Code {
   std::vector<std::string> command;             // a program, with its options
   std::map<std::string, std::string> hash;      // by task, and "framework"
@@ -19,7 +19,7 @@ struct Code {
 // Of writeup_render.<name>, by the list of objects beside it.
 Code code_of_program(const std::filesystem::path& program);
 
-// What stands for the code that the pixels of a render depend on.
+// A name that stands for all code on which the pixels of a render depend.
 std::string identity(const Code& code, const Spec& spec);
 
 // "" or why the render cannot be made at all.

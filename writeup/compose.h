@@ -13,8 +13,8 @@ struct Composed {
 
 Composed compose(const Store& store, const std::vector<Unit>& units);
 
-// How far a picture is from what many more samples would show, as a part of its brightness: the
-// root of relMSE over the luminances.
+// The distance of a picture from one of many more samples, as a part of its brightness: the root of
+// relMSE over the luminances.
 double noise(const Rendered& picture);                          // by its own variance
 double error(const Rendered& picture, const Rendered& golden);  // the golden's noise taken off
 

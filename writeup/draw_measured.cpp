@@ -46,7 +46,7 @@ void take_files(const Plan& plan, const Measurement& measurement, const std::str
   for (const std::string& name : tables) take(name, drawn.tables);
 }
 
-// Whether the measurement is there; else why not stands among the problems.
+// Returns whether the measurement is there; if not, adds the reason to the problems.
 bool is_there(const Plan& plan, const Measurement& measurement, const std::string& scene,
               Drawn& drawn) {
   if (plan.measured().is_complete(measurement)) return true;
@@ -136,7 +136,7 @@ json without_roulette(const json& answer) {
 
 json times_of(const json& option) { return option.is_null() ? json() : option.at("times"); }
 
-// What is missing with one bounce less than the settings found have.
+// The bias with one bounce less than the settings found have.
 std::string one_bounce_less(const json& answer) {
   const std::size_t bounces = answer.at("best").at("bounces");
   const json& bias = answer.at("bias");

@@ -111,7 +111,7 @@ class Artist {
     drawn_.pictures.push_back(shown);
   }
 
-  // What is called after its scene is called after what stands in for it.
+  // A picture that is named after its scene gets the name of the stand-in, if there is one.
   std::string label(const Picture& picture) const {
     const bool by_scene = picture.label == picture.scene;
     return by_scene ? plan_.scenes().short_name(picture.scene) : picture.label;
@@ -173,7 +173,7 @@ class Artist {
     }
   }
 
-  // How many more samples it took than the figure's first map, where that one is neither at one
+  // Its samples over those of the figure's first map, in pixels where that one is neither at one
   // batch nor at the maximum.
   void enter_ratio(const Picture& picture, const std::vector<float>& counts) {
     if (picture.look != Look::rates) return;

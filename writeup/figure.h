@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-// What a figure is on a page: files, and words about them.
+// A figure as a page shows it: files, and words about them.
 
 namespace writeup {
 
@@ -18,7 +18,7 @@ struct Shown {
   std::string file;  // without extension; .png, .exr and .js are there, or .png and .csv for a map
   std::string kind;  // "film", "map", or "" where there is no picture
   int width = 0, height = 0;
-  std::string note;       // "partial", what is in its way
+  std::string note;       // "partial", or the obstacle
   std::string facts;      // "s = 16, l = 8, m = 1; 4.2 s"
   std::string command;    // that renders it alone
   std::string low, high;  // the ends of a map's colours
@@ -31,7 +31,7 @@ struct Drawn {
   std::vector<std::string> columns;            // of a table
   std::vector<std::vector<std::string>> rows;  // of it; the first cell is its head
   std::vector<std::string> charts, tables;     // files: .svg, .csv
-  std::vector<std::string> problems;           // why something is missing, a sentence each
+  std::vector<std::string> problems;           // reasons for missing parts, a sentence each
   std::map<std::string, std::string> numbers;  // "l16.seconds": "4.2"
   double seconds = 0;                          // of processor time
 };

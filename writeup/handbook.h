@@ -11,7 +11,7 @@
 
 namespace writeup {
 
-// Why a figure has no picture, or none as it should be: a sentence each.
+// The reasons why figures have no picture, or a wrong one: a sentence each.
 using Problems = std::vector<std::string>;
 
 // Writes the picture of each figure to its file below the folder, where it is not that already.

@@ -122,7 +122,7 @@ void write_pdfs(const fs::path& folder) {
   fs::remove_all(folder / ".chromium");
 }
 
-// What each figure took, where some were made.
+// Prints the time that each figure took.
 void print_times(const std::vector<const Figure*>& figures,
                  const std::map<std::string, Drawn>& drawn) {
   for (const Figure* figure : figures) {
@@ -153,7 +153,7 @@ void make_absolute(Options& options) {
   fs::current_path(FIRSTLIGHT_ROOT);
 }
 
-// What is made of the renders: the pages; returns whether all is there.
+// Makes the missing renders, and the pages. Returns whether all is there.
 bool make_pages(const Plan& plan, const Catalogue& catalogue,
                 const std::vector<const Figure*>& figures, const Options& options,
                 const std::string& command) {
@@ -211,7 +211,7 @@ int run(Options options) {
   return good ? 0 : 1;
 }
 
-// What is finished is on disk, and the children end with this process.
+// Finished work is on disk, and the children end with this process.
 void stop(int) {
   const char words[] = "\nstopped; the same command goes on here\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);

@@ -163,7 +163,7 @@ bool make_missing(const Plan& plan, const std::vector<const Figure*>& figures,
     progress.clear();
     units = missing_units(plan, figures);
   }
-  // What is timed comes last, when nothing else runs.
+  // Measurements of time come last, when nothing else runs.
   pt::Progress progress;
   make(plan.measured(), measurements, options.threads, [&](double part) { progress.show(part); });
   progress.clear();

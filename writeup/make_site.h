@@ -19,7 +19,7 @@ std::vector<const Figure*> figures_meant(const Catalogue& catalogue,
 bool make_missing(const Plan& plan, const std::vector<const Figure*>& figures,
                   const Options& options);
 
-// Whether all renders and measurements of a figure are there, or have failed for good.
+// Returns whether all renders and measurements of a figure are there, or have failed for good.
 bool is_settled(const Plan& plan, const Figure& figure);
 
 // All figures that are settled, as files in `folder`; drawn anew only where something has changed.

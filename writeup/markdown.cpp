@@ -13,7 +13,8 @@ namespace writeup {
 
 namespace {
 
-// Where a figure will stand: between two characters that no script uses (Unicode, private use).
+// The mark of a figure's place: its number between two characters that no script uses (Unicode,
+// private use).
 std::string mark(std::size_t figure) { return fmt::format("\uE000{}\uE001", figure); }
 
 // The names in one line, replaced by numbers.

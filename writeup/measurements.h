@@ -6,12 +6,12 @@
 
 namespace writeup {
 
-// A run of the program `accuracy`: what methods are worth in a scene, or what the scene needs; or one
+// A run of the program `accuracy`: the worth of methods in a scene, or the needs of the scene; or one
 // of `stability` or `measure`, which have no scenes.
 struct Measurement {
   std::string command;               // "cheapest", "converge", "stability" or "measure"
   std::string scene;                 // path; empty without one
-  std::vector<std::string> options;  // what else is typed
+  std::vector<std::string> options;  // further words of the command line
   double seconds = 0;                // that it may take by the clock, about
   const Code* code = nullptr;        // nothing: it is not in this build
   std::string depends;               // the part of the code that it depends on; empty: all of it
@@ -23,7 +23,7 @@ class Measurements {
   Measurements(std::filesystem::path folder, const Store& store);
 
   std::string key(const Measurement& measurement) const;
-  // Where its files are: charts, tables, and but for `measure` <command>.json.
+  // The folder of its files: charts, tables, and but for `measure` <command>.json.
   std::filesystem::path folder(const Measurement& measurement) const;
   nlohmann::json load(const Measurement& measurement) const;
 
@@ -44,7 +44,7 @@ class Measurements {
 };
 
 // Makes those that are not settled, one after the other, each on so many threads: nothing else of the
-// write-up runs beside what is timed. Where one has to be stopped, the rest is not tried.
+// write-up runs beside what is timed. If one has to be stopped, the rest is not tried.
 void make(const Measurements& measurements, const std::vector<Measurement>& missing, int threads,
           const std::function<void(double)>& progress);
 

@@ -10,7 +10,7 @@ void add(Words& names, const std::string& before, const Words& ends) {
   for (const std::string& end : ends) names.push_back(before + end);
 }
 
-// Whether or not a method makes sense in the scene.
+// All methods, also those that make no sense in some scene.
 const Words kMethods{"l1",  "l2",  "l4",  "l8",   "l16",      "l32",  "h1",   "h8",    "h32",
                      "p30", "p50", "p85", "p100", "adaptive", "wide", "task", "linear"};
 

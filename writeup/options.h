@@ -5,7 +5,7 @@
 
 namespace writeup {
 
-// What an author asks for; main.cpp says where the rest comes from.
+// The options that an author gives; main.cpp says where the rest comes from.
 struct Options {
   std::vector<std::string> what;  // parts and figures; empty: all
   bool list = false, draft = false, pdf = false, retry = false;

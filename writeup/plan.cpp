@@ -96,8 +96,8 @@ Unit Plan::unit(const Picture& picture) const {
   return {spec, &code_of(picture)};
 }
 
-// One render for all that is wanted of these bounces. Where that cannot be, because of how
-// somebody's trace_path is written, renders whose sum it is.
+// One render for all that is wanted of these bounces. If the form of somebody's trace_path forbids
+// that, renders whose sum it is.
 std::vector<Unit> Plan::in_bounces(const Unit& whole, const std::string& scene) const {
   const std::vector<pt::BounceRange>& ranges = ranges_.at(without_bounces(whole.spec, scene));
   const pt::BounceRange wanted{whole.spec.path.from, whole.spec.path.to};

@@ -15,7 +15,7 @@ namespace writeup {
 
 enum class Quality { full, draft };
 
-// Who renders what.
+// The programs that make renders and measurements.
 struct Codes {
   Code chosen;
   std::optional<Code> accuracy;          // the same, in the program that measures
@@ -25,22 +25,22 @@ struct Codes {
   std::map<std::string, Code> mistakes;  // by wrong solution; empty in the learners' edition
 };
 
-// Which renders each picture comes from.
+// The renders and measurements that make each figure.
 class Plan {
  public:
   Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes, const Store& store,
        const Measurements& measured, Quality quality);
 
-  // The renders whose sum the picture is. Where their settings depend on the time of others that
-  // have not been made, what has to be made first.
+  // The renders whose sum the picture is. If their settings depend on the time of others that have
+  // not been made, those others, which come first.
   std::vector<Unit> units(const Figure& figure, const Picture& picture) const;
 
   // Everything a figure needs that can be named so far.
   std::vector<Unit> units(const Figure& figure) const;
 
-  // What is measured for a figure: of the kind "converge", method against method in its scene; of the
-  // kinds "needs", "left_out" and "scene_needs", what each of its scenes needs; of the kind "curve", all
-  // curves of its task, which other figures share; of the kind "prices", the time of right ways.
+  // The measurements for a figure: of the kind "converge", method against method in its scene; of the
+  // kinds "needs", "left_out" and "scene_needs", the needs of each of its scenes; of the kind "curve",
+  // all curves of its task, which other figures share; of the kind "prices", the time of right ways.
   std::vector<Measurement> measurements(const Figure& figure) const;
 
   // Processor seconds of all of them, each once.
@@ -52,11 +52,11 @@ class Plan {
   // The cells of a speed-up table: a scene by an engine.
   Unit cell(const std::string& scene, pt::Engine engine) const;
 
-  // Whether the files of all its scenes are there; and makes them.
+  // Returns whether the files of all its scenes are there; prepare() makes them.
   bool is_prepared(const Figure& figure) const;
   void prepare(const Figure& figure) const;
 
-  // Whether this edition has what the picture needs; else why not.
+  // Empty if this edition has all that the picture needs; else the reason why not.
   std::string unavailable(const Picture& picture) const;
 
   Quality quality() const { return quality_; }

@@ -30,7 +30,7 @@ struct Row {
   std::vector<RowPixel> pixels;
 };
 
-// How many whole rows the file holds; 0 if it is not there.
+// The number of whole rows in the file; 0 if it is not there.
 int rows_in(const std::filesystem::path& file, int pixels);
 
 // Cuts off what is no whole row. Throws pt::Error if it cannot.

@@ -8,7 +8,7 @@
 
 namespace writeup {
 
-// Which file stands for each scene of the catalogue on this machine.
+// The file that stands for each scene of the catalogue on this machine.
 class Scenes {
  public:
   // `course` may be empty: then our own scenes stand in. Meshes are made by the program `generate`

@@ -38,7 +38,7 @@ struct Spec {
 nlohmann::json to_json(const Spec& spec);
 Spec spec_from_json(const nlohmann::json& json);
 
-// What a program says that cannot render all ranges at once; it begins like this.
+// The first words of a program that cannot render all ranges at once.
 inline constexpr const char* kNotApart = "bounces cannot be taken apart";
 
 // The tasks whose code the pixels depend on.

@@ -16,10 +16,10 @@ namespace writeup {
 struct Unit {
   Spec spec;
   const Code* code = nullptr;
-  int range = 0;  // which of the spec's ranges is meant, where it has some
+  int range = 0;  // the place in the spec's ranges, if it has some
 };
 
-// What came of it.
+// The result of a render.
 struct Rendered {
   pt::Film film;             // samples 0 where a row is missing; variances of luminance alone
   std::vector<float> boxes;  // per pixel, as the film; empty if not counted
@@ -28,7 +28,7 @@ struct Rendered {
   std::vector<std::string> missing;  // tasks that are not written yet
   std::string engine;
   int primitives = 0;
-  std::string failed;  // why it ended early; empty: it did not
+  std::string failed;  // the reason why it ended early; empty: it did not
   double seconds = 0;  // of processor time
 };
 

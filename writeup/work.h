@@ -15,7 +15,7 @@ struct WorkSettings {
   std::function<void(double)> progress;  // the part done
 };
 
-// What to say of a program that did not end well within so many seconds.
+// A sentence on a program that did not end well within `limit` seconds.
 std::string reason_of(const grader::process::CommandResult& result, double limit);
 
 // Makes all renders that are not there, several at a time, the longest first. One that crashes or

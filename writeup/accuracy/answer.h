@@ -23,7 +23,7 @@ struct AdaptiveOption {
   double times = 1;  // as long as uniform sampling, at the same error
 };
 
-// What one scene needs.
+// The needs of one scene.
 struct Answer {
   double error = 0;               // that was asked for: root of relMSE
   std::vector<Uncertain> bias2;   // left with 0, 1, ... bounces

@@ -24,7 +24,7 @@ struct Measuring {
 // Ctrl-C says from now on that the same command goes on.
 void say_when_stopped();
 
-// What the command asks for: prints it, and writes the files of --out.
+// Runs the command: prints its results, and writes the files of --out.
 void run_call(const Call& call);
 
 }  // namespace writeup::accuracy

@@ -68,7 +68,7 @@ std::vector<Curve> curves(const Answer& answer) {
   return all;
 }
 
-// Where each line goes through is predicted from A + B / l, c0 + c1 l and the bias.
+// The points of each line are predicted from A + B / l, c0 + c1 l and the bias.
 void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
   std::string csv = "title,light_samples,samples,seconds,error\n", plot;
   int block = 0;
@@ -86,7 +86,7 @@ void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
     ++block;
   }
   pt::write_file(folder / "options.csv", csv);
-  // Where on its line each of the two stands.
+  // The place of each of the two on its line.
   std::string points;
   for (const auto& [option, ink] :
        {std::pair{&answer.best, "#000000"}, {&answer.course, "#e08214"}}) {

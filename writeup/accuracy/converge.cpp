@@ -78,7 +78,7 @@ Curve by_engine(Study& study, const pt::View& view, const Method& method, const 
   return curve;
 }
 
-// Whether what was measured were the tasks themselves, and no stub.
+// Returns whether the method was measured with written tasks only, not with a stub.
 bool is_written(const Method& method) {
   Spec spec;
   spec.engine = method.engine.value_or(pt::Engine::wide);
@@ -108,7 +108,7 @@ std::vector<Method> methods_in(const pt::Scene& scene, int bounces, pt::Engine e
   }
   const Way hemisphere{Direct::hemisphere, bounces, usual.survival};
   for (const int l : {1, 8, 32}) {
-    if (some_delta) break;  // what has no surface is never met by chance
+    if (some_delta) break;  // a light without a surface is never met by chance
     all.push_back(
         {fmt::format("h{}", l), fmt::format("hemisphere, l = {}", l), hemisphere, l, false, {}});
   }

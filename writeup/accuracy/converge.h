@@ -30,7 +30,7 @@ struct Curve {
   bool heavy_tails = false;  // the variance itself is known badly: a few samples make most of it
 };
 
-// What the methods are called that make sense in a scene. The first is light sampling with l = 1.
+// The methods that make sense in a scene. The first is light sampling with l = 1.
 std::vector<Method> methods_in(const pt::Scene& scene, int bounces, pt::Engine engine);
 
 // Throws pt::Error where the title, if any, is that of no method.

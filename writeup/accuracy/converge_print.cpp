@@ -15,7 +15,7 @@ using Direct = pt::PathSettings::Direct;
 
 std::string percent(double part) { return fmt::format("{:.3g} %", 100 * part); }
 
-// Where each pixel has a number of samples of its own, there is no slope to speak of.
+// A method with another number of samples in each pixel has no slope.
 std::string slope_text(const Curve& curve) {
   if (curve.method.adaptive) return fmt::format("{:>14}", "-");
   return fmt::format("{:>6.3f} \u00b1 {:.3f}", curve.slope.value, curve.slope.error);

@@ -71,7 +71,7 @@ void Journal::keep(const std::string& question, const std::vector<double>& answe
   std::string bytes(reinterpret_cast<const char*>(&head), sizeof head);
   bytes += question;
   bytes.append(reinterpret_cast<const char*>(answer.data()), answer.size() * sizeof(double));
-  // What a stopped run left of its last entry lies behind the end, and is written over.
+  // A part of an entry that a stopped run left lies behind the end, and is written over.
   const bool cut = ftruncate(file_, static_cast<off_t>(at_)) == 0;
   const auto wanted = static_cast<ssize_t>(bytes.size());
   if (cut && pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(at_)) == wanted) {

@@ -8,9 +8,8 @@
 
 namespace writeup::accuracy {
 
-// What was measured so far, in the order in which it was: a file from which the same run goes on after
-// it was stopped. What is measured next depends on nothing but what was measured before, so that the
-// same questions come again.
+// All measurements so far, in their order: a file from which the same run goes on after it was
+// stopped. The next measurement depends only on those before, so that the same questions come again.
 class Journal {
  public:
   // Keeps nothing.

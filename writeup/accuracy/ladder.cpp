@@ -74,8 +74,8 @@ class Starter {
   std::vector<Worker> started_;
 };
 
-// Which ideas for light samples pay here, and with how many samples. Solid angles are kept where they pay
-// together with samples that are spread: that is what there is a program for.
+// Chooses the ideas for light samples that pay here, and their numbers of samples. Solid angles are kept
+// if they pay together with low-discrepancy samples: the program of that rung has both.
 void choose_lights(Chosen& chosen, Starter& starter, const Turning& turning) {
   Rung plain{"", "reference"};
   plain.way = {Direct::lights, chosen.bounces, chosen.survival};

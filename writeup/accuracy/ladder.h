@@ -8,7 +8,7 @@
 
 namespace writeup::accuracy {
 
-// What was measured of a rung. Of a pixel, in the mean.
+// The measurements of a rung, per pixel in the mean.
 struct RungTurns {
   std::vector<double> log_times;  // in each turn: log of its time over that of the base
   double seconds = 0;             // of processor time; of the base

@@ -16,7 +16,7 @@ std::string factor(const Uncertain& worth) {
   return fmt::format("{:.{}f} \u00b1 {:.{}f}", worth.value, digits, worth.error, digits);
 }
 
-// Whose error is not known, or not only noise.
+// A remark on a rung whose error is uncertain, or is not noise alone.
 std::string remark(const Climbed& rung) {
   if (rung.biased) return "  biased";
   return rung.heavy_tails ? "  heavy tails" : "";

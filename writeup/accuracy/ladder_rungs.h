@@ -19,7 +19,7 @@ struct Rung {
   bool kept = true;           // the rungs above have the idea too
 };
 
-// How lights are sampled, from the plainest way to the one with most ideas.
+// The ways to sample lights, from the plainest to the one with most ideas.
 enum class LightIdea { none, more_samples, solid_angle, spread };
 
 // Settings that the ladder takes from short renders of the scene.

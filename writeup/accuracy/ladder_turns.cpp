@@ -25,7 +25,7 @@ double pixel_seconds(const RungReply& reply) {
   return reply.cpu_seconds / static_cast<double>(reply.mean.size());
 }
 
-// What all workers together take for a pixel, about.
+// The seconds that all workers together take for a pixel, about.
 double seconds_of_all(const std::vector<Worker>& workers, Turning& turning) {
   const std::size_t step = step_for(turning, kTrial);
   double sum = 0;
@@ -35,7 +35,7 @@ double seconds_of_all(const std::vector<Worker>& workers, Turning& turning) {
   return sum;
 }
 
-// How noisy each pixel is, gathered over the turns.
+// The noise and the bias of each pixel, summed over the turns.
 struct PixelNoise {
   std::vector<double> sum, squares;  // of half the squared differences, weighted
   std::vector<double> bias;          // of the products with the long renders

@@ -17,7 +17,7 @@ struct Worker {
   RungReply render(std::uint64_t seed, std::size_t first, std::size_t step) const;
 };
 
-// What all renders of a ladder share.
+// The state that all renders of a ladder share.
 struct Turning {
   Study& study;
   std::uint64_t seed = 0;                // of the last render

@@ -9,7 +9,7 @@ namespace writeup::accuracy {
 // cannot be measured.
 pt::LoadedScene load_scene(const Options& options);
 
-// What the loader has to say, to standard error.
+// Prints the loader's notes to standard error.
 void print_notes(const pt::LoadedScene& loaded);
 
 // The exit status for main: 2 after one sentence where `run` throws.

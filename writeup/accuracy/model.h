@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-// What the error and the time of a picture are made of. Errors are relative: the root of relMSE, the
-// mean over the pixels of (x - g)^2 / (g + .01)^2, of luminance.
+// A model of the error and the time of a picture, by their parts. Errors are relative: the root of
+// relMSE, the mean over the pixels of (x - g)^2 / (g + .01)^2, of luminance.
 
 namespace writeup::accuracy {
 

@@ -51,7 +51,7 @@ double error_of(std::string word) {
   return value * unit;
 }
 
-// What all programs have.
+// The options that all programs have.
 void describe(CLI::App& app, Options& options, std::vector<int>& size) {
   app.add_option("scene", options.scene, "Scene file (.dae)")->required();
   app.add_option("-r,--size", size, "Width and height of the picture, default 480 360")

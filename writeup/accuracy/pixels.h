@@ -25,7 +25,7 @@ std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint6
 //   here   (pixels_here.cpp), by the tasks linked into this program;
 //   boxed  (pixels_boxed.cpp), by the worker of a submission, in its box: one thread.
 
-// What some pixels came to. Luminance, everywhere.
+// The results of some pixels, all of luminance.
 struct Measured {
   std::vector<double> mean;      // of each pixel
   std::vector<double> variance;  // of one sample, unbiased; of each pixel

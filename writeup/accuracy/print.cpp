@@ -139,7 +139,7 @@ std::string adaptive_text(const Answer& answer) {
       percent(option.checked.error.value), option.checked.samples, times(option.times));
 }
 
-// Why the course's settings take so long, if it is their number of bounces.
+// The reason why the course's settings take so long, if it is their number of bounces.
 std::string left_out(const Answer& answer) {
   const double bias2 = answer.course.model.bias2;
   if (bias2 < answer.error * answer.error / 4) return "";

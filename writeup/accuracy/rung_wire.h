@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What `ladder` and the programs of its rungs say to each other: a line each.
+// The messages between `ladder` and the programs of its rungs: a line each.
 
 namespace writeup::accuracy {
 

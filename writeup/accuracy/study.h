@@ -10,7 +10,7 @@
 
 namespace writeup::accuracy {
 
-// How light is followed; what is left are numbers of samples.
+// The way to follow light: all settings but the numbers of samples.
 struct Way {
   pt::PathSettings::Direct direct = pt::PathSettings::Direct::lights;
   int bounces = 5;
@@ -48,12 +48,12 @@ struct Checked {
   std::size_t pixels = 0;
 };
 
-// The most bounces that are told apart. What comes later is one rest.
+// The most bounces that are told apart. All later ones are one rest.
 inline constexpr int kToldApart = 16;
 inline constexpr int kMostWithoutTree = 30000;  // surfaces: more are not tried one by one
 inline constexpr int kAllBounces = 100;         // as trace_path takes them
 
-// How much may be measured.
+// The limits of a study.
 struct Effort {
   double seconds = 45;  // by the wall clock, what all of it may take, about
   int samples = 0;      // per pixel of each render, even; 0: as many as there is time for
@@ -82,7 +82,7 @@ class Study {
   // Short renders with these numbers of light samples, taken in turns.
   std::vector<Tried> try_out(const Way& way, const std::vector<int>& light_samples);
 
-  // How noisy each pixel is: the variance of a camera sample.
+  // The noise of each pixel: the variance of a camera sample.
   struct PixelNoise {
     double relative = 0;     // v / (g + .01)^2, of which relMSE is made
     double over_square = 0;  // v / g^2, by which adaptive sampling judges
@@ -96,7 +96,8 @@ class Study {
   Checked check(const pt::PathSettings& path, const pt::RenderSettings& settings, double seconds,
                 double bias2, double part = 0.08);
 
-  // How many times as long the same picture takes if another tracer answers: both in turns.
+  // The time of the same picture with the tracer of `other`, over the usual time: both render in
+  // turns.
   Uncertain times_as_long(const pt::Scene& other, const Way& way, int light_samples);
 
   // 1 / (g + .01)^2 of each pixel, of which relMSE is made.

@@ -68,7 +68,7 @@ MeasuredApart Study::made_apart(const pt::View& view, const pt::RenderSettings& 
   return result;
 }
 
-// Which tasks are not written is known from calls alone, and is not kept.
+// Only calls show the tasks that are not written, and the journal does not keep that.
 void Study::keep(const std::string& question, const std::vector<double>& answer) {
   if (unwritten_tasks().empty()) {
     journal_.keep(question, answer);

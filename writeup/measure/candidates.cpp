@@ -33,8 +33,8 @@ const char* const kFast = "fast";
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-// What there is beside the reference, in alphabetical order: right solutions, and the faster form of the render
-// program. The learners' edition has only the latter.
+// The candidates beside the reference, in alphabetical order: right solutions, and the faster form of the
+// render program. The learners' edition has only the latter.
 std::vector<std::string> others(const Materials& materials, const std::string& slug) {
   std::vector<std::string> names;
   const fs::path folder = fs::path(materials.config.root) / "grader/tasks" / slug / "right";
@@ -121,7 +121,7 @@ class Workshop {
     if (counts && candidate.problem.empty()) candidate.counted = link(counted_config_, counted_);
   }
 
-  // What is compiled already.
+  // A task that is compiled already.
   Judged compiled(const TaskConfig& task, const grader::judge::Paths& objects) const {
     Judged judged = not_judged(plain_config_, task);
     judged.object = {objects.at(0), grader::base::stamp(objects.at(0)), "", "", ""};

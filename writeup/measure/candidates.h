@@ -14,9 +14,9 @@ namespace writeup::measure {
 struct Candidate {
   std::string name;     // "reference", "half_b", or that of the folder that it came from
   bool is_own = false;  // somebody's own; all others are known to be right
-  std::string problem;  // why it cannot be measured, in one sentence; empty: it can
+  std::string problem;  // the reason why it cannot be measured, one sentence; empty: it can
   std::string plain;    // a program; its time is measured
-  std::string counted;  // where rays test boxes: another one, which counts
+  std::string counted;  // a second program, which counts boxes; empty: rays test none
 };
 
 // A task, the reference first.
@@ -25,7 +25,7 @@ struct Contest {
   std::vector<Candidate> candidates;
 };
 
-// What there is to build workers of.
+// The materials to build workers of.
 struct Materials {
   grader::judge::Config config;
   std::map<std::string, grader::judge::Paths> fast;  // as writeup/worker_config.h has them

@@ -54,7 +54,7 @@ std::string title_of(const std::string& name) {
   return title;
 }
 
-// What has no finite error is in the table only.
+// A candidate without a finite error is in the table only.
 std::vector<Curve> curves(const About& about, const std::vector<Table>& tables) {
   std::vector<Curve> all;
   for (std::size_t i = 0; i < tables[0].rows.size(); ++i) {

@@ -13,8 +13,8 @@ struct NoAnswer {
   std::string why;
 };
 
-// A worker in its box, started when it is asked for the first time. What it answers is checked for form only:
-// whoever writes the code that is measured can make it say anything, and nothing but a chart depends on it.
+// A worker in its box, started when it is asked for the first time. Only the form of its answers is checked:
+// the author of the measured code can make it say anything, and nothing but a chart depends on it.
 class Conversation {
  public:
   Conversation(std::string program, grader::sandbox::Tier tier)

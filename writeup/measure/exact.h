@@ -13,7 +13,8 @@ namespace writeup::measure {
 inline constexpr int kInputs =
     4096;  // some 800 KiB of triangles and rays: they stay in the second cache
 
-// What keeps the compiler from leaving a call out, where it sees the function.
+// A sum of all answers goes here, so that the compiler cannot leave a call out if it sees the
+// function.
 inline volatile double sink = 0;
 
 // A task with an exact answer: call(input) returns the answer, look(input, answer, found) enters its errors and

@@ -37,7 +37,7 @@ struct Meeting {
   std::array<long double, 3> weights{};  // of the corners; they sum to 1
 };
 
-// Where the ray meets the triangle's plane.
+// The point where the ray meets the triangle's plane.
 Meeting meet(const pt::Triangle& triangle, const Ray& ray) {
   const Precise3 p0 = triangle.p0;
   const Precise3 n = cross(Precise3(triangle.p1) - p0, Precise3(triangle.p2) - p0);
@@ -150,7 +150,7 @@ void look_at_sphere(const Aimed<pt::Sphere>& aimed, const std::optional<SurfaceH
   keep_largest(found.errors[1], errors_at(aimed, *hit)[1]);
 }
 
-// So far away that the plain formula loses all digits. Whoever misses is as wrong as can be: by a radius.
+// So far away that the plain formula loses all digits. A miss counts as the largest error: a radius.
 double far_error() {
   constexpr double kFar = 1e7;
   pt::Sampler sampler(kSeed);

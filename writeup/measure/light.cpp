@@ -92,7 +92,7 @@ struct Room {
   std::vector<Place> places;
 };
 
-// What the ray from `origin` meets.
+// The point that the ray from `origin` meets.
 Place place(const pt::Scene& scene, Vec3 origin, Vec3 direction) {
   pt::Ray ray;
   ray.origin = origin;

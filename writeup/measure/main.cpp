@@ -29,7 +29,7 @@ void stay_on_this_processor() {
   cpu_set_t set;
   CPU_ZERO(&set);
   CPU_SET(static_cast<std::size_t>(sched_getcpu()), &set);
-  sched_setaffinity(0, sizeof set, &set);  // where it may not, it is measured all the same
+  sched_setaffinity(0, sizeof set, &set);  // if that is forbidden, it measures all the same
 }
 
 Materials materials_for(const grader::judge::Config& config, const Options& options) {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
-// What the program `measure` and its workers say to each other: two programs of one build on one machine, so
-// both travel as they lie in memory.
+// The messages between the program `measure` and its workers: programs of one build on one machine, so
+// messages travel as they lie in memory.
 
 namespace writeup::measure {
 
@@ -27,7 +27,7 @@ struct Timed {
 
 inline constexpr int kMaxErrors = 3;
 
-// What comes of calling the task on all inputs.
+// The results of calling the task on all inputs.
 struct Found {
   std::array<double, kMaxErrors> errors{};  // the largest, of each kind that tasks.h names
   double wrong = 0;     // the part of the calls that hit or missed where the other is right

@@ -66,7 +66,7 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
     throw pt::Error("--from and --submission are two ways to name one thing: leave one out");
   }
   for (const std::string& word : from) add_from(word, root, options);
-  // Where there is no other right way, a learner's own is what they ask about.
+  // The learners' edition has no other right way: there the default is the learner's own.
   if (from.empty() && submission.empty() && !fs::exists(root / "reference"))
     add_from("student", root, options);
   return options;

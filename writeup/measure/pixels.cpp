@@ -35,7 +35,7 @@ Subject pixels(bool adaptive, int of_cases) {
   pt::Camera camera;
   camera.hfov_deg = camera.vfov_deg = 90;
   pt::PathSettings settings;
-  settings.to = of_cases;  // what radiance() below makes of it
+  settings.to = of_cases;  // for radiance() below
   std::vector<Pixel> all;
   for (int i = 0; i < kPlaces; ++i) {
     all.push_back({i % kSide, i / kSide, kBright + kDark * (1 - kBright)});

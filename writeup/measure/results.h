@@ -8,7 +8,7 @@
 
 namespace writeup::measure {
 
-// What was measured of one candidate in one case of its task.
+// The measurements of one candidate in one case of its task.
 struct Row {
   std::string name;
   bool is_own = false;

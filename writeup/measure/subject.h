@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <functional>
 
-// What a worker measures: one case of one task, as it is linked here, on inputs of its own. The inputs are
-// the same in every worker.
+// The subject of a worker's measurement: one case of one task, as it is linked here, on inputs of its own.
+// The inputs are the same in every worker.
 
 namespace writeup::measure {
 

@@ -7,14 +7,14 @@
 
 namespace writeup::measure {
 
-// What can be said of a task besides its time.
+// The quality of a task that is measured besides its time.
 enum class Kind {
   exact,      // its largest error, against a closed form in long double
   estimator,  // its noise, and whether its mean is that of a closed form
-  tree,       // what a ray tests
+  tree,       // the boxes and primitives that a ray tests
 };
 
-// What is measured of one task.
+// The measurements of one task.
 struct About {
   std::string slug;
   Kind kind = Kind::exact;

@@ -12,7 +12,7 @@ namespace writeup::stability {
 
 namespace {
 
-// What a logarithmic axis can show. Where some errors are 0, the lowest tic stands for 0.
+// The range of a logarithmic axis. Where some errors are 0, the lowest tic stands for 0.
 struct Range {
   double bottom = 1e-17, zero = 3e-17, top = 1;
   bool has_zeros = true;

@@ -33,7 +33,7 @@ std::string folder_of(const judge::Config& config, const judge::TaskConfig& task
   return config.root + "/grader/tasks/" + task.slug + "/";
 }
 
-// What the line is compiled to; or a reason in `error`.
+// The compiled object of the line; or a reason in `error`.
 judge::Judged compiled(const judge::Config& config, const judge::Builder& builder,
                        const judge::TaskConfig& task, const Request& request, const Line& line) {
   judge::Judged judged = judge::not_judged(config, task);

@@ -19,10 +19,10 @@ struct Line {
   std::string title;
   std::string file;      // of the task's folder without ".cpp", for methods and variants
   bool single = false;   // its arithmetic type REAL is float
-  std::string unusable;  // why it cannot be measured, for example what a compiler said; else empty
+  std::string unusable;  // the reason why it cannot be measured; else empty
 };
 
-// What is measured, and how.
+// The lines to measure, and the settings.
 struct Request {
   std::string submission;  // a folder; empty: none
   bool methods = true;     // those that the curves are about
@@ -57,7 +57,7 @@ struct Charts {
 // A name for files and texts: "reference", "yours", "quadratic_single".
 std::string id_of(const Line& line);
 
-// Whether the line belongs to what the chart is about: then it has a colour and a name there.
+// Returns whether the chart is about this line: then it has a colour and a name there.
 bool is_named(const Charts& charts, const Chart& chart, std::size_t line);
 
 // A search for bad inputs of a task (grader/check/bad_inputs.h), by the reference or the submission.

@@ -49,7 +49,7 @@ std::vector<judge::TaskConfig> tasks_of(const judge::Config& config, const Optio
   return tasks;
 }
 
-// What the charts of each task depend on, for the write-up.
+// Prints a hash of all on which the charts of each task depend, for the write-up.
 int print_keys(const judge::Config& config, const std::vector<judge::TaskConfig>& tasks,
                const Request& request) {
   for (const judge::TaskConfig& task : tasks) {
@@ -58,7 +58,7 @@ int print_keys(const judge::Config& config, const std::vector<judge::TaskConfig>
   return 0;
 }
 
-// What was found so far is kept beside what `grade` keeps.
+// The worst inputs so far are kept beside the files of `grade`.
 int search(const judge::Config& config, const std::vector<judge::TaskConfig>& tasks,
            const Options& options) {
   bool all = true, any = false;
