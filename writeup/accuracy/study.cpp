@@ -48,8 +48,7 @@ std::vector<pt::BounceRange> one_by_one() {
   return ranges;
 }
 
-// The light that each pixel misses with at most m bounces: first its whole light, then m = 0, 1,
-// ...
+// The light that each pixel misses with at most m bounces: first all of it, then for m = 0, 1, ...
 std::vector<std::vector<double>> missing(const MeasuredApart& apart) {
   std::vector<std::vector<double>> rest(apart.mean.size());
   std::vector<double> sum(apart.mean[0].size());
