@@ -37,7 +37,7 @@ class EmbreeScene {
   RTCScene handle() const { return scene_; }
 
   // The ray in single precision. It begins and ends a little later and earlier, by 2^-16 of the
-  // scene's size: what it starts on is not far enough away for single precision.
+  // scene's size: in single precision, the surface on which it starts is not far enough away.
   RTCRay convert(const Ray& ray) const;
 
  private:

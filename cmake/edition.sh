@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What a learner does with the whole edition: take a newer one over, and hand in. `./run` includes this file.
+# The commands for the whole edition of a learner: take a newer one over, and hand in. `./run` includes this file.
 # shellcheck disable=SC2154 # root and build are those of ./run
 
 # The file .edition lists every file of an edition as sha256sum does. Hashes by path, in the array `hashes`.

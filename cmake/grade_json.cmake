@@ -1,5 +1,5 @@
-# grade.json: what `grade` needs to build and judge a submission without CMake. It stands beside the programs of the grader,
-# where they look for each other; the target `grade` is all of them.
+# grade.json: all that `grade` needs to build and judge a submission without CMake. It stands beside the programs of the
+# grader, where they look for each other; the target `grade` is all of them.
 
 # Programs of one learner's file are linked by the hundred: gold takes a third of ld's time.
 include(CheckLinkerFlag)

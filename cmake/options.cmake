@@ -19,7 +19,7 @@ if(FIRSTLIGHT_WERROR)
   target_compile_options(firstlight_warnings INTERFACE -Werror)
 endif()
 
-# A library of ours: whoever links it also gets what it needs.
+# A library of ours: a target that links it also gets the libraries that it needs.
 function(firstlight_library name)
   add_library(${name} STATIC ${ARGN})
   target_link_libraries(${name} PRIVATE firstlight_warnings PUBLIC firstlight_options)

@@ -23,7 +23,7 @@ progress_clear() {
   progress_shown=-2
 }
 
-# progress_step LINE: what a line of ninja's says was done, in fewer words; in `progress_step`.
+# progress_step LINE: sets `progress_step` to the step that a line of ninja's names, in fewer words.
 progress_step() {
   progress_step=$1
   case $1 in

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# The packages that the project needs from the system: what is missing is installed where that is allowed, and else
+# The packages that the project needs from the system: missing ones are installed where that is allowed, and else
 # named in one command. `./run` includes this file.
 # shellcheck disable=SC2154 # root, build and command are those of ./run
 
@@ -21,7 +21,7 @@ is_installed() {
   esac
 }
 
-# name_for MANAGER PACKAGE: what the manager calls it; empty where it is not needed; ? where it has none.
+# name_for MANAGER PACKAGE: the manager's name for it; empty where it is not needed; ? where it has none.
 name_for() {
   if [ "$1" = apt-get ]; then
     echo "$2"
@@ -73,7 +73,7 @@ how_to_install() {
   [ "$1" = apt-get ] || printf '; if all is here under other names, go on with: mkdir -p %s && touch %s' "$build" "$2"
 }
 
-# may_install: whether apt-get can be run, if need be after a password on this terminal.
+# may_install: succeeds if apt-get can be run, if need be after a password on this terminal.
 may_install() {
   [ "$(id -u)" -eq 0 ] || { command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [ -t 0 ]; }; }
 }
@@ -91,7 +91,7 @@ install_missing() {
 }
 
 # setup [LIST]: remembers that all were there, so that the next call costs nothing. Makes nothing before it is
-# certain that it can go on. Without LIST: what everybody needs, and what those need who grade a class.
+# certain that it can go on. Without LIST: the packages that everybody needs, and those for grading a class.
 setup() {
   local lists=("$root/cmake/${1:-packages.txt}") stamp manager missing unknown
   [ $# -gt 0 ] || [ ! -e "$root/cmake/packages-class.txt" ] || lists+=("$root/cmake/packages-class.txt")

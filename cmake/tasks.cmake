@@ -6,8 +6,8 @@
 # exactly one library for each task. Exercise numbers (1.3) follow from the order here.
 #
 # grader/tasks.json is the table of them. From it, for each slug: FIRSTLIGHT_JUDGE_ANSWERS_<slug> and
-# FIRSTLIGHT_MOCKS_<slug>, slugs; and where its calls can be counted, FIRSTLIGHT_COUNTED_<slug>: what it
-# returns, what it is asked about, and the counter's name.
+# FIRSTLIGHT_MOCKS_<slug>, slugs; and where its calls can be counted, FIRSTLIGHT_COUNTED_<slug>: the
+# types of its result and of its shape, and the counter's name.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/grader/tasks.json)
 file(READ ${PROJECT_SOURCE_DIR}/grader/tasks.json table)
 # firstlight_names(<variable> <words of the path in the table>...): an array of names as a list; empty
@@ -67,7 +67,7 @@ function(firstlight_add_taped slug name source)
   endif()
 endfunction()
 
-# Object libraries <slug>.<name> for every task file that the tree at `root` has: what is missing is
+# Object libraries <slug>.<name> for every task file that the tree at `root` has: missing files are
 # left out.
 function(firstlight_add_implementation name root)
   foreach(task IN LISTS FIRSTLIGHT_TASKS)
@@ -143,9 +143,10 @@ function(firstlight_link_tasks program)
   endif()
 endfunction()
 
-# firstlight_inner_choices(<slug> <implementation> <radiance>): what answers the inner calls of a task that is
-# judged alone, for firstlight_link_tasks. Sets INNER_CHOICES: the implementation for the tasks that the judge
-# answers, and mocks; and INNER_RADIANCE: the one given, or path where the judge does not answer radiance().
+# firstlight_inner_choices(<slug> <implementation> <radiance>): the implementations for the inner calls of a
+# task that is judged alone, for firstlight_link_tasks. Sets INNER_CHOICES: the implementation for the tasks
+# that the judge answers, and mocks; and INNER_RADIANCE: the one given, or path where the judge does not
+# answer radiance().
 function(firstlight_inner_choices slug implementation radiance)
   set(choices)
   set(INNER_RADIANCE path PARENT_SCOPE)

@@ -63,7 +63,7 @@ std::string temporary_name(const fs::path& path) {
 void write_file(const fs::path& path, std::string_view bytes) {
   check_target(path);
   std::error_code error;
-  // A link stays a link: what it points to is replaced.
+  // A link stays a link: the file that it points to is replaced.
   fs::path target = path;
   if (fs::is_symlink(fs::symlink_status(path, error))) {
     target = fs::weakly_canonical(path, error);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The programs that find the cheapest settings, compare methods, and tell what an idea is worth: what they say, their files,
-# what they refuse; and that a stopped run goes on.
+# The programs that find the cheapest settings, compare methods, and tell what an idea is worth: tests their words,
+# their files, the calls that they refuse, and that a stopped run goes on.
 # accuracy.sh BUILD: whose programs are tried.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

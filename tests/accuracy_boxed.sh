@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What a scene needs, by a submission in the box: the same as by the program that links it; what does not compile, what
-# crashes, what never ends and what is not written are sentences.
+# The needs of a scene, by a submission in the box: the same as by the program that links it; code that does not
+# compile, crashes, never ends or is not written gives a sentence.
 # accuracy_boxed.sh BUILD: whose programs are tried.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -10,7 +10,7 @@ fail() {
   exit 1
 }
 
-# The copy: what git knows, and what is new; files that are the same keep their times.
+# The copy: files that git knows, and new ones; files that are the same keep their times.
 mkdir -p "$tree"
 { git ls-files --cached --others --exclude-standard 2>/dev/null | grep . ||
     find . -path ./build -prune -o -type f -print; } | while read -r file; do

@@ -19,7 +19,7 @@ mkdir -p "$rows"
 find "$rows" -name '*.done' ! -newer "$build/grader/grade" -delete
 find "$rows" -name '*.done' ! -newer "$build/grader/self_check/attack_test" -delete
 
-# attacks_as USER VERSION: what attack_test notes, in $rows/USER.VERSION; once for a build.
+# attacks_as USER VERSION: writes the notes of attack_test to $rows/USER.VERSION; once for a build.
 attacks_as() {
   [ ! -e "$rows/$1.$2.done" ] || return 0
   local folder=/tmp/firstlight_attacks.$1 words=("$build/grader/self_check/attack_test" '--gtest_filter=tier/*')

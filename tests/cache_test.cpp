@@ -1,4 +1,4 @@
-// The judge's cache: which files are removed when it is too large, and which must stay.
+// The judge's cache: the files that are removed when it is too large, and those that must stay.
 #include "grader/judge/cache.h"
 
 #include "grader/judge/headers.h"
@@ -76,7 +76,7 @@ TEST_F(Cache, an_entry_is_as_old_as_the_youngest_of_its_files_and_goes_as_a_whol
   EXPECT_EQ(names(), (Names{"a.picture.evidence.exr", "a.picture.exr", "a.picture.json"}));
 }
 
-// A clock that ran ahead and was set back: what was used "tomorrow" goes first, not never.
+// A clock that ran ahead and was set back: a file that was used "tomorrow" goes first, not never.
 TEST_F(Cache, a_time_of_the_future_keeps_nothing) {
   add("a.o", 600, hours(-24 * 365));
   add("b.o", 300, hours(2));

@@ -1,4 +1,4 @@
-// The page of a class: what is counted, and in which order it stands.
+// The page of a class: its counts, and their order.
 #include "grader/report/class_page.h"
 
 #include <gmock/gmock.h>

@@ -61,8 +61,8 @@ TEST(FileCamera, is_the_last_one) {
   EXPECT_TRUE(has_note(loaded, "2 cameras"));
 }
 
-// The row 0 1 0 0 lacks a number, as in one of the course's files: what y and the rows below mean
-// is lost, the direction in which the camera looks is not.
+// The row 0 1 0 0 lacks a number, as in one of the course's files: the meaning of y and the rows
+// below is lost, the direction in which the camera looks is not.
 TEST(FileCamera, survives_a_matrix_of_15_numbers) {
   const LoadedScene loaded =
       load_with_camera(kXfov60, node("<matrix>-1 0 0 0 0 0 1 3 0 0 0 0 0 0 1</matrix>"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# debug.sh COMPILER OBJECTS: whether ./run debug stops where it says, in the learner's function
+# debug.sh COMPILER OBJECTS: tests that ./run debug stops where it says, in the learner's function
 # called with the smallest input that the report shows. OBJECTS lists what
 # check.hit_triangle.reference is linked to but for the task; other solutions take its place.
 set -euo pipefail

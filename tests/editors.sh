@@ -7,7 +7,8 @@ cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 command -v clangd >/dev/null || exit 77
 failures=0
 
-# errors FILE: what clangd says of it; at most the stated number of its lines is looked at, as the rest takes long.
+# errors FILE: prints clangd's errors in it; at most the stated number of its lines is looked at, as the rest takes
+# long.
 errors() { clangd --check="$1" --check-lines=1-2 2>&1 | grep -E '^E\[|^I.*All checks completed' || true; }
 
 for file in student/*/*.cpp pt/tasks/*.h; do

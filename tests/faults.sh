@@ -32,7 +32,7 @@ json.dump(config, open(sys.argv[2] + "/grade.json", "w"))
 END
 }
 
-# grades NAME STATUS OPTIONS...: what it says goes to $folder/said. Status 2 comes with one line and no verdict.
+# grades NAME STATUS OPTIONS...: its output goes to $folder/said. Status 2 comes with one line and no verdict.
 grades() {
   local name=$1 status=$2 got=0
   shift 2

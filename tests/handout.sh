@@ -14,7 +14,7 @@ complain() {
   exit 1
 }
 
-# grades STATUS WORDS [OPTION ...]: what ./run grade does there.
+# grades STATUS WORDS [OPTION ...]: checks the exit status and the words of ./run grade there.
 grades() {
   local status=$1 words=$2 output got=0
   shift 2

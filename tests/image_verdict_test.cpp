@@ -1,5 +1,5 @@
-// The verdict on a picture, on pictures drawn from known distributions: how often right ones fail,
-// and whether wrong ones do.
+// The verdict on a picture, on pictures drawn from known distributions: the rate at which right
+// ones fail, and that wrong ones do.
 #include "grader/pictures/image_verdict.h"
 
 #include "grader/base/normal.h"

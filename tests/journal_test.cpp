@@ -48,7 +48,7 @@ TEST(Journal, forgets_what_comes_after_another_question) {
   EXPECT_EQ(journal.next("same"), std::nullopt);
 }
 
-// A run may be killed while it writes: whatever is left of the last entry, the others are whole.
+// A run may be killed while it writes: with any part of the last entry, the others are whole.
 TEST(Journal, half_an_entry_is_none) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() + "/a";

@@ -45,7 +45,7 @@ expect() {
   answer=$(script)
   [ "$answer" = '{"value":true}' ] || { echo "FAILED: $1: $answer"; failed=1; }
 }
-# number: what the script returns, rounded.
+# number: the result of the script, rounded.
 number() { script | sed -n 's/.*"value":\(-\{0,1\}[0-9]*\).*/\1/p'; }
 element() {
   post "$session/element" "{\"using\": \"css selector\", \"value\": \"$1\"}" |

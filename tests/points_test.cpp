@@ -1,4 +1,4 @@
-// Points: what promises and pictures earn, and what one cause costs.
+// Points: the worth of promises and pictures, and the cost of one cause.
 #include "grader/results/points.h"
 
 #include "pt/error.h"

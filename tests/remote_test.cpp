@@ -1,4 +1,4 @@
-// Messages between judge and worker: what is encoded comes back, and no bytes hurt the decoder.
+// Messages between judge and worker: each encoded value comes back, and no bytes hurt the decoder.
 #include "grader/base/sha256.h"
 #include "grader/results/promises.h"
 #include "grader/wire/finite.h"

@@ -70,7 +70,7 @@ class RenderProgram : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  // Runs the program in the folder; what it says goes to said().
+  // Runs the program in the folder; its output goes to said().
   int run(const std::string& arguments, const std::string& program = RENDER_PROGRAM) const {
     const std::string command = "cd '" + folder_.string() + "' && '" + program + "' " + arguments +
                                 " > said 2>&1 < /dev/null";

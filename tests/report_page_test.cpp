@@ -1,4 +1,4 @@
-// The page: what it says, and that it says no more than it should.
+// The page: its content, and that it says no more than it should.
 #include "grader/report/html.h"
 #include "grader/results/summary.h"
 #include "pt/image/image_io.h"

@@ -133,7 +133,8 @@ grades needed 0 direct_lights --submission reference --no-pictures
 together=$(grep together "$folder/needed/log")
 [ "$together" = 'direct_lights.together ' ] || complain 'judged together with the others:' "$together"
 
-# Another project with the same cache: what changes in a contract touches the tasks that may include it, and words touch none.
+# Another project with the same cache: a change of a contract's code touches the tasks that may include it, a change of
+# its words none.
 prepare changed
 mkdir "$folder/root"
 for each in grader golden scenes; do ln -s "$PWD/$each" "$folder/root/$each"; done

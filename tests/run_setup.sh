@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What ./run does before a program runs: it finds the packages, says how far it is, and waits for another ./run. With
+# The work of ./run before a program runs: it finds the packages, says how far it is, and waits for another ./run. With
 # programs in the place of cmake, ninja and the package managers that do what the test has laid out.
 # shellcheck disable=SC2016,SC2015
 set -euo pipefail

@@ -13,7 +13,7 @@ complain() {
   exit 1
 }
 
-# shown STATUS WORDS...: what it says, in $said.
+# shown STATUS WORDS...: sets $said to its output.
 shown() {
   local expected=$1 got=0
   shift

@@ -41,7 +41,7 @@ struct AdaptiveRun {
   pt::Image picture;
 };
 
-// `variance`: how much more a sample varies than it should, as with another method.
+// `variance`: the variance of a sample over the right one, as with another method.
 AdaptiveRun run_adaptive(const AdaptiveScene& scene, const pt::AdaptiveSettings& settings,
                          StoppingRule rule, double variance, std::uint64_t seed);
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// Pictures drawn from known distributions, without a renderer: what a right program, or one with a
-// known error, would hand in.
+// Pictures drawn from known distributions, without a renderer: like those of a right program, or of
+// one with a known error.
 
 namespace grader::pictures {
 

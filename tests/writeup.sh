@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The write-up in draft quality: every figure exists; nothing is made twice; a changed task makes anew
-# what depends on it and nothing else; what was killed goes on; a crash and an endless loop stay in their
-# place; wrong names in a text are found; the pages work in a browser.
+# all that depends on it and nothing else; a killed run goes on; a crash and an endless loop stay in
+# their place; wrong names in a text are found; the pages work in a browser.
 # writeup.sh BUILD: whose programs are tried.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -75,7 +75,7 @@ expect() {
 code reference reference
 code student student
 
-# Killed in the middle, it goes on: what was finished then is not made again.
+# Killed in the middle, it goes on: the parts finished then are not made again.
 go=exec writeup reference >"$folder/first" 2>&1 &
 victim=$!
 for _ in $(seq 600); do

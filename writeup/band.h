@@ -30,7 +30,7 @@ struct BandEnd {
   int primitives = 0;
 };
 
-// The first row that is not there yet; what is after it is cut off.
+// The first row that is not there yet; anything behind it is cut off.
 int start_band(const Band& band, int pixels);
 void finish_band(const Band& band, const BandEnd& end);
 BandEnd read_end(const Band& band);

@@ -59,7 +59,7 @@ pt::Picture drawn(const Plan& plan, const Figure& figure) {
   return pictures.size() == 1 ? pictures[0] : side_by_side(pictures);
 }
 
-// Does something with the picture of every figure; what throws becomes a problem.
+// Does something with the picture of every figure; an exception becomes a problem.
 template <class Action>
 Problems for_each(const Plan& plan, const std::vector<const Figure*>& figures, Action action) {
   Problems problems;

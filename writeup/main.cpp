@@ -132,7 +132,7 @@ void print_times(const std::vector<const Figure*>& figures,
   }
 }
 
-// The first thing that is wrong with each figure; whether anything is.
+// Prints the first problem of each figure. Returns whether there is any.
 bool report(const std::vector<const Figure*>& figures, const std::map<std::string, Drawn>& drawn) {
   bool failed = false;
   for (const Figure* figure : figures) {

@@ -35,7 +35,7 @@ class Measurements {
     return is_complete(measurement) || !failure(measurement).empty();
   }
 
-  // Seconds of processor time; what is allowed if it has not been made.
+  // Seconds of processor time; the allowed time if it has not been made.
   double cpu_seconds(const Measurement& measurement) const;
 
  private:

@@ -18,14 +18,14 @@ struct Submitted {
   std::string text;
 };
 
-// The file `name` in an open folder: what is a link, hard or soft, not a regular file, or larger
-// than `most` bytes, is rejected.
+// The file `name` in an open folder: a link, hard or soft, anything but a regular file, and a file
+// larger than `most` bytes are rejected.
 Submitted read_plain_file(int folder, const std::string& name, std::size_t most);
 
 inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
 
-// Reads the file of a task, without following a link below the folder: what is not a regular file,
-// or larger than kMaxFile, is rejected. It is the first there is of <part>/<slug>.cpp,
+// Reads the file of a task, without following a link below the folder: anything but a regular file,
+// and a file larger than kMaxFile, are rejected. It is the first there is of <part>/<slug>.cpp,
 // student/<part>/<slug>.cpp, <slug>.cpp and student/<slug>.cpp.
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
@@ -35,8 +35,8 @@ Submitted read_submitted(const std::string& folder, const std::string& part,
 bool is_hidden(const std::string& name);
 
 // The folder in which the tree of a submission starts: the given one, or what is in it as long as
-// that is one folder and nothing else, as archives unpack; what is hidden does not count. The folders
-// of a tree (student, 1_rays) are never entered.
+// that is one folder and nothing else, as archives unpack; hidden files do not count. The folders of
+// a tree (student, 1_rays) are never entered.
 std::string submission_root(const std::string& folder);
 
 }  // namespace grader::base

@@ -16,8 +16,8 @@ inline constexpr const char* kSheetName = "contact_sheet.png";
 // Every golden that there is, with its name below. Nothing else has that place in the folder.
 pt::Picture contact_sheet(const std::vector<Recipe>& recipes, const std::filesystem::path& folder);
 
-// In Markdown, a row per recipe: what it shows and judges, how much one sample deviates, how long a
-// first verdict takes.
+// In Markdown, a row per recipe: its content and the tasks that it judges, the deviation of one
+// sample, the time of a first verdict.
 std::string golden_table(const std::vector<Recipe>& recipes, const std::filesystem::path& folder);
 
 }  // namespace grader::pictures

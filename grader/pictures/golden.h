@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// A golden and a submission's batches as planes of numbers: what the tests of a picture compute
-// with.
+// A golden and a submission's batches as planes of numbers, with which the tests of a picture
+// compute.
 
 namespace grader::pictures {
 

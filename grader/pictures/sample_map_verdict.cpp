@@ -87,7 +87,7 @@ void fit(SampleMapVerdict& verdict, const SampleMapReference& reference,
   verdict.ratio = plain.y / plain.x;
   if (weighted.var_x() > 0) verdict.b = weighted.covariance() / weighted.var_x();
   verdict.a = (weighted.y - verdict.b * weighted.x) / weighted.weight / batch;
-  // Equal counts have no correlation with anything; what is left of their variance is rounding.
+  // Equal counts have no correlation with anything; the rest of their variance is rounding.
   const double variances = logarithms.var_x() * logarithms.var_y();
   if (variances > 1e-20) verdict.correlation = logarithms.covariance() / std::sqrt(variances);
 }

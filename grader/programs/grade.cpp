@@ -125,7 +125,7 @@ judge::GradeRequest request_for(const judge::Config& config, const GradeOptions&
   return request;
 }
 
-// For ./run submit: what a learner graded last, in one sentence.
+// For ./run submit: the last run of a learner, in one sentence.
 void remember_run(const judge::Config& config, const results::Results& results,
                   const GradeOptions& options) {
   if (options.submission != GradeOptions().submission) return;

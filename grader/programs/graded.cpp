@@ -40,8 +40,8 @@ struct Options {
   double seconds = 60;  // of the search
 };
 
-// All calls of a battery take some milliseconds: what takes this long hangs, also where the machine
-// is busy.
+// All calls of a battery take some milliseconds: one that takes this long hangs, also on a busy
+// machine.
 constexpr std::chrono::milliseconds kBatteryCallLimit{2000};
 
 // Properties take an exception for a case that failed.

@@ -29,7 +29,8 @@ class ClassPage {
   // Rows in alphabetical order. One file, which needs no network and no script to be read.
   std::string to_html() const;
 
-  // Of a promise or a picture: how many submissions were judged by it, and how many were right.
+  // Of a promise or a picture: the numbers of submissions that were judged by it, and that were
+  // right.
   struct Count {
     std::string title;
     int judged = 0;

@@ -15,10 +15,10 @@ namespace grader::report {
 // RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
-// "data:image/png;base64,...": what an image may have as its address.
+// "data:image/png;base64,...": an address for an image.
 std::string png_address(const pt::Picture& picture);
 
-// The bits of the nearest IEEE 754 half; what is beyond its range becomes infinite.
+// The bits of the nearest IEEE 754 half; values beyond its range become infinite.
 std::uint16_t to_half(double value);
 
 // Halves, little-endian, in base64: r, g and b of every pixel, row by row, the top row first.

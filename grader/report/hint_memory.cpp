@@ -56,7 +56,7 @@ void remember_failures(const std::string& work, const results::Results& results)
     Memory memory = recall(work, task.slug);
     if (task.state == results::State::pass) memory.given.clear();
     memory.seed = results.seed;
-    // A file that does not compile says nothing about promises: what failed before still counts.
+    // A file that does not compile says nothing about promises: earlier failures still count.
     if (task.compiler_output.empty()) memory.fails.clear();
     for (const bool bonus : {false, true}) {
       for (const results::PromiseResult& promise : task.promises) {

@@ -26,7 +26,8 @@ Memory recall(const std::string& work, const std::string& slug);
 // Written in one piece. Throws pt::Error if it cannot be.
 void remember(const std::string& work, const std::string& slug, const Memory& memory);
 
-// After a run of `grade`: what fails now. The hints of a task that passes start again.
+// After a run of `grade`: remembers the promises that fail now. The hints of a task that passes
+// start again.
 void remember_failures(const std::string& work, const results::Results& results);
 
 }  // namespace grader::report

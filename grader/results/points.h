@@ -32,11 +32,11 @@ Points load_points(const std::string& path);
 // Returns whether nothing of the task earns a point, as of a part that the course leaves out.
 bool is_left_out(const Points& points, const std::string& slug);
 
-// Fills in what each promise and picture earns, and the sums. Where a mistake is named, it is the
-// one cause of all that is wrong: then broken promises together take at most the share `one_cause`
-// of what the task's promises are worth, rounded up to a whole point. Anything beyond that is
-// given back as `spared`: at most what the promises that hold earn, and nothing if the task always
-// gives the same answer.
+// Fills in what each promise and picture earns, and the sums. If a mistake is named, it is the one
+// cause of all that is wrong: then broken promises together take at most the share `one_cause` of
+// the points of the task's promises, rounded up to a whole point. Anything beyond that is given
+// back as `spared`: at most what the promises that hold earn, and nothing if the task always gives
+// the same answer.
 void count_points(const Points& points, TaskResult& result);
 
 }  // namespace grader::results

@@ -33,7 +33,7 @@ Totals totals(const std::vector<TaskResult>& tasks);
 // promises of a task wait for their verdict together.
 bool is_judged(const TaskResult& task, const PromiseResult& promise);
 
-// Of promises and pictures: how many there are, and on how many there is a verdict.
+// Of promises and pictures: their number, and the number of those with a verdict.
 struct Counts {
   std::size_t all = 0, judged = 0;
 };

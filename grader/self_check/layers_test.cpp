@@ -1,5 +1,5 @@
-// The folders of the grader: which folder may include which. A folder uses those that stand before it
-// in the list; so no two use each other, and who reads one from the bottom up needs no other.
+// The folders of the grader, and those that each may include. A folder uses those that stand before
+// it in the list; so no two use each other, and who reads one from the bottom up needs no other.
 #include "grader/base/files.h"
 
 #include <algorithm>

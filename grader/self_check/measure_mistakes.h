@@ -34,7 +34,7 @@ struct Measured {
   std::vector<std::string> broken, unsure;  // of all seeds
 };
 
-// Resumable: what is in the folder `store` and depends on nothing that changed is not measured
+// Resumable: a measurement in the folder `store` that depends on nothing that changed is not made
 // again. Throws pt::Error if the solution does not compile or link, or the audit rejects it.
 Measured measure(const judge::Config& config, const judge::GradeRequest& request, const Kept& kept,
                  const std::string& store);

@@ -18,7 +18,7 @@ std::string content_of(const std::string& text);
 // The sentence that says the mistake, from the second line on; empty if there is no comment.
 std::string sentence_of(const std::string& text);
 
-// The files beside the CSV at `out`: what is known, and what other samples showed.
+// The files beside the CSV at `out`: the known pictures, and those of other samples.
 std::string known_path(const std::string& out);
 std::string seen_path(const std::string& out);
 
@@ -28,8 +28,8 @@ pictures::KnownMistake::Picture picture_of(const results::PictureResult& result)
 // The same of a picture that was wrong before: if it is right now nobody knows.
 pictures::KnownMistake::Picture known_picture(const results::PictureResult& result);
 
-// Puts what is known into golden/known_mistakes.jsonl: what was found beside `out` in the place of
-// what the file has; no solution that has changed or is gone.
+// Puts the known pictures into golden/known_mistakes.jsonl: those found beside `out` replace those
+// in the file; no solution that has changed or is gone.
 void write_known(const judge::Config& config, const std::string& out);
 
 // Markdown: of each task, how many wrong solutions a picture sees, and how many of these are named

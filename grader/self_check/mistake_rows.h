@@ -40,8 +40,9 @@ std::string to_line(const MistakeRow& row);
 // pt::Error for other lines.
 std::vector<MistakeRow> read_rows(const std::filesystem::path& path);
 
-// Markdown. Of each task: how many solutions were tried, how many a picture sees, and which none
-// does; and the solutions in right/ and noisy/ that did not pass everywhere.
+// Markdown. Of each task: the number of solutions that were tried, the number that a picture sees,
+// and the solutions that none does; and the solutions in right/ and noisy/ that did not pass
+// everywhere.
 std::string table_of_mistakes(const std::vector<MistakeRow>& rows);
 
 // Markdown. A line for each sample map of a recipe.

@@ -43,7 +43,7 @@ struct Precompiled : testing::Test {
   }
   PrecompiledHeaders headers() const { return {config, public_headers(config.root)}; }
 
-  // Compiles a text with these flags; what the compiler says of the headers that it reads.
+  // Compiles a text with these flags; returns the compiler's list of the headers that it reads.
   std::string headers_read(const std::string& text, const Words& flags) const {
     const std::string file = config.work + "/task.cpp", log = config.work + "/log";
     std::ofstream(file) << text;

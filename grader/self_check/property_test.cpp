@@ -66,8 +66,8 @@ TEST(Property, shows_what_was_thrown) {
   EXPECT_EQ(failure.input, std::vector<std::string>{"n: 17"});
 }
 
-// A smaller input that fails for another reason is not shown: how far the search gets depends on the
-// machine.
+// A smaller input that fails for another reason is not shown: the length of the search depends on
+// the machine.
 TEST(Property, keeps_the_cause_of_the_first_failure) {
   const results::Failure failure = failure_of([] {
     const int n = check::draw("n", check::whole(20, 1000));

@@ -1,4 +1,4 @@
-// A task may use the standard library: what it compiles to passes the audit, links and runs.
+// A task may use the standard library: its object passes the audit, links and runs.
 #include "grader/base/files.h"
 #include "grader/judge/audit.h"
 #include "pt/file.h"

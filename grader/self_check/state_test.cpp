@@ -33,8 +33,8 @@ struct Insertion {
   const char* variable;
 };
 
-// The renderer calls tasks from several threads at once: what one call leaves for the next would be
-// shared by all. The answers are right, as one thread calls at a time.
+// The renderer calls tasks from several threads at once: a variable that one call leaves for the
+// next would be shared by all. The answers are right, as one thread calls at a time.
 TEST(state, that_is_kept_between_calls_is_found_wherever_it_is) {
   const Insertion insertions[] = {
       {"camera_ray", "camera_ray",

@@ -33,7 +33,7 @@ struct Cut {
   int plane = 0;
 };
 
-// Twice the centre of a box: what is binned.
+// Twice the centre of a box; the bins are intervals of it.
 float center(const FloatBox& box, int axis) { return box.min[axis] + box.max[axis]; }
 
 // Bins of equal width between the centres of a range.

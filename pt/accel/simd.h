@@ -193,8 +193,8 @@ PT_INLINE __m512i packed(__m512i a, std::uint32_t mask) {
 }
 #endif
 
-// Copies from[i] for every bit i of `mask`, in order; what follows them is overwritten too, up to W
-// in all. `from` is aligned to 4 W bytes.
+// Copies from[i] for every bit i of `mask`, in order; the places behind them are overwritten too,
+// up to W in all. `from` is aligned to 4 W bytes.
 template <int W>
 PT_INLINE void copy_packed(const std::uint32_t* from, std::uint32_t mask, std::uint32_t* to) {
 #if defined(__AVX512F__)

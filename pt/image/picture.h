@@ -43,7 +43,7 @@ struct Legend {
 };
 
 // Writes ASCII text, its top left corner at (x, y), each dot of the letters a square of `scale`
-// pixels; what lies outside the picture is cut off.
+// pixels; parts outside the picture are cut off.
 void draw_text(Picture& picture, int x, int y, int scale, const std::string& text, Color8 color);
 int text_width(int scale, const std::string& text);
 

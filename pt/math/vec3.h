@@ -59,7 +59,7 @@ constexpr Vec3 max(Vec3 a, Vec3 b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
-// The largest absolute component: how big the numbers are that a rounding error is relative to.
+// The largest absolute component: the size to which a rounding error is relative.
 inline double max_abs(Vec3 a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
 
 inline bool is_finite(Vec3 a) {

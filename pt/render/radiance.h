@@ -7,8 +7,8 @@
 
 namespace pt {
 
-// One sample of the radiance that comes back along a camera ray: what estimate_pixel and
-// adaptive_pixel average. Not a task, but a slot of the seam like one, with the implementations
+// One sample of the radiance that comes back along a camera ray: estimate_pixel and adaptive_pixel
+// average it. Not a task, but a slot of the seam like one, with the implementations
 //   path      emission at the first surface + trace_path, or the normals view; as it comes, NaN
 //             included (pt/render/radiance_path.cpp);
 //   recorded  the same, each sample also entered in this thread's PixelRecord, and one that is not

@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// A stream of independent numbers, uniform in [0, 1): what textbooks call xi. A small value that
+// A stream of independent numbers, uniform in [0, 1): textbooks call them xi. A small value that
 // can be copied; the same seed gives the same numbers on every machine. The generator is
 // xoshiro256++ (Blackman and Vigna 2021, Scrambled Linear Pseudorandom Number Generators), its
 // state filled by SplitMix64 (Steele, Lea and Flood 2014).

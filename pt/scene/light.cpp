@@ -103,8 +103,8 @@ void sample_group(const Kind& light, Vec3 p, int count, Sampler& sampler,
   }
 }
 
-// The points of a rectangle that samples go to, as parts of its sides; what area_sample makes of
-// them.
+// The points of a rectangle that samples go to, as parts of its sides; and the samples that
+// area_sample makes of them.
 struct RectangleSamples {
   double a[kLightGroup], b[kLightGroup];
   double squared[kLightGroup], cos_light[kLightGroup];

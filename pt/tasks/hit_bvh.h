@@ -33,7 +33,7 @@ namespace pt {
 //   - takes a tree of any shape: lopsided, a thousand levels deep, with many primitives in a leaf,
 //     or a single leaf.
 //   - finds any hit: occluded_bvh says yes exactly where there is one in the range.
-//   - asks hit_box and hit_primitive: what those two answer is what the ray meets.
+//   - asks hit_box and hit_primitive: their answers decide what the ray meets.
 //   - tests few primitives: only those whose leaf the ray enters.
 //   - tests no box twice: each box and each primitive at most once per query.
 //   - skips what lies outside the ray: boxes that the ray does not enter hide all below them.

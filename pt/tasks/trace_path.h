@@ -20,8 +20,8 @@ namespace pt {
 // Bounce 1 is direct light at the point itself: direct_hemisphere or direct_lights, as settings
 // say. Bounce k is direct light at the k-th point of the path, times the throughput: the product of
 // f cos / pdf of each bounce on the way. diffuse_sample chooses the direction, by any density: its
-// own f and pdf belong to it. The path moves on by spawn_ray and scene.closest; what it meets first
-// is the next point; where it meets nothing, it ends (indirect rays see no sky).
+// own f and pdf belong to it. The path moves on by spawn_ray and scene.closest; the first surface
+// that it meets has the next point; where it meets nothing, it ends (indirect rays see no sky).
 //
 // The first bounce of the path is certain. Before every later one, the path survives with the
 // chance `survival`, and what it finds from there on is divided by it. (Another chance, fixed or by
@@ -49,7 +49,8 @@ namespace pt {
 //   - ends at the cap: never more than `to` bounces, also where almost every path survives.
 //   - goes on up to the cap: nothing but roulette ends a path of a closed room before bounce `to`,
 //     however many bounces that is, and however small its throughput.
-//   - counts emission once: what the path runs into is not added to what direct light gave.
+//   - counts emission once: the emission of a surface that the path meets is not added to direct
+//     light.
 //   - tints at each bounce: by the albedo of the point it leaves, channel by channel.
 //   - weighs by the cosine: a wall in the sun brings what Lambert's formula says.
 //   - uses the density of the sample: the pdf that came with the direction, however it was chosen.

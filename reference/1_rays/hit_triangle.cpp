@@ -29,8 +29,8 @@ std::optional<SurfaceHit> hit_triangle(const Triangle& triangle, const Ray& ray)
   const Vec3 s_x_e1 = cross(s, e1);
 
   // A small triangle at a small scale has a tiny determinant, and must be hit: there is no epsilon
-  // here. Where the determinant is zero, what follows is infinite or NaN, and no comparison with
-  // "accept if" below is true.
+  // here. If the determinant is zero, the numbers below are infinite or NaN, and no comparison with
+  // "accept if" is true.
   const double determinant = dot(e1, direction_x_e2);
   const double inverse_determinant = 1 / determinant;
   const double b1 = dot(s, direction_x_e2) * inverse_determinant;

@@ -1,4 +1,5 @@
-// Archives that learners hand in: what is unpacked stays in its folder, and is made of plain files.
+// Archives that learners hand in: all that is unpacked stays in its folder, and is made of plain
+// files.
 #include "grader/intake/unpack.h"
 #include "pt/error.h"
 #include "tests/fuzz/input.h"

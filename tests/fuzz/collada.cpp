@@ -1,4 +1,4 @@
-// Scene files: whatever stands in one, it loads as a sound scene or is refused with one sentence.
+// Scene files: each loads as a sound scene or is refused with one sentence.
 #include "pt/error.h"
 #include "pt/scene/load_collada.h"
 #include "tests/fuzz/input.h"

@@ -1,4 +1,5 @@
-// plan.json of a class, which other machines read: what is accepted can be graded, and reports stay in their folder.
+// plan.json of a class, which other machines read: a plan that is accepted can be graded, and reports stay in their
+// folder.
 #include "grader/programs/grade_class/plan.h"
 
 #include "pt/error.h"

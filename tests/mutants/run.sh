@@ -55,7 +55,7 @@ text_of() {
   text=${text%x}
 }
 
-# occurrences FILE OLD: how often, in `count`.
+# occurrences FILE OLD: sets `count` to the number of places.
 occurrences() {
   text_of "$1"
   local rest=${text//"$2"/}

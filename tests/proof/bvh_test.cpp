@@ -129,7 +129,7 @@ Box at(double x, int axis) {
 }
 
 // The largest and the smallest numbers there are, neighbours without a number between them, and
-// centres whose sum overflows: whatever a plane fails to divide must be divided.
+// centres whose sum overflows: boxes that a plane fails to divide must be divided.
 TEST(BuildBvh, ends_at_the_ends_of_the_numbers) {
   const double huge = 1.7e308, tiny = 5e-324;
   const double next = std::nextafter(1.0, 2.0);

@@ -59,7 +59,7 @@ Meeting meet(const AtTriangle& at) {
   return {dot(e2, q) / determinant, normalize(rounded(n))};
 }
 
-// A length: what the contract allows for a point.
+// A length: the contract's limit for a point.
 double allowed(const AtTriangle& at, double t) {
   const Triangle& triangle = at.triangle;
   const double edge = length(triangle.p1 - triangle.p0), way = t * length(at.ray.direction);

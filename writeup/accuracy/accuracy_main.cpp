@@ -1,4 +1,4 @@
-// accuracy cheapest | converge SCENE: what a scene needs, and what methods are worth in it, measured with
+// accuracy cheapest | converge SCENE: the needs of a scene, and the worth of methods in it, measured with
 // the tasks linked here.
 #include "pt/end_of_program.h"
 #include "pt/error.h"

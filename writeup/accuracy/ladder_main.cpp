@@ -1,4 +1,4 @@
-// ladder SCENE: what an idea is worth, from the plainest right renderer to the best.
+// ladder SCENE: the worth of each idea, from the plainest right renderer to the best.
 #include "writeup/accuracy/ladder.h"
 
 #include <fmt/format.h>

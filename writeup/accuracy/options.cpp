@@ -89,7 +89,7 @@ void add_bounces(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-// `engine`: whether the person has a choice of it.
+// `engine`: true if the help shows this option.
 void parse(CLI::App& app, Options& options, int argc, const char* const* argv, bool engine = true) {
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::vector<int> size;

@@ -30,7 +30,7 @@ struct Uncertain {
 // The mean of some numbers, and its error from how they spread.
 Uncertain mean_of(const std::vector<double>& values);
 
-// Short renders of one way: what each costs and how noisy it is.
+// Short renders of one way: the cost and the noise of each.
 struct Tried {
   int light_samples = 1;
   Uncertain variance;  // of one camera sample, relative

@@ -55,7 +55,7 @@ struct Player {
   bool plays() const { return runners[0].row.problem.empty(); }
 };
 
-// `work` on the player; what it cannot do is a sentence in its rows.
+// `work` on the player; a failure becomes a sentence in its rows.
 template <class Work>
 void attempt(Player& player, Work work) {
   if (!player.plays()) return;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Vectors of long double: what answers in double are compared with.
+// Vectors of long double: answers in double are compared with them.
 
 namespace writeup::measure {
 

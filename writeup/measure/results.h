@@ -35,7 +35,7 @@ struct Results {
 // of other inputs may be half or twice as large; that is the interval.
 Ranged accuracy(const About& about, const Row& row);
 
-// Answers that a right solution does not give: what is wrong with them, or nothing.
+// Answers that a right solution does not give: a sentence on them, or nothing.
 std::string mistake(const About& about, const Row& row);
 
 // For each row of each table whether no right row beats it: is clearly better in time or accuracy, and not clearly

@@ -76,9 +76,9 @@ nlohmann::json search_task(const grader::judge::Config& config,
 std::string charts_hash(const grader::judge::Config& config, const grader::judge::TaskConfig& task,
                         const Request& request);
 
-// Measures all curves of a task. The code of a submission runs in a box only: what hangs, crashes or
-// does not compile is found in the answer. Throws pt::Error where nothing can be measured. `progress`
-// is called with the part that is done, from one thread at a time.
+// Measures all curves of a task. The code of a submission runs in a box only: the answer tells if it
+// hangs, crashes or does not compile. Throws pt::Error where nothing can be measured. `progress` is
+// called with the part that is done, from one thread at a time.
 Charts measure_task(const grader::judge::Config& config, const grader::judge::TaskConfig& task,
                     const Request& request, const std::function<void(double)>& progress);
 

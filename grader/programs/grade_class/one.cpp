@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::hours kMaxTime{2};
 constexpr const char* kNotYet = "it is not judged yet";
 
-// Stands for all that the reports depend on: what is judged and how, and what it is worth.
+// Stands for all that the reports depend on: the judged files, the way of judging, and the points.
 struct Key {
   std::string judging, points;
   std::string text() const { return judging + '\n' + points + '\n'; }

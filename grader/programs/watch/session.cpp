@@ -126,7 +126,8 @@ void WatchSession::take_verdict() {
   const double seconds = running_->seconds();
   running_.reset();
   show_verdict(output, *status, seconds);
-  // Tasks that ask the one that was saved may stand differently now; what did not change is known.
+  // Tasks that ask the one that was saved may stand differently now; the verdicts of others are
+  // known.
   if (!judging_.empty() && judging_ != kPage && waiting_.empty()) waiting_.push_back("");
 }
 

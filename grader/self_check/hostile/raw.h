@@ -1,5 +1,5 @@
-// What stands in the place of RAW in an attack: system calls without the C library, so that no name
-// in the object shows them.
+// This text takes the place of RAW in an attack: system calls without the C library, so that no
+// name in the object shows them.
 #include <cstdio>
 
 #include <fcntl.h>
@@ -35,13 +35,13 @@ namespace {
   return raw(SYS_openat, AT_FDCWD, address(path), flags, 0600);
 }
 
-// What the test looks for: an attack that got somewhere.
+// Prints the words by which the test finds an attack that got somewhere.
 [[maybe_unused]] void broke_out(const char* how) {
   std::printf("BROKE OUT: %s\n", how);
   std::fflush(stdout);
 }
 
-// Whatever came of it, no value is returned: the task earns nothing by chance.
+// Ends an attack without a value, so that the task earns nothing by chance.
 [[noreturn, maybe_unused]] void leave() { __builtin_trap(); }
 
 }  // namespace

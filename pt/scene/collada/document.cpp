@@ -25,8 +25,8 @@ bool is_course_profile(const XMLElement& technique) {
          (std::strcmp(profile, "CGL") == 0 || std::strcmp(profile, "CMU462") == 0);
 }
 
-// Checks what can be checked before reading, then reads; what is not COLLADA is told from its
-// beginning, so that a large file of something else costs nothing.
+// Checks what can be checked before reading, then reads; a file that is not COLLADA is recognised
+// by its beginning, so that a large file of something else costs nothing.
 std::string read_file(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code error;

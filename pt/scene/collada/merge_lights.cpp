@@ -21,7 +21,7 @@ bool coincide(const LightNode& node, const Emitter& emitter) {
          std::abs(dot(offset, emitter.n)) <= kPlaneTolerance * emitter.size;
 }
 
-// "0.8 x 0 x 0.6": how far a rectangle reaches along x, y and z.
+// "0.8 x 0 x 0.6": the size of a rectangle along x, y and z.
 std::string reach(const RectangleLight& light) {
   const auto along = [&](int axis) {
     const double length_of = std::abs(light.u[axis]) + std::abs(light.v[axis]);
