@@ -6,7 +6,7 @@ namespace pt {
 struct PathSettings {
   enum class Direct { hemisphere, lights };  // the estimator of direct light
 
-  int light_samples = 1;  // directions for `hemisphere`; samples an area light for `lights`
+  int light_samples = 1;  // directions for `hemisphere`; samples per area light for `lights`
   Direct direct = Direct::lights;
   double survival = 0.7;  // the chance of Russian roulette to go on, in (0, 1]
 
