@@ -3,6 +3,7 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 

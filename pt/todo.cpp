@@ -3,6 +3,7 @@
 #include "pt/todo_list.h"
 
 #include <cstdio>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <string>

@@ -3,6 +3,7 @@
 
 #include "grader/report/compare_page.h"
 
+#include <algorithm>
 #include <numeric>
 #include <random>
 

@@ -3,6 +3,7 @@
 #include "pt/file.h"
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>

@@ -7,6 +7,7 @@
 #include "pt/image/tone_map.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <future>

@@ -5,6 +5,8 @@
 #include "pt/file.h"
 #include "tests/temporary_folder.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -10,6 +10,8 @@
 #include "pt/file.h"
 #include "tests/example_run.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

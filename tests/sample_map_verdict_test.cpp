@@ -5,6 +5,7 @@
 #include "pt/file.h"
 #include "tests/synthetic_maps.h"
 
+#include <cstdio>
 #include <filesystem>
 
 #include <gmock/gmock.h>

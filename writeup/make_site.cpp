@@ -9,6 +9,7 @@
 #include "writeup/work.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <mutex>
 #include <set>
 

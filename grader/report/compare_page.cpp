@@ -7,6 +7,7 @@
 #include "grader/results/presentable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 

@@ -8,6 +8,8 @@
 #include "grader/results/readable.h"
 #include "grader/results/summary.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace grader::report {

@@ -8,6 +8,7 @@
 #include "pt/command_line.h"
 #include "pt/error.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <mutex>

@@ -4,6 +4,7 @@
 #include "grader/self_check/task_folder.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 #include <thread>
 

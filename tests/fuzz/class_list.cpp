@@ -6,6 +6,7 @@
 #include "tests/fuzz/input.h"
 #include "tests/temporary_folder.h"
 
+#include <algorithm>
 #include <set>
 
 namespace {

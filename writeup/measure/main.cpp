@@ -11,6 +11,7 @@
 #include "writeup/measure/print.h"
 #include "writeup/worker_config.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <optional>

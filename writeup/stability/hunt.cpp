@@ -2,6 +2,7 @@
 
 #include "grader/base/sha256.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>

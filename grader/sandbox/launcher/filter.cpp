@@ -4,6 +4,7 @@
 
 #if FIRSTLIGHT_SECCOMP
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 

@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 

@@ -1,6 +1,7 @@
 // Owners, polymorphism and allocation.
 #include <any>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <memory_resource>

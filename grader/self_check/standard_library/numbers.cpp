@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <numeric>

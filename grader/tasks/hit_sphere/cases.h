@@ -6,6 +6,7 @@
 #include "pt/geometry/sphere.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 // Spheres, and rays along lines whose two points on the sphere are known. Lengths are in radii if

@@ -3,6 +3,7 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <system_error>

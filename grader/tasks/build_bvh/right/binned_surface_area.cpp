@@ -2,6 +2,7 @@
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace pt {
