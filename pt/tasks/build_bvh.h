@@ -18,14 +18,15 @@ namespace pt {
 // divided in another way.
 //
 // Precision: a node's box contains the boxes below it exactly, as Box::grow makes it: it is made of
-// their own numbers in double, and none of them is rounded. It may be larger by rounding errors.
+// their own numbers in double, and none of them is rounded. It may be larger by a few rounding
+// errors of double, not more: a ray enters every box that is too large.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - keeps every primitive once: order is a permutation, and the leaves cover it without overlap.
-//   - covers its primitives: a node's box contains all boxes below it.
+//   - covers its primitives: a node's box contains all boxes below it, and hardly more.
 //   - is one tree: every node but the root has one parent, whose index is smaller.
 //   - keeps leaves small: at most max_leaf primitives each, for max_leaf from 1 up, also in the
 //     deepest parts of a deep tree.

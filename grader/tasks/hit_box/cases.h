@@ -2,6 +2,7 @@
 
 #include "grader/check/generators.h"
 #include "grader/check/show.h"
+#include "grader/tasks/hit_box/expected.h"
 #include "pt/geometry/box.h"
 #include "pt/geometry/ray.h"
 
@@ -20,7 +21,7 @@ struct Case {
 inline void showValue(const Case& c, std::ostream& out) { show_lines(out, c.box, c.ray); }
 
 // The quantity that may be extreme.
-enum class Extreme { none, scale, length };
+enum class Extreme { none, scale, length, distance };
 
 // A box of any proportions, with the world's origin inside or outside. If the scale is extreme, it
 // may also be tiny, huge or far away.
@@ -75,65 +76,18 @@ inline pt::Ray through(const pt::Box& box, pt::Vec3 target, pt::Vec3 d, double b
   return {target - (before * length(box.extent()) / length(d)) * d, d};
 }
 
-// Returns the largest coordinate. The contract's precision is relative to it.
-inline double size_of(const pt::Box& box, const pt::Ray& ray) {
-  return std::max({max_abs(ray.origin), max_abs(box.min), max_abs(box.max)});
-}
-
-// The contract's precision.
-inline constexpr double kPrecision = 1e-12;
-
-struct Ends {
-  long double low = -pt::kInfinity, high = pt::kInfinity;
-};
-
-// The part of a ray inside a box, in extended precision. `enter` and `leave` are ranges, since
-// every plane may be moved by the contract's precision. Planes that are parallel to the ray do not
-// move.
-struct Part {
-  Ends enter{-pt::kInfinity, -pt::kInfinity}, leave{pt::kInfinity, pt::kInfinity};
-
-  bool is_hit() const { return enter.high <= leave.low; }
-  bool is_miss() const { return enter.low > leave.high; }
-};
-
-// A miss: the ray leaves before it enters.
-inline constexpr Part kNowhere{{1, 1}, {0, 0}};
-
-inline void cut_to_slab(Part& part, const pt::Box& box, const pt::Ray& ray, int axis) {
-  const long double o = ray.origin[axis], d = ray.direction[axis];
-  if (d == 0) {
-    if (!(o >= box.min[axis] && o <= box.max[axis])) part = kNowhere;
-    return;
-  }
-  const long double a = (box.min[axis] - o) / d, b = (box.max[axis] - o) / d;
-  const long double error = kPrecision * size_of(box, ray) / std::abs(d);
-  const long double enter = std::min(a, b), leave = std::max(a, b);
-  part.enter = {std::max(part.enter.low, enter - error), std::max(part.enter.high, enter + error)};
-  part.leave = {std::min(part.leave.low, leave - error), std::min(part.leave.high, leave + error)};
-}
-
-// Returns the part of the whole line that is inside the box, also behind the ray's origin.
-inline Part on_the_line(const pt::Box& box, const pt::Ray& ray) {
-  Part part;
-  for (int axis = 0; axis < 3; ++axis) cut_to_slab(part, box, ray, axis);
-  return part;
-}
-
-// Returns the part of the ray that is inside the box and in the ray's range.
-inline Part expected(const pt::Box& box, const pt::Ray& ray) {
-  Part part = on_the_line(box, ray);
-  const long double first = ray.t_min, last = ray.t_max;
-  part.enter = {std::max(part.enter.low, first), std::max(part.enter.high, first)};
-  part.leave = {std::min(part.leave.low, last), std::min(part.leave.high, last)};
-  return part;
+// The distance from a ray's origin to its target, in sizes of the box. Half of the extreme ones are so
+// large that the squares of distances, in double, say nothing about the box.
+inline double some_distance(Extreme extreme = Extreme::none) {
+  if (extreme != Extreme::distance) return *magnitude(1e-2, 100);
+  return *rc::gen::oneOf(magnitude(100, 1e7), magnitude(1e7, 1e9));
 }
 
 inline rc::Gen<Case> aimed_inside(Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box(extreme);
     return Case{box,
-                through(box, well_inside(box), some_direction(extreme), *magnitude(1e-2, 100))};
+                through(box, well_inside(box), some_direction(extreme), some_distance(extreme))};
   });
 }
 
@@ -148,7 +102,7 @@ inline rc::Gen<Case> aimed_at_a_side(Extreme extreme = Extreme::none) {
     fraction[axis] = side;
     d[axis] = (side == 0 ? 1 : -1) * (*whole(0, 1) == 0 ? 1 : *magnitude(1e-5, 1));
     return Case{box, through(box, point_in(box, fraction), some_length(extreme) * d,
-                             *magnitude(1e-2, 100))};
+                             some_distance(extreme))};
   });
 }
 
@@ -160,7 +114,9 @@ inline rc::Gen<Case> passing(Extreme extreme = Extreme::none) {
     const int i = *whole(0, 2), j = (i + *whole(1, 2)) % 3, k = 3 - i - j;
     const double out_i = sign(), out_j = sign();
     const double angle = *real(0.02, pt::kPi / 2 - 0.02);
-    const double before = *magnitude(1e-2, 30), size = length(box.extent());
+    const double before =
+        extreme == Extreme::distance ? some_distance(extreme) : *magnitude(1e-2, 30);
+    const double size = length(box.extent());
     const double least = 1e-10 * (max_abs(box.center()) + before * size);
     const double gap = std::max(*magnitude(1e-6, 3) * size, least);
     pt::Vec3 p = well_inside(box), d;
@@ -170,6 +126,27 @@ inline rc::Gen<Case> passing(Extreme extreme = Extreme::none) {
     d[j] = out_j * std::cos(angle);
     d[k] = *real(-1, 1);
     return Case{box, through(box, p, sign() * some_length(extreme) * d, before)};
+  });
+}
+
+// A ray that is almost parallel to a side and crosses its plane half way to the box: inwards, and it
+// meets the box, or outwards, and it passes. On the way it moves only some 1e-11 to 1e-5 of the way
+// across, which is ten times the contract's precision or more.
+inline rc::Gen<Case> crossing_on_the_way(bool inwards) {
+  return rc::gen::exec([=] {
+    const pt::Box box = some_box();
+    const int axis = *whole(0, 2);
+    const double out = sign();
+    const double way = *magnitude(10, 1e4) * std::max(length(box.extent()), size_of(box, {}));
+    const double slope = std::min(*magnitude(2e-11, 1e-5), 0.8 * box.extent()[axis] / way);
+    const double beyond = 0.5 * slope * way;
+    pt::Vec3 p = well_inside(box), d = *direction();
+    p[axis] = (out > 0 ? box.max[axis] : box.min[axis]) + (inwards ? -out : out) * beyond;
+    d[axis] = 0;
+    if (length(d) < 0.1) d[(axis + 1) % 3] = 1;
+    d = normalize(d);
+    d[axis] = inwards ? -out * slope : out * slope;
+    return Case{box, {p - way * d, some_length() * d}};
   });
 }
 

@@ -79,11 +79,13 @@ PROMISE(hit_box, hits_where_it_is_aimed) {
   once(expect_that_it_looks);
   for_all([] { expect_hit(*aimed_inside()); }, 300);
   for_all([] { expect_hit(*aimed_at_a_side()); }, 200);
+  for_all([] { expect_hit(*crossing_on_the_way(true)); }, 200);
 }
 
 PROMISE(hit_box, misses_beside_the_box) {
   once(expect_that_it_looks);
   for_all([] { expect_miss(*passing()); }, 300);
+  for_all([] { expect_miss(*crossing_on_the_way(false)); }, 200);
 }
 
 PROMISE(hit_box, gives_the_right_interval) {
@@ -165,6 +167,8 @@ PROMISE(hit_box, works_at_every_scale) {
   for_all([] { expect_hit(*aimed_at_a_side(Extreme::scale)); });
   for_all([] { expect_miss(*passing(Extreme::scale)); }, 150);
   for_all([] { expect_miss(*leaving(Extreme::scale)); });
+  for_all([] { expect_hit_and_interval(*aimed_inside(Extreme::distance)); }, 150);
+  for_all([] { expect_miss(*passing(Extreme::distance)); });
 }
 
 PROMISE(hit_box, takes_flat_boxes) {

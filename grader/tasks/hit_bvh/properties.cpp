@@ -1,11 +1,13 @@
 #include "grader/check/counting.h"
 #include "grader/check/property.h"
 #include "grader/tasks/hit_bvh/costs.h"
+#include "grader/tasks/hit_bvh/large_grid.h"
 #include "grader/tasks/hit_bvh/queries.h"
 #include "grader/tasks/hit_bvh/scenes.h"
 #include "grader/tasks/hit_bvh/truth.h"
 #include "pt/tasks/hit_bvh.h"
 
+#include <functional>
 #include <optional>
 
 namespace grader::check {
@@ -50,9 +52,43 @@ void expect_occluded_as_all(const Case& c) {
          occluded ? "something in the way" : "nothing in the way");
 }
 
+std::optional<pt::Hit> ask(const AimedInGrid& aimed) {
+  return pt::hit_bvh(aimed.grid->bvh, aimed.grid->primitives, aimed.ray());
+}
+
+bool is_occluded(const AimedInGrid& aimed) {
+  return pt::occluded_bvh(aimed.grid->bvh, aimed.grid->primitives, aimed.ray());
+}
+
+// Returns whether a query enters only a few of the thousand leaves that a ray may enter. Other promises
+// judge queries that do not, and the large grid would take them seconds.
+bool is_quick_in_a_grid() {
+  constexpr std::size_t kFew = 200;
+  forget_tests();
+  const AimedInGrid aimed{&small_grid(), kFirstInGrid};
+  ask(aimed);
+  is_occluded(aimed);
+  return tested().boxes.size() + tested().spheres.size() < kFew;
+}
+
+// Runs the check in a scene where the numbers of primitives, of places in the order and of nodes do
+// not fit into 16 bits.
+void for_large_numbers(const std::vector<int>& places,
+                       const std::function<void(const AimedInGrid&)>& check) {
+  for (const int place : places) {
+    for_queries(
+        [&] {
+          const AimedInGrid aimed = *rc::gen::just(AimedInGrid{&large_grid(), place});
+          if (is_quick_in_a_grid()) check(aimed);
+        },
+        1);
+  }
+}
+
 PROMISE(hit_bvh, finds_the_nearest_hit) {
   for_queries([] { expect_nearest(*some_tree(kAny)); }, 2 * kCases);
   for_queries([] { expect_nearest(*close_walls()); }, 40);
+  for_queries([] { expect_nearest(*walls_that_all_but_touch()); }, 60);
   for_queries(
       [] {
         const Case c = *large_tree();
@@ -60,6 +96,12 @@ PROMISE(hit_bvh, finds_the_nearest_hit) {
         expect_few_tests(c, tested_by(c, false));
       },
       6);
+  for_large_numbers({kFirstInGrid, kLastInGrid}, [](const AimedInGrid& aimed) {
+    const Meeting right = meeting_of(aimed.grid->primitives, aimed.primitive(), aimed.ray());
+    const auto hit = ask(aimed);
+    expect(hit.has_value(), "a hit of " + aim_of(aimed), "no hit");
+    expect_near("t of the nearest hit", hit->t, right.hit->t, t_error(right));
+  });
 }
 
 PROMISE(hit_bvh, says_which_primitive) {
@@ -76,6 +118,10 @@ PROMISE(hit_bvh, says_which_primitive) {
            "primitive " + std::to_string(hit->primitive) + ", which it misses");
     expect_near("t, against the t of the primitive named", hit->t, own.hit->t, t_error(own));
     expect_near("n, against the n of the primitive named", hit->n, own.hit->n, n_error(own));
+  });
+  for_large_numbers({kFirstInGrid}, [](const AimedInGrid& aimed) {
+    const auto hit = ask(aimed);
+    expect(hit && hit->primitive == aimed.primitive(), "a hit of " + aim_of(aimed), shown(hit));
   });
 }
 
@@ -152,6 +198,9 @@ PROMISE(hit_bvh, finds_any_hit) {
         expect_few_tests(c, tested_by(c, true));
       },
       6);
+  for_large_numbers({kFirstInGrid, kLastInGrid}, [](const AimedInGrid& aimed) {
+    expect(is_occluded(aimed), "in the way: " + aim_of(aimed), "nothing in the way");
+  });
 }
 
 PROMISE(hit_bvh, asks_hit_box_and_hit_primitive) {

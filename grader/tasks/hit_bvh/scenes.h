@@ -161,6 +161,30 @@ inline rc::Gen<Case> close_walls() {
   });
 }
 
+// Two walls whose points on the ray are 2e-11 to 1e-6 of their distance apart. The ray enters the box of
+// the farther one, which slants, long before; it enters the flat box of the nearer one where it meets
+// the wall itself. So a query knows the farther hit when it has to decide about the nearer wall's box.
+inline rc::Gen<Case> walls_that_all_but_touch() {
+  return rc::gen::exec([] {
+    Many make(*sampler_seed());
+    Case c;
+    c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
+    const double near = make.between(2, 12),
+                 far = near * (1 + std::pow(10, make.between(-10.7, -6)));
+    for (const auto& [t, slope] : {std::pair{near, 0.0}, std::pair{far, make.between(0.1, 0.5)}}) {
+      const pt::Vec3 met = c.ray.at(t);
+      const auto at = [&](double x, double y) {
+        return pt::Vec3{x, y, met.z + slope * (x - met.x)};
+      };
+      c.primitives.triangles.push_back(pt::flat_triangle(at(-9, -9), at(9, -9), at(0, 18)));
+    }
+    enlarge(c, std::pow(10, make.whole(-6, 6)));
+    c.bvh = tree_of(c.primitives, Shape::random, 1, 0, make);
+    c.how = "a leaf for each of two walls that all but touch where the ray meets them";
+    return c;
+  });
+}
+
 // A thousand walls and more, one behind the other. At each level a leaf holds the farthest wall, so
 // that a query which takes the nearer child first has a thousand leaves waiting.
 inline rc::Gen<Case> deep_pile() {

@@ -81,6 +81,14 @@ inline Meeting meet(const pt::Triangle& triangle, const pt::Ray& ray) {
   return meeting;
 }
 
+// What the ray meets of one primitive. The hit is the answer of the judge's own tasks.
+inline Meeting meeting_of(const pt::Primitives& primitives, int i, const pt::Ray& ray) {
+  Meeting meeting = primitives.is_triangle(i) ? meet(primitives.triangle(i), ray)
+                                              : meet(primitives.sphere(i), ray);
+  meeting.hit = hit_primitive(primitives, i, ray);
+  return meeting;
+}
+
 struct Truth {
   std::vector<Meeting> meetings;  // one per primitive
   bool is_clear = true;           // all meetings are clear
@@ -90,13 +98,11 @@ struct Truth {
   double t() const { return meetings[nearest].hit->t; }
 };
 
-// Tests every primitive. The hits are the answers of the judge's own tasks.
+// Tests every primitive.
 inline Truth truth_of(const pt::Primitives& primitives, const pt::Ray& ray) {
   Truth truth;
   for (int i = 0; i < primitives.size(); ++i) {
-    Meeting meeting = primitives.is_triangle(i) ? meet(primitives.triangle(i), ray)
-                                                : meet(primitives.sphere(i), ray);
-    meeting.hit = hit_primitive(primitives, i, ray);
+    const Meeting meeting = meeting_of(primitives, i, ray);
     truth.is_clear = truth.is_clear && meeting.is_clear;
     truth.meetings.push_back(meeting);
     if (meeting.hit && !(truth.any() && truth.t() <= meeting.hit->t)) truth.nearest = i;

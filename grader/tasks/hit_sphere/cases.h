@@ -55,6 +55,7 @@ struct Domain {
   double speed = 1;    // the direction's length, likewise
   double flat = 0.1;   // the shortest half chord
   double round = 1;    // the longest
+  double near = 1e-5;  // the smallest distance
   double far = 30;     // the largest distance
 };
 
@@ -76,10 +77,10 @@ inline pt::Sphere any_sphere(double range) {
 
 // Returns the distance from the ray's origin to the near point. It is negative if the origin is
 // behind the near point.
-inline double start_of(From from, double half, double far) {
-  const double apart = 3 * slack_along(half);
-  if (from == From::outside) return *magnitude(std::max(apart, 1e-5), far);
-  if (from == From::behind) return -2 * half - *magnitude(std::max(apart, 1e-5), far);
+inline double start_of(From from, double half, const Domain& domain) {
+  const double apart = 3 * slack_along(half), least = std::max(apart, domain.near);
+  if (from == From::outside) return *magnitude(least, domain.far);
+  if (from == From::behind) return -2 * half - *magnitude(least, domain.far);
   const double part = *whole(0, 3) == 0 ? *rc::gen::element(0.0, 0.5, 1.0) : *real(0, 1);
   return -apart - part * (2 * half - 2 * apart);
 }
@@ -103,7 +104,7 @@ inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
     const pt::Frame frame = turned();
     const double half =
         domain.round == 1 && *whole(0, 4) == 0 ? 1 : *magnitude(domain.flat, domain.round);
-    const double start = start_of(from, half, domain.far);
+    const double start = start_of(from, half, domain);
     return chord_at(sphere, frame, half, start, *magnitude(1 / domain.speed, domain.speed));
   });
 }

@@ -124,19 +124,41 @@ inline Weights outside() {
   return {b[0], b[1], b[2]};
 }
 
+// Weights of a point in the middle.
+inline Weights in_the_middle() {
+  const double a = *real(0.8, 1.2), b = *real(0.8, 1.2), c = *real(0.8, 1.2), sum = a + b + c;
+  return {a / sum, b / sum, c / sum};
+}
+
+// Triangles ten times as long as high, met at little more than a millionth of a radian. Close to the
+// origin and to the world's, the contract's precision is a seventh of the height.
+inline constexpr Range kFlatNeedle{.thin = 0.1,
+                                   .thick = 0.1,
+                                   .away = 0.3,
+                                   .near = 0.2,
+                                   .far = 1,
+                                   .flat = 1.05e-6,
+                                   .steep = 1.5e-6};
+
 // For points so close to an edge that only double precision sees on which side they are: cases in
 // which the contract's precision is a hundred-millionth of the triangle.
 inline constexpr Range kPrecise{.away = 1, .near = 0.5, .far = 2, .flat = 0.57};
 
 // Weights of a point at least four times as far from an edge as that, on either side of it.
-inline Weights very_close(double side) {
-  const double small = side * *magnitude(1e-7, 2e-5), other = *real(0.1, 0.8);
+inline Weights very_close(double side, double least = 1e-7, double most = 2e-5) {
+  const double small = side * *magnitude(least, most), other = *real(0.1, 0.8);
   std::array<double, 3> b{small, other, 1 - small - other};
   std::rotate(b.begin(), b.begin() + *whole(0, 2), b.end());
   return {b[0], b[1], b[2]};
 }
 inline Weights barely_inside() { return very_close(1); }
 inline Weights barely_outside() { return very_close(-1); }
+
+// The best-shaped triangles, met steeply and from close by: the precision is 2.2e-9 of the triangle,
+// and points are four to nine times as far from an edge.
+inline constexpr Range kMostPrecise{.thin = 0.8, .away = 0.3, .near = 0.5, .far = 1, .flat = 1.2};
+inline Weights a_hair_inside() { return very_close(1, 9e-9, 2e-8); }
+inline Weights a_hair_outside() { return very_close(-1, 9e-9, 2e-8); }
 
 inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
   return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });

@@ -54,16 +54,28 @@ void expect_t_from_either_side(const Aimed& aimed) {
               2 * aimed.tolerance);
 }
 
+// For promises that have nothing to say about t: the hit has to be somewhere near the triangle, which no
+// constant is.
+void expect_somewhere_near(double t, const Aimed& aimed, const std::string& which = "") {
+  expect(t > aimed.t / 2 && t < 2 * aimed.t,
+         fmt::format("a hit at the triangle, t between {} and {}{}", show(aimed.t / 2),
+                     show(2 * aimed.t), which),
+         "t " + show(t));
+}
+
 PROMISE(hit_triangle, hits_where_it_is_aimed) {
   for_all([] { expect_t(*aimed_inside()); });
   for_all([] { expect_t(*aimed_inside({}, just_inside)); });
   for_all([] { expect_t(*aimed_inside(kPrecise, barely_inside)); });
+  for_all([] { expect_t(*aimed_inside(kMostPrecise, a_hair_inside)); });
   // Slivers: triangles that are a thousand times as long as high.
   for_all([] { expect_t(*aimed_inside({.thin = 1e-3, .flat = 0.5})); });
   // Rays that meet the plane at an angle of a millionth of a radian to ten degrees.
   for_all([] {
     expect_t(*aimed_inside({.away = 1, .near = 0.1, .far = 3, .flat = 1e-6, .steep = 0.17}));
   });
+  // Both at once.
+  for_all([] { expect_t(*aimed_inside(kFlatNeedle, in_the_middle)); });
 }
 
 PROMISE(hit_triangle, misses_outside) {
@@ -75,12 +87,15 @@ PROMISE(hit_triangle, misses_outside) {
                "a hit when the ray is turned to a point inside", "none");
       },
       300);
-  for_all(
-      [] {
-        const InAndOut aimed = *aimed_outside(kPrecise, barely_outside);
-        expect_miss(aimed.out.triangle, aimed.out.ray, "the ray is aimed just beside the triangle");
-      },
-      200);
+  for (const auto& [range, where] :
+       {std::pair{kPrecise, &barely_outside}, std::pair{kMostPrecise, &a_hair_outside}}) {
+    for_all(
+        [range = range, where = where] {
+          const Aimed aimed = (*aimed_outside(range, where)).out;
+          expect_miss(aimed.triangle, aimed.ray, "the ray is aimed just beside the triangle");
+        },
+        200);
+  }
 }
 
 PROMISE(hit_triangle, keeps_t_inside_the_ray) {
@@ -134,9 +149,11 @@ PROMISE(hit_triangle, returns_a_unit_normal) {
   for (const Range& range : {Range{}, Range{.size = 1e6, .speed = 1e9}}) {
     bool any = false;
     for_all([&] {
-      const auto hit = hit_from_either_side(*aimed_inside(range));
+      const Aimed aimed = *aimed_inside(range);
+      const auto hit = hit_from_either_side(aimed);
       expect(any || hit.has_value(), "a hit", "none");
       any = true;  // other promises judge later misses
+      if (hit && range.speed == 1) expect_somewhere_near(hit->t, aimed);
       if (hit) expect_near("the length of n", length(hit->n), 1, kNormalPrecision);
     });
   }
@@ -145,7 +162,7 @@ PROMISE(hit_triangle, returns_a_unit_normal) {
 PROMISE(hit_triangle, never_flips_the_normal) {
   for_all([] {
     Aimed aimed = *aimed_inside();
-    expect_hit_from_either_side(aimed);
+    expect_somewhere_near(expect_hit_from_either_side(aimed).t, aimed);
     for (const char* side : {"", " when the ray comes from the other side"}) {
       const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
       expect(!hit || dot(hit->n, aimed.n) > 0,
@@ -156,18 +173,15 @@ PROMISE(hit_triangle, never_flips_the_normal) {
   });
 }
 
-// Other promises judge the point of the hit and its normal; here t must be somewhere near, which no constant is.
 PROMISE(hit_triangle, hits_both_faces) {
   for_all([] {
     Aimed aimed = *aimed_inside();
     for (const char* corners : {"in their order", "with two of them exchanged"}) {
       for (const char* side : {"one side", "the other side"}) {
         const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
-        const std::string which = std::string("from ") + side + ", with the corners " + corners;
-        expect(hit.has_value(), "a hit " + which, "none");
-        expect(hit->t > aimed.t / 2 && hit->t < 2 * aimed.t,
-               fmt::format("t between {} and {} {}", show(aimed.t / 2), show(2 * aimed.t), which),
-               "t " + show(hit->t));
+        const std::string which = std::string(" from ") + side + ", with the corners " + corners;
+        expect(hit.has_value(), "a hit" + which, "none");
+        expect_somewhere_near(hit->t, aimed, which);
         aimed.ray.origin = aimed.ray.at(2 * aimed.t);
         aimed.ray.direction = -aimed.ray.direction;
       }
@@ -195,8 +209,8 @@ void expect_scaled(const Aimed& aimed) {
   unit.ray.t_max *= speed;
   unit.t *= speed;
   const double t = expect_hit_from_either_side(unit).t;
+  expect_somewhere_near(t, unit, " with a unit direction");
   expect(hit.has_value(), "a hit, as with a unit direction", "none");
-  expect(hit->t > 0, "t above 0", "t " + show(hit->t));
   expect_near("t times the direction's length", hit->t * speed, t, 4 * aimed.tolerance * speed);
 }
 

@@ -1,0 +1,41 @@
+// breaks: works_at_every_scale
+// Rejects by the cosine of the angle to the centre, which is 1 for everything at a great distance.
+#include "pt/tasks/hit_box.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+std::optional<Interval> slabs(const Box& box, const Ray& ray) {
+  double enter = ray.t_min, leave = ray.t_max;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = ray.origin[axis], d = ray.direction[axis];
+    if (d == 0) {
+      if (!(o >= box.min[axis] && o <= box.max[axis])) return std::nullopt;
+      continue;
+    }
+    const double t0 = (box.min[axis] - o) / d, t1 = (box.max[axis] - o) / d;
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1) * (1 + 1e-15));
+  }
+  if (!(enter <= leave)) return std::nullopt;
+  return Interval{enter, leave};
+}
+
+}  // namespace
+
+std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
+  const Vec3 to_center = box.center() - ray.origin;
+  const double distance = length(to_center), radius = 0.5 * length(box.extent()) * (1 + 1e-9);
+  if (distance > radius) {
+    const double sine = radius / distance;
+    const double cosine = dot(to_center, ray.direction) / (distance * length(ray.direction));
+    if (!(cosine > std::sqrt(1 - sine * sine))) return std::nullopt;
+  }
+  return slabs(box, ray);
+}
+
+}  // namespace pt

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "grader/tasks/hit_bvh/cases.h"
+
+#include <functional>
+#include <string>
+
+// A scene with more primitives and more nodes than 16 bits can count. A ray enters little of its tree,
+// so that a query costs as much as in a small scene.
+
+namespace grader::check::hit_bvh_cases {
+
+struct Grid {
+  pt::Primitives primitives;
+  pt::Bvh bvh;
+};
+
+// A tree that halves the order at each level, with two primitives in a leaf; their number is even. The
+// order is the reverse of the primitives, so that primitives of large numbers are at small places.
+inline pt::Bvh reversed_halves(const pt::Primitives& primitives) {
+  pt::Bvh bvh;
+  const int n = primitives.size();
+  for (int i = n - 1; i >= 0; --i) bvh.order.push_back(i);
+  const std::function<int(int, int)> build = [&](int first, int last) {
+    const int me = static_cast<int>(bvh.nodes.size());
+    bvh.nodes.emplace_back();
+    pt::BvhNode node;
+    if (last - first <= 2) {
+      node.first = first;
+      node.count = last - first;
+      for (int i = first; i < last; ++i) node.box.grow(bounds(primitives, bvh.order[i]));
+    } else {
+      const int even_half = (last - first + 2) / 4 * 2;
+      node.left = build(first, first + even_half);
+      node.right = build(first + even_half, last);
+      node.box.grow(bvh.nodes[node.left].box);
+      node.box.grow(bvh.nodes[node.right].box);
+    }
+    bvh.nodes[me] = node;
+    return me;
+  };
+  build(0, n);
+  return bvh;
+}
+
+// Spheres of radius 0.4 in a plane, one unit apart, in rows of 250.
+inline Grid grid_of(int spheres) {
+  constexpr int kRow = 250;
+  Grid grid;
+  for (int i = 0; i < spheres; ++i) {
+    grid.primitives.spheres.push_back({{1.0 * (i % kRow), 1.0 * (i / kRow), 0}, 0.4});
+  }
+  grid.bvh = reversed_halves(grid.primitives);
+  return grid;
+}
+
+// 65,999 nodes over 66,000 primitives.
+inline const Grid& large_grid() {
+  static const Grid grid = grid_of(66000);
+  return grid;
+}
+inline const Grid& small_grid() {
+  static const Grid grid = grid_of(2000);
+  return grid;
+}
+
+// A ray that meets the sphere order[place] of the grid and no other.
+struct AimedInGrid {
+  const Grid* grid;
+  int place;
+
+  int primitive() const { return grid->bvh.order[place]; }
+  pt::Ray ray() const {
+    const pt::Vec3 center = grid->primitives.sphere(primitive()).center;
+    return {center + pt::Vec3{0.1, -0.05, -5}, {0, 0, 1}};
+  }
+};
+
+inline void showValue(const AimedInGrid& aimed, std::ostream& out) {
+  out << aimed.grid->primitives.size() << " spheres of radius 0.4 in a plane, in a tree of "
+      << aimed.grid->bvh.nodes.size() << " nodes with two spheres in a leaf"
+      << "\nthe ray meets only primitive " << aimed.primitive() << ", which is order["
+      << aimed.place << "]\n"
+      << show(aimed.ray());
+}
+
+inline std::string aim_of(const AimedInGrid& aimed) {
+  return "primitive " + std::to_string(aimed.primitive());
+}
+
+// A large number of the primitive at a small place of the order, and a large place in a late node.
+inline constexpr int kFirstInGrid = 9, kLastInGrid = 65990;
+
+}  // namespace grader::check::hit_bvh_cases
