@@ -79,6 +79,13 @@ inline rc::Gen<Case> asked_of(const rc::Gen<Room>& rooms, const rc::Gen<Bounces>
   });
 }
 
+// A lamp that fills a twenty-fifth of the hemisphere, weighted by the cosine, found by hemisphere
+// sampling.
+inline rc::Gen<Room> room_around_a_small_lamp() {
+  return room_around_a_lamp(gray(0.3, 0.8), rc::gen::just(Direct::hemisphere), ordinary(),
+                            rc::gen::just(0.2));
+}
+
 inline std::vector<Rgb> estimates(const Case& c, int calls) {
   return repeat<pt::trace_path>(calls, c.seed, c.room.scene, c.room.point, c.settings);
 }

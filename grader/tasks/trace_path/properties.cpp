@@ -35,6 +35,8 @@ PROMISE(trace_path, takes_the_light_samples_asked_for) {
       [] {
         const HalfLights c = *under_half_lights();
         const Noise one = noise_of(estimates(c, 1), 1), many = noise_of(estimates(c, 100), 1);
+        expect(one.deviation.g > 0, "estimates with one sample of direct light that vary",
+               fmt::format("a standard deviation of {:.3g}", one.deviation.g));
         const double ratio = many.deviation.g / one.deviation.g;
         const double doubt =
             kStandardErrors * std::sqrt((one.kurtosis + many.kurtosis) / (4 * kCalls));
@@ -45,6 +47,15 @@ PROMISE(trace_path, takes_the_light_samples_asked_for) {
             fmt::format("{:.2g} of the noise", ratio));
       },
       4);
+  // At the second bounce, the contract allows more noise. Few directions meet so small a lamp, so
+  // that one sample has still more.
+  for_all(
+      [] {
+        Case c = *asked_of(room_around_a_small_lamp(), rc::gen::just(Bounces{2, 2}));
+        c.settings.light_samples = 100;
+        expect_estimate(c, 2 * kCalls);
+      },
+      1);
 }
 
 PROMISE(trace_path, matches_the_furnace) {
@@ -109,6 +120,16 @@ PROMISE(trace_path, does_not_depend_on_survival) {
             2 * kCalls);
       },
       kCases);
+  // A path that survives twice is worth 100 or 400 paths, and almost nothing is absorbed.
+  for (const double survival : {0.1, 0.05}) {
+    for_all(
+        [=] {
+          const auto paths = asked_of(round_room(gray(0.9, 1)), rc::gen::just(Bounces{4, 4}),
+                                      rc::gen::just(survival));
+          expect_estimate(*paths, 10 * kCalls);
+        },
+        1);
+  }
 }
 
 PROMISE(trace_path, takes_the_first_bounce_always) {
