@@ -99,29 +99,36 @@ full_output() {
   done
 }
 
-# A compiler that says what a real one says when it is killed, and a linker with its disk full.
+# A compiler that is killed, or of which a part is; and a linker with its disk full, or for a moment, or that refuses
+# the submission's objects (1.o, ...) alone.
 killed_compiler() {
   local name
-  for name in killed linker undefined; do
+  for name in killed part linker moment undefined; do
     cat >"$folder/$name.sh" <<END
 #!/bin/bash
+full() { echo "/usr/bin/ld: final link failed: No space left on device" >&2; exit 1; }
 case "$name \$*" in
-  killed*) echo "g++: fatal error: Killed signal terminated program cc1plus" >&2; exit 1 ;;
+  killed*) kill -9 \$\$ ;;
+  part*-wrapper*) \${2//,/ } sh -c 'kill -9 \$\$'; exit 1 ;;
   *' -c '*) ;;
-  linker*) echo "/usr/bin/ld: final link failed: No space left on device" >&2; exit 1 ;;
-  *) echo "hit_box.cpp: undefined reference to \\\`pt::nothing'" >&2; exit 1 ;;
+  linker*) full ;;
+  moment*) [ -e "$folder/failed" ] || { touch "$folder/failed"; full; } ;;
+  undefined*' 1.o'*) echo "hit_box.cpp: undefined reference to \\\`pt::nothing'" >&2; exit 1 ;;
 esac
 exec c++ "\$@"
 END
     chmod +x "$folder/$name.sh"
     prepare "$name" "$folder/$name.sh"
   done
-  grades killed 2 "${asked[@]}" --isolation C
-  says 'hit_box could not be judged: the compiler was killed'
-  leaves killed
+  for name in killed part; do
+    grades "$name" 2 "${asked[@]}" --isolation C
+    says 'hit_box could not be judged: the compiler was killed'
+    leaves "$name"
+  done
   grades linker 2 "${asked[@]}" --isolation C
   says 'final link failed'
   leaves linker
+  grades moment 0 "${asked[@]}" --isolation C
   grades undefined 1 "${asked[@]}" --isolation C
   says 'it does not link'
 }

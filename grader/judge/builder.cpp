@@ -7,7 +7,7 @@
 #include "grader/judge/compiler_output.h"
 #include "grader/judge/object_file.h"
 #include "grader/judge/submission_flags.h"
-#include "grader/process/run_command.h"
+#include "grader/judge/tool_run.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -16,7 +16,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 namespace grader::judge {
 
@@ -47,19 +46,16 @@ void add(sandbox::Box& box, const std::vector<std::string>& words) {
   box.command.insert(box.command.end(), words.begin(), words.end());
 }
 
-// Returns whether the box ended before it ran its program.
-bool never_started(const process::CommandResult& result) {
-  constexpr int kNotStarted = 127;
-  return (WIFEXITED(result.status) && WEXITSTATUS(result.status) == kNotStarted) ||
-         result.output.starts_with("bwrap: ");
-}
-
-// Returns whether a part of the compiler was killed from outside. Its own limit of time ends it later.
-bool was_killed(const process::CommandResult& result, int seconds) {
-  const bool killed = WIFSIGNALED(result.status) ||
-                      result.output.find("Killed signal terminated") != std::string::npos ||
-                      result.output.find("unable to execute command: Killed") != std::string::npos;
-  return killed && result.seconds < 0.9 * seconds;
+void keep_worker(const ToolFolder& place, const std::string& path) {
+  const base::Submitted worker = place.take("worker", kMaxWorker);
+  if (!worker.present || !worker.rejected.empty()) {
+    throw pt::Error("the linked worker is not there: " + worker.rejected);
+  }
+  const std::string temporary = pt::temporary_name(path);
+  pt::write_file(temporary, worker.text);
+  // Another user runs it.
+  fs::permissions(temporary, fs::perms(0755));
+  fs::rename(temporary, path);
 }
 
 }  // namespace
@@ -106,17 +102,17 @@ std::string Builder::folder_of_parts() const {
 }
 
 process::CommandResult Builder::run(const sandbox::Box& box, const std::string& what) const {
-  process::CommandResult result =
-      process::run_command(sandbox::boxed(box, tier_), std::chrono::seconds(seconds_));
-  result.status = sandbox::program_status(result.status, tier_);
+  const ToolRun run = run_tool(box, tier_, seconds_);
+  const process::CommandResult& result = run.result;
   if (result.ok() || result.timed_out) return result;
   const auto give_up = [&](const std::string& why) {
     throw pt::Error(fmt::format("{} could not be judged: {}", what, why));
   };
-  if (never_started(result)) {
+  if (!run.started) {
     give_up("its box does not start (" + base::printable(first_line(result.output), 200) + ")");
   }
-  if (was_killed(result, seconds_)) {
+  // Its own limit of time ends it later.
+  if (run.killed && result.seconds < 0.9 * seconds_) {
     give_up(
         "the compiler was killed, perhaps because no memory was left; give the machine more, or "
         "grade with --threads 1");
@@ -187,8 +183,6 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   return {path, key, "", "", warnings};
 }
 
-// A linker reads what a submission shaped: it works in a box as a compiler does, on copies, of which it may change
-// those of the submission's objects only.
 Built Builder::link(const Paths& objects, const std::string& key, bool integrated) const {
   const std::string whole = base::sha256(framework_ + toolchain_ + key + (integrated ? "i" : "s"));
   const std::string path = cache_ + "/" + whole + ".worker";
@@ -196,7 +190,24 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
     mark_used(path);
     return {path, whole, "", "", ""};
   }
-  const ToolFolder place(pt::temporary_name(cache_ + "/" + whole + ".tree"));
+  process::CommandResult result;
+  for (const bool first : {true, false}) {
+    const ToolFolder place(pt::temporary_name(cache_ + "/" + whole + ".tree"));
+    result = run_linker(place, objects, integrated);
+    if (result.ok()) {
+      keep_worker(place, path);
+      return {path, whole, "", "", ""};
+    }
+    // A machine without memory fails for a moment only: then the second attempt succeeds.
+    if (first) expect_linker(integrated);
+  }
+  return {"", whole, first_error(result, seconds_), "", ""};
+}
+
+// A linker reads what a submission shaped: it works in a box as a compiler does, on copies, of which it may change
+// those of the submission's objects only.
+process::CommandResult Builder::run_linker(const ToolFolder& place, const Paths& objects,
+                                           bool integrated) const {
   sandbox::Box box = tool_box(place);
   const std::string parts = folder_of_parts();
   box.visible.push_back(parts);
@@ -220,22 +231,18 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   add(box, config_.link_flags);
   if (integrated) add(box, config_.recording_flags);
   add(box, {"-o", "worker"});
-  const process::CommandResult result = run(box, "what was compiled");
-  if (!result.ok()) {
-    const std::string error = first_error(result, seconds_);
-    if (is_about_objects(error)) return {"", whole, error, "", ""};
-    throw pt::Error("the judge's own link fails: " + base::printable(result.output, 300));
+  return run(box, "what was compiled");
+}
+
+void Builder::expect_linker(bool integrated) const {
+  Paths objects = config_.radiance;
+  for (const TaskConfig& task : config_.tasks) {
+    objects.insert(objects.end(), task.reference.begin(), task.reference.end());
   }
-  const base::Submitted worker = place.take("worker", kMaxWorker);
-  if (!worker.present || !worker.rejected.empty()) {
-    throw pt::Error("the linked worker is not there: " + worker.rejected);
-  }
-  const std::string temporary = pt::temporary_name(path);
-  pt::write_file(temporary, worker.text);
-  // Another user runs it.
-  fs::permissions(temporary, fs::perms(0755));
-  fs::rename(temporary, path);
-  return {path, whole, "", "", ""};
+  const ToolFolder place(pt::temporary_name(cache_ + "/reference.tree"));
+  const process::CommandResult result = run_linker(place, objects, integrated);
+  if (result.ok()) return;
+  throw pt::Error("the judge's own link fails: " + base::printable(result.output, 300));
 }
 
 sandbox::Box Builder::tool_box(const ToolFolder& place) const {
@@ -247,6 +254,7 @@ sandbox::Box Builder::tool_box(const ToolFolder& place) const {
                    true,
                    kCompilerLimits};
   box.limits.cpu_seconds = seconds_;
+  if (config_.compiler_version.starts_with("GNU ")) report_killed_parts(box, place);
   return box;
 }
 

@@ -44,6 +44,11 @@ class Builder {
   // Copies of the objects that no submission has a part in.
   std::string folder_of_parts() const;
   sandbox::Box tool_box(const ToolFolder& place) const;
+  process::CommandResult run_linker(const ToolFolder& place, const Paths& objects,
+                                    bool integrated) const;
+  // Throws pt::Error if the reference does not link either. Whose fault a link is that fails cannot be
+  // told by what the linker prints: names in a submission's objects are words there.
+  void expect_linker(bool integrated) const;
   // Throws pt::Error if it fails and the machine is at fault; `what` could then not be judged.
   process::CommandResult run(const sandbox::Box& box, const std::string& what) const;
 

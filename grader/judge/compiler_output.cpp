@@ -69,13 +69,4 @@ std::string in_project(const std::string& output, const std::string& tree, const
   return text;
 }
 
-bool is_about_objects(const std::string& error) {
-  for (const char* words :
-       {"undefined reference to", "multiple definition of", "relocation", "unexpected reloc",
-        "hidden symbol", "used as both __thread and non-__thread"}) {
-    if (error.find(words) != std::string::npos) return true;
-  }
-  return false;
-}
-
 }  // namespace grader::judge

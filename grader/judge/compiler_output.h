@@ -20,7 +20,4 @@ std::string first_error(const process::CommandResult& result, int seconds);
 // folder `own`, of the judge, are left out.
 std::string in_project(const std::string& output, const std::string& tree, const std::string& own);
 
-// Returns whether an error of the linker is about the given objects; other errors are the machine's.
-bool is_about_objects(const std::string& error);
-
 }  // namespace grader::judge

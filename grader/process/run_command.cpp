@@ -78,7 +78,9 @@ CommandResult run_command(Child child, milliseconds most, std::stop_token stop) 
   base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   base::Pipe output = base::make_pipe();
   const int input = child.descriptors.empty() ? nothing.number() : child.descriptors[0];
-  child.descriptors = {input, output.write_end.number(), output.write_end.number()};
+  child.descriptors.resize(std::max<std::size_t>(child.descriptors.size(), 3));
+  child.descriptors[0] = input;
+  child.descriptors[1] = child.descriptors[2] = output.write_end.number();
   const pid_t pid = spawn(child);
   Awaited awaited(pid);
   output.write_end.close();

@@ -25,8 +25,8 @@ inline constexpr std::size_t kMaxOutput = std::size_t{1} << 18;
 
 // Runs a command to its end, or until it and its descendants have had `most` of processor time
 // (grader/process/time_limit.h: a busy machine changes nothing, and one that sleeps ends too), and
-// keeps what it prints. Its descriptors are set here: both outputs are read, and its input is the first that it has,
-// or nothing. Throws pt::Error where the machine is too busy for it, and Stopped where somebody asks for
+// keeps what it prints. Its first three descriptors are set here: both outputs are read, and its input is the first
+// that it has, or nothing. Throws pt::Error where the machine is too busy for it, and Stopped where somebody asks for
 // that; it has ended then.
 CommandResult run_command(Child child, std::chrono::milliseconds most, std::stop_token stop = {});
 

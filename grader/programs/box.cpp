@@ -1,9 +1,10 @@
 // box: becomes a program that can do little. It shows the program the files that it may see, takes
 // from it what it may not do, and runs it; grader/sandbox/box.cpp writes the command line. Nothing
-// of a submission runs before the last line.
+// of a submission runs before the last line. It also stands between a compiler and its parts (tool_part.h).
 #include "grader/sandbox/launcher/filter.h"
 #include "grader/sandbox/launcher/landlock.h"
 #include "grader/sandbox/launcher/options.h"
+#include "grader/sandbox/launcher/tool_part.h"
 #include "grader/sandbox/launcher/user.h"
 #include "pt/error.h"
 
@@ -60,7 +61,7 @@ void enter(const std::string& folder, const std::optional<User>& user) {
 }
 
 [[noreturn]] void run(Options options) {
-  if (options.inside) continue_as_child();
+  if (options.inside) continue_as_child(options.started);
   if (options.started >= 0) fcntl(options.started, F_SETFD, FD_CLOEXEC);
   const base::Descriptor program = open_program(options.command[0]);
   const base::Descriptor rules = file_rules(options);
@@ -94,7 +95,9 @@ void enter(const std::string& folder, const std::optional<User>& user) {
 
 int main(int argc, char** argv) {
   try {
-    run(parse(argc, argv));
+    const Options options = parse(argc, argv);
+    if (options.killed >= 0) return run_tool_part(options.command, options.killed);
+    run(options);
   } catch (const pt::Error& error) {
     std::fprintf(stderr, "box: %s\n", error.what());
     return 127;

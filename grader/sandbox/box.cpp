@@ -13,7 +13,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace grader::sandbox {
@@ -28,12 +27,6 @@ constexpr const char* kBubblewrap = "/usr/bin/bwrap";
 Words operator+(Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
-}
-
-// The launcher stands next to the program that runs.
-std::string launcher_path() {
-  static const std::string path = fs::read_symlink("/proc/self/exe").parent_path() / "box";
-  return path;
 }
 
 // The folders of the system that a program needs. Not all of /usr: a project may lie in there.
@@ -156,6 +149,11 @@ std::optional<std::uint64_t> tree_memory(const Box& box) {
 
 }  // namespace
 
+std::string launcher_path() {
+  static const std::string path = fs::read_symlink("/proc/self/exe").parent_path() / "box";
+  return path;
+}
+
 char letter(Tier tier) { return "ABC"[static_cast<int>(tier)]; }
 
 Tier tier_of(std::string_view word) {
@@ -202,12 +200,6 @@ process::Child boxed(const Box& box, Tier tier) {
           "/",
           {},
           tree_memory(box)};
-}
-
-// The launcher inside bubblewrap says it as a shell does.
-int program_status(int status, Tier tier) {
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-  return tier == Tier::bubblewrap && code > 128 && code <= 128 + 64 ? code - 128 : status;
 }
 
 }  // namespace grader::sandbox

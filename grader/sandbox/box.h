@@ -35,7 +35,8 @@ struct Box {
   bool tools = false;                    // it may start programs, as a compiler does
   process::Limits limits;
   // The last of the descriptors is not the program's but the launcher's: one byte comes there when
-  // nothing but the program itself is left to start, a second one if that fails. Not in tier C.
+  // nothing but the program itself is left to start, a second one if that fails, and in tier A the
+  // program's status when it has ended (grader/sandbox/told.h). Not in tier C.
   bool tells_start = false;
 };
 
@@ -43,6 +44,9 @@ struct Box {
 // the program, spawn()'s pid, or this process. There, a program that cannot be started exits with
 // 127 and one sentence.
 process::Child boxed(const Box& box, Tier tier);
+
+// The launcher: the program `box`, next to the program that runs.
+std::string launcher_path();
 
 // The newest version of Landlock that boxes use where the environment variable FIRSTLIGHT_LANDLOCK
 // says so: tests hold boxes of older kernels (5: without scopes; 0: without Landlock) against
@@ -52,8 +56,5 @@ std::optional<int> landlock_at_most();
 
 // The environment of programs of ours that start boxes: plain, and with that variable if it is there.
 std::vector<std::string> judges_environment();
-
-// The exit status of the program itself, given that of the child (as waitpid gives both).
-int program_status(int status, Tier tier);
 
 }  // namespace grader::sandbox

@@ -173,6 +173,26 @@ TEST(hostile, crashes_are_named_by_their_cause) {
   EXPECT_NE(outcome.output.find("[-Wreturn-type]"), std::string::npos) << outcome.output;
 }
 
+// Who made a compiler or a worker end is known from the launcher and the kernel. Words of a submission that sound
+// like theirs do not make the machine guilty: that would be no verdict for anybody.
+TEST(hostile, cannot_speak_for_the_machine) {
+  for (const char* tier : {"A", "B", "C"}) {
+    Submission submission(std::string("words") + tier);
+    std::vector<std::string> words = submission.put("words");
+    words.insert(words.end(), {"--no-pictures", "--isolation", tier});
+    const Outcome outcome = submission.grade(words);
+    if (outcome.output.find("isolation does not work here") == 0) continue;
+    EXPECT_EQ(outcome.exit_status, 1) << tier << outcome.output;
+    for (const char* slug : {"camera_ray", "hit_triangle", "hit_sphere", "hit_box"}) {
+      EXPECT_EQ(outcome.task(slug).value("reason", ""), "it does not compile") << tier << slug;
+    }
+    EXPECT_EQ(outcome.state("build_bvh"), "crash") << tier;
+    const std::string promises = outcome.task("build_bvh").at("promises").dump();
+    EXPECT_NE(promises.find("ended by itself, with exit status 137"), std::string::npos)
+        << tier << promises.substr(0, 1500);
+  }
+}
+
 TEST(grade, names_the_line_that_does_not_compile) {
   const Submission submission("compile");
   std::ofstream(submission / "1_rays/hit_sphere.cpp") << "\n\nint f() { return; }\n";

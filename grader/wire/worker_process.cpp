@@ -47,18 +47,18 @@ WorkerProcess::WorkerProcess(const std::string& program, sandbox::Tier tier,
     : tier_(tier), max_printed_(max_printed) {
   base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   base::Pipe calls = base::make_pipe(), replies = base::make_pipe(), output = base::make_pipe(),
-             started = base::make_pipe();
+             launcher = base::make_pipe();
   sandbox::Box box{{program}, {"LANG=C.UTF-8"}, {}, {}, "", false, kWorkerLimits};
   box.descriptors = {nothing.number(),           output.write_end.number(),
                      output.write_end.number(),  calls.read_end.number(),
-                     replies.write_end.number(), started.write_end.number()};
+                     replies.write_end.number(), launcher.write_end.number()};
   box.tells_start = true;
   pid_ = process::spawn(sandbox::boxed(box, tier));
   to_worker_ = std::move(calls.write_end);
   from_worker_ = std::move(replies.read_end);
   output_ = std::move(output.read_end);
-  started_ = std::move(started.read_end);
-  for (const base::Descriptor* end : {&to_worker_, &from_worker_, &output_, &started_})
+  launcher_ = std::move(launcher.read_end);
+  for (const base::Descriptor* end : {&to_worker_, &from_worker_, &output_, &launcher_})
     base::set_nonblocking(*end);
 }
 
@@ -167,9 +167,7 @@ void WorkerProcess::take_output() {
 }
 
 bool WorkerProcess::has_started() const {
-  if (tier_ == sandbox::Tier::limits) return true;
-  char bytes[2];
-  return read(started_.number(), bytes, sizeof bytes) == 1;
+  return tier_ == sandbox::Tier::limits || told_.has_started();
 }
 
 // The worker closed its side. That is how a process that dies looks from here, a moment before its
@@ -193,12 +191,13 @@ void WorkerProcess::ended() {
   running_ = duration(used.ru_utime) + duration(used.ru_stime);
   kill(-pid_, SIGKILL);
   pid_ = -1;
+  told_.listen(launcher_);
   if (!has_answered_ && !has_started()) {
     throw WorkerNotStarted{last_words_.empty() ? process::describe_status(status)
                                                : base::printable(last_words_, 300)};
   }
   throw WorkerFailed{results::Cause::crash,
-                     process::cause_of_end(sandbox::program_status(status, tier_),
+                     process::cause_of_end(sandbox::program_status(status, tier_, told_),
                                            base::printable(last_words_, 2000, true))};
 }
 

@@ -4,7 +4,7 @@
 #include "grader/process/one_processor.h"
 #include "grader/process/time_limit.h"
 #include "grader/results/results.h"
-#include "grader/sandbox/box.h"
+#include "grader/sandbox/told.h"
 #include "grader/wire/message.h"
 
 #include <chrono>
@@ -66,7 +66,7 @@ class WorkerProcess {
   void wait(const base::Descriptor& descriptor, short event);
   void take_output();
   void fill(std::size_t size);  // until buffer_ has so many bytes
-  bool has_started() const;     // of a worker that has ended
+  bool has_started() const;     // once the launcher has told
   [[noreturn]] void ended();
 
   pid_t pid_ = -1;     // of what was started: the program, or the box around it
@@ -76,8 +76,9 @@ class WorkerProcess {
   process::OneProcessor together_;  // with the worker
   std::chrono::nanoseconds running_{0}, waited_{0};
   base::Descriptor to_worker_, from_worker_, output_;
-  base::Descriptor started_;  // see Box::tells_start
-  std::string buffer_;        // received and not yet used
+  base::Descriptor launcher_;  // see Box::tells_start
+  sandbox::Told told_;
+  std::string buffer_;  // received and not yet used
   std::string printed_, last_words_;
   std::size_t max_printed_;
   std::size_t bytes_printed_ = 0;

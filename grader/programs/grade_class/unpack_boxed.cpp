@@ -4,6 +4,7 @@
 #include "grader/base/printable.h"
 #include "grader/process/run_command.h"
 #include "grader/sandbox/probe.h"
+#include "grader/sandbox/told.h"
 
 #include <chrono>
 #include <filesystem>

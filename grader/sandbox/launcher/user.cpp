@@ -119,16 +119,19 @@ void start_keeper(const std::optional<User>& user) {
   _exit(0);
 }
 
-void continue_as_child() {
+void continue_as_child(int told) {
   const pid_t child = fork();
   if (child < 0) throw pt::Error(std::string("no process: ") + std::strerror(errno));
   if (child == 0) return;
   prctl(PR_SET_DUMPABLE, 0);
-  close_range(0, ~0U, 0);
+  close_all_but({told, -1, -1});
   while (true) {
     int status = 0;
     const pid_t ended = wait(&status);
-    if (ended == child) _exit(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+    if (ended == child) {
+      if (told >= 0 && write(told, &status, sizeof status) != sizeof status) _exit(127);
+      _exit(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+    }
     if (ended < 0 && errno != EINTR) _exit(127);
   }
 }

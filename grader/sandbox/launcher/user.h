@@ -25,8 +25,9 @@ void become(const User& user);
 // lock meanwhile, and no other descriptor.
 void start_keeper(const std::optional<User>& user);
 
-// In a process namespace of its own, this process goes on as a child; the parent waits, and ends
-// with the child's exit status, or 128 and the number of its signal. All others end with it.
-void continue_as_child();
+// In a process namespace of its own, this process goes on as a child; the parent waits, writes the
+// child's status to the descriptor `told` (-1: nowhere), and ends with its exit status, or 128 and the
+// number of its signal. All others end with it.
+void continue_as_child(int told);
 
 }  // namespace grader::sandbox::box

@@ -1,0 +1,35 @@
+#include "grader/sandbox/launcher/tool_part.h"
+
+#include "pt/error.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace grader::sandbox::box {
+
+int run_tool_part(const std::vector<char*>& command, int killed) {
+  fcntl(killed, F_SETFD, FD_CLOEXEC);
+  const pid_t part = fork();
+  if (part < 0) throw pt::Error(std::string("no process: ") + std::strerror(errno));
+  if (part == 0) {
+    execvp(command[0], command.data());
+    _exit(127);
+  }
+  int status = 0;
+  while (waitpid(part, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
+  const int signal = WTERMSIG(status);
+  if (signal == SIGKILL && write(killed, "k", 1) != 1) return 127;
+  std::fprintf(stderr, "%s: error: it ended with signal %d (%s)\n", command[0], signal,
+               strsignal(signal));
+  return 128 + signal;
+}
+
+}  // namespace grader::sandbox::box

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "grader/base/descriptor.h"
+#include "grader/sandbox/box.h"
+
+#include <optional>
+#include <string>
+
+namespace grader::sandbox {
+
+// What the launcher of a box has told its judge through Box::tells_start. No program in a box can
+// write there, so nothing of it is a submission's word.
+class Told {
+ public:
+  // Takes what has come; does not wait for more. The descriptor does not block (base::set_nonblocking).
+  void listen(const base::Descriptor& launcher);
+
+  // Returns whether nothing but the program itself was left to start, and it could be started.
+  bool has_started() const;
+
+  // The program's own status, as waitpid gives it. Only tier A tells it, where the judge waits for
+  // bubblewrap, and not where all of the box was killed at once.
+  std::optional<int> status() const;
+
+ private:
+  std::string bytes_;
+};
+
+// The exit status of the program itself, given that of the child (as waitpid gives both). What was
+// told comes before the child's own status, in which 137 is either exit(137) or a signal.
+int program_status(int status, Tier tier, const Told& told = {});
+
+}  // namespace grader::sandbox
