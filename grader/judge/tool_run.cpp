@@ -25,10 +25,10 @@ constexpr int kNotFound = 127;
 
 }  // namespace
 
-void report_killed_parts(sandbox::Box& box, const Stage& stage) {
+void report_killed_parts(sandbox::Box& box, const ToolFolder& place) {
   const std::string launcher = sandbox::launcher_path();
   if (!fs::exists(launcher)) return;
-  fs::create_symlink(launcher, fs::path(stage.folder()) / kLauncher);
+  fs::create_symlink(launcher, fs::path(place.folder()) / kLauncher);
   box.visible.push_back(launcher);
   box.command.insert(box.command.end(),
                      {"-wrapper", fmt::format("{},--killed={},--", kLauncher, kKilled)});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/judge/staging.h"
+#include "grader/judge/tool_folder.h"
 #include "grader/process/run_command.h"
 #include "grader/sandbox/box.h"
 
@@ -19,6 +19,6 @@ ToolRun run_tool(sandbox::Box box, sandbox::Tier tier, int seconds);
 
 // The command is gcc's driver: how its parts (cc1plus, as) end is told to run_tool(). Other compilers
 // are one process. To be called before words are added to the command.
-void report_killed_parts(sandbox::Box& box, const Stage& stage);
+void report_killed_parts(sandbox::Box& box, const ToolFolder& place);
 
 }  // namespace grader::judge
