@@ -30,7 +30,8 @@ namespace pt {
 //     and the interval lies in the range.
 //   - takes rays along the axes: components of 0 and of -0, beside and inside the slabs.
 //   - takes directions of any length: from a billionth to a billion.
-//   - works at every scale: boxes from a billionth to a billion across, also far from the origin.
+//   - works at every scale: boxes from a billionth to a billion across, also far from the world's
+//     origin, and up to a billion of their sizes away from the ray's.
 //   - takes flat boxes: with no thickness in one axis or more.
 //   - never misses by a rounding error (bonus): also for rays at the edges and corners of the boxes
 //     of triangles, which have to be hit when the triangle is (Ize 2013, Robust BVH Ray Traversal,

@@ -12,7 +12,7 @@ namespace pt {
 // Finds what a ray meets among many primitives, with the help of a tree over their boxes.
 //
 // In:  any tree that keeps the invariants of pt/geometry/bvh.h over the boxes of `primitives`, also
-//      an empty one, or one of a thousand levels.
+//      an empty one, one of a thousand levels, or one of a hundred thousand nodes.
 // Out: hit_bvh: the hit with the smallest t in the ray's range, the surface's normal as it was
 //      given, and which primitive it was; of several at the same t any. occluded_bvh: whether there
 //      is any hit in the ray's range; it stops at the first.
