@@ -1,4 +1,5 @@
 // A limit of time counts what a process had, not what others took from it.
+#include "grader/process/sleep_watch.h"
 #include "grader/process/time_limit.h"
 #include "pt/error.h"
 
@@ -157,6 +158,70 @@ TEST(time_limit, says_that_the_machine_is_too_busy_and_not_that_the_program_is_t
 TEST(time_limit, is_not_about_the_machine_before_its_time) {
   EXPECT_NO_THROW(expect_processor(milliseconds(1), milliseconds(10), milliseconds(10)));
   EXPECT_THROW(expect_processor(milliseconds(1), milliseconds(11), milliseconds(10)), pt::Error);
+}
+
+// Waits for the child as a judge does, and looks, until it is found asleep for so long or `most` has passed.
+nanoseconds watch(SleepWatch& sleep, pid_t child, milliseconds enough, milliseconds most) {
+  const auto start = TimeLimit::Clock::now();
+  while (sleep.slept() < enough && TimeLimit::Clock::now() - start < most) {
+    const Wait wait;
+    const auto pause = std::chrono::ceil<milliseconds>(sleep.until_look());
+    usleep(static_cast<useconds_t>(1000 * pause.count()));
+    sleep.add_waited(wait.net(pause));
+    sleep.look(child);
+  }
+  return TimeLimit::Clock::now() - start;
+}
+
+TEST(sleep_watch, finds_a_sleep_before_its_end) {
+  if (!time_of_process(getppid()).asleep && !time_of_process(1).asleep) {
+    GTEST_SKIP() << "this kernel does not tell how long a process waits for a processor";
+  }
+  Crowd crowd;
+  for (int i = 0; i < 6; ++i) crowd.add(spin);
+  SleepWatch sleep;
+  const nanoseconds took =
+      watch(sleep, crowd.add(wait_for_ever), milliseconds(300), std::chrono::seconds(20));
+  EXPECT_GE(sleep.slept(), milliseconds(300));
+  EXPECT_LE(sleep.slept(), took);
+}
+
+// Its wait for a processor goes on when somebody looks: the kernel does not know of it yet.
+TEST(sleep_watch, takes_no_wait_for_a_processor_for_sleep) {
+  Crowd crowd;
+  for (int i = 0; i < 6; ++i) crowd.add(spin);
+  SleepWatch sleep;
+  watch(sleep, crowd.add(spin), milliseconds(1), milliseconds(400));
+  EXPECT_EQ(sleep.slept(), nanoseconds(0));
+}
+
+// What it ran and what others took from it is no sleep, whatever it does between.
+TEST(sleep_watch, counts_no_more_than_is_left_of_the_time) {
+  Crowd crowd;
+  for (int i = 0; i < 3; ++i) crowd.add(spin);
+  const auto start = TimeLimit::Clock::now();
+  const pid_t child = crowd.add([] {
+    while (true) {
+      const nanoseconds end = running_time(getpid()) + milliseconds(3);
+      while (running_time(getpid()) < end) {
+      }
+      usleep(3000);
+    }
+  });
+  SleepWatch sleep;
+  watch(sleep, child, std::chrono::hours(1), milliseconds(800));
+  const ProcessTime time = time_of_process(child);
+  const nanoseconds whole = TimeLimit::Clock::now() - start;
+  EXPECT_LE(sleep.slept(), whole - time.running - time.waiting + milliseconds(1));
+}
+
+TEST(sleep_watch, counts_nothing_of_a_program_that_has_not_begun) {
+  SleepWatch sleep;
+  for (int i = 0; i < 5; ++i) {
+    sleep.add_waited(milliseconds(100));
+    sleep.look(-1);
+  }
+  EXPECT_EQ(sleep.slept(), nanoseconds(0));
 }
 
 // A compiler starts others that do the work.

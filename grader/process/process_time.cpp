@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 using std::chrono::nanoseconds;
 
 struct Stat {
+  char state = 0;  // 'R': on a processor or ready for it, 'S' and others: asleep
   pid_t parent = 0;
   long long of_children = 0;  // ticks of those that have ended and were waited for
 };
@@ -32,9 +34,8 @@ Stat read_stat(pid_t pid) {
   const std::size_t name_end = text.rfind(')');
   if (name_end == text.npos) return {};
   std::istringstream fields(text.substr(name_end + 1));
-  char state = 0;
   Stat stat;
-  fields >> state >> stat.parent;
+  fields >> stat.state >> stat.parent;
   constexpr int kBetween = 11;  // group ... system time
   long long skipped = 0, user = 0, system = 0;
   for (int i = 0; i < kBetween; ++i) fields >> skipped;
@@ -42,10 +43,16 @@ Stat read_stat(pid_t pid) {
   return stat;
 }
 
-nanoseconds waiting_time(const std::string& process) {
+// Empty where the kernel does not tell.
+std::optional<nanoseconds> told_waiting_time(const std::string& process) {
   long long running = 0, waiting = 0;
-  std::ifstream("/proc/" + process + "/schedstat") >> running >> waiting;
+  std::ifstream file("/proc/" + process + "/schedstat");
+  if (!(file >> running >> waiting)) return std::nullopt;
   return nanoseconds(waiting);
+}
+
+nanoseconds waiting_time(const std::string& process) {
+  return told_waiting_time(process).value_or(nanoseconds(0));
 }
 
 using Children = std::multimap<pid_t, pid_t>;
@@ -84,6 +91,15 @@ nanoseconds running_time(pid_t pid) {
     return nanoseconds(0);
   }
   return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
+}
+
+ProcessTime time_of_process(pid_t pid) {
+  if (pid <= 0) return {};
+  // The state first: a wait that begins after it belongs to the next time that somebody asks.
+  const char state = read_stat(pid).state;
+  const auto waiting = told_waiting_time(std::to_string(pid));
+  const bool asleep = waiting && (state == 'S' || state == 'T');
+  return {running_time(pid), waiting.value_or(nanoseconds(0)), asleep};
 }
 
 ProcessTime time_of_tree(pid_t pid) {

@@ -12,6 +12,9 @@ namespace grader::process {
 struct ProcessTime {
   std::chrono::nanoseconds running{0};  // on a processor
   std::chrono::nanoseconds waiting{0};  // ready to run while no processor was given to it
+  // It waited for something else than a processor when this was read, so that no wait for one was
+  // going on, which `waiting` would not have known. Only of one process.
+  bool asleep = false;
 };
 
 // Of a process and its descendants since each began, and what descendants ran that have ended and
@@ -20,6 +23,9 @@ struct ProcessTime {
 // machine are looked at. Source: /proc/PID/stat and schedstat (Linux,
 // Documentation/scheduler/sched-stats).
 ProcessTime time_of_tree(pid_t pid);
+
+// Of one process alone, while it lives; takes some 30 microseconds.
+ProcessTime time_of_process(pid_t pid);
 
 // Of one process, what it ran; takes less than a microsecond.
 std::chrono::nanoseconds running_time(pid_t pid);

@@ -44,6 +44,9 @@ struct Options {
 // machine.
 constexpr std::chrono::milliseconds kBatteryCallLimit{2000};
 
+// Right solutions send a ninth of it at most (trace_path, 29 MB), in their properties or in a battery.
+constexpr std::uint64_t kMaxAnswered = std::uint64_t{256} << 20;
+
 // Properties take an exception for a case that failed.
 [[noreturn]] void end_at_fault(const std::string& why) {
   std::fprintf(stderr, "%s\n", why.c_str());
@@ -53,6 +56,7 @@ constexpr std::chrono::milliseconds kBatteryCallLimit{2000};
 int run_battery(Options options) {
   options.session.call_limit = kBatteryCallLimit;
   options.session.total_limit = std::chrono::minutes(1);
+  options.session.max_answered = kMaxAnswered * static_cast<std::uint64_t>(options.draws);
   options.session.give_up = [](grader::results::Cause cause, const std::string&) {
     throw grader::mistakes::CallEnded{cause};
   };
@@ -82,7 +86,8 @@ int run_search(Options options) {
   return 0;
 }
 
-int run(const Options& options, const char* program) {
+int run(Options options, const char* program) {
+  options.session.max_answered = kMaxAnswered;
   setenv("FIRSTLIGHT_SEED", std::to_string(options.seed).c_str(), 1);
   grader::wire::open_session(options.session);
   std::string filter = "--gtest_filter=" + options.promises;

@@ -95,6 +95,11 @@ TEST(hostile, cannot_keep_the_judge_busy) {
   EXPECT_NE(outcome.task("camera_ray").dump().find("all calls so far took"), std::string::npos);
   EXPECT_EQ(outcome.state("hit_triangle"), "crash");
   EXPECT_NE(outcome.task("hit_triangle").dump().find("too many calls"), std::string::npos);
+  // Whoever sleeps and crashes then is not called five hundred times.
+  EXPECT_EQ(outcome.state("hit_sphere"), "crash");
+  EXPECT_NE(outcome.task("hit_sphere").dump().find("all calls so far took"), std::string::npos);
+  // The machine is not called too busy because of a task that sleeps in the middle of an answer.
+  EXPECT_EQ(outcome.state("hit_box"), "timeout");
   EXPECT_EQ(outcome.state("build_bvh"), "fail");
   for (const json& promise : outcome.task("build_bvh").at("promises")) {
     EXPECT_FALSE(promise.at("held").get<bool>()) << promise.at("name");

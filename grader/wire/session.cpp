@@ -141,6 +141,13 @@ void Session::expect_time_left() {
   if (failures_ >= settings_.max_failures) {
     settings_.give_up(last_cause_, "not called any more: too many calls came to nothing");
   }
+  const std::uint64_t answered = answered_ + (worker_ ? worker_->answered() : 0);
+  if (answered > settings_.max_answered) {
+    settings_.give_up(
+        results::Cause::bad_reply,
+        fmt::format("not called any more: its answers were {} MiB in all, where {} are the most",
+                    answered >> 20, settings_.max_answered >> 20));
+  }
   expect_total_time_left();
 }
 
@@ -154,13 +161,9 @@ void Session::expect_total_time_left() {
   };
   const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
   if (running > settings_.total_limit) give_up(running);
-  const auto waited = waited_ + (worker_ ? worker_->waited() : Clock::duration::zero());
   const auto patience = settings_.total_limit / 2;
-  if (waited - running > patience) {
-    const auto starved = starved_ + (worker_ ? worker_->starved() : Clock::duration::zero());
-    const auto slept = waited - running - starved;
-    if (slept > patience) give_up(slept);
-  }
+  const auto most = worker_ ? worker_->waited() - worker_->running() : Clock::duration::zero();
+  if (slept_ + most > patience && slept() > patience) give_up(slept());
   try {
     process::expect_processor(running, Clock::now() - first_call_, kMaxAge * settings_.total_limit);
   } catch (const pt::Error& busy) {
@@ -168,13 +171,18 @@ void Session::expect_total_time_left() {
   }
 }
 
-// A dead process does not tell how long it waited for a processor, so that nothing may be held
-// against it.
-void Session::keep_times(results::Cause cause) {
+std::chrono::nanoseconds Session::slept() const {
+  if (!worker_) return slept_;
+  const auto slept = worker_->waited() - worker_->running() - worker_->starved();
+  return slept_ + std::max<std::chrono::nanoseconds>(slept, Clock::duration::zero());
+}
+
+// A dead process does not tell how long it waited for a processor: of the time for which the judge
+// waited, only that is held against it in which it was seen asleep.
+void Session::keep_totals(results::Cause cause) {
+  slept_ = cause == results::Cause::timeout ? slept() : slept_ + worker_->slept();
   running_ += worker_->running();
-  if (cause != results::Cause::timeout) return;
-  waited_ += worker_->waited();
-  starved_ += worker_->starved();
+  answered_ += worker_->answered();
 }
 
 void Session::drop_known_definitions() {
@@ -266,7 +274,7 @@ void Session::fail(const WorkerFailed& failure) {
   }
   if (!failure.alive) {
     if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
-    if (worker_) keep_times(failure.cause);
+    if (worker_) keep_totals(failure.cause);
     worker_.reset();
     ++record_.restarts;
   }

@@ -3,7 +3,9 @@
 #include "grader/check/fail.h"
 #include "grader/wire/worker_process.h"
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -34,6 +36,8 @@ struct SessionSettings {
   // would depend on what else the machine does.
   int max_timeouts = 3;
   int max_failures = 500;
+  // Likewise after so many bytes from workers: the judge has to read them.
+  std::uint64_t max_answered = std::numeric_limits<std::uint64_t>::max();
 };
 
 // The record of a session, for the report.
@@ -86,7 +90,8 @@ class Session {
   void expect_attempted() const;
   void expect_time_left();
   void expect_total_time_left();
-  void keep_times(results::Cause cause);  // of the worker that has ended
+  std::chrono::nanoseconds slept() const;  // all workers together, but for what is not certain
+  void keep_totals(results::Cause cause);  // of the worker that has ended
   void drop_known_definitions();
   Writer message(Function function, std::uint64_t code, const Repetition& repetition,
                  const Writer& arguments);
@@ -108,8 +113,8 @@ class Session {
   std::map<Handle, const pt::Scene*> scenes_;  // of this call
   std::string reply_;
   Clock::time_point first_call_;
-  // Of workers that have ended.
-  std::chrono::nanoseconds running_{0}, waited_{0}, starved_{0};
+  std::chrono::nanoseconds running_{0}, slept_{0};  // of workers that have ended
+  std::uint64_t answered_ = 0;                      // and this
   int timeouts_ = 0, failures_ = 0;
   results::Cause last_cause_ = results::Cause::timeout;
 };

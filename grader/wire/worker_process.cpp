@@ -4,6 +4,7 @@
 #include "grader/process/cause_of_end.h"
 
 #include <cerrno>
+#include <optional>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -34,6 +35,10 @@ constexpr std::size_t kMaxLastWords = 2000;
 int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   return static_cast<int>(std::clamp<long long>(left, 0, 1 << 30));
+}
+
+int milliseconds(std::chrono::nanoseconds time) {
+  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(time).count());
 }
 
 std::chrono::nanoseconds duration(const timeval& time) {
@@ -101,6 +106,7 @@ Message WorkerProcess::receive(std::uint64_t sequence) {
   if (header.magic != kMagic || !known || header.sequence != sequence) {
     throw WorkerFailed{results::Cause::bad_reply, "bytes that are not a reply"};
   }
+  answered_ += std::min<std::uint64_t>(header.length, kMaxPayload);
   if (header.length > kMaxPayload) {
     throw WorkerFailed{results::Cause::bad_reply,
                        fmt::format("an answer of {} MiB, where {} are the most",
@@ -127,19 +133,22 @@ void WorkerProcess::fill(std::size_t size) {
 }
 
 void WorkerProcess::wait(const base::Descriptor& descriptor, short event) {
-  while (true) {
+  for (bool is_short = true;; is_short = false) {
     pollfd waiting[] = {{descriptor.number(), event, 0}, {output_.number(), POLLIN, 0}};
     const int left = milliseconds_until(limit_.next_look());
-    // Most answers come at once: only a long wait is worth measuring.
     constexpr int kShort = 2;
-    int ready = poll(waiting, 2, std::min(left, kShort));  // poll ignores a closed output_, -1
-    if (ready == 0 && left > kShort) {
-      together_.let_go();
-      const process::Wait wait;
-      ready = poll(waiting, 2, left - kShort);
-      const std::chrono::nanoseconds waited = wait.net(std::chrono::milliseconds(left));
+    const int longest = std::min(left, is_short ? kShort : milliseconds(sleep_.until_look()));
+    if (!is_short) together_.let_go();
+    // Most answers come at once: only a long wait is worth measuring, or one of many in a long call.
+    std::optional<process::Wait> wait;
+    if (!is_short || limit_.was_looked_at()) wait.emplace();
+    const int ready = poll(waiting, 2, longest);  // poll ignores a closed output_, -1
+    if (wait) {
+      const std::chrono::nanoseconds waited = wait->net(std::chrono::milliseconds(longest));
       limit_.add_waited(waited);
+      sleep_.add_waited(waited);
       waited_ += waited;
+      watch_sleep();
     }
     if (ready > 0 && waiting[1].revents != 0) take_output();
     if (ready > 0 && waiting[0].revents != 0) return;
@@ -148,6 +157,15 @@ void WorkerProcess::wait(const base::Descriptor& descriptor, short event) {
       throw WorkerFailed{results::Cause::timeout, "no answer within the limit"};
     }
   }
+}
+
+// What the launcher does is not the program's. In tier A the program is the last of those that were
+// started, once the launcher has told that nothing else is left to start.
+void WorkerProcess::watch_sleep() {
+  if (sleep_.until_look() > std::chrono::nanoseconds(0)) return;
+  if (!has_started()) told_.listen(launcher_);
+  if (worker_ < 0 && has_started()) worker_ = process::last_descendant(pid_);
+  sleep_.look(has_started() ? worker_ : -1);
 }
 
 // Output after the limit goes to a pipe that nobody reads: the worker's writes fail.

@@ -2,6 +2,7 @@
 
 #include "grader/base/descriptor.h"
 #include "grader/process/one_processor.h"
+#include "grader/process/sleep_watch.h"
 #include "grader/process/time_limit.h"
 #include "grader/results/results.h"
 #include "grader/sandbox/told.h"
@@ -55,8 +56,13 @@ class WorkerProcess {
   std::chrono::nanoseconds running() const { return running_; }
   // The time in which this process did nothing but wait for it.
   std::chrono::nanoseconds waited() const { return waited_; }
+  // The time that it surely slept; also of one that has ended, which the kernel knows no more about.
+  std::chrono::nanoseconds slept() const { return sleep_.slept(); }
   // The time that it has waited for a processor until now. Calls the kernel, which takes a while.
   std::chrono::nanoseconds starved() const { return process::time_of_tree(pid_).waiting; }
+
+  // The bytes of all that it has answered, or wanted to.
+  std::uint64_t answered() const { return answered_; }
 
   // The beginning of what it has printed.
   const std::string& printed() const { return printed_; }
@@ -64,6 +70,7 @@ class WorkerProcess {
  private:
   // Waits until the descriptor is ready, and meanwhile takes what the worker prints.
   void wait(const base::Descriptor& descriptor, short event);
+  void watch_sleep();
   void take_output();
   void fill(std::size_t size);  // until buffer_ has so many bytes
   bool has_started() const;     // once the launcher has told
@@ -73,6 +80,7 @@ class WorkerProcess {
   pid_t worker_ = -1;  // the program, once that is known
   sandbox::Tier tier_;
   process::TimeLimit limit_;
+  process::SleepWatch sleep_;
   process::OneProcessor together_;  // with the worker
   std::chrono::nanoseconds running_{0}, waited_{0};
   base::Descriptor to_worker_, from_worker_, output_;
@@ -82,6 +90,7 @@ class WorkerProcess {
   std::string printed_, last_words_;
   std::size_t max_printed_;
   std::size_t bytes_printed_ = 0;
+  std::uint64_t answered_ = 0;
   bool has_answered_ = false;
 };
 
