@@ -1,5 +1,6 @@
 #include "grader/check/closed_forms.h"
 #include "grader/tasks/adaptive_pixel/cases.h"
+#include "grader/tasks/adaptive_pixel/threshold.h"
 
 #include <array>
 
