@@ -29,8 +29,8 @@ struct PixelEstimate {
 // sigma may divide by n or by n - 1. Where all samples are zero, < and <= are both right.
 //
 // Precision: the mean to 1e-5 of its size, also of ten thousand samples (a sum of so many in float
-//      is not). Where the two sides of the condition differ by less than 1e-5, both decisions are
-//      right.
+//      is not). If the two sides of the condition differ by less than 2e-5 of their size, both
+//      decisions are right: so 1.959964 may stand for 1.96.
 // May call: the task camera_ray, radiance(), and what the headers of pt/ have whole.
 // Threads: it is called from several threads at once, so nothing static may change.
 //

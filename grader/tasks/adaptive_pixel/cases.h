@@ -75,6 +75,9 @@ inline Statistics statistics(const Case& c, int n) {
   return s;
 }
 
+// The sides of the condition may differ by so much of their size, and either decision is right.
+inline constexpr double kConditionPrecision = 2e-5;
+
 enum class Verdict { done, not_done, either };
 
 // Returns whether a pixel is done after n samples. Sigma divides by n or, if `divides_by_n` is
@@ -86,7 +89,7 @@ inline Verdict done_after(const Case& c, int n, bool divides_by_n) {
   const double share = divides_by_n ? 1 : static_cast<double>(n) / (n - 1);
   const double half_interval_squared = 1.96 * 1.96 * s.variance * share / n;
   const double limit_squared = std::pow(c.settings.tolerance * s.mean, 2);
-  const double doubt = 2 * kColorPrecision * limit_squared + 0x1p-50 * s.mean * s.mean;
+  const double doubt = 2 * kConditionPrecision * limit_squared + 0x1p-50 * s.mean * s.mean;
   if (half_interval_squared < limit_squared - doubt) return Verdict::done;
   return half_interval_squared > limit_squared + doubt ? Verdict::not_done : Verdict::either;
 }
