@@ -24,6 +24,7 @@ namespace pt {
 // as long as high the error may be a thousand times larger, and so on; likewise where the ray meets
 // the plane at a small angle, down to a millionth of a radian. Flatter rays may miss. A point as
 // close as that to an edge or to an end of the range may count or not.
+// Where the corners of a triangle without area are rounded numbers, a ray at its very line may hit.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.

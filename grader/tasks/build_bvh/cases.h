@@ -190,6 +190,30 @@ inline rc::Gen<Input> some_boxes() {
 inline rc::Gen<Input> thousands_of_boxes() { return boxes_of(kUsual, 2000, 3000); }
 inline rc::Gen<Input> deep_boxes() { return boxes_of(kDeep, 30, 400); }
 
+// A thousand points, each half as far from the first corner as the one before, and leaves of one.
+inline rc::Gen<Input> a_thousand_halvings() {
+  return rc::gen::exec([] {
+    constexpr int kPoints = 1000;
+    Input input{{}, 1, words(Kind::halving)};
+    const int axis = *whole(0, 2);
+    Many make(*sampler_seed());
+    for (int i = 0; i < kPoints; ++i) {
+      const auto [center, half] = place(Kind::halving, i, kPoints, axis, make);
+      input.boxes.push_back(around(center, half));
+    }
+    make.shuffle(input.boxes);
+    return input;
+  });
+}
+
+// Boxes in a line, one unit apart, in its order.
+inline Input in_a_line(int boxes, int max_leaf) {
+  Input row{{}, max_leaf, "in a row along the x axis"};
+  row.boxes.reserve(boxes);
+  for (int i = 0; i < boxes; ++i) row.boxes.push_back(around({1.0 * i, 0, 0}, {0.4, 1, 1}));
+  return row;
+}
+
 // One row of boxes along an axis, or several parallel rows, side by side along a second, longer
 // axis. The boxes are in random order, and the rows are anywhere. On each axis the boxes are also
 // moved a little, on one axis ten thousand times as far as on the other. This is less than their

@@ -147,17 +147,13 @@ void check_boxes_of(const std::vector<Kind>& kinds, int most) {
       150);
 }
 
-// More boxes than 16 bits can count. They are in a line with large leaves, so that every method has
-// little to do.
-void check_more_boxes_than_16_bits_count() {
+// More boxes than 16 bits can count, and more nodes, since no leaf may hold more than two. The boxes are
+// in a line, so that every method has little to do.
+void check_more_than_16_bits_count() {
   if (testing::Test::HasFailure()) return;
   for_all(
       [] {
-        const Input input = *rc::gen::exec([] {
-          Input row{{}, 1000, "in a row along the x axis"};
-          for (int i = 0; i < 70000; ++i) row.boxes.push_back(around({1.0 * i, 0, 0}, {0.4, 1, 1}));
-          return row;
-        });
+        const Input input = *rc::gen::exec([] { return in_a_line(66000, 2); });
         const pt::Bvh bvh = build(input);
         expect_nodes(bvh);
         expect_every_primitive_once(input, bvh);
@@ -167,11 +163,22 @@ void check_more_boxes_than_16_bits_count() {
 
 PROMISE(build_bvh, keeps_every_primitive_once) {
   check_usual_boxes(expect_every_primitive_once);
-  check_more_boxes_than_16_bits_count();
+  check_more_than_16_bits_count();
 }
 PROMISE(build_bvh, covers_its_primitives) { check_usual_boxes(expect_covered); }
 PROMISE(build_bvh, is_one_tree) { check_usual_boxes(expect_one_tree); }
-PROMISE(build_bvh, keeps_leaves_small) { check_usual_boxes(expect_small_leaves); }
+PROMISE(build_bvh, keeps_leaves_small) {
+  check_usual_boxes(expect_small_leaves);
+  if (testing::Test::HasFailure()) return;
+  for_all(
+      [] {
+        const Input input = *a_thousand_halvings();
+        const pt::Bvh bvh = build(input);
+        expect_nodes(bvh);
+        expect_small_leaves(input, bvh);
+      },
+      1);
+}
 PROMISE(build_bvh, splits_until_it_must) { check_usual_boxes(expect_split); }
 PROMISE(build_bvh, ends_on_identical_centroids) { check_boxes_of(kCoinciding, 300); }
 PROMISE(build_bvh, ends_where_axes_are_equally_long) { check_boxes_of(kTied, 300); }

@@ -52,16 +52,36 @@ inline pt::Vec3 position() {
   }
 }
 
-// A camera anywhere, turned by any rotation or along the axes.
+// The frames whose axes are those of the world, in any order and direction: 0 to 23.
+inline constexpr int kAxisFrames = 24;
+inline pt::Frame axis_frame(int number) {
+  pt::Vec3 x, y;
+  const int axis = number % 3, other = (axis + 1 + number / 3 % 2) % 3;
+  x[axis] = number / 6 % 2 == 0 ? 1 : -1;
+  y[other] = number / 12 == 0 ? 1 : -1;
+  return {x, y, cross(x, y)};
+}
+
+// A camera anywhere, turned by any rotation or along the axes. Its range may be a single point.
 inline rc::Gen<pt::Camera> moved() {
   return rc::gen::exec([] {
     pt::Camera made = *unmoved();
     made.position = position();
     made.camera_to_world = *rotation();
-    if (*whole(0, 3) == 0) made.camera_to_world = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
-    made.near_clip = *rc::gen::element(0.0, 1.0, 1e-6) * *real(0, 2);
-    made.far_clip = made.near_clip + *rc::gen::oneOf(magnitude(1e-3, 1e6),
-                                                     rc::gen::element(10.0, 1000.0, pt::kInfinity));
+    if (*whole(0, 3) == 0) made.camera_to_world = axis_frame(*whole(0, kAxisFrames - 1));
+    made.near_clip =
+        *rc::gen::element(0.0, 1.0, 1e-6) * *rc::gen::oneOf(real(0, 2), magnitude(1, 1e6));
+    made.far_clip =
+        made.near_clip +
+        *rc::gen::oneOf(magnitude(1e-3, 1e12), rc::gen::element(0.0, 10.0, 1000.0, pt::kInfinity));
+    return made;
+  });
+}
+
+inline rc::Gen<pt::Camera> along_the_axes(int number) {
+  return rc::gen::exec([=] {
+    pt::Camera made = *moved();
+    made.camera_to_world = axis_frame(number);
     return made;
   });
 }

@@ -117,23 +117,29 @@ PROMISE(camera_ray, keeps_the_picture_flat) {
   });
 }
 
+void expect_turned(const pt::Camera& c) {
+  pt::Camera at_origin = c;
+  at_origin.position = {};
+  at_origin.camera_to_world = {};
+  const double x = part_of_picture("x"), y = part_of_picture("y");
+  const pt::Vec3 direction = normalize(pt::camera_ray(c, x, y).direction);
+  const pt::Vec3 unturned = normalize(pt::camera_ray(at_origin, x, y).direction);
+  const Window window = window_of(c);
+  expect_near("the direction in the camera's frame, compared with a camera that is not turned",
+              c.camera_to_world.to_local(direction), unturned,
+              2 * (kSingle + kPrecision * std::max(window.width, window.height)));
+  // A direction that ignores both the frame and (x, y) would also pass the check above.
+  expect(pt::camera_ray(at_origin, 0, 0).direction != pt::camera_ray(at_origin, 1, 1).direction,
+         "different rays through opposite corners of the picture", "the same ray");
+}
+
 PROMISE(camera_ray, turns_with_the_camera) {
-  for_all([] {
-    const pt::Camera c = *moved();
-    pt::Camera at_origin = c;
-    at_origin.position = {};
-    at_origin.camera_to_world = {};
-    const double x = part_of_picture("x"), y = part_of_picture("y");
-    const pt::Vec3 direction = normalize(pt::camera_ray(c, x, y).direction);
-    const pt::Vec3 unturned = normalize(pt::camera_ray(at_origin, x, y).direction);
-    const Window window = window_of(c);
-    expect_near("the direction in the camera's frame, compared with a camera that is not turned",
-                c.camera_to_world.to_local(direction), unturned,
-                2 * (kSingle + kPrecision * std::max(window.width, window.height)));
-    // A direction that ignores both the frame and (x, y) would also pass the check above.
-    expect(pt::camera_ray(at_origin, 0, 0).direction != pt::camera_ray(at_origin, 1, 1).direction,
-           "different rays through opposite corners of the picture", "the same ray");
-  });
+  for_all([] { expect_turned(*moved()); });
+  // Among these are cameras that look straight up and straight down.
+  for (int number = 0; number < kAxisFrames; ++number) {
+    if (testing::Test::HasFailure()) return;
+    for_all([=] { expect_turned(*along_the_axes(number)); }, 2);
+  }
 }
 
 PROMISE(camera_ray, keeps_the_clip_range) {

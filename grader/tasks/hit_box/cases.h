@@ -132,7 +132,7 @@ inline rc::Gen<Case> passing(Extreme extreme = Extreme::none) {
 // A ray that is almost parallel to a side and crosses its plane half way to the box: inwards, and it
 // meets the box, or outwards, and it passes. On the way it moves only some 1e-11 to 1e-5 of the way
 // across, which is ten times the contract's precision or more.
-inline rc::Gen<Case> crossing_on_the_way(bool inwards) {
+inline rc::Gen<Case> crossing_on_the_way(bool inwards, Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box();
     const int axis = *whole(0, 2);
@@ -146,7 +146,7 @@ inline rc::Gen<Case> crossing_on_the_way(bool inwards) {
     if (length(d) < 0.1) d[(axis + 1) % 3] = 1;
     d = normalize(d);
     d[axis] = inwards ? -out * slope : out * slope;
-    return Case{box, {p - way * d, some_length() * d}};
+    return Case{box, {p - way * d, some_length(extreme) * d}};
   });
 }
 

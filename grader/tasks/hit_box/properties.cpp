@@ -126,6 +126,18 @@ rc::Gen<Case> out_of_range() {
   });
 }
 
+// A ray through the box whose range is a single point inside.
+rc::Gen<Case> in_one_point() {
+  return rc::gen::exec([] {
+    Case c = *aimed_inside();
+    const Part part = expected(c.box, c.ray);
+    const auto enter = static_cast<double>(part.enter.high);
+    const auto leave = static_cast<double>(part.leave.low);
+    c.ray.t_min = c.ray.t_max = enter + *real(0.1, 0.9) * (leave - enter);
+    return c;
+  });
+}
+
 PROMISE(hit_box, keeps_to_the_rays_range) {
   once(expect_that_it_looks);
   for_all([] { expect_miss(*out_of_range()); }, 300);
@@ -147,6 +159,7 @@ PROMISE(hit_box, keeps_to_the_rays_range) {
     expect(interval->min >= c.ray.t_min && interval->max <= c.ray.t_max, "inside the ray's range",
            show(interval));
   });
+  for_all([] { expect_hit_and_interval(*in_one_point()); }, 60);
 }
 
 PROMISE(hit_box, takes_rays_along_the_axes) {
@@ -159,6 +172,8 @@ PROMISE(hit_box, takes_directions_of_any_length) {
   once(expect_that_it_looks);
   for_all([] { expect_hit_and_interval(*aimed_inside(Extreme::length)); }, 150);
   for_all([] { expect_miss(*passing(Extreme::length)); }, 100);
+  for_all([] { expect_hit(*crossing_on_the_way(true, Extreme::length)); }, 60);
+  for_all([] { expect_miss(*crossing_on_the_way(false, Extreme::length)); }, 60);
 }
 
 PROMISE(hit_box, works_at_every_scale) {

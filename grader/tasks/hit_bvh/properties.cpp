@@ -1,6 +1,8 @@
 #include "grader/check/counting.h"
 #include "grader/check/property.h"
 #include "grader/tasks/hit_bvh/costs.h"
+#include "grader/tasks/hit_bvh/ends_of_range.h"
+#include "grader/tasks/hit_bvh/expected.h"
 #include "grader/tasks/hit_bvh/large_grid.h"
 #include "grader/tasks/hit_bvh/queries.h"
 #include "grader/tasks/hit_bvh/scenes.h"
@@ -24,32 +26,6 @@ void for_queries(const Property& property, int cases = kCases) {
   if (testing::Test::HasFailure()) return;
   once(expect_that_it_walks);
   if (!testing::Test::HasFailure()) for_all(property, cases);
-}
-
-// Judges t of the nearest hit, in a case with a hit.
-void expect_nearest(const Case& c) {
-  const Truth truth = truth_of(c);
-  if (!truth.any() || !truth.is_clear) return;
-  const auto hit = ask(c);
-  expect(hit.has_value(), shown(truth), "no hit");
-  expect_near("t of the nearest hit", hit->t, truth.t(), t_error(truth));
-}
-
-// Judges whether there is a hit, and its t if there is one.
-void expect_as_all(const Case& c) {
-  const Truth truth = truth_of(c);
-  if (!truth.is_clear) return;
-  const auto hit = ask(c);
-  expect(hit.has_value() == truth.any(), shown(truth), shown(hit));
-  if (hit) expect_near("t of the nearest hit", hit->t, truth.t(), t_error(truth));
-}
-
-void expect_occluded_as_all(const Case& c) {
-  const Truth truth = truth_of(c);
-  if (!truth.is_clear) return;
-  const bool occluded = occluded_bvh(c.bvh, c.primitives, c.ray);
-  expect(occluded == truth.any(), "in the way: " + shown(truth),
-         occluded ? "something in the way" : "nothing in the way");
 }
 
 std::optional<pt::Hit> ask(const AimedInGrid& aimed) {
@@ -89,6 +65,7 @@ PROMISE(hit_bvh, finds_the_nearest_hit) {
   for_queries([] { expect_nearest(*some_tree(kAny)); }, 2 * kCases);
   for_queries([] { expect_nearest(*close_walls()); }, 40);
   for_queries([] { expect_nearest(*walls_that_all_but_touch()); }, 60);
+  for_queries([] { expect_nearest_at_an_end(*range_with_a_wall_at_its_end()); }, 40);
   for_queries(
       [] {
         const Case c = *large_tree();
@@ -191,6 +168,7 @@ PROMISE(hit_bvh, finds_any_hit) {
   Wanted few = kAny;
   few.most = 12;
   for_queries([=] { expect_occluded_as_all(*some_tree(few)); }, 2 * kCases);
+  for_queries([] { expect_occluded_at_an_end(*range_with_a_wall_at_its_end()); }, 40);
   for_queries(
       [] {
         const Case c = *large_tree();

@@ -19,7 +19,7 @@ struct Wanted {
   double size = 2;          // of triangles; primitives are within 5 of the origin
   bool all_of_ray = false;  // the ray's range is from 0 to infinity
   bool copies = false;      // some primitives occur twice: two hits at the same t
-  bool any_scale = false;   // the scene is scaled by a millionth to a million
+  bool any_scale = false;   // the scene is scaled by a millionth to a million, and the direction
 };
 
 // A ray in any direction from the first surface on `ray`. Its range begins a little away from
@@ -89,6 +89,13 @@ inline void enlarge(Case& c, double scale) {
   c.ray.t_max *= scale;
 }
 
+// Makes the ray's direction longer. Its range stays the same part of the line.
+inline void lengthen(pt::Ray& ray, double factor) {
+  ray.direction *= factor;
+  ray.t_min /= factor;
+  ray.t_max /= factor;
+}
+
 // The number of primitives, and the seed from which everything else about them follows.
 struct Lot {
   int n;
@@ -124,6 +131,7 @@ inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted =
     c.ray = some_clear_ray(c.primitives, wanted, make);
     enlarge(c, scale);
     c.bvh = tree_of(c.primitives, shape, max_leaf, scale * wanted.padding, make);
+    if (wanted.any_scale) lengthen(c.ray, std::pow(10, make.whole(-6, 5)));
     return c;
   });
 }

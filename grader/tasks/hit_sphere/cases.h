@@ -68,11 +68,17 @@ inline pt::Frame turned() {
   return {axes[0], axes[1], axes[2]};
 }
 
-// A sphere around the world's origin, beside it, or up to a thousand radii away.
+// A number from 1 / range to range. In a large range it is often one of the ends.
+inline double within(double range) {
+  if (range > 10 && *whole(0, 2) > 0) return *rc::gen::element(1 / range, range);
+  return *magnitude(1 / range, range);
+}
+
+// A sphere around the world's origin, beside it, or up to a million radii away.
 inline pt::Sphere any_sphere(double range) {
-  const double radius = *magnitude(1 / range, range);
+  const double radius = within(range);
   if (*whole(0, 4) == 0) return {{}, radius};
-  return {radius * *magnitude(1e-1, 1e3) * *point(1), radius};
+  return {radius * *magnitude(1e-1, 1e6) * *point(1), radius};
 }
 
 // Returns the distance from the ray's origin to the near point. It is negative if the origin is
@@ -105,7 +111,15 @@ inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
     const double half =
         domain.round == 1 && *whole(0, 4) == 0 ? 1 : *magnitude(domain.flat, domain.round);
     const double start = start_of(from, half, domain);
-    return chord_at(sphere, frame, half, start, *magnitude(1 / domain.speed, domain.speed));
+    return chord_at(sphere, frame, half, start, within(domain.speed));
+  });
+}
+
+// A ray from exactly the centre.
+inline rc::Gen<Chord> from_the_centre() {
+  return rc::gen::exec([] {
+    const pt::Sphere sphere = any_sphere(10);
+    return chord_at(sphere, turned(), 1, -1, 1);
   });
 }
 

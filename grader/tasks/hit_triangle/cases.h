@@ -45,16 +45,23 @@ struct Range {
   double near = 1e-2, far = 30;  // the distance, in sizes
   double flat = 0.17;            // the smallest angle between ray and plane, radians
   double steep = 0.5 * pt::kPi;  // the largest angle
+  double tilt = 0;  // of the corner normals from a common axis, radians; 0: within a radian
 };
 
 // Unit vectors within a radian of a common axis, which may be on either side of the triangle. Some
-// are much closer to each other, as in a fine mesh. Their sum is never close to zero.
-inline std::array<pt::Vec3, 3> corner_normals() {
+// are much closer to each other, as in a fine mesh. With a tilt, they are half of it to all of it away
+// from the axis, to any side. Their sum is never close to zero.
+inline std::array<pt::Vec3, 3> corner_normals(double tilt = 0) {
   const pt::Frame around = *rotation();
-  const double spread = *whole(0, 2) == 0 ? *magnitude(1e-3, 1) : 1;
+  const double spread = *whole(0, 2) == 0 ? *magnitude(1e-5, 1) : 1;
   std::array<pt::Vec3, 3> normals;
   for (pt::Vec3& n : normals) {
-    n = normalize(around.to_world({spread * *real(-1, 1), spread * *real(-1, 1), 1}));
+    const double x = *real(-1, 1), y = *real(-1, 1);
+    n = normalize(around.to_world({spread * x, spread * y, 1}));
+    if (tilt == 0) continue;
+    const double angle = tilt * (0.75 + 0.25 * x), azimuth = pt::kPi * y;
+    n = around.to_world({std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth),
+                         std::cos(angle)});
   }
   return normals;
 }
@@ -77,7 +84,7 @@ inline pt::Triangle triangle_of(const Range& range) {
   const pt::Frame frame = orientation();
   const pt::Vec3 p0 = size * *point(range.away);
   const double along = *real(0, 1), height = *magnitude(range.thin, range.thick);
-  const auto [n0, n1, n2] = corner_normals();
+  const auto [n0, n1, n2] = corner_normals(range.tilt);
   return {p0, p0 + size * frame.x, p0 + size * (along * frame.x + height * frame.y), n0, n1, n2};
 }
 
@@ -96,9 +103,12 @@ inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, const Range& rang
   const double height = length(twice_area) / size;
   const double error = kPrecision * std::max({max_abs(target), distance, size}) *
                        std::max(1.0, size / height) / std::sin(angle);
-  const pt::Vec3 n = normalize(w.b0 * triangle.n0 + w.b1 * triangle.n1 + w.b2 * triangle.n2);
-  return {triangle,      {target - distance * towards, speed * towards}, distance / speed, n,
-          error / speed, kNormalPrecision + 10 * error / height};
+  const pt::Vec3 mean = w.b0 * triangle.n0 + w.b1 * triangle.n1 + w.b2 * triangle.n2;
+  // Normalising a short mean magnifies its errors.
+  const double n_error = (kNormalPrecision + 10 * error / height) / std::min(1.0, 2 * length(mean));
+  return {triangle,         {target - distance * towards, speed * towards},
+          distance / speed, normalize(mean),
+          error / speed,    n_error};
 }
 
 // Weights of a point well inside: none is below 1/20.
@@ -143,6 +153,8 @@ inline constexpr Range kFlatNeedle{.thin = 0.1,
 // For points so close to an edge that only double precision sees on which side they are: cases in
 // which the contract's precision is a hundred-millionth of the triangle.
 inline constexpr Range kPrecise{.away = 1, .near = 0.5, .far = 2, .flat = 0.57};
+// The same with corner normals that disagree by up to 160 degrees.
+inline constexpr Range kDisagreeing{.away = 1, .near = 0.5, .far = 2, .flat = 0.57, .tilt = 1.4};
 
 // Weights of a point at least four times as far from an edge as that, on either side of it.
 inline Weights very_close(double side, double least = 1e-7, double most = 2e-5) {
@@ -160,6 +172,11 @@ inline constexpr Range kMostPrecise{.thin = 0.8, .away = 0.3, .near = 0.5, .far 
 inline Weights a_hair_inside() { return very_close(1, 9e-9, 2e-8); }
 inline Weights a_hair_outside() { return very_close(-1, 9e-9, 2e-8); }
 
+// Needles as thin as the contract's example, for the smallest and the largest scale. The precision is
+// an eighth of the distance from the edges.
+inline constexpr Range kNeedle{
+    .size = 1, .thin = 1e-3, .thick = 1e-3, .away = 1, .near = 0.5, .far = 2, .flat = 0.57};
+
 inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
   return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
 }
@@ -172,6 +189,17 @@ inline Aimed resized(Aimed aimed, double factor) {
   }
   aimed.t *= factor;
   aimed.tolerance *= factor;
+  return aimed;
+}
+
+// The same case with a longer or shorter direction. The range ends a little behind the point, and may
+// begin a little before it.
+inline Aimed scaled(Aimed aimed, double factor) {
+  aimed.ray.direction *= factor;
+  aimed.t /= factor;
+  aimed.tolerance /= factor;
+  aimed.ray.t_min = *rc::gen::element(0.0, 0.75) * aimed.t;
+  aimed.ray.t_max = 1.5 * aimed.t;
   return aimed;
 }
 
@@ -188,60 +216,6 @@ inline rc::Gen<InAndOut> aimed_outside(Range range = {}, Weights (*where)() = ou
     const pt::Triangle triangle = triangle_of(range);
     const Aimed out = aimed_at(triangle, where(), range);
     return InAndOut{out, aimed_at(triangle, inside(), range)};
-  });
-}
-
-inline double small_whole() { return *whole(-2, 2); }
-
-// A triangle and a ray made of small whole numbers times a power of two, along the axes or
-// diagonals. With these numbers, every method finds determinants that are exactly zero.
-struct Degenerate {
-  pt::Triangle triangle;
-  pt::Ray ray;
-};
-
-inline void showValue(const Degenerate& c, std::ostream& out) {
-  show_lines(out, c.triangle, c.ray);
-}
-
-// Exchanges the axes in a cycle, so that `axis` becomes the third one.
-inline pt::Vec3 turned(pt::Vec3 v, int axis) {
-  return {v[(axis + 1) % 3], v[(axis + 2) % 3], v[axis]};
-}
-
-inline Degenerate degenerate(const std::array<pt::Vec3, 3>& corners, pt::Vec3 start, pt::Vec3 d) {
-  const double scale = *rc::gen::element(1.0, 0x1p-20, 0x1p20);
-  const int axis = *whole(0, 2);
-  const pt::Vec3 up = turned({0, 0, 1}, axis);
-  const auto place = [&](pt::Vec3 v) { return scale * turned(v, axis); };
-  return {{place(corners[0]), place(corners[1]), place(corners[2]), up, up, up},
-          {place(start), place(d)}};
-}
-
-// Three corners on a line, of which two or all three may coincide. The ray is aimed at one of them.
-inline rc::Gen<Degenerate> without_area() {
-  return rc::gen::exec([] {
-    const pt::Vec3 p{small_whole(), small_whole(), small_whole()}, along{1, 0, 0};
-    std::array<pt::Vec3, 3> corners{p, p + small_whole() * along, p + small_whole() * along};
-    std::rotate(corners.begin(), corners.begin() + *whole(0, 2), corners.end());
-    const pt::Vec3 target = corners[*whole(0, 2)];
-    pt::Vec3 d{};
-    while (d == pt::Vec3{}) {
-      d = {*whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0};
-    }
-    return degenerate(corners, target - 2 * d, d);
-  });
-}
-
-inline rc::Gen<Degenerate> in_the_plane() {
-  return rc::gen::exec([] {
-    const double height = small_whole();
-    const pt::Vec3 p{small_whole(), small_whole(), height};
-    const pt::Vec3 e1{1, small_whole(), 0}, e2{0, *rc::gen::element(2.0, -2.0), 0};
-    pt::Vec3 d{};
-    while (d == pt::Vec3{}) d = {*whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0, 0};
-    const pt::Vec3 towards = p + 0.5 * *whole(0, 1) * e1 + 0.5 * *whole(0, 1) * e2;
-    return degenerate({p, p + e1, p + e2}, towards - *whole(0, 2) * d, d);
   });
 }
 

@@ -1,6 +1,7 @@
 #include "grader/check/curve.h"
 #include "grader/check/property.h"
 #include "grader/tasks/hit_triangle/cases.h"
+#include "grader/tasks/hit_triangle/degenerate.h"
 #include "pt/geometry/box.h"
 #include "pt/tasks/hit_triangle.h"
 

@@ -1,5 +1,6 @@
 #include "grader/check/property.h"
 #include "grader/tasks/hit_triangle/cases.h"
+#include "grader/tasks/hit_triangle/degenerate.h"
 #include "pt/tasks/hit_triangle.h"
 
 #include <algorithm>
@@ -134,15 +135,26 @@ PROMISE(hit_triangle, keeps_t_inside_the_ray) {
 
 // Other promises judge the sign and the length of n; this one judges only the rest of its
 // direction.
+void expect_direction_of_n(const Aimed& aimed, const pt::SurfaceHit& hit) {
+  const pt::Vec3 n = normalize(hit.n);
+  expect_near("the direction of n", dot(n, aimed.n) < 0 ? -n : n, aimed.n, aimed.n_tolerance);
+}
+
 PROMISE(hit_triangle, interpolates_the_corner_normals) {
   for (const auto where : {inside, just_inside}) {
     for_all([=] {
       const Aimed aimed = *aimed_inside({}, where);
-      const pt::Vec3 n = normalize(expect_hit_from_either_side(aimed).n);
-      expect_near("the direction of n", dot(n, aimed.n) < 0 ? -n : n, aimed.n, aimed.n_tolerance);
+      expect_direction_of_n(aimed, expect_hit_from_either_side(aimed));
     });
     if (testing::Test::HasFailure()) return;
   }
+  // Normals that disagree, and points so close to an edge that one weight is almost zero. Other
+  // promises judge whether there is a hit.
+  for_all([] {
+    const Aimed aimed = *aimed_inside(kDisagreeing, barely_inside);
+    const auto hit = hit_from_either_side(aimed);
+    if (hit) expect_direction_of_n(aimed, *hit);
+  });
 }
 
 PROMISE(hit_triangle, returns_a_unit_normal) {
@@ -191,21 +203,13 @@ PROMISE(hit_triangle, hits_both_faces) {
   });
 }
 
-// A ray with a longer or shorter direction. The answer is compared with the task's own answer for
-// the unit direction, not with the true one.
-Aimed scaled(Aimed made, double factor) {
-  made.ray.direction *= factor;
-  made.t /= factor;
-  made.tolerance /= factor;
-  made.ray.t_max = 1.5 * made.t;
-  return made;
-}
-
+// Compares the answer with the task's own answer for the unit direction, not with the true one.
 void expect_scaled(const Aimed& aimed) {
   const auto hit = hit_from_either_side(aimed);
   const double speed = length(aimed.ray.direction);
   Aimed unit = aimed;
   unit.ray.direction = aimed.ray.direction / speed;
+  unit.ray.t_min *= speed;
   unit.ray.t_max *= speed;
   unit.t *= speed;
   const double t = expect_hit_from_either_side(unit).t;
@@ -233,6 +237,15 @@ PROMISE(hit_triangle, works_at_every_scale) {
   // the world's origin.
   for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e6, .far = 1e6})); });
   for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e2, .away = 1e4})); });
+  // Needles at either end of the scale, with directions at either end of theirs.
+  for_all(
+      [] {
+        expect_t_from_either_side(*changed(aimed_inside(kNeedle), [](const Aimed& made) {
+          return scaled(resized(made, *rc::gen::element(1e-6, 1e6)),
+                        *rc::gen::element(1e-9, 1.0, 1e9));
+        }));
+      },
+      60);
   for_all([] {
     const InAndOut aimed = *aimed_outside({.size = 1e6});
     expect_miss(aimed.out.triangle, aimed.out.ray, "the ray is aimed beside the triangle");

@@ -1,0 +1,18 @@
+// breaks: keeps_the_clip_range
+// Limits the near end of the range.
+#include "pt/tasks/camera_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pt {
+
+Ray camera_ray(const Camera& camera, double x, double y) {
+  const double half_width = std::tan(camera.hfov_deg * kPi / 360);
+  const double half_height = std::tan(camera.vfov_deg * kPi / 360);
+  const Vec3 local{(2 * x - 1) * half_width, (2 * y - 1) * half_height, -1};
+  const Vec3 direction = normalize(camera.camera_to_world.to_world(local));
+  return {camera.position, direction, std::min(camera.near_clip, 10.0), camera.far_clip};
+}
+
+}  // namespace pt

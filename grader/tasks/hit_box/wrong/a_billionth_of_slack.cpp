@@ -1,0 +1,25 @@
+// breaks: works_at_every_scale
+// Compares the two ends with a billionth of slack, so that boxes far away are hit by rays that pass.
+#include "pt/tasks/hit_box.h"
+
+#include <algorithm>
+
+namespace pt {
+
+std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
+  double enter = ray.t_min, leave = ray.t_max;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = ray.origin[axis], d = ray.direction[axis];
+    if (d == 0) {
+      if (!(o >= box.min[axis] && o <= box.max[axis])) return std::nullopt;
+      continue;
+    }
+    const double t0 = (box.min[axis] - o) / d, t1 = (box.max[axis] - o) / d;
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1) * (1 + 1e-15));
+  }
+  if (!(enter <= leave * (1 + 1e-9))) return std::nullopt;
+  return Interval{enter, std::max(enter, leave)};
+}
+
+}  // namespace pt

@@ -1,0 +1,26 @@
+// breaks: hits_from_inside
+// Drops rays by their angle to the centre, which is not a number for a ray that starts there.
+#include "pt/tasks/hit_sphere.h"
+
+#include <cmath>
+
+namespace pt {
+
+std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray) {
+  const Vec3 to_center = sphere.center - ray.origin;
+  const double a = length_squared(ray.direction), b = dot(to_center, ray.direction);
+  const Vec3 beside = to_center - (b / a) * ray.direction;
+  const double cosine = dot(normalize(to_center), ray.direction) / std::sqrt(a);
+  if (!(cosine >= -1 - 1e-12)) return std::nullopt;
+  const double discriminant = a * (sphere.radius * sphere.radius - length_squared(beside));
+  if (!(discriminant >= 0)) return std::nullopt;
+  const double middle = b / a, half = std::sqrt(discriminant) / a;
+  for (const double t : {middle - half, middle + half}) {
+    if (t >= ray.t_min && t <= ray.t_max) {
+      return SurfaceHit{t, normalize(ray.at(t) - sphere.center)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace pt
