@@ -46,23 +46,32 @@ double deviation(const Mean& got, int channel) {
                             : fmt::format("{:.3g}", off));
 }
 
-// The first words of a failure because of noise. `right`: without the noise, the mean would be
-// right.
-std::string too_noisy(bool right) {
-  return right ? "right on average, but too noisy" : "too noisy to judge";
+// The first words of a failure because of noise. Even if the mean is close, so much noise leaves
+// open whether it is right.
+enum class Average { unknown, close, far };
+std::string too_noisy(Average average) {
+  switch (average) {
+    case Average::close:
+      return "too noisy, with a mean that may be right";
+    case Average::far:
+      return "too noisy to judge the mean";
+    default:
+      return "too noisy";
+  }
 }
 
-[[noreturn]] void fail_one_draw(const std::string& what, const Mean& got, int channel, bool right) {
+[[noreturn]] void fail_one_draw(const std::string& what, const Mean& got, int channel,
+                                Average average) {
   fail(what,
-       fmt::format("{}: one of {} estimates is {:.0f} % of their sum", too_noisy(right), got.n,
+       fmt::format("{}: one of {} estimates is {:.0f} % of their sum", too_noisy(average), got.n,
                    100 * got.largest_share[channel]),
        "estimates of about the same size");
 }
 
 [[noreturn]] void fail_noise(const std::string& what, const Mean& got, double most, int channel,
-                             bool right) {
+                             Average average) {
   fail(what,
-       fmt::format("{}: estimates with a standard deviation of {:.3g}, mean {}", too_noisy(right),
+       fmt::format("{}: estimates with a standard deviation of {:.3g}, mean {}", too_noisy(average),
                    deviation(got, channel), brief(got.value)),
        fmt::format("a standard deviation of {:.3g} at most", most));
 }
@@ -109,7 +118,7 @@ void expect_mean(const std::string& what, const Mean& got, Rgb expected, double 
     if (!(std::abs(got.value[channel] - expected[channel]) <= allowed)) {
       fail_mean(what, got, expected, allowed, channel);
     }
-    if (hangs_on_one_draw(got, channel)) fail_one_draw(what, got, channel, false);
+    if (hangs_on_one_draw(got, channel)) fail_one_draw(what, got, channel, Average::far);
   }
 }
 
@@ -120,18 +129,19 @@ void expect_mean(const std::string& what, const Mean& got, Rgb expected, const N
     const double allowed = kStandardErrors * got.standard_error[channel] + slack;
     if (!(off <= allowed)) fail_mean(what, got, expected, allowed, channel);
     const double most = most_measured(at_most, channel, got.n);
-    const bool right = off <= kStandardErrors * most / std::sqrt(got.n) + slack;
+    const bool close = off <= kStandardErrors * most / std::sqrt(got.n) + slack;
+    const Average average = close ? Average::close : Average::far;
     if (!(deviation(got, channel) <= most + slack)) {
-      fail_noise(what, got, most + slack, channel, right);
+      fail_noise(what, got, most + slack, channel, average);
     }
-    if (hangs_on_one_draw(got, channel)) fail_one_draw(what, got, channel, right);
+    if (hangs_on_one_draw(got, channel)) fail_one_draw(what, got, channel, average);
   }
 }
 
 void expect_noise(const std::string& what, const Mean& got, const Noise& at_most, double slack) {
   for (int channel = 0; channel < 3; ++channel) {
     const double most = most_measured(at_most, channel, got.n) + slack;
-    if (!(deviation(got, channel) <= most)) fail_noise(what, got, most, channel, true);
+    if (!(deviation(got, channel) <= most)) fail_noise(what, got, most, channel, Average::unknown);
   }
 }
 

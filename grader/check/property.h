@@ -102,7 +102,7 @@ Noise noise_of(const std::vector<pt::Rgb>& usual, double factor);
 // expected value, and the same for each task that the method calls.
 //
 // The standard error is measured on the draws, so the draws must not be arbitrarily noisy. If their
-// noise is certainly more than `at_most`, the case fails as "right on average, but too noisy".
+// noise is certainly more than `at_most`, the case fails as "too noisy".
 // Without this limit, the case still fails if one draw is most of the sum.
 inline constexpr double kStandardErrors = 6;
 void expect_mean(const std::string& what, const Mean& got, pt::Rgb expected, double slack = 0);

@@ -123,14 +123,19 @@ rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
   });
 }
 
+rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct,
+                                 const Ranges& ranges) {
+  return room_around_a_lamp(albedo, direct, ranges, real(0.4, 0.7));
+}
+
 // Weighted by the cosine, the lamp fills the part ratio^2 of the hemisphere of a point of the wall.
 // It fills all directions within an angle from the normal that has the cosine c = sqrt(1 -
 // ratio^2).
 rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct,
-                                 const Ranges& ranges) {
+                                 const Ranges& ranges, const rc::Gen<double>& of_radii) {
   return rc::gen::exec([=] {
     const Pose around = *pose(ranges.size);
-    const double ratio = *real(0.4, 0.7);
+    const double ratio = *of_radii;
     const Rgb of_wall = *albedo, of_lamp = *albedo, radiance = *ranges.light;
     Room room;
     room.direct = *direct;

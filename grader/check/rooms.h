@@ -68,10 +68,13 @@ Ranges extreme();  // sizes 1e-6 to 1e6, radiances 1e-4 to 1e6, up to 40 lights
 rc::Gen<Room> round_room(const rc::Gen<pt::Rgb>& albedo, const Ranges& ranges = ordinary());
 
 // The inside of a ball with a smaller, glowing ball in its centre. The glowing ball is a surface
-// and also in the list of lights. The point is on one of the two.
+// and also in the list of lights. The point is on one of the two. `ratio` is that of their radii.
 rc::Gen<Room> room_around_a_lamp(const rc::Gen<pt::Rgb>& albedo,
                                  const rc::Gen<pt::PathSettings::Direct>& direct,
                                  const Ranges& ranges = ordinary());
+rc::Gen<Room> room_around_a_lamp(const rc::Gen<pt::Rgb>& albedo,
+                                 const rc::Gen<pt::PathSettings::Direct>& direct,
+                                 const Ranges& ranges, const rc::Gen<double>& ratio);
 
 // A furnace: all walls of a cube have the same emission and the same albedo. The list of lights is
 // empty.

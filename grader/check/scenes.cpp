@@ -117,13 +117,19 @@ Stage::Stage(const Pose& pose) : pose_(pose) {}
 Stage& Stage::patch(Rgb albedo, Vec3 wo, bool from_behind, Rgb emission) {
   const Rectangle front{kOrigin, {0.125, 0, 0}, {0, 0.125, 0}};
   surface(from_behind ? front.flipped() : front, albedo, emission);
+  point(albedo, wo);
+  if (from_behind) point_.geometric_normal = -point_.n;
+  if (!from_behind) point_.emission = emission;
+  return *this;
+}
+
+Stage& Stage::point(Rgb albedo, Vec3 wo) {
   point_.p = pose_.point(kOrigin);
   point_.n = pose_.direction(kUp);
-  point_.geometric_normal = from_behind ? -point_.n : point_.n;
+  point_.geometric_normal = point_.n;
   point_.frame = pt::frame_from_normal(point_.n);
   point_.wo = pose_.direction(wo);
   point_.albedo = albedo;
-  if (!from_behind) point_.emission = emission;
   return *this;
 }
 
@@ -241,6 +247,13 @@ Stage& Stage::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
   const std::string glow = is_black(emission) ? "" : ", emission " + brief(emission);
   surfaces_.push_back(fmt::format("surface at {}, sides {} {}, albedo {}{}", brief(shape.center),
                                   brief(shape.u), brief(shape.v), brief(albedo), glow));
+  return *this;
+}
+
+Stage& Stage::dark_ball(Vec3 center, double radius) {
+  scene_.primitives.spheres.push_back({pose_.point(center), pose_.size * radius});
+  ball_materials_.push_back(material(any_albedo_of_a_shade(), {}));
+  surfaces_.push_back(fmt::format("dark ball around {}, radius {}", brief(center), brief(radius)));
   return *this;
 }
 

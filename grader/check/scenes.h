@@ -100,6 +100,9 @@ class Stage {
   // >= 0). With `from_behind`, its geometric normal points to -z.
   Stage& patch(pt::Rgb albedo, pt::Vec3 wo, bool from_behind = false, pt::Rgb emission = {});
 
+  // The same point, seen along -wo, without a surface of its own that could hide it.
+  Stage& point(pt::Rgb albedo, pt::Vec3 wo);
+
   // Lights, with their irradiance. A dark surface hides the part of the rectangle with a in [0,
   // hidden]. It is at the fraction `way` of the way to the light. A point light is hidden in the
   // same way.
@@ -113,6 +116,9 @@ class Stage {
 
   // A surface that is not in the list of lights and does not change the irradiance.
   Stage& surface(const Rectangle& shape, pt::Rgb albedo, pt::Rgb emission = {});
+
+  // A ball without emission. Around the point, it hides whatever is outside of it.
+  Stage& dark_ball(pt::Vec3 center, double radius);
 
   Situation done() const;
 

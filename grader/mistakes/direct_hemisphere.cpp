@@ -87,6 +87,12 @@ void brightness(Battery& battery) {
   }
 }
 
+// Seen from behind, a point that glows on its front. A ray that starts on the wrong side meets it; a
+// direction on the wrong side brings nothing.
+void glowing_front(Battery& battery) {
+  ask(battery, Stage(here()).patch(kAlbedo, kTilted, true, {5, 4, 3}));
+}
+
 void sampler(Battery& battery) {
   const Situation s =
       Stage(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted).done();
@@ -106,6 +112,7 @@ void run_battery(Battery& battery) {
   scales(battery);
   brightness(battery);
   sampler(battery);
+  glowing_front(battery);
 }
 
 }  // namespace grader::mistakes

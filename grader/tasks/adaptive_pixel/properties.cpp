@@ -1,5 +1,6 @@
 #include "grader/check/closed_forms.h"
 #include "grader/tasks/adaptive_pixel/cases.h"
+#include "grader/tasks/adaptive_pixel/threshold.h"
 
 #include <array>
 
@@ -24,6 +25,18 @@ PROMISE(adaptive_pixel, stops_where_the_interval_is_narrow) {
         expect_right_count(c, ask(c));
       },
       kLongCases);
+  for (const int batch : {2, 4, 8}) {
+    for (const bool divides_by_n : {true, false}) {
+      for (const Side side : {Side::narrow, Side::wide}) {
+        for_all(
+            [=] {
+              const Case c = *at_the_threshold(batch, divides_by_n, side);
+              expect_right_count(c, ask(c));
+            },
+            1);
+      }
+    }
+  }
 }
 
 PROMISE(adaptive_pixel, checks_once_a_batch) {

@@ -56,6 +56,9 @@ PROMISE(direct_hemisphere, sees_the_sky) {
 
 PROMISE(direct_hemisphere, sees_a_light_of_known_size) {
   for_all([] { expect_estimate(*under_a_rectangle(unturned_pose(), rc::gen::just(0.0))); }, kCases);
+  for (const double size : {1e-6, 1e6}) {
+    for_all([=] { expect_estimate(*far_below_a_rectangle(size), 16); }, 1);
+  }
 }
 
 PROMISE(direct_hemisphere, sees_lights_of_any_brightness) {
@@ -109,23 +112,19 @@ PROMISE(direct_hemisphere, adds_no_emission_of_its_own) {
 PROMISE(direct_hemisphere, sees_what_is_in_the_way) {
   for_all([] { expect_estimate(*under_a_rectangle(unturned_pose(), real(0.3, 0.6))); }, kCases);
   for_all([] { expect_dark(*under_a_rectangle(unturned_pose(), rc::gen::just(1.0))); }, 5);
+  for_all([] { expect_dark(*behind_the_back_of_a_surface()); }, 1);
   for_all([] { expect_estimate(*before_a_wall()); }, 5);
 }
 
+// The order of the corners says which side is bright. Corner normals may be on the other side.
 PROMISE(direct_hemisphere, sees_only_the_bright_side) {
-  for_all(
-      [] {
-        const Rectangle shape = draw("light", rectangle_above(0.9, 1.6, 2.5));
-        const Rgb radiance = draw("radiance", color(0.25, 4));
-        const auto under = [&](const Rectangle& light) {
-          Stage stage({});
-          stage.rectangle(light, radiance, Body::surface);
-          return stage.patch(pt::gray(0.5), {0, 0, 1}).done();
-        };
-        expect_dark(under(shape.flipped()));
-        expect_estimate(under(shape));
-      },
-      5);
+  for_all([] { expect_dark(*under_one_side_of_a_light(Side::dark)); }, 5);
+  for_all([] { expect_estimate(*under_one_side_of_a_light(Side::bright)); }, 5);
+  const auto turned_round = [](Side side) {
+    return rc::gen::map(under_one_side_of_a_light(side), with_corner_normals_turned_round);
+  };
+  for_all([&] { expect_dark(*turned_round(Side::dark)); }, 1);
+  for_all([&] { expect_estimate(*turned_round(Side::bright)); }, 1);
 }
 
 PROMISE(direct_hemisphere, turns_with_the_surface) {
@@ -193,7 +192,8 @@ PROMISE(direct_hemisphere, starts_off_the_surface) {
         const Situation s = *in_a_glowing_room(anywhere());
         for (const Rgb& one : estimates(s, 200, 1)) {
           expect(max_channel(one) > 0, "light from every direction",
-                 "none: a ray met the surface that it started on");
+                 "an estimate of 0: perhaps the ray met the surface that it started on, or ended "
+                 "before the walls");
         }
       },
       60);

@@ -4,6 +4,7 @@
 #include "grader/check/generators.h"
 #include "grader/check/scenes.h"
 
+#include <utility>
 #include <vector>
 
 // Scenes around a shaded point for direct_hemisphere. The point is the origin of the stage, and its
@@ -52,6 +53,52 @@ inline rc::Gen<Situation> under_a_rectangle(const rc::Gen<Pose>& poses,
     stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface, *hidden, way);
     return stage.patch(*color(0.1, 1), *direction_above()).done();
   });
+}
+
+// The same light in a scene of a given size, without a surface at the point. No offset counts, only
+// how far the light is away.
+inline rc::Gen<Situation> far_below_a_rectangle(double size) {
+  return rc::gen::exec([=] {
+    Stage stage({{}, {}, size});
+    stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
+    return stage.point(*color(0.1, 1), *direction_above()).done();
+  });
+}
+
+// A light behind a dark surface that turns its back to the patch.
+inline rc::Gen<Situation> behind_the_back_of_a_surface() {
+  return rc::gen::exec([] {
+    Stage stage(*unturned_pose());
+    const Rectangle shape = *rectangle_above(0.9, 1.6, 2.5);
+    stage.rectangle(shape, any_radiance(), Body::surface);
+    stage.surface(shape.part(-0.5, 1.5, -0.5, 1.5).scaled(0.5).flipped(), *color());
+    return stage.patch(*color(0.1, 1), *direction_above()).done();
+  });
+}
+
+enum class Side { bright, dark };
+
+// A patch that sees one side of a light.
+inline rc::Gen<Situation> under_one_side_of_a_light(Side side) {
+  return rc::gen::exec([side] {
+    Stage stage({});
+    const Rectangle shape = *rectangle_above(0.9, 1.6, 2.5);
+    stage.rectangle(side == Side::bright ? shape : shape.flipped(), any_radiance(), Body::surface);
+    return stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+  });
+}
+
+// The same scene with all corner normals turned round. The sides of its surfaces stay as they are,
+// as the order of the corners says.
+inline Situation with_corner_normals_turned_round(Situation s) {
+  for (pt::Triangle& triangle : s.scene.primitives.triangles) {
+    triangle.n0 = -triangle.n0;
+    triangle.n1 = -triangle.n1;
+    triangle.n2 = -triangle.n2;
+  }
+  s.scene = ready(std::move(s.scene));
+  s.text += "all corner normals are turned round, against the order of the corners\n";
+  return s;
 }
 
 // A wall just behind the light hides nothing of it.

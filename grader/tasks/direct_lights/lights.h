@@ -26,6 +26,17 @@ rc::Gen<Situation> lit_by(Light light, const rc::Gen<Pose>& poses = unturned_pos
   });
 }
 
+// The same in a scene of a given size, without any surface. Only the light's distance and brightness
+// count, and no offset does.
+template <class Light>
+rc::Gen<Situation> lit_without_surfaces(Light light, double size) {
+  return rc::gen::exec([=] {
+    Stage stage({{}, {}, size});
+    light(stage);
+    return stage.point(*color(0.1, 1), *direction_above()).done();
+  });
+}
+
 // The same scene with black as the right answer. It is for a surface that hides all light and that
 // the stage did not take into account.
 inline Situation dark(Situation s) {
@@ -120,6 +131,22 @@ inline void hidden_light(Stage& stage) {
   if (kind == 2) {
     stage.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, 1, any_way());
   }
+}
+
+// A light of each kind, hidden by a dark ball around the point. Where the light is infinitely far
+// away, the ball is large, with the world's origin in its middle: the way to it is longer than the
+// largest coordinate in the scene.
+inline rc::Gen<Situation> hidden_by_a_ball(int kind, double size) {
+  return rc::gen::exec([=] {
+    const bool far = kind == 1 || kind == 5;
+    const double radius = far ? 1.5 : 0.25;
+    const pt::Vec3 center{0, 0, far ? 0.9 * radius : 0};
+    Stage stage({{}, -size * center, size});
+    stage.dark_ball(center, radius);
+    kind == 1 ? void(stage.directional_light(*direction_above(1.0), any_radiance()))
+              : light_of_kind(stage, kind);
+    return dark(stage.patch(*color(0.1, 1), *direction_above()).done());
+  });
 }
 
 // An upright wall on the patch, close behind the point as seen from the light. It touches the

@@ -60,19 +60,31 @@ void expect_always(const Situation& s, int samples) {
   }
 }
 
+// The ends of the sizes that a scene may have.
+constexpr std::array kSizes{1e-6, 1e6};
+
 PROMISE(direct_lights, matches_a_rectangle) {
   for_all([] { expect_estimate(*lit_by(rectangle), any_samples()); }, kCases);
+  for (const double size : kSizes) {
+    for_all([=] { expect_estimate(*lit_without_surfaces(rectangle, size), 1); }, 1);
+  }
   for_all([] { expect_estimate(*lit_by(small_rectangle), any_samples()); }, 5);
 }
 
 PROMISE(direct_lights, matches_a_sphere) {
   for_all([] { expect_estimate(*lit_by(ball), any_samples()); }, kCases);
+  for (const double size : kSizes) {
+    for_all([=] { expect_estimate(*lit_without_surfaces(ball, size), 1); }, 1);
+  }
   for_all([] { expect_estimate(*lit_by(grazing_ball), any_samples()); }, 5);
 }
 
 PROMISE(direct_lights, matches_a_point_light) {
   for_all([] { expect_always(*lit_by(point_light), 1); });
   for_all([] { expect_always(*lit_by(grazing_point_light), 1); }, 50);
+  for (const double size : kSizes) {
+    for_all([=] { expect_always(*lit_without_surfaces(point_light, size), 1); }, 5);
+  }
 }
 
 PROMISE(direct_lights, matches_a_directional_light) {
@@ -208,6 +220,11 @@ PROMISE(direct_lights, casts_shadows) {
   for_all([] { expect_estimate(*lit_by(half_hidden_lamp), any_samples()); }, kCases);
   for_all([] { expect_always(dark(*lit_by(hidden_light)), any_samples()); }, 50);
   for_all([] { expect_always(*lit_by(beside_a_wall), 1); }, 50);
+  for (int kind = 0; kind < kKinds; ++kind) {
+    for (const double size : {1.0, 1e6}) {
+      for_all([=] { expect_always(*hidden_by_a_ball(kind, size), 16); }, 1);
+    }
+  }
 }
 
 // Each light has a surface, if its kind can have one, and often a wall behind it.

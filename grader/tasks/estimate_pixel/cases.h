@@ -64,6 +64,11 @@ inline rc::Gen<Pixel> large_pixel() {
   });
 }
 
+// The one pixel of a picture. The error of a camera ray is some hundred-thousandths of it.
+inline rc::Gen<Pixel> whole_picture() {
+  return rc::gen::map(camera(), [](const pt::Camera& camera) { return Pixel{camera, 1, 1, 0, 0}; });
+}
+
 // Returns how far a right ray may be from its point, in pixels. It adds the precision of this task
 // and that of the submission's own camera_ray.
 inline pt::Vec2 slack(const Pixel& p) {

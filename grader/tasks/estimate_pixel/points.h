@@ -106,4 +106,29 @@ inline void expect_even(const Points& points) {
   expect(false, "points spread evenly over the pixel", what_is_missing(points, cells));
 }
 
+// Fails the case if none of 16,000 points lies in the outermost 1.2 thousandths at one of the edges,
+// or in the outermost 0.45 thousandths at any of them. Of right points, 19 are expected at each
+// edge, and 29 at any. Even if they are pairs that mirror each other, they are all missing less than
+// once in a million times.
+inline void expect_points_at_the_edges(const Points& points) {
+  std::array<std::pair<const char*, double>, 4> edges{
+      {{"left", 1}, {"right", 1}, {"bottom", 1}, {"top", 1}}};
+  for (const pt::Vec2 at : points) {
+    const std::array<double, 4> away{at.x, 1 - at.x, at.y, 1 - at.y};
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      edges[i].second = std::min(edges[i].second, away[i]);
+    }
+  }
+  const auto by_distance = &std::pair<const char*, double>::second;
+  const auto [closest, farthest] = std::ranges::minmax(edges, {}, by_distance);
+  const auto say = [&](const auto& edge) {
+    return fmt::format("the closest is {:.5f} of the pixel away from the {} edge", edge.second,
+                       edge.first);
+  };
+  const std::string right =
+      fmt::format("{} points that reach all edges of the pixel", points.size());
+  expect(farthest.second < 1.2e-3, right, say(farthest));
+  expect(closest.second < 4.5e-4, right, say(closest));
+}
+
 }  // namespace grader::check::estimate_pixel_cases

@@ -82,21 +82,26 @@ PROMISE(estimate_pixel, sends_one_sample_through_the_centre) {
   });
 }
 
+void expect_inside(const Pixel& p, int samples) {
+  const Estimate e = estimate(p, samples, pt::Sampler(draw("seed", sampler_seed())));
+  expect_a_call(e);
+  const pt::Vec2 off = slack(p);
+  for (const RadianceCall& call : e.calls) {
+    const pt::Vec2 at = in_pixel(p, call.ray);
+    expect(at.x >= -off.x && at.x <= 1 + off.x && at.y >= -off.y && at.y <= 1 + off.y,
+           fmt::format("a ray through pixel ({}, {})", p.x, p.y),
+           fmt::format("one through the point ({:.5g}, {:.5g}) of the picture, counted in pixels",
+                       p.x + at.x, p.y + at.y));
+  }
+}
+
 PROMISE(estimate_pixel, stays_inside_the_pixel) {
   for_all([] {
     const Pixel p = *pixel();
-    const int n = some_samples();
-    const Estimate e = estimate(p, n, pt::Sampler(draw("seed", sampler_seed())));
-    expect_a_call(e);
-    const pt::Vec2 off = slack(p);
-    for (const RadianceCall& call : e.calls) {
-      const pt::Vec2 at = in_pixel(p, call.ray);
-      expect(at.x >= -off.x && at.x <= 1 + off.x && at.y >= -off.y && at.y <= 1 + off.y,
-             fmt::format("a ray through pixel ({}, {})", p.x, p.y),
-             fmt::format("one through the point ({:.3f}, {:.3f}) of the picture, counted in pixels",
-                         p.x + at.x, p.y + at.y));
-    }
+    expect_inside(p, some_samples());
   });
+  // So many points that a pixel shows that is two thousandths too wide.
+  for_all([] { expect_inside(*whole_picture(), 4000); }, 1);
 }
 
 // The promise stays_inside_the_pixel judges which pixel the rays go through; this one does not.
@@ -121,6 +126,21 @@ PROMISE(estimate_pixel, covers_the_whole_pixel) {
         },
         2);
   }
+  for_all(
+      [] {
+        const Pixel p = *whole_picture();
+        const auto seed = draw("seed", sampler_seed());
+        std::vector<pt::Vec2> points;
+        for (int i = 0; i < 2; ++i) {
+          for (const RadianceCall& call :
+               estimate(p, 8000, pt::Sampler::for_pixel(seed, i, 0)).calls) {
+            points.push_back(in_pixel(p, call.ray));
+          }
+        }
+        expect(!points.empty(), "a call of radiance()", "none");
+        expect_points_at_the_edges(points);
+      },
+      1);
 }
 
 bool equal(const pt::PathSettings& a, const pt::PathSettings& b) {

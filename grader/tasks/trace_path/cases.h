@@ -79,6 +79,19 @@ inline rc::Gen<Case> asked_of(const rc::Gen<Room>& rooms, const rc::Gen<Bounces>
   });
 }
 
+// A lamp that fills a twenty-fifth of the hemisphere, weighted by the cosine, found by hemisphere
+// sampling.
+inline rc::Gen<Room> room_around_a_small_lamp() {
+  return room_around_a_lamp(gray(0.3, 0.8), rc::gen::just(Direct::hemisphere), ordinary(),
+                            rc::gen::just(0.2));
+}
+
+// One bounce of paths that survive rarely, in a room that absorbs almost nothing.
+inline rc::Gen<Case> bright_paths(int bounce, double survival) {
+  return asked_of(round_room(gray(0.97, 1)), rc::gen::just(Bounces{bounce, bounce}),
+                  rc::gen::just(survival));
+}
+
 inline std::vector<Rgb> estimates(const Case& c, int calls) {
   return repeat<pt::trace_path>(calls, c.seed, c.room.scene, c.room.point, c.settings);
 }
@@ -90,9 +103,10 @@ inline Noise allowed_noise(const Case& c) {
 }
 
 // If only few paths find light, their spread does not show the error of their mean. So at least the
-// error of the usual method is allowed.
-inline double error_by_chance(const Case& c, const Mean& got) {
-  const Rgb usual = deviation(c.room, c.settings, {c.settings.survival});
+// error of the usual method is allowed. `mean_square` is that of its diffuse_sample
+// (grader/check/rooms.h).
+inline double error_by_chance(const Case& c, const Mean& got, double mean_square) {
+  const Rgb usual = deviation(c.room, c.settings, {c.settings.survival, mean_square});
   double more = 0;
   for (int channel = 0; channel < 3; ++channel) {
     more = std::max(more, usual[channel] / std::sqrt(got.n) - got.standard_error[channel]);
@@ -100,11 +114,11 @@ inline double error_by_chance(const Case& c, const Mean& got) {
   return kStandardErrors * more;
 }
 
-inline void expect_mean_of(const Case& c, const std::vector<Rgb>& found) {
+inline void expect_mean_of(const Case& c, const std::vector<Rgb>& found, double mean_square = 1) {
   const Mean got = mean_of(found);
   const int from = std::max(1, c.settings.from), to = c.settings.to;
   expect_mean("the mean", got, c.room.sum(from, to), allowed_noise(c),
-              c.room.precision(from, to) + error_by_chance(c, got));
+              c.room.precision(from, to) + error_by_chance(c, got, mean_square));
 }
 
 inline void expect_estimate(const Case& c, int calls = kCalls) {
@@ -190,9 +204,11 @@ inline double mean_square(Case c, int k, int calls) {
 // solution's own diffuse_sample. The weights of different bounces are independent, so each bounce
 // multiplies the mean square by the same factor: albedo^2 for directions in proportion to the
 // cosine, 4/3 albedo^2 for uniform ones. Then bounce 30 would need millions of estimates, because
-// few of them have nearly all the light. The factor is found from bounces 2 and 6.
-inline double relative_variance_far_along(const Case& c) {
+// few of them have nearly all the light. The factor is found from bounces 2 and 6 of paths of which
+// few end.
+inline double relative_variance_far_along(Case c) {
   constexpr int kNear = 2, kBeyond = 6;
+  c.settings.survival = 0.998;
   const double albedo = c.room.point.albedo.g;
   const double grown = mean_square(c, kBeyond, kCalls) / mean_square(c, kNear, kCalls);
   const double each = std::pow(grown, 1.0 / (kBeyond - kNear)) / (albedo * albedo);

@@ -35,6 +35,8 @@ PROMISE(trace_path, takes_the_light_samples_asked_for) {
       [] {
         const HalfLights c = *under_half_lights();
         const Noise one = noise_of(estimates(c, 1), 1), many = noise_of(estimates(c, 100), 1);
+        expect(one.deviation.g > 0, "estimates with one sample of direct light that vary",
+               fmt::format("a standard deviation of {:.3g}", one.deviation.g));
         const double ratio = many.deviation.g / one.deviation.g;
         const double doubt =
             kStandardErrors * std::sqrt((one.kurtosis + many.kurtosis) / (4 * kCalls));
@@ -45,6 +47,15 @@ PROMISE(trace_path, takes_the_light_samples_asked_for) {
             fmt::format("{:.2g} of the noise", ratio));
       },
       4);
+  // At the second bounce, the contract allows more noise. Few directions meet so small a lamp, so
+  // that one sample has still more.
+  for_all(
+      [] {
+        Case c = *asked_of(room_around_a_small_lamp(), rc::gen::just(Bounces{2, 2}));
+        c.settings.light_samples = 100;
+        expect_estimate(c, 2 * kCalls);
+      },
+      1);
 }
 
 PROMISE(trace_path, matches_the_furnace) {
@@ -109,6 +120,23 @@ PROMISE(trace_path, does_not_depend_on_survival) {
             2 * kCalls);
       },
       kCases);
+  // A path that survives is worth 20 paths, and almost nothing is absorbed. The error by chance is
+  // that with the noisiest diffuse_sample that its contract allows.
+  constexpr int kMany = 10 * kCalls;
+  for_all(
+      [] {
+        const Case c = *bright_paths(3, 0.05);
+        expect_mean_of(c, estimates(c, kMany), 2);
+      },
+      1);
+  // One that survives twice is worth 100. Some 400 of them are too few to judge the mean if the
+  // weights of the solution's own diffuse_sample vary.
+  for_all(
+      [] {
+        const Case c = *bright_paths(4, 0.1);
+        if (relative_variance_far_along(c) < 0.3) expect_estimate(c, kMany);
+      },
+      1);
 }
 
 PROMISE(trace_path, takes_the_first_bounce_always) {

@@ -1,5 +1,5 @@
 // breaks: stops_where_the_interval_is_narrow
-// The check is done before the batch that it should follow.
+// A pixel that is done takes one batch more: the check is done before the batch that it should follow.
 #include "pt/render/radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 #include "pt/tasks/camera_ray.h"
@@ -14,6 +14,7 @@ PixelEstimate adaptive_pixel(const View& view, int x, int y, const AdaptiveSetti
   Rgb sum;
   double s1 = 0, s2 = 0;
   int n = 0;
+  bool done = false;
   while (n < settings.max_samples) {
     const Vec2 inside = sampler.next_2d();
     const Ray ray =
@@ -24,11 +25,12 @@ PixelEstimate adaptive_pixel(const View& view, int x, int y, const AdaptiveSetti
     s1 += brightness;
     s2 += brightness * brightness;
     ++n;
-    if (n % settings.batch != 0 || n == settings.batch) continue;
+    if (n % settings.batch != 0) continue;
 
     const double mean = s1 / n;
     const double variance = std::max(0.0, (s2 - s1 * s1 / n) / (n - 1));
-    if (1.96 * std::sqrt(variance / n) < settings.tolerance * mean) break;
+    if (done) break;
+    done = 1.96 * std::sqrt(variance / n) < settings.tolerance * mean;
   }
   return {sum / n, n};
 }

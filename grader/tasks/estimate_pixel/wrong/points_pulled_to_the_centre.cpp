@@ -1,5 +1,5 @@
 // breaks: covers_the_whole_pixel
-// Takes the mean of two numbers, which favours the centre.
+// A tent filter, or the mean of two numbers: points close to the centre are more likely.
 #include "pt/render/radiance.h"
 #include "pt/tasks/camera_ray.h"
 #include "pt/tasks/estimate_pixel.h"
