@@ -23,4 +23,8 @@ pt::Vec2 on_window(const pt::Camera& camera, pt::Vec3 direction);
 // top right.
 pt::Vec2 on_picture(const pt::Camera& camera, pt::Vec3 direction);
 
+// Returns how far a right ray may be from its point, in pixels. It adds the precision of the task
+// that chooses the point and that of the submission's own camera_ray.
+pt::Vec2 ray_slack(const pt::Camera& camera, int width, int height);
+
 }  // namespace grader::check

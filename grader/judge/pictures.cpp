@@ -130,10 +130,14 @@ class Gallery {
     if (!right.empty()) judge_together(exhibit.recipe, right);
   }
 
+  static bool passes(const results::PictureResult& picture) {
+    return picture.state == results::State::pass;
+  }
+
   // All at once; and only if that fails, one after the other.
   void judge_together(const pictures::Recipe& recipe, const std::vector<Judged*>& tasks) {
     const results::PictureResult together = trial(recipe, *tasks[0], together_, content_, true);
-    if (together.state == results::State::pass) {
+    if (passes(together)) {
       for (Judged* task : tasks) put(*task, together);
       return;
     }
@@ -141,11 +145,21 @@ class Gallery {
     std::vector<results::PictureResult> alone;
     alone.reserve(tasks.size());
     for (const Judged* task : tasks) alone.push_back(judge_alone(recipe, *task));
-    const bool all_right = std::all_of(
-        alone.begin(), alone.end(),
-        [](const results::PictureResult& each) { return each.state == results::State::pass; });
-    if (!all_right) {
+    if (!std::all_of(alone.begin(), alone.end(), passes)) {
       for (std::size_t i = 0; i < tasks.size(); ++i) put(*tasks[i], alone[i]);
+      return;
+    }
+    // Where a mistake is small, its verdict depends on the samples. The other tasks have no part in one
+    // that is the same with the reference in their place.
+    std::vector<results::PictureResult> same_samples;
+    for (const Judged* task : tasks) {
+      same_samples.push_back(trial(recipe, *task, by_itself(*task), content_, true));
+      same_samples.back().integrated = false;
+    }
+    if (!std::all_of(same_samples.begin(), same_samples.end(), passes)) {
+      for (std::size_t i = 0; i < tasks.size(); ++i) {
+        put(*tasks[i], passes(same_samples[i]) ? alone[i] : same_samples[i]);
+      }
       return;
     }
     results::PictureResult result = together;
@@ -157,7 +171,7 @@ class Gallery {
     for (Judged* task : tasks) put(*task, result);
   }
 
-  // The tasks with whose reference the picture is right.
+  // The tasks with whose reference the picture is right, with the same samples.
   std::vector<std::string> blame(const pictures::Recipe& recipe, const Judged& task,
                                  const std::vector<Judged*>& judged_by_it) const {
     std::vector<std::string> blamed;
@@ -167,9 +181,9 @@ class Gallery {
       if (!other.right_alone || known) continue;
       const std::string& slug = other.config->slug;
       const Built worker = link_together(config_, builder_, judged_, Elsewhere::reference, slug);
-      if (worker.ok() &&
-          trial(recipe, task, worker, content_ + slug, true).state == results::State::pass)
+      if (worker.ok() && passes(trial(recipe, task, worker, content_, true))) {
         blamed.push_back(slug);
+      }
     }
     return blamed;
   }

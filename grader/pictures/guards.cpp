@@ -111,7 +111,8 @@ std::optional<Unusable> unusable(const Golden& golden, const Batches& batches, i
       return Unusable{"the whole picture is black", {}};
     }
     return Unusable{
-        "two batches of samples were identical: the random numbers are started again, or not used",
+        "two batches of samples were identical: the random numbers are started again, or not used, "
+        "or the points are fixed for this number of samples",
         {}};
   }
   return {};

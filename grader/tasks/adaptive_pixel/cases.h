@@ -106,7 +106,9 @@ inline bool may_stop(const Case& c, int n, bool divides_by_n) {
 
 inline int right_count(const Case& c) {
   int n = c.settings.batch;
-  while (n < c.settings.max_samples && !may_stop(c, n, true)) n += c.settings.batch;
+  while (n < c.settings.max_samples && done_after(c, n, true) == Verdict::not_done) {
+    n += c.settings.batch;
+  }
   return std::min(n, c.settings.max_samples);
 }
 
@@ -240,24 +242,30 @@ inline rc::Gen<Case> rarely_lit() {
   return rc::gen::exec([] {
     AdaptiveSettings settings = any_settings();
     settings.tolerance = *magnitude(1e-4, 0.05);
-    const Rgb value = *magnitude(1e-12, 1) * *color(0.1, 1);
+    const Rgb value = *magnitude(1e-25, 1) * *color(0.1, 1);
     const int every = settings.batch * *whole(1, 2);
     return pixel(fmt::format("{} every {} samples, else black", brief(value), every), settings,
                  [=](int i, double) { return i % every == 0 ? value : Rgb{}; });
   });
 }
 
+// Colours whose channels are all different, or of which two are equal.
+enum class Channels { all_different, red_is_green, red_is_blue, green_is_blue };
+
 // Samples of one luminance and any hue. The luminance is constant, but the channels and their mean
 // are not.
-inline rc::Gen<Case> one_brightness() {
-  return rc::gen::exec([] {
+inline rc::Gen<Case> one_brightness(Channels channels) {
+  return rc::gen::exec([=] {
     AdaptiveSettings settings = any_settings();
     settings.max_samples = *whole(2, 10) * settings.batch;
     const double brightness = *magnitude(1e-4, 1e6);
     settings.tolerance = *magnitude(1e-4, 0.02);
     return pixel(fmt::format("any hue of the luminance {:.4g}", brightness), settings,
                  [=](int i, double xi) {
-                   const Rgb hue = i % 2 == 0 ? Rgb{1 + xi, 0.1, 1 - xi} : Rgb{0.1, 1, xi};
+                   Rgb hue = i % 2 == 0 ? Rgb{1 + xi, 0.1, 1 - xi} : Rgb{0.1, 1, xi};
+                   if (channels == Channels::red_is_green) hue.g = hue.r;
+                   if (channels == Channels::red_is_blue) hue.b = hue.r;
+                   if (channels == Channels::green_is_blue) hue.b = hue.g;
                    return (brightness / luminance(hue)) * hue;
                  });
   });
@@ -274,49 +282,6 @@ inline rc::Gen<Case> red_and_green() {
                  [=](int i, double) {
                    return i % 2 == 0 ? Rgb{value, 0, 0} : Rgb{0, value, 0};
                  });
-  });
-}
-
-// A pixel and its right number of samples, if this number does not depend on the details of sigma;
-// else 0.
-struct Known {
-  Case pixel;
-  int samples = 0;
-};
-
-inline void showValue(const Known& known, std::ostream& out) { showValue(known.pixel, out); }
-
-inline rc::Gen<Known> maybe_known() {
-  return rc::gen::exec([] {
-    switch (*whole(0, 2)) {
-      case 0: {
-        const Case c = *constant();
-        return Known{c, c.settings.batch};
-      }
-      case 1: {
-        const Case c = *red_and_green();
-        return Known{c, c.settings.max_samples};
-      }
-      default:
-        return Known{*noise(), 0};
-    }
-  });
-}
-
-// Two values around 1, in turn. The condition needs twenty times fewer samples than a batch or
-// twenty times more than the maximum, so that even a wrong sigma gives the right count.
-inline rc::Gen<Known> far_from_the_threshold() {
-  return rc::gen::exec([] {
-    const bool narrow = *rc::gen::arbitrary<bool>();
-    const int batch = *rc::gen::oneOf(whole(2, 20), whole(30, 300));
-    const int most = *whole(2, 5) * batch + *whole(0, 1);
-    const double tolerance = narrow ? *real(0.5, 1) : *magnitude(1e-4, 5e-3);
-    const double samples = narrow ? batch / 20.0 : 20.0 * most;
-    const double spread = std::min(0.9, tolerance * std::sqrt(samples) / 1.96);
-    const Case c = pixel(
-        fmt::format("{:.4g} and {:.4g} in turn", 1 - spread, 1 + spread), {most, batch, tolerance},
-        [=](int i, double) { return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread); });
-    return Known{c, narrow ? batch : most};
   });
 }
 

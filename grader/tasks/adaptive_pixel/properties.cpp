@@ -1,8 +1,13 @@
-#include "grader/check/closed_forms.h"
+#include "grader/check/cameras.h"
+#include "grader/check/points_in_pixel.h"
 #include "grader/tasks/adaptive_pixel/cases.h"
+#include "grader/tasks/adaptive_pixel/known.h"
 #include "grader/tasks/adaptive_pixel/threshold.h"
 
-#include <array>
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace grader::check {
 namespace {
@@ -11,6 +16,10 @@ using namespace adaptive;
 
 constexpr int kCases = 60;
 constexpr int kLongCases = 4;  // each has thousands of samples
+
+void expect_known_count(const Known& known) {
+  expect_equal("samples", samples_of(ask(known.pixel)), known.samples);
+}
 
 PROMISE(adaptive_pixel, stops_where_the_interval_is_narrow) {
   for_all(
@@ -25,6 +34,9 @@ PROMISE(adaptive_pixel, stops_where_the_interval_is_narrow) {
         expect_right_count(c, ask(c));
       },
       kLongCases);
+  for (const int from : {20, 60, 130}) {
+    for_all([=] { expect_known_count(*narrow_after(*whole(from, from + 70), 1e-4, 1)); }, 2);
+  }
   for (const int batch : {2, 4, 8}) {
     for (const bool divides_by_n : {true, false}) {
       for (const Side side : {Side::narrow, Side::wide}) {
@@ -60,6 +72,7 @@ PROMISE(adaptive_pixel, takes_one_batch_of_a_constant) {
   for_all([&] { property(any_settings); }, kCases);
   for_all([&] { property(tight); }, kCases);
   for_all([&] { property(many_samples); }, kLongCases);
+  for_all([&] { property(ten_thousand); }, 1);
 }
 
 PROMISE(adaptive_pixel, never_exceeds_the_maximum) {
@@ -88,17 +101,20 @@ PROMISE(adaptive_pixel, returns_the_mean_of_all_samples) {
   for_all([&] { property(*anything()); }, kCases);
   for_all([&] { property(*anything_long()); }, kLongCases);
   // Ten thousand samples show the rounding errors of a sum in float.
-  for_all([&] { property(*constant(ten_thousand)); }, 2);
+  for_all([&] { property(*constant(ten_thousand)); }, 1);
 }
 
 PROMISE(adaptive_pixel, judges_by_luminance) {
-  for_all(
-      [] {
-        const Case c = *one_brightness();
-        expect_equal("samples of one brightness in many hues", samples_of(ask(c)),
-                     c.settings.batch);
-      },
-      kCases / 2);
+  for (const Channels channels : {Channels::all_different, Channels::red_is_green,
+                                  Channels::red_is_blue, Channels::green_is_blue}) {
+    for_all(
+        [=] {
+          const Case c = *one_brightness(channels);
+          expect_equal("samples of one brightness in many hues", samples_of(ask(c)),
+                       c.settings.batch);
+        },
+        kCases / 6);
+  }
   for_all(
       [] {
         const Case c = *red_and_green();
@@ -117,12 +133,9 @@ PROMISE(adaptive_pixel, goes_on_while_it_is_dark) {
 }
 
 PROMISE(adaptive_pixel, uses_the_batch_and_the_tolerance_given) {
-  for_all(
-      [] {
-        const Known known = *far_from_the_threshold();
-        expect_equal("samples", samples_of(ask(known.pixel)), known.samples);
-      },
-      kCases);
+  for_all([] { expect_known_count(*far_from_the_threshold()); }, kCases);
+  for_all([] { expect_known_count(*narrow_after(*whole(2, 10), 1e-4, 2e-4)); }, 10);
+  for_all([] { expect_known_count(*narrow_after(1, 0.8, 1)); }, 5);
 }
 
 // Returns how many numbers were drawn between `start` and `state`, or -1 if more than `most`.
@@ -170,48 +183,55 @@ PROMISE(adaptive_pixel, passes_the_settings_on) {
       20);
 }
 
-// Counts the rays in each of 4 x 4 parts of the pixel. A failure shows the part whose count is
-// farthest from the expected one.
-void expect_even_coverage(int batch) {
-  constexpr int kSide = 4;
-  const Case c = *rc::gen::exec([=] {
-    return pixel("0 and 1 in turn", {1600, batch, 1e-3},
-                 [](int i, double) { return pt::gray(i % 2); });
-  });
-  std::array<int, kSide * kSide> found{};
-  const Answer answer = ask(c);
-  expect(!answer.calls.empty(), "a call of radiance()", "none");
-  for (const RadianceCall& call : answer.calls) {
-    const pt::Vec2 at = on_picture(c.camera, call.ray.direction);
-    const double i = at.x * c.width - c.x, j = at.y * c.height - c.y;
-    // camera_ray may be off by 1e-5 of the picture.
-    const double slack = 2e-5 * std::max(c.width, c.height);
-    expect(i > -slack && i < 1 + slack && j > -slack && j < 1 + slack,
-           "rays through the pixel, from (0, 0) to (1, 1)",
-           fmt::format("one through ({:.4g}, {:.4g})", i, j));
-    const auto cell = [&](double a) {
-      return std::clamp(static_cast<int>(kSide * a), 0, kSide - 1);
-    };
-    ++found[kSide * cell(j) + cell(i)];
-  }
-  double chi_square = 0;
-  const double expected = static_cast<double>(answer.calls.size()) / found.size();
-  std::size_t worst = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    chi_square += std::pow(found[i] - expected, 2) / expected;
-    if (std::abs(found[i] - expected) > std::abs(found[worst] - expected)) worst = i;
-  }
-  expect(chi_square < chi_square_limit(static_cast<int>(found.size())),
-         fmt::format("about {:.0f} of {} rays in each of 4 x 4 parts of the pixel", expected,
-                     answer.calls.size()),
-         fmt::format("{} in column {}, row {} from the bottom left", found[worst],
-                     worst % kSide + 1, worst / kSide + 1));
+// The first and the last columns and rows of a picture are more frequent.
+Case in_picture(Case c, int width, int height) {
+  c.width = width;
+  c.height = height;
+  c.x = *rc::gen::oneOf(rc::gen::element(0, width - 1), whole(0, width - 1));
+  c.y = *rc::gen::oneOf(rc::gen::element(0, height - 1), whole(0, height - 1));
+  return c;
 }
 
-// A last batch that is cut short reveals points that are even only in whole batches.
+// Returns the points of the pixel that the rays go through. Fails if one is outside of the pixel.
+Points points_inside(const Case& c) {
+  const Answer answer = ask(c);
+  expect(!answer.calls.empty(), "a call of radiance()", "none");
+  const pt::Vec2 slack = ray_slack(c.camera, c.width, c.height);
+  Points points;
+  for (const RadianceCall& call : answer.calls) {
+    const pt::Vec2 on = on_picture(c.camera, call.ray.direction);
+    const pt::Vec2 at{on.x * c.width - c.x, on.y * c.height - c.y};
+    expect(at.x > -slack.x && at.x < 1 + slack.x && at.y > -slack.y && at.y < 1 + slack.y,
+           "rays through the pixel, from (0, 0) to (1, 1)",
+           fmt::format("one through ({:.4g}, {:.4g})", at.x, at.y));
+    points.push_back(at);
+  }
+  return points;
+}
+
+// A last batch that is cut short reveals points that are even only in whole batches; small batches
+// reveal a batch whose first point is another one than the rest.
 PROMISE(adaptive_pixel, covers_the_whole_pixel) {
-  for_all([] { expect_even_coverage(1600); }, 2);
-  for_all([] { expect_even_coverage(1000); }, 2);
+  for (const auto& [batch, most] :
+       {std::pair{2, 1600}, std::pair{5, 1600}, std::pair{1600, 1600}, std::pair{1800, 2400}}) {
+    for_all(
+        [batch = batch, most = most] {
+          const Case c = *rc::gen::exec([=] {
+            return pixel("0 and 1 in turn", {most, batch, 1e-3},
+                         [](int i, double) { return pt::gray(i % 2); });
+          });
+          expect_even(points_inside(in_picture(c, 8, 5)));
+        },
+        1);
+  }
+  for_all(
+      [] {
+        const auto [width, height] =
+            *rc::gen::element(std::pair{64, 32}, std::pair{3, 100}, std::pair{7, 500},
+                              std::pair{1920, 1080}, std::pair{4000, 3000});
+        points_inside(in_picture(*constant(), width, height));
+      },
+      20);
 }
 
 // Estimates a pixel twice, with another pixel in between. Where the right count is known, sums that

@@ -69,14 +69,7 @@ inline rc::Gen<Pixel> whole_picture() {
   return rc::gen::map(camera(), [](const pt::Camera& camera) { return Pixel{camera, 1, 1, 0, 0}; });
 }
 
-// Returns how far a right ray may be from its point, in pixels. It adds the precision of this task
-// and that of the submission's own camera_ray.
-inline pt::Vec2 slack(const Pixel& p) {
-  const double wide = std::tan(p.camera.hfov_deg * pt::kPi / 360);
-  const double high = std::tan(p.camera.vfov_deg * pt::kPi / 360);
-  const double turned = 1e-6 * (1 + wide * wide + high * high);
-  return {p.width * (2e-5 + turned / (2 * wide)), p.height * (2e-5 + turned / (2 * high))};
-}
+inline pt::Vec2 slack(const Pixel& p) { return ray_slack(p.camera, p.width, p.height); }
 
 inline pt::PathSettings some_settings() {
   pt::PathSettings s;
@@ -117,7 +110,7 @@ inline rc::Gen<Seen> any_radiances() {
   return rc::gen::exec([] {
     const auto kind = *rc::gen::element<std::string>("all different", "all alike", "mostly black",
                                                      "some a thousand times brighter", "all black");
-    return Seen{kind, *magnitude(1e-4, 1e6), *sampler_seed()};
+    return Seen{kind, *magnitude(1e-12, 1e6), *sampler_seed()};
   });
 }
 

@@ -1,10 +1,12 @@
+#include "grader/check/points_in_pixel.h"
 #include "grader/check/property.h"
 #include "grader/tasks/estimate_pixel/cases.h"
-#include "grader/tasks/estimate_pixel/points.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -104,33 +106,56 @@ PROMISE(estimate_pixel, stays_inside_the_pixel) {
   for_all([] { expect_inside(*whole_picture(), 4000); }, 1);
 }
 
-// The promise stays_inside_the_pixel judges which pixel the rays go through; this one does not.
+// The points of some calls. The promise stays_inside_the_pixel judges which pixel the rays go through:
+// here it does not matter.
+Points points_of_calls(const Pixel& p, int samples, int calls, std::uint64_t seed) {
+  Points points;
+  for (int i = 0; i < calls; ++i) {
+    const Estimate e = estimate(p, samples, pt::Sampler::for_pixel(seed, i, 0));
+    expect_a_call(e);
+    for (const RadianceCall& call : e.calls) {
+      const pt::Vec2 at = in_pixel(p, call.ray);
+      points.push_back({at.x - std::floor(at.x), at.y - std::floor(at.y)});
+    }
+  }
+  return points;
+}
+
+// The points of three calls are different, whatever the number of samples: all small numbers, squares
+// and powers of two.
+void expect_random_points(const Pixel& p, std::uint64_t seed) {
+  std::vector<int> numbers(19);
+  std::iota(numbers.begin(), numbers.end(), 2);
+  numbers.insert(numbers.end(), {25, 32, 36, 49, 64, 100, 128, 256});
+  for (const int samples : numbers) {
+    const Points points = points_of_calls(p, samples, 3, seed);
+    expect_different_coordinates(
+        points, fmt::format("{} points, of three calls with {} samples", points.size(), samples));
+  }
+}
+
 PROMISE(estimate_pixel, covers_the_whole_pixel) {
-  // At least 2048 points: from one call, from many calls of 17 samples, and from more calls of 2.
-  for (const auto& [at_least, samples] :
-       {std::pair{2048, 2048}, std::pair{2048, 17}, std::pair{2048, 2}}) {
+  // At least 2048 points: from one call, or from many calls of few samples.
+  for (const int samples : {2048, 17, 9, 4, 2}) {
     for_all(
-        [at_least = at_least, samples = samples] {
+        [=] {
           const Pixel p = *large_pixel();
           const auto seed = draw("seed", sampler_seed());
-          std::vector<pt::Vec2> points;
-          for (int i = 0; static_cast<int>(points.size()) < at_least; ++i) {
-            const Estimate e = estimate(p, samples, pt::Sampler::for_pixel(seed, i, 0));
-            expect_a_call(e);
-            for (const RadianceCall& call : e.calls) {
-              const pt::Vec2 at = in_pixel(p, call.ray);
-              points.push_back({at.x - std::floor(at.x), at.y - std::floor(at.y)});
-            }
-          }
-          expect_even(points);
+          expect_even(points_of_calls(p, samples, 2047 / samples + 1, seed));
         },
-        2);
+        1);
   }
+  for_all(
+      [] {
+        const Pixel p = *large_pixel();
+        expect_random_points(p, draw("seed", sampler_seed()));
+      },
+      1);
   for_all(
       [] {
         const Pixel p = *whole_picture();
         const auto seed = draw("seed", sampler_seed());
-        std::vector<pt::Vec2> points;
+        Points points;
         for (int i = 0; i < 2; ++i) {
           for (const RadianceCall& call :
                estimate(p, 8000, pt::Sampler::for_pixel(seed, i, 0)).calls) {
@@ -139,6 +164,7 @@ PROMISE(estimate_pixel, covers_the_whole_pixel) {
         }
         expect(!points.empty(), "a call of radiance()", "none");
         expect_points_at_the_edges(points);
+        expect_no_frequent_point(points);
       },
       1);
 }

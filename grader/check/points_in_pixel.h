@@ -2,12 +2,12 @@
 
 #include "grader/check/closed_forms.h"
 #include "grader/check/property.h"
+#include "grader/check/repetition.h"
 #include "pt/math/vec3.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,18 +16,18 @@
 
 // Judges whether points are spread evenly over a pixel, and says where they are not.
 
-namespace grader::check::estimate_pixel_cases {
+namespace grader::check {
 
 using Points = std::vector<pt::Vec2>;  // each in [0, 1] on both axes
 
-// The number of points in each of 8 x 8 parts of the pixel.
+// The number of points in each of side x side parts of the pixel.
 class Cells {
  public:
-  static constexpr int kSide = 8;
-
-  explicit Cells(const Points& points)
-      : even_(static_cast<double>(points.size()) / (kSide * kSide)) {
-    for (const pt::Vec2 at : points) ++counts_[index(at.y) * kSide + index(at.x)];
+  Cells(const Points& points, int side)
+      : side_(side),
+        counts_(side * side),
+        even_(static_cast<double>(points.size()) / (side * side)) {
+    for (const pt::Vec2 at : points) ++counts_[index(at.y) * side + index(at.x)];
   }
 
   // Returns false for one in a billion sets of right points. Right points are independent, or are
@@ -35,7 +35,7 @@ class Cells {
   bool even() const {
     double chi_square = 0;
     for (const int count : counts_) chi_square += (count - even_) * (count - even_) / even_;
-    return chi_square <= 2 * chi_square_limit(kSide * kSide / 2);
+    return chi_square <= 2 * chi_square_limit(side_ * side_ / 2);
   }
 
   // Describes the part whose count is farthest from the expected one.
@@ -43,35 +43,60 @@ class Cells {
     const auto off = [&](int count) { return std::abs(count - even_); };
     const auto at = std::ranges::max_element(counts_, {}, off);
     const int i = static_cast<int>(at - counts_.begin());
-    const double x = static_cast<double>(i % kSide) / kSide,
-                 y = static_cast<double>(i / kSide) / kSide;
+    const double size = 1.0 / side_, x = i % side_ * size, y = i / side_ * size;
     return fmt::format(
         "{} points where {:.0f} are expected, {:.3f} to {:.3f} from the left and "
         "{:.3f} to {:.3f} from the bottom",
-        *at, even_, x, x + 1.0 / kSide, y, y + 1.0 / kSide);
+        *at, even_, x, x + size, y, y + size);
   }
 
  private:
-  static int index(double part) { return std::clamp(static_cast<int>(part * kSide), 0, kSide - 1); }
+  int index(double part) const { return std::clamp(static_cast<int>(part * side_), 0, side_ - 1); }
 
-  std::array<int, kSide * kSide> counts_{};
+  int side_;
+  std::vector<int> counts_;
   double even_;
 };
 
-// Returns how many points are in places of their own. Rays through one point may be different by
-// rounding errors.
-inline std::size_t different_points(const Points& points) {
-  constexpr double kPlaces = 1e5;
-  std::set<std::pair<long, long>> different;
+// Rays through one point may be different by rounding errors.
+inline long place(double part) { return std::lround(1e5 * part); }
+
+inline Repetition repeated_places(const Points& points) {
+  std::vector<std::pair<long, long>> places;
+  for (const pt::Vec2 at : points) places.emplace_back(place(at.x), place(at.y));
+  return repetition(places);
+}
+
+// Fails the case if more than half of the points have the same x as another one, or the same y: they
+// are fixed, or on a coarse grid.
+inline void expect_different_coordinates(const Points& points, const std::string& name) {
+  std::vector<long> x, y;
   for (const pt::Vec2 at : points) {
-    different.insert({std::lround(kPlaces * at.x), std::lround(kPlaces * at.y)});
+    x.push_back(place(at.x));
+    y.push_back(place(at.y));
   }
-  return different.size();
+  const auto expect_different = [&](const std::vector<long>& places, const char* edge) {
+    const std::size_t different = repetition(places).different;
+    expect(2 * different >= places.size(),
+           fmt::format("{}, at different distances from the {} edge", name, edge),
+           fmt::format("only {} different distances: some points are fixed, or on a coarse grid",
+                       different));
+  };
+  expect_different(x, "left");
+  expect_different(y, "bottom");
+}
+
+// Fails the case if one point occurs more than four times. Right points, even in pairs that mirror
+// each other, do so less than once in a billion times.
+inline void expect_no_frequent_point(const Points& points) {
+  const std::size_t most = repeated_places(points).most;
+  expect(most <= 4, fmt::format("{} random points of the pixel", points.size()),
+         fmt::format("one point {} times", most));
 }
 
 // Says what uneven points have in common, in words for a person.
 inline std::string what_is_missing(const Points& points, const Cells& cells) {
-  const std::size_t different = different_points(points);
+  const std::size_t different = repeated_places(points).different;
   pt::Vec2 low{1, 1}, high{0, 0};
   bool diagonal = true;
   for (const pt::Vec2 at : points) {
@@ -101,9 +126,15 @@ inline std::string what_is_missing(const Points& points, const Cells& cells) {
 // Fails the case if points are uneven, or if many are the same, as on a coarse grid, with a sentence
 // that says where they are missing.
 inline void expect_even(const Points& points) {
-  const Cells cells(points);
-  if (cells.even() && 10 * different_points(points) >= 9 * points.size()) return;
-  expect(false, "points spread evenly over the pixel", what_is_missing(points, cells));
+  const bool repeated = 10 * repeated_places(points).different < 9 * points.size();
+  for (const int side : {4, 8}) {
+    const Cells cells(points, side);
+    if (repeated || !cells.even()) {
+      expect(false, "points spread evenly over the pixel", what_is_missing(points, cells));
+    }
+  }
+  expect_no_frequent_point(points);
+  expect_different_coordinates(points, fmt::format("{} points", points.size()));
 }
 
 // Fails the case if none of 16,000 points lies in the outermost 1.2 thousandths at one of the edges,
@@ -131,4 +162,4 @@ inline void expect_points_at_the_edges(const Points& points) {
   expect(closest.second < 4.5e-4, right, say(closest));
 }
 
-}  // namespace grader::check::estimate_pixel_cases
+}  // namespace grader::check

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "grader/tasks/adaptive_pixel/cases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include <fmt/format.h>
+
+// Pixels whose right number of samples does not depend on the details of sigma.
+
+namespace grader::check::adaptive {
+
+// A pixel and its right number of samples, if this number does not depend on the details of sigma;
+// else 0.
+struct Known {
+  Case pixel;
+  int samples = 0;
+};
+
+inline void showValue(const Known& known, std::ostream& out) { showValue(known.pixel, out); }
+
+inline rc::Gen<Known> maybe_known() {
+  return rc::gen::exec([] {
+    switch (*whole(0, 2)) {
+      case 0: {
+        const Case c = *constant();
+        return Known{c, c.settings.batch};
+      }
+      case 1: {
+        const Case c = *red_and_green();
+        return Known{c, c.settings.max_samples};
+      }
+      default:
+        return Known{*noise(), 0};
+    }
+  });
+}
+
+// Two values around 1, in turn. The condition holds after `batches` batches, and clearly not after
+// fewer: for the sigma that divides by n and the one that divides by n - 1. The tolerance is in
+// [low, high], or less if as many samples as that need a smaller one.
+inline rc::Gen<Known> narrow_after(int batches, double low, double high) {
+  return rc::gen::exec([=] {
+    const int batch = high > 0.5 ? 4 : 2 * *whole(2, 4);
+    const double samples = (batches - 0.4) * batch;
+    const double tolerance = *magnitude(low, std::min(high, 1.86 / std::sqrt(samples)));
+    const double spread = tolerance * std::sqrt(samples) / 1.96;
+    const int count = batches * batch;
+    const Case c = pixel(fmt::format("{:.6g} and {:.6g} in turn", 1 - spread, 1 + spread),
+                         {count + *whole(1, 2 * count), batch, tolerance}, [=](int i, double) {
+                           return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread);
+                         });
+    return Known{c, count};
+  });
+}
+
+// Two values around 1, in turn. The condition needs twenty times fewer samples than a batch or
+// twenty times more than the maximum, so that even a wrong sigma gives the right count.
+inline rc::Gen<Known> far_from_the_threshold() {
+  return rc::gen::exec([] {
+    const bool narrow = *rc::gen::arbitrary<bool>();
+    const int batch = *rc::gen::oneOf(whole(2, 20), whole(30, 300));
+    const int most = *whole(2, 5) * batch + *whole(0, 1);
+    const double tolerance = narrow ? *real(0.5, 1) : *magnitude(1e-4, 5e-3);
+    const double samples = narrow ? batch / 20.0 : 20.0 * most;
+    const double spread = std::min(0.9, tolerance * std::sqrt(samples) / 1.96);
+    const Case c = pixel(
+        fmt::format("{:.4g} and {:.4g} in turn", 1 - spread, 1 + spread), {most, batch, tolerance},
+        [=](int i, double) { return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread); });
+    return Known{c, narrow ? batch : most};
+  });
+}
+
+}  // namespace grader::check::adaptive
