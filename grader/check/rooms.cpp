@@ -77,7 +77,7 @@ void showValue(const Room& room, std::ostream& out) {
   if (!is_black(point.emission)) out << ", emission " << brief(point.emission);
 }
 
-Ranges ordinary() { return {1e2, color(0.25, 4), 1}; }
+Ranges ordinary() { return {1e2, color(0.25, 4)}; }
 
 Ranges extreme() {
   return {
@@ -89,7 +89,8 @@ Ranges extreme() {
 
 rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
   return rc::gen::exec([=] {
-    const Pose around = *pose(ranges.size);
+    Pose around = *pose(ranges.small ? 1 : ranges.size);
+    if (ranges.small) around.size = 1 / ranges.size;
     Room room;
     room.direct = Direct::lights;
     room.scene = inside_of_a_ball(around, *albedo);
@@ -101,7 +102,8 @@ rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
     Rgb here, everywhere, deviation;
     for (int i = 0; i < lights; ++i) {
       const Vec3 offset = *real(0.3, 0.5) * *direction();  // for a ball of radius 1
-      const Rgb intensity = *ranges.light;
+      const double scaled = ranges.small ? 1 / (around.size * around.size) : 1;
+      const Rgb intensity = scaled * *ranges.light;  // for a ball of radius 1
       const pt::PointLight light{around.shift + around.size * offset,
                                  around.size * around.size * intensity};
       room.scene.lights.emplace_back(light);

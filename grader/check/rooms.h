@@ -58,6 +58,7 @@ struct Ranges {
   double size = 1e2;  // from 1 / size to size
   rc::Gen<pt::Rgb> light;
   int max_lights = 1;
+  bool small = false;  // the size is 1 / size, and intensities are not scaled with it
 };
 Ranges ordinary();
 Ranges extreme();  // sizes 1e-6 to 1e6, radiances 1e-4 to 1e6, up to 40 lights

@@ -141,6 +141,26 @@ Stage& Stage::rectangle(const Rectangle& shape, Rgb radiance, Body body, double 
   lights_.push_back(fmt::format("rectangle light at {}, sides {} {}, emits to {}, radiance {}",
                                 brief(shape.center), brief(shape.u), brief(shape.v),
                                 brief(shape.n()), brief(radiance)));
+  shines(shape, radiance, body, hidden, way);
+  return *this;
+}
+
+Stage& Stage::mesh(const Rectangle& shape, Rgb radiance, Body body, double hidden, double way) {
+  const std::vector<Vec3> c = shape.corners();
+  std::vector<Vec3> q;
+  q.reserve(c.size());
+  for (const Vec3 corner : c) q.push_back(pose_.point(corner));
+  scene_.lights.emplace_back(
+      pt::make_mesh_light({{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}, radiance));
+  lights_.push_back(fmt::format("mesh light of two triangles, corners {} {} {} {}, radiance {}",
+                                brief(c[0]), brief(c[1]), brief(c[2]), brief(c[3]),
+                                brief(radiance)));
+  shines(shape, radiance, body, hidden, way);
+  return *this;
+}
+
+// The surface of a flat light, what hides it, and its irradiance.
+void Stage::shines(const Rectangle& shape, Rgb radiance, Body body, double hidden, double way) {
   if (body == Body::surface) surface(shape, pt::gray(0.5), radiance);
   if (hidden > 0) {
     const Rectangle shade =
@@ -151,24 +171,6 @@ Stage& Stage::rectangle(const Rectangle& shape, Rgb radiance, Body body, double 
     const std::vector<Vec3> seen = shape.part(hidden, 1, 0, 1).corners();
     arrives(radiance, cosine_of_polygon(seen, kOrigin, kUp), solid_angle_of(seen));
   }
-  return *this;
-}
-
-Stage& Stage::mesh(const Rectangle& shape, Rgb radiance, Body body) {
-  const std::vector<Vec3> c = shape.corners();
-  std::vector<Vec3> q;
-  q.reserve(c.size());
-  for (const Vec3 corner : c) q.push_back(pose_.point(corner));
-  scene_.lights.emplace_back(
-      pt::make_mesh_light({{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}, radiance));
-  lights_.push_back(fmt::format("mesh light of two triangles, corners {} {} {} {}, radiance {}",
-                                brief(c[0]), brief(c[1]), brief(c[2]), brief(c[3]),
-                                brief(radiance)));
-  if (body == Body::surface) surface(shape, pt::gray(0.5), radiance);
-  if (dot(shape.n(), shape.center) < 0) {
-    arrives(radiance, cosine_of_polygon(c, kOrigin, kUp), solid_angle_of(c));
-  }
-  return *this;
 }
 
 Stage& Stage::ball(Vec3 center, double radius, Rgb radiance, Body body) {
@@ -179,6 +181,7 @@ Stage& Stage::ball(Vec3 center, double radius, Rgb radiance, Body body) {
   if (body == Body::surface) {
     scene_.primitives.spheres.push_back(sphere);
     ball_materials_.push_back(material(pt::gray(0.5), radiance));
+    is_met(radiance);
   }
   const double squared = radius * radius / length_squared(center);
   if (center.z > 0) {
@@ -225,6 +228,13 @@ void Stage::arrives(Rgb radiance, double cosine, double facing) {
   facing_ += radiance * facing;
 }
 
+// Rays meet a surface of this emission.
+void Stage::is_met(Rgb emission) {
+  for (int channel = 0; channel < 3; ++channel) {
+    brightest_[channel] = std::max(brightest_[channel], emission[channel]);
+  }
+}
+
 // A dark square around a position, facing the origin.
 void Stage::shade(Vec3 position) {
   const pt::Frame frame = pt::frame_from_normal(normalize(position));
@@ -241,9 +251,7 @@ Stage& Stage::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
     scene_.primitives.triangles.push_back(pt::flat_triangle(p00, middle, last));
     scene_.material_of.push_back(index);
   }
-  for (int channel = 0; channel < 3; ++channel) {
-    brightest_[channel] = std::max(brightest_[channel], emission[channel]);
-  }
+  is_met(emission);
   const std::string glow = is_black(emission) ? "" : ", emission " + brief(emission);
   surfaces_.push_back(fmt::format("surface at {}, sides {} {}, albedo {}{}", brief(shape.center),
                                   brief(shape.u), brief(shape.v), brief(albedo), glow));

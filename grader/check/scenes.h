@@ -104,11 +104,12 @@ class Stage {
   Stage& point(pt::Rgb albedo, pt::Vec3 wo);
 
   // Lights, with their irradiance. A dark surface hides the part of the rectangle with a in [0,
-  // hidden]. It is at the fraction `way` of the way to the light. A point light is hidden in the
-  // same way.
+  // hidden]. It is at the fraction `way` of the way to the light. A mesh and a
+  // point light are hidden in the same way.
   Stage& rectangle(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
                    double way = 0.5);
-  Stage& mesh(const Rectangle& shape, pt::Rgb radiance, Body body);
+  Stage& mesh(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
+              double way = 0.5);
   Stage& ball(pt::Vec3 center, double radius, pt::Rgb radiance, Body body);
   Stage& point_light(pt::Vec3 position, pt::Rgb intensity, bool hidden = false, double way = 0.5);
   Stage& directional_light(pt::Vec3 towards, pt::Rgb irradiance, bool hidden = false);
@@ -126,6 +127,8 @@ class Stage {
   void shade(pt::Vec3 position);
   int material(pt::Rgb albedo, pt::Rgb emission);
   void arrives(pt::Rgb radiance, double cosine, double facing);
+  void shines(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden, double way);
+  void is_met(pt::Rgb emission);
   std::string text() const;
 
   Pose pose_;

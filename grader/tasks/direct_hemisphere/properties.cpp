@@ -59,6 +59,7 @@ PROMISE(direct_hemisphere, sees_a_light_of_known_size) {
   for (const double size : {1e-6, 1e6}) {
     for_all([=] { expect_estimate(*far_below_a_rectangle(size), 16); }, 1);
   }
+  for_all([] { expect_estimate(*under_a_ball()); }, 3);
 }
 
 PROMISE(direct_hemisphere, sees_lights_of_any_brightness) {
@@ -128,7 +129,8 @@ PROMISE(direct_hemisphere, sees_only_the_bright_side) {
 }
 
 PROMISE(direct_hemisphere, turns_with_the_surface) {
-  for_all([] { expect_estimate(*under_a_rectangle(pose(), rc::gen::just(0.0))); }, kCases);
+  for_all([] { expect_estimate(*under_a_rectangle(pose(), rc::gen::just(0.0))); }, 9);
+  for_all([] { expect_estimate(*smoothly_shaded_under_a_lamp()); }, 8);
 }
 
 PROMISE(direct_hemisphere, looks_from_the_side_it_is_seen_on) {
@@ -180,6 +182,8 @@ PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
       kCases);
   // So many calls that one sample in 64 that is missing, or one too many, shows in the mean.
   for_all([&] { expect_samples(64, 4000); }, 1);
+  // Many dark directions in a row say nothing about the next one.
+  for_all([&] { expect_estimate(*under_a_small_lamp(), 1000); }, 1);
   // The noise of so many samples shows a hidden maximum.
   for_all([&] { expect_samples(4000, 100); }, 1);
 }
@@ -208,29 +212,28 @@ PROMISE(direct_hemisphere, starts_off_the_surface) {
 }
 
 // Each piece of the room has its own hue, which shows where a direction went.
+void expect_even(const std::vector<Rectangle>& pieces, int calls) {
+  const Situation s = *in_a_colored_room(pieces);
+  const std::vector<Rgb> draws = estimates(s, calls, 1);
+  std::vector<DirectionCell> cells;
+  for (const Rectangle& piece : pieces) {
+    const std::vector<Vec3> c = piece.corners();
+    const double share = solid_angle(c[0], c[1], c[2], {}) + solid_angle(c[0], c[2], c[3], {});
+    cells.push_back(
+        {normalize(piece.center), 0, share / (2 * pt::kPi) * static_cast<double>(draws.size())});
+  }
+  for (const Rgb& draw : draws) {
+    const double cell = std::round(draw.g / draw.r) - 1;
+    if (cell >= 0 && cell < static_cast<double>(cells.size())) {
+      ++cells[static_cast<std::size_t>(cell)].found;
+    }
+  }
+  expect_spread(cells);
+}
+
 PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
-  for_all(
-      [] {
-        const std::vector<Rectangle> pieces = dome(6);
-        const Situation s = *in_a_colored_room(pieces);
-        const std::vector<Rgb> draws = estimates(s, 6000, 1);
-        std::vector<DirectionCell> cells;
-        for (const Rectangle& piece : pieces) {
-          const std::vector<Vec3> c = piece.corners();
-          const double share =
-              solid_angle(c[0], c[1], c[2], {}) + solid_angle(c[0], c[2], c[3], {});
-          cells.push_back({normalize(piece.center), 0,
-                           share / (2 * pt::kPi) * static_cast<double>(draws.size())});
-        }
-        for (const Rgb& draw : draws) {
-          const double cell = std::round(draw.g / draw.r) - 1;
-          if (cell >= 0 && cell < static_cast<double>(cells.size())) {
-            ++cells[static_cast<std::size_t>(cell)].found;
-          }
-        }
-        expect_spread(cells);
-      },
-      4);
+  for_all([] { expect_even(dome(6), 6000); }, 4);
+  for_all([] { expect_even(*rc::gen::exec(narrow_strips), 12000); }, 1);
   // A bright strip at the horizon, less than a tenth of a degree high. About 50 directions meet it.
   for_all(
       [] {

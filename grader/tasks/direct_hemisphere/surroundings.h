@@ -3,7 +3,9 @@
 #include "grader/check/closed_forms.h"
 #include "grader/check/generators.h"
 #include "grader/check/scenes.h"
+#include "grader/check/smooth_shading.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -112,13 +114,57 @@ inline rc::Gen<Situation> before_a_wall() {
   });
 }
 
+// A glowing ball, which is a light of the list too.
+inline rc::Gen<Situation> under_a_ball() {
+  return rc::gen::exec([] {
+    Stage stage(*unturned_pose());
+    stage.ball(2 * *direction_above(0.8), *real(0.7, 1), any_radiance(), Body::surface);
+    return stage.patch(*color(0.1, 1), *direction_above()).done();
+  });
+}
+
+// A lamp that fills less than a hundredth of the hemisphere.
+inline rc::Gen<Situation> under_a_small_lamp() {
+  return rc::gen::exec([] {
+    Stage stage(*unturned_pose());
+    stage.rectangle(*rectangle_above(0.5, 0.18, 0.2), any_radiance(), Body::surface);
+    return stage.patch(*color(0.1, 1), *direction_above()).done();
+  });
+}
+
+// A point that is shaded smoothly, under a lamp that is above its shading normal's horizon and above
+// that of its true surface.
+inline rc::Gen<Situation> smoothly_shaded_under_a_lamp() {
+  return rc::gen::exec([] {
+    Stage stage(*pose());
+    const pt::Vec3 towards = *direction_above_at(real(0.8, 0.9));
+    const pt::Frame facing = pt::frame_from_normal(-towards);
+    stage.rectangle({towards, 0.8 * facing.x, 0.8 * facing.y}, any_radiance(), Body::surface);
+    Situation s = stage.point(*color(0.1, 1), {0, 0, 1}).done();
+    s.point = smoothly_shaded(s.point);
+    s.text += "the normal of the true surface is not the shading normal\n";
+    return s;
+  });
+}
+
+// One or two skies, and often lights that no ray meets before and after them in the list.
 inline rc::Gen<Situation> under_the_sky() {
   return rc::gen::exec([] {
     const pt::Vec3 n = pt::frame_from_normal({0, 1, 0}).to_world(*direction_above(1.8));
     const Pose tilted{pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)};
+    const bool more_lights = *rc::gen::arbitrary<bool>();
+    pt::Rgb sky;
     Stage stage(tilted);
-    for (int skies = *whole(1, 2); skies > 0; --skies) stage.sky(any_radiance());
-    return stage.patch(*color(0.1, 1), *direction_above()).done();
+    if (more_lights) stage.point_light(2 * *direction_above(), any_radiance());
+    for (int skies = *whole(1, 2); skies > 0; --skies) {
+      const pt::Rgb radiance = any_radiance();
+      stage.sky(radiance);
+      sky += radiance;
+    }
+    if (more_lights) stage.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
+    Situation s = stage.patch(*color(0.1, 1), *direction_above()).done();
+    s.expected = s.point.albedo * sky / pt::kPi * cosine_of_half_space({0, 1, 0}, n);
+    return s;
   });
 }
 
@@ -148,6 +194,20 @@ inline rc::Gen<Situation> under_a_lid(const rc::Gen<Pose>& poses) {
     stage.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
     return stage.patch(pt::gray(0.5), *direction_above()).done();
   });
+}
+
+// Upright strips of 0.2 degrees of azimuth, 9 degrees apart on the average, up to 45 degrees above
+// the horizon.
+inline std::vector<Rectangle> narrow_strips() {
+  constexpr int kStrips = 40;
+  const double width = 0.2 * pt::kPi / 180, apart = 2 * pt::kPi / kStrips;
+  std::vector<Rectangle> strips;
+  for (int i = 0; i < kStrips; ++i) {
+    const double azimuth = (i + *real(0.05, 0.95)) * apart;
+    const double x = std::cos(azimuth), y = std::sin(azimuth);
+    strips.push_back({{x, y, 0.5}, {width * y, -width * x, 0}, {0, 0, 1}});
+  }
+  return strips;
 }
 
 // Piece i of the room glows in the hue (1, i + 1, 0).

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators.h"
 #include "grader/check/scenes.h"
+#include "grader/check/smooth_shading.h"
 
 // Lights for direct_lights. Each function puts one light of random size and position on a stage.
 // The shaded point is the origin of the stage, and its normal is along z.
@@ -12,8 +13,8 @@ inline pt::Rgb any_radiance() { return *color(0.25, 4); }
 
 inline pt::Vec3 any_position() { return *real(0.5, 4) * *direction_above(); }
 
-// A direction between a thousandth of a degree and six degrees above the surface.
-inline pt::Vec3 grazing_direction() { return *direction_above_at(magnitude(2e-5, 0.1)); }
+// A direction between a ten-thousandth of a degree and six degrees above the surface.
+inline pt::Vec3 grazing_direction() { return *direction_above_at(magnitude(2e-6, 0.1)); }
 
 // A patch and the lights that `light` puts on the stage.
 template <class Light>
@@ -35,14 +36,6 @@ rc::Gen<Situation> lit_without_surfaces(Light light, double size) {
     light(stage);
     return stage.point(*color(0.1, 1), *direction_above()).done();
   });
-}
-
-// The same scene with black as the right answer. It is for a surface that hides all light and that
-// the stage did not take into account.
-inline Situation dark(Situation s) {
-  s.expected = {};
-  s.facing = {};
-  return s;
 }
 
 inline void rectangle(Stage& stage) {
@@ -73,8 +66,13 @@ inline void grazing_ball(Stage& stage) {
 inline void point_light(Stage& stage) { stage.point_light(any_position(), any_radiance()); }
 
 inline void grazing_point_light(Stage& stage) {
-  const double distance = *magnitude(0.01, 1e3);
+  const double distance = *magnitude(0.1, 1e3);
   stage.point_light(distance * grazing_direction(), distance * distance * any_radiance());
+}
+
+// So close that little intensity gives much light.
+inline void close_point_light(Stage& stage, pt::Rgb intensity) {
+  stage.point_light(*magnitude(0.01, 0.1) * *direction_above(), intensity);
 }
 
 inline void directional_light(Stage& stage) {
@@ -87,6 +85,30 @@ inline void grazing_directional_light(Stage& stage) {
 
 inline void any_delta_light(Stage& stage) {
   *rc::gen::arbitrary<bool>() ? point_light(stage) : directional_light(stage);
+}
+
+// A point that is shaded smoothly, under a point or directional light that is above its shading
+// normal's horizon and above that of its true surface.
+inline rc::Gen<Situation> lit_and_smoothly_shaded() {
+  return rc::gen::exec([] {
+    Stage stage(*pose());
+    const pt::Vec3 towards = *direction_above(1.0);
+    *rc::gen::arbitrary<bool>() ? stage.point_light(*real(0.5, 4) * towards, any_radiance())
+                                : stage.directional_light(towards, any_radiance());
+    Situation s = stage.point(*color(0.1, 1), {0, 0, 1}).done();
+    s.point = smoothly_shaded(s.point);
+    s.text += "the normal of the true surface is not the shading normal\n";
+    return s;
+  });
+}
+
+// A patch under the sky, tilted so that much of it is below the patch's horizon.
+inline rc::Gen<Situation> under_the_sky(double tilt) {
+  return rc::gen::exec([tilt] {
+    const pt::Vec3 n = pt::frame_from_normal({0, 1, 0}).to_world(*direction_above(tilt));
+    Stage stage({pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)});
+    return stage.sky(any_radiance()).patch(*color(0.1, 1), *direction_above()).done();
+  });
 }
 
 inline constexpr int kKinds = 6;
@@ -107,57 +129,12 @@ inline void lamp(Stage& stage) {
   stage.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
 }
 
-// Where a surface hides a light, as a part of the way to it: in the middle, close to the point or
-// just in front of the light.
-inline double any_way() { return *rc::gen::element(0.5, 0.01, 0.99, 0.999); }
-
-inline void half_hidden_lamp(Stage& stage) {
-  stage.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, *real(0.25, 0.75),
-                  any_way());
-}
-
 // Three lamps in the same place, half hidden.
 inline void red_green_and_blue_lamps(Stage& stage) {
   const Rectangle shape = *rectangle_above(0.8, 0.3, 1.5);
   for (const pt::Rgb radiance : {pt::Rgb{1, 0, 0}, pt::Rgb{0, 1, 0}, pt::Rgb{0, 0, 1}}) {
     stage.rectangle(shape, radiance, Body::none, 0.5);
   }
-}
-
-inline void hidden_light(Stage& stage) {
-  const int kind = *whole(0, 2);
-  if (kind == 0) stage.point_light(any_position(), any_radiance(), true, any_way());
-  if (kind == 1) stage.directional_light(*direction_above(), any_radiance(), true);
-  if (kind == 2) {
-    stage.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, 1, any_way());
-  }
-}
-
-// A light of each kind, hidden by a dark ball around the point. Where the light is infinitely far
-// away, the ball is large, with the world's origin in its middle: the way to it is longer than the
-// largest coordinate in the scene.
-inline rc::Gen<Situation> hidden_by_a_ball(int kind, double size) {
-  return rc::gen::exec([=] {
-    const bool far = kind == 1 || kind == 5;
-    const double radius = far ? 1.5 : 0.25;
-    const pt::Vec3 center{0, 0, far ? 0.9 * radius : 0};
-    Stage stage({{}, -size * center, size});
-    stage.dark_ball(center, radius);
-    kind == 1 ? void(stage.directional_light(*direction_above(1.0), any_radiance()))
-              : light_of_kind(stage, kind);
-    return dark(stage.patch(*color(0.1, 1), *direction_above()).done());
-  });
-}
-
-// An upright wall on the patch, close behind the point as seen from the light. It touches the
-// surface and hides nothing.
-inline void beside_a_wall(Stage& stage) {
-  const pt::Vec3 at = any_position();
-  const pt::Vec3 away = normalize(pt::Vec3{-at.x, -at.y, 0} + pt::Vec3{-1e-9, 0, 0});
-  const pt::Vec3 along{-away.y, away.x, 0};
-  stage.point_light(at, any_radiance());
-  const double beside = *magnitude(1e-3, 0.05), height = *real(0.1, 2);
-  stage.surface({beside * away + pt::Vec3{0, 0, height / 2}, along, {0, 0, height}}, *color());
 }
 
 // A rectangle or mesh light with its own surface, and often a wall behind it: in the plane of the
@@ -206,12 +183,6 @@ inline void light_across_the_horizon(Stage& stage) {
   const double tall = *real(1, 2);
   stage.rectangle({{-1, 0, tall * *real(-0.2, 0.2)}, {0, 1, 0}, {0, 0, tall}}, any_radiance(),
                   Body::none);
-}
-
-inline void under_a_lid(Stage& stage) {
-  const pt::Vec3 towards = *direction_above(1.4);
-  stage.point_light(*real(0.5, 4) * towards, any_radiance());
-  stage.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
 }
 
 }  // namespace grader::check::direct_lights_cases

@@ -1,11 +1,7 @@
-#include "grader/check/generators.h"
 #include "grader/check/in_a_row.h"
-#include "grader/check/property.h"
-#include "grader/check/repeat.h"
-#include "grader/check/scenes.h"
-#include "grader/check/textbook.h"
+#include "grader/tasks/direct_lights/estimates.h"
 #include "grader/tasks/direct_lights/lights.h"
-#include "pt/tasks/direct_lights.h"
+#include "grader/tasks/direct_lights/shadows.h"
 
 #include <algorithm>
 #include <array>
@@ -23,42 +19,6 @@ using pt::Vec3;
 constexpr int kCases = 20;
 
 int any_samples() { return draw("samples per call", rc::gen::element(1, 2, 3, 5, 16, 17)); }
-
-// The error that the contract allows in addition to noise: 1e-5 of the value for the task, the same
-// for diffuse_f, which the task may call, and a millionth of each light for its cosine.
-double tolerance(const Situation& s) {
-  return 2 * kColorPrecision * max_channel(s.expected) +
-         1e-6 * max_channel(s.point.albedo * s.facing) / pt::kPi;
-}
-
-std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
-  return repeat<pt::direct_lights>(calls, draw("seed", sampler_seed()), s.scene, s.point, samples);
-}
-
-// The error from rare draws. A draw that adds about as much as the mean may be so rare that it does
-// not occur in this many draws. The measured noise then does not contain it. In multiple importance
-// sampling, BSDF samples that meet a small light are rare draws of this kind.
-double missed(const Situation& s, int draws) {
-  constexpr double kRare = 30;
-  return kRare / draws * max_channel(s.expected);
-}
-
-// The more samples or lights per call, the fewer calls.
-void expect_estimate(const Situation& s, int samples) {
-  const int lights = std::max(1, static_cast<int>(s.scene.lights.size()));
-  const int calls = std::clamp(32000 / samples / lights, 100, 4000);
-  expect_mean(fmt::format("the mean, {} samples per call", samples),
-              mean_of(estimates(s, calls, samples)), s.expected, noise_of_lights(s, samples),
-              tolerance(s) + missed(s, calls * samples));
-}
-
-// Without randomness, every single estimate has to be right.
-void expect_always(const Situation& s, int samples) {
-  for (const Rgb& one : estimates(s, 8, samples)) {
-    expect_near(fmt::format("each estimate, {} samples per call", samples), one, s.expected,
-                tolerance(s));
-  }
-}
 
 // The ends of the sizes that a scene may have.
 constexpr std::array kSizes{1e-6, 1e6};
@@ -93,37 +53,33 @@ PROMISE(direct_lights, matches_a_directional_light) {
 }
 
 PROMISE(direct_lights, matches_the_sky) {
-  for_all(
-      [] {
-        const Situation s = *rc::gen::exec([] {
-          const Vec3 n = pt::frame_from_normal({0, 1, 0}).to_world(*direction_above(1.8));
-          Stage stage({pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)});
-          return stage.sky(any_radiance()).patch(*color(0.1, 1), *direction_above()).done();
-        });
-        expect_estimate(s, any_samples());
-      },
-      kCases);
+  for_all([] { expect_estimate(*under_the_sky(2.7), any_samples()); }, kCases);
 }
 
 // The patch is the only surface, so that no light hides another.
 PROMISE(direct_lights, adds_the_lights_up) {
-  const auto count = [] { return rc::gen::element(0, 1, 2, 3, 5, 17, 40); };
+  const auto expect_lights = [](int lights, int samples) {
+    const Situation s = *lit_by([lights](Stage& stage) {
+      for (int k = 0; k < lights; ++k) any_light(stage);
+    });
+    expect_estimate(s, samples);
+  };
   for_all(
       [&] {
-        const int lights = draw("lights", count());
-        const Situation s = *lit_by([lights](Stage& stage) {
-          for (int k = 0; k < lights; ++k) any_light(stage);
-        });
-        expect_estimate(s, any_samples());
+        const int lights = draw("lights", rc::gen::element(0, 1, 2, 3, 5, 17, 40));
+        expect_lights(lights, any_samples());
       },
       30);
+  for_all([&] { expect_lights(100, 1); }, 1);
   for_all([&] {
-    const int lights = draw("lights", count());
+    const int lights = draw("lights", rc::gen::element(0, 1, 2, 3, 5, 17, 40, 100));
     const Situation s = *lit_by([lights](Stage& stage) {
       for (int k = 0; k < lights; ++k) any_delta_light(stage);
     });
     expect_always(s, any_samples());
   });
+  // What gives nothing must not end the sum, nor change what comes after it.
+  for_all([] { expect_always(*lit_by(some_hidden_or_below), any_samples()); }, 30);
   // Lights that share random numbers would be bright and dark together.
   for_all(
       [] {
@@ -168,6 +124,12 @@ PROMISE(direct_lights, takes_lights_of_any_brightness) {
       if (testing::Test::HasFailure()) return;
     }
   }
+  for_all(
+      [] {
+        const auto bright = [](Stage& stage) { close_point_light(stage, 1e6 * any_radiance()); };
+        expect_always(*lit_by(bright), 1);
+      },
+      10);
 }
 
 PROMISE(direct_lights, averages_over_the_samples) {
@@ -182,10 +144,12 @@ PROMISE(direct_lights, averages_over_the_samples) {
   for (const int many : {100, 1000}) {
     for_all([&] { expect_estimate(*under_a_lamp(), many); }, 1);
   }
+  for_all([] { expect_estimate(*under_the_sky(1.8), 100); }, 3);
+  for (const auto& light : {half_hidden_mesh, ball}) {
+    for_all([&] { expect_estimate(*lit_by(light), 100); }, 1);
+  }
 }
 
-// The noise of many samples is compared with the submission's own noise of one sample. The noise of
-// one sample has the same limit as everywhere.
 PROMISE(direct_lights, takes_the_samples_asked_for) {
   for_all(
       [] {
@@ -194,17 +158,19 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
         expect_mean("the mean, 1 sample per call", mean_of(of_one), s.expected,
                     noise_of_lights(s, 1), tolerance(s));
         for (const int samples : {2, 3, 7, 16, 100, 1000}) {
-          const int calls = std::clamp(32000 / samples, 100, 2000);
-          // The variances of two sets of 4000 draws differ by less than a sixth.
-          Noise most = noise_of(of_one, std::sqrt(1.15 / samples));
-          most.kurtosis = 3;
-          expect_noise(fmt::format("the noise with {} samples per call, against that with 1, which "
-                                   "is {:.3g}",
-                                   samples, noise_of(of_one, 1).deviation.g),
-                       mean_of(estimates(s, calls, samples)), most);
+          expect_less_noise(s, of_one, samples, std::clamp(32000 / samples, 100, 2000));
         }
       },
       3);
+  // The samples are for each light, however many lights there are.
+  for_all(
+      [] {
+        const Situation s = *lit_by([](Stage& stage) {
+          for (int k = 0; k < 40; ++k) lamp(stage);
+        });
+        expect_less_noise(s, estimates(s, 1000, 1), 200, 50);
+      },
+      1);
 }
 
 PROMISE(direct_lights, is_exact_for_delta_lights) {
@@ -217,8 +183,10 @@ PROMISE(direct_lights, is_exact_for_delta_lights) {
 }
 
 PROMISE(direct_lights, casts_shadows) {
-  for_all([] { expect_estimate(*lit_by(half_hidden_lamp), any_samples()); }, kCases);
-  for_all([] { expect_always(dark(*lit_by(hidden_light)), any_samples()); }, 50);
+  for_all([] { expect_estimate(*glowing_or_not(half_hidden_lamp), any_samples()); }, kCases);
+  for_all([] { expect_estimate(*lit_by(half_hidden_mesh), any_samples()); }, 3);
+  for_all([] { expect_estimate(*half_hidden_ball(), any_samples()); }, 3);
+  for_all([] { expect_always(dark(*glowing_or_not(hidden_light)), any_samples()); }, 50);
   for_all([] { expect_always(*lit_by(beside_a_wall), 1); }, 50);
   for (int kind = 0; kind < kKinds; ++kind) {
     for (const double size : {1.0, 1e6}) {
@@ -279,6 +247,7 @@ PROMISE(direct_lights, reflects_the_albedo) {
 PROMISE(direct_lights, turns_with_the_surface) {
   for_all([] { expect_always(*lit_by(point_light, pose()), 1); });
   for_all([] { expect_estimate(*lit_by(rectangle, pose()), any_samples()); }, kCases);
+  for_all([] { expect_always(*lit_and_smoothly_shaded(), 1); }, 20);
 }
 
 PROMISE(direct_lights, starts_off_the_surface) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "grader/check/closed_forms.h"
 #include "grader/check/generators.h"
 #include "grader/check/property.h"
 #include "grader/check/repeat.h"
 #include "grader/check/rooms.h"
+#include "grader/check/smooth_shading.h"
 #include "pt/tasks/trace_path.h"
 
 #include <algorithm>
@@ -92,6 +92,73 @@ inline rc::Gen<Case> bright_paths(int bounce, double survival) {
                   rc::gen::just(survival));
 }
 
+// Paths that may end before each bounce, in a room in which the direction of the bounce decides what
+// light is found.
+inline rc::Gen<Case> mortal_paths_around_a_lamp() {
+  return asked_of(room_around_a_lamp(gray(0.3, 0.6), rc::gen::just(Direct::lights)),
+                  rc::gen::just(Bounces{3, 3}), real(0.3, 0.5));
+}
+
+// A point light of intensity 1e6 in a room of radius 1e-3.
+inline Ranges brightest() {
+  Ranges ranges = ordinary();
+  ranges.size = 1e3;
+  ranges.light = rc::gen::map(color(0.25, 1), [](Rgb light) { return 1e6 * light; });
+  ranges.small = true;
+  return ranges;
+}
+
+// A wall that glows and reflects the light of one or two suns. It is not in the list
+// of lights, so that its own light is no part of what is asked for.
+inline rc::Gen<Room> glowing_wall_in_the_sun() {
+  return rc::gen::map(sunny_wall(gray(0.2, 1)), [](Room room) {
+    for (pt::Material& material : room.scene.materials) material.emission = pt::gray(3);
+    room.text += "the wall glows\n";
+    return room;
+  });
+}
+
+// A wall in the sun above a point that is shaded smoothly or not.
+inline rc::Gen<Room> wall_above_any_normal() {
+  return rc::gen::exec([] {
+    Room room = *sunny_wall(gray(0.2, 1));
+    if (*rc::gen::arbitrary<bool>()) room.point = smoothly_shaded(room.point);
+    return room;
+  });
+}
+
+// One channel is bright everywhere, so that roulette by the throughput keeps enough paths. One is
+// black.
+inline rc::Gen<Case> tinted(int bright, int black, const rc::Gen<Bounces>& which) {
+  const rc::Gen<Rgb> tint = rc::gen::map(color(0, 1), [=](Rgb albedo) {
+    albedo[bright] = 0.3 + 0.7 * albedo[bright];
+    if (black != bright) albedo[black] = 0;
+    return albedo;
+  });
+  return asked_of(room_around_a_lamp(tint, rc::gen::just(Direct::lights)), which);
+}
+
+// A point that is seen at a grazing angle. In some channels, or in all, nothing is reflected.
+inline rc::Gen<Case> grazed_and_black() {
+  return rc::gen::exec([] {
+    const bool all = *rc::gen::element(true, false, false, false);
+    const int black = *whole(0, 2);
+    const rc::Gen<Rgb> some_black = rc::gen::map(color(0.3, 0.8), [=](Rgb albedo) {
+      if (all) return Rgb{};
+      albedo[black] = 0;
+      return albedo;
+    });
+    const rc::Gen<Bounces> which = rc::gen::exec([] {
+      return Bounces{*whole(1, 2), *whole(2, 6)};
+    });
+    Case made = *asked_of(room_around_a_lamp(some_black, either_way()), which);
+    const double z = *magnitude(1e-8, 0.1);
+    const pt::Vec3 wo{std::sqrt(1 - z * z), 0, z};
+    made.room.point.wo = made.room.point.frame.to_world(wo);
+    return made;
+  });
+}
+
 inline std::vector<Rgb> estimates(const Case& c, int calls) {
   return repeat<pt::trace_path>(calls, c.seed, c.room.scene, c.room.point, c.settings);
 }
@@ -123,60 +190,6 @@ inline void expect_mean_of(const Case& c, const std::vector<Rgb>& found, double 
 
 inline void expect_estimate(const Case& c, int calls = kCalls) {
   expect_mean_of(c, estimates(c, calls));
-}
-
-// A patch under two rectangles. One is only in the list of lights, the other is only a surface.
-// Light sampling finds the first and hemisphere sampling the second, and their right answers
-// differ.
-struct HalfLights {
-  Situation situation;
-  PathSettings settings;
-  Rgb expected;
-  std::uint64_t seed = 0;
-};
-
-inline void showValue(const HalfLights& c, std::ostream& out) {
-  showValue(c.situation, out);
-  out << fmt::format("\nbounces {} to 1; direct light by {}, samples {}", c.settings.from,
-                     c.settings.direct == Direct::lights ? "lights" : "hemisphere",
-                     c.settings.light_samples);
-}
-
-inline rc::Gen<HalfLights> under_half_lights() {
-  return rc::gen::exec([] {
-    Stage stage({});
-    const Rectangle left{{-1, 0, 1}, {0, 1, 0}, {1, 0, 0}}, right{{1, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-    const Rgb of_left = *color(1, 4), of_right = *color(5, 9);
-    stage.rectangle(left, of_left, Body::none).surface(right, {}, of_right);
-    HalfLights c{stage.patch(*color(0.1, 1), *direction_above()).done(), {}, {}, *sampler_seed()};
-    c.settings.from = *whole(0, 1);
-    c.settings.direct = *either_way();
-    c.settings.light_samples = *rc::gen::element(1, 2, 8, 40);
-    c.expected = c.situation.expected;
-    if (c.settings.direct == Direct::hemisphere) {
-      c.expected = c.situation.point.albedo * of_right / pt::kPi *
-                   cosine_of_polygon(right.corners(), {}, {0, 0, 1});
-    }
-    return c;
-  });
-}
-
-inline std::vector<Rgb> estimates(const HalfLights& c, int light_samples) {
-  PathSettings settings = c.settings;
-  settings.light_samples = light_samples;
-  return repeat<pt::trace_path>(kCalls, c.seed, c.situation.scene, c.situation.point, settings);
-}
-
-// At the squared distance r, a point of the left light contributes in proportion to 1 / r^2, where
-// r is 1.25 to 3.5. The deviation is at most half of the range of these values. A direction rarely
-// meets the right light. The solid angle of this light is more than 0.25, so the deviation of one
-// direction is at most the mean times the root of 2 pi / 0.25.
-inline Noise noise_of_half_lights(const HalfLights& c) {
-  const Rgb mean = c.expected;
-  const Rgb one = c.settings.direct == Direct::lights
-                      ? mean * (0.5 * (3.5 * 3.5 / (1.25 * 1.25) - 1))
-                      : mean * std::sqrt(2 * pt::kPi / 0.25);
-  return {2 * one / std::sqrt(c.settings.light_samples)};
 }
 
 // Returns how many estimates are not black.

@@ -1,0 +1,35 @@
+// breaks: spreads_evenly_over_the_hemisphere
+// The azimuth is cut to whole degrees.
+#include "pt/geometry/spawn_ray.h"
+#include "pt/sampling/directions.h"
+#include "pt/tasks/diffuse_bsdf.h"
+#include "pt/tasks/direct_hemisphere.h"
+
+namespace pt {
+
+namespace {
+
+// The radiance that arrives at the point along wi straight from an emitter.
+Rgb arriving(const Scene& scene, const SurfacePoint& point, Vec3 wi) {
+  const Ray ray = spawn_ray(point, wi);
+  const std::optional<Hit> hit = scene.closest(ray);
+  return hit ? surface_point(scene, ray, *hit).emission : background(scene, wi);
+}
+
+}  // namespace
+
+Rgb direct_hemisphere(const Scene& scene, const SurfacePoint& point, int samples,
+                      Sampler& sampler) {
+  constexpr double kPdf = 1 / (2 * kPi);
+  const Vec3 wo = point.frame.to_local(point.wo);
+  Rgb sum;
+  for (int i = 0; i < samples; ++i) {
+    const Vec2 xi = sampler.next_2d();
+    const Vec3 wi = uniform_hemisphere({xi.x, static_cast<int>(360 * xi.y) / 360.0});
+    const Rgb light = arriving(scene, point, point.frame.to_world(wi));
+    sum += diffuse_f(point.albedo, wo, wi) * light * (wi.z / kPdf);
+  }
+  return sum / samples;
+}
+
+}  // namespace pt

@@ -1,0 +1,54 @@
+// breaks: tints_at_each_bounce
+// From the third point on, an albedo without red ends the path.
+#include "pt/geometry/spawn_ray.h"
+#include "pt/tasks/diffuse_bsdf.h"
+#include "pt/tasks/direct_hemisphere.h"
+#include "pt/tasks/direct_lights.h"
+#include "pt/tasks/trace_path.h"
+
+#include <cmath>
+
+namespace pt {
+
+namespace {
+
+Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
+           Sampler& sampler) {
+  return settings.direct == PathSettings::Direct::hemisphere
+             ? direct_hemisphere(scene, point, settings.light_samples, sampler)
+             : direct_lights(scene, point, settings.light_samples, sampler);
+}
+
+}  // namespace
+
+Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings& settings,
+               Sampler& sampler) {
+  Rgb sum;
+  Rgb throughput = gray(1);  // the part of the light at `point` that reaches `start`
+  SurfacePoint point = start;
+  for (int bounce = 1; bounce <= settings.to; ++bounce) {
+    if (bounce >= settings.from) sum += throughput * direct(scene, point, settings, sampler);
+    if (bounce == settings.to) break;
+
+    // Russian roulette, from the second bounce on: a path that survives stands for those that
+    // did not.
+    if (bounce > 1) {
+      if (!(sampler.next_1d() < settings.survival)) break;
+      throughput /= settings.survival;
+    }
+
+    const Vec3 wo = point.frame.to_local(point.wo);
+    const BsdfSample next = diffuse_sample(point.albedo, wo, sampler);
+    if (!(next.pdf > 0)) break;  // a direction that grazes the surface brings nothing
+    throughput *= next.f * (std::abs(next.wi.z) / next.pdf);
+
+    const Ray ray = spawn_ray(point, point.frame.to_world(next.wi));
+    const std::optional<Hit> hit = scene.closest(ray);
+    if (!hit) break;
+    point = surface_point(scene, ray, *hit);
+    if (bounce > 1 && point.albedo.r == 0) break;
+  }
+  return sum;
+}
+
+}  // namespace pt
