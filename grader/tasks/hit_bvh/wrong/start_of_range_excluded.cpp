@@ -1,4 +1,4 @@
-// breaks: finds_the_nearest_hit, finds_any_hit
+// breaks: finds_the_nearest_hit
 // Only hits beyond t_min count: one at exactly t_min is lost.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
