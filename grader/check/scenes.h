@@ -118,7 +118,7 @@ class Stage {
   // A surface that is not in the list of lights and does not change the irradiance.
   Stage& surface(const Rectangle& shape, pt::Rgb albedo, pt::Rgb emission = {});
 
-  // A ball without emission. Around the point, it hides whatever is outside of it.
+  // A ball without emission. Around the point, it hides everything outside of it.
   Stage& dark_ball(pt::Vec3 center, double radius);
 
   Situation done() const;

@@ -46,8 +46,8 @@ class Builder {
   sandbox::Box tool_box(const ToolFolder& place) const;
   process::CommandResult run_linker(const ToolFolder& place, const Paths& objects,
                                     bool integrated) const;
-  // Throws pt::Error if the reference does not link either. Whose fault a link is that fails cannot be
-  // told by what the linker prints: names in a submission's objects are words there.
+  // Throws pt::Error if the reference does not link either. The output of the
+  // linker does not tell whose fault it is: it has names of a submission's objects in it.
   void expect_linker(bool integrated) const;
   // Throws pt::Error if it fails and the machine is at fault; `what` could then not be judged.
   process::CommandResult run(const sandbox::Box& box, const std::string& what) const;

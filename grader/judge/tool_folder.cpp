@@ -26,7 +26,7 @@ namespace {
 constexpr off_t kRoomToWrite = off_t{16} << 20;
 constexpr std::uintmax_t kRoomToHave = std::uintmax_t{64} << 20;
 
-// Whatever the umask: another user reads it.
+// Another user reads the file, so the umask does not count.
 void put_file(const fs::path& path, const std::string& text) {
   errno = 0;
   const base::Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));

@@ -6,7 +6,7 @@
 
 namespace grader::judge {
 
-// A run of a compiler or a linker in its box. What it prints may be a submission's text (#line "bwrap: x"),
+// A run of a compiler or a linker in its box. Its output may be a submission's text (#line "bwrap: x"),
 // so the other two come from the launcher and the kernel alone.
 struct ToolRun {
   process::CommandResult result;

@@ -7,10 +7,10 @@
 
 namespace grader::process {
 
-// How long a process slept, told while it lives: once it has ended, the kernel does not know any more
-// how long it had waited for a processor. So somebody who waits for it looks from time to time. Only
-// what is certain counts: a wait for a processor that is going on is not known yet, so that nothing is
-// taken for sleep unless the process is seen asleep, and what comes after the last look is left out.
+// Measures how long a process sleeps while it lives: once it has ended, the kernel does not know any
+// more how long it had waited for a processor. So the process that waits for it looks from time to time.
+// Only certain sleep counts. A wait for a processor that is going on is not known yet, so no time is
+// taken for sleep unless the process is seen asleep, and the time after the last look is left out.
 class SleepWatch {
  public:
   // Looks are close together at first and then less, so that little of a sleep is missed.

@@ -32,7 +32,7 @@ class TimeLimit {
   // This process did nothing for so long but wait for the other one (see Wait).
   void add_waited(std::chrono::nanoseconds time) { waited_ += time; }
 
-  // Whether the kernel was asked already: then this is no call of some milliseconds.
+  // Returns whether the kernel was asked already: then the call takes more than some milliseconds.
   bool was_looked_at() const { return first_.has_value(); }
 
   // Asks the kernel, and puts off the next look. Throws pt::Error where the machine is too busy.

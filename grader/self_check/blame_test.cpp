@@ -1,4 +1,4 @@
-// Which tasks are blamed for a picture that is right with the reference elsewhere and wrong with the
+// The tasks that are blamed for a picture that is right with the reference elsewhere and wrong with the
 // submission's other tasks.
 #include "grader/judge/alone.h"
 #include "grader/judge/pictures.h"

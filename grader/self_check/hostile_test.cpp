@@ -95,7 +95,7 @@ TEST(hostile, cannot_keep_the_judge_busy) {
   EXPECT_NE(outcome.task("camera_ray").dump().find("all calls so far took"), std::string::npos);
   EXPECT_EQ(outcome.state("hit_triangle"), "crash");
   EXPECT_NE(outcome.task("hit_triangle").dump().find("too many calls"), std::string::npos);
-  // Whoever sleeps and crashes then is not called five hundred times.
+  // A task that sleeps and then crashes is not called five hundred times.
   EXPECT_EQ(outcome.state("hit_sphere"), "crash");
   EXPECT_NE(outcome.task("hit_sphere").dump().find("all calls so far took"), std::string::npos);
   // Sleep in the middle of an answer counts, in whatever pieces.
@@ -178,7 +178,7 @@ TEST(hostile, crashes_are_named_by_their_cause) {
   EXPECT_NE(outcome.output.find("[-Wreturn-type]"), std::string::npos) << outcome.output;
 }
 
-// Who made a compiler or a worker end is known from the launcher and the kernel. Words of a submission that sound
+// The cause of the end of a compiler or a worker is known from the launcher and the kernel. Words of a submission that sound
 // like theirs do not make the machine guilty: that would be no verdict for anybody.
 TEST(hostile, cannot_speak_for_the_machine) {
   for (const char* tier : {"A", "B", "C"}) {

@@ -159,7 +159,7 @@ void WorkerProcess::wait(const base::Descriptor& descriptor, short event) {
   }
 }
 
-// What the launcher does is not the program's. In tier A the program is the last of those that were
+// The time of the launcher is not the program's. In tier A the program is the last of those that were
 // started, once the launcher has told that nothing else is left to start.
 void WorkerProcess::watch_sleep() {
   if (sleep_.until_look() > std::chrono::nanoseconds(0)) return;

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <vector>
 
-// What a node's box has to contain, and how much larger it may be.
+// The boxes that a node's box has to contain, and by how much it may be larger than they are.
 
 namespace grader::check::build_bvh_cases {
 
-// What is below each node. Wrong entries of leaves are skipped: the promise keeps_every_primitive_once
+// The box around all primitives below each node. Wrong entries of leaves are skipped: the promise keeps_every_primitive_once
 // judges them.
 struct Below {
   std::vector<pt::Box> boxes;  // by node; empty where nothing is below

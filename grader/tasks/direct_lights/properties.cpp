@@ -78,7 +78,7 @@ PROMISE(direct_lights, adds_the_lights_up) {
     });
     expect_always(s, any_samples());
   });
-  // What gives nothing must not end the sum, nor change what comes after it.
+  // A light that gives nothing must not end the sum, nor change the part of the lights after it.
   for_all([] { expect_always(*lit_by(some_hidden_or_below), any_samples()); }, 30);
   // Lights that share random numbers would be bright and dark together.
   for_all(

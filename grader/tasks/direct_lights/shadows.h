@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-// What hides lights from the shaded point, in whole or in part.
+// Surfaces that hide lights from the shaded point, in whole or in part.
 
 namespace grader::check::direct_lights_cases {
 
@@ -16,8 +16,8 @@ inline Situation dark(Situation s) {
   return s;
 }
 
-// Where a surface hides a light, as a part of the way to it: in the middle, close to the point or
-// just in front of the light.
+// The place of a surface that hides a light, as a part of the way to it: in the middle, close to the
+// point or just in front of the light.
 inline double any_way() { return *rc::gen::element(0.5, 0.01, 0.99, 0.999); }
 
 inline void half_hidden_lamp(Stage& stage) {
@@ -57,7 +57,7 @@ inline Situation with_glowing_surfaces(Situation s) {
   return s;
 }
 
-// What hides the light of a patch glows or does not.
+// Lit by the light; the surfaces of the scene glow or do not.
 template <class Light>
 rc::Gen<Situation> glowing_or_not(Light light) {
   return rc::gen::exec([=] {

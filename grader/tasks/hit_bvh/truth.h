@@ -81,7 +81,7 @@ inline Meeting meet(const pt::Triangle& triangle, const pt::Ray& ray) {
   return meeting;
 }
 
-// What the ray meets of one primitive. The hit is the answer of the judge's own tasks.
+// The ray's meeting with one primitive. The hit is the answer of the judge's own tasks.
 inline Meeting meeting_of(const pt::Primitives& primitives, int i, const pt::Ray& ray) {
   Meeting meeting = primitives.is_triangle(i) ? meet(primitives.triangle(i), ray)
                                               : meet(primitives.sphere(i), ray);
