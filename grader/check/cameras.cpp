@@ -18,12 +18,20 @@ rc::Gen<pt::Camera> camera() {
   });
 }
 
+namespace {
+
+// Half the width and height of the window at distance 1.
+pt::Vec2 half_window(const pt::Camera& camera) {
+  return {std::tan(camera.hfov_deg * pt::kPi / 360), std::tan(camera.vfov_deg * pt::kPi / 360)};
+}
+
+}  // namespace
+
 pt::Vec2 on_window(const pt::Camera& camera, pt::Vec3 direction) {
   const pt::Vec3 local = camera.camera_to_world.to_local(direction);
   const double ahead = local.z < 0 ? -local.z : std::numeric_limits<double>::quiet_NaN();
-  const double width = std::tan(camera.hfov_deg * pt::kPi / 360);
-  const double height = std::tan(camera.vfov_deg * pt::kPi / 360);
-  return {local.x / ahead / width, local.y / ahead / height};
+  const pt::Vec2 half = half_window(camera);
+  return {local.x / ahead / half.x, local.y / ahead / half.y};
 }
 
 pt::Vec2 on_picture(const pt::Camera& camera, pt::Vec3 direction) {
@@ -32,10 +40,9 @@ pt::Vec2 on_picture(const pt::Camera& camera, pt::Vec3 direction) {
 }
 
 pt::Vec2 ray_slack(const pt::Camera& camera, int width, int height) {
-  const double wide = std::tan(camera.hfov_deg * pt::kPi / 360);
-  const double high = std::tan(camera.vfov_deg * pt::kPi / 360);
-  const double turned = 1e-6 * (1 + wide * wide + high * high);
-  return {width * (2e-5 + turned / (2 * wide)), height * (2e-5 + turned / (2 * high))};
+  const pt::Vec2 half = half_window(camera);
+  const double turned = 1e-6 * (1 + half.x * half.x + half.y * half.y);
+  return {width * (2e-5 + turned / (2 * half.x)), height * (2e-5 + turned / (2 * half.y))};
 }
 
 }  // namespace grader::check

@@ -76,22 +76,21 @@ inline void expect_different_coordinates(const Points& points, const std::string
     y.push_back(place(at.y));
   }
   const auto expect_different = [&](const std::vector<long>& places, const char* edge) {
-    const std::size_t different = repetition(places).different;
-    expect(2 * different >= places.size(),
+    const Repetition repeated = repetition(places);
+    expect(!repeated.half_are_repeated(),
            fmt::format("{}, at different distances from the {} edge", name, edge),
            fmt::format("only {} different distances: some points are fixed, or on a coarse grid",
-                       different));
+                       repeated.different));
   };
   expect_different(x, "left");
   expect_different(y, "bottom");
 }
 
-// Fails the case if one point occurs more than four times. Right points, even in pairs that mirror
-// each other, do so less than once in a billion times.
+// Fails the case if one point occurs more than four times.
 inline void expect_no_frequent_point(const Points& points) {
-  const std::size_t most = repeated_places(points).most;
-  expect(most <= 4, fmt::format("{} random points of the pixel", points.size()),
-         fmt::format("one point {} times", most));
+  const Repetition repeated = repeated_places(points);
+  expect(!repeated.one_is_frequent(), fmt::format("{} random points of the pixel", points.size()),
+         fmt::format("one point {} times", repeated.most));
 }
 
 // Says what uneven points have in common, in words for a person.

@@ -102,8 +102,7 @@ rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
     Rgb here, everywhere, deviation;
     for (int i = 0; i < lights; ++i) {
       const Vec3 offset = *real(0.3, 0.5) * *direction();  // for a ball of radius 1
-      const double scaled = ranges.small ? 1 / (around.size * around.size) : 1;
-      const Rgb intensity = scaled * *ranges.light;  // for a ball of radius 1
+      const Rgb intensity = *ranges.light;                 // for a ball of radius 1
       const pt::PointLight light{around.shift + around.size * offset,
                                  around.size * around.size * intensity};
       room.scene.lights.emplace_back(light);
@@ -123,11 +122,6 @@ rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
                    {of_walls, everywhere, squared(deviation), {}, {0, 1}}};
     return room;
   });
-}
-
-rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct,
-                                 const Ranges& ranges) {
-  return room_around_a_lamp(albedo, direct, ranges, real(0.4, 0.7));
 }
 
 // Weighted by the cosine, the lamp fills the part ratio^2 of the hemisphere of a point of the wall.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/check/generators.h"
 #include "grader/check/scenes.h"
 #include "pt/scene/view.h"
 
@@ -55,10 +56,10 @@ pt::Rgb deviation(const Room& room, const pt::PathSettings& settings, const Path
 
 // The ranges of a room's size, its light and its number of lights.
 struct Ranges {
-  double size = 1e2;  // from 1 / size to size
-  rc::Gen<pt::Rgb> light;
+  double size = 1e2;       // from 1 / size to size
+  rc::Gen<pt::Rgb> light;  // in a room of size 1; an intensity grows with the squared size
   int max_lights = 1;
-  bool small = false;  // the size is 1 / size, and intensities are not scaled with it
+  bool small = false;  // always 1 / size
 };
 Ranges ordinary();
 Ranges extreme();  // sizes 1e-6 to 1e6, radiances 1e-4 to 1e6, up to 40 lights
@@ -72,10 +73,8 @@ rc::Gen<Room> round_room(const rc::Gen<pt::Rgb>& albedo, const Ranges& ranges = 
 // and also in the list of lights. The point is on one of the two. `ratio` is that of their radii.
 rc::Gen<Room> room_around_a_lamp(const rc::Gen<pt::Rgb>& albedo,
                                  const rc::Gen<pt::PathSettings::Direct>& direct,
-                                 const Ranges& ranges = ordinary());
-rc::Gen<Room> room_around_a_lamp(const rc::Gen<pt::Rgb>& albedo,
-                                 const rc::Gen<pt::PathSettings::Direct>& direct,
-                                 const Ranges& ranges, const rc::Gen<double>& ratio);
+                                 const Ranges& ranges = ordinary(),
+                                 const rc::Gen<double>& ratio = real(0.4, 0.7));
 
 // A furnace: all walls of a cube have the same emission and the same albedo. The list of lights is
 // empty.

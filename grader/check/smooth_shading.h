@@ -19,4 +19,12 @@ inline pt::SurfacePoint smoothly_shaded(pt::SurfacePoint point) {
   return point;
 }
 
+// The same scene with such a point. The answer has to be right for it: all lights are above both normals'
+// horizons.
+inline Situation smoothly_shaded(Situation s) {
+  s.point = smoothly_shaded(s.point);
+  s.text += "the normal of the true surface is not the shading normal\n";
+  return s;
+}
+
 }  // namespace grader::check

@@ -38,6 +38,12 @@ inline rc::Gen<Known> maybe_known() {
   });
 }
 
+// Two values around 1, in turn.
+inline Case in_turn(double spread, const AdaptiveSettings& settings) {
+  return pixel(fmt::format("{:.6g} and {:.6g} in turn", 1 - spread, 1 + spread), settings,
+               [=](int i, double) { return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread); });
+}
+
 // Two values around 1, in turn. The condition holds after `batches` batches, and clearly not after
 // fewer: for the sigma that divides by n and the one that divides by n - 1. The tolerance is in
 // [low, high], or less if as many samples as that need a smaller one.
@@ -48,11 +54,7 @@ inline rc::Gen<Known> narrow_after(int batches, double low, double high) {
     const double tolerance = *magnitude(low, std::min(high, 1.86 / std::sqrt(samples)));
     const double spread = tolerance * std::sqrt(samples) / 1.96;
     const int count = batches * batch;
-    const Case c = pixel(fmt::format("{:.6g} and {:.6g} in turn", 1 - spread, 1 + spread),
-                         {count + *whole(1, 2 * count), batch, tolerance}, [=](int i, double) {
-                           return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread);
-                         });
-    return Known{c, count};
+    return Known{in_turn(spread, {count + *whole(1, 2 * count), batch, tolerance}), count};
   });
 }
 
@@ -66,10 +68,7 @@ inline rc::Gen<Known> far_from_the_threshold() {
     const double tolerance = narrow ? *real(0.5, 1) : *magnitude(1e-4, 5e-3);
     const double samples = narrow ? batch / 20.0 : 20.0 * most;
     const double spread = std::min(0.9, tolerance * std::sqrt(samples) / 1.96);
-    const Case c = pixel(
-        fmt::format("{:.4g} and {:.4g} in turn", 1 - spread, 1 + spread), {most, batch, tolerance},
-        [=](int i, double) { return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread); });
-    return Known{c, narrow ? batch : most};
+    return Known{in_turn(spread, {most, batch, tolerance}), narrow ? batch : most};
   });
 }
 

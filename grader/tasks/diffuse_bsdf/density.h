@@ -57,7 +57,7 @@ inline void count_samples(std::vector<DirectionCell>& cells,
 
 // Samples of a continuous density are different from each other. Fails if one direction comes more than
 // four times, or if more than half of the samples have the same azimuth as another one, or the same
-// height. To a millionth, that happens less than once in a billion times.
+// height, to a millionth.
 inline void expect_different_samples(const std::vector<pt::BsdfSample>& samples) {
   const auto place = [](double a) { return std::lround(1e6 * a); };
   std::vector<std::array<long, 3>> directions;
@@ -68,12 +68,12 @@ inline void expect_different_samples(const std::vector<pt::BsdfSample>& samples)
     azimuths.push_back(place(std::atan2(wi.y, wi.x)));
   }
   const std::string wanted = fmt::format("{} samples of a continuous density", samples.size());
-  const std::size_t most = repetition(directions).most;
-  expect(most <= 4, wanted, fmt::format("one direction {} times", most));
+  const Repetition repeated = repetition(directions);
+  expect(!repeated.one_is_frequent(), wanted, fmt::format("one direction {} times", repeated.most));
   const auto expect_different = [&](const std::vector<long>& places, const char* what) {
-    const std::size_t different = repetition(places).different;
-    expect(2 * different >= places.size(), wanted,
-           fmt::format("only {} different {}", different, what));
+    const Repetition of_places = repetition(places);
+    expect(!of_places.half_are_repeated(), wanted,
+           fmt::format("only {} different {}", of_places.different, what));
   };
   expect_different(heights, "heights above the surface");
   expect_different(azimuths, "angles around the normal");

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -103,7 +102,7 @@ inline rc::Gen<Case> mortal_paths_around_a_lamp() {
 inline Ranges brightest() {
   Ranges ranges = ordinary();
   ranges.size = 1e3;
-  ranges.light = rc::gen::map(color(0.25, 1), [](Rgb light) { return 1e6 * light; });
+  ranges.light = rc::gen::map(color(0.25, 1), [](Rgb light) { return 1e12 * light; });
   ranges.small = true;
   return ranges;
 }
@@ -124,6 +123,16 @@ inline rc::Gen<Room> wall_above_any_normal() {
     Room room = *sunny_wall(gray(0.2, 1));
     if (*rc::gen::arbitrary<bool>()) room.point = smoothly_shaded(room.point);
     return room;
+  });
+}
+
+// For a surface seen from straight above, the mock diffuse_sample draws uniform directions
+// (grader/check/mock_diffuse_bsdf.cpp).
+inline rc::Gen<Case> seen_from_straight_above() {
+  return rc::gen::exec([] {
+    Case made = *asked_of(sunny_wall(gray(0.2, 1), 0.3), bounces(2, 2));
+    made.room.point.wo = made.room.point.n;
+    return made;
   });
 }
 
@@ -226,19 +235,6 @@ inline double relative_variance_far_along(Case c) {
   const double grown = mean_square(c, kBeyond, kCalls) / mean_square(c, kNear, kCalls);
   const double each = std::pow(grown, 1.0 / (kBeyond - kNear)) / (albedo * albedo);
   return std::pow(each, c.settings.to) - 1;
-}
-
-inline double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const double n = static_cast<double>(a.size());
-  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
-  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
-  double products = 0, squares_a = 0, squares_b = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    products += (a[i] - mean_a) * (b[i] - mean_b);
-    squares_a += (a[i] - mean_a) * (a[i] - mean_a);
-    squares_b += (b[i] - mean_b) * (b[i] - mean_b);
-  }
-  return products / std::sqrt(squares_a * squares_b);
 }
 
 }  // namespace grader::check::paths

@@ -72,4 +72,18 @@ inline Noise noise_of_half_lights(const HalfLights& c) {
   return {2 * one / std::sqrt(c.settings.light_samples)};
 }
 
+// A hundred samples have a tenth of the noise of one sample. `doubt` is the statistical error of
+// the two measured noises.
+inline void expect_a_tenth_of_the_noise(const HalfLights& c) {
+  const Noise one = noise_of(estimates(c, 1), 1), many = noise_of(estimates(c, 100), 1);
+  expect(one.deviation.g > 0, "estimates with one sample of direct light that vary",
+         fmt::format("a standard deviation of {:.3g}", one.deviation.g));
+  const double ratio = many.deviation.g / one.deviation.g;
+  const double doubt = kStandardErrors * std::sqrt((one.kurtosis + many.kurtosis) / (4 * kCalls));
+  const double most = 0.1 * (1 + doubt);
+  expect(ratio < most,
+         fmt::format("100 samples of direct light with {:.2g} of the noise of one sample", most),
+         fmt::format("{:.2g} of the noise", ratio));
+}
+
 }  // namespace grader::check::paths

@@ -1,7 +1,11 @@
 #include "grader/tasks/trace_path/cases.h"
 #include "grader/tasks/trace_path/half_lights.h"
+#include "grader/tasks/trace_path/pairs.h"
+#include "grader/tasks/trace_path/reach.h"
 
-#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
 
 namespace grader::check {
 namespace {
@@ -44,25 +48,8 @@ PROMISE(trace_path, starts_with_direct_light) {
       3);
 }
 
-// A hundred samples have a tenth of the noise of one sample. `doubt` is the statistical error of
-// the two measured noises.
 PROMISE(trace_path, takes_the_light_samples_asked_for) {
-  for_all(
-      [] {
-        const HalfLights c = *under_half_lights();
-        const Noise one = noise_of(estimates(c, 1), 1), many = noise_of(estimates(c, 100), 1);
-        expect(one.deviation.g > 0, "estimates with one sample of direct light that vary",
-               fmt::format("a standard deviation of {:.3g}", one.deviation.g));
-        const double ratio = many.deviation.g / one.deviation.g;
-        const double doubt =
-            kStandardErrors * std::sqrt((one.kurtosis + many.kurtosis) / (4 * kCalls));
-        const double most = 0.1 * (1 + doubt);
-        expect(
-            ratio < most,
-            fmt::format("100 samples of direct light with {:.2g} of the noise of one sample", most),
-            fmt::format("{:.2g} of the noise", ratio));
-      },
-      4);
+  for_all([] { expect_a_tenth_of_the_noise(*under_half_lights()); }, 4);
   // At the second bounce, the contract allows more noise. Few directions meet so small a lamp, so
   // that one sample has still more.
   for_all(
@@ -176,36 +163,20 @@ PROMISE(trace_path, ends_at_the_cap) {
       kCases);
 }
 
-// If a sixth of all paths reach a bounce, some of them reach the next one, for any survival. For
-// example, a path goes on with a chance of .04 (roulette by the throughput, from bounce 2 on in a
-// room of albedo .2). Then 24 of 600 paths go on, and the probability that none does is 4e-11.
 PROMISE(trace_path, goes_on_up_to_the_cap) {
-  constexpr int kPaths = 600, kMany = 100;
   for_all(
-      [&] {
-        const Case c = *rc::gen::exec([] {
-          const double albedo = *rc::gen::oneOf(real(0.2, 1), rc::gen::just(1.0));
-          // As many bounces as a float can show: 1e-25 of the light is left.
-          const double most = albedo < 1 ? -57 / std::log(albedo) : 100;
-          const int to = std::clamp(static_cast<int>(most), 10, 100);
-          return *asked_of(round_room(gray(albedo, albedo)), rc::gen::just(Bounces{to, to}),
-                           rc::gen::element(1.0, 1.0, 1.0, 0.8));
-        });
-        int reached = 2, not_reached = c.settings.to + 1;
-        while (not_reached - reached > 1) {
-          // Tests the cap itself first.
-          const int k = not_reached > c.settings.to ? c.settings.to : (reached + not_reached) / 2;
-          (lit(c, k, kPaths) >= kMany ? reached : not_reached) = k;
-        }
-        if (reached == c.settings.to) return;
-        expect(lit(c, not_reached, kPaths) > 0,
-               fmt::format("paths that go on after bounce {}, as many reach it", reached),
-               fmt::format("none of {} that brings light of bounce {}", kPaths, not_reached));
+      [] {
+        const Case c = *far_along();
+        const Reach reach = reach_of(c);
+        if (reach.last == c.settings.to) return;
+        expect(lit(c, reach.beyond, kPaths) > 0,
+               fmt::format("paths that go on after bounce {}, as many reach it", reach.last),
+               fmt::format("none of {} that brings light of bounce {}", kPaths, reach.beyond));
       },
       8);
   // All paths of this scene leave it after the second bounce, so that none reaches bounce 3.
   for_all(
-      [&] {
+      [] {
         const Case c = *asked_of(sunny_wall(gray(0.2, 1)), bounces_from(3, 3, 100));
         expect(lit(c, 3, kPaths) == 0, "a path that leaves the scene ends there",
                "light of bounce 3 in a scene without one");
@@ -247,19 +218,8 @@ PROMISE(trace_path, weighs_by_the_cosine) {
   for_all([] { expect_estimate(*asked_of(wall_above_any_normal(), bounces(2, 2))); }, 20);
 }
 
-// For a surface seen from straight above, the mock diffuse_sample draws uniform directions
-// (grader/check/mock_diffuse_bsdf.cpp).
 PROMISE(trace_path, uses_the_density_of_the_sample) {
-  for_all(
-      [] {
-        const Case c = *rc::gen::exec([] {
-          Case made = *asked_of(sunny_wall(gray(0.2, 1), 0.3), bounces(2, 2));
-          made.room.point.wo = made.room.point.n;
-          return made;
-        });
-        expect_estimate(c);
-      },
-      kCases);
+  for_all([] { expect_estimate(*seen_from_straight_above()); }, kCases);
 }
 
 PROMISE(trace_path, follows_the_new_ray) {
@@ -299,36 +259,11 @@ PROMISE(trace_path, takes_any_amount_of_light) {
       2);
 }
 
-// Pairs of estimates. The second one uses the sampler in the state in which the first one left it.
 PROMISE(trace_path, draws_from_the_sampler_alone) {
-  constexpr int kPairs = 300;
-  const auto estimate = [](const Case& c, pt::Sampler& sampler) {
-    return pt::trace_path(c.room.scene, c.room.point, c.settings, sampler);
-  };
   for_all(
-      [&] {
+      [] {
         const Case before = *asked_of(sunny_wall(gray(0.2, 1)), bounces(1, 5));
-        const Case c = *asked_of(round_room(gray(0.3, 0.8)), bounces(2, 2));
-        std::vector<double> firsts, seconds;
-        for (int i = 0; i < kPairs; ++i) {
-          const pt::Sampler start = pt::Sampler::for_pixel(c.seed, i, 1);
-          pt::Sampler sampler = start;
-          const Rgb first = estimate(c, sampler);
-          expect(sampler.state() != start.state(), "the sampler moved on", "as it was");
-          const Rgb second = estimate(c, sampler);
-          expect(first.g != second.g, "two estimates that differ, one after the other",
-                 "twice the same");
-          if (i < 10) {
-            pt::Sampler again = start;
-            estimate(before, sampler);
-            expect_near("the same estimate again", estimate(c, again), first, 0);
-          }
-          firsts.push_back(first.g);
-          seconds.push_back(second.g);
-        }
-        const double found = correlation(firsts, seconds);
-        expect(std::abs(found) < kStandardErrors / std::sqrt(kPairs), "two independent estimates",
-               fmt::format("a correlation of {:.2g}", found));
+        expect_independent_pairs(*asked_of(round_room(gray(0.3, 0.8)), bounces(2, 2)), before);
       },
       4);
 }

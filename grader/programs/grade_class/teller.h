@@ -1,0 +1,45 @@
+#pragma once
+
+#include "grader/programs/grade_class/one.h"
+#include "grader/programs/status_line.h"
+#include "grader/results/presentable.h"
+#include "grader/results/summary.h"
+
+#include <cstddef>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace grader::programs {
+
+// Says one outcome after another, and how long the rest will take.
+class Teller {
+ public:
+  Teller(std::size_t all, StatusLine& line) : all_(all), line_(line) { show(); }
+
+  void tell(const Graded& graded) {
+    line_.clear();
+    fmt::print("{}/{} {}: {}{}\n", ++count_, all_, results::one_line(graded.by.name),
+               graded.problem.empty() ? results::verdict(graded.results)
+                                      : results::one_line(graded.problem),
+               graded.again && graded.problem.empty() ? " (as before)" : "");
+    std::fflush(stdout);
+    all_judged_ = all_judged_ && graded.problem.empty();
+    if (graded.again) ++known_;
+    show();
+  }
+  bool all_judged() const { return all_judged_; }
+
+ private:
+  // A verdict that was known takes no time, and says nothing about the rest.
+  void show() const {
+    const double part = static_cast<double>(count_ - known_) / static_cast<double>(all_ - known_);
+    line_.show(fmt::format("judging: {} of {} submissions", count_, all_), part);
+  }
+
+  std::size_t all_, count_ = 0, known_ = 0;
+  bool all_judged_ = true;
+  StatusLine& line_;
+};
+
+}  // namespace grader::programs
