@@ -141,10 +141,10 @@ std::vector<std::vector<Repeats>> Renders::repeats(const std::vector<Golden>& go
 
 // Seconds are a + b s. a, the part that does not depend on samples, is that of the line through the shortest and the
 // longest.
-Curve curve_of(const std::vector<Repeats>& all, const std::vector<int>& samples) {
+ErrorCurve curve_of(const std::vector<Repeats>& all, const std::vector<int>& samples) {
   const double shortest = median(all.front().seconds), longest = median(all.back().seconds);
   const double slope = (longest - shortest) / (samples.back() - samples.front());
-  Curve curve;
+  ErrorCurve curve;
   curve.fixed_seconds = std::max(shortest - slope * samples.front(), 0.0);
   for (std::size_t k = 1; k < samples.size(); ++k) {
     ErrorAfter point{samples[k], median(all[k].seconds) - curve.fixed_seconds, {}};

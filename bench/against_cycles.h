@@ -47,14 +47,14 @@ struct ErrorAfter {
   std::vector<Mean> errors;  // against each golden
 };
 
-struct Curve {
+struct ErrorCurve {
   std::vector<ErrorAfter> points;
   double fixed_seconds = 0;  // of a render, besides its samples
 };
 
 struct Comparison {
   std::vector<Golden> goldens;
-  std::vector<Curve> curves;  // of each contender
+  std::vector<ErrorCurve> curves;  // of each contender
 };
 
 // All contenders by turns; seeds differ everywhere. `golden_of`: the contenders whose goldens are made. `progress`

@@ -54,7 +54,7 @@ std::string region_table(const SceneReport& report) {
 }
 
 // The time for the same error, of the first curve as 1: the mean of error^2 x seconds.
-double cost(const Curve& curve) {
+double cost(const ErrorCurve& curve) {
   double sum = 0;
   for (const ErrorAfter& point : curve.points) {
     sum += point.errors[0].value * point.errors[0].value * point.cpu_seconds;
@@ -69,7 +69,7 @@ std::string error_table(const SceneReport& report) {
     return fmt::format("{:.2f} \u00b1 {:.2f} %", 100 * m.value, 100 * m.error);
   };
   for (std::size_t i = 0; i < report.titles.size(); ++i) {
-    const Curve& curve = report.comparison.curves[i];
+    const ErrorCurve& curve = report.comparison.curves[i];
     for (const ErrorAfter& point : curve.points) {
       text += fmt::format("  {:<28}{:>6}{:>10.3f}{:>20}{:>22}\n", report.titles[i], point.samples,
                           point.cpu_seconds, percent(point.errors[0]), percent(point.errors[1]));

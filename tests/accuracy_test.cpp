@@ -130,8 +130,8 @@ TEST(Slope, knows_its_error) {
 }
 
 // Of a method with this error for one sample, and this time of one sample.
-Curve curve_of(double error, double seconds) {
-  Curve curve;
+MethodCurve curve_of(double error, double seconds) {
+  MethodCurve curve;
   curve.error2_second = {error * error * seconds, .01 * error * error * seconds};
   curve.error2_ray = {error * error, .01 * error * error};
   return curve;
@@ -146,7 +146,7 @@ TEST(Factors, are_of_time_at_equal_error_and_of_error_at_equal_time) {
   EXPECT_NEAR(f.time.error, .25 * .01 * std::sqrt(2), 1e-6);
   const Factors back = factors(curve_of(1, 3), curve_of(.5, 3));
   EXPECT_NEAR(f.time.value * back.time.value, 1, 1e-12);
-  const std::vector<Curve> curves{curve_of(1, 3), curve_of(.5, 3), curve_of(.5, 4)};
+  const std::vector<MethodCurve> curves{curve_of(1, 3), curve_of(.5, 3), curve_of(.5, 4)};
   EXPECT_EQ(&fastest(curves), &curves[1]);
 }
 
@@ -178,13 +178,13 @@ pt::View view_of(const pt::Scene& scene) {
   return {scene, camera, {}, 20, 15};
 }
 
-constexpr Effort kEffort{1, 256};
+constexpr StudyLimits kLimits{1, 256};
 constexpr double kErrors = 5;
 constexpr double kOfWeights = .05;  // for the noise of g, by which errors are divided
 
 TEST(Study, what_few_bounces_leave_out_is_found) {
   const pt::Scene scene = furnace();
-  const Study study(view_of(scene), 2, 6, kEffort, {});
+  const Study study(view_of(scene), 2, 6, kLimits, {});
   for (int m = 0; m <= 10; ++m) {
     const double missing = std::pow(2, -m) / (2 + .01);
     const Uncertain& found = study.bias2()[m];
@@ -200,7 +200,7 @@ TEST(Study, what_few_bounces_leave_out_is_found) {
 // directions, whose mean is 1/2 and whose variance is 1/12. All that is missing after one bounce is 1/2.
 TEST(Study, noise_and_bias_of_a_picture_are_those_of_the_closed_form) {
   const pt::Scene scene = furnace();
-  Study study(view_of(scene), 2, 7, kEffort, {});
+  Study study(view_of(scene), 2, 7, kLimits, {});
   const Way way{pt::PathSettings::Direct::hemisphere, 1, 1};
   const double weight = 1 / (2.01 * 2.01);
   for (const Tried& tried : study.try_out(way, {1, 3})) {
@@ -222,7 +222,7 @@ TEST(Study, noise_and_bias_of_a_picture_are_those_of_the_closed_form) {
 // Measured against a picture of as many bounces, a picture has no bias.
 TEST(Study, its_golden_may_have_fewer_bounces) {
   const pt::Scene scene = furnace();
-  Study study(view_of(scene), 2, 9, kEffort, {}, 2);
+  Study study(view_of(scene), 2, 9, kLimits, {}, 2);
   const auto bias2 = [&](int bounces) {
     return study.try_out({pt::PathSettings::Direct::hemisphere, bounces, 1}, {4})[0].bias2;
   };
@@ -373,7 +373,7 @@ Worker made_up(double deviation, double bias, double seconds) {
 
 TEST(Ladder, turns_measure_noise_bias_and_time) {
   const pt::Scene scene = furnace();
-  Study study(view_of(scene), 2, 10, kEffort, {});
+  Study study(view_of(scene), 2, 10, kLimits, {});
   const std::vector<Worker> workers{made_up(.3, 0, 2e-6), made_up(.1, .2, 1e-6)};
   const std::vector<RungTurns> turns =
       take_turns(workers, {study, 11, 1, [](double part) { EXPECT_LE(part, 1); }});

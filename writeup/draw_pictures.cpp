@@ -217,24 +217,26 @@ class Artist {
   void add_table() {
     if (errors_.empty()) return;
     drawn_.columns = {"", "seconds", "error", "time for the error of the best"};
-    const auto cost = [](const Measured& each) { return each.seconds * each.error * each.error; };
+    const auto cost = [](const PictureCost& each) {
+      return each.seconds * each.error * each.error;
+    };
     double best = INFINITY;
-    for (const Measured& each : errors_) best = std::min(best, cost(each));
-    for (const Measured& each : errors_) {
+    for (const PictureCost& each : errors_) best = std::min(best, cost(each));
+    for (const PictureCost& each : errors_) {
       const double factor = cost(each) / best;
       drawn_.rows.push_back({each.label, short_number(each.seconds),
                              short_number(100 * each.error) + " %",
                              factor == 1 ? "1" : short_number(factor) + " times"});
     }
     for (const Shown& shown : drawn_.pictures) {
-      for (const Measured& each : errors_) {
+      for (const PictureCost& each : errors_) {
         if (each.label != shown.label) continue;
         drawn_.numbers[shown.id + ".factor"] = short_number(cost(each) / best);
       }
     }
   }
 
-  struct Measured {
+  struct PictureCost {
     std::string label;
     double seconds, error;
   };
@@ -246,7 +248,7 @@ class Artist {
   std::optional<Composed> golden_;
   float low_ = 0, high_ = 0;
   std::vector<float> first_rates_;
-  std::vector<Measured> errors_;
+  std::vector<PictureCost> errors_;
   Drawn drawn_;
 };
 

@@ -45,8 +45,8 @@ double one_case(const Curve& curve, double place, const rc::Random& random) {
   return rc::gen::exec([&] { return curve.measure(place); })(random, rc::kNominalSize).value();
 }
 
-Measured measure_place(const Curve& curve, double place, rc::Random& random, int cases) {
-  Measured measured;
+MeasuredPlace measure_place(const Curve& curve, double place, rc::Random& random, int cases) {
+  MeasuredPlace measured;
   measured.place = place;
   std::vector<double> errors;
   const auto nothing = [&](const std::string& reason) {
@@ -71,11 +71,11 @@ Measured measure_place(const Curve& curve, double place, rc::Random& random, int
 
 }  // namespace
 
-std::vector<Measured> measure(const Curve& curve, const CurveSettings& settings,
-                              const std::function<void()>& begin) {
+std::vector<MeasuredPlace> measure(const Curve& curve, const CurveSettings& settings,
+                                   const std::function<void()>& begin) {
   const int cases = std::max(1, static_cast<int>(std::lround(curve.cases * settings.effort)));
   rc::Random random(settings.seed);
-  std::vector<Measured> all;
+  std::vector<MeasuredPlace> all;
   for (std::size_t i = 0; i < curve.places.size(); ++i) {
     rc::Random of_place = random.split();  // the same whatever happened at other places
     if (settings.coarse && i % kCoarse != 0) continue;

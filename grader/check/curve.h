@@ -55,7 +55,7 @@ struct Curve {
 };
 
 // The measurement at one place.
-struct Measured {
+struct MeasuredPlace {
   double place = 0;
   double error = 0;    // NaN if no case has given a number
   int cases = 0;       // that were tried
@@ -70,8 +70,8 @@ struct CurveSettings {
 };
 
 // `begin` is called before each place.
-std::vector<Measured> measure(const Curve& curve, const CurveSettings& settings,
-                              const std::function<void()>& begin);
+std::vector<MeasuredPlace> measure(const Curve& curve, const CurveSettings& settings,
+                                   const std::function<void()>& begin);
 
 struct NamedCurve {
   std::string name;

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 // NaN becomes null.
-json to_json(const check::Measured& at) {
+json to_json(const check::MeasuredPlace& at) {
   return {{"place", at.place},
           {"error", at.error},
           {"cases", at.cases},
@@ -20,7 +20,7 @@ json to_json(const check::Measured& at) {
           {"reason", at.reason}};
 }
 
-json to_json(const check::NamedCurve& named, const std::vector<check::Measured>& measured) {
+json to_json(const check::NamedCurve& named, const std::vector<check::MeasuredPlace>& measured) {
   const check::Curve& curve = named.curve;
   json all{{"name", named.name},     {"title", curve.title},   {"input", curve.input},
            {"error", curve.error},   {"source", curve.source}, {"methods", json::array()},
@@ -34,7 +34,7 @@ json to_json(const check::NamedCurve& named, const std::vector<check::Measured>&
     all["methods"].push_back(
         {{"file", method.file}, {"title", method.title}, {"single", method.single}});
   }
-  for (const check::Measured& at : measured) {
+  for (const check::MeasuredPlace& at : measured) {
     all["places"].push_back(to_json(at));
     if (curve.theory) all["places"].back()["theory"] = curve.theory(at.place);
   }

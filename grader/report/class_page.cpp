@@ -89,11 +89,11 @@ data distribution(const std::vector<int>& points, int most) {
 }
 
 // The numbers of submissions and problems, their time, and the distribution of points.
-void set_sums(data& out, const std::vector<ClassPage::Line>& lines) {
+void set_sums(data& out, const std::vector<ClassPage::Entry>& lines) {
   int most = 0;
   double seconds = 0;
   std::vector<int> points;
-  for (const ClassPage::Line& line : lines) {
+  for (const ClassPage::Entry& line : lines) {
     if (!line.row.problem.empty()) continue;
     most = std::max(most, line.sums.max_points);
     seconds += line.seconds;
@@ -109,7 +109,7 @@ void set_sums(data& out, const std::vector<ClassPage::Line>& lines) {
   out.set("distribution", distribution(points, most));
 }
 
-data cell_data(const ClassPage::Line& line, const std::string& slug) {
+data cell_data(const ClassPage::Entry& line, const std::string& slug) {
   const auto found = line.tasks.find(slug);
   const bool asked = found != line.tasks.end();
   data cell;
@@ -120,7 +120,7 @@ data cell_data(const ClassPage::Line& line, const std::string& slug) {
   return cell;
 }
 
-data row_data(const ClassPage::Line& line, const std::vector<std::string>& tasks) {
+data row_data(const ClassPage::Entry& line, const std::vector<std::string>& tasks) {
   const bool judged = line.row.problem.empty();
   const results::Totals& sums = line.sums;
   data row, cells{data::type::list};
@@ -142,7 +142,7 @@ data row_data(const ClassPage::Line& line, const std::vector<std::string>& tasks
 }  // namespace
 
 void ClassPage::add(const ClassRow& row, const results::Results& exact) {
-  Line line{row, {}, {}, 0};
+  Entry line{row, {}, {}, 0};
   if (row.problem.empty()) {
     const results::Results results = results::presentable(exact);
     line.sums = results::totals(results.tasks);
@@ -180,9 +180,9 @@ void ClassPage::count(const results::TaskResult& task) {
 }
 
 std::string ClassPage::to_html() const {
-  std::vector<Line> lines = lines_;
+  std::vector<Entry> lines = lines_;
   std::sort(lines.begin(), lines.end(),
-            [](const Line& a, const Line& b) { return a.row.name < b.row.name; });
+            [](const Entry& a, const Entry& b) { return a.row.name < b.row.name; });
   data promises, pictures;
   promises.set("anchor", "promises");
   promises.set("heading", "Promises that are hard to keep");
@@ -199,7 +199,7 @@ std::string ClassPage::to_html() const {
   add_counts(counts, pictures_, pictures);
   data out, tasks{data::type::list}, rows{data::type::list};
   for (const std::string& slug : tasks_) tasks.push_back(data{"slug", slug});
-  for (const Line& line : lines) rows.push_back(row_data(line, tasks_));
+  for (const Entry& line : lines) rows.push_back(row_data(line, tasks_));
   out.set("style", std::string(page_css));
   out.set("script", std::string(class_js));
   set_sums(out, lines);

@@ -36,7 +36,7 @@ class ClassPage {
     int judged = 0;
     int right = 0;
   };
-  struct Line {
+  struct Entry {
     ClassRow row;
     results::Totals sums;
     std::map<std::string, results::State> tasks;  // by slug
@@ -48,7 +48,7 @@ class ClassPage {
  private:
   void count(const results::TaskResult& task);
 
-  std::vector<Line> lines_;
+  std::vector<Entry> lines_;
   std::vector<std::string> tasks_;  // slugs, in the order of the course
   Counts promises_, pictures_;
   std::map<Key, int> mistakes_;  // by task and sentence

@@ -34,7 +34,7 @@ TEST(curve, statistics_of_known_numbers) {
   for (const auto& [statistic, value] : known) {
     const auto measured = measure(curve_of(statistic, 9, counted(9)), {}, nothing);
     ASSERT_EQ(measured.size(), 3U);
-    for (const Measured& at : measured) {
+    for (const MeasuredPlace& at : measured) {
       EXPECT_DOUBLE_EQ(at.error, at.place * value);
       EXPECT_EQ(at.cases, 9);
       EXPECT_EQ(at.without, 0);
@@ -52,7 +52,7 @@ TEST(curve, cases_without_a_number_are_counted_apart) {
                                            return place;
                                          }),
                                 {}, nothing);
-  for (const Measured& at : measured) {
+  for (const MeasuredPlace& at : measured) {
     EXPECT_EQ(at.error, at.place);
     EXPECT_EQ(at.cases, 30);
     EXPECT_EQ(at.without, 20);
@@ -70,7 +70,7 @@ TEST(curve, a_place_without_any_number_ends_soon) {
                                          }),
                                 {}, nothing);
   EXPECT_LT(n, 300);
-  for (const Measured& at : measured) {
+  for (const MeasuredPlace& at : measured) {
     EXPECT_TRUE(std::isnan(at.error));
     EXPECT_EQ(at.cases, at.without);
   }

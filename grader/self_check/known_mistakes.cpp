@@ -40,7 +40,7 @@ struct Options {
 // The project's own demands: parts of the solutions, in [0, 1].
 constexpr double kMinNamed = 0.8, kMaxLeftOut = 0.02;
 
-using All = std::map<std::string, std::vector<std::pair<Kept, Measured>>>;  // by slug
+using All = std::map<std::string, std::vector<std::pair<Kept, MeasuredSolution>>>;  // by slug
 
 // The reference and all others; or a few of each kind, always the same.
 std::vector<Kept> chosen(const judge::Config& config, const judge::TaskConfig& task, int each) {
@@ -65,7 +65,7 @@ All measure_all(const judge::Config& config, const judge::GradeRequest& request,
     if (!asked) continue;
     for (Kept& each : chosen(config, task, options.each)) kept.push_back(std::move(each));
   }
-  std::vector<Measured> measured(kept.size());
+  std::vector<MeasuredSolution> measured(kept.size());
   std::atomic<int> ended = 0;
   base::for_each(kept.size(), options.threads, [&](std::size_t i) {
     measured[i] = measure(config, request, kept[i], fs::absolute(options.store));
@@ -79,7 +79,7 @@ All measure_all(const judge::Config& config, const judge::GradeRequest& request,
   return all;
 }
 
-mistakes::KnownTask known_of(const std::vector<std::pair<Kept, Measured>>& solutions) {
+mistakes::KnownTask known_of(const std::vector<std::pair<Kept, MeasuredSolution>>& solutions) {
   mistakes::KnownTask task;
   for (const auto& [kept, measured] : solutions) {
     if (kept.kind == "reference") {

@@ -76,7 +76,8 @@ std::map<std::string, bool> promises_at(const judge::Trial& trial, const std::st
   return held;
 }
 
-void measure_promises(const judge::Trial& trial, const std::string& report, Measured& measured) {
+void measure_promises(const judge::Trial& trial, const std::string& report,
+                      MeasuredSolution& measured) {
   std::map<std::string, int> broken;
   measured.trial.broken.clear();
   measured.trial.kept.clear();
@@ -96,10 +97,10 @@ void measure_promises(const judge::Trial& trial, const std::string& report, Meas
   }
 }
 
-Measured read_stored(const std::string& path) {
+MeasuredSolution read_stored(const std::string& path) {
   if (!fs::exists(path)) return {};
   const json from = json::parse(base::read_file(path));
-  Measured measured;
+  MeasuredSolution measured;
   from.at("source").get_to(measured.source);
   from.at("battery").get_to(measured.battery);
   from.at("properties").get_to(measured.properties);
@@ -112,7 +113,7 @@ Measured read_stored(const std::string& path) {
   return measured;
 }
 
-void store_measured(const std::string& path, const Measured& measured) {
+void store_measured(const std::string& path, const MeasuredSolution& measured) {
   const json all{{"source", measured.source},
                  {"battery", measured.battery},
                  {"properties", measured.properties},
@@ -161,10 +162,10 @@ std::vector<Kept> kept_solutions(const judge::Config& config, const judge::TaskC
   return all;
 }
 
-Measured measure(const judge::Config& shared, const judge::GradeRequest& request, const Kept& kept,
-                 const std::string& store) {
+MeasuredSolution measure(const judge::Config& shared, const judge::GradeRequest& request,
+                         const Kept& kept, const std::string& store) {
   const std::string path = store + "/" + kept.key() + ".json";
-  Measured measured = read_stored(path);
+  MeasuredSolution measured = read_stored(path);
   const std::string source = base::sha256(kept.text).substr(0, 16);
   const std::string battery = battery_hash(shared.root, kept.task->slug);
   const std::string properties = properties_hash(shared.root, kept.task->slug);

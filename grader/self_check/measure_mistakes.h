@@ -26,7 +26,7 @@ std::vector<Kept> kept_solutions(const judge::Config& config, const judge::TaskC
                                  const std::vector<std::string>& kinds);
 
 // The measurements of one of them.
-struct Measured {
+struct MeasuredSolution {
   std::string source, battery, properties;  // hashes of what it depends on
   mistakes::Answers answers;                // with many draws
   mistakes::Evidence
@@ -36,8 +36,8 @@ struct Measured {
 
 // Resumable: a measurement in the folder `store` that depends on nothing that changed is not made
 // again. Throws pt::Error if the solution does not compile or link, or the audit rejects it.
-Measured measure(const judge::Config& config, const judge::GradeRequest& request, const Kept& kept,
-                 const std::string& store);
+MeasuredSolution measure(const judge::Config& config, const judge::GradeRequest& request,
+                         const Kept& kept, const std::string& store);
 
 // The hashes of what asks: the battery of a task; and its properties.
 std::string battery_hash(const std::string& root, const std::string& slug);

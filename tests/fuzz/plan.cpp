@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string path = folder.path() + "/plan.json";
   pt::write_file(path, fuzz::as_text(bytes, size));
   try {
-    const Plan plan = read_plan(folder.path());
+    const ClassPlan plan = read_plan(folder.path());
     for (const auto& by : plan.everybody) {
       fuzz::expect(!by.name.empty() && by.name.find('/') == by.name.npos && by.name != "..");
     }

@@ -88,7 +88,7 @@ void run_converge(const Call& call) {
   const std::vector<Method> methods = methods_in(loaded.scene, options.bounces, options.engine);
   expect_method(methods, options.beside);
   Measuring scene(std::move(loaded), call, options.bounces);
-  const std::vector<Curve> curves = find_curves(scene.study, scene.view, methods);
+  const std::vector<MethodCurve> curves = find_curves(scene.study, scene.view, methods);
   scene.progress.clear();
   fmt::print("{}", to_text(curves, options));
   if (!options.out.empty()) write_curves(curves, options, scene.study.cpu_seconds());

@@ -43,15 +43,15 @@ plot "noise.csv" using 1:2:3 skip 1 with yerrorbars lc rgb "#1b5288" pt 7 ps .6 
 )gp";
 
 // A line of the chart: a way with its numbers of light samples.
-struct Curve {
+struct ChartLine {
   std::string title;
   const Option* option;
   int light_samples;
   std::string color;
 };
 
-std::vector<Curve> curves(const Answer& answer) {
-  std::vector<Curve> all;
+std::vector<ChartLine> curves(const Answer& answer) {
+  std::vector<ChartLine> all;
   const auto add = [&](const std::string& what, const Option& option, const char* ink) {
     if (option.choice) all.push_back({what, &option, option.choice->light_samples, ink});
   };
@@ -72,7 +72,7 @@ std::vector<Curve> curves(const Answer& answer) {
 void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
   std::string csv = "title,light_samples,samples,seconds,error\n", plot;
   int block = 0;
-  for (const Curve& curve : curves(answer)) {
+  for (const ChartLine& curve : curves(answer)) {
     const SampleModel& model = curve.option->model;
     if (block > 0) csv += "\n\n";
     for (int s = kFewestSamples; s <= 1 << 14; s *= 2) {

@@ -36,7 +36,7 @@ Uncertain product(const Uncertain& error, double cost) {
   return {error.value * error.value * cost, 2 * error.error * error.value * cost};
 }
 
-void add_products(Curve& curve) {
+void add_products(MethodCurve& curve) {
   std::vector<Uncertain> seconds, rays;
   for (const Checked& point : curve.points) {
     seconds.push_back(product(point.error, point.seconds));
@@ -46,8 +46,8 @@ void add_products(Curve& curve) {
   curve.error2_ray = combined(rays);
 }
 
-Curve measured(Study& study, const Method& method, double part) {
-  Curve curve{method, {}, {}, {}, {}, false};
+MethodCurve measured(Study& study, const Method& method, double part) {
+  MethodCurve curve{method, {}, {}, {}, {}, false};
   const Tried tried = study.try_out(method.way, {method.light_samples})[0];
   curve.heavy_tails = tried.variance.error > kHeavy * tried.variance.value;
   const pt::PathSettings path = path_of(method.way, method.light_samples);
@@ -65,11 +65,12 @@ Curve measured(Study& study, const Method& method, double part) {
 }
 
 // The same pictures as those of the first curve, at the times of another engine.
-Curve by_engine(Study& study, const pt::View& view, const Method& method, const Curve& first) {
+MethodCurve by_engine(Study& study, const pt::View& view, const Method& method,
+                      const MethodCurve& first) {
   pt::Scene other = view.scene;
   choose_engine(other, *method.engine, kMaxLeaf);
   const Uncertain factor = study.times_as_long(other, method.way, method.light_samples);
-  Curve curve = first;
+  MethodCurve curve = first;
   curve.method = method;
   for (Checked& point : curve.points) point.seconds *= factor.value;
   add_products(curve);
@@ -153,28 +154,29 @@ void expect_method(const std::vector<Method>& methods, const std::string& title)
                               fmt::join(titles, "\", \"")));
 }
 
-std::vector<Curve> find_curves(Study& study, const pt::View& view,
-                               const std::vector<Method>& methods) {
-  std::vector<Curve> curves;
+std::vector<MethodCurve> find_curves(Study& study, const pt::View& view,
+                                     const std::vector<Method>& methods) {
+  std::vector<MethodCurve> curves;
   for (const Method& method : methods) {
     const double part = kTime / 2 / static_cast<double>(methods.size());
-    Curve curve =
+    MethodCurve curve =
         method.engine ? by_engine(study, view, method, curves[0]) : measured(study, method, part);
     if (is_written(method)) curves.push_back(std::move(curve));
   }
   return curves;
 }
 
-Factors factors(const Curve& curve, const Curve& beside) {
+Factors factors(const MethodCurve& curve, const MethodCurve& beside) {
   const Uncertain time = ratio(curve.error2_second, beside.error2_second);
   const double root = std::sqrt(time.value);
   return {time, {root, time.error / (2 * root)}, ratio(curve.error2_ray, beside.error2_ray)};
 }
 
-const Curve& fastest(const std::vector<Curve>& curves) {
-  return *std::min_element(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
-    return a.error2_second.value < b.error2_second.value;
-  });
+const MethodCurve& fastest(const std::vector<MethodCurve>& curves) {
+  return *std::min_element(curves.begin(), curves.end(),
+                           [](const MethodCurve& a, const MethodCurve& b) {
+                             return a.error2_second.value < b.error2_second.value;
+                           });
 }
 
 }  // namespace writeup::accuracy

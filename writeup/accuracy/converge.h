@@ -21,7 +21,7 @@ struct Method {
 };
 
 // Its pictures, from few samples to many.
-struct Curve {
+struct MethodCurve {
   Method method;
   std::vector<Checked> points;
   Uncertain slope;           // of log error over log samples; -1/2 where samples are independent
@@ -38,8 +38,8 @@ void expect_method(const std::vector<Method>& methods, const std::string& title)
 
 // A curve for each method that is written: those of the engines have the errors of the first, at times
 // of their own.
-std::vector<Curve> find_curves(Study& study, const pt::View& view,
-                               const std::vector<Method>& methods);
+std::vector<MethodCurve> find_curves(Study& study, const pt::View& view,
+                                     const std::vector<Method>& methods);
 
 // The slope of log error over log samples of these points, by least squares.
 Uncertain slope_of(const std::vector<Checked>& points);
@@ -50,10 +50,10 @@ struct Factors {
   Uncertain error;  // at the same time: times as large
   Uncertain rays;   // for the same error: times as many
 };
-Factors factors(const Curve& curve, const Curve& beside);
+Factors factors(const MethodCurve& curve, const MethodCurve& beside);
 
 // The method with the least time for the same error.
-const Curve& fastest(const std::vector<Curve>& curves);
+const MethodCurve& fastest(const std::vector<MethodCurve>& curves);
 
 // The tolerances, or numbers of samples, of a curve's points.
 inline constexpr int kSamples[] = {4, 16, 64, 256};
@@ -62,10 +62,11 @@ inline constexpr int kMostAdaptive = 4096;
 inline constexpr int kBatch = 16;
 
 // A table for a terminal, beside options.beside.
-std::string to_text(const std::vector<Curve>& curves, const Options& options);
+std::string to_text(const std::vector<MethodCurve>& curves, const Options& options);
 
 // Writes into options.out: converge.csv, factors.csv (any method beside any other), converge.json, and three charts where there
 // is gnuplot: error over samples, seconds and rays.
-void write_curves(const std::vector<Curve>& curves, const Options& options, double cpu_seconds);
+void write_curves(const std::vector<MethodCurve>& curves, const Options& options,
+                  double cpu_seconds);
 
 }  // namespace writeup::accuracy

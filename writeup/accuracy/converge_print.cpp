@@ -16,12 +16,12 @@ using Direct = pt::PathSettings::Direct;
 std::string percent(double part) { return fmt::format("{:.3g} %", 100 * part); }
 
 // A method with another number of samples in each pixel has no slope.
-std::string slope_text(const Curve& curve) {
+std::string slope_text(const MethodCurve& curve) {
   if (curve.method.adaptive) return fmt::format("{:>14}", "-");
   return fmt::format("{:>6.3f} \u00b1 {:.3f}", curve.slope.value, curve.slope.error);
 }
 
-std::string row(const Curve& curve, const Curve& beside) {
+std::string row(const MethodCurve& curve, const MethodCurve& beside) {
   std::string text = fmt::format("  {:<35}", curve.method.title);
   for (const Checked& point : curve.points) {
     text += fmt::format("{:>9}", percent(point.error.value));
@@ -31,8 +31,8 @@ std::string row(const Curve& curve, const Curve& beside) {
                             against.error.value, curve.heavy_tails ? "  heavy tails" : "");
 }
 
-const Curve& beside_which(const std::vector<Curve>& curves, const Options& options) {
-  for (const Curve& curve : curves) {
+const MethodCurve& beside_which(const std::vector<MethodCurve>& curves, const Options& options) {
+  for (const MethodCurve& curve : curves) {
     if (curve.method.title == options.beside) return curve;
   }
   return fastest(curves);
@@ -51,7 +51,7 @@ plot {}
 )gp";
 
 // Blue: light sampling; green: other chances of survival; red: hemisphere sampling; black: adaptive.
-std::string plot(const std::vector<Curve>& curves, int column) {
+std::string plot(const std::vector<MethodCurve>& curves, int column) {
   std::string text;
   int used[3] = {0, 0, 0};
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -73,12 +73,12 @@ std::string plot(const std::vector<Curve>& curves, int column) {
   return text;
 }
 
-void write_factors(const std::vector<Curve>& curves, const std::filesystem::path& file) {
+void write_factors(const std::vector<MethodCurve>& curves, const std::filesystem::path& file) {
   std::string csv =
       "method,beside,time_for_the_same_error,error_of_it,error_at_the_same_time,error_of_it,"
       "rays_for_the_same_error,error_of_it\n";
-  for (const Curve& curve : curves) {
-    for (const Curve& other : curves) {
+  for (const MethodCurve& curve : curves) {
+    for (const MethodCurve& other : curves) {
       const Factors f = factors(curve, other);
       csv += fmt::format("\"{}\",\"{}\",{:.5g},{:.3g},{:.5g},{:.3g},{:.5g},{:.3g}\n",
                          curve.method.title, other.method.title, f.time.value, f.time.error,
@@ -90,8 +90,8 @@ void write_factors(const std::vector<Curve>& curves, const std::filesystem::path
 
 }  // namespace
 
-std::string to_text(const std::vector<Curve>& curves, const Options& options) {
-  const Curve& beside = beside_which(curves, options);
+std::string to_text(const std::vector<MethodCurve>& curves, const Options& options) {
+  const MethodCurve& beside = beside_which(curves, options);
   std::string text = fmt::format(
       "{}, {} x {} pixels, at most {} bounces: the error; and time for the same error, error at "
       "the "
@@ -100,7 +100,7 @@ std::string to_text(const std::vector<Curve>& curves, const Options& options) {
       "");
   for (const int samples : kSamples) text += fmt::format("{:>9}", fmt::format("s = {}", samples));
   text += fmt::format("  {:>14} {:>8} {:>8}\n", "slope", "time", "error");
-  for (const Curve& curve : curves) text += row(curve, beside);
+  for (const MethodCurve& curve : curves) text += row(curve, beside);
   text += fmt::format(
       "\nAdaptive sampling: batches of {}, at most {} samples, tolerances {:g}, {:g}, {:g}, {:g} "
       "in place of s.\n"
@@ -110,7 +110,8 @@ std::string to_text(const std::vector<Curve>& curves, const Options& options) {
   return text;
 }
 
-void write_curves(const std::vector<Curve>& curves, const Options& options, double cpu_seconds) {
+void write_curves(const std::vector<MethodCurve>& curves, const Options& options,
+                  double cpu_seconds) {
   const std::filesystem::path& folder = options.out;
   const double pixels = static_cast<double>(options.width) * options.height;
   std::string csv = "method,light_samples,samples,seconds,rays,error,error_of_it\n";

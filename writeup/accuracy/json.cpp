@@ -31,7 +31,7 @@ json of(const Option& option, const Option& best, double pixels) {
           {"times", option.choice->seconds / best.choice->seconds}};
 }
 
-json of(const Curve& curve, double pixels) {
+json of(const MethodCurve& curve, double pixels) {
   json points = json::array();
   for (const Checked& point : curve.points) points.push_back(of(point, pixels));
   return {{"id", curve.method.id},
@@ -93,14 +93,14 @@ json to_json(const Answer& answer, int surfaces, double pixels) {
   return out;
 }
 
-json to_json(const std::vector<Curve>& curves, double pixels, double cpu_seconds) {
+json to_json(const std::vector<MethodCurve>& curves, double pixels, double cpu_seconds) {
   json all{{"pixels", pixels},
            {"cpu_seconds", cpu_seconds},
            {"fastest", fastest(curves).method.id},
            {"curves", json::array()}};
-  for (const Curve& curve : curves) {
+  for (const MethodCurve& curve : curves) {
     all["curves"].push_back(of(curve, pixels));
-    for (const Curve& other : curves) {
+    for (const MethodCurve& other : curves) {
       all["curves"].back()["beside"][other.method.id] = of(factors(curve, other));
     }
   }

@@ -11,6 +11,6 @@
 namespace writeup::accuracy {
 
 nlohmann::json to_json(const Answer& answer, int surfaces, double pixels);
-nlohmann::json to_json(const std::vector<Curve>& curves, double pixels, double cpu_seconds);
+nlohmann::json to_json(const std::vector<MethodCurve>& curves, double pixels, double cpu_seconds);
 
 }  // namespace writeup::accuracy

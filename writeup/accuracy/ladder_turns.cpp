@@ -36,11 +36,11 @@ double seconds_of_all(const std::vector<Worker>& workers, Turning& turning) {
 }
 
 // The noise and the bias of each pixel, summed over the turns.
-struct PixelNoise {
+struct TurnSums {
   std::vector<double> sum, squares;  // of half the squared differences, weighted
   std::vector<double> bias;          // of the products with the long renders
 
-  explicit PixelNoise(std::size_t pixels) : sum(pixels), squares(pixels), bias(pixels) {}
+  explicit TurnSums(std::size_t pixels) : sum(pixels), squares(pixels), bias(pixels) {}
 
   void add(const Study& study, const RungReply& a, const RungReply& b, std::size_t step) {
     const std::vector<double> products = study.products(a.mean, b.mean, step);
@@ -96,7 +96,7 @@ std::vector<RungTurns> take_turns(const std::vector<Worker>& workers, Turning tu
   const std::size_t step = step_for(turning, std::max(wanted, kFewestSeen));
   const std::size_t pixels = (pixels_of(turning) + step - 1) / step;
   std::vector<RungTurns> results(workers.size());
-  std::vector<PixelNoise> noise(workers.size(), PixelNoise(pixels));
+  std::vector<TurnSums> noise(workers.size(), TurnSums(pixels));
   for (int turn = 0; turn < kTurns; ++turn) {
     std::vector<double> seconds;
     for (std::size_t k = 0; k < workers.size(); ++k) {

@@ -23,7 +23,7 @@ std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint6
   return pixels;
 }
 
-long long Measured::all_samples() const {
+long long RenderedPixels::all_samples() const {
   return std::accumulate(samples.begin(), samples.end(), 0LL);
 }
 

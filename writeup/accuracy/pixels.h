@@ -26,7 +26,7 @@ std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint6
 //   boxed  (pixels_boxed.cpp), by the worker of a submission, in its box: one thread.
 
 // The results of some pixels, all of luminance.
-struct Measured {
+struct RenderedPixels {
   std::vector<double> mean;      // of each pixel
   std::vector<double> variance;  // of one sample, unbiased; of each pixel
   std::vector<int> samples;      // of each pixel
@@ -35,8 +35,8 @@ struct Measured {
 
   long long all_samples() const;
 };
-Measured measure(const pt::View& view, const pt::RenderSettings& settings,
-                 std::span<const PixelAt> pixels);
+RenderedPixels measure(const pt::View& view, const pt::RenderSettings& settings,
+                       std::span<const PixelAt> pixels);
 
 // The tasks that were called so far and are not written yet.
 std::vector<std::string> unwritten_tasks();

@@ -62,10 +62,10 @@ void open_boxed(const Boxed& boxed, pt::Engine engine) {
   open_worker(boxed.worker, boxed.tier, kCallLimit);
 }
 
-Measured measure(const pt::View& view, const pt::RenderSettings& settings,
-                 std::span<const PixelAt> pixels) {
-  Measured result{std::vector<double>(pixels.size()), std::vector<double>(pixels.size()),
-                  std::vector<int>(pixels.size())};
+RenderedPixels measure(const pt::View& view, const pt::RenderSettings& settings,
+                       std::span<const PixelAt> pixels) {
+  RenderedPixels result{std::vector<double>(pixels.size()), std::vector<double>(pixels.size()),
+                        std::vector<int>(pixels.size())};
   const double before = worker_seconds();
   const long long rays_before = rays_so_far();
   make_pieces(view, request_of(settings), pixels,

@@ -13,10 +13,10 @@ long long rays_so_far() { return pt::rays_traced().closest + pt::rays_traced().o
 
 }  // namespace
 
-Measured measure(const pt::View& view, const pt::RenderSettings& settings,
-                 std::span<const PixelAt> pixels) {
-  Measured result{std::vector<double>(pixels.size()), std::vector<double>(pixels.size()),
-                  std::vector<int>(pixels.size())};
+RenderedPixels measure(const pt::View& view, const pt::RenderSettings& settings,
+                       std::span<const PixelAt> pixels) {
+  RenderedPixels result{std::vector<double>(pixels.size()), std::vector<double>(pixels.size()),
+                        std::vector<int>(pixels.size())};
   std::atomic<long long> rays = 0;
   result.cpu_seconds = timed(pixels.size(), settings.threads, [&](std::size_t i) {
     const long long before = rays_so_far();

@@ -17,7 +17,7 @@ RungReply render(const RungRequest& request, const pt::LoadedScene& loaded, cons
   for (std::size_t i = request.first; i < pixels.size(); i += request.step) {
     some.push_back(pixels[i]);
   }
-  Measured measured = measure(view, request.render, some);
+  RenderedPixels measured = measure(view, request.render, some);
   const long long samples = measured.all_samples();
   return {measured.cpu_seconds, measured.rays, samples, std::move(measured.mean)};
 }

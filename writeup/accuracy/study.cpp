@@ -34,7 +34,7 @@ Uncertain mean_of_halves(const std::vector<double>& a, const std::vector<double>
   return {sum / n, std::sqrt(squares) / n};
 }
 
-Uncertain seconds_of(const Measured& a, const Measured& b) {
+Uncertain seconds_of(const RenderedPixels& a, const RenderedPixels& b) {
   const double first = a.cpu_seconds / static_cast<double>(a.all_samples());
   const double second = b.cpu_seconds / static_cast<double>(b.all_samples());
   const double mean = (first + second) / 2;
@@ -80,15 +80,15 @@ pt::PathSettings path_of(const Way& way, int light_samples) {
   return path;
 }
 
-Study::Study(const pt::View& view, int threads, std::uint64_t seed, const Effort& effort,
+Study::Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
              std::function<void(double)> progress, int bounces, Journal journal)
     : view_(view),
       threads_(threads),
       seed_(seed),
-      effort_(effort),
+      limits_(limits),
       progress_(std::move(progress)),
       journal_(std::move(journal)),
-      pixels_(spread_pixels(view.width, view.height, effort.pixels, seed)) {
+      pixels_(spread_pixels(view.width, view.height, limits.pixels, seed)) {
   look_at_bounces(bounces);
 }
 
@@ -96,7 +96,7 @@ void Study::look_at_bounces(int bounces) {
   const pt::View view = view_of({pt::PathSettings::Direct::lights, kAllBounces, 0.7}, 1);
   const std::vector<pt::BounceRange> ranges = one_by_one();
   const int samples =
-      samples_in(kOfBounces * effort_.seconds,
+      samples_in(kOfBounces * limits_.seconds,
                  [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
                    return made_apart(view, settings, ranges, some).cpu_seconds;
                  });
@@ -128,17 +128,17 @@ std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_
   std::vector<int> samples;
   samples.reserve(light_samples.size());
   for (const int l : light_samples) {
-    samples.push_back(samples_in(kOfOneRender * effort_.seconds, view_of(way, l)));
+    samples.push_back(samples_in(kOfOneRender * limits_.seconds, view_of(way, l)));
   }
-  std::vector<Measured> halves[2];
-  for (std::vector<Measured>& half : halves) {
+  std::vector<RenderedPixels> halves[2];
+  for (std::vector<RenderedPixels>& half : halves) {
     for (std::size_t k = 0; k < samples.size(); ++k) {
       half.push_back(made(view_of(way, light_samples[k]), next_render(samples[k] / 2), pixels_));
     }
   }
   std::vector<Tried> tried;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    const Measured &a = halves[0][k], &b = halves[1][k];
+    const RenderedPixels &a = halves[0][k], &b = halves[1][k];
     tried.push_back({light_samples[k], mean_of_halves(a.variance, b.variance, weight_),
                      seconds_of(a, b), mean_of(products(a.mean, b.mean, 1)),
                      static_cast<double>(a.rays) / static_cast<double>(a.all_samples())});
@@ -148,8 +148,8 @@ std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_
 
 std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samples) {
   const pt::View view = view_of(way, light_samples);
-  const Measured measured =
-      made(view, next_render(samples_in(2 * kOfOneRender * effort_.seconds, view)), pixels_);
+  const RenderedPixels measured =
+      made(view, next_render(samples_in(2 * kOfOneRender * limits_.seconds, view)), pixels_);
   std::vector<PixelNoise> noise;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const double v = measured.variance[i], g = measured.mean[i];
@@ -160,13 +160,13 @@ std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samp
 
 Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& settings,
                      double seconds, double bias2, double part) {
-  const double fit = part * effort_.seconds * threads_ / (2 * seconds);
+  const double fit = part * limits_.seconds * threads_ / (2 * seconds);
   const std::size_t wanted = std::max<std::size_t>(kFewestPixels, static_cast<std::size_t>(fit));
   const std::size_t step = std::max<std::size_t>(1, pixels_.size() / wanted);
   const std::vector<PixelAt> some = every(step);
   const pt::View view{view_.scene, view_.camera, path, view_.width, view_.height};
-  Measured pictures[2];
-  for (Measured& picture : pictures) {
+  RenderedPixels pictures[2];
+  for (RenderedPixels& picture : pictures) {
     pt::RenderSettings render = next_render(settings.samples);
     render.adaptive = settings.adaptive;
     picture = made(view, render, some);
@@ -197,7 +197,7 @@ Uncertain Study::times_as_long(const pt::Scene& other, const Way& way, int light
   const std::vector<PixelAt> few = every(pixels_.size() / kFewestPixels);
   const double one =
       made(there, next_render(2), few).cpu_seconds / (2.0 * static_cast<double>(few.size()));
-  const double fit = kOfOneRender * effort_.seconds * threads_ / one;  // samples of pixels
+  const double fit = kOfOneRender * limits_.seconds * threads_ / one;  // samples of pixels
   const std::size_t step =
       static_cast<std::size_t>(static_cast<double>(pixels_.size()) / std::max(1.0, fit / 2));
   const std::vector<PixelAt> some = every(std::min(step, pixels_.size() / kFewestPixels));
@@ -237,7 +237,7 @@ pt::View Study::view_of(const Way& way, int light_samples) const {
 }
 
 int Study::samples_in(double seconds, const Cost& cpu_seconds) {
-  if (effort_.samples > 0) return effort_.samples;
+  if (limits_.samples > 0) return limits_.samples;
   const std::vector<PixelAt> some = every(8);
   const double one = cpu_seconds(next_render(2), some) / (2 * static_cast<double>(some.size()));
   const double fit = seconds * threads_ / (one * static_cast<double>(pixels_.size()));

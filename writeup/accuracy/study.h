@@ -54,7 +54,7 @@ inline constexpr int kMostWithoutTree = 30000;  // surfaces: more are not tried 
 inline constexpr int kAllBounces = 100;         // as trace_path takes them
 
 // The limits of a study.
-struct Effort {
+struct StudyLimits {
   double seconds = 45;  // by the wall clock, what all of it may take, about
   int samples = 0;      // per pixel of each render, even; 0: as many as there is time for
   int pixels = 10000;   // that are looked at, about
@@ -66,7 +66,7 @@ class Study {
  public:
   // `progress` is called with the part of the time that has been used. `bounces`: of the picture that
   // errors are measured against, at most kToldApart, or kAllBounces.
-  Study(const pt::View& view, int threads, std::uint64_t seed, const Effort& effort,
+  Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
         std::function<void(double)> progress, int bounces = kAllBounces, Journal journal = {});
 
   // Of all renders so far.
@@ -119,8 +119,8 @@ class Study {
   int samples_in(double seconds, const Cost& cpu_seconds);
   int samples_in(double seconds, const pt::View& view);
   // As measure() and measure_apart(), or what the journal has of them.
-  Measured made(const pt::View& view, const pt::RenderSettings& settings,
-                std::span<const PixelAt> pixels);
+  RenderedPixels made(const pt::View& view, const pt::RenderSettings& settings,
+                      std::span<const PixelAt> pixels);
   MeasuredApart made_apart(const pt::View& view, const pt::RenderSettings& settings,
                            std::span<const pt::BounceRange> ranges,
                            std::span<const PixelAt> pixels);
@@ -130,7 +130,7 @@ class Study {
   pt::View view_;
   int threads_;
   std::uint64_t seed_;
-  Effort effort_;
+  StudyLimits limits_;
   std::function<void(double)> progress_;
   Journal journal_;
   double cpu_seconds_ = 0;

@@ -21,11 +21,11 @@ std::string question_of(const pt::View& view, const pt::RenderSettings& settings
 
 }  // namespace
 
-Measured Study::made(const pt::View& view, const pt::RenderSettings& settings,
-                     std::span<const PixelAt> pixels) {
+RenderedPixels Study::made(const pt::View& view, const pt::RenderSettings& settings,
+                           std::span<const PixelAt> pixels) {
   const std::string question = question_of(view, settings, pixels.size(), 0);
   const std::size_t n = pixels.size();
-  Measured result;
+  RenderedPixels result;
   if (const auto known = journal_.next(question); known && known->size() == 3 * n + 2) {
     const double* const from = known->data();
     result.mean.assign(from, from + n);
@@ -79,7 +79,7 @@ void Study::keep(const std::string& question, const std::vector<double>& answer)
 
 void Study::advance(double cpu_seconds) {
   cpu_seconds_ += cpu_seconds;
-  if (progress_) progress_(std::min(0.99, cpu_seconds_ / threads_ / effort_.seconds));
+  if (progress_) progress_(std::min(0.99, cpu_seconds_ / threads_ / limits_.seconds));
 }
 
 }  // namespace writeup::accuracy

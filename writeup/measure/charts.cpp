@@ -27,7 +27,7 @@ plot {}
 )gp";
 
 // A candidate: one point, or one for each of several tables.
-struct Curve {
+struct ChartLine {
   std::string title;
   bool is_own = false;
   std::vector<std::array<double, 2>> points;
@@ -55,12 +55,12 @@ std::string title_of(const std::string& name) {
 }
 
 // A candidate without a finite error is in the table only.
-std::vector<Curve> curves(const About& about, const std::vector<Table>& tables) {
-  std::vector<Curve> all;
+std::vector<ChartLine> curves(const About& about, const std::vector<Table>& tables) {
+  std::vector<ChartLine> all;
   for (std::size_t i = 0; i < tables[0].rows.size(); ++i) {
     const Row& first = tables[0].rows[i];
     if (!first.problem.empty()) continue;
-    Curve curve{title_of(first.name), first.is_own, {}};
+    ChartLine curve{title_of(first.name), first.is_own, {}};
     bool is_wrong = false, is_finite = true;
     for (const Table& table : tables) {
       const Row& row = table.rows[i];
@@ -139,7 +139,7 @@ std::vector<double> ticks(const Span& span) {
 }
 
 // The reference is blue, somebody's own black and large, the others in between.
-std::string style(const Curve& curve, std::size_t number, bool lines) {
+std::string style(const ChartLine& curve, std::size_t number, bool lines) {
   const char* const how = lines ? "linespoints" : "points";
   if (curve.is_own) return fmt::format("with {} lc rgb \"#000000\" lw 2 pt 5 ps 1.4", how);
   if (number == 0)
@@ -152,7 +152,7 @@ std::string style(const Curve& curve, std::size_t number, bool lines) {
 
 void draw_one(const About& about, const std::vector<Table>& tables,
               const std::filesystem::path& folder, const std::string& name) {
-  const std::vector<Curve> all = curves(about, tables);
+  const std::vector<ChartLine> all = curves(about, tables);
   const auto front = front_points(about, tables);
   const Unit unit = unit_of(tables[0].rows[0].nanoseconds.value);
   Span times, offs;

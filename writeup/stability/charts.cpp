@@ -82,8 +82,8 @@ struct Pen {
 Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line) {
   constexpr Hue kHues[] = {Hue::red, Hue::blue, Hue::green};
   if (!is_named(charts, chart, line)) return {"#c8ccd0", 1, 1, false};
-  if (charts.lines[line].kind == Line::Kind::reference) return {"#000000", 3, 1, true};
-  if (charts.lines[line].kind == Line::Kind::submission) return {"#e08214", 3, 1, true};
+  if (charts.lines[line].kind == CurveLine::Kind::reference) return {"#000000", 3, 1, true};
+  if (charts.lines[line].kind == CurveLine::Kind::submission) return {"#e08214", 3, 1, true};
   const auto method =
       static_cast<int>(std::ranges::find(chart.methods, line) - chart.methods.begin());
   return {color(kHues[method % 3], 2 + method / 3), 2, 2 + method, true};

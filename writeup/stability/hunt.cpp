@@ -45,10 +45,10 @@ bool has_searches(const judge::Config& config, const judge::TaskConfig& task) {
 bool hunt(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
           double minutes, const std::string& folder) {
   fs::create_directories(folder);
-  Line line;
+  CurveLine line;
   std::string name = task.slug;
   if (!request.submission.empty()) {
-    line.kind = Line::Kind::submission;
+    line.kind = CurveLine::Kind::submission;
     name += "." + grader::base::sha256(fs::absolute(request.submission).string()).substr(0, 8);
   }
   const json found =

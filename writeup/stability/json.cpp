@@ -41,7 +41,7 @@ std::string to_json(const std::vector<Charts>& tasks, double cpu_seconds) {
   json all{{"cpu_seconds", cpu_seconds}, {"charts", json::array()}, {"unusable", json::array()}};
   for (const Charts& charts : tasks) {
     for (const Chart& chart : charts.charts) all["charts"].push_back(to_json(charts, chart));
-    for (const Line& line : charts.lines) {
+    for (const CurveLine& line : charts.lines) {
       if (line.unusable.empty()) continue;
       all["unusable"].push_back({{"title", line.title}, {"reason", line.unusable}});
     }

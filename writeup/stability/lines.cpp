@@ -35,14 +35,15 @@ std::string folder_of(const judge::Config& config, const judge::TaskConfig& task
 
 // The compiled object of the line; or a reason in `error`.
 judge::Judged compiled(const judge::Config& config, const judge::Builder& builder,
-                       const judge::TaskConfig& task, const Request& request, const Line& line) {
+                       const judge::TaskConfig& task, const Request& request,
+                       const CurveLine& line) {
   judge::Judged judged = judge::not_judged(config, task);
-  if (line.kind == Line::Kind::reference) {
+  if (line.kind == CurveLine::Kind::reference) {
     judged.object.path = task.reference.at(0);
     judged.object.key = base::stamp(judged.object.path);
     return judged;
   }
-  if (line.kind == Line::Kind::submission) {
+  if (line.kind == CurveLine::Kind::submission) {
     judge::GradeRequest own = request.judge;
     own.submission = request.submission;
     std::vector<judge::Judged> one{judged};
@@ -59,7 +60,7 @@ judge::Judged compiled(const judge::Config& config, const judge::Builder& builde
 
 // A worker of one line; or why there is none, in `line`.
 judge::Built worker_of(const judge::Config& config, const judge::Builder& builder,
-                       const judge::TaskConfig& task, const Request& request, Line& line) {
+                       const judge::TaskConfig& task, const Request& request, CurveLine& line) {
   const judge::Judged judged = compiled(config, builder, task, request, line);
   line.unusable = judged.object.rejected.empty() ? judged.object.error : judged.object.rejected;
   if (!line.unusable.empty()) return {};
@@ -70,7 +71,7 @@ judge::Built worker_of(const judge::Config& config, const judge::Builder& builde
 
 // The curves of one line as JSON; or why there are none, in `line`.
 json curves_of(const judge::Config& config, const judge::Builder& builder,
-               const judge::TaskConfig& task, const Request& request, Line& line) {
+               const judge::TaskConfig& task, const Request& request, CurveLine& line) {
   const judge::Built worker = worker_of(config, builder, task, request, line);
   if (!line.unusable.empty()) return json::array();
   const judge::Trial trial{task, worker, false, request.judge, {}};
@@ -115,13 +116,15 @@ Chart chart_of(const judge::TaskConfig& task, const json& curve) {
   return chart;
 }
 
-Line line_of(const json& method) {
-  return {Line::Kind::method, method.at("title"), method.at("file"), method.at("single"), ""};
+CurveLine line_of(const json& method) {
+  return {CurveLine::Kind::method, method.at("title"), method.at("file"), method.at("single"), ""};
 }
 
-bool same(const Line& a, const Line& b) { return a.file == b.file && a.single == b.single; }
+bool same(const CurveLine& a, const CurveLine& b) {
+  return a.file == b.file && a.single == b.single;
+}
 
-std::vector<std::size_t> methods_of(const json& curve, const std::vector<Line>& lines) {
+std::vector<std::size_t> methods_of(const json& curve, const std::vector<CurveLine>& lines) {
   std::vector<std::size_t> found;
   for (const json& method : curve.at("methods")) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -133,12 +136,13 @@ std::vector<std::size_t> methods_of(const json& curve, const std::vector<Line>& 
 
 // The methods that the curves name, each once, and then the other right solutions. A learners'
 // edition has none of their files.
-std::vector<Line> kept_solutions(const judge::Config& config, const judge::TaskConfig& task,
-                                 const json& curves, const Request& request) {
+std::vector<CurveLine> kept_solutions(const judge::Config& config, const judge::TaskConfig& task,
+                                      const json& curves, const Request& request) {
   const std::string folder = folder_of(config, task);
-  std::vector<Line> lines;
-  const auto add = [&](const Line& line) {
-    const bool known = std::ranges::any_of(lines, [&](const Line& l) { return same(l, line); });
+  std::vector<CurveLine> lines;
+  const auto add = [&](const CurveLine& line) {
+    const bool known =
+        std::ranges::any_of(lines, [&](const CurveLine& l) { return same(l, line); });
     if (!known && fs::exists(folder + line.file + ".cpp")) lines.push_back(line);
   };
   for (const json& curve : curves) {
@@ -150,27 +154,27 @@ std::vector<Line> kept_solutions(const judge::Config& config, const judge::TaskC
     const std::string name = file.stem();
     std::string title = name;
     std::ranges::replace(title, '_', ' ');
-    add({Line::Kind::variant, title, "right/" + name, false, ""});
+    add({CurveLine::Kind::variant, title, "right/" + name, false, ""});
   }
   return lines;
 }
 
 }  // namespace
 
-std::string id_of(const Line& line) {
-  if (line.kind == Line::Kind::reference) return "reference";
-  if (line.kind == Line::Kind::submission) return "yours";
+std::string id_of(const CurveLine& line) {
+  if (line.kind == CurveLine::Kind::reference) return "reference";
+  if (line.kind == CurveLine::Kind::submission) return "yours";
   return fs::path(line.file).filename().string() + (line.single ? "_single" : "");
 }
 
 bool is_named(const Charts& charts, const Chart& chart, std::size_t line) {
-  const Line::Kind kind = charts.lines[line].kind;
-  return kind == Line::Kind::reference || kind == Line::Kind::submission ||
+  const CurveLine::Kind kind = charts.lines[line].kind;
+  return kind == CurveLine::Kind::reference || kind == CurveLine::Kind::submission ||
          std::ranges::count(chart.methods, line) > 0;
 }
 
 json search_task(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
-                 const Hunt& hunt, Line& line) {
+                 const Hunt& hunt, CurveLine& line) {
   if (!config.no_reference.empty()) throw pt::Error(config.no_reference);
   const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
   const judge::Built worker = worker_of(config, builder, task, request, line);
@@ -212,13 +216,13 @@ Charts measure_task(const judge::Config& config, const judge::TaskConfig& task,
   if (!config.no_reference.empty()) throw pt::Error(config.no_reference);
   const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
   Charts charts;
-  charts.lines.push_back({Line::Kind::reference, "reference", "", false, ""});
+  charts.lines.push_back({CurveLine::Kind::reference, "reference", "", false, ""});
   if (!request.submission.empty()) {
-    charts.lines.push_back({Line::Kind::submission, "yours", "", false, ""});
+    charts.lines.push_back({CurveLine::Kind::submission, "yours", "", false, ""});
   }
   // The reference tells which methods there are.
   std::vector<json> found{curves_of(config, builder, task, request, charts.lines[0])};
-  for (Line& line : kept_solutions(config, task, found[0], request)) {
+  for (CurveLine& line : kept_solutions(config, task, found[0], request)) {
     charts.lines.push_back(std::move(line));
   }
   for (const json& curve : found[0]) {

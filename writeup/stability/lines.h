@@ -12,7 +12,7 @@
 namespace writeup::stability {
 
 // One implementation of a task: a line in each of its charts.
-struct Line {
+struct CurveLine {
   enum class Kind { reference, submission, method, variant };
 
   Kind kind = Kind::reference;
@@ -50,12 +50,12 @@ struct Chart {
 
 // All charts of a task.
 struct Charts {
-  std::vector<Line> lines;
+  std::vector<CurveLine> lines;
   std::vector<Chart> charts;
 };
 
 // A name for files and texts: "reference", "yours", "quadratic_single".
-std::string id_of(const Line& line);
+std::string id_of(const CurveLine& line);
 
 // Returns whether the chart is about this line: then it has a colour and a name there.
 bool is_named(const Charts& charts, const Chart& chart, std::size_t line);
@@ -70,7 +70,7 @@ struct Hunt {
 // `line`. Throws pt::Error where nothing can be measured.
 nlohmann::json search_task(const grader::judge::Config& config,
                            const grader::judge::TaskConfig& task, const Request& request,
-                           const Hunt& hunt, Line& line);
+                           const Hunt& hunt, CurveLine& line);
 
 // A hash of all that the charts of a task depend on, besides the request's numbers.
 std::string charts_hash(const grader::judge::Config& config, const grader::judge::TaskConfig& task,

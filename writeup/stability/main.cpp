@@ -102,7 +102,7 @@ int run(Options options) {
     fmt::print("{}", to_text(charts));
     std::fflush(stdout);
     if (!options.out.empty()) write_charts(charts, options.out);
-    for (const Line& line : charts.lines) all_measured = all_measured && line.unusable.empty();
+    for (const CurveLine& line : charts.lines) all_measured = all_measured && line.unusable.empty();
   }
   if (!options.out.empty()) {
     pt::write_file(fs::path(options.out) / "stability.json", to_json(all, cpu_seconds()));

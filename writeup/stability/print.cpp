@@ -65,7 +65,7 @@ std::string table(const Charts& charts, const Chart& chart) {
 std::string to_text(const Charts& charts) {
   std::string text;
   for (const Chart& chart : charts.charts) text += table(charts, chart) + "\n";
-  for (const Line& line : charts.lines) {
+  for (const CurveLine& line : charts.lines) {
     if (!line.unusable.empty()) text += line.title + " is not measured: " + line.unusable + "\n";
   }
   return text;

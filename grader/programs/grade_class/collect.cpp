@@ -82,7 +82,7 @@ std::string line(const judge::Config& config, const Graded& graded, bool anonymo
 
 }  // namespace
 
-Collector::Collector(const judge::Config& config, const Plan& plan, std::string out)
+Collector::Collector(const judge::Config& config, const ClassPlan& plan, std::string out)
     : config_(config),
       plan_(plan),
       out_(std::move(out)),

@@ -24,7 +24,7 @@ namespace grader::programs {
 // Results are not kept: a class of a thousand needs little memory.
 class Collector {
  public:
-  Collector(const judge::Config& config, const Plan& plan, std::string out);
+  Collector(const judge::Config& config, const ClassPlan& plan, std::string out);
 
   // The outcome for submission i. Now and then writes the table of what is there so far.
   void add(std::size_t i, const Graded& graded);
@@ -40,7 +40,7 @@ class Collector {
   std::vector<std::string> write_returns() const;
 
   const judge::Config& config_;
-  const Plan& plan_;
+  const ClassPlan& plan_;
   std::string out_;
   std::vector<std::string> lines_;  // of the table
   std::vector<report::GradeRow> for_platforms_;

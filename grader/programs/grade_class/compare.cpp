@@ -27,7 +27,8 @@ std::optional<results::Results> results_at(const std::string& path) {
 
 }  // namespace
 
-report::Comparison compare(const Plan& plan, const std::string& former, const std::string& out) {
+report::Comparison compare(const ClassPlan& plan, const std::string& former,
+                           const std::string& out) {
   report::Comparison comparison;
   comparison.former = former;
   std::set<std::string> names;

@@ -51,7 +51,7 @@ std::string find_program(const std::string& name) {
 }
 
 // The numbers of the chunks in which something is not done.
-std::vector<std::size_t> not_done(const Judging& judging, const Plan& plan) {
+std::vector<std::size_t> not_done(const Judging& judging, const ClassPlan& plan) {
   std::vector<std::size_t> numbers;
   for (std::size_t chunk = 0; chunk < plan.chunks.size(); ++chunk) {
     const bool done = std::ranges::all_of(plan.chunks[chunk], [&](const Equal& equal) {
@@ -71,7 +71,7 @@ std::string list_of(const std::vector<std::size_t>& numbers) {
 // The submissions that others have judged since the last look.
 class Watch {
  public:
-  Watch(const Judging& judging, const Plan& plan, const Report& report)
+  Watch(const Judging& judging, const ClassPlan& plan, const Report& report)
       : judging_(judging), plan_(plan), report_(report) {
     for (const Chunk& chunk : plan.chunks) {
       for (const Equal& equal : chunk) waiting_.insert(equal.begin(), equal.end());
@@ -92,7 +92,7 @@ class Watch {
 
  private:
   const Judging& judging_;
-  const Plan& plan_;
+  const ClassPlan& plan_;
   const Report& report_;
   std::set<std::size_t> waiting_;
 };
@@ -109,7 +109,7 @@ pid_t start(const std::vector<std::string>& command, const std::string& log) {
   return process::spawn(child);
 }
 
-void run_elsewhere(const Judging& judging, const Plan& plan, const EngineRequest& request,
+void run_elsewhere(const Judging& judging, const ClassPlan& plan, const EngineRequest& request,
                    const Report& report) {
   Watch watch(judging, plan, report);
   watch.look();  // as before
@@ -134,7 +134,7 @@ void run_elsewhere(const Judging& judging, const Plan& plan, const EngineRequest
 
 }  // namespace
 
-void run_chunk(const Judging& judging, const Plan& plan, const Chunk& chunk, int jobs,
+void run_chunk(const Judging& judging, const ClassPlan& plan, const Chunk& chunk, int jobs,
                const Report& report) {
   std::mutex mutex;
   base::for_each(chunk.size(), jobs, [&](std::size_t k) {
@@ -174,7 +174,7 @@ std::vector<std::string> engine_command(const EngineRequest& request, const std:
   return command;
 }
 
-void run_plan(const Judging& judging, const Plan& plan, const EngineRequest& request,
+void run_plan(const Judging& judging, const ClassPlan& plan, const EngineRequest& request,
               const Report& report) {
   if (request.engine != Engine::local) return run_elsewhere(judging, plan, request, report);
   Chunk all;

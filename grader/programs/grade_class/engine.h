@@ -15,7 +15,7 @@ namespace grader::programs {
 // Judges all submissions of one chunk, so many at a time. `report` is called with each outcome, by one thread at a
 // time.
 using Report = std::function<void(std::size_t i, const Graded& graded)>;
-void run_chunk(const Judging& judging, const Plan& plan, const Chunk& chunk, int jobs,
+void run_chunk(const Judging& judging, const ClassPlan& plan, const Chunk& chunk, int jobs,
                const Report& report);
 
 enum class Engine { local, parallel, slurm };
@@ -33,7 +33,7 @@ std::vector<std::string> engine_command(const EngineRequest& request, const std:
 
 // Runs all chunks that are not done. Work that a killed process left undone is tried again, twice. The
 // output of GNU parallel and sbatch is in <out>/engine.log. Throws pt::Error if they are missing or refuse.
-void run_plan(const Judging& judging, const Plan& plan, const EngineRequest& request,
+void run_plan(const Judging& judging, const ClassPlan& plan, const EngineRequest& request,
               const Report& report);
 
 }  // namespace grader::programs

@@ -98,11 +98,11 @@ std::string programs_of(const Options& options) {
 int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 // Another machine may share the project's folder, and must not take our judges for ended ones.
-std::string work_on(const judge::Config& config, const Plan& plan) {
+std::string work_on(const judge::Config& config, const ClassPlan& plan) {
   return plan.host == host_name() ? "" : config.work + "/on/" + host_name();
 }
 
-Judging judging_of(const judge::Config& config, const Options& options, const Plan& plan,
+Judging judging_of(const judge::Config& config, const Options& options, const ClassPlan& plan,
                    const std::string& out, int threads) {
   Judging judging{config, programs_of(options) + "/grade", out};
   judging.former = plan.former;
@@ -113,7 +113,8 @@ Judging judging_of(const judge::Config& config, const Options& options, const Pl
   return judging;
 }
 
-Plan planned(Options& options, const judge::Config& config, const std::vector<std::string>& words) {
+ClassPlan planned(Options& options, const judge::Config& config,
+                  const std::vector<std::string>& words) {
   PlanRequest& request = options.plan;
   request.words = words;
   std::erase(request.words, "--");
@@ -133,13 +134,13 @@ Plan planned(Options& options, const judge::Config& config, const std::vector<st
     }
   }
   pt::check_target(request.out + "/class.csv");
-  Plan plan = make_plan(config, programs_of(options), request);
+  ClassPlan plan = make_plan(config, programs_of(options), request);
   forget_outcomes(request.out, plan.everybody);
   write_plan(plan, request.out);
   return plan;
 }
 
-void print_seed(const Plan& plan) {
+void print_seed(const ClassPlan& plan) {
   fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
 }
 
@@ -152,7 +153,7 @@ int grade_all(Options options, const std::vector<std::string>& words) {
   StatusLine line;
   line.show("reading what was handed in", 0);
   const judge::Config config = judge::load_config(config_of(options));
-  const Plan plan = planned(options, config, words);
+  const ClassPlan plan = planned(options, config, words);
   line.clear();
   print_seed(plan);
   EngineRequest& engine = options.engine;
@@ -185,7 +186,7 @@ int grade_all(Options options, const std::vector<std::string>& words) {
 }
 
 int make_plan_only(Options options, const std::vector<std::string>& words) {
-  const Plan plan = planned(options, judge::load_config(config_of(options)), words);
+  const ClassPlan plan = planned(options, judge::load_config(config_of(options)), words);
   print_seed(plan);
   fmt::print("{} submissions in {} chunks: ./run grade-class chunk {} NUMBER, from 1 to {}\n",
              plan.everybody.size(), plan.chunks.size(), options.plan.out, plan.chunks.size());
@@ -196,7 +197,7 @@ int run_chunks(const Options& options) {
   if (options.end_with_parent) prctl(PR_SET_PDEATHSIG, SIGKILL);
   const judge::Config config = judge::load_config(config_of(options));
   const std::string out = fs::absolute(options.plan.out);
-  const Plan plan = read_plan(out);
+  const ClassPlan plan = read_plan(out);
   Chunk all;
   for (const std::size_t number : options.numbers) {
     if (number < 1 || number > plan.chunks.size()) {
@@ -219,7 +220,7 @@ int run_chunks(const Options& options) {
 int collect(const Options& options) {
   const judge::Config config = judge::load_config(config_of(options));
   const std::string out = fs::absolute(options.plan.out);
-  const Plan plan = read_plan(out);
+  const ClassPlan plan = read_plan(out);
   const Judging judging = judging_of(config, options, plan, out, 1);
   Collector collector(config, plan, out);
   std::size_t judged = 0;

@@ -90,7 +90,7 @@ std::string random_text() {
 }
 
 // Names become numbers that only who has the plan can turn back, the same in every later plan.
-void hide_names(Plan& plan, const std::string& out) {
+void hide_names(ClassPlan& plan, const std::string& out) {
   for (const std::string& folder : {out, plan.former}) {
     if (!plan.salt.empty() || !fs::exists(folder + "/plan.json")) continue;
     plan.salt = read_plan(folder).salt;
@@ -143,7 +143,7 @@ intake::HandedIn handed_in_from(const json& from) {
 }
 
 // Of what another program may have written.
-void check_plan(const Plan& plan) {
+void check_plan(const ClassPlan& plan) {
   const auto check = [](bool holds, const char* what) {
     if (!holds) throw pt::Error(what);
   };
@@ -173,9 +173,9 @@ std::string host_name() {
   return name;
 }
 
-Plan make_plan(const judge::Config& config, const std::string& programs,
-               const PlanRequest& request) {
-  Plan plan;
+ClassPlan make_plan(const judge::Config& config, const std::string& programs,
+                    const PlanRequest& request) {
+  ClassPlan plan;
   plan.input = request.input;
   plan.words = request.words;
   plan.seed = seed_for(request);
@@ -191,7 +191,7 @@ Plan make_plan(const judge::Config& config, const std::string& programs,
   return plan;
 }
 
-void write_plan(const Plan& plan, const std::string& out) {
+void write_plan(const ClassPlan& plan, const std::string& out) {
   json all{{"input", text_json(plan.input)},
            {"words", plan.words},
            {"seed", plan.seed},
@@ -206,14 +206,14 @@ void write_plan(const Plan& plan, const std::string& out) {
   pt::write_file(out + "/plan.json", all.dump(1) + "\n");
 }
 
-Plan read_plan(const std::string& out) {
+ClassPlan read_plan(const std::string& out) {
   const std::string path = out + "/plan.json";
   if (!fs::exists(path)) {
     throw pt::Error(out + " holds no plan; make one: ./run grade-class plan CLASS --out " + out);
   }
   try {
     const json all = json::parse(base::read_file(path));
-    Plan plan;
+    ClassPlan plan;
     plan.input = text_from(all.at("input"));
     plan.words = all.at("words").get<std::vector<std::string>>();
     plan.seed = all.at("seed").get<std::uint64_t>();

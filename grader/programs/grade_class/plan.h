@@ -12,13 +12,13 @@
 
 namespace grader::programs {
 
-// Submissions whose task files are equal, by their places in Plan::everybody. The first is judged; all get its verdict.
+// Submissions whose task files are equal, by their places in ClassPlan::everybody. The first is judged; all get its verdict.
 using Equal = std::vector<std::size_t>;
 
 // The work of one process.
 using Chunk = std::vector<Equal>;
 
-struct Plan {
+struct ClassPlan {
   std::string input;               // the folder or archive, as it was exported
   std::vector<std::string> words;  // of the command line of `grade`, the same for all
   std::uint64_t seed = 1;          // of all random inputs
@@ -46,12 +46,12 @@ inline constexpr std::size_t kMaxChunks = 500;
 // the class into chunks. The seed is the one asked for, else that of the reports that are in `out` or
 // of those to compare with, else a new one, drawn: a table of answers to one seed is worth nothing
 // then. It is kept in `out`. Throws pt::Error if there is no submission.
-Plan make_plan(const judge::Config& config, const std::string& programs,
-               const PlanRequest& request);
+ClassPlan make_plan(const judge::Config& config, const std::string& programs,
+                    const PlanRequest& request);
 
 // <out>/plan.json. Reading throws pt::Error if the file is missing or is something else.
-void write_plan(const Plan& plan, const std::string& out);
-Plan read_plan(const std::string& out);
+void write_plan(const ClassPlan& plan, const std::string& out);
+ClassPlan read_plan(const std::string& out);
 
 // The name of this machine.
 std::string host_name();
