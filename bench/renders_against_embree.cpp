@@ -123,7 +123,7 @@ void compare(const std::string& argument, const BenchSettings& settings, Csv& cs
 
   if (is_blob) return;
   goals.push_back({test.name + ", picture, times Embree", 1.5, ratio(seconds[2], seconds[1])});
-  goals.push_back({test.name + ", picture, times packets", 1.2, ratio(seconds[3], seconds[1])});
+  goals.push_back({test.name + ", picture, times packets", 1.25, ratio(seconds[3], seconds[1])});
   compare_threads(test.name, ours, settings, csv, goals);
 }
 

@@ -99,7 +99,7 @@ setup() {
   [ -e "$stamp" ] && return
   manager=$(package_manager)
   [ -n "$manager" ] ||
-    fail "No package manager is known here; install what these packages of Debian hold, then go on with mkdir -p $build && touch $stamp:" \
+    fail "./run knows no package manager of this system. Install these libraries (the names are those of Debian), then type mkdir -p $build && touch $stamp:" \
       "$(grep -hv '^#' "${lists[@]}" | tr '\n' ' ')"
   find_missing "$manager" "${lists[@]}"
   if [ ${#missing[@]} -gt 0 ] || [ ${#unknown[@]} -gt 0 ]; then

@@ -19,6 +19,9 @@ struct Task {
   std::vector<std::string> mocks{};          // and what a mock stands for
   std::vector<std::string> framework{};      // functions of the renderer: "pt::Scene::closest"
   bool traces = false;                       // it sends rays through a scene, and so through a tree
+  // The table has two words more. `scene`, above the tasks: the `framework` of all that trace.
+  // `counted`, for CMake (cmake/tasks.cmake): the types of the result and the shape of a task whose
+  // calls can be counted, and the name of the counter.
 
   std::string file() const { return part + "/" + slug + ".cpp"; }
 };

@@ -36,11 +36,11 @@ make_class() {
 # log_what_is_judged GRADER: $folder/programs has the programs of that folder, and a `grade` that first writes the name
 # of the submission into $folder/judged. They take points and all else from $folder/root.
 log_what_is_judged() {
-  local room
+  local entry
   mkdir "$folder/programs" "$folder/root" "$folder/root/grader"
   cp -r pt "$folder/root"
   ln -s "$PWD/scenes" "$PWD/golden" "$folder/root"
-  for room in grader/*; do ln -s "$PWD/$room" "$folder/root/grader"; done
+  for entry in grader/*; do ln -s "$PWD/$entry" "$folder/root/grader"; done
   rm "$folder/root/grader/points.json"
   cp grader/points.json "$folder/root/grader"
   ln -s "$1/unpack" "$folder/programs/unpack"

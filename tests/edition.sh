@@ -20,6 +20,27 @@ refuses() { # refuses WORDS COMMAND ...
   case $status:$said in 2:*"$words"*) ;; *) complain "$*: status $status, and says: $said" ;; esac
 }
 
+# Every link in a page of the learners' edition leads to one of its files.
+python3 - <(. grader/editions/files.sh && edition_files "$not_for_learners") <<'END' || complain 'links of the handout lead nowhere'
+import pathlib, re, sys
+files = set(open(sys.argv[1]).read().split("\n")) | {"README.md"}
+pages = [name for name in files if name.endswith(".md") and name != "README.md"]
+assert len(pages) > 10, pages
+links = dead = 0
+for name in pages:
+    for link in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", pathlib.Path(name).read_text()):
+        if re.match(r"[a-z]+:", link):
+            continue
+        links += 1
+        target = (pathlib.Path(name).parent / link).resolve()
+        target = str(target.relative_to(pathlib.Path.cwd())).rstrip("/")
+        if target not in files and not any(each.startswith(target + "/") for each in files):
+            print(f"{name}: {link}")
+            dead += 1
+assert links > 20, links
+sys.exit(dead > 0)
+END
+
 # edition NAME: one that says its name in each file.
 edition() {
   mkdir -p "$folder/$1/grader/old"

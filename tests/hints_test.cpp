@@ -108,9 +108,9 @@ TEST(hints, that_are_not_complete_are_refused_with_the_line) {
   EXPECT_EQ(error_of("## Question\na\n## Usual mistake\nb\n"),
             "hints.md:3: write the heading '## Direction' here");
   EXPECT_EQ(error_of("## Question\n\n## Direction\nb\n## Usual mistake\nc\n"),
-            "hints.md:1: there is no text below this heading; write some");
+            "hints.md:1: this heading has no text below it; write some");
   EXPECT_EQ(error_of("## Question\na\n### p\n## Direction\nb\n## Usual mistake\nc\n"),
-            "hints.md:3: there is no text below this heading; write some");
+            "hints.md:3: this heading has no text below it; write some");
   EXPECT_EQ(error_of("## Question\na\n## Direction\nb\n## Usual mistake\nc\n## More\nd\n"),
             "hints.md:7: a step too many; leave it out");
   EXPECT_THAT(error_of("### p\na\n"), HasSubstr("hints.md:1: a promise comes below a step"));

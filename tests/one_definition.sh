@@ -5,7 +5,7 @@
 set -euo pipefail
 
 root=$1 build=$2 compiler=$3
-# Together these hold every room of the grader; grade and known_mistakes would build every task's program beside them.
+# Together these hold every folder of the grader; grade and known_mistakes would build every task's program beside them.
 programs=(watch hint grade_class graded.hit_bvh graded_picture wrong_and_right_test)
 mkdir -p "$build"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -flto=auto" \

@@ -72,7 +72,7 @@ stops 'sudo apt-get install -y --no-install-recommends libfmt-dev' render scene.
 
 begin
 user 1000
-stops 'No package manager is known here' grade 1
+stops 'knows no package manager of this system' grade 1
 program rpm <<<'[ "${@: -1}" != fmt-devel ]'
 program dnf </dev/null
 stops 'sudo dnf install fmt-devel' grade 1

@@ -327,7 +327,8 @@ TEST_F(WatchTest, needs_a_terminal) {
   char text[256] = "";
   EXPECT_NE(std::fgets(text, sizeof text, pipe), nullptr);
   EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 2);
-  EXPECT_STREQ(text, "watch takes its keys from a terminal, and this is none; use grade instead\n");
+  EXPECT_STREQ(text,
+               "watch needs a terminal for its keys, and this is not one; use grade instead\n");
 }
 
 }  // namespace

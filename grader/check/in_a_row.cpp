@@ -60,7 +60,7 @@ std::vector<Rgb> expect_goes_on(std::uint64_t seed, const Drawing& task) {
     const pt::Sampler before = sampler;
     answers.push_back(task(sampler));
     expect(sampler.state() != before.state(), "a sampler that has gone on after the call",
-           "a sampler in the state from before: the next call will draw the same numbers again");
+           "a sampler that has not moved on: the next call will draw the same numbers again");
   }
   pt::Sampler again = start;
   const Rgb replayed = task(again);

@@ -15,7 +15,7 @@ edition_files() {
 
 # Files that only those need who teach or work on the project, and the solutions of tasks.
 # shellcheck disable=SC2034
-not_for_learners='^grader/(editions|intake|self_check)/|^grader/programs/(bless[.]|unpack[.]|grade_class/)|^cmake/packages-class[.]|^grader/tasks/[a-z_]+/(wrong|right|methods|noisy)/|^writeup/[a-z0-9]+\.md$|^docs/(decisions/|help/(bless|grade-class)|instructors|four_bugs|box_spheres)|^README'
+not_for_learners='^grader/(editions|intake|self_check)/|^grader/programs/(bless[.]|unpack[.]|grade_class/)|^cmake/packages-class[.]|^grader/tasks/[a-z_]+/(wrong|right|methods|noisy)/|^writeup/[a-z0-9]+\.md$|^docs/(decisions/|help/(bless|grade-class|ladder)|instructors|four_bugs|box_spheres|ladder|performance)|^README'
 
 # copy_files FOLDER: those on standard input.
 copy_files() { tar -c -f - -T - | tar -x -f - -C "$1"; }

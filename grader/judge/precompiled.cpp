@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kMostToMake{60};
 
-// "#include <cmath>" of a line, without the blanks; empty if it is no directive.
+// "#include <cmath>" of a line, without the blanks; empty if it is not a directive.
 std::string directive_in(const std::string& line) {
   std::string text;
   for (const char c : line) {

@@ -81,8 +81,9 @@ class Integration {
     judged.settled = true;
     judged.result.state = results::State::blocked;
     judged.result.blocked_by = by;
-    judged.result.reason = fmt::format("right by itself; judged with your own tasks when {} {}",
-                                       fmt::join(by, ", "), by.size() == 1 ? "passes" : "pass");
+    judged.result.reason =
+        fmt::format("right by itself; it will be judged with your own tasks as soon as {} {}",
+                    fmt::join(by, ", "), by.size() == 1 ? "passes" : "pass");
   }
 
   bool block(Judged& judged) const {

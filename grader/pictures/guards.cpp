@@ -111,8 +111,8 @@ std::optional<Unusable> unusable(const Golden& golden, const Batches& batches, i
       return Unusable{"the whole picture is black", {}};
     }
     return Unusable{
-        "two batches of samples were identical: the random numbers are started again, or not used, "
-        "or the points are fixed for this number of samples",
+        "two batches of samples were identical: the random numbers begin again, or are not used, "
+        "or the points are the same for every batch",
         {}};
   }
   return {};

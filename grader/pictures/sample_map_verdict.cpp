@@ -172,8 +172,8 @@ SampleMapVerdict judge_sample_map(const SampleMapReference& reference,
     if (!cause.empty()) verdict.sentence += "; " + cause;
   } else if (std::abs(verdict.b - 1) > 0.04 && std::abs(verdict.b - verdict.ratio) < 0.04) {
     verdict.sentence = fmt::format(
-        "right; every pixel takes {:.2f} times the samples that the reference takes, as where one "
-        "sample has {} variance: another survival in the roulette, for one",
+        "right; every pixel takes {:.2f} times as many samples as the reference does: one sample "
+        "has {} variance, for example by another chance of survival",
         verdict.b, verdict.b > 1 ? "more" : "less");
   }
   return verdict;

@@ -27,8 +27,7 @@ std::string times(int renders) {
 
 std::string place(const Cell& cell) {
   if (cell.scale == Scale::sum) {
-    return cell.weighted ? "the whole picture, its noisy pixels counting less,"
-                         : "the whole picture";
+    return cell.weighted ? "the whole picture (noisy pixels count less)" : "the whole picture";
   }
   if (cell.scale == Scale::pixel) return fmt::format("this pixel ({}, {})", cell.x, cell.y);
   return fmt::format("this block ({}x{} at {}, {})", cell.width, cell.height, cell.x, cell.y);

@@ -56,7 +56,7 @@ std::string words(int signal, const std::string& last_words) {
     case SIGXCPU:
       return "it used up its processor time";
     case SIGSYS:
-      return "it asked the system for what no task needs";
+      return "it made a system call that no task needs (files, network, processes)";
     case SIGKILL:
       return kKilled;
     default:

@@ -43,11 +43,12 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
       ->check(CLI::Range(1, 256));
   app.add_option("--isolation", options.isolation,
                  "A (bubblewrap), B (another user) or C (none); default: the best that works here");
-  app.add_flag("--require-isolation", options.require_isolation, "refuse to grade in C");
+  app.add_flag("--require-isolation", options.require_isolation,
+               "stop if only tier C (none) works");
   app.add_flag("--resume", options.resume, "go on with the run that was interrupted");
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
   app.add_option("--work", options.work,
-                 "where it keeps what it builds and finds out; default: as --config says");
+                 "the folder of compiled files and known results; default: as --config says");
   std::vector<std::string> reversed(words.rbegin(), words.rend());
   try {
     app.parse(reversed);

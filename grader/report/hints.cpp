@@ -25,7 +25,7 @@ void end(const Section& section, const std::string& path) {
   std::string& text = *section.text;
   text.erase(0, text.find_first_not_of('\n'));
   text.erase(text.find_last_not_of('\n') + 1);
-  if (text.empty()) fail(path, section.line, "there is no text below this heading; write some");
+  if (text.empty()) fail(path, section.line, "this heading has no text below it; write some");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ results::State state_of(const results::TaskResult& task, const results::PromiseR
 std::string why_no_failures(const results::TaskResult& task, results::State promise) {
   if (!task.reason.empty()) return task.reason;
   return promise == results::State::not_judged ? "It is not judged yet."
-                                               : "There is no counterexample.";
+                                               : "There is no input to show.";
 }
 
 data promise_data(const results::TaskResult& task, const results::PromiseResult& promise) {

@@ -98,7 +98,7 @@ std::string failure_text(const results::Readable& readable) {
   std::vector<std::string> input = failure.input;
   if (readable.lines_left_out > 0) input.push_back(results::more_lines(readable.lines_left_out));
   std::string text;
-  if (failure.integrated) text += "  With your own tasks in all places:\n";
+  if (failure.integrated) text += "  With all twelve tasks yours:\n";
   text += labelled("input", input);
   if (!failure.what.empty()) text += labelled("compared", {failure.what});
   text += labelled("got", {failure.got}) + labelled("expected", {failure.expected});
@@ -113,7 +113,7 @@ std::string promise_text(const results::TaskResult& task, const results::Promise
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
-  if (promise.failures.empty()) return text + "  It failed without a counterexample.\n";
+  if (promise.failures.empty()) return text + "  It failed, and there is no input to show.\n";
   for (const results::Failure& failure : promise.failures) {
     text += failure_text(results::readable(failure));
     if (!style.all) break;
@@ -133,7 +133,7 @@ std::string picture_text(const results::TaskResult& task, const results::Picture
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
-  if (picture.integrated) text += "  With your own tasks in all places:\n";
+  if (picture.integrated) text += "  With all twelve tasks yours:\n";
   for (const std::string& line : base::wrap(picture.text, style.width - 2))
     text += "  " + line + "\n";
   text += "\n";

@@ -63,7 +63,7 @@ std::string part_name(const std::string& part);
 // is named.
 std::string mistake_text(const TaskResult& task);
 
-// "One cause: 9 promises fail, 6 points taken." Empty where nothing is spared.
+// "One cause: 9 promises fail, 6 points are taken." Empty where nothing is spared.
 std::string spared_text(const TaskResult& task);
 
 // The command that writes a page on which the picture can be seen.

@@ -17,70 +17,80 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// From the bottom up. The same word is the folder, the namespace and, with grader_, the library.
-const std::vector<std::string> kRooms{"base",   "process",  "sandbox",   "results", "check",
-                                      "wire",   "mistakes", "pictures",  "report",  "judge",
-                                      "intake", "programs", "self_check"};
+// From the bottom up. The same word is the folder, the namespace (of tasks: check) and, with grader_,
+// the library.
+const std::vector<std::string> kFolders{"base",  "process", "sandbox",  "results",   "check",
+                                        "tasks", "wire",    "mistakes", "pictures",  "report",
+                                        "judge", "intake",  "programs", "self_check"};
 
 // Folders for which the order alone would allow too much, each with all that it may include.
 const std::map<std::string, std::set<std::string>> kOnly{
     {"results", {"base"}},
     {"check", {"base", "process", "results"}},
+    {"tasks", {"base", "results", "check"}},
     {"mistakes", {"base", "results", "check"}},
     {"intake", {"base"}},
     {"report", {"base", "results", "pictures"}}};
 
 struct Source {
   fs::path path;
-  std::string room, text;
+  std::string folder, text;
 };
 
-// Folders without a room: solutions and editions are not the grader's own code.
+// Solutions of a task, right and wrong ones, and submissions that attack are not the grader's code.
+bool is_ours(const fs::path& below) {
+  const auto depth = std::distance(below.begin(), below.end());
+  const std::string folder = *below.begin();
+  if (folder == "tasks") return depth == 3;
+  return folder != "self_check" || depth == 2;
+}
+
 std::vector<Source> sources() {
   std::vector<Source> all;
   const fs::path grader = FIRSTLIGHT_ROOT "/grader";
   for (const auto& entry : fs::recursive_directory_iterator(grader)) {
     const fs::path below = fs::relative(entry.path(), grader);
-    const std::string room = *below.begin();
+    const std::string folder = *below.begin();
     const std::string type = entry.path().extension();
     const bool code = type == ".cpp" || type == ".h";
-    if (code && std::ranges::count(kRooms, room) > 0) {
-      all.push_back({below, room, base::read_file(entry.path())});
+    if (code && is_ours(below) && std::ranges::count(kFolders, folder) > 0) {
+      all.push_back({below, folder, base::read_file(entry.path())});
     }
   }
   return all;
 }
 
-// The rooms that a text includes headers of, with the line.
+// The folders that a text includes headers of, with the line.
 std::map<std::string, std::string> included(const std::string& text) {
   static const std::regex include(R"(^#include "grader/(\w+)/.*)");
-  std::map<std::string, std::string> rooms;
+  std::map<std::string, std::string> folders;
   std::istringstream lines(text);
   std::smatch found;
   for (std::string line; std::getline(lines, line);) {
-    if (std::regex_match(line, found, include)) rooms[found[1]] = line;
+    if (std::regex_match(line, found, include)) folders[found[1]] = line;
   }
-  return rooms;
+  return folders;
 }
 
-bool may_include(const std::string& room, const std::string& other) {
-  if (room == other) return true;
+bool may_include(const std::string& folder, const std::string& other) {
+  if (folder == other) return true;
   // A battery asks what the properties of its task ask too.
-  if (other == "tasks") return room == "mistakes";
-  const auto only = kOnly.find(room);
+  if (other == "tasks") return folder == "mistakes";
+  const auto only = kOnly.find(folder);
   if (only != kOnly.end() && !only->second.contains(other)) return false;
-  return std::ranges::find(kRooms, other) < std::ranges::find(kRooms, room);
+  return std::ranges::find(kFolders, other) < std::ranges::find(kFolders, folder);
 }
 
 TEST(layers, point_downwards) {
   const std::vector<Source> all = sources();
   ASSERT_GT(all.size(), 150U);
+  for (const std::string& folder : kFolders) {
+    EXPECT_TRUE(std::ranges::any_of(all, [&](const Source& s) { return s.folder == folder; }))
+        << folder;
+  }
   for (const Source& source : all) {
-    // Submissions that attack, and right ones, are not our code.
-    const std::string folder = source.path.parent_path();
-    if (folder != "self_check" && source.room == "self_check") continue;
     for (const auto& [other, line] : included(source.text)) {
-      EXPECT_TRUE(may_include(source.room, other))
+      EXPECT_TRUE(may_include(source.folder, other))
           << "grader/" << source.path.string() << ": " << line;
     }
   }
@@ -100,8 +110,9 @@ TEST(layers, private_parts_of_rapidcheck_are_in_one_file) {
 
 TEST(layers, are_namespaces) {
   for (const Source& source : sources()) {
-    if (source.path.extension() != ".h" || source.path.begin()->string() == "self_check") continue;
-    const std::string name = "namespace grader::" + source.room;
+    if (source.path.extension() != ".h" || source.folder == "self_check") continue;
+    const std::string name =
+        "namespace grader::" + (source.folder == "tasks" ? "check" : source.folder);
     const bool own = source.text.find(name) != std::string::npos;
     EXPECT_TRUE(own || source.text.find("namespace ") == std::string::npos)
         << "grader/" << source.path.string() << " is not in " << name;

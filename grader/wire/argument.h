@@ -7,7 +7,7 @@
 #include <span>
 #include <tuple>
 
-// The form in which each parameter of a contract is sent. By value, except for scenes, primitives
+// Both ends: the form in which each parameter of a contract is sent. By value, except for scenes, primitives
 // and trees, which are sent once and then named: `names` gives the name of an object to write,
 // `objects` the object of a name that was read.
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-// Raw bytes of messages between the judge and a worker: two programs of one build on one machine,
+// Both ends: raw bytes of messages between the judge and a worker: two programs of one build on one machine,
 // so numbers travel as they lie in memory.
 
 namespace grader::wire {

@@ -4,7 +4,8 @@
 #include "grader/wire/finite.h"
 #include "grader/wire/session.h"
 
-// The implementation `remote` of any function of a contract: the call goes to the worker.
+// The judge's end: the implementation `remote` of any function of a contract; the call goes to the
+// worker.
 
 namespace grader::wire {
 

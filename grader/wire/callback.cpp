@@ -1,4 +1,4 @@
-// The implementation `callback` of one task or slot, FIRSTLIGHT_TASK: compiled once for each. The
+// The worker's end: the implementation `callback` of one task or slot, FIRSTLIGHT_TASK: compiled once for each. The
 // call goes back to the judge, who answers it with its counting versions
 // (grader/check/counting.h), its mocks or its scripted radiance.
 #include "grader/wire/connection.h"

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-// Values to bytes and back; argument.h and call.h put whole calls together. get() trusts nothing: lengths are held against the bytes that are left
+// Both ends: values to bytes and back; argument.h and call.h put whole calls together. get() trusts nothing: lengths are held against the bytes that are left
 // before any memory is asked for, and a flag, an enum or an alternative that does not exist is a
 // BadMessage. Numbers of any value pass, NaN included: whether they make sense is decided
 // elsewhere.

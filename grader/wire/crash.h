@@ -1,5 +1,7 @@
 #pragma once
 
+// The worker's end: how a crash is told apart.
+
 namespace grader::wire {
 
 // From now on a stack that overflows ends this process with the signal SIGSTKFLT, which nothing

@@ -16,7 +16,7 @@
 
 namespace grader::wire {
 
-// The members of every struct that travels, from which encoding, decoding, type codes and the check
+// Both ends: the members of every struct that travels, from which encoding, decoding, type codes and the check
 // for finite numbers follow. A member that is missing here is an error of the compiler.
 template <class Struct>
 struct Fields;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-// Checks that an answer has numbers where numbers must be. No answer may hold a NaN, and only the
+// The judge's end: checks that an answer has numbers where numbers must be. No answer may hold a NaN, and only the
 // end of a range may be infinite.
 
 namespace grader::wire {

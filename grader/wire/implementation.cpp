@@ -1,4 +1,4 @@
-// The implementation `remote` of one task, FIRSTLIGHT_TASK: compiled once for each.
+// The judge's end: the implementation `remote` of one task, FIRSTLIGHT_TASK: compiled once for each.
 #include "grader/wire/call.h"
 
 // The names come in parentheses: those of the call.

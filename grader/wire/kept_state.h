@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-// Finds out whether a task keeps a variable between its calls: the renderer calls tasks from
+// The worker's end: finds out whether a task keeps a variable between its calls: the renderer calls tasks from
 // several threads at once, and such a variable would be shared by all of them. The judge has put
 // the variables of a submission that live as long as the program, and may be written, into sections
 // of their own (grader/judge/object_file.h). A byte that two calls have changed is kept state; one

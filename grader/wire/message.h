@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-// The messages between judge and worker. One conversation at a time: the judge sends a call; the
+// Both ends: the messages between judge and worker. One conversation at a time: the judge sends a call; the
 // worker may ask back any number of times, each answered at once; then it replies. A message is a
 // header and a payload.
 //

@@ -1,4 +1,4 @@
-// In the integrated worker, hit_bvh calls the submission's own tests of boxes and primitives, and
+// The worker's end: in the integrated worker, hit_bvh calls the submission's own tests of boxes and primitives, and
 // the judge is told which ones were made. The linker (--wrap) sends every call from another file
 // through these; their names come from the build. The
 // submission could forge this record: the one that counts is taken where hit_bvh is judged by

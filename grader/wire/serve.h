@@ -2,6 +2,8 @@
 
 #include "grader/wire/message.h"
 
+// The worker's end: from the bytes of a call to those of its reply.
+
 namespace grader::wire {
 
 // Answers one call, a message's payload, by the functions that this program is linked with.

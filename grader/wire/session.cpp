@@ -139,7 +139,7 @@ void Session::expect_time_left() {
                                                seconds(settings_.call_limit)));
   }
   if (failures_ >= settings_.max_failures) {
-    settings_.give_up(last_cause_, "not called any more: too many calls came to nothing");
+    settings_.give_up(last_cause_, "not called any more: too many calls crashed or gave no answer");
   }
   const std::uint64_t answered = answered_ + (worker_ ? worker_->answered() : 0);
   if (answered > settings_.max_answered) {

@@ -11,6 +11,8 @@
 #include <set>
 #include <vector>
 
+// The judge's end: the one conversation of a property program with a worker, restarted as needed.
+
 namespace grader::wire {
 
 // Throws pt::Error.
@@ -32,7 +34,7 @@ struct SessionSettings {
   std::chrono::milliseconds call_limit =
       process::kCallLimit;                       // of one call, and of kBatch repetitions
   std::chrono::milliseconds total_limit{30000};  // of all calls together
-  // After so many calls that came to nothing the worker is not called any more. Counted, as time
+  // After so many calls that crashed or gave no answer the worker is not called any more. Counted, as time
   // would depend on what else the machine does.
   int max_timeouts = 3;
   int max_failures = 500;

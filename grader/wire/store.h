@@ -5,6 +5,8 @@
 #include <map>
 #include <memory>
 
+// The worker's end: the objects that calls name.
+
 namespace grader::wire {
 
 // Objects that the judge has sent once and names by handle, and the way back.

@@ -11,6 +11,8 @@
 #include <chrono>
 #include <string>
 
+// The judge's end: a worker as a process in its box.
+
 namespace grader::wire {
 
 using Clock = std::chrono::steady_clock;

@@ -79,7 +79,7 @@ SampleMap read_counts(const std::filesystem::path& path) {
     at = next + 1;
     if (at == end && columns > 0) fail("the last line breaks off");
   }
-  if (!is_image_size(map.width, map.height)) fail("there are no counts, or too many");
+  if (!is_image_size(map.width, map.height)) fail("the file has no counts, or too many");
   map.max = *std::max_element(map.counts.begin(), map.counts.end());
   return map;
 }

@@ -26,7 +26,7 @@ const std::map<std::string, Show> kShow{{"full", Show::full},
 
 const char* kFooter =
     "Which implementation of the tasks renders is chosen with ./run render --from student, or for\n"
-    "one task with --from hit_bvh=student; the default is reference.\n\n"
+    "one task with --from hit_bvh=student; the default is the reference, in a handout student.\n\n"
     "Examples:\n"
     "  ./run render scenes/box_spheres.dae -f box.png -s 64 -l 4 -m 5\n"
     "  ./run render scenes/box_spheres.dae -f normals.png --show normals\n"

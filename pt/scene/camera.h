@@ -7,7 +7,7 @@ namespace pt {
 
 // A pinhole camera. The frame has x to the right of the picture, y up and z backwards: the camera
 // looks along -z of its own frame. The fields of view are whole angles between opposite edges of
-// the picture, in degrees, as the scene files and the photographers have them.
+// the picture, in degrees, as in scene files and in photography.
 struct Camera {
   Vec3 position;  // world space
   Frame camera_to_world;

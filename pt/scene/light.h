@@ -9,9 +9,9 @@
 
 namespace pt {
 
-// The places light comes from, in world space. An area light that has a surface in the scene is
-// found by both ways of looking for it, by sampling the light and by running into the surface, and
-// the two agree; one without a surface can only be sampled.
+// The places light comes from, in world space. If an area light has a surface in the scene, sampling
+// the light and hitting the surface find the same light. A light without a surface can only be
+// sampled.
 
 // The parallelogram center + (a - 1/2) u + (b - 1/2) v, a and b in [0, 1]; emits on n's side.
 struct RectangleLight {

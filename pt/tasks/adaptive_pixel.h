@@ -7,7 +7,7 @@
 namespace pt {
 
 struct AdaptiveSettings {
-  int max_samples = 64;     // >= batch; no multiple of it has to be
+  int max_samples = 64;     // >= batch; it need not be a multiple of batch
   int batch = 32;           // >= 2: the samples between two checks
   double tolerance = 0.05;  // 1e-4 to 1: of the mean
 };
@@ -24,14 +24,14 @@ struct PixelEstimate {
 // Out: the plain mean of all samples taken, and their number n. After each batch, with mean mu and
 //      standard deviation sigma of the luminance of the samples so far, the pixel is done if
 //      1.96 sigma / sqrt(n) < tolerance mu: the 95 % interval of the mean is narrow enough. It
-//      never takes more than max_samples, of which the last batch may be cut short.
+//      never takes more than max_samples: the last batch may be shorter than the others.
 //
 // sigma may divide by n or by n - 1. Where all samples are zero, < and <= are both right.
 //
 // Precision: the mean to 1e-5 of its size, also of ten thousand samples (a sum of so many in float
 //      is not). If the two sides of the condition differ by less than 2e-5 of their size, both
 //      decisions are right: so 1.959964 may stand for 1.96.
-// May call: the task camera_ray, radiance(), and what the headers of pt/ have whole.
+// May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:

@@ -36,7 +36,7 @@ namespace pt {
 //   - ends on identical centroids: also when every box is the same, and when some of them are.
 //   - ends where axes are equally long: boxes in a cube of rows, or along a diagonal.
 //   - separates along the longest axis: long rows of boxes along x, y or z, at any scale, and rows
-//     of such rows, give a tree that a ray across it leaves almost untouched.
+//     of such rows, give a tree in which a ray across the row enters few boxes.
 //   - stays shallow on clustered centroids (bonus): at 2^-i for i = 0, 1, ... the depth is
 //     logarithmic.
 Bvh build_bvh(std::span<const Box> boxes, int max_leaf);

@@ -28,7 +28,7 @@ namespace pt {
 // independent uniform directions.
 //
 // May call: the task diffuse_bsdf; scene.closest, scene.occluded, surface_point, background and
-//      sample_light; and what the headers of pt/ have whole.
+//      sample_light; and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
@@ -46,8 +46,8 @@ namespace pt {
 //   - reflects the albedo: channel by channel.
 //   - takes the samples asked for: the mean is the same for any number of them, and the noise falls
 //     with its square root, up to a thousand and more.
-//   - starts off the surface: a surface never meets itself, nor is anything close to it passed
-//     through, at every scale.
+//   - starts off the surface: a surface never meets itself, and no ray passes through what lies
+//     close to it, at every scale.
 //   - spreads evenly over the hemisphere: directions are uniform above the surface, down to the
 //     horizon.
 //   - goes on with the sampler: calls one after the other are independent; a sampler in the same

@@ -24,12 +24,12 @@ namespace pt {
 // Precision: apart from noise, what each light gives to 1e-5 of its size, and its cosine to 1e-6.
 // Single precision keeps that for colors and cosines, not for points and distances.
 //
-// Noise: one draw of a light has a standard deviation of at most twice that of a draw of
-// sample_light, or of the light's mean if that is more; the mean of `samples` draws of it has at
-// most that divided by the square root of `samples`. Draws of different lights are independent.
+// Noise: the standard deviation of one draw of a light is at most the larger of two numbers: twice
+// that of a draw of sample_light, and the light's mean. The mean of `samples` draws has at most that
+// divided by the square root of `samples`. Draws of different lights are independent.
 //
 // May call: the task diffuse_bsdf; scene.closest, scene.occluded, surface_point, background and
-//      sample_light; and what the headers of pt/ have whole.
+//      sample_light; and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:

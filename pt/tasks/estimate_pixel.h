@@ -16,24 +16,24 @@ namespace pt {
 //      pixel, all points equally likely.
 //
 // Precision: each channel of the mean to 1e-5 of its size, or to samples * 1e-7 of it where that is
-// more; the points to 1e-5 of the picture's width and height, beside what camera_ray is off. Single
+// more; the points to 1e-5 of the picture's width and height, plus the error of camera_ray. Single
 // precision has that, for the sum too.
 //
-// May call: the task camera_ray, radiance(), and what the headers of pt/ have whole.
+// May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
-//   - averages the radiance: the mean of what radiance() returned, channel by channel, be it black
-//     or a million.
-//   - takes the samples asked for: radiance() is called exactly `samples` times, be it once or
-//     thousands of times.
+//   - averages the radiance: the mean of what radiance() returned, channel by channel, whether it
+//     is 0 or a million.
+//   - takes the samples asked for: radiance() is called exactly `samples` times, once or thousands
+//     of times.
 //   - sends one sample through the centre: with samples = 1.
 //   - stays inside the pixel: every ray goes through the pixel's own square.
 //   - covers the whole pixel: with more samples, all points of the square are equally likely.
 //   - passes the settings on: radiance() sees the view's scene and settings.
 //   - draws from the caller's sampler: all random numbers come from `sampler` itself, no copy and
-//     none with a seed of your own. radiance() gets it as far as it was used before, and afterwards
-//     it is past all numbers that were drawn.
+//     none with a seed of your own. radiance() gets it after your own draws, as they left it, and
+//     afterwards it is past all numbers that were drawn.
 //   - forgets the pixel before: the same arguments give the same answer, whatever was asked
 //     earlier.
 Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler);

@@ -21,7 +21,7 @@ namespace pt {
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
-//   - hits where it is aimed: a ray at a point inside the box, or on a side that looks at the ray,
+//   - hits where it is aimed: a ray at a point inside the box, or on a side that faces the ray,
 //     has an interval, however flat it meets the side.
 //   - misses beside the box: a ray that passes it has none.
 //   - gives the right interval: where the ray enters and leaves, on every axis.

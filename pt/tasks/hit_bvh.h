@@ -14,8 +14,8 @@ namespace pt {
 // In:  any tree that keeps the invariants of pt/geometry/bvh.h over the boxes of `primitives`, also
 //      an empty one, one of a thousand levels, or one of a hundred thousand nodes.
 // Out: hit_bvh: the hit with the smallest t in the ray's range, the surface's normal as it was
-//      given, and which primitive it was; of several at the same t any. occluded_bvh: whether there
-//      is any hit in the ray's range; it stops at the first.
+//      given, and which primitive it was. If several have the same t, any of them is right.
+//      occluded_bvh: whether there is any hit in the ray's range; it stops at the first.
 //
 // Precision: t and n are those that hit_primitive returned, unchanged.
 //
@@ -36,7 +36,8 @@ namespace pt {
 //   - asks hit_box and hit_primitive: their answers decide what the ray meets.
 //   - tests few primitives: only those whose leaf the ray enters.
 //   - tests no box twice: each box and each primitive at most once per query.
-//   - skips what lies outside the ray: boxes that the ray does not enter hide all below them.
+//   - skips what lies outside the ray: if the ray does not enter a box, nothing below it is
+//     tested.
 //   - skips what lies behind a hit: of a pile of walls, one behind the other, it tests less than
 //     half, in the mean over trees with their children in any order.
 //   - stops at any hit: occluded_bvh does not go on after it has found one.

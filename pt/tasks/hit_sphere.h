@@ -16,9 +16,9 @@ namespace pt {
 //      there, pointing outwards.
 //
 // Precision: up to a thousand radii away, the point at t lies on the sphere to 1e-6 radii, and n is
-// right to 1e-6. The quadratic formula in double has that, single precision has not. A point within
-// 1e-6 radii of an end of the range may count or not. A ray that passes within 1e-8 radii of
-// touching the sphere may hit or miss.
+// right to 1e-6. The quadratic formula in double has that, single precision has not. If the point
+// is within 1e-6 radii of an end of the range, hit and miss are both right. A ray that passes
+// within 1e-8 radii of touching the sphere may hit or miss.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.

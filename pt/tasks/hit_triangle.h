@@ -22,9 +22,9 @@ namespace pt {
 // Precision: t is right to 1e-9 of the largest length involved (a coordinate, an edge, the way to
 // the point), so single precision is not enough; n is right to 1e-6. In a sliver a thousand times
 // as long as high the error may be a thousand times larger, and so on; likewise where the ray meets
-// the plane at a small angle, down to a millionth of a radian. Flatter rays may miss. A point as
-// close as that to an edge or to an end of the range may count or not.
-// Where the corners of a triangle without area are rounded numbers, a ray at its very line may hit.
+// the plane at a small angle, down to a millionth of a radian. Flatter rays may miss. If the point
+// is closer than this error to an edge or to an end of the range, hit and miss are both right. If
+// only rounding takes a triangle without area off its line, a ray that meets this line may hit.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.

@@ -31,11 +31,11 @@ namespace pt {
 // Precision: 1e-5 of the radiance of each bounce; float is enough for colors.
 // Noise: one estimate has at most twice the standard deviation that the method above has with
 //      survival .3 (or `survival`, if that is less) and with the most noise that the contracts of
-//      diffuse_sample and of direct light allow. More is "too noisy", and breaks the promise that
-//      was tried.
+//      diffuse_sample and of direct light allow. If it has more, the promise that was tried is
+//      broken, as "too noisy".
 // May call: the tasks diffuse_bsdf, direct_hemisphere and direct_lights; scene.closest,
-//      scene.occluded, surface_point, background and sample_light; and what the headers of pt/ have
-//      whole.
+//      scene.occluded, surface_point, background and sample_light; and functions that a header of
+//      pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:

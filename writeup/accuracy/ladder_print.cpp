@@ -43,8 +43,8 @@ std::string best_text(const Ladder& ladder) {
 
 std::string notes(const Ladder& ladder) {
   std::string text = fmt::format(
-      "Worth is time x variance of the rung above, divided by that of this one; what stands in\n"
-      "brackets is not kept. Engines change no picture: only their time is compared. Light "
+      "Worth is time x variance of the rung above, divided by that of this one. Rungs in brackets\n"
+      "are not kept. Engines change no picture: only their time is compared. Light "
       "samples\n"
       "at which time x variance is least: {:.2g}.\n",
       ladder.chosen.best_light_samples);

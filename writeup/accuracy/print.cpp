@@ -69,7 +69,7 @@ std::string settings_text(const Answer& answer, const Options& options) {
 
 std::string light_samples_text(const Answer& answer) {
   if (answer.delta_lights) {
-    return "Light samples: all lights are points or directions, so that one says everything.\n";
+    return "Light samples: all lights are points or directions: one sample is enough.\n";
   }
   const SampleModel& model = answer.survivals[0].model;
   const double best = best_light_samples(model, kMostLightSamples);
@@ -111,7 +111,7 @@ std::string bounces_text(const Answer& answer) {
 }
 
 std::string roulette_text(const Answer& answer) {
-  if (answer.survivals.size() < 2) return "Roulette: with so few bounces there is none.\n";
+  if (answer.survivals.size() < 2) return "Roulette: not used, for there are too few bounces.\n";
   std::string text = "Roulette:\n";
   std::vector<const Option*> sorted;
   for (const Option& option : answer.survivals) sorted.push_back(&option);

@@ -42,7 +42,7 @@ void handle(int signal, void (*handler)(int), int flags) {
 
 RawTerminal::RawTerminal() : signals_(base::make_pipe()) {
   if (tcgetattr(STDIN_FILENO, &found_) != 0) {
-    throw pt::Error("watch takes its keys from a terminal, and this is none; use grade instead");
+    throw pt::Error("watch needs a terminal for its keys, and this is not one; use grade instead");
   }
   base::set_nonblocking(signals_.read_end);
   base::set_nonblocking(signals_.write_end);

@@ -208,7 +208,7 @@ PROMISE(estimate_pixel, draws_from_the_callers_sampler) {
     pt::Sampler at = start;  // follows the caller's sampler
     for (int i = 0; i < static_cast<int>(e.calls.size()); ++i) {
       expect(draw_up_to(e.calls[i].sampler, at),
-             "the caller's sampler in its present state, in each call of radiance()",
+             "each call of radiance() with the caller's sampler, as the draws before left it",
              fmt::format("in call {} another sampler, or one that went back", i + 1));
       for (int number = 0; number < numbers; ++number) at.next_1d();
     }

@@ -169,9 +169,10 @@ PROMISE(trace_path, goes_on_up_to_the_cap) {
         const Case c = *far_along();
         const Reach reach = reach_of(c);
         if (reach.last == c.settings.to) return;
-        expect(lit(c, reach.beyond, kPaths) > 0,
-               fmt::format("paths that go on after bounce {}, as many reach it", reach.last),
-               fmt::format("none of {} that brings light of bounce {}", kPaths, reach.beyond));
+        expect(
+            lit(c, reach.beyond, kPaths) > 0,
+            fmt::format("some paths that go on after bounce {}, because many reach it", reach.last),
+            fmt::format("none of {} that brings light of bounce {}", kPaths, reach.beyond));
       },
       8);
   // All paths of this scene leave it after the second bounce, so that none reaches bounce 3.

@@ -62,7 +62,9 @@ class NodeWalk {
       document_.fail(node, "nodes are nested more than 200 deep; flatten the scene");
     }
     if (++visited_ > kMaxNodes) {
-      document_.fail(node, "the scene unfolds to more than 100,000 nodes; instance fewer");
+      document_.fail(
+          node,
+          "the scene has more than 100,000 nodes when each <instance_node> is a copy; use fewer");
     }
     path_.push_back(&node);
   }
@@ -114,7 +116,8 @@ class NodeWalk {
   void place(const Child& child, const XMLElement& node, const Transform& to_world) {
     if (++placed_ > kMaxInstances) {
       document_.fail(*child.element,
-                     "the scene unfolds to more than 100,000 instances; instance fewer");
+                     "the scene has more than 100,000 instances when each <instance_node> is a "
+                     "copy; use fewer");
     }
     std::vector<Instance>& instances = child.kind == Child::Kind::geometry ? found_.geometries
                                        : child.kind == Child::Kind::light  ? found_.lights
