@@ -50,6 +50,27 @@ std::vector<Camera> unusual() {
   return all;
 }
 
+// Ranges that end at a billion, that begin at 20, and that are a single distance.
+std::vector<Camera> ranges() {
+  std::vector<Camera> all(3);
+  constexpr std::array<double, 2> kClips[] = {{0.25, 1e9}, {20, 40}, {2, 2}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].near_clip = kClips[i][0];
+    all[i].far_clip = kClips[i][1];
+  }
+  return all;
+}
+
+// A camera that looks straight up (1) or straight down (-1). The right of its picture is along the
+// world's z.
+Camera upright(double up) {
+  Camera camera;
+  camera.camera_to_world = {{0, 0, 1}, {-up, 0, 0}, {0, -up, 0}};
+  camera.near_clip = 0.25;
+  camera.far_clip = 40;
+  return camera;
+}
+
 void ask(Battery& battery, const Camera& camera, double x, double y) {
   battery.ask([&]() -> Battery::Numbers {
     const pt::Ray ray = pt::camera_ray(camera, x, y);
@@ -71,6 +92,8 @@ void run_battery(Battery& battery) {
       ask(battery, camera, x, y);
     }
   }
+  for (const Camera& camera : ranges()) ask(battery, camera, 0.1, 0.8);
+  for (const double up : {1.0, -1.0}) ask(battery, upright(up), 0.1, 0.8);
 }
 
 }  // namespace grader::mistakes

@@ -34,6 +34,8 @@ void values(Battery& battery) {
                                                 {.5, 5e-4}, {5e-4, .5}, {5e-7, .5}};
   for (const auto& [out, in] : kCosines) ask(battery, kAlbedo, out, in);
   ask(battery, {}, .5, .6);
+  ask(battery, {5e-5, 3e-5, 2e-5}, .5, .6);
+  ask(battery, kAlbedo, 1e-8, 1e-8);
 }
 
 // The integral of the pdf over one hemisphere. The sum is exact for a pdf that is linear in z.
@@ -53,6 +55,53 @@ void density(Battery& battery) {
       });
     }
   }
+}
+
+// Whether the pdf sums to one in steps that are so small that some of them are below one degree.
+void density_of_low_directions(Battery& battery) {
+  constexpr int kSteps = 64;
+  battery.ask([]() -> Battery::Numbers {
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      sum += pt::diffuse_pdf(towards(.9, .4), towards((i + 0.5) / kSteps, 3));
+    }
+    return {flag(std::abs(sum * 2 * pt::kPi / kSteps - 1) < 3e-4)};
+  });
+}
+
+// Whether two samples of a black surface are the same.
+void black_samples(Battery& battery) {
+  battery.ask([]() -> Battery::Numbers {
+    pt::Sampler sampler(5);
+    const Vec3 first = pt::diffuse_sample({}, towards(.9, .7), sampler).wi;
+    return {flag(pt::diffuse_sample({}, towards(.9, .7), sampler).wi == first)};
+  });
+}
+
+// Which of some small parts of the hemisphere a sample is in. With the weight cos(wi) / pdf, the
+// means are the same for all densities.
+Battery::Numbers places(const pt::BsdfSample& s) {
+  const double z = s.wi.z, weight = s.pdf > 0 ? z / s.pdf : 0;
+  const double degrees = std::atan2(s.wi.y, s.wi.x) * 180 / pt::kPi;
+  const auto between = [](double low, double a, double high) { return flag(low < a && a < high); };
+  return {weight * between(-18, degrees, 0),
+          weight * flag(std::abs(degrees - std::round(degrees)) < 0.05),
+          weight * between(0, z, 0.02),
+          weight * between(0.0215, z, 0.0235),
+          weight * between(0.03, z, 0.054),
+          weight * flag(z > 1 - 1e-9)};
+}
+
+// So many samples that some of them are less than one degree above the horizon.
+void many_samples(Battery& battery) {
+  const Vec3 wo = towards(.6, .7);
+  battery.mean(100000, [&](int n, std::uint64_t seed) {
+    std::vector<Battery::Numbers> rows;
+    for (const auto& sample : repeat<pt::diffuse_sample>(n, seed, kAlbedo, wo)) {
+      rows.push_back(places(sample));
+    }
+    return rows;
+  });
 }
 
 Battery::Numbers about(const pt::BsdfSample& s, Vec3 wo) {
@@ -98,6 +147,9 @@ void run_battery(Battery& battery) {
       return rows;
     });
   }
+  density_of_low_directions(battery);
+  black_samples(battery);
+  many_samples(battery);
 }
 
 }  // namespace grader::mistakes

@@ -3,21 +3,29 @@
 #include "grader/check/repeat.h"
 #include "grader/mistakes/battery.h"
 #include "grader/mistakes/stages.h"
+#include "grader/tasks/direct_hemisphere/surroundings.h"
+
+#include <cmath>
 
 namespace grader::mistakes {
 namespace {
 
 using namespace check;
 
-void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 4000) {
-  const Situation s = stage.done();
+using pt::Vec3;
+
+void ask(Battery& battery, const Situation& s, int samples = 1, int draws = 4000) {
   battery.estimate(draws, [&](int n, std::uint64_t seed) {
     return repeat<pt::direct_hemisphere>(n, seed, s.scene, s.point, samples);
   });
 }
 
+void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 4000) {
+  ask(battery, stage.done(), samples, draws);
+}
+
 void skies(Battery& battery) {
-  for (const pt::Vec3 n : {pt::Vec3{0, 1, 0}, pt::Vec3{1, 0, 0}, pt::Vec3{1, -0.5, 1}}) {
+  for (const Vec3 n : {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{1, -0.5, 1}}) {
     ask(battery, Stage(turned(n)).sky(kRadiance).patch(kAlbedo, kTilted));
   }
   ask(battery, Stage(turned({0, 1, 0})).sky(kRadiance).patch(kAlbedo, kTilted, true));
@@ -56,7 +64,7 @@ void samples(Battery& battery) {
 // A patch inside a glowing box, far from the origin and near it, large and small.
 void scales(Battery& battery) {
   for (const double size : {1e-4, 1e-2, 1e2, 1e4}) {
-    for (const pt::Vec3 shift : {pt::Vec3{}, pt::Vec3{100, -70, 50}}) {
+    for (const Vec3 shift : {Vec3{}, Vec3{100, -70, 50}}) {
       Stage stage(here(size, shift));
       for (const Rectangle& wall : cube()) {
         const bool floor = wall.center.z == 0;
@@ -81,16 +89,114 @@ void brightness(Battery& battery) {
     ask(battery, Stage(here()).rectangle(kAbove, radiance, Body::surface).patch(kAlbedo, kTilted),
         1, 1000);
   }
-  for (const int each : {64, 3000}) {
-    ask(battery, Stage(here()).sky(kRadiance).patch(kAlbedo, kTilted), each,
-        each == 64 ? 1000 : 60);
-  }
+  // The sky above a floor, where the mean has so little noise that one sample of 64 counts.
+  ask(battery, Stage(turned({0, 1, 0})).sky(kRadiance).patch(kAlbedo, kTilted), 64, 2000);
+  ask(battery, Stage(here()).sky(kRadiance).patch(kAlbedo, kTilted), 3000, 60);
 }
 
 // Seen from behind, a point that glows on its front. A ray that starts on the wrong side meets it; a
 // direction on the wrong side brings nothing.
 void glowing_front(Battery& battery) {
   ask(battery, Stage(here()).patch(kAlbedo, kTilted, true, {5, 4, 3}));
+}
+
+// A sky that is not the first light, and one beside a light without a surface.
+void skies_beside_lights(Battery& battery) {
+  const Pose floor = turned({0, 1, 0});
+  ask(battery,
+      Stage(floor).point_light({0, 0, 2}, kRadiance).sky(kRadiance).patch(kAlbedo, kTilted), 1,
+      500);
+  ask(battery,
+      Stage(floor).sky(kRadiance).rectangle(kAbove, kRadiance, Body::none).patch(kAlbedo, kTilted),
+      1, 500);
+}
+
+// A light behind a surface that turns its back to the point. Then both sides of a light whose
+// corner normals are turned round.
+void backs(Battery& battery) {
+  const Rectangle shade = kAbove.scaled(0.5).part(-0.5, 1.5, -0.5, 1.5).flipped();
+  ask(battery,
+      Stage(here())
+          .rectangle(kAbove, kRadiance, Body::surface)
+          .surface(shade, {.5, .5, .5})
+          .patch(kAlbedo, kTilted),
+      1, 500);
+  for (const Rectangle& light : {kAbove, kAbove.flipped()}) {
+    const Situation s =
+        Stage(here()).rectangle(light, kRadiance, Body::surface).patch(kAlbedo, kTilted).done();
+    ask(battery, direct_hemisphere_cases::with_corner_normals_turned_round(s), 1, 500);
+  }
+}
+
+// The normal of the true surface is not the shading normal.
+void smooth_shading(Battery& battery) {
+  Situation s =
+      Stage(here()).rectangle(kAside, kRadiance, Body::surface).point(kAlbedo, kTilted).done();
+  s.point.geometric_normal = normalize(Vec3{-0.3, -0.1, 0.9});
+  ask(battery, s);
+}
+
+// A light a million units away, a ball, and a lamp that fills a hundred-and-fiftieth of the
+// hemisphere, so that a hundred directions may miss it.
+void sizes_and_shapes(Battery& battery) {
+  ask(battery, Stage(here(1e6)).rectangle(kAbove, kRadiance, Body::surface).point(kAlbedo, kTilted),
+      1, 500);
+  ask(battery, Stage(here()).ball({0, 0, 2}, 1, kRadiance, Body::surface).patch(kAlbedo, kTilted),
+      1, 500);
+  const Rectangle lamp{{0, 0, 1}, {0, 0.2, 0}, {0.2, 0, 0}};
+  ask(battery, Stage(here()).rectangle(lamp, kRadiance, Body::surface).patch(kAlbedo, kTilted), 400,
+      80);
+}
+
+// Glowing strips that stand upright between the whole degrees of the azimuth.
+void strips_between_degrees(Battery& battery) {
+  constexpr int kStrips = 40;
+  Stage stage(here());
+  for (int i = 0; i < kStrips; ++i) {
+    const double degree = pt::kPi / 180, width = 0.8 * degree;
+    const double azimuth = (360 / kStrips * i + 0.5) * degree;
+    const double x = std::cos(azimuth), y = std::sin(azimuth);
+    stage.surface({{x, y, 0.5}, {width * y, -width * x, 0}, {0, 0, 1}}, {.5, .5, .5}, kRadiance);
+  }
+  ask(battery, stage.patch(kAlbedo, kTilted), 1, 1500);
+}
+
+// Four walls that glow in red up to 0.05 degrees above the horizon, and in green from 0.06 to 0.16
+// degrees.
+void lit_at_the_horizon(Battery& battery) {
+  Stage stage(here());
+  for (const Rectangle& wall : cube()) {
+    if (wall.center.z != 0.5) continue;
+    const auto strip = [&](double low, double high) {
+      return wall.u.z > 0 ? wall.part(low, high, 0, 1) : wall.part(0, 1, low, high);
+    };
+    stage.surface(strip(0, 9e-4), {.5, .5, .5}, {1e6, 0, 0});
+    stage.surface(strip(1.5e-3, 2.8e-3), {.5, .5, .5}, {0, 1e6, 0});
+  }
+  ask(battery, stage.patch(pt::gray(0.5), kTilted), 50, 1000);
+}
+
+// A patch in a large room that glows. A ray must not meet the patch again.
+void far_from_the_origin(Battery& battery) {
+  for (const Pose& pose : farthest(1e6)) {
+    Stage stage(pose);
+    for (const Rectangle& wall : direct_hemisphere_cases::dome(1)) {
+      stage.surface(wall, {.5, .5, .5}, kRadiance);
+    }
+    ask(battery, stage.patch(kAlbedo, kTilted), 1, 200);
+  }
+}
+
+// Light is never negative.
+void signs(Battery& battery) {
+  const Situation s = Stage(here()).sky(kRadiance).patch(kAlbedo, kTilted).done();
+  battery.mean(200, [&](int n, std::uint64_t seed) {
+    std::vector<Battery::Numbers> negative;
+    for (const pt::Rgb each : repeat<pt::direct_hemisphere>(n, seed, s.scene, s.point, 1)) {
+      negative.push_back({flag(luminance(each) < 0)});
+    }
+    return negative;
+  });
 }
 
 void sampler(Battery& battery) {
@@ -113,6 +219,14 @@ void run_battery(Battery& battery) {
   brightness(battery);
   sampler(battery);
   glowing_front(battery);
+  skies_beside_lights(battery);
+  backs(battery);
+  smooth_shading(battery);
+  sizes_and_shapes(battery);
+  strips_between_degrees(battery);
+  lit_at_the_horizon(battery);
+  far_from_the_origin(battery);
+  signs(battery);
 }
 
 }  // namespace grader::mistakes

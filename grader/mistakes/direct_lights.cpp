@@ -11,16 +11,29 @@ using namespace check;
 
 using pt::Vec3;
 
-void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 3000) {
-  const Situation s = stage.done();
+void ask(Battery& battery, const Situation& s, int samples = 1, int draws = 3000) {
   battery.estimate(draws, [&](int n, std::uint64_t seed) {
     return repeat<pt::direct_lights>(n, seed, s.scene, s.point, samples);
   });
 }
 
+void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 3000) {
+  ask(battery, stage.done(), samples, draws);
+}
+
 // For scenes without randomness: eight draws are enough.
 void ask_exactly(Battery& battery, const Stage& stage, int samples = 1) {
   ask(battery, stage, samples, 8);
+}
+
+// Whether the point is black: where nothing else counts, and where light is so weak that right
+// answers differ in it.
+void ask_if_black(Battery& battery, const Stage& stage) {
+  const Situation s = stage.done();
+  battery.ask([&]() -> Battery::Numbers {
+    pt::Sampler sampler(7);
+    return {flag(is_black(pt::direct_lights(s.scene, s.point, 1, sampler)))};
+  });
 }
 
 Stage patch(const Pose& pose = here(), bool from_behind = false) {
@@ -77,7 +90,7 @@ void area_lights(Battery& battery) {
 }
 
 void skies(Battery& battery) {
-  for (const Vec3 n : {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{1, -0.5, 1}}) {
+  for (const Vec3 n : {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{1, -0.5, 1}, Vec3{0.5, -0.8, 0.2}}) {
     ask(battery, patch(turned(n)).sky(kRadiance));
   }
   ask(battery, patch(turned({0, 1, 0})).sky(kRadiance).surface(kAbove, {.5, .5, .5}));
@@ -106,6 +119,14 @@ void several(Battery& battery) {
             .directional_light({0.3, 0.2, 1}, {0, 0, 1}),
         samples);
   }
+}
+
+// The normal of the true surface is not the shading normal.
+void smooth_shading(Battery& battery) {
+  Situation s =
+      Stage(here()).point(kAlbedo, kTilted).point_light({0.8, 0.6, 0.9}, kRadiance).done();
+  s.point.geometric_normal = normalize(Vec3{0.3, -0.1, 0.9});
+  ask(battery, s, 1, 8);
 }
 
 void samples(Battery& battery) {
@@ -138,12 +159,84 @@ void extremes(Battery& battery) {
     ask(battery, patch().rectangle(kAside, radiance, Body::surface), 1, 1000);
   }
   ask_exactly(battery, patch().directional_light({1, 0, 0.005}, kRadiance));
+  ask_exactly(battery, patch().point_light({0.01, 0, 0.02}, 1e6 * kRadiance));
   Stage many = patch();
   for (int i = 0; i < 40; ++i) many.point_light({0.1 * i - 2, 0.3, 1 + 0.02 * i}, kRadiance);
   ask_exactly(battery, many);
   for (const double way : {0.98, 0.995}) {
     const Rectangle plate{{0, 0, 2 * way}, {0, 1, 0}, {1, 0, 0}};
     ask_exactly(battery, patch().point_light({0, 0, 2}, kRadiance).surface(plate, {.5, .5, .5}));
+  }
+}
+
+// Lights that give nothing, before a point light that does: hidden or below the horizon.
+void after_dark_lights(Battery& battery) {
+  const Vec3 aside{-0.8, -0.2, 0.9};
+  ask_if_black(battery,
+               patch().point_light({0.8, 0.2, 0.9}, kRadiance, true).point_light(aside, kRadiance));
+  ask_if_black(battery,
+               patch().rectangle(kAside, kRadiance, Body::none, 1).point_light(aside, kRadiance));
+  ask_if_black(battery,
+               patch().point_light({0.8, 0.2, -0.9}, kRadiance).point_light(aside, kRadiance));
+}
+
+// A hundred lights, all of which give light. Then a hundred of which only a half hidden lamp does:
+// its noise shows how many samples it gets.
+void hundred_lights(Battery& battery) {
+  Stage all = patch(), one = patch().rectangle(kAside, kRadiance, Body::none, 0.5);
+  for (int i = 0; i < 100; ++i) all.point_light({0.04 * i - 2, 0.3, 1 + 0.01 * i}, kRadiance);
+  for (int i = 1; i < 100; ++i) one.point_light({0, 0.1, -1}, kRadiance);
+  ask_exactly(battery, all);
+  ask(battery, one, 40, 300);
+}
+
+// Two lamps in one place, half hidden. If they have the same random numbers, they are bright and
+// dark together.
+void two_lamps(Battery& battery) {
+  ask(battery, patch()
+                   .rectangle(kAside, kRadiance, Body::none, 0.5)
+                   .rectangle(kAside, kRadiance, Body::none));
+}
+
+// Draws that bring nothing, among those that do.
+void some_dark_draws(Battery& battery) {
+  ask(battery, patch().rectangle(kAside, kRadiance, Body::none, 0.4), 4, 1000);
+  ask(battery, patch(turned({1, 0, 0})).sky(kRadiance), 80, 40);
+}
+
+// Surfaces that hide the middle of a mesh, the middle of a ball, and a point light. The last one
+// glows.
+void shadows(Battery& battery) {
+  ask(battery, patch().mesh(kAside, kRadiance, Body::none, 0.75));
+  const Rectangle shade{{0.15, 0.15, 0.7}, {0, 0.9, 0}, {0.4, 0, 0}};
+  ask(battery,
+      patch().ball({0.5, 0.3, 1.4}, 0.5, kRadiance, Body::none).surface(shade, {.5, .5, .5}));
+  ask_if_black(battery,
+               patch().point_light({0, 0, 2}, kRadiance).surface(kAbove, {.5, .5, .5}, kRadiance));
+}
+
+// Lights, and surfaces that hide lights, a million units away.
+void far_ways(Battery& battery) {
+  const Vec3 side = normalize(Vec3{0.8, 0.6, 0.9});
+  ask_if_black(battery, Stage(here(1e6)).point(kAlbedo, kTilted).point_light(side, kRadiance));
+  ask_if_black(battery, patch(here(1e6)).directional_light(side, kRadiance, true));
+  ask(battery, patch(here(1e6)).dark_ball({0, 0, 1.2}, 1.5).sky(kRadiance), 1, 500);
+}
+
+// Light from a twelfth of a degree above the horizon, and from below that. Then a low ball.
+void low_lights(Battery& battery) {
+  for (const double height : {1.4e-3, 5e-4, 5e-6}) {
+    ask_if_black(battery, patch().directional_light(normalize(Vec3{1, 0, height}), kRadiance));
+  }
+  ask(battery, patch().ball({1, 0, 0.015}, 0.006, kRadiance, Body::none), 1, 500);
+}
+
+// A surface must not shadow itself.
+void far_from_the_origin(Battery& battery) {
+  for (const double size : {1e-3, 1.0, 1e3, 1e6}) {
+    for (const Pose& pose : farthest(size)) {
+      ask_if_black(battery, patch(pose).point_light({0.8, 0.6, 0.9}, kRadiance));
+    }
   }
 }
 
@@ -167,6 +260,15 @@ void run_battery(Battery& battery) {
   scales(battery);
   extremes(battery);
   sampler(battery);
+  smooth_shading(battery);
+  after_dark_lights(battery);
+  hundred_lights(battery);
+  two_lamps(battery);
+  some_dark_draws(battery);
+  shadows(battery);
+  far_ways(battery);
+  low_lights(battery);
+  far_from_the_origin(battery);
 }
 
 }  // namespace grader::mistakes

@@ -2,6 +2,8 @@
 
 #include "grader/check/scenes.h"
 
+#include <vector>
+
 // Code that the batteries of direct_hemisphere and direct_lights share.
 
 namespace grader::mistakes {
@@ -23,6 +25,18 @@ inline check::Pose far_away(double size) {
   check::Pose pose = turned({1, 2, 3}, size);
   pose.shift = size * pt::Vec3{100, -70, 50};
   return pose;
+}
+
+// Poses as far from the origin as scenes may be. Where a ray hardly leaves the surface, it meets the
+// surface again or does not, as the rounding errors of the point will have it.
+inline std::vector<check::Pose> farthest(double size) {
+  std::vector<check::Pose> poses;
+  for (const pt::Vec3 n :
+       {pt::Vec3{1, 2, 3}, pt::Vec3{-1, 0.1, 0}, pt::Vec3{2, -3, 1}, pt::Vec3{-1, -2, -2}}) {
+    poses.push_back(turned(n, size));
+    poses.back().shift = size * pt::Vec3{9000, -7000, 5000};
+  }
+  return poses;
 }
 
 // A plate close above the point.
