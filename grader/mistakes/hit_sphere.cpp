@@ -149,7 +149,7 @@ void lengths(Battery& battery, Many& make) {
   ask(battery, away, 0, pt::kInfinity);
   ask(battery, Line(make, 1e-6, 0.4, 3, 1e-9), 0, pt::kInfinity);
   const Line slow(make, 1, 0.3, 3, 0.4);
-  ask(battery, slow, 0, 0.5 * (slow.near + slow.far));
+  ask(battery, slow, 0, 0.8 * slow.near + 0.2 * slow.far);
 }
 
 }  // namespace
