@@ -247,7 +247,7 @@ void too_wide(Battery& battery, Many& make) {
 void many(Battery& battery, Many& make) {
   ask(battery, scattered(make, 2500), 1);
   Boxes halving, diagonal;
-  for (int i = 0; i < 600; ++i) halving.push_back(around({std::pow(2, -i), 0, 0}, {0, 0, 0}));
+  for (int i = 0; i < 1000; ++i) halving.push_back(around({std::pow(2, -i), 0, 0}, {0, 0, 0}));
   for (int i = 0; i < 16; ++i) diagonal.push_back(around(i * Vec3{1, 1, 1}, {0.25, 0.25, 0.25}));
   for (const Boxes& boxes : {halving, diagonal}) ask(battery, boxes, 1);
 }
