@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace grader::mistakes {
 namespace {
@@ -178,6 +179,55 @@ void precisely(Battery& battery, Many& make) {
   }
 }
 
+// A billion of its sizes away, rays at the box and past an edge of it.
+void far_away(Battery& battery, Many& make) {
+  constexpr double kFar = 1e9;
+  for (int i = 0; i < 8; ++i) {
+    const Box box = some_box(make, 1);
+    const Vec3 d = normalize(make.vector(-1, 1));
+    ask(battery, box, {inside(box, make) - kFar * d, d});
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const Box box = some_box(make, 1);
+    const int other = (axis + 1) % 3;
+    Vec3 target = box.center(), d{0.3, 0.3, 0.3};
+    target[axis] = box.max[axis] + 0.1;
+    target[other] = box.max[other] + 0.1;
+    d[axis] = 0.7;
+    d[other] = -0.7;
+    ask(battery, box, {target - kFar * d, d});
+  }
+}
+
+// A ray that is almost parallel to a side. Half way to the box it crosses the plane of this side, so
+// that a component counts which is small beside the direction, or as a number.
+void almost_parallel(Battery& battery, Many& make) {
+  constexpr double kWay = 1e4;
+  for (const auto& [slope, longer] : {std::pair{5e-10, 1.0}, {5e-11, 1.0}, {1e-7, 1e-9}}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Box box = some_box(make, 1);
+      Vec3 p = inside(box, make), d{0.6, 0.6, 0.6};
+      p[axis] = box.max[axis] - 0.5 * slope * kWay;
+      d[axis] = -slope;
+      ask(battery, box, {p - kWay * d, longer * d});
+    }
+  }
+}
+
+// A range of a single point inside the box, and a flat box close to the origin of the ray.
+void points(Battery& battery, Many& make) {
+  Box box = some_box(make, 1);
+  const Vec3 along{0.6, -0.5, 0.7}, near{0.04, 0.05, 0.06};
+  Ray ray{inside(box, make) - 5 * along, along};
+  ray.t_min = ray.t_max = 5;
+  ask(battery, box, ray);
+  for (int axis = 0; axis < 3; ++axis) {
+    box = some_box(make, 1);
+    box.max[axis] = box.min[axis];
+    ask(battery, box, {inside(box, make) + near, -near});
+  }
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -189,6 +239,9 @@ void run_battery(Battery& battery) {
   flat(battery, make);
   extremes(battery, make);
   precisely(battery, make);
+  far_away(battery, make);
+  almost_parallel(battery, make);
+  points(battery, make);
 }
 
 }  // namespace grader::mistakes

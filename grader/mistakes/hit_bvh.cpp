@@ -1,18 +1,14 @@
 #include "pt/tasks/hit_bvh.h"
 
-#include "grader/check/counting.h"
 #include "grader/check/many.h"
 #include "grader/mistakes/battery.h"
-#include "grader/tasks/hit_bvh/cases.h"
-#include "pt/tasks/hit_box.h"
+#include "grader/mistakes/hit_bvh_looks.h"
+#include "grader/tasks/hit_bvh/ends_of_range.h"
+#include "grader/tasks/hit_bvh/large_grid.h"
+#include "grader/tasks/hit_bvh/scenes.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
-
-// The order in which a tree is walked is free. So an answer contains what was found and which rules
-// on the cost were broken, but not the number of tests.
+#include <utility>
 
 namespace grader::mistakes {
 namespace {
@@ -21,93 +17,10 @@ using namespace check;
 
 using namespace hit_bvh_cases;
 
-using Name = std::tuple<double, double, double, double>;
-Name name_of(const pt::Box& b) { return {b.min.x, b.min.y, b.max.x, b.max.z}; }
-Name name_of(const pt::Triangle& t) { return {t.p0.x, t.p0.y, t.p1.x, t.p1.y}; }
-Name name_of(const pt::Sphere& s) { return {s.center.x, s.center.y, s.center.z, s.radius}; }
-
-// Returns whether something was tested more often than it occurs in the tree. Boxes may be equal.
-template <class T>
-bool too_often(const std::vector<T>& asked, const std::vector<T>& there) {
-  std::map<Name, int> left;
-  for (const T& each : there) ++left[name_of(each)];
-  return std::ranges::any_of(asked, [&](const T& each) { return --left[name_of(each)] < 0; });
-}
-
-std::vector<pt::Box> boxes_of(const pt::Bvh& bvh) {
-  std::vector<pt::Box> boxes;
-  for (const pt::BvhNode& node : bvh.nodes) boxes.push_back(node.box);
-  return boxes;
-}
-
-template <class T>
-bool was_asked(const std::vector<T>& asked, const T& about) {
-  return std::ranges::any_of(asked, [&](const T& one) { return name_of(one) == name_of(about); });
-}
-
-bool was_asked(const Tested& log, const pt::Primitives& primitives, int i) {
-  return primitives.is_triangle(i) ? was_asked(log.triangles, primitives.triangle(i))
-                                   : was_asked(log.spheres, primitives.sphere(i));
-}
-
-struct Cost {
-  double box_twice = 0, primitive_twice = 0, primitive_outside = 0, box_outside = 0;
-};
-
-Cost cost_of(const Case& c, const Tested& log) {
-  Cost cost;
-  cost.box_twice = flag(too_often(log.boxes, boxes_of(c.bvh)));
-  cost.primitive_twice = flag(too_often(log.triangles, c.primitives.triangles) ||
-                              too_often(log.spheres, c.primitives.spheres));
-  for (const pt::BvhNode& node : c.bvh.nodes) {
-    if (c.bvh.nodes.size() == 1 || pt::hit_box(node.box, c.ray)) continue;
-    for (int i = node.first; i < node.first + node.count; ++i) {
-      if (was_asked(log, c.primitives, c.bvh.order[i])) cost.primitive_outside = 1;
-    }
-    if (node.is_leaf()) continue;
-    for (const int child : {node.left, node.right}) {
-      const pt::Box& box = c.bvh.nodes[child].box;
-      if (name_of(box) == name_of(node.box)) continue;  // both look the same in the log
-      if (was_asked(log.boxes, box)) cost.box_outside = 1;
-    }
-  }
-  return cost;
-}
-
 // Returns how many of the primitives were tested: 0 for up to half of them, 1 for more, 2 for all.
 double share(std::size_t tested, double all) {
   const double part = static_cast<double>(tested) / all;
   return part > 0.99 ? 2 : part > 0.5 ? 1 : 0;
-}
-
-// Each query starts with an empty record, so that it contains no test of the query before.
-Battery::Numbers look(const Case& c, bool with_cost) {
-  forget_tests();
-  const auto hit = pt::hit_bvh(c.bvh, c.primitives, c.ray);
-  const Tested log = tested();
-  Battery::Numbers all{flag(hit.has_value())};
-  if (hit) all.insert(all.end(), {hit->t, hit->n.x, hit->n.y, hit->n.z, 1.0 * hit->primitive});
-  if (!with_cost) return all;
-  const Cost cost = cost_of(c, log);
-  all.insert(all.end(),
-             {cost.box_twice, cost.primitive_twice, cost.primitive_outside, cost.box_outside});
-  return all;
-}
-
-Battery::Numbers look_for_any(const Case& c, bool with_cost) {
-  forget_tests();
-  const bool occluded = pt::occluded_bvh(c.bvh, c.primitives, c.ray);
-  const Tested log = tested();
-  Battery::Numbers all{flag(occluded)};
-  if (!with_cost) return all;
-  const Cost cost = cost_of(c, log);
-  bool stopped = true;
-  for (std::size_t i = 0; i + 1 < log.triangles.size(); ++i) {
-    stopped = stopped && !pt::hit_triangle(log.triangles[i], c.ray);
-  }
-  all.insert(all.end(), {cost.box_twice, cost.primitive_twice, cost.primitive_outside,
-                         cost.box_outside, flag(stopped)});
-  return all;
 }
 
 // A ray towards the middle of a primitive or close past it. It starts outside the primitives or
@@ -225,18 +138,69 @@ void others(Battery& battery, Many& make) {
   }
 }
 
-// Leaves with many primitives, hits at a small t, and whether t is as precise as a double can be.
+// Whether anything is in the way, which primitive is the nearest, and whether its t is as precise as a
+// double can be.
+void ask_exactly(Battery& battery, const Case& c, double t) {
+  battery.ask([&]() -> Battery::Numbers {
+    const double occluded = flag(pt::occluded_bvh(c.bvh, c.primitives, c.ray));
+    const auto hit = pt::hit_bvh(c.bvh, c.primitives, c.ray);
+    if (!hit) return {occluded};
+    return {occluded, 1.0 * hit->primitive, flag(std::abs(hit->t / t - 1) < 1e-12)};
+  });
+}
+
+// Leaves with many primitives, and hits at a small and at a large t.
 void extremes(Battery& battery, Many& make) {
   for (int i = 0; i < 3; ++i) ask(battery, some_case(make, Shape::leaf, 200, 0, 1, true), false);
-  Case fast = row(make, true);
-  fast.ray.direction = 1e6 * fast.ray.direction;
+  const Case spheres = row(make, true), walls = row(make, false);
+  Case fast = spheres, slow = walls;
+  fast.ray.direction *= 1e6;
+  slow.ray.direction *= 1e-9;
   ask(battery, fast, false);
-  const Case c = row(make, false);
-  battery.ask([&]() -> Battery::Numbers {
-    const auto hit = pt::hit_bvh(c.bvh, c.primitives, c.ray);
-    if (!hit) return {};
-    return {flag(std::abs(hit->t / 6 - 1) < 1e-12)};
-  });
+  ask_exactly(battery, slow, 6e9);
+}
+
+// A range that ends, begins, or does both at a wall. The ray enters the box of a wall where it meets
+// the wall, but that of the last wall before.
+void ends(Battery& battery, Many& make) {
+  for (const int walls : {1, 3}) {
+    for (const auto& [end, wall] :
+         {std::pair{End::last, 0}, std::pair{End::first, walls - 1}, std::pair{End::both, 0}}) {
+      ask_exactly(battery, walls_and_range(2, walls, wall, end, 1, make), 4 + wall);
+    }
+  }
+  Case slanting = flat_wall_before_a_slanting_one(9, 7, 0.3);
+  slanting.bvh = tree_in_order(slanting.primitives, Shape::random, make);
+  slanting.ray.t_max = hit_primitive(slanting.primitives, 1, slanting.ray)->t;
+  ask_exactly(battery, slanting, 7);
+}
+
+// Two walls that all but touch, by distances that are parts of t. The query knows the farther one first.
+// t is not a float: the nearest one is beyond both walls, unless they are a ten-thousandth apart.
+void touching(Battery& battery, Many& make) {
+  constexpr double kNear = 7.3;
+  for (const Shape shape : {Shape::random, Shape::leaf}) {
+    for (const double apart : {2e-10, 1e-8, 1e-4}) {
+      Case c = flat_wall_before_a_slanting_one(kNear, kNear * (1 + apart), 0.3);
+      std::swap(c.primitives.triangles[0], c.primitives.triangles[1]);
+      c.bvh = tree_in_order(c.primitives, shape, make);
+      ask_exactly(battery, c, kNear);
+    }
+  }
+}
+
+// More primitives and nodes than 16 bits can count. Queries that enter most of a tree are not asked.
+void large_numbers(Battery& battery) {
+  for (const int place : {kFirstInGrid, kLastInGrid}) {
+    battery.ask([&]() -> Battery::Numbers {
+      if (!is_quick_in_a_grid()) return {};
+      const AimedInGrid aimed{&large_grid(), place};
+      const double occluded = flag(is_occluded(aimed));
+      const auto hit = ask(aimed);
+      if (!hit) return {occluded};
+      return {occluded, 1.0 * hit->primitive};
+    });
+  }
 }
 
 }  // namespace
@@ -252,6 +216,11 @@ void run_battery(Battery& battery) {
   deep(battery, make);
   others(battery, make);
   extremes(battery, make);
+  ends(battery, make);
+  touching(battery, make);
+  // As many leaves wait as there are walls. A stack that is too small loses the nearest of them.
+  ask_exactly(battery, pile(700, true), 5);
+  large_numbers(battery);
 }
 
 }  // namespace grader::mistakes

@@ -118,6 +118,40 @@ void extremes(Battery& battery, Many& make) {
   }
 }
 
+// Only whether the point is on the sphere to the contract's precision. Where the ray all but touches,
+// right solutions differ in t and n.
+void ask_point(Battery& battery, const Line& line) {
+  battery.ask([&]() -> Battery::Numbers {
+    const auto hit = pt::hit_sphere(line.sphere, line.ray);
+    if (!hit) return {};
+    const Vec3 p = line.ray.at(hit->t) - line.sphere.center;
+    return {flag(std::abs(length(p) / line.sphere.radius - 1) < 1e-6)};
+  });
+}
+
+// From 950 radii away, with two points on the sphere that are closer and closer together. And past a
+// sphere so closely that a radius which is rounded up to single precision is large enough for a hit.
+void tangents(Battery& battery, Many& make) {
+  for (const double half : {2.7e-3, 2.2e-3, 1.75e-3}) {
+    ask_point(battery, Line(make, 1, std::sqrt(1 - half * half), 950, 1));
+  }
+  ask_point(battery, Line(make, std::sqrt(1 + 6.5e-8), 1 + 2.2e-8, 3, 1));
+}
+
+// From exactly the centre, a million radii from the world's origin, the smallest sphere with the
+// shortest direction, and a range that ends inside the sphere for a direction shorter than 1.
+void lengths(Battery& battery, Many& make) {
+  ask(battery, Line(make, 1, 0, 0, 1), 0, pt::kInfinity);
+  Line away(make, 1, 0.3, 3, 1);
+  const Vec3 shift{1e6, -7e5, 4e5};
+  away.sphere.center += shift;
+  away.ray.origin += shift;
+  ask(battery, away, 0, pt::kInfinity);
+  ask(battery, Line(make, 1e-6, 0.4, 3, 1e-9), 0, pt::kInfinity);
+  const Line slow(make, 1, 0.3, 3, 0.4);
+  ask(battery, slow, 0, 0.8 * slow.near + 0.2 * slow.far);
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -126,6 +160,8 @@ void run_battery(Battery& battery) {
   ranges(battery, make);
   scales(battery, make);
   extremes(battery, make);
+  tangents(battery, make);
+  lengths(battery, make);
 }
 
 }  // namespace grader::mistakes

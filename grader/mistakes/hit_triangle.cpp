@@ -2,6 +2,7 @@
 
 #include "grader/check/many.h"
 #include "grader/mistakes/battery.h"
+#include "pt/math/frame.h"
 
 #include <array>
 #include <cmath>
@@ -137,14 +138,13 @@ void special(Battery& battery, Many& make) {
   ask(battery, {flat, {{0.5, 0.5, 1}, {1, 0, 0}}, 1});
 }
 
-// A ray that meets the plane at an angle of this sine.
-Aim grazing(Many& make, double sine) {
-  Aim a = aim(some_triangle(make, 1, false), {.3, .3, .4}, make, 3, 1, 1);
-  const Vec3 target = a.ray.at(a.t), face = normalize(geometric_normal(a.triangle));
-  const Vec3 along = normalize(a.triangle.p1 - a.triangle.p0);
+// A ray at a point in the middle, which meets the plane at an angle of this sine.
+Aim grazing(const Triangle& triangle, double distance, double sine) {
+  const Vec3 target = 0.3 * triangle.p0 + 0.3 * triangle.p1 + 0.4 * triangle.p2;
+  const Vec3 face = normalize(geometric_normal(triangle));
+  const Vec3 along = normalize(triangle.p1 - triangle.p0);
   const Vec3 away = std::sqrt(1 - sine * sine) * along + sine * face;
-  a.ray = {target + 3 * away, -away};
-  return a;
+  return {triangle, {target + distance * away, -away}, distance};
 }
 
 // Directions of any length, the very end of the range, flat angles, slivers, and points close to an
@@ -159,7 +159,8 @@ void extremes(Battery& battery, Many& make) {
     a.ray.t_max = beyond * a.t;
     ask(battery, a);
   }
-  for (const double sine : {5e-2, 5e-4, 5e-6}) ask(battery, grazing(make, sine));
+  for (const double sine : {5e-2, 5e-4, 5e-6})
+    ask(battery, grazing(some_triangle(make, 1, false), 3, sine));
   for (const double height : {3e-2, 3e-3}) {
     Triangle sliver = some_triangle(make, 1, false);
     sliver.p2 = 0.4 * sliver.p0 + 0.6 * sliver.p1 + height * (sliver.p2 - sliver.p0);
@@ -173,6 +174,77 @@ void extremes(Battery& battery, Many& make) {
   ask(battery, aim(some_triangle(make, 1, false), {.0003, .9994, .0003}, make, 3, 1, 1));
 }
 
+// Only whether there is a hit, where right solutions differ in t.
+void ask_hit(Battery& battery, const Triangle& triangle, const Ray& ray) {
+  battery.ask([&]() -> Battery::Numbers {
+    if (!pt::hit_triangle(triangle, ray)) return {};
+    return {1};
+  });
+}
+
+// A flat triangle close to the world's origin, with a first edge of length 1. The third corner is at
+// `along` on it, and `height` away from it.
+Triangle near_the_origin(Many& make, double along, double height) {
+  const Vec3 u = unit(make), v = normalize(cross(u, unit(make)));
+  const Vec3 p = 0.3 * make.vector(-1, 1);
+  return pt::flat_triangle(p, p + u, p + along * u + height * v);
+}
+
+// A ray that meets the plane at a right angle, in the point with these weights.
+Aim straight(const Triangle& triangle, std::array<double, 3> b, double distance) {
+  const Vec3 p = b[0] * triangle.p0 + b[1] * triangle.p1 + b[2] * triangle.p2;
+  const Vec3 face = normalize(geometric_normal(triangle));
+  return {triangle, {p + distance * face, -face}, distance};
+}
+
+// Points so close to an edge that only double precision distinguishes inside from outside.
+void by_a_hair(Battery& battery, Many& make) {
+  for (const double over : {1.2e-8, -1.2e-8}) {
+    for (int corner = 0; corner < 3; ++corner) {
+      std::array<double, 3> b{0.4, 0.4, 0.4};
+      b[corner] = -over;
+      b[(corner + 1) % 3] = 0.6 + over;
+      const Aim a = straight(near_the_origin(make, 0.5, 0.9), b, 0.8);
+      ask_hit(battery, a.triangle, a.ray);
+    }
+  }
+}
+
+// Grazing rays at triangles ten times as long as high: with one long edge from the first corner, and
+// with two. Then the smallest needles, and directions of length 1 and the shortest.
+void needles(Battery& battery, Many& make) {
+  for (const double along : {0.1, 0.9}) {
+    const Aim a = grazing(near_the_origin(make, along, 0.1), 0.5, 1.2e-6);
+    ask_hit(battery, a.triangle, a.ray);
+  }
+  for (const double longer : {1.0, 1e-9}) {
+    Triangle needle = near_the_origin(make, 0.5, 1e-3);
+    for (Vec3* p : {&needle.p0, &needle.p1, &needle.p2}) *p = 1e-6 * *p;
+    Aim a = straight(needle, {.3, .3, .4}, 1e-6);
+    a.ray.direction *= longer;
+    ask_hit(battery, a.triangle, a.ray);
+  }
+}
+
+// Corner normals at this distance from an axis, on three sides of it.
+Triangle with_normals(Many& make, double distance) {
+  Triangle t = near_the_origin(make, 0.5, 0.9);
+  const pt::Frame around = pt::frame_from_normal(normalize(t.n0 + 0.5 * make.vector(-1, 1)));
+  t.n0 = normalize(around.to_world({distance, 0, 1}));
+  t.n1 = normalize(around.to_world({-0.5 * distance, std::sqrt(0.75) * distance, 1}));
+  t.n2 = normalize(around.to_world({-0.5 * distance, -std::sqrt(0.75) * distance, 1}));
+  return t;
+}
+
+// Corner normals that all but agree, and that disagree: so that their mean is short, or by more than a
+// right angle where their mean is long, and where one of them hardly counts.
+void normals(Battery& battery, Many& make) {
+  ask(battery, straight(with_normals(make, 5e-5), {.2, .3, .5}, 1));
+  ask(battery, straight(with_normals(make, std::tan(1.2)), {.3, .3, .4}, 1));
+  ask(battery, straight(with_normals(make, std::tan(1.4)), {.8, .1, .1}, 1));
+  ask(battery, straight(with_normals(make, std::tan(1.2)), {8e-6, .4, .6 - 8e-6}, 1));
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -182,6 +254,9 @@ void run_battery(Battery& battery) {
   scales(battery, make);
   special(battery, make);
   extremes(battery, make);
+  by_a_hair(battery, make);
+  needles(battery, make);
+  normals(battery, make);
 }
 
 }  // namespace grader::mistakes

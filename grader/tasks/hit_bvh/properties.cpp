@@ -10,7 +10,6 @@
 #include "pt/tasks/hit_bvh.h"
 
 #include <functional>
-#include <optional>
 
 namespace grader::check {
 namespace {
@@ -26,25 +25,6 @@ void for_queries(const Property& property, int cases = kCases) {
   if (testing::Test::HasFailure()) return;
   once(expect_that_it_walks);
   if (!testing::Test::HasFailure()) for_all(property, cases);
-}
-
-std::optional<pt::Hit> ask(const AimedInGrid& aimed) {
-  return pt::hit_bvh(aimed.grid->bvh, aimed.grid->primitives, aimed.ray());
-}
-
-bool is_occluded(const AimedInGrid& aimed) {
-  return pt::occluded_bvh(aimed.grid->bvh, aimed.grid->primitives, aimed.ray());
-}
-
-// Returns whether a query enters only a few of the thousand leaves that a ray may enter. Other promises
-// judge queries that do not, and the large grid would take them seconds.
-bool is_quick_in_a_grid() {
-  constexpr std::size_t kFew = 200;
-  forget_tests();
-  const AimedInGrid aimed{&small_grid(), kFirstInGrid};
-  ask(aimed);
-  is_occluded(aimed);
-  return tested().boxes.size() + tested().spheres.size() < kFew;
 }
 
 // Runs the check in a scene where the numbers of primitives, of places in the order and of nodes do

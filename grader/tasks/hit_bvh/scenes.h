@@ -169,23 +169,27 @@ inline rc::Gen<Case> close_walls() {
   });
 }
 
-// Two walls whose points on the ray are 2e-11 to 1e-6 of their distance apart. The ray enters the box of
-// the farther one, which slants, long before; it enters the flat box of the nearer one where it meets
-// the wall itself. So a query knows the farther hit when it has to decide about the nearer wall's box.
+// Two walls that the ray meets at these t. It enters the box of the farther one, which slants, long
+// before; it enters the flat box of the nearer one where it meets the wall itself. So a query knows the
+// farther hit when it has to decide about the nearer wall's box.
+inline Case flat_wall_before_a_slanting_one(double near, double far, double slope) {
+  Case c;
+  c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
+  for (const auto& [t, slant] : {std::pair{near, 0.0}, std::pair{far, slope}}) {
+    const pt::Vec3 met = c.ray.at(t);
+    const auto at = [&](double x, double y) { return pt::Vec3{x, y, met.z + slant * (x - met.x)}; };
+    c.primitives.triangles.push_back(pt::flat_triangle(at(-9, -9), at(9, -9), at(0, 18)));
+  }
+  return c;
+}
+
+// The points on the ray are 2e-11 to 1e-6 of their distance apart.
 inline rc::Gen<Case> walls_that_all_but_touch() {
   return rc::gen::exec([] {
     Many make(*sampler_seed());
-    Case c;
-    c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
     const double near = make.between(2, 12),
                  far = near * (1 + std::pow(10, make.between(-10.7, -6)));
-    for (const auto& [t, slope] : {std::pair{near, 0.0}, std::pair{far, make.between(0.1, 0.5)}}) {
-      const pt::Vec3 met = c.ray.at(t);
-      const auto at = [&](double x, double y) {
-        return pt::Vec3{x, y, met.z + slope * (x - met.x)};
-      };
-      c.primitives.triangles.push_back(pt::flat_triangle(at(-9, -9), at(9, -9), at(0, 18)));
-    }
+    Case c = flat_wall_before_a_slanting_one(near, far, make.between(0.1, 0.5));
     enlarge(c, std::pow(10, make.whole(-6, 6)));
     c.bvh = tree_of(c.primitives, Shape::random, 1, 0, make);
     c.how = "a leaf for each of two walls that all but touch where the ray meets them";
@@ -193,23 +197,27 @@ inline rc::Gen<Case> walls_that_all_but_touch() {
   });
 }
 
-// A thousand walls and more, one behind the other. At each level a leaf holds the farthest wall, so
-// that a query which takes the nearer child first has a thousand leaves waiting.
+// Walls, one behind the other. At each level a leaf holds the farthest wall, so that a query which
+// takes the nearer child first has as many leaves waiting as there are walls.
+inline Case pile(int walls, bool to_the_left) {
+  Many make(1);
+  Case c;
+  for (int i = 0; i < walls; ++i) {
+    const double z = to_the_left ? i : walls - i;
+    c.primitives.triangles.push_back(pt::flat_triangle({-99, -99, z}, {99, -99, z}, {0, 198, z}));
+  }
+  c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
+  const Shape shape = to_the_left ? Shape::left_chain : Shape::right_chain;
+  c.bvh = tree_in_order(c.primitives, shape, make);
+  c.how = std::string(words(shape)) + ", the farthest wall of those below";
+  return c;
+}
+
+// A thousand walls and more.
 inline rc::Gen<Case> deep_pile() {
   return rc::gen::exec([] {
-    const int n = *whole(1100, 1300);
-    const bool to_the_left = *rc::gen::arbitrary<bool>();
-    Many make(1);
-    Case c;
-    for (int i = 0; i < n; ++i) {
-      const double z = to_the_left ? i : n - i;
-      c.primitives.triangles.push_back(pt::flat_triangle({-99, -99, z}, {99, -99, z}, {0, 198, z}));
-    }
-    c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
-    const Shape shape = to_the_left ? Shape::left_chain : Shape::right_chain;
-    c.bvh = tree_in_order(c.primitives, shape, make);
-    c.how = std::string(words(shape)) + ", the farthest wall of those below";
-    return c;
+    const int walls = *whole(1100, 1300);
+    return pile(walls, *rc::gen::arbitrary<bool>());
   });
 }
 
