@@ -203,6 +203,10 @@ std::string battery_hash(const std::string& root, const std::string& slug) {
   for (const fs::path& file : sources_of(folder)) {
     if (file.filename().string().starts_with(slug)) files.push_back(file);
   }
+  // A battery asks what properties ask, too.
+  for (const fs::path& file : sources_of(fs::path(root) / "grader/tasks" / slug)) {
+    if (file.extension() == ".h") files.push_back(file);
+  }
   return hash_of(files);
 }
 
