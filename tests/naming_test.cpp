@@ -41,6 +41,7 @@ TEST(answers, that_are_not_finite_agree_with_themselves_only) {
   EXPECT_FALSE(agree({exact({infinity, 1})}, {exact({-infinity, 1})}));
   EXPECT_FALSE(agree({exact({infinity, 1})}, {exact({1e300, 1})}));
   EXPECT_FALSE(agree({exact({nan, 1})}, {exact({1, 1})}));
+  EXPECT_TRUE(agree({exact({nan, 1})}, {exact({nan, 1})}));
   EXPECT_FALSE(agree({{"", {nan}, {1}}}, {{"", {1}, {1}}}));
 }
 
@@ -151,6 +152,15 @@ TEST(answers, are_always_the_same_where_the_questions_do_not_matter) {
   EXPECT_FALSE(always_the_same({ended("crash"), ended("timeout")}));
   // Noise of its own is not an answer of its own, but another mean is.
   EXPECT_TRUE(always_the_same({{"", {0, 0}, {}}, {"", {0, 0}, {0, 1e-9}}}));
+}
+
+TEST(answers, are_as_right_only_if_their_errors_are_not_much_larger) {
+  const Answer right{"", {1, 2}, {0.1, 0}};
+  EXPECT_TRUE(is_as_right({"", {1.2, 2}, {0.1, 0}}, right));
+  EXPECT_TRUE(is_as_right({"", {1.2, 2}, {0.15, 1e-9}}, right));
+  EXPECT_FALSE(is_as_right({"", {1.4, 2}, {0.1, 0}}, right));
+  EXPECT_FALSE(is_as_right({"", {1.2, 2}, {0.3, 0}}, right));
+  EXPECT_FALSE(is_as_right({"", {1.2, 2}, {0.1, 0.01}}, right));
 }
 
 TEST(known_mistakes, come_back_from_their_file) {

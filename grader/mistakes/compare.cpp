@@ -10,6 +10,7 @@ namespace {
 constexpr double kPrecision = 1e-6;   // of exact numbers
 constexpr double kMaxStandard = 5;    // standard errors that one mean may be off: 6e-7 by chance
 constexpr double kMaxKept = 2.5;      // the same, for answers that the file need not hold
+constexpr double kMaxNoise = 2;       // times the right error, for the same
 constexpr double kSumDeviations = 4;  // deviations that the sum of squares may be above its mean
 constexpr double kCorrelated = 5;     // the means of one answer use the same draws
 
@@ -21,7 +22,7 @@ struct Deviation {
   int means = 0;
 
   void add(double a, double b, double error, double scale) {
-    if (a == b) return;  // also if both are infinite
+    if (a == b || (std::isnan(a) && std::isnan(b))) return;  // also if both are infinite
     const double off = std::abs(a - b);
     if (off <= kPrecision * scale) return;
     if (!(error > 0)) {
@@ -59,6 +60,16 @@ void compare(const Answer& a, const Answer& b, Deviation& deviation) {
   }
 }
 
+// Returns whether the answer is less certain than the right one, as that of an estimator with rare
+// bright draws.
+bool is_noisier(const Answer& answer, const Answer& right) {
+  const double rounding = kPrecision * scale_of(right);
+  for (std::size_t i = 0; i < answer.values.size(); ++i) {
+    if (error_of(answer, i) > kMaxNoise * error_of(right, i) + rounding) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool agree(const Answers& a, const Answers& b) {
@@ -72,7 +83,7 @@ bool agree(const Answers& a, const Answers& b) {
 bool is_as_right(const Answer& answer, const Answer& right) {
   Deviation one;
   compare(answer, right, one);
-  return !one.contradicts && one.largest <= kMaxKept;
+  return !one.contradicts && one.largest <= kMaxKept && !is_noisier(answer, right);
 }
 
 }  // namespace grader::mistakes

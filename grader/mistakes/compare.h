@@ -11,7 +11,7 @@ namespace grader::mistakes {
 bool agree(const Answers& a, const Answers& b);
 
 // Returns whether an answer need not be kept, because it cannot be distinguished from the right
-// one.
+// one, and is not much less certain.
 bool is_as_right(const Answer& answer, const Answer& right);
 
 }  // namespace grader::mistakes

@@ -5,7 +5,9 @@
 #include "grader/mistakes/battery.h"
 #include "grader/mistakes/stages.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace grader::mistakes {
 namespace {
@@ -87,6 +89,106 @@ void extremes(Battery& battery) {
   }
 }
 
+rc::Gen<pt::Rgb> gray(double albedo) { return rc::gen::just(pt::gray(albedo)); }
+
+// One bounce far along the path, alone. All paths survive, so that few of them say enough. The share
+// of light that is left becomes small in dark rooms, and stays in white ones.
+void far_bounces(Battery& battery) {
+  struct {
+    double albedo;
+    int bounce, draws;
+  } constexpr kFar[] = {{1, 60, 150}, {0.9, 30, 60}, {0.2, 8, 60}, {0.02, 8, 60}};
+  for (const auto& [albedo, bounce, draws] : kFar) {
+    PathSettings settings = bounces(bounce, bounce);
+    settings.survival = 1;
+    ask(battery, made(round_room(gray(albedo)), 17), settings, draws);
+  }
+}
+
+// The brightest of many estimates of bounce 3 in a white room, in tenths of a power of ten. The direct
+// light is 1 at every point, so an estimate is the throughput of the path. A path that survives the
+// only roulette stands for 200 paths; of 2000 paths, ten survive.
+void survivors(Battery& battery) {
+  Room white = made(round_room(gray(1)), 18);
+  const pt::Sphere ball = white.scene.primitives.spheres[0];
+  white.scene.lights = {pt::PointLight{ball.center, ball.radius * ball.radius * pt::gray(pt::kPi)}};
+  PathSettings settings = bounces(3, 3);
+  settings.survival = 0.005;
+  battery.ask([&]() -> Battery::Numbers {
+    double most = 1e-3;
+    for (const pt::Rgb& one :
+         repeat<pt::trace_path>(2000, 18, white.scene, white.point, settings)) {
+      most = std::max(most, one.g);
+    }
+    return {std::round(10 * std::log10(most))};
+  });
+}
+
+// The brightest and the faintest light that the contract knows.
+void brightness(Battery& battery) {
+  for (const double intensity : {1e12, 1e-4}) {
+    Ranges ranges = ordinary();
+    ranges.light = rc::gen::just(intensity * pt::Rgb{0.5, 1, 0.7});
+    ask(battery, made(round_room(albedo(), ranges), 19), bounces(1, 2), 60);
+  }
+}
+
+// Surfaces that are seen from straight above, and at a grazing angle.
+void views(Battery& battery) {
+  // The mock diffuse_sample draws uniform directions here (grader/check/mock_diffuse_bsdf.cpp).
+  Room above = made(sunny_wall(albedo(), 0.3), 20);
+  above.point.wo = above.point.n;
+  ask(battery, above, bounces(2, 2), 500);
+  for (const double cosine : {5e-3, 1e-7}) {
+    Room grazed = made(round_room(albedo()), 21);
+    grazed.point.wo = grazed.point.frame.to_world({std::sqrt(1 - cosine * cosine), 0, cosine});
+    ask(battery, grazed, bounces(1, 2), 60);
+  }
+}
+
+// A low wall in the light of two suns. It glows, or the normal of the true surface at the point, not
+// the shading normal, leans towards it.
+void low_walls(Battery& battery) {
+  for (const bool glows : {false, true}) {
+    Stage stage(here());
+    stage.point(kAlbedo, kTilted).directional_light({-0.6, 0, 0.8}, kRadiance);
+    stage.directional_light({-0.8, 0, 0.6}, kRadiance);
+    stage.surface({{0.6, 0, 0.2}, {0, 0, 0.4}, {0, 2.4, 0}}, kAlbedo, pt::gray(glows ? 3 : 0));
+    Situation s = stage.done();
+    if (!glows) s.point.geometric_normal = normalize(pt::Vec3{0.4, 0, 1});
+    battery.estimate(800, [&](int n, std::uint64_t seed) {
+      return repeat<pt::trace_path>(n, seed, s.scene, s.point, bounces(2, 2));
+    });
+  }
+}
+
+// Walls that reflect no red.
+void no_red(Battery& battery) {
+  ask(battery, made(round_room(rc::gen::just(pt::Rgb{0, 0.6, 0.8})), 23), bounces(3, 3), 200);
+}
+
+// Many samples of direct light, found by hemisphere sampling. More of them have less noise: at the
+// first bounce, beside lights that bring nothing, and at the second one, where the lamp is small.
+void many_light_samples(Battery& battery) {
+  constexpr auto kHemisphere = PathSettings::Direct::hemisphere;
+  Stage stage(here());
+  stage.patch(kAlbedo, kTilted).surface(kAbove, {}, kRadiance);
+  for (int i = 0; i < 5; ++i) stage.directional_light({0, 0, -1}, kRadiance);
+  const Situation s = stage.done();
+  PathSettings settings = bounces(1, 1, kHemisphere);
+  settings.light_samples = 12;
+  battery.estimate(500, [&](int n, std::uint64_t seed) {
+    return repeat<pt::trace_path>(n, seed, s.scene, s.point, settings);
+  });
+  const Room lamp = made(
+      room_around_a_lamp(albedo(), rc::gen::just(kHemisphere), ordinary(), rc::gen::just(0.2)), 24);
+  for (const int from : {1, 2}) {
+    settings = bounces(from, 2, kHemisphere);
+    settings.light_samples = 64;
+    ask(battery, lamp, settings, 300);
+  }
+}
+
 void sampler(Battery& battery, const Room& room) {
   battery.ask([&] {
     return use_of_sampler([&](pt::Sampler& sampler) {
@@ -133,6 +235,13 @@ void run_battery(Battery& battery) {
   ask(battery, gray, bounces(1, 4));
   ask(battery, gray, bounces(2, 2));
   extremes(battery);
+  far_bounces(battery);
+  survivors(battery);
+  brightness(battery);
+  views(battery);
+  low_walls(battery);
+  no_red(battery);
+  many_light_samples(battery);
   sampler(battery, round);
 }
 
