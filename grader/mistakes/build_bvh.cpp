@@ -216,7 +216,7 @@ void alike(Battery& battery, Many& make) {
     Boxes nested, points, pairs;
     for (int i = 0; i < 20; ++i) {
       nested.push_back(around({1, 1, 1}, make.vector(0.1, 2)));
-      points.push_back(around({1.0 * (i / 10), 0, 0}, {0, 0, 0}));
+      points.push_back(around({i < 10 ? 0.0 : 1.0, 0, 0}, {0, 0, 0}));
       pairs.push_back(around({1.0 * (i % 2), 3, 0}, {0.1, 0, 0.1}));
     }
     for (const Boxes& boxes : {nested, points, pairs}) ask(battery, boxes, max_leaf);

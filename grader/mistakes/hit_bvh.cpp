@@ -132,7 +132,7 @@ void others(Battery& battery, Many& make) {
     battery.ask([&]() -> Battery::Numbers {
       forget_tests();
       pt::hit_bvh(c.bvh, c.primitives, c.ray);
-      const Tested log = tested();
+      const Tested& log = tested();
       return {flag(log.boxes.empty()), flag(log.triangles.empty()), flag(log.spheres.empty())};
     });
   }

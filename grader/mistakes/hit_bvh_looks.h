@@ -72,11 +72,14 @@ inline Cost cost_of(const Case& c, const Tested& log) {
   return cost;
 }
 
+// The cost is found with hit_box, which adds to the record.
+inline Tested copy_of_tests() { return tested(); }
+
 // Each query starts with an empty record, so that it contains no test of the query before.
 inline Battery::Numbers look(const Case& c, bool with_cost) {
   forget_tests();
   const auto hit = pt::hit_bvh(c.bvh, c.primitives, c.ray);
-  const Tested log = tested();
+  const Tested log = copy_of_tests();
   Battery::Numbers all{flag(hit.has_value())};
   if (hit) all.insert(all.end(), {hit->t, hit->n.x, hit->n.y, hit->n.z, 1.0 * hit->primitive});
   if (!with_cost) return all;
@@ -89,7 +92,7 @@ inline Battery::Numbers look(const Case& c, bool with_cost) {
 inline Battery::Numbers look_for_any(const Case& c, bool with_cost) {
   forget_tests();
   const bool occluded = pt::occluded_bvh(c.bvh, c.primitives, c.ray);
-  const Tested log = tested();
+  const Tested log = copy_of_tests();
   Battery::Numbers all{flag(occluded)};
   if (!with_cost) return all;
   const Cost cost = cost_of(c, log);

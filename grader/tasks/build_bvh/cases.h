@@ -143,9 +143,10 @@ inline Place place(Kind kind, int i, int n, int axis, Many& make) {
       return {{}, make.vector(0, 1)};
     case Kind::in_piles:
       return {{pile, 1, -2 * pile}, {1, 1, 1}};
-    case Kind::lattice:
-      return {pt::Vec3{1.0 * (i % side), 1.0 * (i / side % side), 1.0 * (i / side / side)},
-              {0.25, 0.25, 0.25}};
+    case Kind::lattice: {
+      const int x = i % side, y = i / side % side, z = i / side / side;
+      return {pt::Vec3{1.0 * x, 1.0 * y, 1.0 * z}, {0.25, 0.25, 0.25}};
+    }
     case Kind::diagonal:
       return {pt::Vec3{1.0, 1.0, 1.0} * i, {0.25, 0.25, 0.25}};
     default:

@@ -51,7 +51,8 @@ inline Grid grid_of(int spheres) {
   constexpr int kRow = 250;
   Grid grid;
   for (int i = 0; i < spheres; ++i) {
-    grid.primitives.spheres.push_back({{1.0 * (i % kRow), 1.0 * (i / kRow), 0}, 0.4});
+    const int column = i % kRow, row = i / kRow;
+    grid.primitives.spheres.push_back({{1.0 * column, 1.0 * row, 0}, 0.4});
   }
   grid.bvh = reversed_halves(grid.primitives);
   return grid;

@@ -175,11 +175,13 @@ inline rc::Gen<Case> close_walls() {
 inline Case flat_wall_before_a_slanting_one(double near, double far, double slope) {
   Case c;
   c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
-  for (const auto& [t, slant] : {std::pair{near, 0.0}, std::pair{far, slope}}) {
+  const auto add_wall = [&](double t, double slant) {
     const pt::Vec3 met = c.ray.at(t);
     const auto at = [&](double x, double y) { return pt::Vec3{x, y, met.z + slant * (x - met.x)}; };
     c.primitives.triangles.push_back(pt::flat_triangle(at(-9, -9), at(9, -9), at(0, 18)));
-  }
+  };
+  add_wall(near, 0);
+  add_wall(far, slope);
   return c;
 }
 
