@@ -22,6 +22,7 @@ results::Results run_with(State state, bool first, bool second, int points) {
   task.promises.push_back({"second", "the second: promise", false, second, 1, 0, {}});
   run.tasks.push_back(task);
   run.complete = true;
+  run.seconds = 2 * points;
   return run;
 }
 
@@ -45,6 +46,7 @@ TEST(ClassPage, counts_who_kept_a_promise_and_puts_the_hardest_first) {
   EXPECT_THAT(html, HasSubstr("5 submissions"));
   EXPECT_THAT(html, HasSubstr("<strong>1</strong> could not be judged"));
   EXPECT_THAT(html, HasSubstr("<strong>10</strong> of 20 points or more"));
+  EXPECT_THAT(html, HasSubstr("Judging one took 15 seconds on average."));  // without e
 }
 
 TEST(ClassPage, leaves_out_what_everybody_has_right) {

@@ -154,6 +154,15 @@ TEST(answers, are_always_the_same_where_the_questions_do_not_matter) {
   EXPECT_TRUE(always_the_same({{"", {0, 0}, {}}, {"", {0, 0}, {0, 1e-9}}}));
 }
 
+// The more uncertain one would agree with anything.
+TEST(answers, of_unlike_noise_do_not_agree) {
+  const Answers one{{"", {1, 2}, {0.1, 0}}};
+  EXPECT_TRUE(agree(one, {{"", {1.5, 2}, {0.3, 0}}}));
+  EXPECT_TRUE(agree(one, {{"", {1.5, 2}, {4, 0}}}));
+  EXPECT_FALSE(agree(one, {{"", {1.5, 2}, {6, 0}}}));
+  EXPECT_FALSE(agree({{"", {1.5, 2}, {6, 0}}}, one));
+}
+
 TEST(answers, are_as_right_only_if_their_errors_are_not_much_larger) {
   const Answer right{"", {1, 2}, {0.1, 0}};
   EXPECT_TRUE(is_as_right({"", {1.2, 2}, {0.1, 0}}, right));

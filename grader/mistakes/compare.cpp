@@ -11,6 +11,7 @@ constexpr double kPrecision = 1e-6;   // of exact numbers
 constexpr double kMaxStandard = 5;    // standard errors that one mean may be off: 6e-7 by chance
 constexpr double kMaxKept = 2.5;      // the same, for answers that the file need not hold
 constexpr double kMaxNoise = 2;       // times the right error, for the same
+constexpr double kMaxUnlike = 50;     // times as uncertain may one mean be; by fewer draws it is 3
 constexpr double kSumDeviations = 4;  // deviations that the sum of squares may be above its mean
 constexpr double kCorrelated = 5;     // the means of one answer use the same draws
 
@@ -55,6 +56,9 @@ void compare(const Answer& a, const Answer& b, Deviation& deviation) {
   const double scale = std::max(scale_of(a), scale_of(b));
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     const double error = std::hypot(error_of(a, i), error_of(b, i));
+    const double less = std::min(error_of(a, i), error_of(b, i));
+    // Means with so unlike noise are of two estimators, however far the noise reaches.
+    if (less > kPrecision * scale && error > kMaxUnlike * less) deviation.contradicts = true;
     if (error > kPrecision * scale) ++deviation.means;
     deviation.add(a.values[i], b.values[i], error, scale);
   }
