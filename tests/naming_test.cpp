@@ -127,7 +127,7 @@ TEST(naming, says_nothing_where_different_mistakes_explain_it) {
   task.mistakes[1].answers[0] = {"", {2.1}, {0.001}};
   task.mistakes[1].broken = {"a", "b"};
   Evidence noisy = evidence(2, {"a", "b"}, {});
-  noisy.answers[0] = {"", {2.05}, {0.1}};
+  noisy.answers[0] = {"", {2.05}, {0.03}};
   EXPECT_EQ(names(task, noisy), "");
   task.mistakes.erase(task.mistakes.begin() + 1);
   EXPECT_EQ(names(task, noisy), "two");

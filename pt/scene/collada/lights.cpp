@@ -78,7 +78,7 @@ LightNodes read_lights(const ColladaDocument& document, const std::vector<Instan
   std::unordered_map<const XMLElement*, LightText> texts;
   if (instances.size() > kMaxLights) {
     document.fail(*instances[kMaxLights].element,
-                  "the scene has more than 10,000 lights; instance fewer");
+                  "the scene has more than 10,000 lights; use fewer");
   }
   for (const Instance& instance : instances) {
     if (!texts.contains(instance.target)) {

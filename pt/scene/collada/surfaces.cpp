@@ -96,7 +96,7 @@ class SurfaceReader {
     placed_ += more;
     if (placed_ > kMaxPrimitives) {
       document_.fail(*instance.element,
-                     "the scene has more than 10 million surfaces; instance fewer");
+                     "the scene has more than 10 million surfaces; use fewer");
     }
   }
 
@@ -152,7 +152,7 @@ class SurfaceReader {
     found_.emitters.push_back(emitter);
     if (found_.emitters.size() > kMaxLights) {
       document_.fail(*instance.element,
-                     "the scene has more than 10,000 emitting surfaces; instance fewer");
+                     "the scene has more than 10,000 emitting surfaces; use fewer");
     }
   }
 
