@@ -1,13 +1,18 @@
 // Messages between judge and worker: each encoded value comes back, and no bytes hurt the decoder.
 #include "grader/base/sha256.h"
+#include "grader/check/find_failure.h"
 #include "grader/results/promises.h"
 #include "grader/wire/finite.h"
 #include "grader/wire/message.h"
+#include "grader/wire/session.h"
 
+#include <algorithm>
 #include <random>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 namespace grader::wire {
 namespace {
@@ -174,6 +179,26 @@ TEST(remote, answers_have_numbers) {
 }
 
 // FIPS 180-4's own examples, and lengths around a block's end.
+// A fast machine tries more of them than a slow one. Limits of all calls together, and variables that
+// a submission keeps, must not depend on that.
+TEST(remote, smaller_inputs_have_a_session_of_their_own) {
+  open_session({});
+  Session* const usual = &session();
+  std::vector<Session*> used;
+  const auto fails_from_17_on = [&] {
+    const int n = *rc::gen::inRange(0, 1000);
+    used.push_back(&session());
+    if (n >= 17) check::fail_call(results::Cause::wrong, "more");
+  };
+  const check::Found found = check::find_failure(fails_from_17_on, {.seed = 1, .cases = 100});
+  ASSERT_TRUE(found.failure);
+  const auto first_smaller = std::ranges::find_if(used, [&](Session* s) { return s != usual; });
+  ASSERT_GT(used.end() - first_smaller, 3);
+  EXPECT_GT(first_smaller - used.begin(), 0);
+  EXPECT_EQ(std::count(first_smaller, used.end(), *first_smaller), used.end() - first_smaller);
+  EXPECT_EQ(&session(), usual);
+}
+
 TEST(sha256, examples) {
   EXPECT_EQ(base::sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(base::sha256("abc"),

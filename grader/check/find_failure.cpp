@@ -20,10 +20,13 @@ using results::Failure;
 
 constexpr std::chrono::milliseconds kShrinkTime{500};
 
+bool smaller_inputs = false;
+
 // Thrown to stop RapidCheck, which would continue a search for as long as it finds something.
 struct Enough {};
 
-// Returns how many smaller inputs to try after a failure. A call that hangs costs the whole time limit.
+// Returns how many smaller inputs to try after a failure. None if a call hangs: each that hangs too
+// costs the whole time limit.
 int shrink_attempts(Cause cause, const FailureSearch& search) {
   if (!search.shrinks) return 0;
   switch (cause) {
@@ -33,7 +36,6 @@ int shrink_attempts(Cause cause, const FailureSearch& search) {
     case Cause::bad_reply:
       return search.max_crashes;
     case Cause::timeout:
-      return 1;
     case Cause::not_attempted:
       return 0;
   }
@@ -82,6 +84,7 @@ class Watcher : public rc::detail::TestListener {
     if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
     if (tried.result.type != rc::detail::CaseResult::Type::Failure) return;
     keep(tried);
+    smaller_inputs = true;
     deadline_ = Clock::now() + kShrinkTime;
     cause_ = failure_.cause;
     attempts_left_ = shrink_attempts(cause_, search_);
@@ -167,10 +170,13 @@ Found find_failure(const std::function<void()>& property, const FailureSearch& s
   Counted counted{property};
   Watcher watcher(counted, search);
   const std::string fault = check(counted, search, watcher);
+  smaller_inputs = false;
   Found found = watcher.found();
   if (!found.failure) found.fault = fault;
   return found;
 }
+
+bool tries_smaller_inputs() { return smaller_inputs; }
 
 void run_again(const std::function<void()>& property, const FailureSearch& search, int run) {
   Counted counted{property, run};

@@ -2,6 +2,7 @@
 
 #include "grader/base/printable.h"
 #include "grader/check/counting.h"
+#include "grader/check/find_failure.h"
 #include "pt/error.h"
 #include "pt/scene/scene.h"
 
@@ -24,7 +25,8 @@ constexpr int kMaxStarts = 4;
 constexpr int kMaxAge = 20;  // times the limit of all calls, by the clock
 constexpr int kHung = 50;    // failures that one counts for after which the worker did not end
 
-std::unique_ptr<Session> the_session;
+std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
+SessionSettings the_settings;
 
 double seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
@@ -39,12 +41,24 @@ std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content
 }  // namespace
 
 void open_session(const SessionSettings& settings) {
+  the_settings = settings;
   the_session = std::make_unique<Session>(settings);
+  the_session_of_smaller_inputs.reset();
 }
 
 Session& session() {
   if (!the_session) throw pt::Error("no session with a worker is open: main has to open one");
-  return *the_session;
+  if (!check::tries_smaller_inputs()) return *the_session;
+  if (!the_session_of_smaller_inputs) {
+    // The search for smaller inputs has limits of its own (check::find_failure).
+    SessionSettings settings = the_settings;
+    settings.max_timeouts = 1;  // each costs as long as a call may take
+    settings.max_failures = std::numeric_limits<int>::max();
+    settings.max_answered = std::numeric_limits<std::uint64_t>::max();
+    settings.total_limit = std::chrono::hours(1);
+    the_session_of_smaller_inputs = std::make_unique<Session>(settings);
+  }
+  return *the_session_of_smaller_inputs;
 }
 
 void Session::begin() {

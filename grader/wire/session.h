@@ -125,7 +125,9 @@ class Session {
 // the limit of a call is a limit for all of them.
 inline constexpr int kBatch = 256;
 
-// The session of this program, opened once by main.
+// The session of this program, opened once by main. While smaller inputs are tried for a failure, it
+// is another one with a worker and limits of its own: how many are tried depends on the machine, and
+// a verdict must not.
 void open_session(const SessionSettings& settings);
 Session& session();
 
