@@ -50,12 +50,10 @@ Session& session() {
   if (!the_session) throw pt::Error("no session with a worker is open: main has to open one");
   if (!check::tries_smaller_inputs()) return *the_session;
   if (!the_session_of_smaller_inputs) {
-    // The search for smaller inputs has limits of its own (check::find_failure).
     SessionSettings settings = the_settings;
-    settings.max_timeouts = 1;  // each costs as long as a call may take
-    settings.max_failures = std::numeric_limits<int>::max();
-    settings.max_answered = std::numeric_limits<std::uint64_t>::max();
-    settings.total_limit = std::chrono::hours(1);
+    settings.smaller_inputs = true;
+    settings.max_timeouts = 1;    // each costs as long as a call may take
+    settings.max_failures = 100;  // two of a worker that does not end, each of which costs as much
     the_session_of_smaller_inputs = std::make_unique<Session>(settings);
   }
   return *the_session_of_smaller_inputs;
@@ -146,21 +144,27 @@ void Session::expect_attempted() const {
   }
 }
 
+// With the cause of something that was not tried, a smaller input is not kept, and none is tried after
+// it (check::find_failure).
+void Session::call_no_more(results::Cause cause, const std::string& why) const {
+  settings_.give_up(settings_.smaller_inputs ? results::Cause::not_attempted : cause,
+                    "not called any more: " + why);
+}
+
 void Session::expect_time_left() {
   if (timeouts_ >= settings_.max_timeouts) {
-    settings_.give_up(last_cause_, fmt::format("not called any more: {} {} no answer within {} s",
-                                               timeouts_, timeouts_ == 1 ? "call got" : "calls got",
-                                               seconds(settings_.call_limit)));
+    call_no_more(last_cause_, fmt::format("{} {} no answer within {} s", timeouts_,
+                                          timeouts_ == 1 ? "call got" : "calls got",
+                                          seconds(settings_.call_limit)));
   }
   if (failures_ >= settings_.max_failures) {
-    settings_.give_up(last_cause_, "not called any more: too many calls crashed or gave no answer");
+    call_no_more(last_cause_, "too many calls crashed or gave no answer");
   }
   const std::uint64_t answered = answered_ + (worker_ ? worker_->answered() : 0);
   if (answered > settings_.max_answered) {
-    settings_.give_up(
-        results::Cause::bad_reply,
-        fmt::format("not called any more: its answers were {} MiB in all, where {} are the most",
-                    answered >> 20, settings_.max_answered >> 20));
+    call_no_more(results::Cause::bad_reply,
+                 fmt::format("its answers were {} MiB in all, where {} are the most",
+                             answered >> 20, settings_.max_answered >> 20));
   }
   expect_total_time_left();
 }
@@ -169,9 +173,8 @@ void Session::expect_time_left() {
 // nobody's fault, and yet no run may last for ever: then there is no verdict.
 void Session::expect_total_time_left() {
   const auto give_up = [&](std::chrono::nanoseconds took) {
-    settings_.give_up(
-        results::Cause::timeout,
-        fmt::format("not called any more: all calls so far took {:.1f} s", seconds(took)));
+    call_no_more(results::Cause::timeout,
+                 fmt::format("all calls so far took {:.1f} s", seconds(took)));
   };
   const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
   if (running > settings_.total_limit) give_up(running);

@@ -40,6 +40,8 @@ struct SessionSettings {
   int max_failures = 500;
   // Likewise after so many bytes from workers: the judge has to read them.
   std::uint64_t max_answered = std::numeric_limits<std::uint64_t>::max();
+  // The session of smaller inputs for a failure: a limit of all calls ends the search for them.
+  bool smaller_inputs = false;
 };
 
 // The record of a session, for the report.
@@ -91,6 +93,7 @@ class Session {
   const pt::Scene& scene(Handle handle) const;
   void expect_attempted() const;
   void expect_time_left();
+  void call_no_more(results::Cause cause, const std::string& why) const;
   void expect_total_time_left();
   std::chrono::nanoseconds slept() const;  // all workers together, but for what is not certain
   void keep_totals(results::Cause cause);  // of the worker that has ended

@@ -82,12 +82,17 @@ void add_bounces(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-// Of cheapest and converge; the rungs of the ladder have code and engines of their own.
+CLI::Option& add_engine(CLI::App& app, Options& options) {
+  return *app.add_option("--engine", options.engine, "How rays are traced")
+              ->transform(
+                  CLI::CheckedTransformer(pt::kEngineWords, CLI::ignore_case).description(""))
+              ->type_name("task|linear|wide")
+              ->default_str("wide");
+}
+
+// Of cheapest and converge; the rungs of the ladder have code of their own.
 void add_code(CLI::App& app, Options& options) {
-  app.add_option("--engine", options.engine, "How rays are traced")
-      ->transform(CLI::CheckedTransformer(pt::kEngineWords, CLI::ignore_case).description(""))
-      ->type_name("task|linear|wide")
-      ->default_str("wide");
+  add_engine(app, options);
   app.add_option("--submission", options.submission, "Somebody else's code, in the box")
       ->check(CLI::ExistingDirectory);
   app.add_option("--built", options.built)->group("");
@@ -154,6 +159,7 @@ Options parse_ladder(int argc, const char* const* argv) {
   app.add_option("-s,--samples", options.samples, "Camera rays per pixel of each render")
       ->check(CLI::Range(4, 4096))
       ->capture_default_str();
+  add_engine(app, options).group("");  // of a rung: not in the help
   parse(app, options, argc, argv);
   return options;
 }
