@@ -95,8 +95,7 @@ class SurfaceReader {
   void count(const Instance& instance, std::size_t more) {
     placed_ += more;
     if (placed_ > kMaxPrimitives) {
-      document_.fail(*instance.element,
-                     "the scene has more than 10 million surfaces; use fewer");
+      document_.fail(*instance.element, "the scene has more than 10 million surfaces; use fewer");
     }
   }
 
