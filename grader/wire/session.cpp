@@ -26,7 +26,6 @@ constexpr int kMaxAge = 20;  // times the limit of all calls, by the clock
 constexpr int kHung = 50;    // failures that one counts for after which the worker did not end
 
 std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
-SessionSettings the_settings;
 
 double seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
@@ -41,21 +40,17 @@ std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content
 }  // namespace
 
 void open_session(const SessionSettings& settings) {
-  the_settings = settings;
   the_session = std::make_unique<Session>(settings);
-  the_session_of_smaller_inputs.reset();
+  SessionSettings smaller = settings;
+  smaller.smaller_inputs = true;
+  smaller.max_timeouts = 1;    // each costs as long as a call may take
+  smaller.max_failures = 100;  // two of a worker that does not end, each of which costs as much
+  the_session_of_smaller_inputs = std::make_unique<Session>(smaller);
 }
 
 Session& session() {
   if (!the_session) throw pt::Error("no session with a worker is open: main has to open one");
   if (!check::tries_smaller_inputs()) return *the_session;
-  if (!the_session_of_smaller_inputs) {
-    SessionSettings settings = the_settings;
-    settings.smaller_inputs = true;
-    settings.max_timeouts = 1;    // each costs as long as a call may take
-    settings.max_failures = 100;  // two of a worker that does not end, each of which costs as much
-    the_session_of_smaller_inputs = std::make_unique<Session>(settings);
-  }
   return *the_session_of_smaller_inputs;
 }
 

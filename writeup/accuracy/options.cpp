@@ -63,6 +63,10 @@ void describe(CLI::App& app, Options& options, std::vector<int>& size) {
       ->transform(CLI::CheckedTransformer(pt::kFramingWords, CLI::ignore_case).description(""))
       ->type_name("course|fit|file")
       ->default_str("course");
+  app.add_option("--engine", options.engine, "How rays are traced")
+      ->transform(CLI::CheckedTransformer(pt::kEngineWords, CLI::ignore_case).description(""))
+      ->type_name("task|linear|wide")
+      ->default_str("wide");
   app.add_flag("--lambertian", options.lambertian,
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
   app.add_option("--seconds", options.seconds, "How long to measure; more is more exact")
@@ -71,6 +75,9 @@ void describe(CLI::App& app, Options& options, std::vector<int>& size) {
   app.add_option("--out", options.out, "A folder for charts and their numbers; default: none");
   app.add_option("--keep", options.keep)->group("");
   app.add_option("--pixels", options.pixels)->group("")->check(CLI::Range(100, 1000000));
+  app.add_option("--submission", options.submission, "Somebody else's code, in the box")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--built", options.built)->group("");
   app.add_option("--seed", options.seed, "Of the random numbers")->capture_default_str();
   app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")
       ->check(CLI::Range(1, 1024));
@@ -82,26 +89,16 @@ void add_bounces(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-CLI::Option& add_engine(CLI::App& app, Options& options) {
-  return *app.add_option("--engine", options.engine, "How rays are traced")
-              ->transform(
-                  CLI::CheckedTransformer(pt::kEngineWords, CLI::ignore_case).description(""))
-              ->type_name("task|linear|wide")
-              ->default_str("wide");
-}
-
-// Of cheapest and converge; the rungs of the ladder have code of their own.
-void add_code(CLI::App& app, Options& options) {
-  add_engine(app, options);
-  app.add_option("--submission", options.submission, "Somebody else's code, in the box")
-      ->check(CLI::ExistingDirectory);
-  app.add_option("--built", options.built)->group("");
-}
-
-void parse(CLI::App& app, Options& options, int argc, const char* const* argv) {
+// `code`: the code that is measured can be chosen. The rungs of the ladder have their own, and are
+// started with an engine.
+void parse(CLI::App& app, Options& options, int argc, const char* const* argv, bool code = true) {
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::vector<int> size;
   describe(app, options, size);
+  if (!code) {
+    app.get_option("--engine")->group("");  // not in the help
+    app.remove_option(app.get_option("--submission"));
+  }
   pt::parse(app, argc, argv);
   if (!size.empty()) {
     options.width = size[0];
@@ -117,7 +114,6 @@ Options parse_cheapest(int argc, const char* const* argv) {
   CLI::App app("Finds the settings that render a scene with a given error in the least time.",
                "./run cheapest");
   app.footer(std::string(kError) + kCheapestExamples);
-  add_code(app, options);
   app.add_option("--error", error, "The error wanted, as 2% or .02")->capture_default_str();
   parse(app, options, argc, argv);
   options.error = error_of(error);
@@ -131,7 +127,6 @@ Options parse_converge(int argc, const char* const* argv) {
       "seconds.",
       "./run converge");
   app.footer(std::string(kError) + kConvergeExamples);
-  add_code(app, options);
   add_bounces(app, options);
   app.add_option("--beside", options.beside,
                  "The method that all are compared with, as the table has it; default: the fastest")
@@ -159,8 +154,7 @@ Options parse_ladder(int argc, const char* const* argv) {
   app.add_option("-s,--samples", options.samples, "Camera rays per pixel of each render")
       ->check(CLI::Range(4, 4096))
       ->capture_default_str();
-  add_engine(app, options).group("");  // of a rung: not in the help
-  parse(app, options, argc, argv);
+  parse(app, options, argc, argv, false);
   return options;
 }
 
