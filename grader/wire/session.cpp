@@ -23,7 +23,7 @@ constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // in a call; sum
 constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
 constexpr int kMaxStarts = 4;
 constexpr int kMaxAge = 20;  // times the limit of all calls, by the clock
-constexpr int kHung = 50;    // failures that one counts for after which the worker did not end
+constexpr int kHung = 125;   // failures that one counts for after which the worker did not end
 
 std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
 
@@ -44,7 +44,7 @@ void open_session(const SessionSettings& settings) {
   SessionSettings smaller = settings;
   smaller.smaller_inputs = true;
   smaller.max_timeouts = 1;    // each costs as long as a call may take
-  smaller.max_failures = 100;  // two of a worker that does not end, each of which costs as much
+  smaller.max_failures = 100;  // one of a worker that does not end costs as much
   the_session_of_smaller_inputs = std::make_unique<Session>(smaller);
 }
 

@@ -1,4 +1,4 @@
-// Sleeps in every call, a little less than a call may, and crashes then: no process stays of which the kernel could
+// Sleeps in every call, a little less than a call may in this test, and crashes then: no process stays of which the kernel could
 // tell what it did.
 #include "pt/tasks/hit_sphere.h"
 
@@ -8,7 +8,7 @@
 namespace pt {
 
 std::optional<SurfaceHit> hit_sphere(const Sphere&, const Ray&) {
-  const timespec time{0, 900'000'000};
+  const timespec time{0, 200'000'000};
   nanosleep(&time, nullptr);
   std::abort();
 }
