@@ -1,6 +1,7 @@
 // Naming a mistake: on constructed answers, with numbers whose errors are known.
 #include "grader/mistakes/naming.h"
 
+#include "grader/mistakes/battery.h"
 #include "grader/mistakes/compare.h"
 #include "grader/mistakes/known.h"
 #include "pt/error.h"
@@ -43,6 +44,29 @@ TEST(answers, that_are_not_finite_agree_with_themselves_only) {
   EXPECT_FALSE(agree({exact({nan, 1})}, {exact({1, 1})}));
   EXPECT_TRUE(agree({exact({nan, 1})}, {exact({nan, 1})}));
   EXPECT_FALSE(agree({{"", {nan}, {1}}}, {{"", {1}, {1}}}));
+}
+
+// How often a task is called that crashes in 100 questions but for one.
+int calls_of_a_task_that_crashes_but_in(int question) {
+  Battery battery({});
+  int calls = 0;
+  for (int i = 0; i < 100; ++i) {
+    battery.ask([&]() -> Battery::Numbers {
+      ++calls;
+      if (i != question) throw CallEnded{results::Cause::crash};
+      return {1};
+    });
+  }
+  EXPECT_EQ(battery.answers().size(), 100u);
+  EXPECT_TRUE(agree({battery.answers().back()}, {ended("crash")}));
+  return calls;
+}
+
+TEST(battery, is_not_asked_to_the_end_of_a_task_that_crashes_from_the_first_call_on) {
+  EXPECT_EQ(calls_of_a_task_that_crashes_but_in(-1), 20);
+  EXPECT_EQ(calls_of_a_task_that_crashes_but_in(50), 20);
+  EXPECT_EQ(calls_of_a_task_that_crashes_but_in(0), 100);
+  EXPECT_EQ(calls_of_a_task_that_crashes_but_in(19), 100);
 }
 
 // Means of a hundred answers with five numbers each.

@@ -235,12 +235,7 @@ void special_places(Battery& battery) {
 
 // The settings that radiance() gets, and whether the sampler moves on.
 void passed_on(Battery& battery) {
-  pt::PathSettings settings;
-  settings.light_samples = 5;
-  settings.direct = pt::PathSettings::Direct::hemisphere;
-  settings.survival = 0.4;
-  settings.from = 2;
-  settings.to = 6;
+  const pt::PathSettings settings = some_settings();
   battery.ask([&]() -> Battery::Numbers {
     const pt::Sampler start(7);
     pt::Sampler sampler = start;

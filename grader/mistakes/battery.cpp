@@ -12,6 +12,10 @@ namespace {
 // A call that hangs costs its whole time limit, so no call is made after it.
 constexpr int kMaxTimeouts = 1;
 
+// Each crash costs a new process. A task that crashes in so many calls from the first on is taken to
+// crash in all of them.
+constexpr std::size_t kMaxCrashesFromTheFirst = 20;
+
 double mean_of(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
@@ -72,11 +76,17 @@ void Battery::record(const std::function<Answer()>& call) {
     answers_.push_back({name(results::Cause::timeout), {}, {}});
     return;
   }
+  if (crashes_ >= kMaxCrashesFromTheFirst && crashes_ == answers_.size()) {
+    answers_.push_back({name(results::Cause::crash), {}, {}});
+    ++crashes_;
+    return;
+  }
   try {
     answers_.push_back(call());
   } catch (const CallEnded& ended) {
     answers_.push_back({name(ended.cause), {}, {}});
     timeouts_ += ended.cause == results::Cause::timeout ? 1 : 0;
+    crashes_ += ended.cause == results::Cause::crash ? 1 : 0;
   } catch (const check::CaseFailed&) {
     answers_.push_back({name(results::Cause::bad_reply), {}, {}});  // a reply that is not a number
   }

@@ -59,6 +59,7 @@ class Battery {
   BatterySettings settings_;
   Answers answers_;
   int timeouts_ = 0;
+  std::size_t crashes_ = 0;
 };
 
 // Each task defines it in the file with its name. A program contains one of these files.

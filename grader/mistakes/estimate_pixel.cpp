@@ -15,17 +15,6 @@ using namespace check;
 
 using pt::Rgb;
 
-pt::PathSettings some_settings() {
-  pt::PathSettings s;
-  s.light_samples = 5;
-  s.direct = pt::PathSettings::Direct::hemisphere;
-  s.survival = 0.4;
-  s.from = 2;
-  s.to = 6;
-  s.show_normals = true;
-  return s;
-}
-
 Rgb color(int i) { return {noise(i), 2 * noise(i + 1000), 4 * noise(i + 2000)}; }
 
 using Script = std::function<Rgb(int call)>;

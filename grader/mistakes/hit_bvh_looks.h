@@ -12,7 +12,7 @@
 #include <vector>
 
 // What a query found, and which rules on the cost it broke. The order in which a tree is walked is
-// free, so that the number of tests is no part of an answer.
+// free, so the number of tests is not part of an answer.
 
 namespace grader::mistakes {
 

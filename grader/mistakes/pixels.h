@@ -26,6 +26,18 @@ inline pt::Camera some_camera() {
   return camera;
 }
 
+// The path settings that are to reach radiance(): none is the default.
+inline pt::PathSettings some_settings() {
+  pt::PathSettings settings;
+  settings.light_samples = 5;
+  settings.direct = pt::PathSettings::Direct::hemisphere;
+  settings.survival = 0.4;
+  settings.from = 2;
+  settings.to = 6;
+  settings.show_normals = true;
+  return settings;
+}
+
 // A fixed stream of numbers in [0, 1).
 inline double noise(int i) { return pt::Sampler::for_pixel(99, i, 0).next_1d(); }
 

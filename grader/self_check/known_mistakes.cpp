@@ -68,7 +68,8 @@ All measure_all(const judge::Config& config, const judge::GradeRequest& request,
   std::vector<MeasuredSolution> measured(kept.size());
   std::atomic<int> ended = 0;
   base::for_each(kept.size(), options.threads, [&](std::size_t i) {
-    measured[i] = measure(config, request, kept[i], fs::absolute(options.store));
+    measured[i] = measure(config, request, kept[i], fs::absolute(options.store),
+                          options.check ? Extent::trial : Extent::all);
     std::fprintf(stderr, "\r%d of %zu solutions", ++ended, kept.size());
   });
   std::fprintf(stderr, "\n");

@@ -11,6 +11,7 @@
 #include "pt/file.h"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -77,23 +78,22 @@ std::map<std::string, bool> promises_at(const judge::Trial& trial, const std::st
 }
 
 void measure_promises(const judge::Trial& trial, const std::string& report,
-                      MeasuredSolution& measured) {
+                      std::span<const std::uint64_t> seeds, MeasuredSolution& measured) {
   std::map<std::string, int> broken;
   measured.trial.broken.clear();
   measured.trial.kept.clear();
-  for (const std::uint64_t seed : kPromiseSeeds) {
+  for (const std::uint64_t seed : seeds) {
     for (const auto& [name, held] : promises_at(trial, report, seed)) {
       broken[name] += held ? 0 : 1;
-      if (seed == kPromiseSeeds[0])
-        (held ? measured.trial.kept : measured.trial.broken).insert(name);
+      if (seed == seeds.front()) (held ? measured.trial.kept : measured.trial.broken).insert(name);
     }
   }
   measured.broken.clear();
   measured.unsure.clear();
   for (const auto& [name, times] : broken) {
-    const int seeds = static_cast<int>(std::size(kPromiseSeeds));
-    if (times == seeds) measured.broken.push_back(name);
-    if (times > 0 && times < seeds) measured.unsure.push_back(name);
+    const bool always = times == static_cast<int>(seeds.size());
+    if (always) measured.broken.push_back(name);
+    if (times > 0 && !always) measured.unsure.push_back(name);
   }
 }
 
@@ -163,7 +163,7 @@ std::vector<Kept> kept_solutions(const judge::Config& config, const judge::TaskC
 }
 
 MeasuredSolution measure(const judge::Config& shared, const judge::GradeRequest& request,
-                         const Kept& kept, const std::string& store) {
+                         const Kept& kept, const std::string& store, Extent extent) {
   const std::string path = store + "/" + kept.key() + ".json";
   MeasuredSolution measured = read_stored(path);
   const std::string source = base::sha256(kept.text).substr(0, 16);
@@ -184,11 +184,14 @@ MeasuredSolution measure(const judge::Config& shared, const judge::GradeRequest&
   const judge::Built worker = judge::link_alone(config, builder, built, judge::Elsewhere::answers);
   if (!worker.ok()) throw pt::Error(kept.key() + " does not link: " + worker.error);
   const judge::Trial trial{*kept.task, worker, false, request, {}};
-  if (!answered) {
-    measured.answers = ask(builder, trial, kSeedOfAnswers, kDraws);
-    measured.trial.answers = ask(builder, trial, kSeedOfTrial, 1);
+  const std::span seeds(kPromiseSeeds);
+  if (!answered) measured.trial.answers = ask(builder, trial, kSeedOfTrial, 1);
+  if (extent == Extent::trial) {
+    if (!judged) measure_promises(trial, path + ".report", seeds.first(1), measured);
+    return measured;
   }
-  if (!judged) measure_promises(trial, path + ".report", measured);
+  if (!answered) measured.answers = ask(builder, trial, kSeedOfAnswers, kDraws);
+  if (!judged) measure_promises(trial, path + ".report", seeds, measured);
   measured.source = source;
   measured.battery = battery;
   measured.properties = properties;

@@ -34,10 +34,15 @@ struct MeasuredSolution {
   std::vector<std::string> broken, unsure;  // of all seeds
 };
 
+enum class Extent {
+  trial,  // what a check of names needs; nothing is stored
+  all,
+};
+
 // Resumable: a measurement in the folder `store` that depends on nothing that changed is not made
 // again. Throws pt::Error if the solution does not compile or link, or the audit rejects it.
 MeasuredSolution measure(const judge::Config& config, const judge::GradeRequest& request,
-                         const Kept& kept, const std::string& store);
+                         const Kept& kept, const std::string& store, Extent extent);
 
 // The hashes of what asks: the battery of a task; and its properties.
 std::string battery_hash(const std::string& root, const std::string& slug);
