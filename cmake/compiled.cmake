@@ -114,7 +114,7 @@ function(firstlight_add_compiled)
     add_custom_command(OUTPUT ${copy} DEPENDS ${folder}/${place}
       COMMAND ${CMAKE_COMMAND} -E copy ${folder}/${place} ${copy})
     add_custom_target(${program} DEPENDS ${copy})
-    if(place MATCHES "^grader/(box|graded)")
+    if(place MATCHES "^grader/(box|graded_picture)")
       add_dependencies(grade ${program})
     endif()
   endforeach()

@@ -1,5 +1,6 @@
 # grade.json: all that `grade` needs to build and judge a submission without CMake. It stands beside the programs of the
-# grader, where they look for each other; the target `grade` is all of them.
+# grader, where they look for each other. The target `grade` is the one that judges, with all but the programs of single tasks;
+# the target `graded` is those.
 
 # Programs of one learner's file are linked by the hundred: gold takes a third of ld's time.
 include(CheckLinkerFlag)
@@ -9,7 +10,7 @@ if(FIRSTLIGHT_GOLD)
   set(FIRSTLIGHT_FAST_LINKER -fuse-ld=gold)
 endif()
 
-# A list of words as the inside of a JSON array, and the objects of libraries likewise.
+# A list of words as the inside of a JSON array, and the objects of libraries likewise, which `target` is built after.
 function(firstlight_json_list result)
   list(TRANSFORM ARGN REPLACE "\\\\" "\\\\\\\\" OUTPUT_VARIABLE words)
   list(TRANSFORM words REPLACE "\"" "\\\\\"")
@@ -17,17 +18,18 @@ function(firstlight_json_list result)
   string(JOIN "," text ${words})
   set(${result} "[${text}]" PARENT_SCOPE)
 endfunction()
-function(firstlight_json_objects result)
+function(firstlight_json_objects target result)
   set(text)
   foreach(library IN LISTS ARGN)
     firstlight_objects_of(${library} "\",\"" objects)
     list(APPEND text "\"${objects}\"")
+    get_target_property(compiled ${library} IMPORTED)
+    if(NOT compiled)
+      add_dependencies(${target} ${library})
+    endif()
   endforeach()
   string(JOIN "," text ${text})
   set(${result} "[${text}]" PARENT_SCOPE)
-  if(NOT FIRSTLIGHT_COMPILED)
-    add_dependencies(grade ${ARGN})
-  endif()
 endfunction()
 
 function(firstlight_write_grade_json)
@@ -45,23 +47,24 @@ function(firstlight_write_grade_json)
   firstlight_wrap("" flags ${FIRSTLIGHT_JUDGE_ANSWERS_hit_bvh})
   firstlight_json_list(recording_flags ${flags})
   # The parts of every program that runs tasks, besides the tasks.
-  firstlight_json_objects(framework grader_worker pt_base pt_scene pt_rows)
-  firstlight_json_objects(recording grader_recording)
-  firstlight_json_objects(radiance radiance.path)
+  firstlight_json_objects(grade framework grader_worker pt_base pt_scene pt_rows)
+  firstlight_json_objects(grade recording grader_recording)
+  firstlight_json_objects(grade radiance radiance.path)
 
   set(callbacks)
   foreach(name hit_box hit_triangle hit_sphere radiance)
-    firstlight_json_objects(objects ${name}.callback)
+    firstlight_json_objects(grade objects ${name}.callback)
     list(APPEND callbacks "\"${name}\": ${objects}")
   endforeach()
-  firstlight_json_objects(objects diffuse_bsdf.mock)
+  firstlight_json_objects(grade objects diffuse_bsdf.mock)
   list(APPEND callbacks "\"diffuse_bsdf\": ${objects}")
   string(JOIN ",\n  " callbacks ${callbacks})
 
+  add_custom_target(graded)
   set(tasks)
   foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
-    firstlight_json_objects(objects ${slug}.reference)
-    add_dependencies(grade graded.${slug})
+    firstlight_json_objects(grade objects ${slug}.reference)
+    add_dependencies(graded graded.${slug})
     list(APPEND tasks "{\"slug\": \"${slug}\", \"graded\": \"${PROJECT_BINARY_DIR}/grader/graded.${slug}\", \
 \"reference\": ${objects}}")
   endforeach()

@@ -27,9 +27,10 @@ using Clock = std::chrono::steady_clock;
 
 // The tasks asked for and all that they need, in the order of the course. Without a reference, a
 // picture needs all tasks.
-std::vector<const TaskConfig*> to_judge(const Config& config, const GradeRequest& request) {
-  std::set<std::string> wanted(request.asked.begin(), request.asked.end());
-  for (const std::string& slug : request.asked) {
+std::vector<const TaskConfig*> to_judge(const Config& config,
+                                        const std::vector<std::string>& asked) {
+  std::set<std::string> wanted(asked.begin(), asked.end());
+  for (const std::string& slug : asked) {
     wanted.insert(needs(slug).begin(), needs(slug).end());
   }
   std::vector<const TaskConfig*> tasks;
@@ -87,7 +88,7 @@ class Run {
           "; each task is judged with your own other tasks only, as " + config.no_reference;
     }
     results_.command = request.command;
-    for (const TaskConfig* task : to_judge(config, request)) {
+    for (const TaskConfig* task : to_judge(config, request.asked)) {
       if (task->graded.empty()) {
         throw pt::Error(task->slug + " has no properties: nothing about it can be judged");
       }
@@ -182,6 +183,12 @@ std::string replay_command(const GradeRequest& request, const std::string& slug)
   const std::string folder = shown_folder(request);
   const std::string replay = fmt::format("./run grade {} --seed {}", slug, request.seed);
   return folder == kLearnersFolder ? replay : replay + " --submission " + folder;
+}
+
+std::vector<std::string> tasks_judged(const Config& config, const std::vector<std::string>& asked) {
+  std::vector<std::string> slugs;
+  for (const TaskConfig* task : to_judge(config, asked)) slugs.push_back(task->slug);
+  return slugs;
 }
 
 std::vector<std::string> tasks_meant(const Config& config, const std::string& word) {

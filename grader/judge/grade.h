@@ -31,6 +31,9 @@ std::string shown_folder(const GradeRequest& request);
 // "./run grade hit_box --seed 7": how a learner, or who has the folder, sees it again.
 std::string replay_command(const GradeRequest& request, const std::string& slug);
 
+// The slugs of the tasks that are judged: those asked for, and all that they need.
+std::vector<std::string> tasks_judged(const Config& config, const std::vector<std::string>& asked);
+
 // Judges the tasks asked for, each by itself and then together with the submission's other tasks.
 // `progress` gets the results so far: at first without a verdict, then after every verdict.
 results::Results grade(const Config& config, const GradeRequest& request,

@@ -100,6 +100,30 @@ class Unfinished {
   std::string path_;
 };
 
+std::vector<std::string> asked_for(const judge::Config& config, const GradeOptions& options) {
+  std::set<std::string> named;
+  for (const std::string& word : options.what) {
+    for (const std::string& slug : judge::tasks_meant(config, word)) named.insert(slug);
+  }
+  const std::string points_file = config.root + "/grader/points.json";
+  const results::Points points = results::load_points(points_file);
+  std::vector<std::string> asked;
+  for (const judge::TaskConfig& task : config.tasks) {
+    const bool meant = options.what.empty() && !results::is_left_out(points, task.slug);
+    if (meant || named.contains(task.slug)) asked.push_back(task.slug);
+  }
+  if (asked.empty()) throw pt::Error(points_file + ": nothing earns a point");
+  return asked;
+}
+
+// One a line, for ./run, which builds no others.
+int name_programs(const judge::Config& config, const GradeOptions& options) {
+  for (const std::string& slug : judge::tasks_judged(config, asked_for(config, options))) {
+    fmt::print("graded.{}\n", slug);
+  }
+  return 0;
+}
+
 judge::GradeRequest request_for(const judge::Config& config, const GradeOptions& options) {
   judge::GradeRequest request;
   request.submission = base::submission_root(options.submission);
@@ -111,17 +135,7 @@ judge::GradeRequest request_for(const judge::Config& config, const GradeOptions&
   request.isolation = isolation(config, options);
   request.pictures = !options.no_pictures;
   request.command = programs::command(options);
-  std::set<std::string> asked;
-  for (const std::string& word : options.what) {
-    for (const std::string& slug : judge::tasks_meant(config, word)) asked.insert(slug);
-  }
-  const std::string points_file = config.root + "/grader/points.json";
-  const results::Points points = results::load_points(points_file);
-  for (const judge::TaskConfig& task : config.tasks) {
-    const bool meant = options.what.empty() && !results::is_left_out(points, task.slug);
-    if (meant || asked.contains(task.slug)) request.asked.push_back(task.slug);
-  }
-  if (request.asked.empty()) throw pt::Error(points_file + ": nothing earns a point");
+  request.asked = asked_for(config, options);
   return request;
 }
 
@@ -158,6 +172,7 @@ int run(Words words) {
     options = programs::parse_options(words);
     report::check_targets(options.files);
   }
+  if (options.programs) return name_programs(config, options);
   const judge::GradeRequest request = request_for(config, options);
   if (request.pictures) unfinished.begin(words);
   report::ProgressReports reports(options.files);

@@ -46,6 +46,7 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_flag("--require-isolation", options.require_isolation,
                "stop if only tier C (none) works");
   app.add_flag("--resume", options.resume, "go on with the run that was interrupted");
+  app.add_flag("--programs", options.programs, "say which programs it needs, for ./run")->group("");
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
   app.add_option("--work", options.work,
                  "the folder of compiled files and known results; default: as --config says");

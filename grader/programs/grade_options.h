@@ -27,7 +27,8 @@ struct GradeOptions {
   bool all = false;
   bool no_pictures = false;
   bool quiet = false;
-  bool resume = false;  // goes on with the interrupted run; all else here then comes from it
+  bool programs = false;  // only names the programs that judge what is asked for
+  bool resume = false;    // goes on with the interrupted run; all else here then comes from it
 };
 
 // As a person would type it, so that it gives the same verdicts again.

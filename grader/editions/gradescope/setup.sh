@@ -6,4 +6,4 @@ cd "${FIRSTLIGHT_AUTOGRADER:-/autograder}/source"
 # The reference and the goldens are nobody's business: a submission runs as another user.
 chmod 700 .
 export DEBIAN_FRONTEND=noninteractive
-bash run grade 1 --submission reference --no-pictures --require-isolation
+bash run grade --submission reference --no-pictures --require-isolation
