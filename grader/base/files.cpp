@@ -32,7 +32,8 @@ std::string read_file(const std::string& path) {
 std::string stamp(const std::string& path) {
   struct stat found {};
   if (stat(path.c_str(), &found) != 0)
-    throw pt::Error(path + " is missing: build the target grade");
+    throw pt::Error(path +
+                    " is missing: ./run grade builds it, and ninja the targets grade, graded");
   return fmt::format("{} {} {}.{}\n", path, found.st_size, found.st_mtim.tv_sec,
                      found.st_mtim.tv_nsec);
 }
