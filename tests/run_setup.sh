@@ -20,6 +20,7 @@ program() {
   chmod 755 "$bin/$1"
 }
 
+: >"$folder/programs" # that ./run grade needs besides
 # A tree with nothing but ./run, and a system with every tool but managers of packages.
 begin() {
   rm -rf "$tree" "$bin"
@@ -35,7 +36,7 @@ begin() {
   for preset in check release; do
     for place in grader/grade pt/compare; do
       mkdir -p "$tree/build/$preset/${place%/*}"
-      printf '#!/bin/sh\necho done "$@"\n' >"$tree/build/$preset/$place"
+      printf '#!/bin/sh\n[ "$1" = --programs ] && { cat %s; exit; }\necho done "$@"\n' "$folder/programs" >"$tree/build/$preset/$place"
       chmod 755 "$tree/build/$preset/$place"
     done
   done
@@ -88,11 +89,13 @@ diff <(grep -hv '^#' cmake/packages.txt cmake/packages-class.txt) <(grep -v '^#'
 begin
 debian libfmt-dev
 user 0
+echo graded.hit_box >"$folder/programs"
 said=$(run grade 1 2>&1 </dev/null) || complain "root does not install: $said"
 case $said in
-  *'These are missing, and are now installed with apt-get:'*'libfmt-dev'*'building grade'*'done 1') ;;
+  *'These are missing, and are now installed with apt-get:'*'libfmt-dev'*'building grade (check)'*'building graded.hit_box (check)'*'done 1') ;;
   *) complain "root installs, and says: $said" ;;
 esac
+: >"$folder/programs"
 
 # Programs describe themselves without being built.
 for page in grade render watch; do
