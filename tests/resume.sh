@@ -132,6 +132,11 @@ prepare needed
 grades needed 0 direct_lights --submission reference --no-pictures
 together=$(grep together "$folder/needed/log")
 [ "$together" = 'direct_lights.together ' ] || complain 'judged together with the others:' "$together"
+# ./run builds the programs that are named before: those are called, and no others.
+named=$("$grader/grade" --programs direct_lights --submission reference | sort | paste -sd' ')
+called=$(sed 's/^/graded./; s/[.]together//; s/ *$//' "$folder/needed/log" | sort -u | paste -sd' ')
+{ [ "$named" = "$called" ] && [[ $named == *' '* ]]; } || complain "grade --programs names '$named', and '$called' are called"
+[ -z "$("$grader/grade" --programs --from-results "$folder/whole.json")" ] || complain 'a report needs programs'
 
 # Another project with the same cache: a change of a contract's code touches the tasks that may include it, a change of
 # its words none.

@@ -164,7 +164,7 @@ void show_progress(StatusLine& line, const results::Results& so_far) {
 int run(Words words) {
   programs::GradeOptions options = parse_options(words);
   report::check_targets(options.files);
-  if (!options.from_results.empty()) return report_again(options);
+  if (!options.from_results.empty()) return options.programs ? 0 : report_again(options);
   const judge::Config config = config_for(options);
   const Unfinished unfinished(config);
   if (options.resume) {
