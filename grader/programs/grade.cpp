@@ -100,6 +100,7 @@ class Unfinished {
   std::string path_;
 };
 
+// The slugs of the tasks that were named; without a name, of all that earn a point.
 std::vector<std::string> asked_for(const judge::Config& config, const GradeOptions& options) {
   std::set<std::string> named;
   for (const std::string& word : options.what) {
