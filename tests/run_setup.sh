@@ -20,7 +20,9 @@ program() {
   chmod 755 "$bin/$1"
 }
 
-: >"$folder/programs" # that ./run grade needs besides
+# What the grade of the tree below says to --programs.
+: >"$folder/programs"
+
 # A tree with nothing but ./run, and a system with every tool but managers of packages.
 begin() {
   rm -rf "$tree" "$bin"

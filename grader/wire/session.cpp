@@ -44,7 +44,7 @@ void open_session(const SessionSettings& settings) {
   SessionSettings smaller = settings;
   smaller.smaller_inputs = true;
   smaller.max_timeouts = 1;    // each costs as long as a call may take
-  smaller.max_failures = 100;  // one of a worker that does not end costs as much
+  smaller.max_failures = 100;  // one call after which the worker does not end is enough
   the_session_of_smaller_inputs = std::make_unique<Session>(smaller);
 }
 
