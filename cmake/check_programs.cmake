@@ -1,10 +1,16 @@
-# The properties of one task and what they run on: the task as asked for, counting versions and mocks of
-# the tasks that it calls, the reference for all others.
-function(firstlight_link_properties program slug implementation)
+# What asks one task: the task as asked for, counting versions and mocks of the tasks that it calls, the reference for all
+# others.
+function(firstlight_link_asked program slug implementation)
   firstlight_inner_choices(${slug} counting scripted)
-  target_link_libraries(${program} PRIVATE properties.${slug} grader_check grader_counting firstlight_warnings)
+  target_link_libraries(${program} PRIVATE grader_check grader_counting firstlight_warnings)
   firstlight_link_tasks(${program} FROM reference RADIANCE ${INNER_RADIANCE}
     CHOICES ${slug}=${implementation} ${INNER_CHOICES})
+endfunction()
+
+# The same with the properties of the task.
+function(firstlight_link_properties program slug implementation)
+  target_link_libraries(${program} PRIVATE properties.${slug})
+  firstlight_link_asked(${program} ${slug} ${implementation})
 endfunction()
 
 # check.<slug>.<implementation>: the properties of one task in one process, for a debugger and for the

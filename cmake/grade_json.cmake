@@ -1,14 +1,6 @@
 # grade.json: all that `grade` needs to build and judge a submission without CMake. It stands beside the programs of the
 # grader, where they look for each other. The target `grade` is the one that judges, with all but the programs of single tasks;
-# the target `graded` is those.
-
-# Programs of one learner's file are linked by the hundred: gold takes a third of ld's time.
-include(CheckLinkerFlag)
-check_linker_flag(CXX -fuse-ld=gold FIRSTLIGHT_GOLD)
-set(FIRSTLIGHT_FAST_LINKER)
-if(FIRSTLIGHT_GOLD)
-  set(FIRSTLIGHT_FAST_LINKER -fuse-ld=gold)
-endif()
+# the target `graded` is those (grader/programs/CMakeLists.txt).
 
 # A list of words as the inside of a JSON array, and the objects of libraries likewise, which `target` is built after.
 function(firstlight_json_list result)
@@ -60,15 +52,9 @@ function(firstlight_write_grade_json)
   list(APPEND callbacks "\"diffuse_bsdf\": ${objects}")
   string(JOIN ",\n  " callbacks ${callbacks})
 
-  if(NOT FIRSTLIGHT_COMPILED)
-    add_custom_target(graded)
-  endif()
   set(tasks)
   foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
     firstlight_json_objects(grade objects ${slug}.reference)
-    if(NOT FIRSTLIGHT_COMPILED)
-      add_dependencies(graded graded.${slug})
-    endif()
     list(APPEND tasks "{\"slug\": \"${slug}\", \"graded\": \"${PROJECT_BINARY_DIR}/grader/graded.${slug}\", \
 \"reference\": ${objects}}")
   endforeach()

@@ -31,7 +31,9 @@ progress_step() {
       progress_step=${1#Building CXX object }
       progress_step=${progress_step%%CMakeFiles/*}${progress_step##*.dir/}
       progress_step=${progress_step%.o}
-      progress_step="compiled ${progress_step//__\//../}" ;;
+      progress_step="compiled ${progress_step//__\//../}"
+      # Files that are compiled together (cmake/precompiled.cmake).
+      progress_step=${progress_step/%\/Unity\/unity_*/: several files} ;;
     'Linking CXX '*) progress_step="linked ${1##* }" ;;
   esac
 }

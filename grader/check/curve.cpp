@@ -87,8 +87,8 @@ std::vector<MeasuredPlace> measure(const Curve& curve, const CurveSettings& sett
 
 const std::vector<NamedCurve>& curves() { return kept_curves(); }
 
-bool keep_curve(const char* name, Curve (*make)()) {
-  kept_curves().push_back({name, make()});
+bool keep_curve(const char* task, const char* name, Curve (*make)()) {
+  kept_curves().push_back({task, name, make()});
   return true;
 }
 

@@ -74,6 +74,7 @@ std::vector<MeasuredPlace> measure(const Curve& curve, const CurveSettings& sett
                                    const std::function<void()>& begin);
 
 struct NamedCurve {
+  std::string task;  // the slug
   std::string name;
   Curve curve;
 };
@@ -85,12 +86,12 @@ const std::vector<NamedCurve>& curves();
 std::vector<double> by_factors(double first, double last, int count);
 
 // Used by CURVE.
-bool keep_curve(const char* name, Curve (*make)());
+bool keep_curve(const char* task, const char* name, Curve (*make)());
 
 }  // namespace grader::check
 
-#define CURVE(task, name)                                        \
-  static ::grader::check::Curve curve_##task##_##name();         \
-  static const bool kept_##task##_##name =                       \
-      ::grader::check::keep_curve(#name, curve_##task##_##name); \
+#define CURVE(task, name)                                               \
+  static ::grader::check::Curve curve_##task##_##name();                \
+  static const bool kept_##task##_##name =                              \
+      ::grader::check::keep_curve(#task, #name, curve_##task##_##name); \
   static ::grader::check::Curve curve_##task##_##name()

@@ -1,3 +1,4 @@
+#include "grader/check/channels.h"
 #include "grader/check/fail.h"
 #include "grader/check/property.h"
 
@@ -13,11 +14,6 @@ namespace grader::check {
 using pt::Rgb;
 
 namespace {
-
-Rgb sqrt(Rgb c) { return {std::sqrt(c.r), std::sqrt(c.g), std::sqrt(c.b)}; }
-Rgb abs(Rgb c) { return {std::abs(c.r), std::abs(c.g), std::abs(c.b)}; }
-
-Rgb larger(Rgb a, Rgb b) { return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)}; }
 
 // Returns whether one draw is more than half of the sum. Then other draws would give another mean.
 bool hangs_on_one_draw(const Mean& got, int channel) {
@@ -83,15 +79,15 @@ Mean mean_of(const std::vector<Rgb>& draws) {
   Rgb mean, squares, sum, largest;
   for (const Rgb& draw : draws) {
     mean += draw / n;
-    sum += abs(draw);
-    largest = larger(largest, abs(draw));
+    sum += absolute(draw);
+    largest = larger(largest, absolute(draw));
   }
   for (const Rgb& draw : draws) squares += (draw - mean) * (draw - mean);
   Rgb share;
   for (int channel = 0; channel < 3; ++channel) {
     if (sum[channel] > 0) share[channel] = largest[channel] / sum[channel];
   }
-  return {mean, sqrt(squares / (n * (n - 1))), static_cast<int>(draws.size()), share};
+  return {mean, square_root(squares / (n * (n - 1))), static_cast<int>(draws.size()), share};
 }
 
 Noise noise_of(const std::vector<Rgb>& usual, double factor) {

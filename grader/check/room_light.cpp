@@ -1,3 +1,4 @@
+#include "grader/check/channels.h"
 #include "grader/check/property.h"
 #include "grader/check/rooms.h"
 
@@ -11,13 +12,6 @@ namespace grader::check {
 using pt::Rgb;
 
 namespace {
-
-Rgb squared(Rgb c) { return c * c; }
-
-Rgb root(Rgb c) {
-  const auto positive = [](double x) { return std::sqrt(std::max(0.0, x)); };
-  return {positive(c.r), positive(c.g), positive(c.b)};
-}
 
 // The light that a path finds from bounce k on, per place.
 using Moments = std::vector<Rgb>;
@@ -55,7 +49,7 @@ Rgb variance_of_direct(const Place& place, int samples, const PathNoise& noise) 
   if (noise.most_of_direct > 0 && !is_black(one)) {
     const Rgb mean = squared(place.direct);
     const double factor = noise.most_of_direct * noise.most_of_direct;
-    one = factor * Rgb{std::max(one.r, mean.r), std::max(one.g, mean.g), std::max(one.b, mean.b)};
+    one = factor * larger(one, mean);
   }
   return place.variance + one / samples;
 }
@@ -97,7 +91,7 @@ Rgb deviation(const Room& room, const pt::PathSettings& settings, const PathNois
                         variance_of_direct(place, settings.light_samples, noise);
     }
   }
-  return root(mean_square[0] - squared(mean[0]));
+  return square_root(mean_square[0] - squared(mean[0]));
 }
 
 }  // namespace grader::check

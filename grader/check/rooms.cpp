@@ -1,5 +1,6 @@
 #include "grader/check/rooms.h"
 
+#include "grader/check/channels.h"
 #include "grader/check/closed_forms.h"
 #include "grader/check/generators.h"
 
@@ -64,8 +65,6 @@ double variance_of_irradiance(double offset) {
   }
   return mean_square - 1;
 }
-
-Rgb squared(Rgb c) { return c * c; }
 
 }  // namespace
 

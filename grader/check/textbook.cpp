@@ -1,5 +1,6 @@
 #include "grader/check/textbook.h"
 
+#include "grader/check/channels.h"
 #include "pt/geometry/spawn_ray.h"
 
 #include <algorithm>
@@ -23,12 +24,6 @@ Rgb draw_of(const Situation& s, const pt::Light& light, pt::Sampler& sampler) {
   if (s.scene.tracer.occluded(s.scene.primitives, ray)) return {};
   return s.point.albedo * sample.radiance * (cosine / sample.pdf / pt::kPi);
 }
-
-Rgb squared(Rgb c) { return c * c; }
-
-Rgb square_root(Rgb c) { return {std::sqrt(c.r), std::sqrt(c.g), std::sqrt(c.b)}; }
-
-Rgb larger(Rgb a, Rgb b) { return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)}; }
 
 }  // namespace
 

@@ -20,7 +20,7 @@ struct Trial {
 };
 
 // Runs the property program, unless the same was run before, and returns what it wrote
-// (grader/programs/graded_report.h). Safe from any thread. Throws pt::Error if that program cannot
+// (grader/programs/write_report.h). Safe from any thread. Throws pt::Error if that program cannot
 // judge.
 results::TaskResult try_worker(const Builder& builder, const Trial& trial);
 

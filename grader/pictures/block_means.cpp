@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSide = 8;  // pixels
 // By which rounding, another order of additions or pi to six digits may change a mean.
-constexpr double kMargin = 2e-3, kAbsoluteMargin = 5e-4;
+constexpr double kOfMean = 2e-3, kOfBright = 5e-4;
 // For all values together, and over all planes for their sums of squares and their means.
 constexpr double kLargestLevel = 4e-4, kSquaresLevel = 3e-4, kMeanLevel = 2e-4;
 
@@ -103,7 +103,7 @@ Deviations deviations(const std::vector<BlockMean>& picture, const std::vector<B
   Deviations found;
   double difference = 0, variance = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    const double margin = kMargin * known[i].mean + kAbsoluteMargin * bright;
+    const double margin = kOfMean * known[i].mean + kOfBright * bright;
     const double own = picture[i].error * picture[i].error;
     const double error = known[i].error * known[i].error;
     const double of_both = std::max(own, error * ratio) + error;
@@ -113,7 +113,7 @@ Deviations deviations(const std::vector<BlockMean>& picture, const std::vector<B
     difference += picture[i].mean - known[i].mean;
     variance += of_both;
   }
-  found.of_mean = beyond(difference, count * (kMargin + kAbsoluteMargin) * bright, variance);
+  found.of_mean = beyond(difference, count * (kOfMean + kOfBright) * bright, variance);
   return found;
 }
 

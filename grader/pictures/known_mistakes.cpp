@@ -10,8 +10,6 @@ namespace grader::pictures {
 
 namespace {
 
-using Outcome = JudgedPicture::Outcome;
-
 constexpr std::size_t kHashLength = 8;
 
 BlockMeans means(const std::string& film, const std::string& counts) {
@@ -23,9 +21,9 @@ BlockMeans means(const std::string& film, const std::string& counts) {
 }  // namespace
 
 JudgedPicture judged_picture(const results::PictureResult& result) {
-  if (result.state == results::State::pass) return {Outcome::right, {}};
+  if (result.state == results::State::pass) return {JudgedPicture::Outcome::right, {}};
   if (result.state != results::State::fail || result.render.empty()) return {};
-  return {Outcome::wrong, means(result.render, result.counts)};
+  return {JudgedPicture::Outcome::wrong, means(result.render, result.counts)};
 }
 
 BlockMeans golden_means(const results::PictureResult& result) {
@@ -46,7 +44,8 @@ void enter_likeness(const std::vector<KnownMistake>& mistakes, results::PictureR
   if (result.integrated && result.state != results::State::pass) return;
   if (mistakes.empty()) return;
   const JudgedPicture picture = judged_picture(result);
-  const BlockMeans golden = picture.outcome == Outcome::wrong ? golden_means(result) : BlockMeans{};
+  const BlockMeans golden =
+      picture.outcome == JudgedPicture::Outcome::wrong ? golden_means(result) : BlockMeans{};
   const Likeness found =
       compare(result.recipe, recipe_hash(result.golden), picture, golden, mistakes);
   result.like = found.like;

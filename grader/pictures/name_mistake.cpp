@@ -12,7 +12,6 @@ namespace grader::pictures {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Outcome = JudgedPicture::Outcome;
 
 // Words after the hash for a picture that is right, and for one that is not known.
 constexpr const char* kRight = "right";
@@ -94,7 +93,7 @@ std::string to_line(const KnownMistake& mistake) {
 Likeness compare(const std::string& recipe, const std::string& recipe_hash,
                  const JudgedPicture& picture, const BlockMeans& golden,
                  std::span<const KnownMistake> mistakes) {
-  const bool wrong = picture.outcome == Outcome::wrong && picture.blocks;
+  const bool wrong = picture.outcome == JudgedPicture::Outcome::wrong && picture.blocks;
   // Some faults do not show in these means: a sequence of random numbers that repeats itself.
   const bool shows = wrong && !can_be(*picture.blocks, golden);
   Likeness found;
@@ -105,7 +104,7 @@ Likeness compare(const std::string& recipe, const std::string& recipe_hash,
       continue;
     }
     const std::optional<BlockMeans>& blocks = known->second.blocks;
-    if (picture.outcome == Outcome::right) {
+    if (picture.outcome == JudgedPicture::Outcome::right) {
       if (blocks) found.unlike.push_back(mistake.name);
     } else if (!blocks) {
       found.unlike.push_back(mistake.name);

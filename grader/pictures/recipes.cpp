@@ -15,7 +15,7 @@ namespace grader::pictures {
 
 namespace {
 
-constexpr std::size_t kMaxBytes = 1 << 20;
+constexpr std::size_t kMaxRecipeBytes = 1 << 20;
 
 // nlohmann's message starts with its own number and place; ours has the line in front.
 nlohmann::json parse(const std::string& text, const std::filesystem::path& file) {
@@ -50,14 +50,14 @@ void require_unique(const std::vector<Recipe>& recipes, const std::filesystem::p
 }  // namespace
 
 std::vector<Recipe> load_recipes(const std::filesystem::path& file) {
-  const nlohmann::json json = parse(pt::read_file(file, kMaxBytes), file);
-  if (!json.is_object() || json.size() != 1 || !json.contains("recipes") ||
-      !json["recipes"].is_array() || json["recipes"].empty()) {
+  const nlohmann::json all = parse(pt::read_file(file, kMaxRecipeBytes), file);
+  if (!all.is_object() || all.size() != 1 || !all.contains("recipes") ||
+      !all["recipes"].is_array() || all["recipes"].empty()) {
     throw pt::Error(file.string() + ": write one object, {\"recipes\": [...]}, with a list of " +
                     "recipes and nothing else");
   }
   std::vector<Recipe> recipes;
-  for (const nlohmann::json& each : json["recipes"]) {
+  for (const nlohmann::json& each : all["recipes"]) {
     recipes.push_back(read_recipe(each, file, recipes.size() + 1));
   }
   require_unique(recipes, file);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kFewestRuns = 8;
 constexpr int kFewestActive = 100;
-constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
+constexpr std::size_t kMaxReferenceBytes = std::size_t{1} << 26;
 
 struct CountMoments {
   double mean = 0;
@@ -124,12 +124,12 @@ void write_reference(const std::filesystem::path& path, const SampleMapReference
 
 namespace {
 
-SampleMapReference parse(const nlohmann::json& json) {
+SampleMapReference parse(const nlohmann::json& kept) {
   SampleMapReference reference;
-  reference.width = json.at("width");
-  reference.height = json.at("height");
-  reference.runs = json.at("runs");
-  reference.settings = {json.at("max_samples"), json.at("batch"), json.at("tolerance")};
+  reference.width = kept.at("width");
+  reference.height = kept.at("height");
+  reference.runs = kept.at("runs");
+  reference.settings = {kept.at("max_samples"), kept.at("batch"), kept.at("tolerance")};
   if (!pt::is_image_size(reference.width, reference.height) || reference.settings.batch < 2 ||
       reference.settings.max_samples < reference.settings.batch ||
       !(reference.settings.tolerance > 0)) {
@@ -137,11 +137,11 @@ SampleMapReference parse(const nlohmann::json& json) {
   }
   for (const auto* name : {"mean", "deviation"}) {
     auto& values = name[0] == 'm' ? reference.mean : reference.deviation;
-    for (const auto& row : json.at(name)) {
+    for (const auto& row : kept.at(name)) {
       for (const auto& number : row) values.push_back(number.get<double>());
     }
   }
-  for (const auto& row : json.at("flags")) {
+  for (const auto& row : kept.at("flags")) {
     for (const char letter : row.get<std::string>()) {
       const std::size_t bits = std::string_view("0123456789abcdef").find(letter);
       if (bits > 15) throw pt::Error("its flags are not 0 to f");
@@ -162,7 +162,7 @@ SampleMapReference parse(const nlohmann::json& json) {
 }  // namespace
 
 SampleMapReference read_reference(const std::filesystem::path& path) {
-  const std::string text = pt::read_file(path, kMaxBytes);
+  const std::string text = pt::read_file(path, kMaxReferenceBytes);
   try {
     return parse(nlohmann::json::parse(text));
   } catch (const pt::Error& error) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double kDark = 0.01;  // keeps relative errors of dark pixels in bounds
 
 // Blue and orange: red and green look alike to some. Both ends are equally bright.
-constexpr std::array<Color8, 5> kStops{
+constexpr std::array<Color8, 5> kDifferenceStops{
     {{8, 64, 150}, {90, 160, 225}, {255, 255, 255}, {245, 155, 60}, {165, 70, 0}}};
 
 template <class Picture>
@@ -88,7 +88,7 @@ std::optional<MeanTest> compare_means(const Film& a, const Film& b) {
 
 Color8 difference_color(double relative, double full) {
   if (std::isnan(relative)) return {0, 0, 0};
-  return ramp(kStops, 0.5 + 0.5 * relative / full);
+  return ramp(kDifferenceStops, 0.5 + 0.5 * relative / full);
 }
 
 Picture difference_map(const Image& a, const Image& b) {
@@ -102,7 +102,8 @@ Picture difference_map(const Image& a, const Image& b) {
 }
 
 Picture difference_picture(const Image& a, const Image& b) {
-  return with_legend(difference_map(a, b), kStops, {"-20 %", "0", "+20 %", "A below / above B"});
+  return with_legend(difference_map(a, b), kDifferenceStops,
+                     {"-20 %", "0", "+20 %", "A below / above B"});
 }
 
 }  // namespace pt

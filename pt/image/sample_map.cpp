@@ -12,7 +12,7 @@ namespace pt {
 namespace {
 
 // Red and luminance rise from stop to stop.
-constexpr std::array<Color8, 3> kStops{{{12, 32, 128}, {150, 52, 152}, {248, 72, 56}}};
+constexpr std::array<Color8, 3> kSampleStops{{{12, 32, 128}, {150, 52, 152}, {248, 72, 56}}};
 
 constexpr std::size_t kMaxCountsBytes = std::size_t{1} << 29;
 
@@ -27,7 +27,7 @@ SampleMap sample_map(const Film& film, int max) {
 
 Color8 sample_color(int count, int min, int max) {
   const double t = max > min ? (static_cast<double>(count) - min) / (max - min) : 1;
-  return ramp(kStops, t);
+  return ramp(kSampleStops, t);
 }
 
 Picture sample_picture(const SampleMap& map) {
@@ -36,7 +36,7 @@ Picture sample_picture(const SampleMap& map) {
   for (std::size_t i = 0; i < map.counts.size(); ++i) {
     picture.pixels[i] = sample_color(map.counts[i], min, map.max);
   }
-  return with_legend(picture, kStops,
+  return with_legend(picture, kSampleStops,
                      {std::to_string(min), std::to_string(min + (map.max - min) / 2),
                       std::to_string(map.max), "samples per pixel"});
 }

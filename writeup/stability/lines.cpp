@@ -33,6 +33,11 @@ std::string folder_of(const judge::Config& config, const judge::TaskConfig& task
   return config.root + "/grader/tasks/" + task.slug + "/";
 }
 
+// It measures the curves of the task, and searches (grader/programs/stability.cpp).
+std::string program_of(const judge::TaskConfig& task) {
+  return fs::path(task.graded).replace_filename("stability." + task.slug);
+}
+
 // The compiled object of the line; or a reason in `error`.
 judge::Judged compiled(const judge::Config& config, const judge::Builder& builder,
                        const judge::TaskConfig& task, const Request& request,
@@ -74,7 +79,9 @@ json curves_of(const judge::Config& config, const judge::Builder& builder,
                const judge::TaskConfig& task, const Request& request, CurveLine& line) {
   const judge::Built worker = worker_of(config, builder, task, request, line);
   if (!line.unusable.empty()) return json::array();
-  const judge::Trial trial{task, worker, false, request.judge, {}};
+  judge::TaskConfig asked = task;
+  asked.graded = program_of(task);
+  const judge::Trial trial{asked, worker, false, request.judge, {}};
   std::vector<std::string> words{"--seed", std::to_string(request.judge.seed), "--effort",
                                  std::to_string(request.effort)};
   if (request.coarse) words.push_back("--coarse");
@@ -182,7 +189,7 @@ json search_task(const judge::Config& config, const judge::TaskConfig& task, con
   // Not judge::ask_graded: each search goes on where the last one ended.
   const double seconds = 60 * hunt.minutes;
   const grader::process::Child child{
-      {task.graded, "--worker", worker.path, "--isolation",
+      {program_of(task), "--worker", worker.path, "--isolation",
        std::string(1, grader::sandbox::letter(request.judge.isolation.tier)), "--seed",
        std::to_string(request.judge.seed), "--seconds", std::to_string(seconds), "--search",
        hunt.file},
@@ -198,7 +205,7 @@ json search_task(const judge::Config& config, const judge::TaskConfig& task, con
 
 std::string charts_hash(const judge::Config& config, const judge::TaskConfig& task,
                         const Request& request) {
-  std::string text = base::stamp("/proc/self/exe") + base::stamp(task.graded);
+  std::string text = base::stamp("/proc/self/exe") + base::stamp(program_of(task));
   for (const std::string& object : task.reference) text += base::stamp(object);
   for (const char* kind : {"methods", "right", "wrong"}) {
     for (const fs::path& file : base::sources_in(folder_of(config, task) + kind)) {

@@ -1,4 +1,4 @@
-#include "grader/programs/graded_report.h"
+#include "grader/programs/write_report.h"
 
 #include "grader/base/files.h"
 #include "grader/base/printable.h"

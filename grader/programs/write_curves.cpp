@@ -1,4 +1,4 @@
-#include "grader/programs/graded_curves.h"
+#include "grader/programs/write_curves.h"
 
 #include "pt/error.h"
 #include "pt/file.h"
