@@ -39,7 +39,8 @@ set(FIRSTLIGHT_FAST_LINKER)
 if(FIRSTLIGHT_GOLD)
   set(FIRSTLIGHT_FAST_LINKER -fuse-ld=gold)
 endif()
-if(NOT FIRSTLIGHT_LTO AND NOT FIRSTLIGHT_SANITIZE)
+# gold does not find what libgcc has for code that is optimised at the link.
+if(NOT FIRSTLIGHT_LTO AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-flto" AND NOT FIRSTLIGHT_SANITIZE)
   add_link_options(${FIRSTLIGHT_FAST_LINKER})
 endif()
 
