@@ -11,7 +11,7 @@ namespace grader::check {
 
 inline pt::Rgb squared(pt::Rgb c) { return c * c; }
 
-// Of what rounding has made negative: 0. NaN stays NaN.
+// The root of each channel. A negative channel, which only rounding makes, gives 0; NaN stays NaN.
 inline pt::Rgb square_root(pt::Rgb c) {
   const auto root = [](double x) { return x < 0 ? 0 : std::sqrt(x); };
   return {root(c.r), root(c.g), root(c.b)};

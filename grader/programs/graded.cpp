@@ -6,7 +6,6 @@
 #include "grader/mistakes/battery.h"
 #include "grader/programs/ask_worker.h"
 #include "grader/programs/write_report.h"
-#include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
