@@ -2,8 +2,7 @@
 #include "grader/check/property.h"
 #include "grader/check/rooms.h"
 
-#include <algorithm>
-#include <cmath>
+#include <vector>
 
 // The light that leaves the point of a room, and the noise of a path tracer there.
 

@@ -4,7 +4,7 @@
 #include "pt/geometry/spawn_ray.h"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace grader::check {
 
