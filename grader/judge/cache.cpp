@@ -18,7 +18,7 @@ namespace grader::judge {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = fs::file_time_type::clock;
+using FileClock = fs::file_time_type::clock;
 
 struct Entry {
   std::vector<fs::path> files;
@@ -52,7 +52,7 @@ void remove_quietly(const fs::path& path) {
 // The entries of the folder.
 std::vector<Entry> entries_of(const std::string& folder) {
   std::map<std::string, Entry> entries;
-  const fs::file_time_type now = Clock::now();
+  const fs::file_time_type now = FileClock::now();
   std::error_code error;
   for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
     // Another judge may have removed the file in between.
@@ -96,7 +96,7 @@ std::string content_stamp(const std::string& path, const std::string& folder) {
 
 void mark_used(const std::string& path) {
   std::error_code ignored;
-  fs::last_write_time(path, Clock::now(), ignored);
+  fs::last_write_time(path, FileClock::now(), ignored);
 }
 
 void remove_left_overs(const std::string& folder) {
@@ -119,7 +119,7 @@ void remove_unused_beside(const std::string& folder) {
 }
 
 void trim_cache(const std::string& folder, std::uintmax_t most) {
-  const fs::file_time_type in_use_since = Clock::now() - kInUse;
+  const fs::file_time_type in_use_since = FileClock::now() - kInUse;
   std::vector<Entry> entries = entries_of(folder);
   std::uintmax_t total = 0;
   for (const Entry& entry : entries) total += entry.bytes;
@@ -136,7 +136,7 @@ void trim_cache(const std::string& folder, std::uintmax_t most) {
 void trim_cache_now_and_then(const std::string& folder, std::uintmax_t most) {
   const std::string looked = folder + "/trimmed";
   std::error_code error;
-  const fs::file_time_type last = fs::last_write_time(looked, error), now = Clock::now();
+  const fs::file_time_type last = fs::last_write_time(looked, error), now = FileClock::now();
   if (!error && last <= now && now - last < kTrimPause) return;
   trim_cache(folder, most);
   pt::write_file(looked, "");

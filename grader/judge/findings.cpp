@@ -21,11 +21,8 @@ namespace grader::judge {
 
 namespace {
 
-// Far beyond what the program allows itself: a fault of ours if it is reached.
-constexpr std::chrono::seconds kProgramTime{1500};
-
 // Throws pt::Error if the file is damaged.
-results::TaskResult read(const std::string& path) {
+results::TaskResult read_task(const std::string& path) {
   const results::Results results = results::read_results(path);
   if (results.tasks.empty()) throw pt::Error(path + " holds no task");
   return results.tasks[0];
@@ -68,7 +65,7 @@ bool was_killed(const results::TaskResult& task) {
 results::TaskResult run_program(const Trial& trial, const std::string& report) {
   const process::CommandResult result =
       process::run_command({command(trial, report), sandbox::judges_environment(), {}, "", {}},
-                           kProgramTime, trial.stop);
+                           process::kProgramTime, trial.stop);
   const bool finished =
       !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
   if (!finished || !std::filesystem::exists(report)) {
@@ -76,7 +73,7 @@ results::TaskResult run_program(const Trial& trial, const std::string& report) {
     throw pt::Error(
         fmt::format("{} could not be judged: {}", trial.task.slug, process::fault_of(result)));
   }
-  results::TaskResult found = read(report);
+  results::TaskResult found = read_task(report);
   if (found.promises.empty()) {
     throw pt::Error("no property of " + trial.task.slug + " was run: nothing is judged");
   }
@@ -92,7 +89,7 @@ results::TaskResult try_worker(const Builder& builder, const Trial& trial) {
   if (std::filesystem::exists(path)) {
     mark_used(path);
     try {
-      return read(path);
+      return read_task(path);
     } catch (const pt::Error&) {
       std::filesystem::remove(path);  // damaged: it is found out again
     }

@@ -9,14 +9,6 @@
 
 namespace grader::judge {
 
-namespace {
-
-bool contains(const std::vector<std::string>& all, const std::string& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
-
-}  // namespace
-
 Config with_own_tasks(Config config, const std::vector<Judged>& judged) {
   for (TaskConfig& task : config.tasks) {
     for (const Judged& each : judged) {
@@ -38,7 +30,8 @@ void block_by_own_tasks(std::vector<Judged>& judged) {
     std::vector<std::string> by;
     for (const Judged& other : judged) {
       const std::string& slug = other.config->slug;
-      if (contains(needs(result.slug), slug) && !other.right_alone) by.push_back(slug);
+      const std::vector<std::string>& needed = needs(result.slug);
+      if (std::ranges::count(needed, slug) > 0 && !other.right_alone) by.push_back(slug);
     }
     if (by.empty()) continue;
     result.state = results::State::blocked;
@@ -53,7 +46,7 @@ std::vector<std::string> missing_for(const std::vector<std::string>& slugs,
   std::vector<std::string> missing, before;
   for (const Judged& each : judged) {
     if (!each.right_alone) before.push_back(each.config->slug);
-    if (contains(slugs, each.config->slug)) missing = before;
+    if (std::ranges::count(slugs, each.config->slug) > 0) missing = before;
   }
   return missing;
 }

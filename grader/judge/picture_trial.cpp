@@ -25,9 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Far beyond what the program allows itself: a fault of ours if it is reached.
-constexpr std::chrono::seconds kProgramTime{1500};
-
 std::vector<std::string> command(const Config& config, const GradeRequest& request,
                                  const PictureTrial& trial) {
   std::vector<std::string> words{config.picture,
@@ -86,8 +83,8 @@ std::optional<results::PictureResult> read_picture(const std::string& path) {
 results::PictureResult run_program(std::vector<std::string> words, const std::string& path,
                                    const PictureTrial& trial) {
   words.insert(words.end(), {"--report", path});
-  const process::CommandResult run =
-      process::run_command({words, sandbox::judges_environment(), {}, "", {}}, kProgramTime);
+  const process::CommandResult run = process::run_command(
+      {words, sandbox::judges_environment(), {}, "", {}}, process::kProgramTime);
   if (run.timed_out || !WIFEXITED(run.status) || WEXITSTATUS(run.status) > 1) {
     throw pt::Error(fmt::format("the picture {} could not be judged: {}", trial.recipe.name,
                                 process::fault_of(run)));

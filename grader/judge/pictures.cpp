@@ -16,10 +16,6 @@ namespace grader::judge {
 
 namespace {
 
-bool contains(const std::vector<std::string>& all, const std::string& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
-
 // One recipe and the tasks of the submission that it judges.
 struct Exhibit {
   pictures::Recipe recipe;
@@ -34,7 +30,8 @@ std::vector<Exhibit> exhibits(const Config& config, const GradeRequest& request,
     Exhibit exhibit{recipe, {}};
     for (Judged& each : judged) {
       const std::string& slug = each.config->slug;
-      if (contains(request.asked, slug) && contains(recipe.tasks, slug)) {
+      const bool asked = std::ranges::count(request.asked, slug) > 0;
+      if (asked && std::ranges::count(recipe.tasks, slug) > 0) {
         exhibit.tasks.push_back(&each);
       }
     }

@@ -23,6 +23,9 @@ std::string fault_of(const CommandResult& result);
 
 inline constexpr std::size_t kMaxOutput = std::size_t{1} << 18;
 
+// For programs of our own: far beyond what they allow themselves. A fault of ours if it is reached.
+inline constexpr std::chrono::seconds kProgramTime{1500};
+
 // Runs a command to its end, or until it and its descendants have had `most` of processor time
 // (grader/process/time_limit.h: a busy machine changes nothing, and one that sleeps ends too), and
 // keeps what it prints. Its first three descriptors are set here: both outputs are read, and its input is the first
