@@ -95,6 +95,12 @@ assert all(test["status"] == "failed" for test in graded["tests"])
 assert graded["score"] == sum(t["points"] + t["bonus_points"] for t in results["tasks"])
 END
 
+# The programs for the rest are those of the whole run; to name them judges nothing.
+calls=$(wc -l <"$folder/killed/log")
+named=$("$grader/grade" --config "$folder/killed/grade.json" --programs --resume | sort | paste -sd' ')
+[[ $named == 'graded.'*' graded_picture' && $(wc -l <"$folder/killed/log") -eq $calls ]] ||
+  complain "grade --programs --resume says '$named', and makes calls"
+
 rm "$folder/killed/hold"
 grades killed 0 --resume
 grades killed 2 --resume
@@ -133,9 +139,21 @@ grades needed 0 direct_lights --submission reference --no-pictures
 together=$(grep together "$folder/needed/log")
 [ "$together" = 'direct_lights.together ' ] || complain 'judged together with the others:' "$together"
 # ./run builds the programs that are named before: those are called, and no others.
-named=$("$grader/grade" --programs direct_lights --submission reference | sort | paste -sd' ')
+named=$("$grader/grade" --programs direct_lights --submission reference --no-pictures | sort | paste -sd' ')
 called=$(sed 's/^/graded./; s/[.]together//; s/ *$//' "$folder/needed/log" | sort -u | paste -sd' ')
 { [ "$named" = "$called" ] && [[ $named == *' '* ]]; } || complain "grade --programs names '$named', and '$called' are called"
+# Pictures have a program, which is needed once something can be rendered.
+named=$("$grader/grade" --programs direct_lights --submission reference | grep -c graded_picture || true)
+mkdir -p "$folder/begun"
+cp -r student/* "$folder/begun"
+said=$("$grader/grade" --programs --submission "$folder/begun")
+[[ $named == 1 && $said != *graded_picture* ]] || complain "grade --programs names graded_picture $named times, and where nothing is written: $said"
+for change in 's/todo("diffuse_bsdf");/throw 1;/' '0,/todo("diffuse_bsdf");/s//return {};/' 's|^// TODO.*|/* {|'; do
+  cp student/3_direct/diffuse_bsdf.cpp "$folder/begun/3_direct"
+  sed -i "$change" "$folder/begun/3_direct/diffuse_bsdf.cpp"
+  said=$("$grader/grade" --programs --submission "$folder/begun")
+  [[ $said == *graded_picture* ]] || complain "grade --programs does not see '$change'"
+done
 [ -z "$("$grader/grade" --programs --from-results "$folder/whole.json")" ] || complain 'a report needs programs'
 
 # Another project with the same cache: a change of a contract's code touches the tasks that may include it, a change of

@@ -1,7 +1,7 @@
 #include "grader/judge/ask_battery.h"
 
 #include "grader/base/files.h"
-#include "grader/judge/ask_graded.h"
+#include "grader/judge/ask_program.h"
 
 #include <filesystem>
 
@@ -17,9 +17,9 @@ constexpr std::chrono::seconds kBatteryTime{600};
 std::optional<mistakes::Answers> ask_battery(const Builder& builder, const Trial& trial,
                                              std::uint64_t seed, int draws) {
   const Written written =
-      ask_graded(builder, trial,
-                 {"--seed", std::to_string(seed), "--draws", std::to_string(draws), "--battery"},
-                 kBatteryTime);
+      ask_program(builder, trial.task.graded, trial,
+                  {"--seed", std::to_string(seed), "--draws", std::to_string(draws), "--battery"},
+                  kBatteryTime);
   if (written.path.empty()) return std::nullopt;
   try {
     return mistakes::answers_from_json(base::read_file(written.path));

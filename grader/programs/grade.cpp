@@ -12,10 +12,12 @@
 #include "grader/results/presentable.h"
 #include "grader/results/read_json.h"
 #include "grader/results/summary.h"
+#include "grader/tasks.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -117,10 +119,34 @@ std::vector<std::string> asked_for(const judge::Config& config, const GradeOptio
   return asked;
 }
 
+// Whether each function of the task begins with todo, as it was handed out. In doubt it does not: a comment
+// or a condition of the preprocessor may hold another text of the function.
+bool is_unwritten(const Task& task, const std::string& text) {
+  if (text.find("/*") != text.npos || text.find("#if") != text.npos) return false;
+  const std::string begin = "{\n  todo(\"" + task.slug + "\");\n";
+  std::size_t found = 0;
+  for (std::size_t at = text.find(begin); at != text.npos; at = text.find(begin, at + 1)) ++found;
+  return found == std::max<std::size_t>(1, task.functions.size());
+}
+
+// Nothing is rendered of tasks that are not written.
+bool may_be_rendered(const std::vector<std::string>& asked, const std::string& submission) {
+  return std::ranges::any_of(asked, [&](const std::string& slug) {
+    const Task& task = task_of(slug);
+    const std::string file = submission + "/" + task.file();
+    return std::filesystem::exists(file) && !is_unwritten(task, base::read_file(file));
+  });
+}
+
 // One a line, for ./run, which builds no others.
 int name_programs(const judge::Config& config, const GradeOptions& options) {
-  for (const std::string& slug : judge::tasks_judged(config, asked_for(config, options))) {
+  const std::vector<std::string> asked = asked_for(config, options);
+  for (const std::string& slug : judge::tasks_judged(config, asked)) {
     fmt::print("graded.{}\n", slug);
+  }
+  const bool pictures = !options.no_pictures;
+  if (pictures && may_be_rendered(asked, base::submission_root(options.submission))) {
+    fmt::print("graded_picture\n");
   }
   return 0;
 }
@@ -169,8 +195,10 @@ int run(Words words) {
   const judge::Config config = config_for(options);
   const Unfinished unfinished(config);
   if (options.resume) {
+    const bool only_named = options.programs;
     words = unfinished.resume();
     options = programs::parse_options(words);
+    options.programs = only_named;
     report::check_targets(options.files);
   }
   if (options.programs) return name_programs(config, options);

@@ -5,7 +5,7 @@
 #include "grader/base/sha256.h"
 #include "grader/base/sources_in.h"
 #include "grader/judge/alone.h"
-#include "grader/judge/ask_graded.h"
+#include "grader/judge/ask_program.h"
 #include "grader/process/run_command.h"
 #include "grader/sandbox/box.h"
 #include "pt/error.h"
@@ -79,14 +79,13 @@ json curves_of(const judge::Config& config, const judge::Builder& builder,
                const judge::TaskConfig& task, const Request& request, CurveLine& line) {
   const judge::Built worker = worker_of(config, builder, task, request, line);
   if (!line.unusable.empty()) return json::array();
-  judge::TaskConfig asked = task;
-  asked.graded = program_of(task);
-  const judge::Trial trial{asked, worker, false, request.judge, {}};
+  const judge::Trial trial{task, worker, false, request.judge, {}};
   std::vector<std::string> words{"--seed", std::to_string(request.judge.seed), "--effort",
                                  std::to_string(request.effort)};
   if (request.coarse) words.push_back("--coarse");
   words.push_back("--curves");
-  const judge::Written written = judge::ask_graded(builder, trial, words, kMostTime);
+  const judge::Written written =
+      judge::ask_program(builder, program_of(task), trial, words, kMostTime);
   if (written.path.empty()) throw pt::Error("the curves of " + task.slug + ": " + written.error);
   return json::parse(base::read_file(written.path));
 }
@@ -186,7 +185,7 @@ json search_task(const judge::Config& config, const judge::TaskConfig& task, con
   const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
   const judge::Built worker = worker_of(config, builder, task, request, line);
   if (!line.unusable.empty()) return json::array();
-  // Not judge::ask_graded: each search goes on where the last one ended.
+  // Not judge::ask_program: each search goes on where the last one ended.
   const double seconds = 60 * hunt.minutes;
   const grader::process::Child child{
       {program_of(task), "--worker", worker.path, "--isolation",

@@ -1,4 +1,4 @@
-#include "grader/judge/ask_graded.h"
+#include "grader/judge/ask_program.h"
 
 #include "grader/base/files.h"
 #include "grader/base/sha256.h"
@@ -13,12 +13,12 @@ namespace grader::judge {
 
 namespace fs = std::filesystem;
 
-Written ask_graded(const Builder& builder, const Trial& trial,
-                   const std::vector<std::string>& words, std::chrono::seconds most) {
-  std::vector<std::string> command{trial.task.graded, "--worker", trial.worker.path, "--isolation",
+Written ask_program(const Builder& builder, const std::string& program, const Trial& trial,
+                    const std::vector<std::string>& words, std::chrono::seconds most) {
+  std::vector<std::string> command{program, "--worker", trial.worker.path, "--isolation",
                                    std::string(1, sandbox::letter(trial.request.isolation.tier))};
   command.insert(command.end(), words.begin(), words.end());
-  std::string key = content_stamp(trial.task.graded, builder.cache()) + trial.worker.key;
+  std::string key = content_stamp(program, builder.cache()) + trial.worker.key;
   for (const std::string& word : command) key += '\0' + word;
   const std::string path = builder.cache() + "/" + base::sha256(key) + ".json";
   if (!fs::exists(path)) {
