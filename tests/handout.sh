@@ -69,6 +69,7 @@ grep -q '^. reference  *[0-9]' <<<"$said" && grep -q '^  student .*not written y
 [ -z "$(git -C "$folder" status --porcelain)" ] || complain "git sees what ./run makes: $(git -C "$folder" status --porcelain)"
 cp reference/1_rays/hit_triangle.cpp "$folder/student/1_rays/"
 grades 0 'pass' hit_triangle
+said=$("$folder/run" grade hit_triangle 2>&1) || complain "with pictures it says: $said"
 cp reference/4_global/trace_path.cpp "$folder/student/4_global/"
 grades 1 'blocked' trace_path
 
