@@ -43,7 +43,7 @@ std::vector<RightJob> find_jobs(const judge::Config& config, const Options& opti
     for (RightJob& job : variant_jobs(choices, seed_of(i))) jobs.push_back(std::move(job));
   }
   for (int i = 0; i < std::max(options.mixtures, options.mixtures_with_pictures); ++i) {
-    jobs.push_back(mixture_job(choices, i + 1));
+    jobs.push_back(mixture_job(choices, options.first_seed + i));
     jobs.back().pictures = i < options.mixtures_with_pictures;
   }
   for (int i = 0; i < std::max(options.whole_seeds, options.whole_seeds_with_pictures); ++i) {
@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
                  "The first so many of them by pictures too")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--first-seed", options.first_seed,
-                 "Of the variants, the whole submissions and the reference")
+                 "The first seed of all, and the number of the first mixture")
       ->check(CLI::PositiveNumber);
   app.add_option("--busy", options.busy, "Endless loops that run beside it; nothing is cached")
       ->check(CLI::Range(0, 1000));
