@@ -7,9 +7,13 @@ set -euo pipefail
 build=$1 folder=${2%/}
 
 fail() {
+  step
   printf '%s\n' "$*" >&2
   exit 2
 }
+
+# step WORDS: on a terminal, one line that is rewritten says what is done; without words it goes.
+step() { [ ! -t 2 ] || printf '\r\033[K%s' "${1:+packing the handout: $1}" >&2; }
 
 [ ! -e "$folder" ] || [ -z "$(ls -A "$folder")" ] ||
   fail "$folder is there already, and not empty: name a new folder"
@@ -44,6 +48,7 @@ rename_locals() {
 
 # copy_stripped FROM TO: without local names, debugging information, and where it was compiled.
 copy_stripped() {
+  step "$(basename "$2")"
   mkdir -p "$(dirname "$2")"
   strip --strip-unneeded --remove-section=.comment -o "$2" "$1"
   [[ $2 != *.o ]] || rename_locals "$2"
@@ -74,6 +79,7 @@ while read -r kind name file; do
     program) copy_stripped "$file" "$compiled/$name" ;;
   esac
 done <"$build/compiled/files"
+step "a list of its files"
 cp "$build/compiled/links.cmake" "$compiled"
 cp "$build/reference.stamp" "$compiled/stamp"
 cmake "-DROOT=$half" "-DOUTPUT=$compiled/sources" -P cmake/source_hash.cmake
@@ -84,6 +90,7 @@ echo "Firstlight for learners, made of $(git rev-parse --short=12 HEAD 2>/dev/nu
 (cd "$half" && find . -type f -printf '%P\n' | sort | tr '\n' '\0' | xargs -0 sha256sum >"$half.edition")
 mv "$half.edition" "$half/.edition"
 if command -v git >/dev/null; then
+  step "its first commit"
   git -C "$half" -c init.defaultBranch=main init --quiet
   git -C "$half" add --all
   git -C "$half" -c user.name=Firstlight -c user.email=firstlight@localhost -c commit.gpgsign=false \
@@ -93,4 +100,5 @@ fi
 [ ! -e "$folder" ] || rmdir "$folder"
 mv -T "$half" "$folder"
 trap - EXIT
+step
 echo "$folder: $(wc -l <"$folder/.edition") files, $(du -sh --exclude=.git "$folder" | cut -f1)"
