@@ -115,6 +115,22 @@ END
   for plan in hidden other; do grade_class "$plan" plan --anonymous || complain "$(cat "$folder/said")"; done
   [ "$before" = "$(numbers hidden)" ] || complain 'a second plan has other numbers'
   [ "$before" != "$(numbers other)" ] || complain 'who knows the names knows the numbers'
+
+  # Over the names of the same grading no anonymous one; an archive's name may be a learner's.
+  ! grade_class here --anonymous || complain 'reports with names become anonymous'
+  grep -q 'has reports that show names' "$folder/said" || complain "$(cat "$folder/said")"
+  echo broken >"$folder/class/learner 9.zip"
+  grade_class hidden --anonymous || true
+  ! grep -r 'learner 9' "$folder/hidden/class.csv" "$folder/hidden/class.html" || complain 'a problem names the learner'
+  grep -q "'…' cannot be unpacked" "$folder/hidden/class.csv" || complain "$(cat "$folder/hidden/class.csv")"
+  # An anonymous grading is compared with one by name, learner by learner, and tells no name.
+  rm "$folder/class/learner 9.zip" "$folder/judged"
+  mv "$folder/class/learner 5" "$folder/withdrawn"
+  "$grader/grade_class" "$folder/class" --out "$folder/hidden again" --compare "$folder/here" --anonymous --not-isolated \
+    --config "$folder/programs/grade.json" -- hit_sphere --no-pictures >"$folder/said" 2>&1 || true
+  [ ! -e "$folder/judged" ] || complain "judged again: $(cat "$folder/judged")"
+  ! grep -E 'learner [1-9]' "$folder/hidden again/compare."* || complain 'a comparison names a learner'
+  grep -q 'gain points, 0 lose points' "$folder/said" || complain "$(cat "$folder/said")"
   exit 0
 fi
 
@@ -125,6 +141,7 @@ options=(--sshlogin=:)
 grade_class elsewhere --engine "$engine" --chunk-size 2 --jobs 2 "${options[@]/#/--engine-option=}" || status=$?
 [ "$status" -eq 2 ] || complain "it ended with $status: $(cat "$folder/said")" "$(cat "$folder/elsewhere/engine.log")"
 grep -q '8/8 ' "$folder/said" || complain "$(cat "$folder/said")"
+! grep -q 'as before' "$folder/said" || complain "what is judged now counts as judged before: $(cat "$folder/said")"
 [ "$(wc -l <"$folder/judged")" -eq 6 ] || complain "judged: $(cat "$folder/judged")"
 judged_once
 same_table here elsewhere
@@ -137,3 +154,4 @@ esac
 echo '// again' >>"$folder/class/learner 3/hit_sphere.cpp"
 grade_class elsewhere --engine "$engine" --chunk-size 2 || true
 [ "$(cat "$folder/judged")" = 'learner 3' ] || complain "judged again: $(cat "$folder/judged")"
+[ "$(grep -c 'as before' "$folder/said")" -eq 6 ] || complain "$(cat "$folder/said")"

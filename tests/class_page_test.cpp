@@ -49,6 +49,20 @@ TEST(ClassPage, counts_who_kept_a_promise_and_puts_the_hardest_first) {
   EXPECT_THAT(html, HasSubstr("Judging one took 15 seconds on average."));  // without e
 }
 
+TEST(ClassPage, lists_every_promise_with_those_who_read_of_it_first) {
+  ClassPage page;
+  page.add({"a", "", "a.html", "", false}, run_with(State::fail, false, false, 0));
+  page.add({"b", "", "b.html", "", false}, run_with(State::fail, false, true, 10));
+  page.add({"c", "", "c.html", "", false}, run_with(State::fail, true, false, 10));
+  const std::string html = page.to_html();
+  const std::string all = html.substr(place(html, "All 2, task by task"));
+  EXPECT_THAT(all, HasSubstr("Read first by"));
+  EXPECT_THAT(all, HasSubstr(">1 of 3</td><td class=\"number\">2</td><td><code>hit_box</code></td>"
+                             "<td>the first: promise"));
+  EXPECT_THAT(all, HasSubstr(">1 of 3</td><td class=\"number\">1</td><td><code>hit_box</code></td>"
+                             "<td>the second: promise"));
+}
+
 TEST(ClassPage, leaves_out_what_everybody_has_right) {
   ClassPage page;
   page.add({"a", "", "a.html", "", false}, run_with(State::pass, true, true, 20));

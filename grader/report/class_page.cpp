@@ -4,6 +4,7 @@
 #include "grader/report/filled.h"
 #include "grader/report/html_picture.h"
 #include "grader/report/page/sources.h"
+#include "grader/results/order.h"
 #include "grader/results/presentable.h"
 
 #include <algorithm>
@@ -29,6 +30,15 @@ data bar(const std::string& key, int part, int whole) {
   return out;
 }
 
+data count_data(const std::string& slug, const ClassPage::Count& count) {
+  data out = bar("right", count.right, count.judged);
+  out.set("slug", slug);
+  out.set("title", count.title);
+  out.set("judged", std::to_string(count.judged));
+  out.set("first", count.first > 0 ? data(std::to_string(count.first)) : data(false));
+  return out;
+}
+
 // The promise or picture that fewest have right comes first; those that all have right are left out.
 data hardest_of(const ClassPage::Counts& counts) {
   std::vector<std::pair<ClassPage::Key, ClassPage::Count>> hard;
@@ -40,21 +50,29 @@ data hardest_of(const ClassPage::Counts& counts) {
   });
   if (hard.size() > kHardest) hard.resize(kHardest);
   data list{data::type::list};
-  for (const auto& [key, count] : hard) {
-    data out = bar("right", count.right, count.judged);
-    out.set("slug", key.first);
-    out.set("title", count.title);
-    out.set("judged", std::to_string(count.judged));
-    list.push_back(out);
+  for (const auto& [key, count] : hard) list.push_back(count_data(key.first, count));
+  return list;
+}
+
+// All, in the order of the course.
+data all_of(const ClassPage::Counts& counts, const std::vector<std::string>& tasks) {
+  data list{data::type::list};
+  for (const std::string& slug : tasks) {
+    for (const auto& [key, count] : counts) {
+      if (key.first == slug) list.push_back(count_data(slug, count));
+    }
   }
   return list;
 }
 
-// A table of the hardest, with its heads; none if everybody has all right.
-void add_counts(data& tables, const ClassPage::Counts& counts, data table) {
+// A table of the hardest and one of all, with their heads; none if everybody has all right.
+void add_counts(data& tables, const ClassPage::Counts& counts,
+                const std::vector<std::string>& tasks, data table) {
   const data hardest = hardest_of(counts);
   if (hardest.is_empty_list()) return;
   table.set("hardest", hardest);
+  table.set("all", all_of(counts, tasks));
+  table.set("number", std::to_string(counts.size()));
   tables.push_back(table);
 }
 
@@ -174,6 +192,8 @@ void ClassPage::count(const results::TaskResult& task) {
     enter(promises_[{task.slug, promise.name}],
           promise.words.empty() ? promise.name : promise.words, promise.held);
   }
+  const auto broken = results::by_importance(task);
+  if (!broken.empty() && !broken[0]->bonus) ++promises_[{task.slug, broken[0]->name}].first;
   for (const results::PictureResult& picture : task.pictures) {
     const bool right = picture.state == results::State::pass;
     if (!right && !results::is_fault(picture.state)) continue;
@@ -191,14 +211,16 @@ std::string ClassPage::to_html() const {
   promises.set("note", "of those who have begun the task");
   promises.set("right_head", "Kept by");
   promises.set("title_head", "Promise");
+  promises.set("first_head", "Read first by");
   pictures.set("anchor", "pictures");
   pictures.set("heading", "Pictures that come out wrong");
   pictures.set("note", false);
   pictures.set("right_head", "Right for");
   pictures.set("title_head", "Picture");
+  pictures.set("first_head", false);
   data counts{data::type::list};
-  add_counts(counts, promises_, promises);
-  add_counts(counts, pictures_, pictures);
+  add_counts(counts, promises_, tasks_, promises);
+  add_counts(counts, pictures_, tasks_, pictures);
   data out, tasks{data::type::list}, rows{data::type::list};
   for (const std::string& slug : tasks_) tasks.push_back(data{"slug", slug});
   for (const Entry& line : lines) rows.push_back(row_data(line, tasks_));

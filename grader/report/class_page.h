@@ -29,12 +29,13 @@ class ClassPage {
   // Rows in alphabetical order. One file, which needs no network and no script to be read.
   std::string to_html() const;
 
-  // Of a promise or a picture: the numbers of submissions that were judged by it, and that were
-  // right.
+  // Of a promise or a picture: the numbers of submissions that were judged by it, that were right,
+  // and in whose task it was the first failure that the learner reads.
   struct Count {
     std::string title;
     int judged = 0;
     int right = 0;
+    int first = 0;
   };
   struct Entry {
     ClassRow row;

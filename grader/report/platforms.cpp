@@ -3,6 +3,8 @@
 #include "grader/report/csv.h"
 #include "grader/results/presentable.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace grader::report {
@@ -33,10 +35,20 @@ std::string moodle_csv(const std::vector<GradeRow>& rows, int max_points) {
   std::string text =
       "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,"
       "Last modified (submission),Last modified (grade),Feedback comments\r\n";
-  for (const GradeRow& row : rows) {
+  for (GradeRow row : rows) {
+    row.points = std::min(row.points, max_points);
     text +=
         fmt::format("Participant {},{},,,{},{},Yes,-,-,{}\r\n", results::one_line(row.id),
                     text_field(row.name), points_field(row), max_points, text_field(row.comment));
+  }
+  return text;
+}
+
+std::string gradescope_csv(const std::vector<GradeRow>& rows, int max_points) {
+  std::string text = std::string(kByteOrderMark) + "Name,ID,Points,Max Points,Comment\r\n";
+  for (const GradeRow& row : rows) {
+    text += fmt::format("{},{},{},{},{}\r\n", text_field(row.name), text_field(row.id),
+                        points_field(row), max_points, text_field(row.comment));
   }
   return text;
 }

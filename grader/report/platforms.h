@@ -20,7 +20,11 @@ std::string canvas_csv(const std::vector<GradeRow>& rows, const std::string& ass
                        int max_points);
 
 // The table that Moodle takes as an offline grading worksheet (MoodleDocs, "Assignment settings"): grade and
-// feedback by the participant's number.
+// feedback by the participant's number. Moodle refuses a grade above the assignment's maximum: points
+// beyond `max_points` stay in the comment.
 std::string moodle_csv(const std::vector<GradeRow>& rows, int max_points);
+
+// A table by name and ID, for Gradescope, which has no import of grades: to copy from.
+std::string gradescope_csv(const std::vector<GradeRow>& rows, int max_points);
 
 }  // namespace grader::report

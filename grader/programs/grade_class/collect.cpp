@@ -80,6 +80,14 @@ std::string line(const judge::Config& config, const Graded& graded, bool anonymo
   return text + "," + field(graded.problem) + "\r\n";
 }
 
+// "handed_in" of handed_in.tar.gz; a folder's name may have points in it.
+std::string export_name(const std::string& input) {
+  fs::path name = fs::path(input).filename();
+  if (fs::is_directory(input)) return name;
+  name = name.stem();
+  return name.extension() == ".tar" ? name.stem() : name;
+}
+
 }  // namespace
 
 Collector::Collector(const judge::Config& config, const ClassPlan& plan, std::string out)
@@ -134,24 +142,30 @@ std::vector<std::string> Collector::write() {
 }
 
 std::vector<std::string> Collector::write_returns() const {
-  std::vector<report::GradeRow> canvas, moodle;
+  std::vector<report::GradeRow> canvas, moodle, gradescope;
   std::vector<intake::Packed> pages;
   for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
     const intake::HandedIn& by = plan_.everybody[i];
     const report::GradeRow& row = for_platforms_[i];
     if (by.platform == intake::Platform::canvas) canvas.push_back(row);
     if (by.platform == intake::Platform::moodle) moodle.push_back(row);
-    if (!row.judged || by.feedback.empty()) continue;
-    pages.push_back({by.feedback, out_ + "/" + by.name + ".html"});
+    const bool listed = by.platform == intake::Platform::gradescope;
+    if (listed) gradescope.push_back(row);
+    const std::string page = listed ? row.name + ".html" : by.feedback;
+    if (row.judged && !page.empty()) pages.push_back({page, out_ + "/" + by.name + ".html"});
   }
   std::vector<std::string> written;
   const auto write_text = [&](const std::string& name, const std::string& text) {
     written.push_back(out_ + "/" + name);
     pt::write_file(written.back(), text);
   };
-  const std::string assignment = fs::path(plan_.input).stem();
   if (!canvas.empty()) {
-    write_text("canvas.csv", report::canvas_csv(canvas, assignment, max_points_));
+    const std::string column =
+        plan_.assignment.empty() ? export_name(plan_.input) : plan_.assignment;
+    write_text("canvas.csv", report::canvas_csv(canvas, column, max_points_));
+  }
+  if (!gradescope.empty()) {
+    write_text("gradescope.csv", report::gradescope_csv(gradescope, max_points_));
   }
   if (!moodle.empty()) write_text("moodle.csv", report::moodle_csv(moodle, max_points_));
   if (!pages.empty()) {

@@ -18,6 +18,7 @@ namespace grader::programs {
 //   class.csv                a line per submission: who, points, and the state and points of every task (RFC 4180)
 //   class.html               grader/report/class_page.h
 //   canvas.csv, moodle.csv   what the learning platforms take back
+//   gradescope.csv           the same by name and ID; Gradescope takes no table back
 //   feedback.zip             every page, under the path by which its platform knows it
 //   compare.csv, .html       if the plan names an earlier grading: grader/report/compare_page.h
 //   names.csv                of an anonymous class: who is who

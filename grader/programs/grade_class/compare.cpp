@@ -1,5 +1,6 @@
 #include "grader/programs/grade_class/compare.h"
 
+#include "grader/programs/grade_class/identity.h"
 #include "grader/results/read_json.h"
 #include "grader/results/summary.h"
 #include "pt/error.h"
@@ -31,10 +32,11 @@ report::Comparison compare(const ClassPlan& plan, const std::string& former,
                            const std::string& out) {
   report::Comparison comparison;
   comparison.former = former;
-  std::set<std::string> names;
-  for (const intake::HandedIn& by : plan.everybody) {
-    names.insert(by.name);
-    const auto before = results_at(former + "/" + by.name);
+  std::set<std::string> names(plan.former_names.begin(), plan.former_names.end());
+  for (std::size_t i = 0; i < plan.everybody.size(); ++i) {
+    const intake::HandedIn& by = plan.everybody[i];
+    const std::string& name = plan.former_names.at(i);
+    const auto before = name.empty() ? std::nullopt : results_at(former + "/" + name);
     const auto after = results_at(out + "/" + by.name);
     if (before && after) {
       const results::Totals old = results::totals(before->tasks);
@@ -51,7 +53,7 @@ report::Comparison compare(const ClassPlan& plan, const std::string& former,
   for (const auto& entry : fs::directory_iterator(former)) {
     const std::string name = entry.path().stem();
     if (entry.path().extension() == ".key" && !names.contains(name)) {
-      comparison.only_before.push_back(name);
+      comparison.only_before.push_back(shown_former_name(plan, name));
     }
   }
   return comparison;

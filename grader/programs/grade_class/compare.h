@@ -7,8 +7,8 @@
 
 namespace grader::programs {
 
-// The reports of the plan's submissions in `out`, compared with those of an earlier grading. Submissions
-// are the same if they have the same name; results that are not complete count as none.
+// The reports of the plan's submissions in `out`, compared with those of an earlier grading. Which are
+// the same is in the plan; results that are not complete count as none.
 report::Comparison compare(const ClassPlan& plan, const std::string& former,
                            const std::string& out);
 

@@ -29,12 +29,20 @@ namespace fs = std::filesystem;
 constexpr int kTries = 3;
 constexpr int kBetweenLooks = 1000;  // milliseconds
 constexpr std::size_t kMaxSaid = 400;
+constexpr std::size_t kMaxSlurmChunk = 1000;  // MaxArraySize is 1001, if nobody has set it
 
 // For a shell: in apostrophes.
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
+}
+
+// A path for Slurm, which replaces what follows a percent sign.
+std::string pattern_of(const std::string& path) {
+  std::string text;
+  for (const char c : path) text += c == '%' ? std::string("%%") : std::string(1, c);
+  return text;
 }
 
 std::string find_program(const std::string& name) {
@@ -78,11 +86,14 @@ class Watch {
     }
   }
 
-  void look() {
+  // `first`: what is done then was done by an earlier call.
+  void look(bool first) {
     for (auto at = waiting_.begin(); at != waiting_.end();) {
       const std::size_t i = *at;
       if (is_done(judging_, plan_.everybody[i])) {
-        report_(i, graded_before(judging_, plan_.everybody[i]));
+        Graded graded = graded_before(judging_, plan_.everybody[i]);
+        graded.again = first;
+        report_(i, graded);
         at = waiting_.erase(at);
       } else {
         ++at;
@@ -112,7 +123,7 @@ pid_t start(const std::vector<std::string>& command, const std::string& log) {
 void run_elsewhere(const Judging& judging, const ClassPlan& plan, const EngineRequest& request,
                    const Report& report) {
   Watch watch(judging, plan, report);
-  watch.look();  // as before
+  watch.look(true);
   const std::string log = judging.out + "/engine.log";
   std::vector<std::size_t> numbers = not_done(judging, plan);
   for (int i = 0; i < kTries && !numbers.empty(); ++i) {
@@ -120,9 +131,9 @@ void run_elsewhere(const Judging& judging, const ClassPlan& plan, const EngineRe
     int status = 0;
     while (waitpid(pid, &status, WNOHANG) == 0) {
       poll(nullptr, 0, kBetweenLooks);
-      watch.look();
+      watch.look(false);
     }
-    watch.look();
+    watch.look(false);
     const std::size_t before = numbers.size();
     numbers = not_done(judging, plan);
     if (status != 0 && numbers.size() == before && i + 1 == kTries) {
@@ -153,6 +164,10 @@ std::vector<std::string> engine_command(const EngineRequest& request, const std:
     command.insert(command.end(), words.begin(), words.end());
   };
   if (request.engine == Engine::parallel) {
+    if (out.find('{') != out.npos) {
+      throw pt::Error(out +
+                      ": GNU parallel would replace what is in braces; write --out another folder");
+    }
     add({find_program("parallel"), "--quote", "--joblog", "+" + out + "/joblog"});
     if (request.jobs > 0) add({"--jobs", std::to_string(request.jobs)});
     add(request.options);
@@ -161,6 +176,12 @@ std::vector<std::string> engine_command(const EngineRequest& request, const std:
     for (const std::size_t number : numbers) command.push_back(std::to_string(number));
     return command;
   }
+  if (!numbers.empty() && numbers.back() > kMaxSlurmChunk) {
+    throw pt::Error(
+        fmt::format("Slurm takes {} chunks at most, and the plan has {}; write a larger "
+                    "--chunk-size",
+                    kMaxSlurmChunk, numbers.back()));
+  }
   std::string line = "exec";
   for (const std::string& word : request.program) line += " " + quoted(word);
   line += " " + quoted(out) + " \"$SLURM_ARRAY_TASK_ID\"";
@@ -168,7 +189,7 @@ std::vector<std::string> engine_command(const EngineRequest& request, const std:
   fs::create_directories(out + "/slurm");
   add({find_program("sbatch"), "--wait", "--requeue", "--job-name=grade-class",
        "--array=" + list_of(numbers) + limit, "--open-mode=append",
-       "--output=" + out + "/slurm/%a.log"});
+       "--output=" + pattern_of(out) + "/slurm/%a.log"});
   add(request.options);
   add({"--wrap=" + line});
   return command;

@@ -64,6 +64,9 @@ void describe_plan(CLI::App& app, Options& options) {
          "reports of an earlier grading: who gains, who loses, and by which promise; judges "
          "with its seed, and only what may have changed")
       ->check(CLI::ExistingDirectory);
+  app.add_option("--assignment", options.plan.assignment,
+                 "the column in canvas.csv, as Canvas writes it: \"Rays (1234)\"; default: the "
+                 "export's name, which Canvas takes for a new one");
   app.add_flag("--anonymous", options.plan.anonymous,
                "numbers in place of names; names.csv tells who is who");
   app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
@@ -106,6 +109,11 @@ Judging judging_of(const judge::Config& config, const Options& options, const Cl
                    const std::string& out, int threads) {
   Judging judging{config, programs_of(options) + "/grade", out};
   judging.former = plan.former;
+  for (std::size_t i = 0; i < plan.former_names.size(); ++i) {
+    const std::string& former = plan.former_names[i];
+    if (!former.empty()) judging.former_names[plan.everybody[i].name] = former;
+  }
+  judging.anonymous = !plan.real_names.empty();
   judging.words = plan.words;
   judging.seed = plan.seed;
   judging.threads = threads;

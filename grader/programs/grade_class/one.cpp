@@ -5,6 +5,7 @@
 #include "grader/judge/cache.h"
 #include "grader/process/run_command.h"
 #include "grader/programs/grade_class/claim.h"
+#include "grader/programs/grade_class/identity.h"
 #include "grader/report/write_reports.h"
 #include "grader/results/points.h"
 #include "grader/results/presentable.h"
@@ -127,8 +128,10 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
                               const std::optional<results::Results>& equal) {
   const std::string path = judging.out + "/" + by.name;
   std::optional<results::Results> known = equal;
-  for (const std::string& folder : {judging.out, judging.former}) {
-    if (!known && !folder.empty()) known = counted_anew(judging, folder + "/" + by.name, key);
+  if (!known) known = counted_anew(judging, path, key);
+  const auto former = judging.former_names.find(by.name);
+  if (!known && former != judging.former_names.end()) {
+    known = counted_anew(judging, judging.former + "/" + former->second, key);
   }
   fs::remove(path + ".key");  // the run may end before its reports are whole
   if (known) {
@@ -159,6 +162,7 @@ Graded grade_one(const Judging& judging, const intake::HandedIn& by,
     fs::remove(path + ".problem");
   } catch (const std::exception& error) {
     graded.problem = pt::sentence_of(error);
+    if (judging.anonymous) graded.problem = without_names(graded.problem, by.folder);
     pt::write_file(path + ".problem", graded.problem);
   }
   return graded;
@@ -194,7 +198,14 @@ Graded graded_before(const Judging& judging, const intake::HandedIn& by) {
 bool is_done(const Judging& judging, const intake::HandedIn& by) {
   if (!by.problem.empty()) return true;
   const std::string path = judging.out + "/" + by.name;
-  return fs::exists(path + ".problem") || key_at(path) == key_of(judging, by.folder);
+  if (fs::exists(path + ".problem")) return true;
+  const Key known = key_at(path);
+  if (known == Key{}) return false;  // most wait, and their files need not be read
+  try {
+    return known == key_of(judging, by.folder);
+  } catch (const std::exception&) {
+    return false;  // whoever judges it tells what is wrong with its files
+  }
 }
 
 std::vector<Graded> grade_equal(const Judging& judging,

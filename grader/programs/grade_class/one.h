@@ -5,6 +5,7 @@
 #include "grader/results/results.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,15 @@ namespace grader::programs {
 // The settings with which everybody in the class is judged.
 struct Judging {
   const judge::Config& config;
-  std::string grade;                 // the program
-  std::string out;                   // the folder of the reports
-  std::string former{};              // one of an earlier grading, whose results may be used again
-  std::vector<std::string> words{};  // of the program's command line
-  std::uint64_t seed = 1;            // of all random inputs
-  int threads = 1;                   // of one submission; verdicts do not depend on it
-  std::string work{};                // the program's folder for its builds; empty: the usual one
+  std::string grade;     // the program
+  std::string out;       // the folder of the reports
+  std::string former{};  // one of an earlier grading, whose results may be used again
+  std::map<std::string, std::string> former_names{};  // what a submission of now was called there
+  std::vector<std::string> words{};                   // of the program's command line
+  std::uint64_t seed = 1;                             // of all random inputs
+  bool anonymous = false;                             // problems must name nobody
+  int threads = 1;     // of one submission; verdicts do not depend on it
+  std::string work{};  // the program's folder for its builds; empty: the usual one
 };
 
 // The outcome for one submission.

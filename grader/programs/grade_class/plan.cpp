@@ -2,7 +2,9 @@
 
 #include "grader/base/files.h"
 #include "grader/base/sha256.h"
+#include "grader/programs/grade_class/identity.h"
 #include "grader/programs/grade_class/unpack_boxed.h"
+#include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
@@ -23,17 +25,27 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::size_t kDigitsOfAlias = 10;
+constexpr std::size_t kKeptUnpacked = 2;
+
+// Without it everybody would be judged anew, and nobody would know why.
+std::optional<std::uint64_t> seed_in(const std::string& folder) {
+  const std::string path = folder + "/seed";
+  if (!fs::exists(path)) return std::nullopt;
+  std::uint64_t seed = 0;
+  if (std::ifstream(path) >> seed) return seed;
+  throw pt::Error(path + " holds no number; write --seed and the number that the reports name");
+}
 
 std::uint64_t seed_for(const PlanRequest& request) {
   const std::string path = request.out + "/seed";
   std::uint64_t seed = 0;
   if (request.seed) {
     seed = *request.seed;
-  } else if (std::ifstream(path) >> seed) {
-    return seed;
-  } else if (!(std::ifstream(request.former + "/seed") >> seed)) {
-    seed = std::random_device{}();
+  } else if (const auto kept = seed_in(request.out)) {
+    return *kept;
+  } else {
+    const auto former = request.former.empty() ? std::nullopt : seed_in(request.former);
+    seed = former ? *former : std::random_device{}();
   }
   pt::write_file(path, std::to_string(seed) + "\n");
   return seed;
@@ -60,7 +72,13 @@ std::vector<Equal> groups_of(const judge::Config& config,
   for (std::size_t i = 0; i < everybody.size(); ++i) {
     intake::HandedIn& by = everybody[i];
     if (!by.problem.empty()) continue;
-    const std::string content = content_of(config, by.folder);
+    std::string content;
+    try {
+      content = content_of(config, by.folder);
+    } catch (const std::exception& error) {
+      by.problem = pt::sentence_of(error);
+      continue;
+    }
     if (content.empty()) {
       by.problem =
           fmt::format("it holds none of the files that are to be handed in ({}.cpp and so on)",
@@ -84,30 +102,18 @@ std::vector<Chunk> chunks_of(const std::vector<Equal>& groups, std::size_t size)
   return chunks;
 }
 
-std::string random_text() {
+// A folder for what is unpacked now. That of the plan before stays: its chunks may still run on another machine.
+std::string folder_to_unpack(const std::string& out) {
+  const fs::path folder = out + "/unpacked";
+  std::vector<fs::path> former;
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) former.push_back(entry.path());
+  }
+  std::ranges::sort(former, std::ranges::greater{},
+                    [](const fs::path& path) { return fs::last_write_time(path); });
+  for (std::size_t i = kKeptUnpacked - 1; i < former.size(); ++i) fs::remove_all(former[i]);
   std::random_device random;
-  return fmt::format("{:08x}{:08x}", random(), random());
-}
-
-// Names become numbers that only who has the plan can turn back, the same in every later plan.
-void hide_names(ClassPlan& plan, const std::string& out) {
-  for (const std::string& folder : {out, plan.former}) {
-    if (!plan.salt.empty() || !fs::exists(folder + "/plan.json")) continue;
-    plan.salt = read_plan(folder).salt;
-  }
-  if (plan.salt.empty()) plan.salt = random_text();
-  std::vector<std::pair<std::string, intake::HandedIn>> all;
-  for (const intake::HandedIn& by : plan.everybody) {
-    all.emplace_back("submission-" + base::sha256(plan.salt + by.name).substr(0, kDigitsOfAlias),
-                     by);
-  }
-  // Their order would tell who is who.
-  std::ranges::sort(all, {}, [](const auto& each) { return each.first; });
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    plan.everybody[i] = all[i].second;
-    plan.real_names.push_back(all[i].second.name);
-    plan.everybody[i].name = all[i].first;
-  }
+  return folder / fmt::format("{:08x}{:08x}", random(), random());
 }
 
 // A file's name may hold any bytes, and JSON only UTF-8: others become a list of numbers.
@@ -149,11 +155,17 @@ void check_plan(const ClassPlan& plan) {
   };
   check(plan.real_names.empty() || plan.real_names.size() == plan.everybody.size(),
         "it has not as many real names as submissions");
+  check(plan.former_names.empty() || plan.former_names.size() == plan.everybody.size(),
+        "it has not as many former names as submissions");
+  const auto can_be_file = [](const std::string& name) {
+    return name != "." && name != ".." && name.find('/') == name.npos &&
+           name.find('\0') == name.npos;
+  };
+  for (const std::string& name : plan.former_names) {
+    check(can_be_file(name), "a submission's former name cannot be that of a file");
+  }
   for (const intake::HandedIn& by : plan.everybody) {
-    const bool is_file_name = !by.name.empty() && by.name != "." && by.name != ".." &&
-                              by.name.find('/') == by.name.npos &&
-                              by.name.find('\0') == by.name.npos;
-    check(is_file_name, "a submission's name cannot be that of a file");
+    check(!by.name.empty() && can_be_file(by.name), "a submission's name cannot be that of a file");
   }
   for (const Chunk& chunk : plan.chunks) {
     for (const Equal& equal : chunk) {
@@ -181,12 +193,14 @@ ClassPlan make_plan(const judge::Config& config, const std::string& programs,
   plan.seed = seed_for(request);
   plan.host = host_name();
   plan.former = request.former;
-  plan.everybody =
-      intake::handed_in(request.input, request.out + "/unpacked", unpack_boxed(config, programs));
+  plan.assignment = request.assignment;
+  plan.everybody = intake::handed_in(request.input, folder_to_unpack(request.out),
+                                     unpack_boxed(config, programs));
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
   }
   if (request.anonymous) hide_names(plan, request.out);
+  if (!plan.former.empty()) plan.former_names = former_names(plan);
   plan.chunks = chunks_of(groups_of(config, plan.everybody), request.chunk_size);
   return plan;
 }
@@ -197,12 +211,15 @@ void write_plan(const ClassPlan& plan, const std::string& out) {
            {"seed", plan.seed},
            {"host", plan.host},
            {"former", text_json(plan.former)},
+           {"assignment", text_json(plan.assignment)},
            {"salt", plan.salt},
            {"chunks", plan.chunks},
            {"everybody", json::array()},
-           {"real_names", json::array()}};
+           {"real_names", json::array()},
+           {"former_names", json::array()}};
   for (const intake::HandedIn& by : plan.everybody) all["everybody"].push_back(to_json(by));
   for (const std::string& name : plan.real_names) all["real_names"].push_back(text_json(name));
+  for (const std::string& name : plan.former_names) all["former_names"].push_back(text_json(name));
   pt::write_file(out + "/plan.json", all.dump(1) + "\n");
 }
 
@@ -219,10 +236,12 @@ ClassPlan read_plan(const std::string& out) {
     plan.seed = all.at("seed").get<std::uint64_t>();
     plan.host = all.at("host").get<std::string>();
     plan.former = text_from(all.at("former"));
+    plan.assignment = text_from(all.at("assignment"));
     plan.salt = all.at("salt").get<std::string>();
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
     for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));
     for (const json& name : all.at("real_names")) plan.real_names.push_back(text_from(name));
+    for (const json& name : all.at("former_names")) plan.former_names.push_back(text_from(name));
     check_plan(plan);
     return plan;
   } catch (const std::exception& error) {

@@ -24,10 +24,13 @@ struct ClassPlan {
   std::uint64_t seed = 1;          // of all random inputs
   std::string host;                // the machine on which it was made
   std::string former;              // reports of an earlier grading, to compare with; may be empty
+  std::string assignment;          // its column in Canvas' table; empty: that of the export's name
   std::string salt;                // of the names of an anonymous class; empty: names are shown
   std::vector<intake::HandedIn> everybody;
   std::vector<std::string> real_names;  // of everybody, if the class is anonymous; else empty
-  std::vector<Chunk> chunks;            // of all that can be judged
+  std::vector<std::string>
+      former_names{};         // of everybody, in `former`: empty for who was not in it
+  std::vector<Chunk> chunks;  // of all that can be judged
 };
 
 struct PlanRequest {
@@ -35,6 +38,7 @@ struct PlanRequest {
   std::vector<std::string> words;
   std::optional<std::uint64_t> seed;
   std::string former;          // reports of an earlier grading, to compare with; may be empty
+  std::string assignment;      // its column in Canvas' table; empty: that of the export's name
   std::size_t chunk_size = 0;  // submissions that differ, in a chunk; 0: kMaxChunks at most
   bool anonymous = false;
 };

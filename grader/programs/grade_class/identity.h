@@ -1,0 +1,28 @@
+#pragma once
+
+#include "grader/programs/grade_class/plan.h"
+
+#include <string>
+#include <vector>
+
+// Tells learners apart from one grading to the next, and hides their names in an anonymous class.
+
+namespace grader::programs {
+
+// Gives every submission of the plan a number in place of its name, which only who has the plan can turn back. A
+// learner keeps it in every later plan in `out`, and in those that compare with it. What the intake says of a
+// submission then names no file either. Throws pt::Error if `out` has reports that show names.
+void hide_names(ClassPlan& plan, const std::string& out);
+
+// Of everybody, in their order: the name in the grading that the plan compares with; empty for who
+// was not in it. Learners are the same by what their platform calls them, else by name.
+std::vector<std::string> former_names(const ClassPlan& plan);
+
+// The name in that grading as this plan may show it: hidden if only this plan hides names.
+std::string shown_former_name(const ClassPlan& plan, const std::string& name);
+
+// A sentence on a submission, without its folder and without the names of files, which may be a
+// learner's: they stand in apostrophes.
+std::string without_names(std::string sentence, const std::string& folder);
+
+}  // namespace grader::programs
