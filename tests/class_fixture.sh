@@ -16,7 +16,15 @@ complain() {
   exit 1
 }
 
+# pack_learner NUMBER: turns the folder into an archive.
+pack_learner() (
+  cd "$folder/class/learner $1" || exit
+  cmake -E tar cf "../learner $1.zip" --format=zip hit_sphere.cpp
+  rm -r "../learner $1"
+)
+
 # make_class N: submissions in $folder/class, of hit_sphere alone: right, wrong, stubs, equal ones, and one that cannot be read.
+# Every fourth is an archive.
 make_class() {
   local i from wrong=(grader/tasks/hit_sphere/wrong/*.cpp)
   for i in $(seq -w "$1"); do
@@ -29,6 +37,7 @@ make_class() {
     cp "$from" "$folder/class/learner $i/hit_sphere.cpp"
     # Otherwise all but a few would be equal.
     [ $((10#$i % 5)) -eq 2 ] || echo "// by learner $i" >>"$folder/class/learner $i/hit_sphere.cpp"
+    [ $((10#$i % 4)) -ne 0 ] || pack_learner "$i"
   done
   mkdir "$folder/class/nobody"
 }
