@@ -1,0 +1,33 @@
+// The tables that learning platforms take back.
+#include "grader/report/platforms.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace grader::report {
+namespace {
+
+using testing::HasSubstr;
+
+const std::vector<GradeRow> kRows{{"Ada, Countess", "17", true, 22, "12 of 12 tasks pass."},
+                                  {"Zoë", "18", false, 0, "it holds two archives"}};
+
+TEST(Platforms, moodle_gets_no_grade_above_the_maximum) {
+  const std::string table = moodle_csv(kRows, 20);
+  EXPECT_THAT(table, HasSubstr("Participant 17,\"Ada, Countess\",,,20,20,Yes,"));
+  EXPECT_THAT(table, HasSubstr("Participant 18,Zoë,,,,20,Yes,"));
+}
+
+TEST(Platforms, canvas_and_gradescope_get_points_with_their_bonus) {
+  EXPECT_THAT(canvas_csv(kRows, "Rays (3)", 20), HasSubstr(",Rays (3)\r\n"));
+  EXPECT_THAT(canvas_csv(kRows, "Rays (3)", 20), HasSubstr("\"Ada, Countess\",17,,,,22\r\n"));
+  EXPECT_THAT(gradescope_csv(kRows, 20),
+              HasSubstr("\"Ada, Countess\",17,22,20,12 of 12 tasks pass.\r\n"));
+  EXPECT_THAT(gradescope_csv(kRows, 20), HasSubstr("Zoë,18,,20,it holds two archives\r\n"));
+}
+
+}  // namespace
+}  // namespace grader::report
