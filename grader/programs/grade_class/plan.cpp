@@ -11,6 +11,7 @@
 #include <fstream>
 #include <map>
 #include <random>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -181,8 +182,12 @@ ClassPlan make_plan(const judge::Config& config, const std::string& programs,
   plan.seed = seed_for(request);
   plan.host = host_name();
   plan.former = request.former;
-  plan.everybody =
-      intake::handed_in(request.input, request.out + "/unpacked", unpack_boxed(config, programs));
+  std::vector<intake::TaskFile> tasks;
+  for (const judge::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
+  intake::HandedInByAll all = intake::handed_in(request.input, request.out + "/unpacked", tasks,
+                                                unpack_boxed(config, programs));
+  plan.everybody = std::move(all.everybody);
+  plan.unclaimed = std::move(all.unclaimed);
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
   }

@@ -28,6 +28,7 @@ struct ClassPlan {
   std::vector<intake::HandedIn> everybody;
   std::vector<std::string> real_names;  // of everybody, if the class is anonymous; else empty
   std::vector<Chunk> chunks;            // of all that can be judged
+  std::vector<std::string> unclaimed;   // files of the class that are nobody's; not in the file
 };
 
 struct PlanRequest {
