@@ -1,18 +1,25 @@
 // Exports of learning platforms become one folder per learner; archives are read as data.
+#include "grader/base/files.h"
 #include "grader/intake/handed_in.h"
 #include "grader/intake/unpack.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "tests/temporary_folder.h"
 
+#include <clocale>
+#include <cstddef>
 #include <filesystem>
 #include <map>
+#include <string>
+#include <vector>
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace grader::intake {
 namespace {
@@ -26,18 +33,27 @@ struct Entry {
   std::string points_to{};
 };
 
-enum class Format { zip, tar_gz };
+enum class Format { zip, zip_stored, zip_encrypted, tar_gz, tar_xz, tar_zst, seven_zip };
 
 // The bytes of an archive with these entries, as others' programs make them.
 std::string archive_of(const std::vector<Entry>& entries, Format format = Format::zip) {
   std::string bytes(std::size_t{8} << 20, '\0');
   std::size_t used = 0;
   archive* out = archive_write_new();
-  if (format == Format::zip) {
+  if (format == Format::zip || format == Format::zip_stored || format == Format::zip_encrypted) {
     archive_write_set_format_zip(out);
+    if (format == Format::zip_stored) archive_write_set_options(out, "zip:compression=store");
+    if (format == Format::zip_encrypted) {
+      archive_write_set_options(out, "zip:encryption=traditional");
+      archive_write_set_passphrase(out, "secret");
+    }
+  } else if (format == Format::seven_zip) {
+    archive_write_set_format_7zip(out);
   } else {
     archive_write_set_format_pax_restricted(out);
-    archive_write_add_filter_gzip(out);
+    if (format == Format::tar_gz) archive_write_add_filter_gzip(out);
+    if (format == Format::tar_xz) archive_write_add_filter_xz(out);
+    if (format == Format::tar_zst) archive_write_add_filter_zstd(out);
   }
   archive_write_open_memory(out, bytes.data(), bytes.size(), &used);
   for (const Entry& each : entries) {
@@ -57,6 +73,11 @@ std::string archive_of(const std::vector<Entry>& entries, Format format = Format
   return bytes;
 }
 
+const std::vector<TaskFile> kTasks{{"1_rays", "hit_sphere"},
+                                   {"1_rays", "hit_triangle"},
+                                   {"1_rays", "hit_box"},
+                                   {"2_bvh", "hit_bvh"}};
+
 class Intake : public testing::Test {
  protected:
   void SetUp() override {
@@ -74,25 +95,37 @@ class Intake : public testing::Test {
   struct Seen {
     std::string id, problem;
     bool late = false;
-    std::map<std::string, std::string> files;
+    Platform platform = Platform::none;
+    std::string feedback{};
+    std::map<std::string, std::string> files{};
+    std::map<std::string, std::string> judged{};  // what the judge reads, by task
   };
   std::map<std::string, Seen> seen(const fs::path& input) const {
-    const auto unpack_here = [](const std::string& archive, const std::string& folder) {
+    const auto unpack_here = [](const std::string& archive, const std::string& folder,
+                                Extent extent) {
       try {
-        unpack(archive, folder);
+        unpack(archive, folder, extent);
         return std::string();
       } catch (const pt::Error& error) {
         return std::string(error.what());
       }
     };
     std::map<std::string, Seen> all;
-    for (const HandedIn& each : handed_in(input, folder_.path() + "/work", unpack_here)) {
-      Seen one{each.id, each.problem, each.late, {}};
-      if (!each.folder.empty() && fs::exists(each.folder)) {
+    const HandedInByAll handed = handed_in(input, folder_.path() + "/work", kTasks, unpack_here);
+    unclaimed_ = handed.unclaimed;
+    for (const HandedIn& each : handed.everybody) {
+      Seen one{each.id, each.problem, each.late, each.platform, each.feedback};
+      if (each.problem.empty() && fs::exists(each.folder)) {
         for (const auto& file : fs::recursive_directory_iterator(each.folder)) {
           if (file.path().extension() != ".cpp" || file.is_symlink()) continue;
           one.files[fs::relative(file.path(), each.folder)] = pt::read_file(file.path(), 10000);
         }
+      }
+      for (const TaskFile& task : kTasks) {
+        if (!each.problem.empty()) break;
+        const std::string root = base::submission_root(each.folder);
+        const base::Submitted read = base::read_submitted(root, task.part, task.slug);
+        if (read.present) one.judged[task.slug] = read.text;
       }
       EXPECT_TRUE(all.emplace(each.name, one).second) << each.name << " twice";
     }
@@ -101,6 +134,7 @@ class Intake : public testing::Test {
   std::map<std::string, Seen> seen() const { return seen(in()); }
 
   TemporaryFolder folder_;
+  mutable std::vector<std::string> unclaimed_;  // of the last call
 };
 
 using Files = std::map<std::string, std::string>;
@@ -113,7 +147,7 @@ TEST_F(Intake, folders_and_archives_of_any_name_are_submissions) {
   auto all = seen();
   ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(all["ada"].files, (Files{{"1_rays/hit_box.cpp", "a"}}));
-  EXPECT_EQ(all["bob"].files, (Files{{"tree/student/1_rays/hit_box.cpp", "b"}}));
+  EXPECT_EQ(all["bob"].files, (Files{{"student/1_rays/hit_box.cpp", "b"}}));
   EXPECT_EQ(all["Łukasz 北"].files, (Files{{"hit_box.cpp", "c"}}));
 }
 
@@ -197,6 +231,7 @@ TEST_F(Intake, archives_in_archives_are_unpacked_to_a_depth) {
 }
 
 TEST_F(Intake, two_archives_and_no_file_cannot_be_chosen_from) {
+  add("bob/hit_box.cpp", "b");
   add("ada/first.zip", archive_of({{"hit_box.cpp", "1"}}));
   add("ada/second.zip", archive_of({{"hit_box.cpp", "2"}}));
   EXPECT_THAT(seen()["ada"].problem, HasSubstr("2 archives, 'first.zip' and 'second.zip'"));
@@ -220,7 +255,7 @@ TEST_F(Intake, nothing_lands_outside_and_nothing_is_linked) {
   fs::create_symlink("/etc", in("linked"));
   auto all = seen();
   EXPECT_EQ(all["evil"].files, (Files{})) << "the tar";
-  EXPECT_EQ(all["evil (2)"].files, (Files{{"hit_sphere.cpp", "first"},
+  EXPECT_EQ(all["evil (2)"].files, (Files{{"hit_sphere.cpp", "second"},
                                           {"link/firstlight_evil.cpp", "in a folder of its own"}}));
   EXPECT_THAT(all["linked"].problem, HasSubstr("link"));
   EXPECT_FALSE(fs::exists("/tmp/firstlight_evil.cpp"));
@@ -312,6 +347,346 @@ TEST_F(Intake, pipes_and_devices_are_left_out) {
   const auto all = seen();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all.begin()->first, "ada");
+}
+
+// A class as Canvas and Moodle pack it: the bounds of one learner are not those of all.
+TEST_F(Intake, the_archive_of_a_class_has_the_bounds_of_a_class) {
+  std::vector<Entry> entries;
+  for (int learner = 0; learner < 1000; ++learner) {
+    for (int file = 0; file < 12; ++file) {
+      const std::string name = file == 0 ? "hit_box" : "other_" + std::to_string(file);
+      entries.push_back(
+          {fmt::format("class/learner_{}_{}_{}.cpp", learner, learner * 12 + file, name),
+           std::to_string(learner)});
+    }
+  }
+  pt::write_file(in("class.zip"), archive_of(entries));
+  auto all = seen(in("class.zip"));
+  EXPECT_EQ(all.size(), 1000U);
+  EXPECT_EQ(all["learner (77)"].files["hit_box.cpp"], "77");
+}
+
+TEST_F(Intake, each_owner_in_the_archive_of_a_class_has_the_bounds_of_one) {
+  std::vector<Entry> entries{{"ada/hit_box.cpp", "a"}};
+  for (int i = 0; i < 5001; ++i) entries.push_back({fmt::format("bob/{}.cpp", i), ""});
+  entries.push_back({"cy/hit_box.cpp", "c"});
+  for (int i = 0; i < 70; ++i) {
+    entries.push_back({fmt::format("di/{}.cpp", i), std::string(std::size_t{1} << 20, '\0')});
+  }
+  entries.push_back({"eve/hit_box.cpp", "e"});
+  pt::write_file(in("class.zip"), archive_of(entries));
+  auto all = seen(in("class.zip"));
+  EXPECT_EQ(all.size(), 5U);
+  EXPECT_THAT(all["bob"].problem, HasSubstr("5000 files"));
+  EXPECT_THAT(all["di"].problem, HasSubstr("64 MiB"));
+  for (const char* name : {"ada", "cy", "eve"}) {
+    EXPECT_EQ(all[name].problem, "") << name;
+    EXPECT_EQ(all[name].files.size(), 1U) << name;
+  }
+}
+
+TEST_F(Intake, everybody_in_the_archive_of_a_class_has_a_row) {
+  pt::write_file(in("class.tar.gz"), archive_of({{"ada/hit_box.cpp", "a"},
+                                                 {"bob/work.gz", "?"},
+                                                 {"cy/report.pdf", "?"},
+                                                 {"di/hit_box.CPP", "d"},
+                                                 {"eve/onlinetext.html", "?"},
+                                                 {"fay", "", AE_IFDIR},
+                                                 {"gus", "", AE_IFLNK, "/etc"},
+                                                 {"hal/hit_box.cpp", "", AE_IFLNK, "/etc/passwd"},
+                                                 {"ida.gz", "?"}},
+                                                Format::tar_gz));
+  auto all = seen(in("class.tar.gz"));
+  EXPECT_EQ(all.size(), 9U);
+  EXPECT_EQ(all["ada"].problem, "");
+  EXPECT_THAT(all["bob"].problem, HasSubstr("only 'work.gz'"));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("hand in a zip"));
+  EXPECT_THAT(all["cy"].problem, HasSubstr("only 'report.pdf'"));
+  EXPECT_EQ(all["di"].files, (Files{{"1_rays/hit_box.cpp", "d"}}));
+  EXPECT_THAT(all["eve"].problem, HasSubstr("only 'onlinetext.html'"));
+  EXPECT_THAT(all["fay"].problem, HasSubstr("it is empty"));
+  EXPECT_THAT(all["gus"].problem, HasSubstr("link"));
+  EXPECT_THAT(all["hal"].problem, HasSubstr("it is empty"));
+  EXPECT_THAT(all["ida"].problem, HasSubstr("hand in a zip"));
+}
+
+TEST_F(Intake, files_on_top_have_an_owner_or_are_named) {
+  add("bob.gz", "?");
+  add("cy.tar.zst", archive_of({{"hit_box.cpp", "c"}}, Format::tar_zst));
+  add("di.cpp", "?");
+  add("notes.txt", "?");
+  add("12-34 - Fay Ace - Jan 15, 2027 1005 PM - hit_sphere.cpp", "new");
+  add("12-34 - Fay Ace - Jan 15, 2027 905 PM - hit_sphere.cpp", "old");
+  add("12-34 - Fay Ace - Jan 15, 2027 905 AM - hit_box.cpp", "b");
+  add("hw 1_gus_attempt_2027-01-15-22-05-33_hit_sphere.cpp", "g");
+  add("hw 1_gus_attempt_2027-01-14-22-05-33_hit_sphere.cpp", "old");
+  add("hw 1_gus_attempt_2027-01-15-22-05-33.txt", "?");
+  auto all = seen();
+  EXPECT_EQ(all.size(), 4U);
+  EXPECT_THAT(all["bob"].problem, HasSubstr("hand in a zip"));
+  EXPECT_EQ(all["cy"].files, (Files{{"hit_box.cpp", "c"}}));
+  EXPECT_EQ(all["Fay Ace"].files, (Files{{"hit_sphere.cpp", "new"}, {"hit_box.cpp", "b"}}));
+  EXPECT_EQ(all["Fay Ace"].id, "12-34");
+  EXPECT_EQ(all["gus"].files, (Files{{"hit_sphere.cpp", "g"}}));
+  EXPECT_THAT(unclaimed_, testing::ElementsAre("di.cpp", "notes.txt"));
+}
+
+TEST_F(Intake, canvas_may_hide_names) {
+  add("anon_aB3xz_901_hit_box.cpp", "a");
+  add("anon_aB3xz_902_hit_sphere.cpp", "s");
+  add("LATE_anon_qqqqq_903_hit_box.cpp", "q");
+  auto all = seen();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all["anon_aB3xz"].files, (Files{{"hit_box.cpp", "a"}, {"hit_sphere.cpp", "s"}}));
+  EXPECT_TRUE(all["anon_qqqqq"].late);
+}
+
+TEST_F(Intake, moodle_without_folders_is_one_row_per_participant) {
+  add("Ada L_1_assignsubmission_file_hit_sphere.cpp", "s");
+  add("Ada L_1_assignsubmission_file_hit_box.cpp", "b");
+  add("Bob_2_assignsubmission_file_work.zip", archive_of({{"hit_box.cpp", "z"}}));
+  add("Cy_3_assignsubmission_file_/hit_box.cpp", "c");
+  add("Cy_3_assignsubmission_onlinetext_/onlinetext.html", "?");
+  add("Di_4_assignsubmission_onlinetext_/onlinetext.html", "?");
+  auto all = seen();
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all["Ada L"].files, (Files{{"hit_sphere.cpp", "s"}, {"hit_box.cpp", "b"}}));
+  EXPECT_EQ(all["Ada L"].id, "1");
+  EXPECT_EQ(all["Bob"].files, (Files{{"hit_box.cpp", "z"}}));
+  EXPECT_EQ(all["Bob"].platform, Platform::moodle);
+  EXPECT_EQ(all["Cy"].files, (Files{{"hit_box.cpp", "c"}}));
+  EXPECT_EQ(all["Cy"].feedback, "Cy_3_assignsubmission_file_/report.html");
+  EXPECT_THAT(all["Di"].problem, HasSubstr("only 'onlinetext.html'"));
+}
+
+TEST_F(Intake, folders_around_everything_are_entered) {
+  add("export/handed in/ada/hit_box.cpp", "a");
+  add("export/handed in/bob/student/1_rays/hit_box.cpp", "b");
+  EXPECT_EQ(seen().size(), 2U);
+}
+
+TEST_F(Intake, the_folder_of_one_learner_is_not_entered) {
+  add("ada/1_rays/hit_box.cpp", "a");
+  add("ada/notes.txt", "?");
+  EXPECT_EQ(seen()["ada"].files, (Files{{"1_rays/hit_box.cpp", "a"}}));
+  EXPECT_EQ(seen().size(), 1U);
+}
+
+// The bytes of an archive in which those after a text are others.
+std::string damaged(std::string bytes, const std::string& after, std::size_t from, std::size_t to) {
+  const std::size_t at = bytes.find(after) + after.size();
+  for (std::size_t i = at + from; i < at + to; ++i) bytes[i] = static_cast<char>(~bytes[i]);
+  return bytes;
+}
+
+// Text that does not become much smaller.
+std::string any_text(std::size_t size) {
+  std::string text;
+  for (unsigned state = 1; text.size() < size; state = state * 1664525U + 1013904223U) {
+    text += static_cast<char>(' ' + (state >> 25) % 90);
+  }
+  return text;
+}
+
+std::string bytes_of(const std::string& hex) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  }
+  return bytes;
+}
+
+TEST_F(Intake, a_bad_entry_in_the_archive_of_a_class_is_its_owners) {
+  const std::vector<Entry> entries{{"ada/hit_box.cpp", any_text(3000)},
+                                   {"bob/hit_box.cpp", any_text(3000)},
+                                   {"cy/hit_box.cpp", "c"}};
+  for (const Format format : {Format::zip, Format::zip_stored}) {
+    const std::string bytes = archive_of(entries, format);
+    // The first of the two places of the name is in front of the data.
+    pt::write_file(in("class.zip"), damaged(bytes, "bob/hit_box.cpp", 500, 700));
+    auto all = seen(in("class.zip"));
+    EXPECT_EQ(all.size(), 3U);
+    EXPECT_EQ(all["ada"].files.size(), 1U) << all["ada"].problem;
+    EXPECT_THAT(all["bob"].problem, HasSubstr("'hit_box.cpp' cannot be unpacked"));
+    EXPECT_EQ(all["cy"].files, (Files{{"hit_box.cpp", "c"}}));
+    pt::write_file(in("class.zip"), bytes.substr(0, bytes.size() / 2));
+    EXPECT_THAT([&] { seen(in("class.zip")); },
+                testing::ThrowsMessage<pt::Error>(HasSubstr("cannot be unpacked")))
+        << "the archive ends";
+  }
+}
+
+TEST_F(Intake, an_encrypted_entry_is_its_owners) {
+  std::string bytes = archive_of({{"ada/hit_box.cpp", "a"}, {"bob/hit_box.cpp", "b"}});
+  // The bit of encryption, in front of the file and in the directory at the end: 24 and 38 bytes before the name.
+  const std::size_t first = bytes.find("bob/"), last = bytes.rfind("bob/");
+  bytes[first - 24] |= 1;
+  bytes[last - 38] |= 1;
+  pt::write_file(in("class.zip"), bytes);
+  auto all = seen(in("class.zip"));
+  EXPECT_EQ(all["ada"].files, (Files{{"hit_box.cpp", "a"}}));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("encrypted"));
+}
+
+TEST_F(Intake, long_names_are_cut_before_their_ending) {
+  const std::string name(300, 'a');
+  pt::write_file(in("class.zip"),
+                 archive_of({{"bob/hit_box.cpp", "b"},
+                             {"cy_1_2_" + name + ".zip", archive_of({{"hit_box.cpp", "c"}})}}));
+  auto all = seen(in("class.zip"));
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all["cy"].files, (Files{{"hit_box.cpp", "c"}})) << all["cy"].problem;
+}
+
+TEST_F(Intake, usual_compressions_are_unpacked) {
+  const std::vector<Entry> entries{{"hit_box.cpp", "a"}};
+  add("xz.tar.xz", archive_of(entries, Format::tar_xz));
+  add("seven.7z", archive_of(entries, Format::seven_zip));
+  add("locked.zip", archive_of(entries, Format::zip_encrypted));
+  // A RAR 4 archive of hit_box.cpp with the text "int x;\n", not compressed.
+  add("rar.rar",
+      bytes_of("526172211a0700cf907300000d00000000000000e1437400802b000700000007000000039d6e599b000"
+               "0215a14300b00a48100006869745f626f782e637070696e7420783b0ac43d7b00400700"));
+  auto all = seen();
+  EXPECT_EQ(all["xz"].files, (Files{{"hit_box.cpp", "a"}}));
+  EXPECT_EQ(all["seven"].files, (Files{{"hit_box.cpp", "a"}}));
+  EXPECT_EQ(all["rar"].files, (Files{{"hit_box.cpp", "int x;\n"}})) << all["rar"].problem;
+  EXPECT_THAT(all["locked"].problem, HasSubstr("encrypted"));
+}
+
+TEST_F(Intake, what_cannot_be_read_is_one_problem) {
+  if (geteuid() == 0) GTEST_SKIP() << "root reads everything";
+  add("ada/hit_box.cpp", "a");
+  add("bob/1_rays/hit_box.cpp", "b");
+  add("cy_7_8_hit_box.cpp", "c");
+  fs::permissions(in("bob/1_rays"), fs::perms::none);
+  fs::permissions(in("cy_7_8_hit_box.cpp"), fs::perms::none);
+  auto all = seen();
+  fs::permissions(in("bob/1_rays"), fs::perms::owner_all);
+  EXPECT_EQ(all.size(), 3U);
+  EXPECT_EQ(all["ada"].problem, "");
+  EXPECT_THAT(all["bob"].problem, HasSubstr("'1_rays' cannot be read"));
+  EXPECT_THAT(all["cy"].problem, HasSubstr("cannot be read"));
+}
+
+TEST_F(Intake, files_with_two_numbers_need_not_be_of_canvas) {
+  const std::string work = archive_of({{"hit_box.cpp", "a"}});
+  add("hw_2027_1_ada.zip", work);
+  add("hw_2027_1_bob.zip", work);
+  EXPECT_EQ(seen().size(), 2U) << "a number of a file twice";
+  EXPECT_EQ(seen()["hw_2027_1_ada"].files, (Files{{"hit_box.cpp", "a"}}));
+  fs::remove_all(in());
+  add("ada_2027_1_hw.zip", work);
+  add("bob_2027_2_hw.zip", work);
+  EXPECT_EQ(seen()["bob_2027_2_hw"].files, (Files{{"hit_box.cpp", "a"}})) << "an ID of two";
+}
+
+TEST_F(Intake, who_is_on_gradescopes_list_has_a_row) {
+  add("submission_1/hit_box.cpp", "a");
+  add("submission_3/hit_box.cpp", "c");
+  add(kGradescopeList,
+      "submission_1:\n  :submitters:\n  - :name: Ada\n    :sid:\n    :email: ada@x.org\n"
+      "submission_2:\n  :submitters:\n  - :name: Bob\n    :sid: 8\n");
+  auto all = seen();
+  EXPECT_EQ(all.size(), 3U);
+  EXPECT_EQ(all["Ada"].id, "ada@x.org");
+  EXPECT_THAT(all["Bob"].problem, HasSubstr("no folder"));
+  EXPECT_EQ(all["submission_3"].files, (Files{{"hit_box.cpp", "c"}}));
+}
+
+TEST_F(Intake, canvas_numbers_archives_and_equal_names) {
+  add("ada_1_901_part-1.zip", archive_of({{"hit_box.cpp", "1"}}));
+  add("ada_1_902_part-2.zip", archive_of({{"hit_sphere.cpp", "2"}}));
+  add("bob_2_904_hit_box.cpp", "last");
+  add("bob_2_99_hit_box.cpp", "first");
+  auto all = seen();
+  EXPECT_THAT(all["ada"].problem, HasSubstr("holds 2 archives"));
+  EXPECT_EQ(all["bob"].files, (Files{{"hit_box.cpp", "last"}}));
+}
+
+TEST_F(Intake, task_files_are_found_however_deep) {
+  const std::map<std::string, std::vector<Entry>> packed{
+      {"src", {{"README.md", "r"}, {"src/1_rays/hit_box.cpp", "s"}}},
+      {"include", {{"src/hit_box.cpp", "s"}, {"include/a.h", "h"}}},
+      {"clone",
+       {{"README.md", "r"},
+        {"firstlight/pt/a.h", "h"},
+        {"firstlight/grader/mistakes/hit_box.cpp", "not this"},
+        {"firstlight/student/1_rays/hit_box.cpp", "s"}}},
+      {"stray", {{"main.cpp", "m"}, {"work.zip", archive_of({{"hit_box.cpp", "s"}})}}},
+      {"both", {{"hit_box.cpp", "s"}, {"old/hit_box.cpp", "not this"}}},
+      {"two", {{"a/hit_box.cpp", "s"}, {"b/hit_box.cpp", "t"}}}};
+  for (const bool as_zip : {true, false}) {
+    fs::remove_all(in());
+    for (const auto& [name, entries] : packed) {
+      if (as_zip) add(name + ".zip", archive_of(entries));
+      for (const Entry& each : entries) {
+        if (!as_zip) add(name + "/" + each.path, each.text);
+      }
+    }
+    auto all = seen();
+    for (const char* name : {"src", "include", "clone", "stray", "both"}) {
+      EXPECT_EQ(all[name].judged, (Files{{"hit_box", "s"}})) << name << all[name].problem;
+    }
+    EXPECT_THAT(all["two"].problem, HasSubstr("'a/hit_box.cpp' and 'b/hit_box.cpp'"));
+  }
+}
+
+TEST_F(Intake, files_that_are_nearly_named_right_count) {
+  add("ada/hit_sphere-1.cpp", "s");
+  add("ada/Hit_Box.CPP", "b");
+  add("ada/hit_triangle (1).cpp", "t");
+  add("ada/2_bvh/hit_bvh.cpp.txt", "v");
+  add("bob/hit_box (1).cpp", "1");
+  add("bob/hit_box (2).cpp", "2");
+  add("cy/hit_box.cpp", "right");
+  add("cy/hit_box-1.cpp", "left");
+  auto all = seen();
+  EXPECT_EQ(all["ada"].files, (Files{{"1_rays/hit_sphere.cpp", "s"},
+                                     {"1_rays/hit_box.cpp", "b"},
+                                     {"1_rays/hit_triangle.cpp", "t"},
+                                     {"2_bvh/hit_bvh.cpp", "v"}}));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("'hit_box (1).cpp' and 'hit_box (2).cpp' may both be"));
+  EXPECT_EQ(all["cy"].files["hit_box.cpp"], "right");
+}
+
+TEST_F(Intake, names_are_those_of_reports) {
+  for (const char* name : {"class", "Plan", "Zo\xc3\xab", "zo\xc3\x8b",
+                           "a\xe2\x80\xae"
+                           "b",
+                           "c\xc2\x9b"
+                           "d",
+                           "e\xff"
+                           "f"}) {
+    add(std::string(name) + "/hit_box.cpp", "a");
+  }
+  add("gus.zip", archive_of({{"hit_box.cpp", "z"}}));
+  add("gus.tar.gz", archive_of({{"hit_box.cpp", "t"}}, Format::tar_gz));
+  auto all = seen();
+  EXPECT_EQ(all.size(), 9U);
+  for (const char* name : {"class (2)", "Plan (2)", "a_b", "c_d", "e_f", "gus", "gus (2)"}) {
+    EXPECT_TRUE(all.contains(name)) << name;
+  }
+  EXPECT_TRUE(all.contains("Zo\xc3\xab (2)") || all.contains("zo\xc3\x8b (2)"));
+  EXPECT_EQ(all["gus"].feedback, "gus.html");
+  EXPECT_EQ(all["gus (2)"].feedback, "gus (2).html");
+}
+
+TEST_F(Intake, a_bare_repository_is_named) {
+  add("ada/HEAD", "ref: refs/heads/main");
+  fs::create_directories(in("ada/objects"));
+  fs::create_directories(in("ada/refs"));
+  EXPECT_THAT(seen()["ada"].problem, HasSubstr("git repository"));
+}
+
+// Nobody's verdict hangs on a full disk.
+TEST_F(Intake, faults_of_the_machine_are_nobodys) {
+  add("ada.zip", archive_of({{"hit_box.cpp", "a"}}));
+  const auto full = [](const std::string&, const std::string&, Extent) -> std::string {
+    throw pt::Error("the disk is full");
+  };
+  EXPECT_THAT([&] { handed_in(in(), folder_.path() + "/work", kTasks, full); },
+              testing::ThrowsMessage<pt::Error>("the disk is full"));
 }
 
 }  // namespace

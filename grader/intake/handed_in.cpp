@@ -1,7 +1,9 @@
 #include "grader/intake/handed_in.h"
 
 #include "grader/base/files.h"
-#include "grader/intake/unpack.h"
+#include "grader/intake/file_name.h"
+#include "grader/intake/gradescope.h"
+#include "grader/intake/settle.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -10,10 +12,9 @@
 #include <optional>
 #include <regex>
 #include <set>
+#include <tuple>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <yaml-cpp/yaml.h>
 
 namespace grader::intake {
 
@@ -21,8 +22,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostInside = 3;          // archives in archives
-constexpr std::size_t kMostName = 160;  // bytes
+constexpr int kMaxAround = 8;  // folders around everything
+
+// Names of files and folders for the class as a whole, beside which the reports lie.
+const std::set<std::string>& reserved_names() {
+  static const std::set<std::string> names{"class",    "plan",   "compare",  "names",
+                                           "canvas",   "moodle", "feedback", "seed",
+                                           "unpacked", "joblog", "slurm"};
+  return names;
+}
 
 std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
   std::vector<fs::directory_entry> all;
@@ -36,226 +44,219 @@ std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
 bool is_folder(const fs::directory_entry& entry) {
   return entry.is_directory() && !entry.is_symlink();
 }
-bool is_file(const fs::directory_entry& entry) {
-  return entry.is_regular_file() && !entry.is_symlink();
-}
 
 // The name without the ending of an archive.
 std::string without_ending(const std::string& name) {
-  std::string stem = fs::path(name).stem();
+  const std::string stem = fs::path(name).stem();
   return stem.ends_with(".tar") ? stem.substr(0, stem.size() - 4) : stem;
 }
 
-// The first bytes of a text, without half a character (UTF-8) at the end.
-std::string beginning(const std::string& text, std::size_t most) {
-  std::size_t end = std::min(most, text.size());
-  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
-    --end;
-  return text.substr(0, end);
-}
-
-// A file's name for a folder of our own, whatever a platform allows in a name. Of the names of a large
-// group the beginning: a file's name has 255 bytes at most, and reports have endings.
-std::string as_file_name(std::string name) {
-  std::ranges::replace_if(
-      name, [](unsigned char c) { return c == '/' || c < 0x20 || c == 0x7f; }, '_');
-  name = beginning(name, kMostName);
-  return name.empty() || name[0] == '.' ? "_" + name : name;
-}
-
-// All archives and all source files in a folder, however deep. Links are not followed.
-struct Inside {
-  std::vector<fs::path> archives, sources;
+// One of the files or folders of a learner.
+struct Piece {
+  fs::path path;
+  Label label;
 };
-Inside look_inside(const fs::path& folder) {
-  Inside inside;
-  constexpr auto kSkip = fs::directory_options::skip_permission_denied;
-  for (auto at = fs::recursive_directory_iterator(folder, kSkip);
-       at != fs::recursive_directory_iterator(); ++at) {
-    const std::string name = at->path().filename();
-    if (base::is_hidden(name)) {
-      if (is_folder(*at)) at.disable_recursion_pending();
-    } else if (is_file(*at) && is_archive(name)) {
-      inside.archives.push_back(at->path());
-    } else if (name.ends_with(".cpp")) {
-      inside.sources.push_back(at->path());
-    }
+
+struct Pieces {
+  HandedIn by;
+  std::vector<Piece> all;
+};
+
+// A file's name without Canvas' number of the resubmission, and that number. Only names of tasks
+// have one: part-1.zip and part-2.zip are two files.
+std::pair<std::string, int> resubmission(const std::string& name,
+                                         const std::vector<TaskFile>& tasks) {
+  static const std::regex numbered(R"((.+)-(\d{1,6})(\.[A-Za-z]+))");
+  std::smatch found;
+  if (!meant_task(name, tasks) || !std::regex_match(name, found, numbered)) return {name, 0};
+  return {found[1].str() + found[3].str(), std::stoi(found[2])};
+}
+
+std::vector<std::string> files_of(const std::vector<fs::directory_entry>& entries) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : entries) {
+    if (entry.is_regular_file()) names.push_back(entry.path().filename());
   }
-  std::sort(inside.archives.begin(), inside.archives.end());
-  return inside;
+  return names;
 }
 
 class Intake {
  public:
-  Intake(fs::path work, const Unpack& unpack) : work_(std::move(work)), unpack_(unpack) {
+  Intake(fs::path work, const std::vector<TaskFile>& tasks, const Unpack& unpack)
+      : work_(std::move(work)), means_{tasks, unpack, [this] { return next_folder(); }} {
     fs::remove_all(work_);
   }
 
-  std::vector<HandedIn> run(const fs::path& input) {
-    fs::path folder = input;
-    if (!fs::is_directory(input)) {
-      folder = work_ / "all";
-      fs::create_directories(work_);
-      if (const std::string problem = unpack_(input, folder); !problem.empty()) {
-        throw pt::Error(problem);
-      }
-    }
-    folder = class_folder(folder);
+  HandedInByAll run(const fs::path& input) {
+    const fs::path folder = class_folder(opened(input));
     const std::vector<fs::directory_entry> entries = entries_of(folder);
     if (fs::exists(folder / kGradescopeList)) {
       add_gradescope(folder / kGradescopeList, entries);
     } else {
+      is_canvas_ = are_of_canvas(files_of(entries));
       for (const fs::directory_entry& entry : entries) add(entry);
-      for (auto& [key, files] : canvas_) add_canvas(files);
+      for (auto& [key, pieces] : pieces_) add_pieces(pieces);
     }
-    if (all_.empty()) {
+    if (result_.everybody.empty()) {
       throw pt::Error(input.string() +
                       " has no submissions in it: there must be a folder or an archive for each");
     }
     make_names_differ();
-    return std::move(all_);
+    return std::move(result_);
   }
 
  private:
-  struct CanvasFile {
-    fs::path path;
-    std::string name;  // as it was handed in, without the number of the resubmission
-    int number = 0;
-  };
-  struct CanvasFiles {
-    HandedIn by;
-    std::vector<CanvasFile> files;
-  };
+  // The folder, or that of what is in the archive.
+  fs::path opened(const fs::path& input) {
+    if (fs::is_directory(input)) return input;
+    fs::path folder = work_ / "all";
+    fs::create_directories(work_);
+    const std::string problem = means_.unpack(input, folder, Extent::everybody);
+    if (!problem.empty()) throw pt::Error(problem);
+    for (const Fault& fault : read_faults(folder)) {
+      faults_.emplace((folder / fault.path).string(), fault.reason);
+    }
+    return folder;
+  }
 
-  // An export of Gradescope has one folder around everything.
-  static fs::path class_folder(const fs::path& folder) {
-    const std::vector<fs::directory_entry> entries = entries_of(folder);
-    if (entries.size() != 1 || !is_folder(entries[0])) return folder;
-    const fs::path& inner = entries[0].path();
-    return fs::exists(inner / kGradescopeList) ? inner : folder;
+  // Without the folders around everything.
+  fs::path class_folder(fs::path folder) const {
+    for (int i = 0; i < kMaxAround; ++i) {
+      const std::vector<fs::directory_entry> entries = entries_of(folder);
+      if (entries.size() != 1 || !is_folder(entries[0])) return folder;
+      const fs::path& inner = entries[0].path();
+      if (read_label(inner.filename()) || is_submission(inner, means_.tasks)) return folder;
+      const std::vector<fs::directory_entry> inside = entries_of(inner);
+      if (inside.empty() || (inside.size() == 1 && !is_folder(inside[0]))) return folder;
+      folder = inner;
+    }
+    return folder;
+  }
+
+  // The reason why part of it could not be unpacked; empty if all is there.
+  std::string fault_of(const fs::path& path) const {
+    const std::string text = path.string(), inside = text + '/';
+    for (const auto& [faulty, reason] : faults_) {
+      if (faulty == text || faulty.starts_with(inside) || text.starts_with(faulty + '/'))
+        return reason;
+    }
+    return "";
   }
 
   void add(const fs::directory_entry& entry) {
-    static const std::regex canvas(R"((.+?)_(LATE_)?(\d+)_(\d+)_(.+))");
-    static const std::regex moodle(R"((.+)_(\d+)_assignsubmission_file_?)");
     const std::string name = entry.path().filename();
-    std::smatch found;
+    const std::optional<Label> label = read_label(name);
+    const bool is_file = entry.is_regular_file() && !entry.is_symlink();
+    HandedIn by;
+    by.name = name;
+    by.problem = fault_of(entry.path());
     if (entry.is_symlink()) {
-      HandedIn by;
-      by.name = name;
       by.problem = "it is a link; copy what it points to";
-      all_.push_back(by);
-    } else if (is_folder(entry)) {
-      HandedIn by;
-      by.folder = entry.path();
-      by.name = name;
-      by.feedback = name + ".html";
-      if (std::regex_match(name, found, moodle)) {
-        by.name = found[1];
-        by.id = found[2];
-        by.platform = Platform::moodle;
-        by.feedback = name + "/report.html";
-      }
-      add_folder(by);
-    } else if (!is_file(entry)) {
+      result_.everybody.push_back(by);
+    } else if (!is_folder(entry) && !is_file) {
       return;  // a pipe, a device: no platform exports one
-    } else if (std::regex_match(name, found, canvas)) {
-      CanvasFiles& files = canvas_[std::string(found[1]) + '_' + std::string(found[3])];
-      files.by.name = found[1];
-      files.by.id = found[3];
-      files.by.late = files.by.late || found[2].matched;
-      files.by.platform = Platform::canvas;
-      // Canvas knows files by what stands before the name that the learner gave them.
-      files.by.feedback = name.substr(0, name.size() - found[5].length()) + "report.html";
-      files.files.push_back(canvas_file(entry.path(), found[5]));
-    } else if (is_archive(name)) {
-      HandedIn by;
-      by.name = without_ending(name);
-      by.feedback = by.name + ".html";
-      unpack_into(by, entry.path(), 0);
-      all_.push_back(by);
+    } else if (label && (label->platform != Platform::canvas || (is_canvas_ && is_file))) {
+      add_piece({entry.path(), *label});
+    } else if (is_folder(entry)) {
+      by.folder = entry.path();
+      if (by.problem.empty()) settle(by, means_);
+      result_.everybody.push_back(by);
+    } else if (is_packed(name) || !by.problem.empty()) {
+      by.name = is_packed(name) ? without_ending(name) : name;
+      if (by.problem.empty()) add_archive(by, entry.path());
+      result_.everybody.push_back(by);
+    } else {
+      result_.unclaimed.push_back(name);
     }
   }
 
-  static CanvasFile canvas_file(const fs::path& path, const std::string& name) {
-    static const std::regex numbered(R"((.+)-(\d{1,6})(\.[A-Za-z.0-9]+))");
-    std::smatch found;
-    if (!std::regex_match(name, found, numbered)) return {path, name, 0};
-    return {path, std::string(found[1]) + std::string(found[3]), std::stoi(found[2])};
+  void add_archive(HandedIn& by, const fs::path& file) const {
+    if (is_archive(file.filename())) {
+      settle_archive(by, file, means_);
+    } else {
+      by.problem =
+          fmt::format("'{}' cannot be unpacked here; hand in a zip", as_file_name(file.filename()));
+    }
   }
 
-  void add_canvas(CanvasFiles& files) {
-    std::map<std::string, const CanvasFile*> last;
-    for (const CanvasFile& file : files.files) {
-      const CanvasFile*& newest = last[file.name];
-      if (newest == nullptr || file.number > newest->number) newest = &file;
+  void add_piece(const Piece& piece) {
+    Pieces& pieces = pieces_[piece.label.key()];
+    HandedIn& by = pieces.by;
+    by.name = piece.label.name;
+    by.id = piece.label.id;
+    by.late = by.late || piece.label.late;
+    by.platform = piece.label.platform;
+    if (by.problem.empty()) by.problem = fault_of(piece.path);
+    pieces.all.push_back(piece);
+  }
+
+  // Words in a form are a submission only where there is nothing else.
+  void add_pieces(Pieces& pieces) {
+    HandedIn& by = pieces.by;
+    std::vector<Piece>& all = pieces.all;
+    const auto is_text = [](const Piece& each) { return each.label.text; };
+    if (!std::all_of(all.begin(), all.end(), is_text)) std::erase_if(all, is_text);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Piece& a, const Piece& b) { return a.label.order < b.label.order; });
+    const Label& last = all.back().label;
+    if (by.platform != Platform::none) {
+      // The platforms know files by what stands before the name that the learner gave them.
+      by.feedback = last.before + (last.file.empty() ? "/report.html" : "report.html");
     }
-    files.by.folder = next_folder();
-    fs::create_directories(files.by.folder);
-    for (const auto& [name, file] : last) {
-      fs::copy_file(file->path, fs::path(files.by.folder) / as_file_name(name),
-                    fs::copy_options::skip_existing);
+    if (by.problem.empty()) gather(by, all);
+    result_.everybody.push_back(by);
+  }
+
+  // A folder of their own for the files that count; or the last of the folders that there are.
+  void gather(HandedIn& by, const std::vector<Piece>& all) {
+    const auto is_file = [](const Piece& each) { return !each.label.file.empty(); };
+    if (!std::all_of(all.begin(), all.end(), is_file)) {
+      const auto last = std::find_if_not(all.rbegin(), all.rend(), is_file);
+      if (fs::is_directory(last->path)) by.folder = last->path;
     }
-    add_folder(files.by);
+    if (by.folder.empty()) or_problem(by, [&] { by.folder = copied(all); });
+    if (by.problem.empty()) settle(by, means_);
+  }
+
+  fs::path copied(const std::vector<Piece>& all) {
+    std::map<std::string, std::pair<int, const Piece*>> counts;
+    for (const Piece& piece : all) {
+      const auto [name, number] = resubmission(piece.label.file, means_.tasks);
+      auto& [newest, one] = counts[name];
+      if (one == nullptr || number >= newest) std::tie(newest, one) = std::pair(number, &piece);
+    }
+    const fs::path folder = next_folder();
+    fs::create_directories(folder);
+    constexpr auto kAll = fs::copy_options::recursive | fs::copy_options::skip_existing |
+                          fs::copy_options::copy_symlinks;
+    for (const auto& [name, one] : counts) {
+      fs::copy(one.second->path, folder / as_file_name(name), kAll);
+    }
+    return folder;
   }
 
   void add_gradescope(const fs::path& list, const std::vector<fs::directory_entry>& entries) {
-    try {
-      add_listed(YAML::LoadFile(list), entries);
-    } catch (const YAML::Exception& error) {
-      throw pt::Error(fmt::format("{}:{}: {}; export the submissions again", list.string(),
-                                  error.mark.line + 1, error.msg));
-    }
-  }
-
-  void add_listed(const YAML::Node& listed, const std::vector<fs::directory_entry>& entries) {
+    std::map<std::string, Submitters> listed = read_gradescope_list(list);
+    std::map<std::string, fs::path> folders;
     for (const fs::directory_entry& entry : entries) {
       if (!is_folder(entry)) continue;
-      const std::string folder = entry.path().filename();
+      folders[entry.path().filename()] = entry.path();
+      listed.try_emplace(entry.path().filename());
+    }
+    for (const auto& [folder, who] : listed) {
       HandedIn by;
-      by.name = folder;
-      by.folder = entry.path();
+      by.name = who.names.empty() ? folder : who.names;
+      by.id = who.ids;
       by.platform = Platform::gradescope;
-      std::vector<std::string> names, ids;
-      for (const auto& who : listed[folder][":submitters"]) {
-        names.push_back(who[":name"].as<std::string>(""));
-        ids.push_back(who[":sid"].as<std::string>(""));
+      const auto place = folders.find(folder);
+      if (place == folders.end()) {
+        by.problem = "the list of submissions names it, and the export has no folder for it";
+      } else {
+        by.folder = place->second;
+        by.problem = fault_of(place->second);
       }
-      if (!names.empty()) by.name = fmt::format("{}", fmt::join(names, ", "));
-      by.id = fmt::format("{}", fmt::join(ids, ", "));
-      add_folder(by);
-    }
-  }
-
-  // A folder that holds no source file and one archive is what is in that archive.
-  void add_folder(HandedIn by) {
-    if (const std::optional<fs::path> archive = only_archive(by)) unpack_into(by, *archive, 0);
-    all_.push_back(by);
-  }
-
-  static std::optional<fs::path> only_archive(HandedIn& by) {
-    const Inside inside = look_inside(by.folder);
-    if (!inside.sources.empty() || inside.archives.empty()) return std::nullopt;
-    if (inside.archives.size() == 1) return inside.archives[0];
-    by.problem = fmt::format("it holds {} archives, '{}' and '{}' among them; keep one",
-                             inside.archives.size(), inside.archives[0].filename().string(),
-                             inside.archives[1].filename().string());
-    return std::nullopt;
-  }
-
-  void unpack_into(HandedIn& by, const fs::path& archive, int depth) {
-    by.folder = next_folder();
-    by.problem = unpack_(archive, by.folder);
-    if (!by.problem.empty()) {
-      fs::remove_all(by.folder);  // half of it
-      return;
-    }
-    const std::optional<fs::path> inner = only_archive(by);
-    if (!inner) return;
-    if (depth < kMostInside) {
-      unpack_into(by, *inner, depth + 1);
-    } else {
-      by.problem = fmt::format("it has archives in archives, more than {} deep", kMostInside);
+      if (by.problem.empty()) settle(by, means_);
+      result_.everybody.push_back(by);
     }
   }
 
@@ -266,33 +267,38 @@ class Intake {
 
   // Reports are named by them.
   void make_names_differ() {
-    for (HandedIn& each : all_) each.name = as_file_name(each.name);
+    std::vector<HandedIn>& all = result_.everybody;
+    for (HandedIn& each : all) each.name = as_file_name(each.name);
     std::map<std::string, int> count;
-    for (const HandedIn& each : all_) ++count[each.name];
-    std::set<std::string> used{"class"};  // class.html is the page of all
-    for (HandedIn& each : all_) {
-      if (count[each.name] > 1 && !each.id.empty())
+    for (const HandedIn& each : all) ++count[folded(each.name)];
+    std::set<std::string> used = reserved_names();
+    for (HandedIn& each : all) {
+      if (count[folded(each.name)] > 1 && !each.id.empty())
         each.name += " (" + as_file_name(beginning(each.id, 30)) + ")";
       std::string name = each.name;
-      for (int i = 2; !used.insert(name).second; ++i) name = fmt::format("{} ({})", each.name, i);
+      for (int i = 2; !used.insert(folded(name)).second; ++i)
+        name = fmt::format("{} ({})", each.name, i);
       each.name = name;
+      if (each.platform == Platform::none) each.feedback = name + ".html";
     }
-    std::sort(all_.begin(), all_.end(),
+    std::sort(all.begin(), all.end(),
               [](const HandedIn& a, const HandedIn& b) { return a.name < b.name; });
   }
 
   fs::path work_;
-  const Unpack& unpack_;
+  Means means_;
   int folders_ = 0;
-  std::map<std::string, CanvasFiles> canvas_;
-  std::vector<HandedIn> all_;
+  bool is_canvas_ = false;
+  std::map<std::string, std::string> faults_;  // by path
+  std::map<std::string, Pieces> pieces_;
+  HandedInByAll result_;
 };
 
 }  // namespace
 
-std::vector<HandedIn> handed_in(const std::string& input, const std::string& work,
-                                const Unpack& unpack) {
-  return Intake(work, unpack).run(input);
+HandedInByAll handed_in(const std::string& input, const std::string& work,
+                        const std::vector<TaskFile>& tasks, const Unpack& unpack) {
+  return Intake(work, tasks, unpack).run(input);
 }
 
 }  // namespace grader::intake

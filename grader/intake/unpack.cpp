@@ -2,20 +2,25 @@
 
 #include "grader/base/descriptor.h"
 #include "grader/base/files.h"
+#include "grader/intake/entry_path.h"
+#include "grader/intake/owner.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <memory>
-#include <sstream>
+#include <set>
+#include <stdexcept>
 
 #include <archive.h>
 #include <archive_entry.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace grader::intake {
 
@@ -23,35 +28,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostEntries = 100000;
-constexpr int kMostFiles = 5000;
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
-constexpr la_int64_t kMostUnpacked = la_int64_t{2} << 30;
+constexpr int kMaxPlaceholders = 20;  // of one owner
+constexpr int kMaxReopened = 200;
+constexpr std::size_t kMaxPath = 3000;
+constexpr const char* kFaults = ".faults";  // hidden: no entry has such a name
 
-constexpr std::array kArchives{".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",
-                               ".txz", ".tar.bz2", ".tbz2",   ".7z"};
+constexpr std::array kArchives{".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",  ".txz",
+                               ".7z",  ".tar.bz2", ".tbz2",   ".rar", ".tar.zst", ".tzst"};
+constexpr std::array kOtherPacked{".gz",  ".zst", ".xz",  ".bz2", ".lz",  ".lzma", ".z",  ".br",
+                                  ".lz4", ".ace", ".arj", ".lzh", ".cab", ".dmg",  ".iso"};
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+template <class Endings>
+bool has_ending(const std::string& name, const Endings& endings) {
+  const std::string small = lower_case(name);
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](const char* ending) { return small.ends_with(ending); });
 }
 
 bool is_useful(const std::string& name) {
-  return name.ends_with(".cpp") || name == kGradescopeList || is_archive(name);
-}
-
-// The path below the folder; empty if the entry is left out. Windows writes \ for /.
-fs::path place_of(std::string path) {
-  std::replace(path.begin(), path.end(), '\\', '/');
-  fs::path place;
-  std::istringstream parts(path);
-  for (std::string part; std::getline(parts, part, '/');) {
-    if (part.empty() || part == ".") continue;
-    if (base::is_hidden(part)) return {};
-    place /= part;
-  }
-  return path.starts_with('/') || !is_useful(place.filename()) ? fs::path{} : place;
+  const std::string small = lower_case(name);
+  return small.ends_with(".cpp") || small.ends_with(".cpp.txt") || name == kGradescopeList ||
+         is_archive(name);
 }
 
 struct Closed {
@@ -59,62 +56,216 @@ struct Closed {
 };
 using Reader = std::unique_ptr<archive, Closed>;
 
+// Without those filters for which the library starts programs.
+Reader new_reader() {
+  Reader reader(archive_read_new());
+  archive_read_support_filter_gzip(reader.get());
+  archive_read_support_filter_bzip2(reader.get());
+  archive_read_support_filter_compress(reader.get());
+  archive_read_support_filter_lzma(reader.get());
+  archive_read_support_filter_xz(reader.get());
+  archive_read_support_filter_zstd(reader.get());
+  archive_read_support_format_zip(reader.get());
+  archive_read_support_format_tar(reader.get());
+  archive_read_support_format_gnutar(reader.get());
+  archive_read_support_format_7zip(reader.get());
+  archive_read_support_format_rar(reader.get());
+  archive_read_support_format_rar5(reader.get());
+  return reader;
+}
+
+std::string path_of(archive_entry* entry) {
+  const char* text = archive_entry_pathname_utf8(entry);
+  if (text == nullptr) text = archive_entry_pathname(entry);
+  return text == nullptr ? "" : text;
+}
+
+// A fault of one entry.
+struct EntryFault : std::runtime_error {
+  explicit EntryFault(const std::string& why, bool reader_ends = false)
+      : std::runtime_error(why), ends_reader(reader_ends) {}
+  bool ends_reader;  // nothing more can be read after it
+};
+
 class Unpacking {
  public:
-  Unpacking(int file, std::string name, fs::path folder)
-      : name_(std::move(name)), folder_(std::move(folder)), reader_(archive_read_new()) {
-    archive_read_support_filter_all(reader_.get());
-    archive_read_support_format_zip(reader_.get());
-    archive_read_support_format_tar(reader_.get());
-    archive_read_support_format_gnutar(reader_.get());
-    archive_read_support_format_7zip(reader_.get());
-    constexpr std::size_t kBlock = 1 << 16;
-    expect(archive_read_open_fd(reader_.get(), file, kBlock));
-  }
+  Unpacking(int file, std::string name, fs::path folder, Extent extent)
+      : file_(file),
+        name_(std::move(name)),
+        folder_(std::move(folder)),
+        of_all_(extent == Extent::everybody),
+        bounds_(of_all_ ? kBoundsOfEverybody : kBoundsOfOne) {}
 
   void run() {
-    archive_entry* entry = nullptr;
-    for (int entries = 0;; ++entries) {
-      const int got = archive_read_next_header(reader_.get(), &entry);
-      if (got == ARCHIVE_EOF) return;
-      expect(got);
-      if (entries == kMostEntries) fail(fmt::format("it has more than {} entries", kMostEntries));
-      take(entry);
-      if (archive_filter_bytes(reader_.get(), 0) > kMostUnpacked) fail("it is larger than 2 GiB");
+    if (of_all_) look_ahead();
+    open();
+    while (archive_entry* entry = next()) {
+      const std::vector<std::string> place = parts_of(path_of(entry));
+      if (place.empty()) continue;
+      try {
+        take(entry, place);
+      } catch (const EntryFault& fault) {
+        blame(place, fault.what());
+        if (fault.ends_reader) read_on();
+      }
     }
+    write_faults();
   }
 
  private:
-  void take(archive_entry* entry) {
-    const char* text = archive_entry_pathname_utf8(entry);
-    if (text == nullptr) text = archive_entry_pathname(entry);
-    const bool plain =
-        archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
-    const fs::path place = text != nullptr && plain ? place_of(text) : fs::path{};
-    if (place.empty()) return;
-    if (archive_entry_is_encrypted(entry) != 0) fail("it is encrypted");
-    const fs::path file = folder_ / place;
+  struct Used {
+    int files = 0, placeholders = 0;
+    std::uint64_t bytes = 0;
+    bool failed = false;
+  };
+
+  void open() {
+    if (lseek(file_, 0, SEEK_SET) != 0) fail("it cannot be read from its beginning");
+    reader_ = new_reader();
+    entries_ = 0;
+    constexpr std::size_t kBlock = 1 << 16;
+    expect(archive_read_open_fd(reader_.get(), file_, kBlock));
+  }
+
+  // The next entry; nothing at the end.
+  archive_entry* next() {
+    archive_entry* entry = nullptr;
+    const int got = archive_read_next_header(reader_.get(), &entry);
+    if (got == ARCHIVE_EOF) return nullptr;
+    expect(got);
+    if (++entries_ > bounds_.entries)
+      fail(fmt::format("it has more than {} entries", bounds_.entries));
+    if (archive_filter_bytes(reader_.get(), 0) > bounds_.unpacked)
+      fail(fmt::format("it is larger than {} GiB", bounds_.unpacked >> 30));
+    return entry;
+  }
+
+  // After an entry that ends the reader: a new one goes on behind it.
+  void read_on() {
+    const int done = entries_;
+    if (++reopened_ > kMaxReopened) fail("it is damaged in many places");
+    open();
+    while (entries_ < done) {
+      if (next() == nullptr) fail("it is damaged");
+    }
+  }
+
+  // How many folders stand around everything, and whether Canvas named what is in them.
+  void look_ahead() {
+    std::vector<std::vector<std::string>> paths;
+    open();
+    while (archive_entry* entry = next()) {
+      std::vector<std::string> place = parts_of(path_of(entry));
+      // The folder itself has an entry of its own.
+      if (!place.empty() && archive_entry_filetype(entry) == AE_IFDIR) place.emplace_back();
+      if (!place.empty()) paths.push_back(std::move(place));
+    }
+    depth_ = folders_around(paths);
+    std::vector<std::string> files;
+    for (const std::vector<std::string>& path : paths) {
+      if (path.size() == depth_ + 1) files.push_back(path.back());
+    }
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    is_canvas_ = are_of_canvas(files);
+  }
+
+  std::string owner(const std::vector<std::string>& place) const {
+    if (!of_all_) return "";
+    const std::string part = place[std::min(depth_, place.size() - 1)];
+    const auto label = read_label(part);
+    const bool is_known = label && (label->platform != Platform::canvas || is_canvas_);
+    return is_known ? label->key() : part;
+  }
+
+  void take(archive_entry* entry, const std::vector<std::string>& place) {
+    Used& used = used_[owner(place)];
+    const auto type = archive_entry_filetype(entry);
+    const bool is_folder = type == AE_IFDIR;
+    const bool plain = type == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
+    const bool on_top = place.size() <= depth_ + 1;
+    if (of_all_ && !(plain && on_top)) make_owner(place, is_folder);
+    if (is_folder || used.failed) return;
+    if (!plain) {
+      if (of_all_ && on_top) throw EntryFault("it is a link; hand in what it points to");
+      return;
+    }
+    const std::string path = joined(place, place.size());
+    if (path.size() > kMaxPath) throw EntryFault("its paths are too long");
+    if (!is_useful(place.back())) {
+      if (used.placeholders++ < kMaxPlaceholders) put(path, "");
+      return;
+    }
+    if (archive_entry_is_encrypted(entry) != 0) throw EntryFault("it is encrypted");
+    const std::string bytes = content(used);
+    if (++used.files > kBoundsOfOne.files)
+      throw EntryFault(fmt::format("it has more than {} files", kBoundsOfOne.files));
+    if (++files_ > bounds_.files) fail(fmt::format("it has more than {} files", bounds_.files));
+    put(path, bytes);
+  }
+
+  // So that everybody is seen: the owner's folder, or an empty file.
+  void make_owner(const std::vector<std::string>& place, bool is_folder) {
+    const std::string path = joined(place, depth_ + 1);
+    if (path.size() > kMaxPath || !made_.insert(path).second) return;
+    if (is_folder || place.size() > depth_ + 1) {
+      make_folder(folder_ / path);
+    } else {
+      put(path, "");
+    }
+  }
+
+  // Returns whether it is there now: a file may stand where a folder should.
+  static bool make_folder(const fs::path& folder) {
     std::error_code error;
-    if (fs::exists(file, error)) return;
-    fs::create_directories(file.parent_path(), error);
-    if (error) return;  // a file stands where a folder should
-    const std::string bytes = content();
-    if (++files_ > kMostFiles) fail(fmt::format("it has more than {} files", kMostFiles));
-    pt::write_file(file, bytes);
+    fs::create_directories(folder, error);
+    if (!error) return true;
+    const bool in_the_way = error == std::errc::not_a_directory || error == std::errc::file_exists;
+    if (in_the_way) return false;
+    throw fs::filesystem_error("cannot be made", folder, error);
+  }
+
+  void put(const std::string& path, const std::string& bytes) const {
+    const fs::path file = folder_ / path;
+    if (!make_folder(file.parent_path()) || fs::is_directory(file)) return;
+    // As it is: nobody sees the folder before all of it is there.
+    std::ofstream out(file, std::ios::binary);
+    out << bytes << std::flush;
+    if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", path));
   }
 
   // Sizes that the archive states may be wrong.
-  std::string content() {
+  std::string content(Used& used) {
     std::string bytes;
     std::array<char, 1 << 16> block;
     while (true) {
       const la_ssize_t got = archive_read_data(reader_.get(), block.data(), block.size());
       if (got == 0) return bytes;
-      if (got < 0) fail(reason());
-      bytes_ += static_cast<std::size_t>(got);
-      if (bytes_ > kMostBytes) fail("its files are larger than 64 MiB");
-      bytes.append(block.data(), static_cast<std::size_t>(got));
+      if (got < 0) throw EntryFault(reason(), got == ARCHIVE_FATAL);
+      const auto more = static_cast<std::uint64_t>(got);
+      used.bytes += more;
+      bytes_ += more;
+      if (used.bytes > kBoundsOfOne.bytes)
+        throw EntryFault(fmt::format("its files are larger than {} MiB", kBoundsOfOne.bytes >> 20));
+      if (bytes_ > bounds_.bytes)
+        fail(fmt::format("its files are larger than {} GiB", bounds_.bytes >> 30));
+      bytes.append(block.data(), more);
     }
+  }
+
+  void blame(const std::vector<std::string>& place, const std::string& why) {
+    if (!of_all_) fail(why);
+    make_owner(place, false);
+    used_[owner(place)].failed = true;
+    faults_.push_back(
+        {joined(place, depth_ + 1), fmt::format("'{}' cannot be unpacked: {}", place.back(), why)});
+  }
+
+  void write_faults() const {
+    if (faults_.empty()) return;
+    std::string text;
+    for (const Fault& fault : faults_) text += fault.path + '\0' + fault.reason + '\0';
+    pt::write_file(folder_ / kFaults, text);
   }
 
   std::string reason() const {
@@ -128,71 +279,52 @@ class Unpacking {
     throw pt::Error(fmt::format("'{}' cannot be unpacked: {}", name_, why));
   }
 
+  int file_;
   std::string name_;
   fs::path folder_;
+  bool of_all_, is_canvas_ = false;
+  Bounds bounds_;
+  std::size_t depth_ = 0;
   Reader reader_;
-  int files_ = 0;
-  std::size_t bytes_ = 0;
+  int entries_ = 0, files_ = 0, reopened_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::map<std::string, Used> used_;
+  std::set<std::string> made_;
+  std::vector<Fault> faults_;
 };
-
-struct Written {
-  void operator()(archive* writer) const { archive_write_free(writer); }
-};
-using Writer = std::unique_ptr<archive, Written>;
-
-void put(archive* writer, const Packed& packed) {
-  const std::string bytes = pt::read_file(packed.file, kMostBytes);
-  archive_entry* entry = archive_entry_new();
-  archive_entry_set_pathname_utf8(entry, packed.path.c_str());
-  archive_entry_set_filetype(entry, AE_IFREG);
-  archive_entry_set_perm(entry, 0644);
-  archive_entry_set_size(entry, static_cast<la_int64_t>(bytes.size()));
-  const int status = archive_write_header(writer, entry);
-  archive_entry_free(entry);
-  if (status < ARCHIVE_WARN || archive_write_data(writer, bytes.data(), bytes.size()) < 0) {
-    throw pt::Error(
-        fmt::format("'{}' cannot be packed: {}", packed.path, archive_error_string(writer)));
-  }
-}
 
 }  // namespace
 
-void pack(const std::string& archive, const std::vector<Packed>& files) {
-  const std::string temporary = pt::temporary_name(archive);
-  try {
-    const Writer writer(archive_write_new());
-    archive_write_set_format_zip(writer.get());
-    archive_write_set_options(writer.get(), "hdrcharset=UTF-8");
-    if (archive_write_open_filename(writer.get(), temporary.c_str()) != ARCHIVE_OK) {
-      throw pt::Error(archive_error_string(writer.get()));
-    }
-    for (const Packed& each : files) put(writer.get(), each);
-    if (archive_write_close(writer.get()) != ARCHIVE_OK) {
-      throw pt::Error(archive_error_string(writer.get()));
-    }
-    fs::rename(temporary, archive);
-  } catch (const std::exception& error) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw pt::Error(fmt::format("'{}' cannot be written: {}", archive, error.what()));
-  }
+bool is_archive(const std::string& name) { return has_ending(name, kArchives); }
+
+bool is_packed(const std::string& name) {
+  return is_archive(name) || has_ending(name, kOtherPacked);
 }
 
-bool is_archive(const std::string& name) {
-  return std::any_of(kArchives.begin(), kArchives.end(),
-                     [&](const char* ending) { return lower(name).ends_with(ending); });
-}
-
-void unpack(const std::string& archive, const std::string& folder) {
+void unpack(const std::string& archive, const std::string& folder, Extent extent) {
   const std::string name = fs::path(archive).filename();
-  const base::Descriptor file(open(archive.c_str(), O_RDONLY | O_CLOEXEC));
+  const base::Descriptor file(::open(archive.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.is_open()) throw pt::Error(fmt::format("'{}' cannot be read", name));
   fs::create_directories(folder);
-  unpack(file.number(), name, folder);
+  unpack(file.number(), name, folder, extent);
 }
 
-void unpack(int archive, const std::string& name, const std::string& folder) {
-  Unpacking(archive, name, folder).run();
+void unpack(int archive, const std::string& name, const std::string& folder, Extent extent) {
+  Unpacking(archive, name, folder, extent).run();
+}
+
+std::vector<Fault> read_faults(const std::string& folder) {
+  const fs::path file = fs::path(folder) / kFaults;
+  if (!fs::exists(file)) return {};
+  const std::string text = base::read_file(file);
+  std::vector<std::string> fields;
+  for (std::size_t at = 0, end = 0; (end = text.find('\0', at)) != text.npos; at = end + 1) {
+    fields.push_back(text.substr(at, end - at));
+  }
+  std::vector<Fault> faults;
+  for (std::size_t i = 0; i + 1 < fields.size(); i += 2)
+    faults.push_back({fields[i], fields[i + 1]});
+  return faults;
 }
 
 }  // namespace grader::intake

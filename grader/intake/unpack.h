@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,17 +15,47 @@ inline constexpr const char* kGradescopeList = "submission_metadata.yml";
 // Returns whether the name is that of an archive: .zip, .tar.gz and the like.
 bool is_archive(const std::string& name);
 
-// Writes the files of an archive (zip, tar, 7-zip, compressed in any usual way) to `folder`, which is
-// made: source files, archives, and kGradescopeList; nothing else is of use here. Links
-// and devices, hidden files, and paths that lead out of the folder are left out. Of two files of one
-// path the first counts.
+// Returns whether the name is that of an archive or packed file, whether it can be unpacked here or not.
+bool is_packed(const std::string& name);
+
+// Whose work an archive holds.
+enum class Extent { one, everybody };
+
+struct Bounds {
+  int entries = 0;
+  int files = 0;              // that are of use
+  std::uint64_t bytes = 0;    // of these files
+  std::int64_t unpacked = 0;  // bytes of all that is read
+};
+inline constexpr Bounds kBoundsOfOne{100'000, 5'000, std::uint64_t{64} << 20,
+                                     std::int64_t{2} << 30};
+inline constexpr Bounds kBoundsOfEverybody{2'000'000, 200'000, std::uint64_t{20} << 30,
+                                           std::int64_t{64} << 30};
+
+// Writes the files of an archive (zip, tar, 7-zip, RAR, compressed in any usual way) to `folder`,
+// which is made: source files, archives, and kGradescopeList. Of other files the first few become empty
+// files, so that it can be said what there is. Links and devices, hidden files, and paths that lead out of the
+// folder are left out. Of two files of one path the last counts.
 //
-// Throws pt::Error, one sentence, if it is not an archive, is damaged or encrypted, or would become
-// too large: more than 64 MiB of such files, 5,000 of them, 100,000 entries, or 2 GiB in all.
-void unpack(const std::string& archive, const std::string& folder);
+// Throws pt::Error, one sentence, if it is not an archive, is damaged or encrypted, or is beyond
+// the bounds; and another exception where the machine is at fault, as when the disk is full.
+//
+// In an archive of everybody's work, each owner has the bounds of one, and a fault in an entry is that owner's: read_faults has
+// it, and the others are unpacked. Whoever is in it has a folder or a file, empty if need be. An owner is the first part
+// of the path below the folders that all entries share, or whom that part names (grader/intake/owner.h).
+void unpack(const std::string& archive, const std::string& folder, Extent extent = Extent::one);
 
 // The same of an archive that is open; sentences call it `name`.
-void unpack(int archive, const std::string& name, const std::string& folder);
+void unpack(int archive, const std::string& name, const std::string& folder, Extent extent);
+
+// The reason why part of an archive is not there.
+struct Fault {
+  std::string path;  // of an owner's folder or file
+  std::string reason;
+};
+
+// The faults that unpack left in a folder.
+std::vector<Fault> read_faults(const std::string& folder);
 
 // A file that goes into an archive, and its path there.
 struct Packed {

@@ -1,6 +1,7 @@
-// unpack NAME: for grade_class, in a box of its own (grade_class/unpack_boxed.h): the archive on standard input is
-// unpacked in the folder where this program starts. An archive that makes the library crash, or that never ends,
-// costs that submission and no other; the box bounds its time, memory and files.
+// unpack NAME one|everybody: for grade_class, in a box of its own (grade_class/unpack_boxed.h): the archive on standard
+// input is unpacked in the folder where this program starts. An archive that makes the library crash, or that never ends,
+// costs that submission and no other; the box bounds its time, memory and files. Exit status 2 if the archive is
+// at fault, 3 if the machine is.
 #include "grader/intake/unpack.h"
 
 #include "pt/end_of_program.h"
@@ -8,17 +9,27 @@
 
 #include <clocale>
 #include <cstdio>
+#include <new>
+#include <string>
 
 #include <unistd.h>
 
 int main(int argc, char** argv) {
+  using grader::intake::Extent;
   std::setlocale(LC_ALL, "C.UTF-8");  // names in any script
   try {
-    if (argc != 2) throw pt::Error("unpack NAME <ARCHIVE");
-    grader::intake::unpack(STDIN_FILENO, argv[1], ".");
+    if (argc != 3) throw pt::Error("unpack NAME one|everybody <ARCHIVE");
+    const bool of_all = std::string(argv[2]) == "everybody";
+    grader::intake::unpack(STDIN_FILENO, argv[1], ".", of_all ? Extent::everybody : Extent::one);
     return 0;
-  } catch (const std::exception& error) {
+  } catch (const pt::Error& error) {
     std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
     return 2;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "it needs too much memory\n");
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
+    return 3;
   }
 }

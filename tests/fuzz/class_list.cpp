@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 namespace {
 
@@ -17,6 +18,7 @@ using namespace grader::intake;
 // Every line that can be a name becomes a folder with a file of that name, and a file.
 void make_class(const fs::path& folder, std::string_view text) {
   std::error_code ignored;
+  int number = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     std::string name(text.substr(at, end - at));
@@ -25,7 +27,7 @@ void make_class(const fs::path& folder, std::string_view text) {
     for (char& c : name) c = c == '/' || c == '\0' ? '_' : c;
     fs::create_directories(folder / name, ignored);
     std::ofstream(folder / name / (name + ".cpp")) << "\n";
-    std::ofstream(folder / (name + "_1_2_hit_box.cpp")) << "\n";
+    std::ofstream(folder / (name + "_1_" + std::to_string(++number) + "_hit_box.cpp")) << "\n";
   }
 }
 
@@ -45,10 +47,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   try {
     std::set<std::string> names;
-    const auto unpack_nothing = [](const std::string&, const std::string&) {
+    const auto unpack_nothing = [](const std::string&, const std::string&, Extent) {
       return std::string("it is not unpacked");
     };
-    for (const HandedIn& each : handed_in(all, folder.path() + "/work", unpack_nothing)) {
+    const std::vector<TaskFile> tasks{{"2_bvh", "hit_box"}};
+    for (const HandedIn& each :
+         handed_in(all, folder.path() + "/work", tasks, unpack_nothing).everybody) {
       fuzz::expect(names.insert(each.name).second);
       fuzz::expect(!each.name.empty() && each.name.find('/') == each.name.npos);
     }

@@ -1,5 +1,6 @@
 // grade_class: grades every submission of a class, or does one step of it: plan, chunk, collect. Exit
 // status 0 if all could be judged, 2 if one could not, or nothing could.
+#include "grader/base/printable.h"
 #include "grader/programs/grade_class/collect.h"
 #include "grader/programs/grade_class/engine.h"
 #include "grader/programs/grade_class/one.h"
@@ -121,6 +122,18 @@ Judging judging_of(const judge::Config& config, const Options& options, const Cl
   return judging;
 }
 
+// Reports in the class would be submissions of the next call.
+void refuse_inside(const PlanRequest& request) {
+  const fs::path input = fs::weakly_canonical(request.input);
+  const fs::path out = fs::weakly_canonical(request.out);
+  if (!fs::is_directory(input)) return;
+  const auto after = std::mismatch(input.begin(), input.end(), out.begin(), out.end()).first;
+  if (after == input.end()) {
+    throw pt::Error("the reports in " + request.out + " would lie among the submissions in " +
+                    request.input + "; write --out another folder");
+  }
+}
+
 ClassPlan planned(Options& options, const judge::Config& config,
                   const std::vector<std::string>& words) {
   PlanRequest& request = options.plan;
@@ -131,7 +144,9 @@ ClassPlan planned(Options& options, const judge::Config& config,
   }
   while (request.input.size() > 1 && request.input.back() == '/') request.input.pop_back();
   if (request.out.empty()) request.out = request.input + "-graded";
-  if (!options.not_isolated) request.words.emplace_back("--require-isolation");
+  request.must_isolate = !options.not_isolated;
+  if (request.must_isolate) request.words.emplace_back("--require-isolation");
+  refuse_inside(request);
   fs::create_directories(request.out);
   request.out = fs::absolute(request.out);
   if (!request.former.empty()) {
@@ -148,8 +163,20 @@ ClassPlan planned(Options& options, const judge::Config& config,
   return plan;
 }
 
-void print_seed(const ClassPlan& plan) {
+// What the plan is made of, and what is left out.
+void print_plan(const ClassPlan& plan) {
   fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
+  const std::vector<std::string>& files = plan.unclaimed;
+  if (files.empty()) return;
+  constexpr std::size_t kMaxNamed = 5;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(files.size(), kMaxNamed); ++i) {
+    names += (i == 0 ? "" : ", ") + base::printable(files[i], 100);
+  }
+  fmt::print("{} in the class {}: {}{}\n",
+             files.size() == 1 ? "1 file" : fmt::format("{} files", files.size()),
+             files.size() == 1 ? "belongs to nobody" : "belong to nobody", names,
+             files.size() > kMaxNamed ? ", ..." : "");
 }
 
 void print_files(const Collector& collector, const std::vector<std::string>& files) {
@@ -163,7 +190,7 @@ int grade_all(Options options, const std::vector<std::string>& words) {
   const judge::Config config = judge::load_config(config_of(options));
   const ClassPlan plan = planned(options, config, words);
   line.clear();
-  print_seed(plan);
+  print_plan(plan);
   EngineRequest& engine = options.engine;
   if (engine.engine == Engine::local && engine.jobs == 0) engine.jobs = processors();
   const int threads = std::max(1, processors() / std::max(1, engine.jobs));
@@ -195,7 +222,7 @@ int grade_all(Options options, const std::vector<std::string>& words) {
 
 int make_plan_only(Options options, const std::vector<std::string>& words) {
   const ClassPlan plan = planned(options, judge::load_config(config_of(options)), words);
-  print_seed(plan);
+  print_plan(plan);
   fmt::print("{} submissions in {} chunks: ./run grade-class chunk {} NUMBER, from 1 to {}\n",
              plan.everybody.size(), plan.chunks.size(), options.plan.out, plan.chunks.size());
   return 0;

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <map>
 #include <random>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -194,8 +195,13 @@ ClassPlan make_plan(const judge::Config& config, const std::string& programs,
   plan.host = host_name();
   plan.former = request.former;
   plan.assignment = request.assignment;
-  plan.everybody = intake::handed_in(request.input, folder_to_unpack(request.out),
-                                     unpack_boxed(config, programs));
+  std::vector<intake::TaskFile> tasks;
+  for (const judge::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
+  intake::HandedInByAll all =
+      intake::handed_in(request.input, folder_to_unpack(request.out), tasks,
+                        unpack_boxed(config, programs, request.must_isolate));
+  plan.everybody = std::move(all.everybody);
+  plan.unclaimed = std::move(all.unclaimed);
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
   }

@@ -29,8 +29,9 @@ struct ClassPlan {
   std::vector<intake::HandedIn> everybody;
   std::vector<std::string> real_names;  // of everybody, if the class is anonymous; else empty
   std::vector<std::string>
-      former_names{};         // of everybody, in `former`: empty for who was not in it
-  std::vector<Chunk> chunks;  // of all that can be judged
+      former_names{};                  // of everybody, in `former`: empty for who was not in it
+  std::vector<Chunk> chunks;           // of all that can be judged
+  std::vector<std::string> unclaimed;  // files of the class that are nobody's; not in the file
 };
 
 struct PlanRequest {
@@ -41,6 +42,7 @@ struct PlanRequest {
   std::string assignment;      // its column in Canvas' table; empty: that of the export's name
   std::size_t chunk_size = 0;  // submissions that differ, in a chunk; 0: kMaxChunks at most
   bool anonymous = false;
+  bool must_isolate = true;  // refuses where nothing isolates submissions, archives among them
 };
 
 // Slurm's usual limit (MaxArraySize) is 1001.

@@ -5,8 +5,10 @@
 #include "grader/process/run_command.h"
 #include "grader/sandbox/probe.h"
 #include "grader/sandbox/told.h"
+#include "pt/error.h"
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 
 #include <fcntl.h>
@@ -19,46 +21,76 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::minutes kMaxTime{5};
-constexpr std::uint64_t kMaxSeconds = 60;
 constexpr std::uint64_t kMaxMemory = std::uint64_t{2} << 30;
-constexpr std::uint64_t kMaxFile = std::uint64_t{64} << 20;
+constexpr std::uint64_t kMaxFile = std::uint64_t{64} << 20;  // no owner may have more
+constexpr std::uint64_t kMaxFiles = 32;                      // open at a time
 constexpr std::size_t kMaxReason = 300;
 
-std::string unpack_one(const std::string& program, sandbox::Tier tier, const std::string& archive,
-                       const std::string& folder) {
-  const std::string name = fs::path(archive).filename();
-  const base::Descriptor file(open(archive.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.is_open()) return fmt::format("'{}' cannot be read", base::printable(name, kMaxReason));
-  fs::create_directories(folder);
+// Of processor time; the box ends a little earlier than who waits for it.
+std::uint64_t max_seconds(intake::Extent extent) {
+  return extent == intake::Extent::everybody ? 3600 : 60;
+}
+
+sandbox::Box box_for(const std::string& program, const std::string& name, int archive,
+                     const std::string& folder, intake::Extent extent) {
   sandbox::Box box;
-  box.command = {program, name};
+  box.command = {program, name, extent == intake::Extent::everybody ? "everybody" : "one"};
   box.environment = {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"};
-  box.descriptors = {file.number()};
+  box.descriptors = {archive};
   box.visible = {program};
   box.folder = fs::absolute(folder);
-  box.tools = true;  // makes folders and files
-  box.limits = {kMaxSeconds, kMaxMemory, kMaxFile, {}, {}};
-  const process::CommandResult run = process::run_command(sandbox::boxed(box, tier), kMaxTime);
+  box.tools = true;  // makes folders and files; but no processes
+  box.limits = {max_seconds(extent), kMaxMemory, kMaxFile, 0, kMaxFiles};
+  return box;
+}
+
+// Returns whether the archive made the program end so: it was refused, took too long, or made the
+// library crash. All else is the machine's fault: the disk is full, the box did not start, somebody
+// killed it.
+bool is_of_archive(const process::CommandResult& run, int status) {
+  if (run.timed_out) return true;
+  if (WIFEXITED(status)) return WEXITSTATUS(status) == 2;
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  return signal == SIGXCPU || signal == SIGSEGV || signal == SIGBUS || signal == SIGABRT ||
+         signal == SIGFPE || signal == SIGILL || signal == SIGSYS || signal == SIGXFSZ;
+}
+
+std::string unpack_one(const std::string& program, sandbox::Tier tier, const std::string& archive,
+                       const std::string& folder, intake::Extent extent) {
+  const std::string name = base::printable(fs::path(archive).filename().string(), kMaxReason);
+  const base::Descriptor file(open(archive.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) return fmt::format("'{}' cannot be read", name);
+  fs::create_directories(folder);
+  const std::string own_name = fs::path(archive).filename();
+  const sandbox::Box box = box_for(program, own_name, file.number(), folder, extent);
+  const std::chrono::seconds most(5 * max_seconds(extent));
+  const process::CommandResult run = process::run_command(sandbox::boxed(box, tier), most);
   const int status = sandbox::program_status(run.status, tier);
   if (!run.timed_out && WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
   const std::string reason = process::fault_of(run);
+  if (!is_of_archive(run, status)) {
+    throw pt::Error(fmt::format("'{}' could not be unpacked: {}; run this again", name, reason));
+  }
   const bool says_whose = reason.find("cannot be unpacked") != std::string::npos;
-  return says_whose ? reason
-                    : fmt::format("'{}' cannot be unpacked: {}", base::printable(name, kMaxReason),
-                                  reason);
+  return says_whose ? reason : fmt::format("'{}' cannot be unpacked: {}", name, reason);
 }
 
 }  // namespace
 
-intake::Unpack unpack_boxed(const judge::Config& config, const std::string& programs) {
+intake::Unpack unpack_boxed(const judge::Config& config, const std::string& programs,
+                            bool must_isolate) {
   // A sanitised program finds no place for its shadow in a box.
   const sandbox::Tier tier = process::kSanitized
                                  ? sandbox::Tier::limits
                                  : sandbox::probe_isolation(config.root, config.work).tier;
+  if (must_isolate && tier == sandbox::Tier::limits) {
+    throw pt::Error(
+        "nothing isolates submissions from this machine (./run grade says why); a class is graded "
+        "here with --not-isolated only");
+  }
   return [program = programs + "/unpack", tier](const std::string& archive,
-                                                const std::string& folder) {
-    return unpack_one(program, tier, archive, folder);
+                                                const std::string& folder, intake::Extent extent) {
+    return unpack_one(program, tier, archive, folder, extent);
   };
 }
 

@@ -1,0 +1,68 @@
+#include "grader/intake/entry_path.h"
+
+#include "grader/base/files.h"
+#include "grader/base/sha256.h"
+#include "grader/intake/file_name.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace grader::intake {
+
+namespace {
+
+// Files that are half written have longer names.
+constexpr std::size_t kMaxPart = 200;
+
+std::string shortened(const std::string& part) {
+  if (part.size() <= kMaxPart) return part;
+  constexpr std::size_t kKept = 120, kDigits = 12;
+  return cut_name(
+      part.substr(0, kKept) + '~' + base::sha256(part).substr(0, kDigits) + ending_of(part),
+      kMaxPart);
+}
+
+}  // namespace
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::vector<std::string> parts_of(std::string path) {
+  std::replace(path.begin(), path.end(), '\\', '/');
+  if (path.starts_with('/')) return {};
+  std::vector<std::string> all;
+  std::istringstream parts(path);
+  for (std::string part; std::getline(parts, part, '/');) {
+    if (part.empty() || part == ".") continue;
+    if (base::is_hidden(part)) return {};
+    all.push_back(shortened(part));
+  }
+  return all;
+}
+
+std::size_t folders_around(const std::vector<std::vector<std::string>>& paths) {
+  if (paths.empty()) return 0;
+  std::size_t count = paths[0].size() - 1;
+  for (const std::vector<std::string>& path : paths) {
+    count = std::min(count, path.size() - 1);
+    while (count > 0 && !std::equal(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count),
+                                    paths[0].begin())) {
+      --count;
+    }
+  }
+  return count;
+}
+
+std::string joined(const std::vector<std::string>& parts, std::size_t count) {
+  std::string path;
+  for (std::size_t i = 0; i < std::min(count, parts.size()); ++i) {
+    path += (i == 0 ? "" : "/") + parts[i];
+  }
+  return path;
+}
+
+}  // namespace grader::intake

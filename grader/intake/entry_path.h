@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace grader::intake {
+
+// The folders and the name of an archive's entry; empty if the entry is left out: hidden, absolute, or leading
+// out of the folder. Windows writes \ for /. A part that is too long for a file's name is cut before its ending.
+std::vector<std::string> parts_of(std::string path);
+
+// How many folders stand around all of the paths.
+std::size_t folders_around(const std::vector<std::vector<std::string>>& paths);
+
+// The first parts of a path, joined by /.
+std::string joined(const std::vector<std::string>& parts, std::size_t count);
+
+std::string lower_case(std::string text);
+
+}  // namespace grader::intake

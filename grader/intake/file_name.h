@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace grader::intake {
+
+// The first bytes of a text, without half a character (UTF-8) at the end.
+std::string beginning(const std::string& text, std::size_t most);
+
+// The ending of a file's name: ".cpp", ".tar.gz"; empty if it has none, or one that is too long to be one.
+std::string ending_of(const std::string& name);
+
+// A name of at most `most` bytes, which keeps its ending.
+std::string cut_name(const std::string& name, std::size_t most);
+
+// A file's name for a folder of our own, whatever a platform allows in a name: UTF-8 without control
+// characters and without those that turn the direction of writing. Of the names of a large group the beginning: a file's name
+// has 255 bytes at most, and reports have endings.
+std::string as_file_name(const std::string& name);
+
+// Equal for names that are one file where large and small letters are the same (macOS, Windows).
+std::string folded(const std::string& name);
+
+}  // namespace grader::intake

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "grader/intake/handed_in.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace grader::intake {
+
+// What the intake has for all submissions.
+struct Means {
+  const std::vector<TaskFile>& tasks;
+  const Unpack& unpack;
+  std::function<std::filesystem::path()> next_folder;  // a path below `work` that is not there yet
+};
+
+// Makes by.folder the one where the judge finds all task files, from one in which they may lie anywhere, be packed, or
+// be nearly named right; else says the problem.
+void settle(HandedIn& by, const Means& means);
+
+// The same of an archive.
+void settle_archive(HandedIn& by, const std::filesystem::path& archive, const Means& means);
+
+// Calls `read`, which reads what a learner has handed in: what cannot be read is the submission's problem. Throws pt::Error where
+// the machine is at fault.
+void or_problem(HandedIn& by, const std::function<void()>& read);
+
+}  // namespace grader::intake
