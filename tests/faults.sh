@@ -99,6 +99,46 @@ full_output() {
   done
 }
 
+# Help that does not arrive is not help: every program that has --help says so, and ends with 2.
+full_help() {
+  local program status count=0
+  [ -w /dev/full ] || return 0
+  for program in "$build"/{bench,grader,pt,scenes,writeup}/*; do
+    if [ ! -f "$program" ] || [ ! -x "$program" ]; then continue; fi
+    status=0
+    timeout 20 "$program" --help >"$folder/help" 2>/dev/null </dev/null || status=$?
+    if [ "$status" -ne 0 ] || ! grep -q -- '--help' "$folder/help"; then continue; fi
+    count=$((count + 1))
+    timeout 20 "$program" --help >/dev/full 2>"$folder/said" </dev/null || status=$?
+    [ "$status" -eq 2 ] || complain "$program --help ended with $status and no output:" "$(cat "$folder/said")"
+    says 'the output cannot be written: No space left on device'
+  done
+  [ "$count" -ge 3 ] || complain "only $count programs have --help"
+}
+
+# What a submission consists of is read with the same care before any box: a named pipe and an endless file end
+# nothing, and what may be right has its pictures.
+named_programs() {
+  local kind expected
+  for kind in tree flat folder pipe endless unwritten missing; do mkdir -p "$folder/named/$kind/1_rays"; done
+  cp reference/1_rays/hit_sphere.cpp "$folder/named/tree/1_rays"
+  cp reference/1_rays/hit_sphere.cpp "$folder/named/flat"
+  mkdir "$folder/named/folder/1_rays/hit_sphere.cpp"
+  mkfifo "$folder/named/pipe/1_rays/hit_sphere.cpp"
+  ln -s /dev/zero "$folder/named/endless/1_rays/hit_sphere.cpp"
+  cp student/1_rays/hit_sphere.cpp "$folder/named/unwritten"
+  prepare named
+  for kind in tree flat folder pipe endless unwritten missing; do
+    expected=graded_picture
+    case $kind in unwritten | missing) expected= ;; esac
+    (ulimit -v 4000000 && exec timeout 20 "$grader/grade" --config "$folder/named/grade.json" --programs hit_sphere \
+      --submission "$folder/named/$kind" >"$folder/said" 2>&1) || complain "$kind: $?" "$(cat "$folder/said")"
+    says graded.hit_sphere
+    [ "$(grep -x graded_picture "$folder/said" || true)" = "$expected" ] ||
+      complain "a file that is a $kind:" "$(cat "$folder/said")"
+  done
+}
+
 # A compiler that is killed, or of which a part is; and a linker with its disk full, or for a moment, or that refuses
 # the submission's objects (1.o, ...) alone.
 killed_compiler() {
@@ -242,6 +282,8 @@ damaged_cache() {
 }
 
 full_output
+full_help
+named_programs
 full_disk
 killed_compiler
 no_worker

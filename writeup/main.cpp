@@ -1,6 +1,7 @@
 // writeup: plans the figures of the write-up, makes what is missing or out of date, and writes the
 // pages. ./run writeup builds what it needs and starts it.
 #include "grader/process/run_command.h"
+#include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "writeup/boxed_code.h"
 #include "writeup/check_build.h"
@@ -225,11 +226,13 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, writeup::stop);
   std::signal(SIGTERM, writeup::stop);
   try {
-    return writeup::run(writeup::parse_options(argc, argv));
+    const int status = writeup::run(writeup::parse_options(argc, argv));
+    pt::flush_standard_output();
+    return status;
   } catch (const writeup::CommandLine& done) {
     return done.status;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
     return 2;
   }
 }

@@ -129,12 +129,13 @@ bool is_unwritten(const Task& task, const std::string& text) {
   return found == std::max<std::size_t>(1, task.functions.size());
 }
 
-// Nothing is rendered of tasks that are not written.
+// Nothing is rendered of tasks that are not written. A file that is not accepted may be mended by the time that
+// it is judged.
 bool may_be_rendered(const std::vector<std::string>& asked, const std::string& submission) {
   return std::ranges::any_of(asked, [&](const std::string& slug) {
     const Task& task = task_of(slug);
-    const std::string file = submission + "/" + task.file();
-    return std::filesystem::exists(file) && !is_unwritten(task, base::read_file(file));
+    const base::Submitted file = base::read_submitted(submission, task.part, slug);
+    return file.present && (!file.rejected.empty() || !is_unwritten(task, file.text));
   });
 }
 
