@@ -274,11 +274,31 @@ END
   [ ! -e "$folder/page.html" ] || complain "there is a page of damaged results"
 }
 
+# damages KIND FILE: as a loss of power may leave it.
+damages() {
+  case $1 in
+    emptied) : >"$2" ;;
+    halved) truncate -s "$(($(stat -c %s "$2") / 2))" "$2" ;;
+    zeros) dd if=/dev/zero of="$2" bs=1 seek="$(($(stat -c %s "$2") / 2))" count=16 conv=notrunc status=none ;;
+  esac
+}
+
 # Damaged files of the cache, as after a loss of power, are made again.
 damaged_cache() {
-  local file work=$folder/output/work
+  local file files kind what work=$folder/output/work
   for file in "$work"/cache/*.json; do echo '{"promises": [' >"$file"; done
   grades output 0 "${asked[@]}"
+  for what in cache/*.o cache/*.worker cache/*.json cache/* kept/* headers/*; do
+    for kind in emptied halved zeros; do
+      # What is made of the files is made again, too.
+      case $what in kept/* | headers/*) rm -f "$work"/cache/*.o "$work"/cache/*.worker ;; esac
+      mapfile -t files < <(find "$work/${what%/*}" -type f -path "$work/$what")
+      [ "${#files[@]}" -gt 0 ] || complain "there is nothing of $what"
+      for file in "${files[@]}"; do damages "$kind" "$file"; done
+      grades output 0 "${asked[@]}"
+      leaves output
+    done
+  done
 }
 
 full_output

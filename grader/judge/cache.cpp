@@ -109,15 +109,6 @@ void remove_left_overs(const std::string& folder) {
   for (const fs::path& path : left) remove_quietly(path);
 }
 
-void remove_unused_beside(const std::string& folder) {
-  std::error_code error;
-  const auto now = fs::file_time_type::clock::now();
-  for (const auto& entry : fs::directory_iterator(fs::path(folder).parent_path(), error)) {
-    if (entry.path() == folder || now - entry.last_write_time(error) < kInUse) continue;
-    fs::remove_all(entry.path(), error);
-  }
-}
-
 void trim_cache(const std::string& folder, std::uintmax_t most) {
   const fs::file_time_type in_use_since = FileClock::now() - kInUse;
   std::vector<Entry> entries = entries_of(folder);

@@ -30,10 +30,6 @@ std::string content_stamp(const std::string& path, const std::string& folder);
 // number by now, they stay for the moment. A file that cannot be removed, or is gone already, is not an error.
 void remove_left_overs(const std::string& folder);
 
-// Removes the folders beside this one that nobody has used within kInUse: those of other versions of the
-// project, its compiler or its flags.
-void remove_unused_beside(const std::string& folder);
-
 // If the folder holds more than `most` bytes, removes the entries least recently used, until it
 // holds less than half. Nothing that was used within kInUse goes.
 void trim_cache(const std::string& folder, std::uintmax_t most = kMaxCached);

@@ -52,7 +52,7 @@ std::vector<std::string> left_behind(const Submission& submission) {
   for (const fs::path& folder : {submission.work(), submission.work() / "cache"}) {
     if (!fs::exists(folder)) continue;  // nothing has been judged
     for (const auto& file : fs::directory_iterator(folder)) {
-      const std::set<std::string> ours{".json", ".o",   ".worker",  ".warnings",
+      const std::set<std::string> ours{".json", ".o",   ".worker",  ".warnings", ".sum",
                                        ".exr",  ".csv", ".content", ""};
       const bool known = ours.contains(file.path().extension()) && file.path().filename() != "left";
       if (!known) left.push_back(file.path());
