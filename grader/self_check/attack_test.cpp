@@ -1,6 +1,7 @@
 // Submissions that attack the judge, each in every tier that isolates: they earn nothing, see
 // nothing, and leave nothing behind. An attack says "BROKE OUT" where it gets somewhere.
 #include "grader/process/spawn.h"
+#include "grader/sandbox/users.h"
 #include "grader/self_check/hostile_submission.h"
 
 #include <algorithm>
@@ -146,7 +147,11 @@ TEST_P(Attack, gets_nowhere_at_run_time) {
     const bool answers = slug == "adaptive_pixel" || slug == "estimate_pixel";
     EXPECT_EQ(task.at("state"), answers ? "fail" : "crash") << task.dump(1).substr(0, 2000);
   }
-  EXPECT_EQ(outcome.results.at("isolation").get<std::string>().substr(0, 2), GetParam() + ":");
+  const std::string isolation = outcome.results.at("isolation");
+  EXPECT_EQ(isolation.substr(0, 2), GetParam() + ":");
+  if (sandbox::is_root_of_the_machine()) {
+    EXPECT_NE(isolation.find("another user"), std::string::npos) << isolation;
+  }
 }
 
 // Calls that are allowed, with commands and flags that nobody needs.
