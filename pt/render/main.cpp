@@ -81,6 +81,9 @@ int run(int argc, const char* const* argv) {
   check_image_target(options.output);
   LoadedScene loaded = load_collada(options.scene, {options.lambertian});
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
+  if (const std::string note = note_on_framing(loaded, options.framing); !note.empty()) {
+    fmt::print(stderr, "{}\n", note);
+  }
   if (options.show != Show::normals) {
     require_supported(loaded, options.scene);
     if (loaded.scene.lights.empty()) {
