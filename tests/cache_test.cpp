@@ -149,6 +149,19 @@ TEST_F(Cache, what_dead_runs_left_goes_at_once) {
   EXPECT_EQ(names(), used);
 }
 
+// Beside a file that somebody asked for, in a folder that is not the judge's.
+TEST_F(Cache, what_dead_runs_left_beside_a_file_goes) {
+  const std::string dead = dead_process(), here = std::to_string(getpid());
+  const Names stay{"r.json", "a.r.json." + dead + ".1.tmp", "r." + dead + ".1.tmp",
+                   "r.json." + here + ".1.tmp"};
+  for (const std::string& name : stay) add(name, 10, hours(9));
+  add("r.json." + dead + ".1.tmp", 10, minutes(0));
+  add("r.json." + dead + ".12.tmp", 10, minutes(0));
+  remove_left_overs_of(path("r.json"));
+  EXPECT_EQ(names(), stay);
+  EXPECT_NO_THROW(remove_left_overs_of(path("none/r.json")));
+}
+
 TEST_F(Cache, files_with_numbers_in_their_names_are_not_temporary) {
   const Names all{"a.o",      "a.4711",        "b.4711.o",
                   "4711.3",   "c.x4711.3.tmp", "d.4711.3.tmp.json",

@@ -206,6 +206,20 @@ interrupted() {
   leaves interrupt
 }
 
+# What a run that was killed leaves beside its reports goes with the next one; what is not the judge's stays.
+left_reports() {
+  local dead file
+  prepare left
+  sleep 0 &
+  dead=$!
+  wait "$dead"
+  mkdir "$folder/reports"
+  for file in results.json page.html mine; do echo >"$folder/reports/$file.$dead.3.tmp"; done
+  grades left 0 "${asked[@]}" --json "$folder/reports/results.json" --html "$folder/reports/page.html"
+  [ "$(cd "$folder/reports" && echo *)" = "mine.$dead.3.tmp page.html results.json" ] ||
+    complain "beside the reports:" "$(ls "$folder/reports")"
+}
+
 # An interrupted run goes on from any folder, whatever its own is called.
 resumed_elsewhere() {
   local home=$folder/"a 'b' c"
@@ -308,6 +322,7 @@ full_disk
 killed_compiler
 no_worker
 interrupted
+left_reports
 resumed_elsewhere
 damaged_results
 damaged_cache
