@@ -3,6 +3,7 @@
 #include "grader/process/run_command.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/printable.h"
 #include "writeup/boxed_code.h"
 #include "writeup/check_build.h"
 #include "writeup/handbook.h"
@@ -170,7 +171,7 @@ bool make_pages(const Plan& plan, const Catalogue& catalogue,
   if (made) print_times(figures, site.figures);
   if (options.pdf) write_pdfs(fs::absolute(out));
   const bool failed = report(figures, site.figures);
-  fmt::print("{}\n", (out / "index.html").string());
+  fmt::print("{}\n", pt::printable((out / "index.html").string()));
   return !failed;
 }
 
@@ -183,7 +184,7 @@ bool make_handbook(const Plan& plan, const Catalogue& catalogue,
   make_missing(plan, figures, options);
   const Problems problems = options.check ? check_handbook(plan, catalogue, figures, folder)
                                           : write_handbook(plan, figures, folder);
-  for (const std::string& problem : problems) fmt::print("{}\n", problem);
+  for (const std::string& problem : problems) fmt::print("{}\n", pt::printable(problem));
   return problems.empty();
 }
 
