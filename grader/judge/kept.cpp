@@ -61,8 +61,8 @@ class Sum {
   std::array<std::uint64_t, 4> chains_{1, 2, 3, 4};
 };
 
-// How many bytes came, up to the end of the file; -1 if it cannot be read.
-ssize_t fill(const base::Descriptor& file, std::string& piece) {
+// Returns how many bytes came, up to the end of the file; -1 if it cannot be read.
+ssize_t read_piece(const base::Descriptor& file, std::string& piece) {
   std::size_t size = 0;
   while (size < piece.size()) {
     const ssize_t got = read(file.number(), piece.data() + size, piece.size() - size);
@@ -121,7 +121,7 @@ std::string sum_of_file(const std::string& path) {
   Sum sum;
   std::string piece(Sum::kPiece, '\0');
   for (ssize_t size = Sum::kPiece; size == Sum::kPiece;) {
-    size = fill(file, piece);
+    size = read_piece(file, piece);
     if (size < 0) return "";
     sum.add(std::string_view(piece).substr(0, static_cast<std::size_t>(size)));
   }
