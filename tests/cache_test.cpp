@@ -2,11 +2,15 @@
 #include "grader/judge/cache.h"
 
 #include "grader/judge/headers.h"
+#include "grader/judge/kept.h"
+#include "grader/judge/tool_folder.h"
 #include "pt/file.h"
 #include "tests/temporary_folder.h"
 
 #include <filesystem>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -145,6 +149,19 @@ TEST_F(Cache, what_dead_runs_left_goes_at_once) {
   EXPECT_EQ(names(), used);
 }
 
+// Beside a file that somebody asked for, in a folder that is not the judge's.
+TEST_F(Cache, what_dead_runs_left_beside_a_file_goes) {
+  const std::string dead = dead_process(), here = std::to_string(getpid());
+  const Names stay{"r.json", "a.r.json." + dead + ".1.tmp", "r." + dead + ".1.tmp",
+                   "r.json." + here + ".1.tmp"};
+  for (const std::string& name : stay) add(name, 10, hours(9));
+  add("r.json." + dead + ".1.tmp", 10, minutes(0));
+  add("r.json." + dead + ".12.tmp", 10, minutes(0));
+  remove_left_overs_of(path("r.json"));
+  EXPECT_EQ(names(), stay);
+  EXPECT_NO_THROW(remove_left_overs_of(path("none/r.json")));
+}
+
 TEST_F(Cache, files_with_numbers_in_their_names_are_not_temporary) {
   const Names all{"a.o",      "a.4711",        "b.4711.o",
                   "4711.3",   "c.x4711.3.tmp", "d.4711.3.tmp.json",
@@ -175,6 +192,104 @@ TEST_F(Cache, a_file_that_is_made_again_is_the_same) {
   for (const auto& entry : fs::directory_iterator(path("cache"))) pt::write_file(entry.path(), "");
   add("program", 10, minutes(30));
   EXPECT_EQ(stamp(), before);
+}
+
+// As a loss of power leaves files: empty, cut off, or with zeros in them.
+std::vector<std::string> damaged(const std::string& text) {
+  std::string zeros = text;
+  zeros.replace(text.size() / 2, 1, 1, '\0');
+  return {"", text.substr(0, text.size() / 2), text.substr(1), zeros, text + '\0'};
+}
+
+// Texts on both sides of the pieces in which files are read.
+TEST_F(Cache, damaged_files_are_not_whole) {
+  for (const std::size_t size : {1u, 31u, 33u, 262143u, 262144u, 262145u, 1000000u}) {
+    std::string text(size, 'x');
+    for (std::size_t i = 0; i < size; ++i) text[i] = static_cast<char>('a' + i % 23);
+    keep_file(path("a.o"), text);
+    EXPECT_TRUE(is_whole(path("a.o"))) << size;
+    EXPECT_EQ(sum_of(text), sum_of_file(path("a.o"))) << size;
+    for (const std::string& other : damaged(text)) {
+      if (other == text) continue;
+      pt::write_file(path("a.o"), other);
+      EXPECT_FALSE(is_whole(path("a.o"))) << size << ' ' << other.size();
+    }
+    keep_file(path("a.o"), text);
+    for (const std::string& other : damaged(sum_of(text))) {
+      pt::write_file(path("a.o.sum"), other);
+      EXPECT_FALSE(is_whole(path("a.o"))) << size << ' ' << other;
+    }
+    keep_file(path("a.o"), text);
+    EXPECT_TRUE(is_whole(path("a.o")));
+  }
+  fs::remove(path("a.o"));
+  EXPECT_FALSE(is_whole(path("a.o")));
+  add("b.o", 10, minutes(0));
+  EXPECT_FALSE(is_whole(path("b.o"))) << "without a sum";
+}
+
+TEST_F(Cache, kept_folders_are_mended) {
+  const auto kept = [&] {
+    return kept_folder(folder(), "key", [](const ToolFolder& place) {
+      place.put("a/b.h", "int b();");
+      place.put("c.h", "int c();");
+    });
+  };
+  // One look per process tells that a folder is whole, so that each one here is another process.
+  const auto is_mended = [&] {
+    const pid_t child = fork();
+    if (child == 0) _exit(is_whole_folder(kept()) ? 0 : 1);
+    int status = -1;
+    waitpid(child, &status, 0);
+    return status == 0;
+  };
+  EXPECT_TRUE(is_mended());
+  const std::string place = folder() + "/kept/key";
+  for (const char* file : {"/a/b.h", "/c.h", "/.sums"}) {
+    for (const char* text : {"", "int", "int b(};"}) {
+      pt::write_file(place + file, text);
+      EXPECT_FALSE(is_whole_folder(place)) << file;
+      EXPECT_TRUE(is_mended()) << file;
+    }
+  }
+  fs::remove_all(place + "/a");
+  EXPECT_FALSE(is_whole_folder(place));
+  EXPECT_TRUE(is_mended());
+}
+
+// A clock that jumped makes a folder look old, or like one of the future, that a compiler reads right now.
+TEST_F(Cache, folders_in_use_stay_whatever_their_time) {
+  const auto age_all = [&](const Names& all, minutes ago) {
+    for (const std::string& name : all) {
+      fs::create_directories(path(name));
+      age(name, ago);
+    }
+  };
+  const Names all{"new", "used", "unused"};
+  for (const auto ago : {hours(2), hours(-2)}) {
+    age_all(all, ago);
+    EXPECT_TRUE(use_folder(path("used")));
+    remove_unused_beside(path("new"));
+    EXPECT_EQ(names(), (Names{"new", "used"})) << ago.count();
+  }
+  age_all(all, minutes(59));
+  remove_unused_beside(path("new"));
+  EXPECT_EQ(names(), all);
+  EXPECT_FALSE(use_folder(path("none")));
+}
+
+// Of a process that has ended, nothing is in use.
+TEST_F(Cache, folders_of_dead_processes_go) {
+  fs::create_directories(path("new"));
+  fs::create_directories(path("used"));
+  const pid_t child = fork();
+  if (child == 0) _exit(use_folder(path("used")) ? 0 : 1);
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  age("used", hours(2));
+  remove_unused_beside(path("new"));
+  EXPECT_EQ(names(), Names{"new"});
 }
 
 TEST(code_of, is_what_a_compiler_sees) {

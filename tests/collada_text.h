@@ -22,11 +22,12 @@ struct SceneText {
   std::string cameras;
   std::string up_axis = "Y_UP";
   std::string library_nodes;
+  bool has_asset = true;
 
   std::string str() const {
-    return "<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\">\n<asset><up_axis>" + up_axis +
-           "</up_axis></asset>\n<library_lights>" + lights +
-           "</library_lights>\n<library_cameras>" + cameras +
+    const std::string asset = "<asset><up_axis>" + up_axis + "</up_axis></asset>";
+    return "<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\">\n" + (has_asset ? asset : "") +
+           "\n<library_lights>" + lights + "</library_lights>\n<library_cameras>" + cameras +
            "</library_cameras>\n<library_effects>" + effects +
            "</library_effects>\n<library_materials>" + materials +
            "</library_materials>\n<library_geometries>" + geometries +

@@ -2,6 +2,10 @@
 // in a file that can still be shown, and parts that are read once or not at all.
 #include "collada_text.h"
 #include "pt/error.h"
+#include "pt/scene/frame_camera.h"
+
+#include <string>
+#include <variant>
 
 namespace pt {
 namespace {
@@ -62,10 +66,53 @@ TEST(SharedIds, that_are_referred_to_are_refused_with_both_lines) {
   text.geometries += "\n" + triangle_mesh();
   EXPECT_TRUE(contains(error_of(text), "'#tri' may be the <geometry> of line 8 or that of line 9"))
       << error_of(text);
-  text = one_triangle();
-  text.nodes += node("<instance_light url=\"#sun\"/>");
-  text.lights = "<light id=\"sun\"/><light id=\"sun\"/>";
-  EXPECT_TRUE(contains(error_of(text), "'#sun' may be")) << error_of(text);
+}
+
+// The scene can be shown with one of them.
+TEST(SharedIds, of_lights_and_cameras_that_are_shown_are_noted) {
+  const auto light = [](const char* color) {
+    return std::string("<light id=\"sun\"><technique_common><point><color>") + color +
+           "</color></point></technique_common></light>\n";
+  };
+  const auto camera = [](const char* angle) {
+    return std::string("<camera id=\"eye\"><optics><technique_common><perspective><xfov>") + angle +
+           "</xfov></perspective></technique_common></optics></camera>\n";
+  };
+  SceneText text = one_triangle();
+  text.nodes += node("<instance_light url=\"#sun\"/>") + node("<instance_camera url=\"#eye\"/>");
+  text.lights = light("1 0 0") + light("0 1 0");
+  text.cameras = camera("30") + camera("60");
+  const LoadedScene loaded = load(text);
+  ASSERT_EQ(loaded.scene.lights.size(), 1u);
+  EXPECT_EQ(std::get<PointLight>(loaded.scene.lights[0]).intensity, (Rgb{1, 0, 0}));
+  EXPECT_EQ(loaded.camera.value().hfov_deg, 30);
+  EXPECT_TRUE(has_note(loaded, "'#sun' may be the <light> of line"));
+  EXPECT_TRUE(has_note(loaded, "'#eye' may be the <camera> of line"));
+}
+
+// Some exporters give the sources of every mesh the same ids.
+TEST(SharedIds, mean_those_of_the_own_mesh) {
+  const auto mesh_with_common_ids = [](const std::string& id, const std::string& positions) {
+    return "<geometry id=\"" + id + "\"><mesh>" + float_source("p", positions, 9) +
+           "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+           "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>"
+           "<p>0 1 2</p></triangles></mesh></geometry>";
+  };
+  SceneText text;
+  text.geometries = mesh_with_common_ids("a", "0 0 0 1 0 0 0 1 0") +
+                    mesh_with_common_ids("b", "7 0 0 8 0 0 7 1 0");
+  text.nodes = node(instance("a")) + node(instance("b"));
+  const LoadedScene loaded = load(text);
+  ASSERT_EQ(loaded.scene.primitives.triangles.size(), 2u);
+  expect_near(loaded.scene.primitives.triangles[0].p0, {0, 0, 0});
+  expect_near(loaded.scene.primitives.triangles[1].p0, {7, 0, 0});
+  EXPECT_TRUE(has_note(loaded, "2 elements have the id of another"));
+  // Two in one mesh are ambiguous.
+  text.geometries = mesh_with_common_ids("a",
+                                         "0 0 0 1 0 0 0 1 0</float_array></source><source id=\"p\">"
+                                         "<float_array count=\"9\">0 0 0 1 0 0 0 1 0") +
+                    mesh_with_common_ids("b", "7 0 0 8 0 0 7 1 0");
+  EXPECT_TRUE(contains(error_of(text), "'#p' may be the <source> of line")) << error_of(text);
 }
 
 // The same id for elements of two kinds is not ambiguous: a reference says which kind it means.
@@ -126,6 +173,21 @@ TEST(ShortFiles, that_ask_for_too_many_instances_are_refused) {
                "more than 100,000 instances when each <instance_node> is a copy; use fewer"));
 }
 
+// 64 triangles, written once, in 2^15 places; as many in places of their own are not too many.
+TEST(ShortFiles, that_show_a_geometry_too_often_are_refused) {
+  SceneText text = doubled(instance("many"));
+  const auto strip = [](const std::string& id, int triangles) {
+    return mesh(id, "0 0 0 1 0 0 0 1 0", 9, "triangles",
+                "count=\"" + std::to_string(triangles) + "\" material=\"m\"",
+                "<p>" + repeated("0 1 2 ", triangles) + "</p>");
+  };
+  text.geometries += strip("many", 64);
+  EXPECT_TRUE(contains(error_of(text), "more than 2 million surfaces of the scene are shown again"))
+      << error_of(text);
+  text.geometries = triangle_mesh() + strip("many", 60);
+  EXPECT_EQ(load(text).scene.primitives.triangles.size(), std::size_t{60} << 15);
+}
+
 // Each takes minutes where what a node or an instance says is read again for every place that it is
 // shown at.
 TEST(ShortFiles, say_much_in_one_place_and_are_read_once) {
@@ -162,6 +224,19 @@ TEST(ShortFiles, say_much_in_a_light_or_a_camera) {
                  "<optics><technique_common><perspective><xfov>60</xfov></perspective>"
                  "</technique_common></optics></camera>";
   EXPECT_EQ(load(text).camera.value().hfov_deg, 60);
+}
+
+// The rule of --camera course depends on who wrote the file.
+TEST(MissingParts, that_choose_the_rule_of_the_course_are_noted) {
+  SceneText text = one_triangle();
+  text.nodes += node("<instance_camera url=\"#c\"/>");
+  text.cameras =
+      "<camera id=\"c\"><optics><technique_common><perspective><xfov>60</xfov></perspective>"
+      "</technique_common></optics></camera>";
+  EXPECT_EQ(note_on_framing(load(text), Framing::course), "");
+  text.has_asset = false;
+  EXPECT_TRUE(contains(note_on_framing(load(text), Framing::course), "the file has no <asset>"));
+  EXPECT_EQ(note_on_framing(load(text), Framing::fit), "");
 }
 
 TEST(Bindings, fall_back_on_the_only_one_there_is) {

@@ -99,6 +99,46 @@ full_output() {
   done
 }
 
+# Help that does not arrive is not help: every program that has --help says so, and ends with 2.
+full_help() {
+  local program status count=0
+  [ -w /dev/full ] || return 0
+  for program in "$build"/{bench,grader,pt,scenes,writeup}/*; do
+    if [ ! -f "$program" ] || [ ! -x "$program" ]; then continue; fi
+    status=0
+    timeout 20 "$program" --help >"$folder/help" 2>/dev/null </dev/null || status=$?
+    if [ "$status" -ne 0 ] || ! grep -q -- '--help' "$folder/help"; then continue; fi
+    count=$((count + 1))
+    timeout 20 "$program" --help >/dev/full 2>"$folder/said" </dev/null || status=$?
+    [ "$status" -eq 2 ] || complain "$program --help ended with $status and no output:" "$(cat "$folder/said")"
+    says 'the output cannot be written: No space left on device'
+  done
+  [ "$count" -ge 3 ] || complain "only $count programs have --help"
+}
+
+# What a submission consists of is read with the same care before any box: a named pipe and an endless file end
+# nothing, and what may be right has its pictures.
+named_programs() {
+  local kind expected
+  for kind in tree flat folder pipe endless unwritten missing; do mkdir -p "$folder/named/$kind/1_rays"; done
+  cp reference/1_rays/hit_sphere.cpp "$folder/named/tree/1_rays"
+  cp reference/1_rays/hit_sphere.cpp "$folder/named/flat"
+  mkdir "$folder/named/folder/1_rays/hit_sphere.cpp"
+  mkfifo "$folder/named/pipe/1_rays/hit_sphere.cpp"
+  ln -s /dev/zero "$folder/named/endless/1_rays/hit_sphere.cpp"
+  cp student/1_rays/hit_sphere.cpp "$folder/named/unwritten"
+  prepare named
+  for kind in tree flat folder pipe endless unwritten missing; do
+    expected=graded_picture
+    case $kind in unwritten | missing) expected= ;; esac
+    (ulimit -v 4000000 && exec timeout 20 "$grader/grade" --config "$folder/named/grade.json" --programs hit_sphere \
+      --submission "$folder/named/$kind" >"$folder/said" 2>&1) || complain "$kind: $?" "$(cat "$folder/said")"
+    says graded.hit_sphere
+    [ "$(grep -x graded_picture "$folder/said" || true)" = "$expected" ] ||
+      complain "a file that is a $kind:" "$(cat "$folder/said")"
+  done
+}
+
 # A compiler that is killed, or of which a part is; and a linker with its disk full, or for a moment, or that refuses
 # the submission's objects (1.o, ...) alone.
 killed_compiler() {
@@ -164,6 +204,20 @@ interrupted() {
   sleep 0.5
   grades interrupt 0 camera_ray "${asked[@]}"
   leaves interrupt
+}
+
+# What a run that was killed leaves beside its reports goes with the next one; what is not the judge's stays.
+left_reports() {
+  local dead file
+  prepare left
+  sleep 0 &
+  dead=$!
+  wait "$dead"
+  mkdir "$folder/reports"
+  for file in results.json page.html mine; do echo >"$folder/reports/$file.$dead.3.tmp"; done
+  grades left 0 "${asked[@]}" --json "$folder/reports/results.json" --html "$folder/reports/page.html"
+  [ "$(cd "$folder/reports" && echo *)" = "mine.$dead.3.tmp page.html results.json" ] ||
+    complain "beside the reports:" "$(ls "$folder/reports")"
 }
 
 # An interrupted run goes on from any folder, whatever its own is called.
@@ -234,18 +288,41 @@ END
   [ ! -e "$folder/page.html" ] || complain "there is a page of damaged results"
 }
 
+# damages KIND FILE: as a loss of power may leave it.
+damages() {
+  case $1 in
+    emptied) : >"$2" ;;
+    halved) truncate -s "$(($(stat -c %s "$2") / 2))" "$2" ;;
+    zeros) dd if=/dev/zero of="$2" bs=1 seek="$(($(stat -c %s "$2") / 2))" count=16 conv=notrunc status=none ;;
+  esac
+}
+
 # Damaged files of the cache, as after a loss of power, are made again.
 damaged_cache() {
-  local file work=$folder/output/work
+  local file files kind what work=$folder/output/work
   for file in "$work"/cache/*.json; do echo '{"promises": [' >"$file"; done
   grades output 0 "${asked[@]}"
+  for what in cache/*.o cache/*.worker cache/*.json cache/* kept/* headers/*; do
+    for kind in emptied halved zeros; do
+      # What is made of the files is made again, too.
+      case $what in kept/* | headers/*) rm -f "$work"/cache/*.o "$work"/cache/*.worker ;; esac
+      mapfile -t files < <(find "$work/${what%/*}" -type f -path "$work/$what")
+      [ "${#files[@]}" -gt 0 ] || complain "there is nothing of $what"
+      for file in "${files[@]}"; do damages "$kind" "$file"; done
+      grades output 0 "${asked[@]}"
+      leaves output
+    done
+  done
 }
 
 full_output
+full_help
+named_programs
 full_disk
 killed_compiler
 no_worker
 interrupted
+left_reports
 resumed_elsewhere
 damaged_results
 damaged_cache

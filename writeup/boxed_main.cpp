@@ -4,6 +4,7 @@
 #include "grader/pictures/worker_rows.h"
 #include "grader/process/spawn.h"
 #include "grader/wire/session.h"
+#include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
@@ -133,7 +134,7 @@ int main(int argc, char** argv) {
   try {
     return writeup::run({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
     return 2;
   }
 }

@@ -1,7 +1,9 @@
 // writeup: plans the figures of the write-up, makes what is missing or out of date, and writes the
 // pages. ./run writeup builds what it needs and starts it.
 #include "grader/process/run_command.h"
+#include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/printable.h"
 #include "writeup/boxed_code.h"
 #include "writeup/check_build.h"
 #include "writeup/handbook.h"
@@ -169,7 +171,7 @@ bool make_pages(const Plan& plan, const Catalogue& catalogue,
   if (made) print_times(figures, site.figures);
   if (options.pdf) write_pdfs(fs::absolute(out));
   const bool failed = report(figures, site.figures);
-  fmt::print("{}\n", (out / "index.html").string());
+  fmt::print("{}\n", pt::printable((out / "index.html").string()));
   return !failed;
 }
 
@@ -182,7 +184,7 @@ bool make_handbook(const Plan& plan, const Catalogue& catalogue,
   make_missing(plan, figures, options);
   const Problems problems = options.check ? check_handbook(plan, catalogue, figures, folder)
                                           : write_handbook(plan, figures, folder);
-  for (const std::string& problem : problems) fmt::print("{}\n", problem);
+  for (const std::string& problem : problems) fmt::print("{}\n", pt::printable(problem));
   return problems.empty();
 }
 
@@ -225,11 +227,13 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, writeup::stop);
   std::signal(SIGTERM, writeup::stop);
   try {
-    return writeup::run(writeup::parse_options(argc, argv));
+    const int status = writeup::run(writeup::parse_options(argc, argv));
+    pt::flush_standard_output();
+    return status;
   } catch (const writeup::CommandLine& done) {
     return done.status;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
     return 2;
   }
 }

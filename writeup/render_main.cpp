@@ -1,6 +1,7 @@
 // writeup_render SPEC.json BAND: renders some rows of one render, and goes on where the file of the
 // band ends. A program of its own, so that a crash or an endless loop in a learner's code ends this
 // and nothing else.
+#include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/render/choose_engine.h"
@@ -111,7 +112,7 @@ int main(int argc, char** argv) {
     if (argc != 3) throw pt::Error("writeup_render SPEC.json FOLDER/FIRST+ROWS");
     return writeup::run(argv[1], writeup::band_of(argv[2]));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
     return 2;
   }
 }

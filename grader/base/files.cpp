@@ -11,6 +11,7 @@
 #include <fstream>
 #include <span>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 #include <fcntl.h>
@@ -80,6 +81,26 @@ Submitted read_along(int top, std::span<const std::string> way, const std::strin
   return {true, way[0] + " is not a plain folder", ""};
 }
 
+[[noreturn]] void refuse_folder(const std::string& folder, const std::error_code& why) {
+  if (why == std::errc::no_such_file_or_directory || why == std::errc::not_a_directory) {
+    throw pt::Error(folder + " is not a folder; name one with --submission");
+  }
+  throw pt::Error(folder + ": cannot be read (" + why.message() + "); make the folder readable");
+}
+
+// What is in the folder, without hidden files.
+std::vector<fs::directory_entry> shown_in(const std::string& folder) {
+  std::vector<fs::directory_entry> inside;
+  std::error_code error;
+  fs::directory_iterator at(folder, error);
+  while (!error && at != fs::directory_iterator()) {
+    if (!is_hidden(at->path().filename())) inside.push_back(*at);
+    at.increment(error);
+  }
+  if (error) refuse_folder(folder, error);
+  return inside;
+}
+
 bool starts_tree(const std::string& name) {
   return name == "student" || (name.size() > 1 && std::isdigit(name[0]) != 0 && name[1] == '_');
 }
@@ -89,7 +110,7 @@ bool starts_tree(const std::string& name) {
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug) {
   const Descriptor top(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-  if (!top.is_open()) throw pt::Error(folder + " is not a folder; name one with --submission");
+  if (!top.is_open()) refuse_folder(folder, {errno, std::generic_category()});
   const std::vector<std::string> ways[] = {{part}, {"student", part}, {}, {"student"}};
   for (const std::vector<std::string>& way : ways) {
     Submitted found = read_along(top.number(), way, slug + ".cpp");
@@ -103,12 +124,10 @@ bool is_hidden(const std::string& name) { return name.starts_with('.') || name =
 std::string submission_root(const std::string& folder) {
   std::string root = folder;
   for (int depth = 0; depth < 4; ++depth) {
-    std::vector<fs::directory_entry> inside;
-    for (const auto& entry : fs::directory_iterator(root)) {
-      if (!is_hidden(entry.path().filename())) inside.push_back(entry);
-    }
+    const std::vector<fs::directory_entry> inside = shown_in(root);
     if (inside.size() != 1) break;
-    const bool plain = inside[0].is_directory() && !inside[0].is_symlink();
+    std::error_code error;
+    const bool plain = inside[0].symlink_status(error).type() == fs::file_type::directory;
     if (!plain || starts_tree(inside[0].path().filename())) break;
     root = inside[0].path();
   }

@@ -26,7 +26,7 @@ inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
 
 // Reads the file of a task, without following a link below the folder: anything but a regular file,
 // and a file larger than kMaxFile, are rejected. It is the first there is of <part>/<slug>.cpp,
-// student/<part>/<slug>.cpp, <slug>.cpp and student/<slug>.cpp.
+// student/<part>/<slug>.cpp, <slug>.cpp and student/<slug>.cpp. Throws pt::Error if there is no such folder.
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
 
@@ -36,7 +36,7 @@ bool is_hidden(const std::string& name);
 
 // The folder in which the tree of a submission starts: the given one, or what is in it as long as
 // that is one folder and nothing else, as archives unpack; hidden files do not count. The folders of
-// a tree (student, 1_rays) are never entered.
+// a tree (student, 1_rays) are never entered. Throws pt::Error if a folder on the way cannot be read.
 std::string submission_root(const std::string& folder);
 
 }  // namespace grader::base

@@ -1,22 +1,16 @@
 #pragma once
 
+#include "pt/printable.h"
+
 #include <string>
 #include <string_view>
 
 namespace grader::base {
 
-// Text from outside, fit to be shown: control characters, which could move a terminal's cursor or
-// start a new line, become spaces (but newlines and tabs may stay), and what is longer than `most`
-// is cut.
+// Text from outside as pt::printable has it, of which what is longer than `most` bytes is cut.
 inline std::string printable(std::string_view text, std::size_t most, bool lines = false) {
-  std::string clean;
-  for (const char c : text.substr(0, most)) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool keeps = lines && (c == '\n' || c == '\t');
-    clean += keeps || (byte >= 0x20 && byte != 0x7f) ? c : ' ';
-  }
-  if (text.size() > most) clean += " ...";
-  return clean;
+  const std::string clean = pt::printable(pt::beginning(text, most), lines);
+  return text.size() > most ? clean + " ..." : clean;
 }
 
 }  // namespace grader::base

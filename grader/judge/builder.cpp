@@ -5,6 +5,7 @@
 #include "grader/judge/audit.h"
 #include "grader/judge/cache.h"
 #include "grader/judge/compiler_output.h"
+#include "grader/judge/kept.h"
 #include "grader/judge/object_file.h"
 #include "grader/judge/submission_flags.h"
 #include "grader/judge/tool_run.h"
@@ -51,6 +52,7 @@ void keep_worker(const ToolFolder& place, const std::string& path) {
   if (!worker.present || !worker.rejected.empty()) {
     throw pt::Error("the linked worker is not there: " + worker.rejected);
   }
+  note_sum(path, sum_of(worker.text));
   const std::string temporary = pt::temporary_name(path);
   pt::write_file(temporary, worker.text);
   // Another user runs it.
@@ -132,9 +134,10 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   const std::string key = base::sha256(toolchain_ + seen + task.file() + '\0' + text);
   const std::string path = cache_ + "/" + key + ".o";
   const std::string warnings_path = cache_ + "/" + key + ".warnings";
-  if (fs::exists(path)) {
+  const bool warned = fs::exists(warnings_path);
+  if (is_whole(path) && (!warned || is_whole(warnings_path))) {
     mark_used(path);
-    return {path, key, "", "", fs::exists(warnings_path) ? base::read_file(warnings_path) : ""};
+    return {path, key, "", "", warned ? base::read_file(warnings_path) : ""};
   }
   std::string whole;  // its comments too: messages quote lines
   for (const auto& [name, content] : headers) whole += name + '\0' + content + '\0';
@@ -178,15 +181,15 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   }
   const std::string reason = audit(object.text, contract, task_of(task.slug));
   if (!reason.empty()) return {"", key, "", reason, ""};
-  if (!warnings.empty()) pt::write_file(warnings_path, warnings);
-  pt::write_file(path, with_state_marked(object.text));
+  if (!warnings.empty()) keep_file(warnings_path, warnings);
+  keep_file(path, with_state_marked(object.text));
   return {path, key, "", "", warnings};
 }
 
 Built Builder::link(const Paths& objects, const std::string& key, bool integrated) const {
   const std::string whole = base::sha256(framework_ + toolchain_ + key + (integrated ? "i" : "s"));
   const std::string path = cache_ + "/" + whole + ".worker";
-  if (fs::exists(path)) {
+  if (is_whole(path)) {
     mark_used(path);
     return {path, whole, "", "", ""};
   }

@@ -73,6 +73,17 @@ std::vector<Entry> entries_of(const std::string& folder) {
   return all;
 }
 
+// Temporary files of processes that are gone.
+std::vector<fs::path> left_over_in(const fs::path& folder) {
+  std::vector<fs::path> left;
+  std::error_code error;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
+    const pid_t maker = maker_of(file.path());
+    if (maker != 0 && !is_running(maker)) left.push_back(file.path());
+  }
+  return left;
+}
+
 }  // namespace
 
 std::string content_stamp(const std::string& path, const std::string& folder) {
@@ -100,21 +111,13 @@ void mark_used(const std::string& path) {
 }
 
 void remove_left_overs(const std::string& folder) {
-  std::vector<fs::path> left;
-  std::error_code error;
-  for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
-    const pid_t maker = maker_of(file.path());
-    if (maker != 0 && !is_running(maker)) left.push_back(file.path());
-  }
-  for (const fs::path& path : left) remove_quietly(path);
+  for (const fs::path& path : left_over_in(folder)) remove_quietly(path);
 }
 
-void remove_unused_beside(const std::string& folder) {
-  std::error_code error;
-  const auto now = fs::file_time_type::clock::now();
-  for (const auto& entry : fs::directory_iterator(fs::path(folder).parent_path(), error)) {
-    if (entry.path() == folder || now - entry.last_write_time(error) < kInUse) continue;
-    fs::remove_all(entry.path(), error);
+void remove_left_overs_of(const std::string& file) {
+  const fs::path path = fs::absolute(file);
+  for (const fs::path& left : left_over_in(path.parent_path())) {
+    if (left.stem().stem().stem() == path.filename()) remove_quietly(left);
   }
 }
 

@@ -30,9 +30,8 @@ std::string content_stamp(const std::string& path, const std::string& folder);
 // number by now, they stay for the moment. A file that cannot be removed, or is gone already, is not an error.
 void remove_left_overs(const std::string& folder);
 
-// Removes the folders beside this one that nobody has used within kInUse: those of other versions of the
-// project, its compiler or its flags.
-void remove_unused_beside(const std::string& folder);
+// The same of one file, whose folder belongs to somebody else: only what pt::write_file() was about to make that file.
+void remove_left_overs_of(const std::string& file);
 
 // If the folder holds more than `most` bytes, removes the entries least recently used, until it
 // holds less than half. Nothing that was used within kInUse goes.

@@ -2,6 +2,7 @@
 
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
+#include "grader/judge/kept.h"
 #include "grader/process/run_command.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -75,10 +76,11 @@ std::vector<std::string> PrecompiledHeaders::flags_for(const TaskConfig& task,
 // write under names of their own, and the last one stays.
 void PrecompiledHeaders::make(const Header& header) const try {
   const std::string path = path_of(header), made = path + ".gch";
-  if (!fs::exists(made)) {
+  if (!use_folder(folder_) || !is_whole(made) || !fs::exists(path)) {
     // In the cache the next run removes what a killed one leaves.
     const fs::path cache = config_.work + "/cache";
     for (const fs::path& folder : {cache, fs::path(folder_)}) fs::create_directories(folder);
+    if (!use_folder(folder_)) return;
     remove_unused_beside(folder_);
     pt::write_file(path, "#include \"" + header.included + "\"\n");
     const std::string temporary = pt::temporary_name(cache / fs::path(made).filename());
@@ -88,6 +90,7 @@ void PrecompiledHeaders::make(const Header& header) const try {
       fs::remove(temporary);
       return;
     }
+    note_sum(made, sum_of_file(temporary));
     // Another user reads it.
     fs::permissions(temporary, fs::perms(0644));
     fs::rename(temporary, made);

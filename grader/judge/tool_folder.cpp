@@ -2,12 +2,15 @@
 
 #include "grader/base/descriptor.h"
 #include "grader/judge/cache.h"
+#include "grader/judge/kept.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <set>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -44,6 +47,34 @@ void make_folder(const fs::path& path) {
   const bool is_new = fs::create_directories(path, error);
   if (!error && is_new) fs::permissions(path, fs::perms(0755), error);
   if (error) throw pt::Error(path.string() + ": cannot be made (" + error.message() + ")");
+}
+
+// Returns whether the folder is there with all its files, which one look per process tells. From then on it
+// stays.
+bool is_known_whole(const std::string& folder) {
+  static std::mutex mutex;
+  static std::set<std::string> known;
+  const std::lock_guard lock(mutex);
+  const bool is_there = use_folder(folder);
+  if (is_there && known.contains(folder)) return true;
+  known.erase(folder);
+  if (!is_there || !is_whole_folder(folder)) return false;
+  known.insert(folder);
+  return true;
+}
+
+// Makes the files of the folder those of the tree, one by one: compilers may be reading there.
+void mend(const fs::path& folder, const fs::path& tree) {
+  for (const auto& entry : fs::recursive_directory_iterator(tree)) {
+    const fs::path to = folder / entry.path().lexically_relative(tree);
+    if (entry.is_directory()) {
+      make_folder(to);
+      continue;
+    }
+    std::error_code error;
+    fs::rename(entry.path(), to, error);
+    if (error) throw pt::Error(to.string() + ": cannot be made (" + error.message() + ")");
+  }
 }
 
 }  // namespace
@@ -85,16 +116,17 @@ base::Submitted ToolFolder::take(const std::string& name, std::size_t most) cons
 std::string kept_folder(const std::string& work, const std::string& key,
                         const std::function<void(const ToolFolder&)>& fill) {
   const std::string folder = work + "/kept/" + key;
-  if (!fs::exists(folder)) {
+  if (!is_known_whole(folder)) {
     make_folder(work + "/kept");
     // In the cache the next run removes what a killed one leaves.
     const ToolFolder tree(pt::temporary_name(work + "/cache/kept.tree"));
     fill(tree);
+    note_sums(tree.folder());
     std::error_code error;
-    fs::rename(tree.folder(), folder, error);  // or another judge has made it meanwhile
-    if (!fs::exists(folder)) {
-      throw pt::Error(folder + ": cannot be made (" + error.message() + ")");
-    }
+    fs::rename(tree.folder(), folder, error);
+    if (error)
+      mend(folder, tree.folder());  // it is damaged, or another judge has made it meanwhile
+    if (!is_known_whole(folder)) throw pt::Error(folder + ": cannot be made");
     remove_unused_beside(folder);
   }
   mark_used(folder);

@@ -31,9 +31,9 @@ int milliseconds_until_look(const TimeLimit& limit) {
 bool is_over_after_waiting(TimeLimit& limit, pollfd* awaited, int longest) {
   const int left = std::min(longest, milliseconds_until_look(limit));
   const Wait wait;
-  const int ready = poll(awaited, awaited == nullptr ? 0 : 1, left);
+  poll(awaited, awaited == nullptr ? 0 : 1, left);
   limit.add_waited(wait.net(milliseconds(left)));
-  return ready <= 0 && Clock::now() >= limit.next_look() && limit.is_over();
+  return Clock::now() >= limit.next_look() && limit.is_over();
 }
 
 // A child that is ended where an exception leaves it alone.

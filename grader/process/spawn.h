@@ -3,6 +3,7 @@
 #include "grader/process/limits.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct Child {
   Limits limits;
   // Of it and all that come from it together, in bytes, where there are control groups for it.
   std::optional<std::uint64_t> tree_memory{};
+  // Whoever starts the child keeps this until it is gone: the lock of its user, for example.
+  std::shared_ptr<const void> held{};
 };
 
 // Starts the child in a process group of its own. It dies with the thread that started it, gains no

@@ -2,6 +2,7 @@
 
 #include "grader/process/spawn.h"
 #include "pt/command_line.h"
+#include "pt/printable.h"
 
 #include <csignal>
 #include <cstdio>
@@ -17,7 +18,7 @@ namespace {
 
 // Properties take an exception for a case that failed.
 [[noreturn]] void end_at_fault(const std::string& why) {
-  std::fprintf(stderr, "%s\n", why.c_str());
+  std::fprintf(stderr, "%s\n", pt::printable(why).c_str());
   std::exit(2);
 }
 

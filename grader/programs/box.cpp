@@ -70,7 +70,7 @@ void enter(const std::string& folder, const std::optional<User>& user) {
   if (options.inside) {
     if (options.user != 0) user = User{options.user, {}};
   } else {
-    if (geteuid() == 0) user = take_user();
+    if (geteuid() == 0) user = take_any_user();
     start_keeper(user);
   }
   enter(options.folder, user);

@@ -3,6 +3,7 @@
 #include "grader/judge/grade.h"
 
 #include "grader/base/files.h"
+#include "grader/judge/cache.h"
 #include "grader/process/spawn.h"
 #include "grader/programs/grade_options.h"
 #include "grader/programs/status_line.h"
@@ -129,12 +130,13 @@ bool is_unwritten(const Task& task, const std::string& text) {
   return found == std::max<std::size_t>(1, task.functions.size());
 }
 
-// Nothing is rendered of tasks that are not written.
+// Nothing is rendered of tasks that are not written. A file that is not accepted may be mended by the time that
+// it is judged.
 bool may_be_rendered(const std::vector<std::string>& asked, const std::string& submission) {
   return std::ranges::any_of(asked, [&](const std::string& slug) {
     const Task& task = task_of(slug);
-    const std::string file = submission + "/" + task.file();
-    return std::filesystem::exists(file) && !is_unwritten(task, base::read_file(file));
+    const base::Submitted file = base::read_submitted(submission, task.part, slug);
+    return file.present && (!file.rejected.empty() || !is_unwritten(task, file.text));
   });
 }
 
@@ -188,9 +190,18 @@ void show_progress(StatusLine& line, const results::Results& so_far) {
             part);
 }
 
+// The files that will be written can be, and nothing of a run that was killed stays beside them.
+void prepare_targets(const report::ReportFiles& files) {
+  report::check_targets(files);
+  for (const std::string* file :
+       {&files.json, &files.html, &files.junit, &files.gradescope, &files.csv}) {
+    if (!file->empty()) judge::remove_left_overs_of(*file);
+  }
+}
+
 int run(Words words) {
   programs::GradeOptions options = parse_options(words);
-  report::check_targets(options.files);
+  prepare_targets(options.files);
   if (!options.from_results.empty()) return options.programs ? 0 : report_again(options);
   const judge::Config config = config_for(options);
   const Unfinished unfinished(config);
@@ -199,7 +210,7 @@ int run(Words words) {
     words = unfinished.resume();
     options = programs::parse_options(words);
     options.programs = only_named;
-    report::check_targets(options.files);
+    prepare_targets(options.files);
   }
   if (options.programs) return name_programs(config, options);
   const judge::GradeRequest request = request_for(config, options);

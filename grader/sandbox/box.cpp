@@ -9,8 +9,10 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <memory>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -42,26 +44,20 @@ Words system_files(bool tools) {
   return names;
 }
 
-// In a user namespace root is root of nothing else: there, no other user can be had.
-bool is_root_of_the_machine() {
-  static const bool is_root = [] {
-    std::ifstream map("/proc/self/uid_map");
-    std::uint64_t first = 1, outside = 1, count = 0;
-    map >> first >> outside >> count;
-    return geteuid() == 0 && first == 0 && outside == 0 && count == 0xffffffff;
-  }();
-  return is_root;
-}
-
 // A program in namespaces of its own meets no other process of its user; a limit on processes counts
-// them together.
-uid_t user_inside() {
+// them together, those of other judges too.
+std::shared_ptr<const User> user_inside() {
   static std::atomic<unsigned> serial{0};
-  const unsigned number = static_cast<unsigned>(getpid()) * 31 + ++serial;
-  return kUsersOfTierA.first + number % kUsersOfTierA.count;
+  const unsigned start = static_cast<unsigned>(getpid()) * 31 + ++serial;
+  for (unsigned i = 0; i < kUsersOfTierA.count; ++i) {
+    std::optional<User> user = take_user(kUsersOfTierA.first + (start + i) % kUsersOfTierA.count);
+    if (user) return std::make_shared<const User>(std::move(*user));
+  }
+  throw pt::Error("all users for boxes are taken");
 }
 
-Words launcher(const Box& box, const Words& visible, bool inside) {
+// Inside of bubblewrap it cannot take a user itself.
+Words launcher(const Box& box, const Words& visible, bool inside, const User* user) {
   Words words{launcher_path()};
   const auto add = [&](const char* name, const std::optional<std::uint64_t>& limit) {
     if (limit) words.push_back(fmt::format("--{}={}", name, *limit));
@@ -78,7 +74,7 @@ Words launcher(const Box& box, const Words& visible, bool inside) {
   if (const auto newest = landlock_at_most())
     words.push_back(fmt::format("--landlock={}", *newest));
   if (inside) words.push_back("--inside");
-  if (inside && is_root_of_the_machine()) words.push_back(fmt::format("--user={}", user_inside()));
+  if (user != nullptr) words.push_back(fmt::format("--user={}", user->id));
   words.push_back("--");
   return words + box.command;
 }
@@ -118,9 +114,9 @@ Words open_folders(Words shown) {
   return words;
 }
 
-Words bubblewrap(const Box& box, const Words& visible) {
+Words bubblewrap(const Box& box, const Words& visible, const User* user) {
   Words words{kBubblewrap, "--cap-drop", "ALL", "--die-with-parent", "--new-session", "--as-pid-1"};
-  if (is_root_of_the_machine()) {
+  if (user != nullptr) {
     // The launcher has a little of root left, to become another user.
     words = words + Words{"--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts",
                           "--unshare-cgroup-try"};
@@ -137,7 +133,7 @@ Words bubblewrap(const Box& box, const Words& visible) {
           Words{"--ro-bind", launcher_path(), launcher_path()};
   if (!box.folder.empty()) words = words + Words{"--bind", box.folder, box.folder};
   words = words + Words{"--remount-ro", "/", "--chdir", "/", "--"};
-  return words + launcher(box, visible, true);
+  return words + launcher(box, visible, true, user);
 }
 
 // A program that starts others, as a compiler does, has a limit for each of them. Together they get a
@@ -189,17 +185,21 @@ process::Child boxed(const Box& box, Tier tier) {
   if (tier == Tier::limits) {
     std::vector<int> descriptors = box.descriptors;
     if (box.tells_start) descriptors.pop_back();
-    return {box.command, box.environment, descriptors, box.folder.empty() ? "/" : box.folder,
-            box.limits,  tree_memory(box)};
+    return {box.command, box.environment,  descriptors, box.folder.empty() ? "/" : box.folder,
+            box.limits,  tree_memory(box), nullptr};
   }
   Words visible = system_files(box.tools) + box.visible;
   if (!box.tools) visible.push_back(box.command.at(0));
-  return {tier == Tier::bubblewrap ? bubblewrap(box, visible) : launcher(box, visible, false),
+  const bool inside = tier == Tier::bubblewrap;
+  const std::shared_ptr<const User> user =
+      inside && is_root_of_the_machine() ? user_inside() : nullptr;
+  return {inside ? bubblewrap(box, visible, user.get()) : launcher(box, visible, false, nullptr),
           box.environment,
           box.descriptors,
           "/",
           {},
-          tree_memory(box)};
+          tree_memory(box),
+          user};
 }
 
 }  // namespace grader::sandbox

@@ -40,7 +40,8 @@ struct Box {
   bool tells_start = false;
 };
 
-// The child that runs the box's program in this tier. In the tiers A and B nothing of it outlives
+// The child that runs the box's program in this tier. In tier A, where we are root, it has a user that no other box
+// has. Throws pt::Error if all are taken. In the tiers A and B nothing of it outlives
 // the program, spawn()'s pid, or this process. There, a program that cannot be started exits with
 // 127 and one sentence.
 process::Child boxed(const Box& box, Tier tier);

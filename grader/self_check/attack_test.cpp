@@ -1,6 +1,7 @@
 // Submissions that attack the judge, each in every tier that isolates: they earn nothing, see
 // nothing, and leave nothing behind. An attack says "BROKE OUT" where it gets somewhere.
 #include "grader/process/spawn.h"
+#include "grader/sandbox/users.h"
 #include "grader/self_check/hostile_submission.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ std::vector<std::string> left_behind(const Submission& submission) {
   for (const fs::path& folder : {submission.work(), submission.work() / "cache"}) {
     if (!fs::exists(folder)) continue;  // nothing has been judged
     for (const auto& file : fs::directory_iterator(folder)) {
-      const std::set<std::string> ours{".json", ".o",   ".worker",  ".warnings",
+      const std::set<std::string> ours{".json", ".o",   ".worker",  ".warnings", ".sum",
                                        ".exr",  ".csv", ".content", ""};
       const bool known = ours.contains(file.path().extension()) && file.path().filename() != "left";
       if (!known) left.push_back(file.path());
@@ -146,7 +147,11 @@ TEST_P(Attack, gets_nowhere_at_run_time) {
     const bool answers = slug == "adaptive_pixel" || slug == "estimate_pixel";
     EXPECT_EQ(task.at("state"), answers ? "fail" : "crash") << task.dump(1).substr(0, 2000);
   }
-  EXPECT_EQ(outcome.results.at("isolation").get<std::string>().substr(0, 2), GetParam() + ":");
+  const std::string isolation = outcome.results.at("isolation");
+  EXPECT_EQ(isolation.substr(0, 2), GetParam() + ":");
+  if (sandbox::is_root_of_the_machine()) {
+    EXPECT_NE(isolation.find("another user"), std::string::npos) << isolation;
+  }
 }
 
 // Calls that are allowed, with commands and flags that nobody needs.

@@ -2,6 +2,7 @@
 
 #include "grader/process/run_command.h"
 #include "grader/sandbox/box.h"
+#include "grader/sandbox/users.h"
 
 #include <algorithm>
 #include <fstream>
@@ -86,6 +87,8 @@ std::vector<std::string> Submission::put(const std::string& batch) {
     replace_all(text, "@ROOT@", FIRSTLIGHT_ROOT);
     replace_all(text, "@SUBMISSION@", folder_);
     replace_all(text, "@WORK@", work());
+    // The number of root where the judge is root, and else of nobody: in a user namespace, 0 says nothing.
+    replace_all(text, "@JUDGES_ROOT@", sandbox::is_root_of_the_machine() ? "0" : "-1");
     std::ofstream(folder_ / file) << text;
     slugs.push_back(file.stem());
   }

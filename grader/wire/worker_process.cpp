@@ -58,7 +58,9 @@ WorkerProcess::WorkerProcess(const std::string& program, sandbox::Tier tier,
                      output.write_end.number(),  calls.read_end.number(),
                      replies.write_end.number(), launcher.write_end.number()};
   box.tells_start = true;
-  pid_ = process::spawn(sandbox::boxed(box, tier));
+  const process::Child child = sandbox::boxed(box, tier);
+  held_ = child.held;
+  pid_ = process::spawn(child);
   to_worker_ = std::move(calls.write_end);
   from_worker_ = std::move(replies.read_end);
   output_ = std::move(output.read_end);

@@ -9,6 +9,7 @@
 #include "grader/wire/message.h"
 
 #include <chrono>
+#include <memory>
 #include <string>
 
 // The judge's end: a worker as a process in its box.
@@ -78,8 +79,9 @@ class WorkerProcess {
   bool has_started() const;     // once the launcher has told
   [[noreturn]] void ended();
 
-  pid_t pid_ = -1;     // of what was started: the program, or the box around it
-  pid_t worker_ = -1;  // the program, once that is known
+  pid_t pid_ = -1;                    // of what was started: the program, or the box around it
+  pid_t worker_ = -1;                 // the program, once that is known
+  std::shared_ptr<const void> held_;  // see process::Child
   sandbox::Tier tier_;
   process::TimeLimit limit_;
   process::SleepWatch sleep_;

@@ -2,6 +2,7 @@
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 #include "pt/image/sample_map.h"
+#include "pt/printable.h"
 #include "pt/render/choose_engine.h"
 #include "pt/render/options.h"
 #include "pt/render/progress.h"
@@ -32,14 +33,14 @@ std::filesystem::path beside(const std::filesystem::path& picture, const char* e
 
 void write_pictures(const RenderOptions& options, const Film& film) {
   write_image(options.output, film, options.exposure);
-  fmt::print("wrote {}\n", options.output.string());
+  fmt::print("wrote {}\n", printable(options.output.string()));
   if (!options.adaptive) return;
   const SampleMap map = sample_map(film, options.adaptive->max_samples);
   const auto picture = beside(options.output, "_rate.png");
   const auto counts = beside(options.output, "_rate.csv");
   write_png(picture, sample_picture(map));
   write_counts(counts, map);
-  fmt::print("wrote {} and {}\n", picture.string(), counts.string());
+  fmt::print("wrote {} and {}\n", printable(picture.string()), printable(counts.string()));
 }
 
 void print_summary(const RenderResult& result, const RenderOptions& options, const Scene& scene) {
@@ -81,6 +82,9 @@ int run(int argc, const char* const* argv) {
   check_image_target(options.output);
   LoadedScene loaded = load_collada(options.scene, {options.lambertian});
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
+  if (const std::string note = note_on_framing(loaded, options.framing); !note.empty()) {
+    fmt::print(stderr, "{}\n", note);
+  }
   if (options.show != Show::normals) {
     require_supported(loaded, options.scene);
     if (loaded.scene.lights.empty()) {

@@ -59,6 +59,13 @@ Frame upright_frame(Vec3 z, const FileCamera& camera) {
 
 }  // namespace
 
+std::string note_on_framing(const LoadedScene& loaded, Framing framing) {
+  if (framing != Framing::course || !loaded.camera || loaded.has_asset) return "";
+  return "the file has no <asset>, which would name the program that exported it: --camera course "
+         "takes it "
+         "for one that was written by hand, seen along the camera's own axis.";
+}
+
 Camera frame_camera(const LoadedScene& loaded, Framing framing, int width, int height) {
   assert(width > 0 && height > 0);
   const FileCamera from = loaded.camera.value_or(default_camera());

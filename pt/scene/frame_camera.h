@@ -3,6 +3,8 @@
 #include "pt/scene/camera.h"
 #include "pt/scene/load_collada.h"
 
+#include <string>
+
 namespace pt {
 
 // Chooses where the camera of a picture stands and how much it sees.
@@ -18,6 +20,9 @@ namespace pt {
 // All pixels are square. A scene without a camera is seen from +z with the field of view of
 // Blender's first camera (49.13 degrees, 4:3), whole, whatever the framing.
 enum class Framing { course, fit, file };
+
+// Says which rule of `course` is taken where the file does not tell who wrote it; else empty.
+std::string note_on_framing(const LoadedScene& loaded, Framing framing);
 
 // width and height in pixels, > 0.
 Camera frame_camera(const LoadedScene& loaded, Framing framing, int width, int height);

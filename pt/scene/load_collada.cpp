@@ -39,6 +39,7 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   LoadedScene loaded;
   loaded.course_profile = document.has_course_profile();
   loaded.exported = names_authoring_tool(document.root());
+  loaded.has_asset = document.root().FirstChildElement("asset") != nullptr;
   loaded.camera = read_camera(document, instances.cameras, instances.notes);
   append_new(loaded.notes, instances.notes);
 

@@ -30,6 +30,7 @@ struct LoadedScene {
   std::optional<FileCamera> camera;
   bool course_profile = false;  // the file has the course's own data (profile CGL or CMU462)
   bool exported = false;        // a program wrote the file, as its <authoring_tool> says
+  bool has_asset = false;       // the <asset> in which that would stand
   std::vector<std::string> unsupported_lights;  // "spot light 'Lamp'": what no Light can stand for
   std::vector<std::string> notes;               // corrections and ignored things, a sentence each
 };

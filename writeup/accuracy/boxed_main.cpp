@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
     run_call(call);
     pt::flush_standard_output();
   } catch (const writeup::SubmissionFailed& error) {
-    std::fprintf(stderr, "the submission cannot be measured: %s\n", error.what());
+    std::fprintf(stderr, "the submission cannot be measured: %s\n", pt::sentence_of(error).c_str());
     return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());

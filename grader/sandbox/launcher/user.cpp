@@ -1,24 +1,21 @@
 #include "grader/sandbox/launcher/user.h"
 
-#include "grader/sandbox/users.h"
 #include "pt/error.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstddef>
-#include <cstdio>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 #include <fcntl.h>
 #include <grp.h>
 #include <poll.h>
 #include <pwd.h>
 #include <sys/prctl.h>
-#include <sys/socket.h>
 #include <sys/syscall.h>
-#include <sys/un.h>
 #include <sys/wait.h>
 
 namespace grader::sandbox::box {
@@ -29,18 +26,6 @@ base::Descriptor open_process(pid_t pid) {
   base::Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
   if (!process.is_open()) throw pt::Error(std::string("no pidfd: ") + std::strerror(errno));
   return process;
-}
-
-// A name that goes with its last descriptor, and is not a file that others could put there first.
-base::Descriptor lock(uid_t id) {
-  base::Descriptor socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  sockaddr_un name{};
-  name.sun_family = AF_UNIX;
-  const int length = std::snprintf(name.sun_path + 1, sizeof name.sun_path - 1, "firstlight-box-%u",
-                                   static_cast<unsigned>(id));
-  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + length);
-  if (bind(socket.number(), reinterpret_cast<const sockaddr*>(&name), size) != 0) return {};
-  return socket;
 }
 
 // Dead processes count until somebody has asked for their status; hence the bound.
@@ -69,13 +54,12 @@ void close_all_but(std::array<int, 3> kept) {
 
 }  // namespace
 
-User take_user() {
+User take_any_user() {
   const auto start = static_cast<uid_t>(getpid());
   for (uid_t i = 0; i < kUsersOfTierB.count; ++i) {
     const uid_t id = kUsersOfTierB.first + (start + i) % kUsersOfTierB.count;
     if (getpwuid(id) != nullptr) continue;
-    base::Descriptor held = lock(id);
-    if (held.is_open()) return {id, std::move(held)};
+    if (std::optional<User> user = take_user(id)) return std::move(*user);
   }
   throw pt::Error("all users for boxes are taken");
 }

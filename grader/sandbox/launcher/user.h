@@ -1,21 +1,15 @@
 #pragma once
 
-#include "grader/base/descriptor.h"
+#include "grader/sandbox/users.h"
 
 #include <optional>
 
-#include <sys/types.h>
-
 namespace grader::sandbox::box {
 
-// A user that no other box has as long as `lock` is open anywhere.
-struct User {
-  uid_t id = 0;
-  base::Descriptor lock;
-};
+using sandbox::User;
 
-// Only root can have one. Throws pt::Error if all are taken.
-User take_user();
+// A user of tier B. Only root can have one. Throws pt::Error if all are taken.
+User take_any_user();
 
 // This process becomes the user, for good. Throws pt::Error if that cannot be.
 void become(const User& user);

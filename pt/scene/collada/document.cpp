@@ -59,6 +59,26 @@ std::string read_file(const std::filesystem::path& file) {
   return text;
 }
 
+// Adds an element to those of one id. Returns whether it is the first.
+bool is_new(ColladaDocument::Identified& known, const XMLElement& element) {
+  if (known.first == nullptr) {
+    known.first = &element;
+    return true;
+  }
+  if (known.second == nullptr) known.second = &element;
+  return false;
+}
+
+// The mesh that the element is a part of, or null.
+const XMLElement* mesh_around(const XMLElement& element) {
+  for (const tinyxml2::XMLNode* above = element.Parent(); above != nullptr;
+       above = above->Parent()) {
+    const XMLElement* found = above->ToElement();
+    if (found != nullptr && std::strcmp(found->Name(), "mesh") == 0) return found;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 ColladaDocument::ColladaDocument(const std::filesystem::path& file)
@@ -93,13 +113,9 @@ void ColladaDocument::parse(const std::string& text) {
 
 void ColladaDocument::index(const XMLElement& element) {
   if (const char* id = element.Attribute("id")) {
-    Identified& known = by_id_[std::string(element.Name()) + "#" + id];
-    if (known.first == nullptr) {
-      known.first = &element;
-    } else {
-      if (known.second == nullptr) known.second = &element;
-      if (duplicates_++ == 0) first_duplicate_ = &element;
-    }
+    const std::string key = std::string(element.Name()) + "#" + id;
+    if (!is_new(by_id_[key], element) && duplicates_++ == 0) first_duplicate_ = &element;
+    if (const XMLElement* mesh = mesh_around(element)) is_new(in_mesh_[{mesh, key}], element);
   }
   if (std::strcmp(element.Name(), "technique") == 0 && is_course_profile(element)) {
     has_course_profile_ = true;
@@ -130,36 +146,42 @@ std::string_view ColladaDocument::attribute(const XMLElement& element, const cha
   return value;
 }
 
-const XMLElement* ColladaDocument::find(const XMLElement& from, std::string_view url,
-                                        const char* kind) const {
-  if (url.empty() || url.front() != '#') return nullptr;
-  const auto found = by_id_.find(std::string(kind) + std::string(url));
-  if (found == by_id_.end()) return nullptr;
-  const auto [first, second] = found->second;
-  if (second != nullptr) {
-    fail(from, quoted(url) + " may be the <" + kind + "> of line " +
-                   std::to_string(first->GetLineNum()) + " or that of line " +
-                   std::to_string(second->GetLineNum()) + "; give each an id of its own");
+ColladaDocument::Identified ColladaDocument::find(const XMLElement& from, std::string_view url,
+                                                  const char* kind) const {
+  if (url.empty() || url.front() != '#') return {};
+  const std::string key = std::string(kind) + std::string(url);
+  if (const XMLElement* mesh = mesh_around(from)) {
+    const auto own = in_mesh_.find({mesh, key});
+    if (own != in_mesh_.end()) return own->second;
   }
-  return first;
+  const auto found = by_id_.find(key);
+  return found == by_id_.end() ? Identified{} : found->second;
+}
+
+std::string ColladaDocument::ambiguity(std::string_view url, const Identified& found) {
+  return quoted(url) + " may be the <" + found.first->Name() + "> of line " +
+         std::to_string(found.first->GetLineNum()) + " or that of line " +
+         std::to_string(found.second->GetLineNum());
 }
 
 const XMLElement& ColladaDocument::resolve(const XMLElement& from, const char* name,
                                            const char* kind) const {
   const std::string_view url = attribute(from, name);
-  const XMLElement* found = find(from, url, kind);
-  if (found == nullptr) {
+  const Identified found = find(from, url, kind);
+  if (found.first == nullptr) {
     fail(from, std::string("there is no <") + kind + "> with the id that " + quoted(url) +
                    " names; define it in this file or mend the " + name);
   }
-  return *found;
+  if (found.second != nullptr) fail(from, ambiguity(url, found) + "; give each an id of its own");
+  return *found.first;
 }
 
 std::string ColladaDocument::note_on_ids() const {
   if (first_duplicate_ == nullptr) return "";
   return std::to_string(duplicates_) + " elements have the id of another (the first: <" +
          first_duplicate_->Name() + "> " + quoted(first_duplicate_->Attribute("id")) + " in line " +
-         std::to_string(first_duplicate_->GetLineNum()) + "): nothing that is shown refers to it.";
+         std::to_string(first_duplicate_->GetLineNum()) +
+         "): what refers to one means that of its own mesh; else a note says which is taken.";
 }
 
 const XMLElement* course_child(const XMLElement& element, const char* name) {

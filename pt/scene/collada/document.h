@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 namespace tinyxml2 {
 class XMLDocument;
@@ -38,8 +40,16 @@ class ColladaDocument {
   // more than one.
   const XMLElement& resolve(const XMLElement& from, const char* attribute, const char* kind) const;
 
-  // The same for a url that stands at `from`, or null if there is none.
-  const XMLElement* find(const XMLElement& from, std::string_view url, const char* kind) const;
+  // The elements of that kind with the id of a url that stands at `from`: the first two, null where there are none.
+  // Of a mesh, its own parts come first, and alone: some exporters give the parts of every mesh the same ids.
+  struct Identified {
+    const XMLElement* first = nullptr;
+    const XMLElement* second = nullptr;
+  };
+  Identified find(const XMLElement& from, std::string_view url, const char* kind) const;
+
+  // "'#sun' may be the <light> of line 8 or that of line 9"
+  static std::string ambiguity(std::string_view url, const Identified& found);
 
   // A sentence about ids that several elements of one kind have; empty where there are none.
   std::string note_on_ids() const;
@@ -51,12 +61,8 @@ class ColladaDocument {
   std::string file_;
   std::unique_ptr<tinyxml2::XMLDocument> xml_;
   const XMLElement* root_ = nullptr;
-  // "kind#id": the first element that has it, and the second.
-  struct Identified {
-    const XMLElement* first = nullptr;
-    const XMLElement* second = nullptr;
-  };
-  std::unordered_map<std::string, Identified> by_id_;
+  std::unordered_map<std::string, Identified> by_id_;  // "kind#id"
+  std::map<std::pair<const XMLElement*, std::string>, Identified> in_mesh_;
   const XMLElement* first_duplicate_ = nullptr;
   std::size_t duplicates_ = 0;
   bool has_course_profile_ = false;

@@ -101,13 +101,15 @@ class NodeWalk {
     return std::nullopt;
   }
 
-  // Exporters leave instances of lights and cameras that they did not write: the scene can be shown
-  // without.
+  // Exporters leave instances of lights and cameras that they did not write, and write several with one id: the
+  // scene can be shown all the same.
   std::optional<Child> optional_child(Child::Kind kind, const XMLElement& child, const char* name) {
     const std::string_view url = document_.attribute(child, "url");
-    if (const XMLElement* target = document_.find(child, url, name)) {
-      return Child{kind, &child, target};
+    const ColladaDocument::Identified target = document_.find(child, url, name);
+    if (target.second != nullptr) {
+      found_.notes.push_back(ColladaDocument::ambiguity(url, target) + ": the first is taken.");
     }
+    if (target.first != nullptr) return Child{kind, &child, target.first};
     found_.notes.push_back(std::string("there is no <") + name + "> with the id that " +
                            quoted(url) + " names: the instance is left out.");
     return std::nullopt;

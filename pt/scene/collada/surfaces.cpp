@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::size_t kMaxPrimitives = 10'000'000;
 
+// Surfaces that a file writes once and shows again: a few lines can ask for any number of them.
+constexpr std::size_t kMaxCopies = 2'000'000;
+
 // The materials that an <instance_geometry> binds to the symbols of its mesh. Where none has a symbol, the only
 // binding serves all: a sphere has no symbol to bind, and some exporters bind another name.
 struct Bindings {
@@ -58,6 +61,7 @@ class SurfaceReader {
       : document_(document), options_(options) {}
 
   void add(const Instance& instance) {
+    is_copy_ = geometries_.contains(instance.target);
     const ColladaGeometry& geometry = read(*instance.target);
     if (geometry.sphere_radius) {
       add_sphere(instance, *geometry.sphere_radius);
@@ -96,6 +100,12 @@ class SurfaceReader {
     placed_ += more;
     if (placed_ > kMaxPrimitives) {
       document_.fail(*instance.element, "the scene has more than 10 million surfaces; use fewer");
+    }
+    if (is_copy_) copies_ += more;
+    if (copies_ > kMaxCopies) {
+      document_.fail(*instance.element,
+                     "more than 2 million surfaces of the scene are shown again by an instance of "
+                     "the same geometry; use fewer");
     }
   }
 
@@ -215,7 +225,9 @@ class SurfaceReader {
   const LoadOptions& options_;
   Surfaces found_;
   std::vector<int> material_of_spheres_;
+  bool is_copy_ = false;  // what is added now was added before
   std::size_t placed_ = 0;
+  std::size_t copies_ = 0;
   std::size_t without_area_ = 0;
   std::size_t without_material_ = 0;
   std::string first_without_material_;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// Files that are kept from run to run: whether they are what was written, as a loss of power may leave a file empty
+// or cut off; and folders of them that other judges use too.
+namespace grader::judge {
+
+// The size and a checksum of bytes, and of a file; empty if the file cannot be read. They find damage, and no
+// attacker: nobody but the judge writes there.
+std::string sum_of(std::string_view bytes);
+std::string sum_of_file(const std::string& path);
+
+// Writes the sum beside the file, as <path>.sum: before the file itself, which counts from then on.
+void note_sum(const std::string& path, const std::string& sum);
+
+// The file with its sum.
+void keep_file(const std::string& path, const std::string& bytes);
+
+// Returns whether the file is there, as its sum says.
+bool is_whole(const std::string& path);
+
+// The same for a folder, with the sums of all its files in one file in it.
+void note_sums(const std::string& folder);
+bool is_whole_folder(const std::string& folder);
+
+// Keeps the folder from being removed by any judge until this process ends. Returns whether it is there.
+bool use_folder(const std::string& folder);
+
+// Removes the folders beside this one that no process uses and that nobody has used within kInUse: those of other
+// versions of the project, its compiler or its flags. A time of the future is of a clock that was set back.
+void remove_unused_beside(const std::string& folder);
+
+}  // namespace grader::judge
