@@ -79,15 +79,13 @@ std::string unpack_one(const std::string& program, sandbox::Tier tier, const std
 
 intake::Unpack unpack_boxed(const judge::Config& config, const std::string& programs,
                             bool must_isolate) {
-  // A sanitised program finds no place for its shadow in a box.
-  const sandbox::Tier tier = process::kSanitized
-                                 ? sandbox::Tier::limits
-                                 : sandbox::probe_isolation(config.root, config.work).tier;
-  if (must_isolate && tier == sandbox::Tier::limits) {
-    throw pt::Error(
-        "nothing isolates submissions from this machine (./run grade says why); a class is graded "
-        "here with --not-isolated only");
+  const sandbox::Isolation found = sandbox::probe_isolation(config.root, config.work);
+  if (must_isolate && found.tier == sandbox::Tier::limits) {
+    throw pt::Error("nothing isolates submissions from this machine (" + found.why_not_better +
+                    "); --not-isolated grades a class all the same");
   }
+  // A sanitised program finds no place for its shadow in a box.
+  const sandbox::Tier tier = process::kSanitized ? sandbox::Tier::limits : found.tier;
   return [program = programs + "/unpack", tier](const std::string& archive,
                                                 const std::string& folder, intake::Extent extent) {
     return unpack_one(program, tier, archive, folder, extent);
