@@ -1,12 +1,16 @@
 // Points: the worth of promises and pictures, and the cost of one cause.
 #include "grader/results/points.h"
 
+#include "grader/judge/grade.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "tests/temporary_folder.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -234,6 +238,37 @@ TEST(points, of_parts_are_refused_with_what_is_wrong) {
               HasSubstr("parts.4 is not a part of the course; write 1_rays, 2_bvh"));
   EXPECT_THAT(why_refused(parts(R"({"4_global": -1})")),
               HasSubstr("parts.4_global is not a whole number from 0 to 1000"));
+}
+
+// In a run, what has no such name is known: the contract lists promises, the recipes pictures.
+TEST(points, name_promises_and_pictures_that_there_are) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() + "/grader");
+  for (const char* part : {"pt", "scenes", "golden"}) {
+    fs::create_directory_symlink(std::string(FIRSTLIGHT_ROOT "/") + part,
+                                 folder.path() + "/" + part);
+  }
+  judge::Config config;
+  config.root = folder.path();
+  config.tasks = {{"1_rays", "1.4", "hit_sphere", "any", {}}};
+  judge::GradeRequest request;
+  request.submission = folder.path();
+  request.asked = {"hit_sphere"};
+  const auto why = [&](const std::string& entry) -> std::string {
+    pt::write_file(folder.path() + "/grader/points.json",
+                   R"({"default": {}, "tasks": {"hit_sphere": )" + entry + "}}");
+    try {
+      judge::grade(config, request, [](const Results&) { throw std::runtime_error("begun"); });
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(why(R"({"promises": {"never_fails": 2}})"),
+              HasSubstr("points.json: never_fails is not a promise of its task"));
+  EXPECT_THAT(why(R"({"pictures": {"a_cat": 2}})"),
+              HasSubstr("points.json: a_cat is not a picture of its task"));
 }
 
 TEST(points, of_the_project_can_be_read) {
