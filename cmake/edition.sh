@@ -71,14 +71,14 @@ update() {
   [ ${#saved[@]} -eq 0 ] || echo "You had changed these, and what you had is kept here: $(printf '%s\n' "${saved[@]}" | sort -u | paste -sd' ')"
 }
 
-# submit [FILE.zip]: the twelve files, and what was graded last.
+# submit [FILE.zip]: the files of all tasks, and what was graded last.
 submit() {
   local target=${1:-firstlight-submission.zip} slug file half files=() last=$build/check/grader/graded/last changed
   case $target in *.zip) ;; *) fail "the archive is a .zip: ./run submit mine.zip" ;; esac
   target=$(realpath -m -- "$target")
   while read -r slug; do
     file=$(cd "$root/student" && find . -mindepth 2 -maxdepth 2 -name "$slug.cpp" -printf '%P\n')
-    [ -n "$file" ] || fail "there is no $slug.cpp in student/: all twelve files are handed in, stubs too"
+    [ -n "$file" ] || fail "there is no $slug.cpp in student/: all $(tasks_meant | wc -l) files are handed in, stubs too"
     files+=("$file")
   done < <(tasks_meant)
   half=$(mktemp -d)

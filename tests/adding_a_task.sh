@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Does what docs/adding_a_task.md says in a copy of the project, and grades the new task there: the reference
-# passes, the wrong solution fails its promise, the stub is not attempted.
+# passes, and so does the right solution; each wrong one fails its promise, and the stub is not attempted. The
+# tests of the table of tasks, of the layers and of the handbook hold with it.
 # adding_a_task.sh FOLDER: where the copy and its build are kept, so that a second run is quick.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -46,18 +47,36 @@ while IFS= read -r line; do
     '```'*) inside=1 block='' ;;
   esac
 done <"$page"
-[ "$steps" -ge 12 ] || fail "the page has $steps steps"
+[ "$steps" -ge 15 ] || fail "the page has $steps steps"
 
 # The new task, graded by the copy's own ./run.
 cd "$tree"
 grade() { ./run grade sphere_area --no-pictures "$@" 2>&1 || true; }
 said=$(grade --submission reference)
 grep -qE 'sphere_area +pass' <<<"$said" || fail "the reference does not pass: $said"
-mkdir -p "$1/wrong/6_extra"
-cp grader/tasks/sphere_area/wrong/of_one_circle.cpp "$1/wrong/6_extra/sphere_area.cpp"
-said=$(grade --submission "$1/wrong")
-grep -qE 'sphere_area +fail' <<<"$said" && grep -qF 'knows the unit sphere' <<<"$said" ||
-  fail "the wrong solution does not fail its promise: $said"
+mkdir -p "$1/solution/6_extra"
+for file in grader/tasks/sphere_area/wrong/*.cpp; do
+  cp "$file" "$1/solution/6_extra/sphere_area.cpp"
+  promise=$(sed -n '1s/^\/\/ breaks: //p' "$file")
+  said=$(grade --submission "$1/solution")
+  grep -qE 'sphere_area +fail' <<<"$said" || fail "$file does not fail: $said"
+  grep -qF "${promise//_/ }" <<<"$said" || fail "$file does not fail its promise '$promise': $said"
+done
+while read -r promise; do
+  grep -qxF "// breaks: $promise" grader/tasks/sphere_area/wrong/*.cpp || fail "no wrong solution breaks $promise"
+done < <(sed -n 's/^PROMISE(sphere_area, \(.*\)) {$/\1/p' grader/tasks/sphere_area/properties.cpp)
+for file in grader/tasks/sphere_area/right/*.cpp; do
+  cp "$file" "$1/solution/6_extra/sphere_area.cpp"
+  said=$(grade --submission "$1/solution")
+  grep -qE 'sphere_area +pass' <<<"$said" || fail "$file does not pass: $said"
+done
 said=$(grade --submission student)
 grep -qE 'sphere_area +not attempted' <<<"$said" || fail "the stub is not 'not attempted': $said"
-echo "a thirteenth task by $steps steps: graded"
+
+# What the project asks of every task.
+bash tests/handbook.sh >"$1/said" || fail "the handbook: $(cat "$1/said")"
+ninja -C build/check tasks_test layers_test >"$1/said" 2>&1 || fail "the tests are not built: $(tail -n 30 "$1/said")"
+for test in tasks_test layers_test; do
+  "build/check/grader/self_check/$test" --gtest_brief=1 >"$1/said" 2>&1 || fail "$test: $(cat "$1/said")"
+done
+echo "one task more by $steps steps: graded"

@@ -57,7 +57,7 @@ if [ -z "$engine" ]; then
   same_table here steps
 
   # A promise is worth more, and another one nothing: nobody is judged again, and it is told who gains and who loses.
-  sed -i 's/"hit_sphere": {}/"hit_sphere": {"promise": 2, "promises": {"PROMISE": 0}}/' "$folder/root/grader/points.json"
+  sed -i 's/"tasks": {}/"tasks": {"hit_sphere": {"promise": 2, "promises": {"PROMISE": 0}}}/' "$folder/root/grader/points.json"
   broken=$(python3 -c 'import json, sys; print(next(p["name"] for p in json.load(open(sys.argv[1]))["tasks"][0]["promises"] if not p["held"] and not p["bonus"]))' \
     "$folder/here/learner 3.json")
   sed -i "s/PROMISE/$broken/" "$folder/root/grader/points.json"

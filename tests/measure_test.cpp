@@ -1,4 +1,6 @@
 // The numbers of ./run measure: intervals, the front, and what is said of wrong answers.
+#include "grader/base/files.h"
+#include "grader/tasks.h"
 #include "pt/sampling/sampler.h"
 #include "writeup/measure/print.h"
 #include "writeup/measure/ranged.h"
@@ -12,6 +14,17 @@
 
 namespace writeup::measure {
 namespace {
+
+// Slugs are listed twice more: with what is measured of each, and with the calls of each.
+TEST(measure, knows_every_task_of_the_table) {
+  const std::string serve = grader::base::read_file(FIRSTLIGHT_ROOT "/writeup/measure/serve.cpp");
+  ASSERT_EQ(tasks().size(), grader::tasks().size());
+  for (std::size_t i = 0; i < tasks().size(); ++i) {
+    const std::string& slug = grader::tasks()[i].slug;
+    EXPECT_EQ(tasks()[i].slug, slug);
+    EXPECT_NE(serve.find("if (slug == \"" + slug + "\") return"), std::string::npos) << slug;
+  }
+}
 
 const About& about_of(const std::string& slug) {
   for (const About& about : tasks()) {

@@ -1,11 +1,16 @@
 // Points: the worth of promises and pictures, and the cost of one cause.
 #include "grader/results/points.h"
 
+#include "grader/judge/grade.h"
+#include "grader/tasks.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "tests/temporary_folder.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -133,6 +138,18 @@ TEST(points, of_pictures_and_bonuses_are_not_spared) {
   EXPECT_EQ(task.bonus_points, 0);
 }
 
+TEST(points, that_kept_state_costs_are_never_more_than_were_earned) {
+  TaskPoints points;
+  points.keeps_state = 3;
+  TaskResult task = example(5, 0);
+  task.keeps_state = true;
+  EXPECT_EQ(counted(task, points).points, 5 - 3);
+  task = example(5, 3);  // 2 points
+  task.keeps_state = true;
+  EXPECT_EQ(counted(task, points).points, 0);
+  EXPECT_EQ(counted(task, points).max_points, 5);
+}
+
 std::string why_refused(const std::string& text) {
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/points.json";
@@ -150,40 +167,44 @@ TEST(points, are_read_with_what_a_task_says_beside_the_defaults) {
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/points.json";
   pt::write_file(path, R"({"default": {"promise": 2, "picture": 4, "too_noisy": 1,
-    "one_cause": 0.5}, "tasks": {"a": {}, "b": {"promise": 3, "one_cause": 1,
+    "one_cause": 0.5}, "tasks": {"hit_box": {"promise": 3, "one_cause": 1,
     "promises": {"x": 7}, "pictures": {"y": 0}}}})");
   const Points points = load_points(path);
-  EXPECT_EQ(points.at("a").promise, 2);
-  EXPECT_EQ(points.at("a").one_cause, 0.5);
-  EXPECT_EQ(points.at("b").promise, 3);
-  EXPECT_EQ(points.at("b").picture, 4);
-  EXPECT_EQ(points.at("b").one_cause, 1);
-  EXPECT_EQ(points.at("b").promises.at("x"), 7);
-  EXPECT_EQ(points.at("b").pictures.at("y"), 0);
+  ASSERT_EQ(points.size(), tasks().size());
+  EXPECT_EQ(points.at("hit_sphere").promise, 2);  // which has no entry
+  EXPECT_EQ(points.at("hit_sphere").picture, 4);
+  EXPECT_EQ(points.at("hit_sphere").one_cause, 0.5);
+  EXPECT_EQ(points.at("hit_box").promise, 3);
+  EXPECT_EQ(points.at("hit_box").picture, 4);
+  EXPECT_EQ(points.at("hit_box").one_cause, 1);
+  EXPECT_EQ(points.at("hit_box").promises.at("x"), 7);
+  EXPECT_EQ(points.at("hit_box").pictures.at("y"), 0);
 }
 
 TEST(points, are_refused_with_what_is_wrong_and_where) {
   const auto task = [](const std::string& inside) {
-    return R"({"default": {}, "tasks": {"a": )" + inside + "}}";
+    return R"({"default": {}, "tasks": {"hit_box": )" + inside + "}}";
   };
   EXPECT_THAT(why_refused(""), HasSubstr("see grader/results/points.h"));
   EXPECT_THAT(why_refused("{}"), HasSubstr("default"));
   EXPECT_THAT(why_refused(R"({"default": {}})"), HasSubstr("tasks"));
-  EXPECT_THAT(why_refused(task("5")), HasSubstr("tasks.a is not an object"));
+  EXPECT_THAT(why_refused(task("5")), HasSubstr("tasks.hit_box is not an object"));
   EXPECT_THAT(why_refused(task(R"({"promis": 1})")),
-              HasSubstr("tasks.a.promis means nothing; write promise, picture"));
+              HasSubstr("tasks.hit_box.promis means nothing; write promise, picture"));
   for (const char* number : {"-1", "1.5", "1001", "18446744073709551615", "\"1\"", "null"}) {
     EXPECT_THAT(why_refused(task(std::string(R"({"promise": )") + number + "}")),
-                HasSubstr("tasks.a.promise is not a whole number from 0 to 1000"));
+                HasSubstr("tasks.hit_box.promise is not a whole number from 0 to 1000"));
     EXPECT_THAT(why_refused(task(std::string(R"({"pictures": {"x": )") + number + "}}")),
-                HasSubstr("tasks.a.pictures.x is not a whole number from 0 to 1000"));
+                HasSubstr("tasks.hit_box.pictures.x is not a whole number from 0 to 1000"));
   }
   EXPECT_THAT(why_refused(task(R"({"promises": [1]})")), HasSubstr("promises is not an object"));
+  EXPECT_THAT(why_refused(R"({"default": {}, "tasks": {"hit_shpere": {}}})"),
+              HasSubstr("tasks.hit_shpere is not a task; write one of estimate_pixel, camera_ray"));
   EXPECT_THAT(why_refused(R"({"default": {}, "tasks": [{}]})"),
               HasSubstr("tasks is not an object"));
   for (const char* share : {"-0.1", "1.01", "\"1\"", "null"}) {
     EXPECT_THAT(why_refused(task(std::string(R"({"one_cause": )") + share + "}")),
-                HasSubstr("tasks.a.one_cause is not a number from 0 to 1"));
+                HasSubstr("tasks.hit_box.one_cause is not a number from 0 to 1"));
   }
 }
 
@@ -219,9 +240,40 @@ TEST(points, of_parts_are_refused_with_what_is_wrong) {
               HasSubstr("parts.4_global is not a whole number from 0 to 1000"));
 }
 
+// In a run, what has no such name is known: the contract lists promises, the recipes pictures.
+TEST(points, name_promises_and_pictures_that_there_are) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() + "/grader");
+  for (const char* part : {"pt", "scenes", "golden"}) {
+    fs::create_directory_symlink(std::string(FIRSTLIGHT_ROOT "/") + part,
+                                 folder.path() + "/" + part);
+  }
+  judge::Config config;
+  config.root = folder.path();
+  config.tasks = {{"1_rays", "1.4", "hit_sphere", "any", {}}};
+  judge::GradeRequest request;
+  request.submission = folder.path();
+  request.asked = {"hit_sphere"};
+  const auto why = [&](const std::string& entry) -> std::string {
+    pt::write_file(folder.path() + "/grader/points.json",
+                   R"({"default": {}, "tasks": {"hit_sphere": )" + entry + "}}");
+    try {
+      judge::grade(config, request, [](const Results&) { throw std::runtime_error("begun"); });
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(why(R"({"promises": {"never_fails": 2}})"),
+              HasSubstr("points.json: never_fails is not a promise of its task"));
+  EXPECT_THAT(why(R"({"pictures": {"a_cat": 2}})"),
+              HasSubstr("points.json: a_cat is not a picture of its task"));
+}
+
 TEST(points, of_the_project_can_be_read) {
   const Points points = load_points(FIRSTLIGHT_ROOT "/grader/points.json");
-  EXPECT_EQ(points.size(), 12U);
+  EXPECT_EQ(points.size(), tasks().size());
   EXPECT_EQ(points.at("hit_box").one_cause, 0.5);
 }
 

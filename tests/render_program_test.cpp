@@ -3,6 +3,7 @@
 #include "pt/image/tone_map.h"
 #include "pt/math/vec3.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -168,7 +169,7 @@ TEST_F(RenderProgram, says_in_its_help_that_the_courses_camera_crops) {
   EXPECT_NE(said().find("cut a window"), std::string::npos) << said();
 }
 
-TEST_F(RenderProgram, refuses_a_survival_that_is_no_chance) {
+TEST_F(RenderProgram, refuses_a_survival_that_is_not_a_chance) {
   for (const char* chance : {"0", "1.1", "-0.5", "nan", "often"}) {
     EXPECT_EQ(run(std::string("scene.dae -s 1 -r 8 6 --survival ") + chance), 2) << chance;
     EXPECT_NE(said().find("--survival"), std::string::npos) << said();
@@ -190,6 +191,20 @@ class Options : public RenderProgram {
     double most = 0;
     for (const pt::FilmPixel& pixel : film.pixels) most = std::max(most, pixel.mean.g);
     return most;
+  }
+  static double mean(const pt::Film& film) {
+    double sum = 0;
+    for (const pt::FilmPixel& pixel : film.pixels) sum += pixel.mean.g;
+    return sum / static_cast<double>(film.pixels.size());
+  }
+  // Two numbers of the program's last report.
+  double triangles_per_ray() const {
+    const std::string text = said();
+    return std::stod(text.substr(text.find("boxes, ") + 7));
+  }
+  double million_rays() const {
+    const std::string text = said();
+    return std::stod(text.substr(text.find("CPU s; ") + 7));
   }
   static double noise(const pt::Film& film) {
     double sum = 0;
@@ -225,8 +240,70 @@ TEST_F(Options, give_the_pictures_of_the_plain_reference) {
   }
 }
 
-// Directions over the hemisphere never meet a point.
-TEST_F(Options, H_samples_the_hemisphere) { EXPECT_EQ(brightest(rendered("-s 4 -m 1 -H")), 0); }
+// A closed room whose walls reflect most of the light: later bounces add to it.
+TEST_F(Options, count_the_bounces_of_indirect_light) {
+  const std::string room = FIRSTLIGHT_SCENES "/pale_room.dae";
+  const double one = mean(rendered("-s 64 -m 1", room));
+  const double four = mean(rendered("-s 64 -m 4", room));
+  EXPECT_GT(four, 1.2 * one);
+  EXPECT_GT(mean(rendered("-s 64 -m 6", room)), 1.02 * four);
+  EXPECT_NEAR(mean(rendered("-s 64 -m 4 --show indirect", room)), four - one, 0.05 * four);
+}
+
+// Directions over the hemisphere never meet a point. They meet a lamp with an area, and its light is
+// the same as by light sampling, with more noise.
+TEST_F(Options, H_samples_the_hemisphere) {
+  EXPECT_EQ(brightest(rendered("-s 4 -m 1 -H")), 0);
+  const std::string room = FIRSTLIGHT_SCENES "/box_spheres.dae";
+  const pt::Film lights = rendered("-s 256 -m 1 --show bounce --bounce 1", room);
+  const pt::Film hemisphere = rendered("-s 256 -m 1 --show bounce --bounce 1 -H", room);
+  EXPECT_GT(mean(lights), 0.01);
+  EXPECT_NEAR(mean(hemisphere), mean(lights), 0.2 * mean(lights));
+  EXPECT_GT(noise(hemisphere), 2 * noise(lights));
+}
+
+// The mean stays; paths that end sooner make more noise.
+TEST_F(Options, survival_is_the_chance_to_go_on) {
+  const std::string options = "-s 128 -m 6 --show indirect --survival ";
+  const std::string room = FIRSTLIGHT_SCENES "/pale_room.dae";
+  const pt::Film all = rendered(options + "1", room);
+  const double tested = million_rays();
+  const pt::Film few = rendered(options + ".3", room);
+  EXPECT_NEAR(mean(few), mean(all), 0.1 * mean(all));
+  EXPECT_GT(noise(few), 1.5 * noise(all));
+  EXPECT_LT(million_rays(), 0.8 * tested);
+}
+
+TEST_F(Options, leaf_and_engine_say_how_much_is_tested_and_change_no_pixel) {
+  const std::string scene = FIRSTLIGHT_SCENES "/box_gems.dae";  // 150 triangles
+  rendered("-s 2 -m 1 --leaf 1", scene);
+  const std::string picture = contents("a.exr");
+  const double small = triangles_per_ray();
+  rendered("-s 2 -m 1 --leaf 64", scene);
+  EXPECT_EQ(contents("a.exr"), picture);
+  EXPECT_GT(triangles_per_ray(), 4 * small);
+  rendered("-s 2 -m 1 --engine linear", scene);
+  EXPECT_EQ(contents("a.exr"), picture);
+  EXPECT_NEAR(triangles_per_ray(), 150, 2);  // a shadow ray ends at its first hit
+}
+
+// The floor is a triangle, and darker away from the lamp above its middle. The file's camera sees
+// most of it, the course's cuts a small window out of a large picture, and the one that fits sees
+// the black around it too.
+TEST_F(Options, camera_frames_the_scene) {
+  const auto darkest_to_brightest = [&](const std::string& camera) {
+    EXPECT_EQ(run("scene.dae -f a.exr -r 16 12 -s 4 -m 1 --camera " + camera), 0) << said();
+    const pt::Film film = pt::read_exr(folder_ / "a.exr");
+    double least = brightest(film);
+    for (const pt::FilmPixel& pixel : film.pixels) least = std::min(least, pixel.mean.g);
+    return least / brightest(film);
+  };
+  const double file = darkest_to_brightest("file");
+  EXPECT_GT(file, 0.5);
+  EXPECT_LT(file, 0.95);
+  EXPECT_GT(darkest_to_brightest("course"), 0.98);
+  EXPECT_EQ(darkest_to_brightest("fit"), 0);
+}
 
 TEST_F(Options, exposure_multiplies_what_is_shown) {
   const pt::Film film = rendered("-s 1 -m 1");

@@ -26,6 +26,18 @@ refuses "say which task" debug
 refuses "'hit_me' is not a task" debug hit_me
 command -v blender >/dev/null || refuses "blender is missing" bench cycles
 
+# A tool that ./run lint needs and that is missing proves nothing: a failure where a warning is one.
+for werror in ON OFF; do
+  status=0
+  said=$(FIRSTLIGHT_WERROR=$werror bash -c '. cmake/lint.sh; root=$PWD build=/none
+    PATH=; lint_with compilers clang++-14 && lint_format' 2>&1) || status=$?
+  case $werror:$status:$said in
+    ON:1:'clang++-14 is missing: nothing is proven') ;;
+    OFF:0:*'clang-format-14 is missing: nothing is proven') ;;
+    *) echo "lint without its tools: FIRSTLIGHT_WERROR=$werror, status $status, and says: $said"; failures=$((failures + 1)) ;;
+  esac
+done
+
 # A checkout in a folder that CMake cannot read is told so; one with spaces and apostrophes is right.
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT

@@ -60,7 +60,7 @@ void check_names(const results::Points& points, const std::vector<Judged>& judge
   const auto check = [&](const auto& special, const auto& all, auto name, const char* what) {
     for (const auto& [key, worth] : special) {
       if (std::ranges::count(all, key, name) > 0 || all.empty()) continue;
-      throw pt::Error(fmt::format("{}: {} is no {} of its task", path, key, what));
+      throw pt::Error(fmt::format("{}: {} is not a {} of its task", path, key, what));
     }
   };
   for (const Judged& each : judged) {

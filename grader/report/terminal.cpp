@@ -4,6 +4,7 @@
 #include "grader/results/order.h"
 #include "grader/results/readable.h"
 #include "grader/results/summary.h"
+#include "grader/tasks.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -98,7 +99,7 @@ std::string failure_text(const results::Readable& readable) {
   std::vector<std::string> input = failure.input;
   if (readable.lines_left_out > 0) input.push_back(results::more_lines(readable.lines_left_out));
   std::string text;
-  if (failure.integrated) text += "  With all twelve tasks yours:\n";
+  if (failure.integrated) text += fmt::format("  With all {} tasks yours:\n", tasks().size());
   text += labelled("input", input);
   if (!failure.what.empty()) text += labelled("compared", {failure.what});
   text += labelled("got", {failure.got}) + labelled("expected", {failure.expected});
@@ -133,7 +134,7 @@ std::string picture_text(const results::TaskResult& task, const results::Picture
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
-  if (picture.integrated) text += "  With all twelve tasks yours:\n";
+  if (picture.integrated) text += fmt::format("  With all {} tasks yours:\n", tasks().size());
   for (const std::string& line : base::wrap(picture.text, style.width - 2))
     text += "  " + line + "\n";
   text += "\n";

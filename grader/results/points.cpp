@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -68,6 +70,26 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
   return points;
 }
 
+// All tasks of the course: as they are by default, but for what is said of one.
+Points read_tasks(const json& from, const TaskPoints& usual) {
+  if (!from.is_object()) throw pt::Error("tasks is not an object");
+  Points points;
+  std::vector<std::string> slugs;
+  for (const Task& task : tasks()) {
+    slugs.push_back(task.slug);
+    points[task.slug] = usual;
+  }
+  for (const auto& [slug, task] : from.items()) {
+    const auto found = points.find(slug);
+    if (found == points.end()) {
+      throw pt::Error(
+          fmt::format("tasks.{} is not a task; write one of {}", slug, fmt::join(slugs, ", ")));
+    }
+    found->second = read_task(task, usual, "tasks." + slug);
+  }
+  return points;
+}
+
 void multiply(TaskPoints& points, int weight) {
   for (int* each : {&points.promise, &points.picture, &points.too_noisy, &points.keeps_state}) {
     *each *= weight;
@@ -86,7 +108,7 @@ void weigh_parts(const json& parts, Points& points) {
                                   fmt::join(known, ", ")));
     }
     for (const Task& task : tasks()) {
-      if (task.part == part && points.contains(task.slug)) multiply(points[task.slug], weight);
+      if (task.part == part) multiply(points[task.slug], weight);
     }
   }
 }
@@ -118,11 +140,7 @@ Points load_points(const std::string& path) {
   try {
     const json all = json::parse(base::read_file(path));
     const TaskPoints usual = read_task(all.at("default"), {}, "default");
-    Points points;
-    if (!all.at("tasks").is_object()) throw pt::Error("tasks is not an object");
-    for (const auto& [slug, task] : all.at("tasks").items()) {
-      points[slug] = read_task(task, usual, "tasks." + slug);
-    }
+    Points points = read_tasks(all.at("tasks"), usual);
     if (all.contains("parts")) weigh_parts(all.at("parts"), points);
     return points;
   } catch (const json::exception& error) {

@@ -25,6 +25,8 @@ using Points = std::map<std::string, TaskPoints>;  // by slug
 //    "default": {"promise": n, "picture": n, "too_noisy": n, "keeps_state": n,
 //                "one_cause": share},
 //    "tasks": {slug: {as above, "promises": {name: n}, "pictures": {recipe: n}}}}
+// A task that "tasks" does not name has the points of the default; one that is not in the table of
+// tasks is refused.
 // All points of a part ("4_global") are multiplied by what "parts" says of it, if anything; 0: the
 // course leaves it out. Throws pt::Error, with the file and what to do, for anything else.
 Points load_points(const std::string& path);

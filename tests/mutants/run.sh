@@ -11,7 +11,7 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
 table=$here/mutants.txt
-least=61
+least=218
 limit=300 # seconds that a test may take
 
 fail() {
