@@ -116,6 +116,20 @@ full_help() {
   [ "$count" -ge 3 ] || complain "only $count programs have --help"
 }
 
+# The name of a file is no command to a terminal: no control character, no other direction of writing, valid UTF-8.
+plain_names() {
+  local name=$'a\e[31m\xe2\x80\xae\xff.png'
+  "$build/pt/render" scenes/star.dae -f "$folder/$name" -s 1 -r 8 6 >"$folder/said" 2>&1
+  says 'wrote '
+  "$build/pt/render" scenes/star.dae -f "$folder/none/$name" -s 1 -r 8 6 >>"$folder/said" 2>&1 || true
+  says 'there is no folder'
+  python3 - "$folder/said" <<'END' || complain "a name is shown as it is:" "$(cat -v "$folder/said")"
+import sys
+text = open(sys.argv[1], encoding="utf-8").read()
+sys.exit(any(c in text for c in "\x1b\u202e"))
+END
+}
+
 # What a submission consists of is read with the same care before any box: a named pipe and an endless file end
 # nothing, and what may be right has its pictures.
 named_programs() {
@@ -317,6 +331,7 @@ damaged_cache() {
 
 full_output
 full_help
+plain_names
 named_programs
 full_disk
 killed_compiler
