@@ -257,7 +257,7 @@ sandbox::Box Builder::tool_box(const ToolFolder& place) const {
                    true,
                    kCompilerLimits};
   box.limits.cpu_seconds = seconds_;
-  if (config_.compiler_version.starts_with("GNU ")) report_killed_parts(box, place);
+  if (config_.compiler_version.starts_with("GNU ")) report_parts(box, place);
   return box;
 }
 

@@ -15,32 +15,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Under which the box has the write end for parts that were killed.
-constexpr int kKilled = 3;
+// Under which the box has the write end for how the tool's parts end (tool_part.h).
+constexpr int kParts = 3;
 
 // gcc splits the command of its wrapper at commas, which a folder's name may have.
 constexpr const char* kLauncher = "./launcher";
 
 constexpr int kNotFound = 127;
 
+// Returns whether a tool that failed has lost a part: one began, and none failed by itself. Then
+// something killed it, or the program that watched it.
+bool lost_a_part(const base::Descriptor& parts) {
+  bool begun = false, failed = false;
+  for (char byte = 0; read(parts.number(), &byte, 1) == 1;) {
+    begun = begun || byte == 'b';
+    failed = failed || byte == 'f';
+  }
+  return begun && !failed;
+}
+
 }  // namespace
 
-void report_killed_parts(sandbox::Box& box, const ToolFolder& place) {
+void report_parts(sandbox::Box& box, const ToolFolder& place) {
   const std::string launcher = sandbox::launcher_path();
   if (!fs::exists(launcher)) return;
   fs::create_symlink(launcher, fs::path(place.folder()) / kLauncher);
   box.visible.push_back(launcher);
   box.command.insert(box.command.end(),
-                     {"-wrapper", fmt::format("{},--killed={},--", kLauncher, kKilled)});
+                     {"-wrapper", fmt::format("{},--part={},--", kLauncher, kParts)});
 }
 
 ToolRun run_tool(sandbox::Box box, sandbox::Tier tier, int seconds) {
   const base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
-  const base::Pipe killed = base::make_pipe(), launcher = base::make_pipe();
-  base::set_nonblocking(killed.read_end);
+  const base::Pipe parts = base::make_pipe(), launcher = base::make_pipe();
+  base::set_nonblocking(parts.read_end);
   base::set_nonblocking(launcher.read_end);
-  box.descriptors = {nothing.number(), nothing.number(), nothing.number(),
-                     killed.write_end.number(), launcher.write_end.number()};
+  box.descriptors = {nothing.number(), nothing.number(), nothing.number(), parts.write_end.number(),
+                     launcher.write_end.number()};
   box.tells_start = true;
   ToolRun run;
   run.result = process::run_command(sandbox::boxed(box, tier), std::chrono::seconds(seconds));
@@ -51,9 +62,8 @@ ToolRun run_tool(sandbox::Box box, sandbox::Tier tier, int seconds) {
   run.started = tier == sandbox::Tier::limits
                     ? !(WIFEXITED(status) && WEXITSTATUS(status) == kNotFound)
                     : told.has_started();
-  char byte = 0;
   run.killed = (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) ||
-               read(killed.read_end.number(), &byte, 1) == 1;
+               (!run.result.ok() && lost_a_part(parts.read_end));
   return run;
 }
 

@@ -11,7 +11,7 @@ namespace grader::judge {
 struct ToolRun {
   process::CommandResult result;
   bool started = false;  // the box was made, and the program began
-  bool killed = false;   // SIGKILL ended it, or a part of it that report_killed_parts() knows
+  bool killed = false;   // SIGKILL ended it, or a part of it that report_parts() knows
 };
 
 // For so many seconds at most. The first descriptors of the box are set here.
@@ -19,6 +19,6 @@ ToolRun run_tool(sandbox::Box box, sandbox::Tier tier, int seconds);
 
 // The command is gcc's driver: how its parts (cc1plus, as) end is told to run_tool(). Other compilers
 // are one process. To be called before words are added to the command.
-void report_killed_parts(sandbox::Box& box, const ToolFolder& place);
+void report_parts(sandbox::Box& box, const ToolFolder& place);
 
 }  // namespace grader::judge

@@ -96,7 +96,7 @@ void enter(const std::string& folder, const std::optional<User>& user) {
 int main(int argc, char** argv) {
   try {
     const Options options = parse(argc, argv);
-    if (options.killed >= 0) return run_tool_part(options.command, options.killed);
+    if (options.part >= 0) return run_tool_part(options.command, options.part);
     run(options);
   } catch (const pt::Error& error) {
     std::fprintf(stderr, "box: %s\n", error.what());

@@ -43,8 +43,8 @@ void take(Options& options, std::string_view word) {
     options.user = static_cast<uid_t>(number(value));
   } else if (name == "--started") {
     options.started = static_cast<int>(number(value));
-  } else if (name == "--killed") {
-    options.killed = static_cast<int>(number(value));
+  } else if (name == "--part") {
+    options.part = static_cast<int>(number(value));
   } else if (name == "--landlock") {
     options.landlock = static_cast<long>(number(value));
   } else if (name == "--files") {

@@ -18,7 +18,7 @@ struct Options {
   process::Limits limits;
   uid_t user = 0;        // inside: to become, not 0; 0: stay who it is
   int started = -1;      // a descriptor that is told of the start; -1: none
-  int killed = -1;       // this runs a part of a tool (tool_part.h): a descriptor; -1: it does not
+  int part = -1;         // this runs a part of a tool (tool_part.h): a descriptor; -1: it does not
   long landlock = 1000;  // the newest version of Landlock to use; 0: none
   std::vector<char*> command;  // ends with nullptr, as exec wants it
 };

@@ -13,8 +13,12 @@
 
 namespace grader::sandbox::box {
 
-int run_tool_part(const std::vector<char*>& command, int killed) {
-  fcntl(killed, F_SETFD, FD_CLOEXEC);
+int run_tool_part(const std::vector<char*>& command, int parts) {
+  fcntl(parts, F_SETFD, FD_CLOEXEC);
+  const auto tell = [&](const char* byte) {
+    if (write(parts, byte, 1) != 1) throw pt::Error("nobody listens to the parts of a tool");
+  };
+  tell("b");
   const pid_t part = fork();
   if (part < 0) throw pt::Error(std::string("no process: ") + std::strerror(errno));
   if (part == 0) {
@@ -24,9 +28,12 @@ int run_tool_part(const std::vector<char*>& command, int killed) {
   int status = 0;
   while (waitpid(part, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
+  if (!WIFSIGNALED(status)) {
+    if (WEXITSTATUS(status) != 0) tell("f");
+    return WEXITSTATUS(status);
+  }
   const int signal = WTERMSIG(status);
-  if (signal == SIGKILL && write(killed, "k", 1) != 1) return 127;
+  if (signal != SIGKILL) tell("f");
   std::fprintf(stderr, "%s: error: it ended with signal %d (%s)\n", command[0], signal,
                strsignal(signal));
   return 128 + signal;
