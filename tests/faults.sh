@@ -8,6 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$1
 grader=$build/grader
 folder=$(mktemp -d)
+chmod 755 "$folder" # another user judges there
 mounted=
 end() {
   [ -z "$mounted" ] || umount "$mounted" || true
@@ -207,6 +208,15 @@ no_worker() {
   grades worker 0 "${asked[@]}" --isolation B
 }
 
+# Root judges as another user, who cannot enter a folder of root's.
+unreachable_work() {
+  [ "$(id -u)" -eq 0 ] || return 0
+  mkdir -m 700 "$folder/closed"
+  prepare closed/in
+  grades closed/in 2 "${asked[@]}" --isolation B
+  says 'its user cannot reach'
+}
+
 # Interrupted at any moment: nothing is lost, and nothing stays.
 interrupted() {
   local pause judge
@@ -338,6 +348,7 @@ named_programs
 full_disk
 killed_compiler
 no_worker
+unreachable_work
 interrupted
 left_reports
 resumed_elsewhere

@@ -1,4 +1,4 @@
-// box_probe FILE USER: says, a word per line, what holds in the box in which it runs.
+// box_probe FILE USER FOLDER: says, a word per line, what holds in the box in which it runs.
 #include <cstdio>
 #include <cstdlib>
 
@@ -30,12 +30,13 @@ bool can_start_processes() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
+  if (argc != 4) return 2;
   if (!can_read(argv[1])) std::puts("root");
   if (!can_read("/etc/passwd")) std::puts("files");
   if (socket(AF_INET, SOCK_DGRAM, 0) < 0) std::puts("sockets");
   if (getuid() != std::strtoul(argv[2], nullptr, 10)) std::puts("user");
   if (!can_start_processes()) std::puts("processes");
   if (can_write()) std::puts("write");
+  if (can_read(argv[3])) std::puts("kept");
   return 0;
 }

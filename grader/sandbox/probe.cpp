@@ -31,6 +31,7 @@ struct Scratch {
     fs::create_directories(work, error);
     if (!error) path = pt::temporary_name(fs::canonical(work, error) / "probe");
     if (!error) fs::create_directory(path, error);
+    if (!error) fs::permissions(path, fs::perms(0755), error);  // whatever the umask is
     if (error) throw pt::Error(work + ": no folder can be made here (" + error.message() + ")");
   }
   ~Scratch() {
@@ -70,12 +71,19 @@ std::set<std::string> what_holds(const process::CommandResult& result) {
   return holds;
 }
 
-process::CommandResult run_probe(const std::string& root, const std::string& folder, Tier tier) {
+// `folder` is the box's own, and `kept` one that it sees as well, as a compiler's box sees headers.
+process::CommandResult run_probe(const std::string& root, const std::string& folder,
+                                 const std::string& kept, Tier tier) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "box_probe";
-  Box box{
-      {program, root + "/CMakeLists.txt", std::to_string(getuid())}, {}, {}, {}, folder, false, {}};
+  Box box{{program, root + "/CMakeLists.txt", std::to_string(getuid()), kept},
+          {},
+          {},
+          {},
+          folder,
+          false,
+          {}};
   box.tools = !folder.empty();
-  if (box.tools) box.visible = {program};
+  if (box.tools) box.visible = {program, kept};
   box.limits = {.cpu_seconds = 10,
                 .address_space = std::uint64_t{1} << 30,
                 .file_size = std::uint64_t{1} << 20,
@@ -91,10 +99,10 @@ std::string first_sentence(const std::string& text) {
 }
 
 Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
-  const Scratch scratch(work);
+  const Scratch scratch(work), kept(work);
   std::set<std::string> holds;
   for (const std::string& folder : {std::string(), scratch.path}) {
-    const process::CommandResult result = run_probe(root, folder, tier);
+    const process::CommandResult result = run_probe(root, folder, kept.path, tier);
     if (!result.ok()) {
       return {"", first_sentence(result.output)};
     }
@@ -102,6 +110,10 @@ Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
     if (!now.contains("root"))
       return {"", "there is no Landlock, and everybody may enter " + root + " (chmod 700 it)"};
     if (!folder.empty() && !now.contains("write")) return {"", "it cannot write in a folder"};
+    if (!folder.empty() && !now.contains("kept")) {
+      return {"", fmt::format("its user cannot reach {} (chmod go+x that folder and those above)",
+                              work)};
+    }
     if (folder.empty()) holds = now;
   }
   if (tier == Tier::restricted && !holds.contains("processes")) {
