@@ -13,8 +13,8 @@
 namespace pt {
 namespace {
 
-constexpr double kLeastPart = 0.01;  // of the picture, to be a region of its own
-constexpr double kUnits = 1e6;       // planes that differ by less than a millionth are one
+constexpr double kMinPart = 0.01;  // of the picture, to be a region of its own
+constexpr double kUnits = 1e6;     // planes that differ by less than a millionth are one
 
 // The kind of surface at a point of the picture: a sphere, a plane, or anything else of a material.
 struct Surface {
@@ -91,7 +91,7 @@ std::vector<Region> find_regions(const View& view) {
   std::map<int, Region> small;  // by material
   for (auto& [surface, region] : found) {
     const auto size = static_cast<double>(region.pixels.size());
-    if (size >= kLeastPart * static_cast<double>(picture.pixels.size())) {
+    if (size >= kMinPart * static_cast<double>(picture.pixels.size())) {
       regions.push_back({name_of(surface, view.scene), std::move(region.pixels)});
       continue;
     }

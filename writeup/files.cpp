@@ -31,9 +31,9 @@ double rounded(double value) {
 
 // Nine bits of each channel and a common exponent in 32 bits (Khronos, EXT_texture_shared_exponent).
 std::uint32_t shared_exponent(const pt::Rgb& color) {
-  constexpr double kMost = 65408;
-  const double r = std::clamp(color.r, 0.0, kMost), g = std::clamp(color.g, 0.0, kMost),
-               b = std::clamp(color.b, 0.0, kMost);
+  constexpr double kMax = 65408;
+  const double r = std::clamp(color.r, 0.0, kMax), g = std::clamp(color.g, 0.0, kMax),
+               b = std::clamp(color.b, 0.0, kMax);
   const double largest = std::max({r, g, b});
   if (!(largest > 0)) return 0;
   int exponent = std::max(-16, std::ilogb(largest)) + 16;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMaxText = std::size_t{1} << 24;
-constexpr double kLeastLimit = 60, kPatience = 10;  // seconds, and times what it should take
+constexpr double kMinLimit = 60, kPatience = 10;  // seconds, and times what it should take
 
 fs::path with_ending(const fs::path& folder, const char* ending) {
   return fs::path(folder) += ending;
@@ -92,7 +92,7 @@ bool make_one(const Measurements& measurements, const Measurement& measurement, 
     words.insert(words.end(), {"-t", std::to_string(threads)});
   }
   words.insert(words.end(), {"--out", unfinished.string()});
-  const double limit = std::max(kLeastLimit, kPatience * measurement.seconds) * threads;
+  const double limit = std::max(kMinLimit, kPatience * measurement.seconds) * threads;
   const auto result =
       grader::process::run_command({words, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}},
                                    std::chrono::milliseconds(static_cast<long long>(1000 * limit)));

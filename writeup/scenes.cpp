@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kDraftMesh = 10;  // times fewer triangles
-constexpr std::chrono::minutes kMostTime{5};
+constexpr std::chrono::minutes kMaxTime{5};
 
 }  // namespace
 
@@ -86,7 +86,7 @@ void Scenes::prepare(const std::string& name) const {
                                  file};
   if (source.room) words.emplace_back("--room");
   const auto result =
-      grader::process::run_command({words, {"PATH=/usr/bin"}, {}, "", {}}, kMostTime);
+      grader::process::run_command({words, {"PATH=/usr/bin"}, {}, "", {}}, kMaxTime);
   if (!result.ok()) throw pt::Error(file + " could not be made: " + result.output);
 }
 

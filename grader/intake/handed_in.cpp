@@ -26,9 +26,9 @@ constexpr int kMaxAround = 8;  // folders around everything
 
 // Names of files and folders for the class as a whole, beside which the reports lie.
 const std::set<std::string>& reserved_names() {
-  static const std::set<std::string> names{"class",    "plan",   "compare",  "names",
-                                           "canvas",   "moodle", "feedback", "seed",
-                                           "unpacked", "joblog", "slurm"};
+  static const std::set<std::string> names{"class",      "plan",     "compare",  "names",
+                                           "canvas",     "moodle",   "feedback", "seed",
+                                           "gradescope", "unpacked", "joblog",   "slurm"};
   return names;
 }
 

@@ -18,38 +18,38 @@ std::string command(const GradeOptions& options) {
 GradeOptions parse_options(const std::vector<std::string>& words) {
   GradeOptions options;
   CLI::App app{"Judges a submission: every task, or those asked for", "./run grade"};
-  app.add_option("what", options.what, "tasks (hit_triangle), parts (1) or exercises (1.3)");
-  app.add_option("--submission", options.submission, "a folder with the tree of student/")
+  app.add_option("what", options.what, "Tasks (hit_triangle), parts (1) or exercises (1.3)");
+  app.add_option("--submission", options.submission, "A folder with the tree of student/")
       ->check(CLI::ExistingDirectory);
   app.add_option("--name", options.name,
-                 "who handed it in: reports say this, and no path of this machine");
-  app.add_flag("--all", options.all, "show every failure, not only the first");
-  app.add_flag("--quiet", options.quiet, "do not say on standard error how far it is");
-  app.add_flag("--no-pictures", options.no_pictures, "judge the promises only");
-  app.add_option("--json", options.files.json, "also write the results to this file");
-  app.add_option("--html", options.files.html, "also write a page with all pictures");
+                 "Who handed it in: reports say this, and no path of this machine");
+  app.add_flag("--all", options.all, "Show every failure, not only the first");
+  app.add_flag("--quiet", options.quiet, "Do not say on standard error how far it is");
+  app.add_flag("--no-pictures", options.no_pictures, "Judge the promises only");
+  app.add_option("--json", options.files.json, "Also write the results to this file");
+  app.add_option("--html", options.files.html, "Also write a page with all pictures");
   app.add_flag("--small-page", options.files.small_page,
-               "leave the numbers of pixels out of that page, and maps of pictures that are right");
-  app.add_option("--junit", options.files.junit, "also write JUnit's XML");
-  app.add_option("--gradescope", options.files.gradescope, "also write Gradescope's results.json");
-  app.add_option("--csv", options.files.csv, "also write a table, a line per task");
-  app.add_option("--from-results", options.from_results, "judge nothing: report what --json wrote");
-  app.add_option("--seed", options.seed, "the seed of all random inputs");
-  app.add_option("--call-limit", options.call_limit, "milliseconds that one call may take")
+               "Leave the numbers of pixels out of that page, and maps of pictures that are right");
+  app.add_option("--junit", options.files.junit, "Also write JUnit's XML");
+  app.add_option("--gradescope", options.files.gradescope, "Also write Gradescope's results.json");
+  app.add_option("--csv", options.files.csv, "Also write a table, a line per task");
+  app.add_option("--from-results", options.from_results, "Judge nothing: report what --json wrote");
+  app.add_option("--seed", options.seed, "The seed of all random inputs");
+  app.add_option("--call-limit", options.call_limit, "Milliseconds that one call may take")
       ->check(CLI::PositiveNumber);
-  app.add_option("--compile-limit", options.compile_limit, "seconds that compiling a file may take")
+  app.add_option("--compile-limit", options.compile_limit, "Seconds that compiling a file may take")
       ->check(CLI::PositiveNumber);
-  app.add_option("--threads", options.threads, "how many jobs run at the same time")
+  app.add_option("--threads", options.threads, "How many jobs run at the same time")
       ->check(CLI::Range(1, 256));
   app.add_option("--isolation", options.isolation,
                  "A (bubblewrap), B (another user) or C (none); default: the best that works here");
   app.add_flag("--require-isolation", options.require_isolation,
-               "stop if only tier C (none) works");
-  app.add_flag("--resume", options.resume, "go on with the run that was interrupted");
-  app.add_flag("--programs", options.programs, "say which programs it needs, for ./run")->group("");
-  app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+               "Stop if only tier C (none) works");
+  app.add_flag("--resume", options.resume, "Go on with the run that was interrupted");
+  app.add_flag("--programs", options.programs, "Say which programs it needs, for ./run")->group("");
+  app.add_option("--config", options.config, "What CMake wrote (grade.json)");
   app.add_option("--work", options.work,
-                 "the folder of compiled files and known results; default: as --config says");
+                 "The folder of compiled files and known results; default: as --config says");
   std::vector<std::string> reversed(words.rbegin(), words.rend());
   try {
     app.parse(reversed);

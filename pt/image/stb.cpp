@@ -8,8 +8,8 @@ namespace {
 // A file states sizes of its own, and stb_image asks for so much memory before it reads on: 2 GiB for a PNG
 // of 200 bytes. More than the largest picture takes is refused.
 void* bounded_realloc(void* old, std::size_t size) {
-  constexpr std::size_t kMost = std::size_t{1} << 30;
-  return size > kMost ? nullptr : std::realloc(old, size);
+  constexpr std::size_t kMax = std::size_t{1} << 30;
+  return size > kMax ? nullptr : std::realloc(old, size);
 }
 
 }  // namespace

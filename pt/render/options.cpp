@@ -74,7 +74,7 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();
   app.add_option("-l,--light-samples", options.light_samples,
-                 "Samples an area light (with -H: directions)")
+                 "Samples per area light (with -H: directions)")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option("-m,--bounces", options.bounces,
@@ -107,7 +107,7 @@ void describe_machine(CLI::App& app, RenderOptions& options) {
       ->transform(CLI::CheckedTransformer(kEngineWords, CLI::ignore_case).description(""))
       ->type_name("task|linear|wide")
       ->default_str("task");
-  app.add_option("--leaf", options.max_leaf, "Most primitives in a leaf of the BVH")
+  app.add_option("--leaf", options.max_leaf, "Maximum number of primitives in a leaf of the BVH")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "Same seed, same picture, bit for bit")

@@ -11,7 +11,7 @@ namespace {
 
 }  // namespace
 
-// TODO: return the BSDF of a matt surface, and choose directions of which you know the density.
+// TODO: return the BSDF of a diffuse surface, and choose directions of which you know the density.
 Rgb diffuse_f(Rgb albedo, Vec3 wo, Vec3 wi) {
   todo("diffuse_bsdf");
   return {};

@@ -19,7 +19,7 @@ using Direct = pt::PathSettings::Direct;
 const Way kCourse{Direct::lights, 5, 0.7};
 constexpr int kCourseLightSamples = 4;
 
-constexpr double kMostBias = 0.1;     // of error^2: then bounces cost more than they mend
+constexpr double kMaxBias = 0.1;      // of error^2: then bounces cost more than they mend
 constexpr double kWorthTrying = 0.7;  // of error^2: with more bias there is no room for noise
 constexpr int kFewerBounces = 3;      // that are tried
 constexpr double kSignificant = 4;    // standard errors
@@ -39,7 +39,7 @@ bool is_better(const Option& a, const Option& b) {
 
 int bounces_needed(const Study& study, double error) {
   for (int m = 1; m <= kToldApart; ++m) {
-    if (study.bias2_at(m) <= kMostBias * error * error) return m;
+    if (study.bias2_at(m) <= kMaxBias * error * error) return m;
   }
   return kAllBounces;
 }
@@ -60,7 +60,7 @@ std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best,
   const Choice& choice = *best.choice;
   if (choice.samples < 16) return std::nullopt;
   const int batch = std::clamp(choice.samples / 8, 4, 32);
-  pt::AdaptiveSettings settings{std::min(16 * choice.samples, kMostSamples), batch, 0.05};
+  pt::AdaptiveSettings settings{std::min(16 * choice.samples, kMaxSamples), batch, 0.05};
   const std::vector<Study::PixelNoise> noise = study.pixel_noise(best.way, choice.light_samples);
   const double left = error * error - best.model.bias2;
   settings.tolerance = tolerance_for(noise, settings, left);
@@ -89,7 +89,7 @@ double part_with_smooth_normals(const pt::View& view) {
 }
 
 std::optional<Uncertain> look_without_tree(Study& study, const pt::View& view, const Option& best) {
-  if (view.scene.primitives.size() > kMostWithoutTree) return std::nullopt;
+  if (view.scene.primitives.size() > kMaxWithoutTree) return std::nullopt;
   pt::Scene linear = view.scene;
   choose_engine(linear, pt::Engine::linear, 4);
   return study.times_as_long(linear, best.way, best.choice->light_samples);
@@ -146,7 +146,7 @@ Answer find_cheapest(Study& study, const pt::View& view, double error) {
     throw pt::Error(
         fmt::format("an error of {:g} % needs more than {} samples per pixel; ask for a larger one "
                     "with --error",
-                    100 * error, kMostSamples));
+                    100 * error, kMaxSamples));
   }
   answer.course = bounces == kCourse.bounces
                       ? answer.survivals[0]

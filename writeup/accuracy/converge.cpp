@@ -54,7 +54,7 @@ MethodCurve measured(Study& study, const Method& method, double part) {
   for (std::size_t i = 0; i < std::size(kSamples); ++i) {
     pt::RenderSettings settings{kSamples[i], {}, 0, 1};
     if (method.adaptive) {
-      settings.adaptive = pt::AdaptiveSettings{kMostAdaptive, kBatch, kTolerances[i]};
+      settings.adaptive = pt::AdaptiveSettings{kMaxAdaptive, kBatch, kTolerances[i]};
     }
     curve.points.push_back(study.check(path, settings, kSamples[i] * tried.seconds.value, 0,
                                        part / std::size(kSamples)));
@@ -127,7 +127,7 @@ std::vector<Method> methods_in(const pt::Scene& scene, int bounces, pt::Engine e
                                                         {pt::Engine::task, "the tree of part 2"},
                                                         {pt::Engine::linear, "no tree"}};
   for (const auto& [other, title] : engines) {
-    const bool slow = other == pt::Engine::linear && scene.primitives.size() > kMostWithoutTree;
+    const bool slow = other == pt::Engine::linear && scene.primitives.size() > kMaxWithoutTree;
     if (other == engine || slow) continue;
     all.push_back({std::string(name(other)), fmt::format("lights, l = 1, {}", title), usual, 1,
                    false, other});

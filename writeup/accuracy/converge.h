@@ -58,7 +58,7 @@ const MethodCurve& fastest(const std::vector<MethodCurve>& curves);
 // The tolerances, or numbers of samples, of a curve's points.
 inline constexpr int kSamples[] = {4, 16, 64, 256};
 inline constexpr double kTolerances[] = {0.8, 0.4, 0.2, 0.1};
-inline constexpr int kMostAdaptive = 4096;
+inline constexpr int kMaxAdaptive = 4096;
 inline constexpr int kBatch = 16;
 
 // A table for a terminal, beside options.beside.

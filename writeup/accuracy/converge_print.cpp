@@ -106,7 +106,7 @@ std::string to_text(const std::vector<MethodCurve>& curves, const Options& optio
       "in place of s.\n"
       "The slope is that of log error over log samples: -0.5 where samples are independent.\n"
       "--beside METHOD compares with another one.\n",
-      kBatch, kMostAdaptive, kTolerances[0], kTolerances[1], kTolerances[2], kTolerances[3]);
+      kBatch, kMaxAdaptive, kTolerances[0], kTolerances[1], kTolerances[2], kTolerances[3]);
   return text;
 }
 

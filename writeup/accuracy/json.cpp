@@ -73,7 +73,7 @@ json to_json(const Answer& answer, int surfaces, double pixels) {
            {"c0", model.seconds.at_zero},
            {"c1", model.seconds.slope},
            {"off_the_line", off_the_line(answer.survivals[0])},
-           {"best_light_samples", best_light_samples(model, kMostLightSamples)},
+           {"best_light_samples", best_light_samples(model, kMaxLightSamples)},
            {"bias", json::array()},
            {"survivals", json::array()},
            {"hemisphere", of(answer.hemisphere, answer.best, pixels)},

@@ -43,7 +43,7 @@ Chosen choose(Measuring& scene, int bounces) {
   }
   if (std::all_of(lights.begin(), lights.end(), pt::is_delta)) return chosen;
   const SampleModel model = model_with(scene.study, bounces, chosen.survival, {1, 2, 4, 8});
-  chosen.best_light_samples = best_light_samples(model, kMostLightSamples);
+  chosen.best_light_samples = best_light_samples(model, kMaxLightSamples);
   chosen.light_samples = static_cast<int>(std::lround(chosen.best_light_samples));
   return chosen;
 }

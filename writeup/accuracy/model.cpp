@@ -67,7 +67,7 @@ std::optional<Choice> cheapest_choice_with(const SampleModel& model, double erro
   if (!(left > 0)) return std::nullopt;
   const double variance = model.variance(light_samples);
   const double samples = std::max(std::ceil(variance / left), double{kFewestSamples});
-  if (!(samples <= kMostSamples)) return std::nullopt;
+  if (!(samples <= kMaxSamples)) return std::nullopt;
   return Choice{light_samples, static_cast<int>(samples),
                 std::sqrt(variance / samples + model.bias2),
                 samples * model.seconds.at(light_samples)};
@@ -75,7 +75,7 @@ std::optional<Choice> cheapest_choice_with(const SampleModel& model, double erro
 
 std::optional<Choice> cheapest_choice(const SampleModel& model, double error) {
   std::optional<Choice> best;
-  for (int l = 1; l <= kMostLightSamples; ++l) {
+  for (int l = 1; l <= kMaxLightSamples; ++l) {
     const std::optional<Choice> choice = cheapest_choice_with(model, error, l);
     if (choice && (!best || choice->seconds < best->seconds)) best = choice;
   }

@@ -55,9 +55,9 @@ struct Choice {
   double seconds = 0;  // of processor time, per pixel
 };
 
-inline constexpr int kMostLightSamples = 100;  // as trace_path takes them
-inline constexpr int kMostSamples = 1 << 24;   // as ./run render takes them
-inline constexpr int kFewestSamples = 2;       // one goes through the centre of the pixel
+inline constexpr int kMaxLightSamples = 100;  // as trace_path takes them
+inline constexpr int kMaxSamples = 1 << 24;   // as ./run render takes them
+inline constexpr int kFewestSamples = 2;      // one goes through the centre of the pixel
 
 // The numbers with which the error is reached in the least time; nothing if it cannot be.
 std::optional<Choice> cheapest_choice(const SampleModel& model, double error);

@@ -72,7 +72,7 @@ std::string light_samples_text(const Answer& answer) {
     return "Light samples: all lights are points or directions: one sample is enough.\n";
   }
   const SampleModel& model = answer.survivals[0].model;
-  const double best = best_light_samples(model, kMostLightSamples);
+  const double best = best_light_samples(model, kMaxLightSamples);
   std::string text = fmt::format(
       "Light samples: a camera sample has the relative variance {:.4g} + {:.4g} / l, and takes\n"
       "  {:.3g} + {:.3g} l microseconds: time x variance is least at l = {:.2g}.\n"

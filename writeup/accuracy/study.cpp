@@ -17,8 +17,8 @@ constexpr double kBlack = 0.01;  // of relMSE
 // Shares of the time.
 constexpr double kOfBounces = 0.25, kOfOneRender = 0.025;
 
-constexpr int kMostTried = 1 << 14;  // samples per pixel of one short render
-constexpr double kClock = 0.01;      // no time is known better: a part of it
+constexpr int kMaxTried = 1 << 14;  // samples per pixel of one short render
+constexpr double kClock = 0.01;     // no time is known better: a part of it
 
 // The mean of what two independent halves say of each pixel. The pixels differ, and that is no
 // uncertainty: only the halves tell how well each is known.
@@ -201,7 +201,7 @@ Uncertain Study::times_as_long(const pt::Scene& other, const Way& way, int light
   const std::size_t step =
       static_cast<std::size_t>(static_cast<double>(pixels_.size()) / std::max(1.0, fit / 2));
   const std::vector<PixelAt> some = every(std::min(step, pixels_.size() / kFewestPixels));
-  const double each = std::min(fit / static_cast<double>(some.size()), double{kMostTried});
+  const double each = std::min(fit / static_cast<double>(some.size()), double{kMaxTried});
   const int samples = std::max(2, static_cast<int>(each));
   std::vector<double> factors;
   for (int turn = 0; turn < kTurns; ++turn) {
@@ -241,7 +241,7 @@ int Study::samples_in(double seconds, const Cost& cpu_seconds) {
   const std::vector<PixelAt> some = every(8);
   const double one = cpu_seconds(next_render(2), some) / (2 * static_cast<double>(some.size()));
   const double fit = seconds * threads_ / (one * static_cast<double>(pixels_.size()));
-  return std::clamp(static_cast<int>(std::min(fit, 1e6)) / 2 * 2, 4, kMostTried);
+  return std::clamp(static_cast<int>(std::min(fit, 1e6)) / 2 * 2, 4, kMaxTried);
 }
 
 int Study::samples_in(double seconds, const pt::View& view) {

@@ -50,8 +50,8 @@ struct Checked {
 
 // The most bounces that are told apart. All later ones are one rest.
 inline constexpr int kToldApart = 16;
-inline constexpr int kMostWithoutTree = 30000;  // surfaces: more are not tried one by one
-inline constexpr int kAllBounces = 100;         // as trace_path takes them
+inline constexpr int kMaxWithoutTree = 30000;  // surfaces: more are not tried one by one
+inline constexpr int kAllBounces = 100;        // as trace_path takes them
 
 // The limits of a study.
 struct StudyLimits {

@@ -22,8 +22,8 @@ constexpr double kBatch =
 constexpr double kNoise = 0.35;     // of the time of an estimator, for its noise
 constexpr int kFewestBatches = 15;  // however short the time is
 constexpr int kFewestChunks = 8;    // of an estimator's noise
-constexpr int kMostChunks = 2000;
-constexpr std::uint32_t kMostPasses = 1U << 20;
+constexpr int kMaxChunks = 2000;
+constexpr std::uint32_t kMaxPasses = 1U << 20;
 
 const About& about_of(const std::string& slug) {
   return *std::find_if(tasks().begin(), tasks().end(),
@@ -125,7 +125,7 @@ class Measuring {
 
   void find_accuracy() {
     const bool noisy = about_.kind == Kind::estimator;
-    const int most = noisy ? kMostChunks : 1;
+    const int most = noisy ? kMaxChunks : 1;
     for (int chunk = 0; chunk < most && (part() < kNoise || chunk < kFewestChunks); ++chunk) {
       for (Player& player : players_) {
         for (Runner& runner : player.runners) {
@@ -141,7 +141,7 @@ class Measuring {
   // So many that a batch takes as long as it should.
   void find_passes(Player& player, std::size_t i) {
     Request& request = player.runners[i].request;
-    for (request.passes = 1; request.passes < kMostPasses; request.passes *= 2) {
+    for (request.passes = 1; request.passes < kMaxPasses; request.passes *= 2) {
       const double seconds = player.plain.time(request).seconds;
       if (seconds > kBatch / 4) {
         const double passes = std::round(request.passes * kBatch / seconds);

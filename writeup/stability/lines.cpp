@@ -27,7 +27,7 @@ namespace base = grader::base;
 namespace judge = grader::judge;
 using nlohmann::json;
 
-constexpr std::chrono::seconds kMostTime{900};
+constexpr std::chrono::seconds kMaxTime{900};
 
 std::string folder_of(const judge::Config& config, const judge::TaskConfig& task) {
   return config.root + "/grader/tasks/" + task.slug + "/";
@@ -85,7 +85,7 @@ json curves_of(const judge::Config& config, const judge::Builder& builder,
   if (request.coarse) words.push_back("--coarse");
   words.push_back("--curves");
   const judge::Written written =
-      judge::ask_program(builder, program_of(task), trial, words, kMostTime);
+      judge::ask_program(builder, program_of(task), trial, words, kMaxTime);
   if (written.path.empty()) throw pt::Error("the curves of " + task.slug + ": " + written.error);
   return json::parse(base::read_file(written.path));
 }
