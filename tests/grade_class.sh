@@ -162,3 +162,18 @@ if [ -n "$boxed" ] && ! grep -qa __asan_init "$program"; then
 else
   echo 'NOT TESTED, the box in which archives are unpacked: there is none here'
 fi
+
+# A fault of the machine is nobody's row; reports are not put among submissions; files that are nobody's are named.
+rm -rf "$folder/class" "$folder/class-graded"
+mkdir -p "$folder/class/ada"
+cp reference/1_rays/hit_sphere.cpp "$folder/class/ada"
+echo words >"$folder/class/notes.txt"
+options="--jobs 1 --out $folder/class/graded"
+says 2 'would lie among the submissions'
+[ ! -e "$folder/class/graded" ] || complain 'the folder is made nevertheless'
+options='--jobs 1'
+says 0 '1 file in the class belongs to nobody: notes.txt'
+cp "$(readlink -f "$(command -v awk)")" "$folder/programs/unpack"
+echo words >"$folder/class/BEGIN { exit 3 } #.zip"
+options="--jobs 1 --config $folder/programs/grade.json"
+says 2 'could not be unpacked' 'run this again'
