@@ -181,3 +181,12 @@ cp "$(readlink -f "$(command -v awk)")" "$folder/programs/unpack"
 echo words >"$folder/class/BEGIN { exit 3 } #.zip"
 options="--jobs 1 --config $folder/programs/grade.json"
 says 2 'could not be unpacked' 'run this again'
+
+# At its limit of processor time the program that unpacks tells that before the kernel kills it: the archive is at fault.
+mkdir "$folder/slow"
+head -c 40M /dev/urandom >"$folder/slow/noise.txt"
+(cd "$folder/slow" && cmake -E tar cjf ../slow.tar.bz2 noise.txt)
+status=0
+(cd "$folder/slow" && ulimit -t 3 && "$(dirname "$program")/unpack" slow.tar.bz2 one <../slow.tar.bz2 2>"$folder/said") || status=$?
+[ "$status" -eq 2 ] || complain "it ended with $status at its limit of time: $(cat "$folder/said")"
+grep -q 'it takes too long' "$folder/said" || complain "$(cat "$folder/said")"

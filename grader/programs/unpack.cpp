@@ -8,14 +8,37 @@
 #include "pt/error.h"
 
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <string>
 
+#include <sys/resource.h>
 #include <unistd.h>
+
+namespace {
+
+constexpr rlim_t kSecondsToTell = 2;
+
+// At the limit of processor time the kernel kills, as it does where no memory is left; so the archive's fault is told
+// a little earlier.
+void tell_before_the_limit() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return;
+  std::signal(SIGXCPU, [](int) {
+    constexpr char kWords[] = "it takes too long\n";
+    (void)!write(STDERR_FILENO, kWords, sizeof kWords - 1);
+    _exit(2);
+  });
+  limit.rlim_cur = limit.rlim_max > kSecondsToTell ? limit.rlim_max - kSecondsToTell : 1;
+  setrlimit(RLIMIT_CPU, &limit);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using grader::intake::Extent;
+  tell_before_the_limit();
   std::setlocale(LC_ALL, "C.UTF-8");  // names in any script
   try {
     if (argc != 3) throw pt::Error("unpack NAME one|everybody <ARCHIVE");
