@@ -88,7 +88,7 @@ Submitted read_along(int top, std::span<const std::string> way, const std::strin
   throw pt::Error(folder + ": cannot be read (" + why.message() + "); make the folder readable");
 }
 
-// What is in the folder, without hidden files.
+// Returns the entries of the folder that are not hidden.
 std::vector<fs::directory_entry> shown_in(const std::string& folder) {
   std::vector<fs::directory_entry> inside;
   std::error_code error;

@@ -5,9 +5,6 @@
 
 namespace grader::intake {
 
-// The first bytes of a text, without half a character (UTF-8) at the end.
-std::string beginning(const std::string& text, std::size_t most);
-
 // The ending of a file's name: ".cpp", ".tar.gz"; empty if it has none, or one that is too long to be one.
 std::string ending_of(const std::string& name);
 

@@ -5,6 +5,7 @@
 #include "grader/intake/gradescope.h"
 #include "grader/intake/settle.h"
 #include "pt/error.h"
+#include "pt/printable.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -274,7 +275,7 @@ class Intake {
     std::set<std::string> used = reserved_names();
     for (HandedIn& each : all) {
       if (count[folded(each.name)] > 1 && !each.id.empty())
-        each.name += " (" + as_file_name(beginning(each.id, 30)) + ")";
+        each.name += " (" + as_file_name(std::string(pt::beginning(each.id, 30))) + ")";
       std::string name = each.name;
       for (int i = 2; !used.insert(folded(name)).second; ++i)
         name = fmt::format("{} ({})", each.name, i);

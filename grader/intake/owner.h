@@ -8,7 +8,7 @@ namespace grader::intake {
 
 enum class Platform { none, canvas, moodle, gradescope };
 
-// What a platform writes into the name of a file or folder that a learner has handed in.
+// The parts of the name that a platform gives to a file or folder of a learner.
 struct Label {
   Platform platform = Platform::none;
   std::string name, id;  // of the learner; the ID may be empty

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kMaxInside = 3;  // archives in archives
 
-// Faults that are no property of a file.
+// Returns whether the machine is at fault, and not the file.
 bool is_of_machine(const std::error_code& code) {
   constexpr std::array kOfMachine{std::errc::no_space_on_device,
                                   std::errc::io_error,

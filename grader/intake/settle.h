@@ -9,7 +9,7 @@
 
 namespace grader::intake {
 
-// What the intake has for all submissions.
+// The same for all submissions of a class.
 struct Means {
   const std::vector<TaskFile>& tasks;
   const Unpack& unpack;

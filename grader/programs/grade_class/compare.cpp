@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace grader::programs {
 
@@ -50,11 +52,15 @@ report::Comparison compare(const ClassPlan& plan, const std::string& former,
       comparison.only_after.push_back(by.name);
     }
   }
+  std::vector<std::string> gone;
   for (const auto& entry : fs::directory_iterator(former)) {
     const std::string name = entry.path().stem();
     if (entry.path().extension() == ".key" && !names.contains(name)) {
-      comparison.only_before.push_back(shown_former_name(plan, name));
+      gone.push_back(name);
     }
+  }
+  for (const std::string& name : shown_former_names(plan, std::move(gone))) {
+    comparison.only_before.push_back(name);
   }
   return comparison;
 }

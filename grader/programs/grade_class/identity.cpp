@@ -86,10 +86,12 @@ std::vector<std::string> former_names(const ClassPlan& plan) {
   return names;
 }
 
-std::string shown_former_name(const ClassPlan& plan, const std::string& name) {
+std::vector<std::string> shown_former_names(const ClassPlan& plan, std::vector<std::string> names) {
   const bool hides = !plan.real_names.empty();
   const bool hidden = has_plan(plan.former) && !read_plan(plan.former).real_names.empty();
-  return hides && !hidden ? alias_of(plan.salt, name) : name;
+  if (!hides || hidden) return names;
+  for (std::string& name : names) name = alias_of(plan.salt, name);
+  return names;
 }
 
 std::string without_names(std::string sentence, const std::string& folder) {

@@ -18,8 +18,8 @@ void hide_names(ClassPlan& plan, const std::string& out);
 // was not in it. Learners are the same by what their platform calls them, else by name.
 std::vector<std::string> former_names(const ClassPlan& plan);
 
-// The name in that grading as this plan may show it: hidden if only this plan hides names.
-std::string shown_former_name(const ClassPlan& plan, const std::string& name);
+// Names in that grading as this plan may show them: hidden if only this plan hides names.
+std::vector<std::string> shown_former_names(const ClassPlan& plan, std::vector<std::string> names);
 
 // A sentence on a submission, without its folder and without the names of files, which may be a
 // learner's: they stand in apostrophes.
