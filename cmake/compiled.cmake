@@ -4,7 +4,7 @@
 # its sources, as in the full tree.
 
 # The archives that the programs link; the objects of some are listed in grade.json and by the write-up.
-set(compiled_archives pt_base pt_scene pt_image pt_loader pt_render pt_rows pt_progress grader_tasks grader_base grader_process
+set(compiled_archives pt_base pt_scene pt_image pt_loader pt_render pt_rows pt_progress grader_tasks grader_base grader_process grader_users
   grader_sandbox grader_results grader_pictures grader_recipe_scenes grader_report grader_judge grader_mistakes grader_check
   grader_counting grader_wire)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_render pt_rows)
@@ -32,6 +32,20 @@ function(firstlight_objects_of library separator result)
   set(${result} "${joined}" PARENT_SCOPE)
 endfunction()
 
+# Stops where `library` links a library of ours that the lists above lack: a handout would look for it in vain.
+function(firstlight_expect_compiled library linked)
+  string(REGEX REPLACE "\\$<LINK_ONLY:([^>]*)>" "\\1" linked "${linked}")
+  foreach(name IN LISTS linked)
+    if(TARGET ${name} AND NOT name IN_LIST compiled_archives AND NOT name IN_LIST compiled_objects)
+      get_target_property(imported ${name} IMPORTED)
+      get_target_property(type ${name} TYPE)
+      if(NOT imported AND NOT type STREQUAL INTERFACE_LIBRARY)
+        message(FATAL_ERROR "${library} links ${name}, which no handout gets: add ${name} to the lists of cmake/compiled.cmake")
+      endif()
+    endif()
+  endforeach()
+endfunction()
+
 # The target `compiled` builds it all; compiled/files of the build lists it, a line each:
 #   archive <library> <file>
 #   object <library> <file>
@@ -57,6 +71,7 @@ function(firstlight_describe_compiled)
   endforeach()
   foreach(library IN LISTS compiled_archives compiled_objects)
     get_target_property(linked ${library} INTERFACE_LINK_LIBRARIES)
+    firstlight_expect_compiled(${library} "${linked}")
     string(APPEND links "target_link_libraries(${library} INTERFACE \"${linked}\")\n")
   endforeach()
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/compiled/files CONTENT "${text}")
