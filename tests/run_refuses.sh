@@ -26,6 +26,18 @@ refuses "say which task" debug
 refuses "'hit_me' is not a task" debug hit_me
 command -v blender >/dev/null || refuses "blender is missing" bench cycles
 
+# Every command of the menu tells of itself with --help, and builds nothing for it.
+for command in $(./run | sed -nE 's/^  [.]\/run ([a-z-]+)( [|] ([a-z-]+))?.*/\1 \3/p' | sort -u); do
+  status=0
+  said=$(PATH=/usr/bin:/bin timeout 20 ./run "$command" --help 2>&1 </dev/null) || status=$?
+  case $status:$said in
+    0:*building*) ;;
+    0:*"$command"*) continue ;;
+  esac
+  printf './run %s --help: status %s, and says: %s\n' "$command" "$status" "$said"
+  failures=$((failures + 1))
+done
+
 # A tool that ./run lint needs and that is missing proves nothing: a failure where a warning is one.
 for werror in ON OFF; do
   status=0
