@@ -208,6 +208,36 @@ TEST_F(WatchTest, draws_the_page_of_pictures_and_opens_it) {
   setenv("PATH", path.c_str(), 1);
 }
 
+// The screen shows the next task by then, which has no pictures yet.
+TEST_F(WatchTest, draws_the_pictures_of_the_task_that_was_saved_last) {
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  answer("hit_sphere", {failing("1_rays", "1.4", "hit_sphere", {})});
+  save("1_rays/hit_sphere", "// right");
+  terminal.expect("hit_sphere passes");
+  terminal.expect("q quit");
+  terminal.type("p");
+  terminal.expect("rendering the pictures of hit_sphere");
+  terminal.expect("Your pictures beside the right ones: ");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+  EXPECT_THAT(base::read_file(here_ + "/log"),
+              testing::EndsWith("graded hit_sphere\nfinished hit_sphere\n"));
+}
+
+TEST_F(WatchTest, draws_all_pictures_when_all_tasks_pass) {
+  answer("all", {triangle({}), failing("1_rays", "1.4", "hit_sphere", {}),
+                 failing("2_bvh", "2.1", "build_bvh", {})});
+  PseudoTerminal terminal(command());
+  terminal.expect("Nothing is left to do");
+  terminal.expect("q quit");
+  terminal.type("p");
+  terminal.expect("rendering the pictures of all tasks");
+  terminal.expect("Your pictures beside the right ones: ");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
 // A screen of 24 lines, where a terminal does not say how many it has.
 TEST_F(WatchTest, shows_no_more_than_there_is_room_for) {
   results::TaskResult task = triangle({"one"});

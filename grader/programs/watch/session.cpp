@@ -137,7 +137,8 @@ void WatchSession::start_next() {
   waiting_.pop_front();
   std::vector<std::string> command{options_.programs + "/grade"};
   if (judging_ == kPage) {
-    command.insert(command.end(), {task_, "--html", page_path_});
+    if (!page_task_.empty()) command.push_back(page_task_);
+    command.insert(command.end(), {"--html", page_path_});
   } else {
     if (!judging_.empty()) command.push_back(judging_);
     command.insert(command.end(), {"--no-pictures"});
@@ -158,7 +159,7 @@ void WatchSession::press(char key) {
     case 'f':
       return show(failure_);
     case 'p':
-      if (!task_.empty()) waiting_.push_back(kPage);
+      if (judged_) waiting_.push_back(kPage);
       return;
     case 'l':
       return show(verdicts_.list());
@@ -195,7 +196,11 @@ void WatchSession::take_results() {
   if (judging_ == kPage) return show_page();
   const bool first = !judged_;
   judged_ = true;
-  if (!judging_.empty()) return look_at(verdicts_.show(judging_));
+  if (!judging_.empty()) {
+    look_at(verdicts_.show(judging_));
+    page_task_ = judging_;
+    return;
+  }
   if (first) return look_at(verdicts_.show_first());
   if (verdicts_.state(task_) != before) return look_at(verdicts_.show(task_));
   draw();
@@ -214,6 +219,7 @@ void WatchSession::show_verdict(const std::string& output, int status, double se
 
 void WatchSession::look_at(const std::string& failure) {
   task_ = verdicts_.slug();
+  page_task_ = verdicts_.all_pass() ? "" : task_;
   failure_ = failure;
   show(failure);
 }
@@ -224,8 +230,9 @@ void WatchSession::show(const std::string& text) {
 }
 
 void WatchSession::draw() const {
+  const std::string page_tasks = page_task_.empty() ? "all tasks" : page_task_;
   const std::string what = judging_.empty()    ? "checking all tasks"
-                           : judging_ == kPage ? "rendering the pictures of " + task_
+                           : judging_ == kPage ? "rendering the pictures of " + page_tasks
                                                : "checking " + judging_;
   ScreenSize room = screen_size();
   room.rows -= 5;

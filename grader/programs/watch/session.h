@@ -59,7 +59,10 @@ class WatchSession {
   std::optional<Running> running_;
   bool judged_ = false;  // something, so far
   std::string task_;     // slug on the screen
-  std::string failure_;  // of it, the failure on the screen, or the function to write
+  // The task whose pictures are drawn on demand: that of the failure on the screen or, after a save, the
+  // saved one, though the screen shows what comes next; empty if all tasks pass: of all.
+  std::string page_task_;
+  std::string failure_;  // of task_, the failure on the screen, or the function to write
   std::string text_;     // on the screen: that, or the answer to a key
   std::string head_;     // the time of its verdict
   std::optional<int> quit_;

@@ -32,8 +32,11 @@ std::string Verdicts::bar() const {
   const results::Totals all = results::totals(known_.tasks);
   std::string bar(tasks_.size(), '.');
   std::fill_n(bar.begin(), all.passed, '#');
-  return fmt::format("[{}] {} of {} tasks pass, {} of {} points", bar, all.passed, tasks_.size(),
-                     all.points, all.max_points);
+  return fmt::format("[{}] {} of {} tasks pass", bar, all.passed, tasks_.size());
+}
+
+bool Verdicts::all_pass() const {
+  return results::totals(known_.tasks).passed == static_cast<int>(tasks_.size());
 }
 
 std::string Verdicts::list() const {

@@ -18,8 +18,12 @@ class Verdicts {
   // Takes in the tasks of a run; those it did not judge stay as they are.
   void update(const results::Results& results);
 
-  // The number of tasks that pass, as a bar, and the points: one line.
+  // The number of tasks that pass, as a bar and in words: one line. It has no points: those of the pictures, which
+  // watch does not ask for, would be missing.
   std::string bar() const;
+
+  // Whether nothing is left to do.
+  bool all_pass() const;
 
   // Lists the state and the file of each task.
   std::string list() const;
