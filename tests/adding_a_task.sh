@@ -11,12 +11,9 @@ fail() {
   exit 1
 }
 
-# The copy: files that git knows, and new ones; files that are the same keep their times.
-mkdir -p "$tree"
-{ git ls-files --cached --others --exclude-standard 2>/dev/null | grep . ||
-    find . -path ./build -prune -o -type f -print; } | while read -r file; do
-  [ ! -f "$file" ] || cmp -s "$file" "$tree/$file" || { mkdir -p "$tree/$(dirname "$file")"; cp "$file" "$tree/$file"; }
-done
+# shellcheck source=tests/copy_tree.sh
+. tests/copy_tree.sh
+update_copy "$PWD" "$1"
 
 # The steps: a line "New file `F`:" or "In `F`, above `TEXT`:", and the block after it.
 steps=0 action='' file='' above='' inside=0 block=''

@@ -10,6 +10,8 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
+# shellcheck source=tests/copy_tree.sh
+. "$root/tests/copy_tree.sh"
 table=$here/mutants.txt
 least=218
 limit=300 # seconds that a test may take
@@ -88,24 +90,6 @@ check_table() {
   [ "$problems" -eq 0 ] || exit 2
 }
 
-# Files that differ in the copy, and those that went, are made the same; the others keep their times.
-update_copy() {
-  local list=$folder/files path
-  mkdir -p "$folder/tree"
-  (cd "$root" && { git ls-files --cached --others --exclude-standard 2>/dev/null | grep . ||
-    find . -name build -prune -o -type f -printf '%P\n'; } | sort -u) >"$list.now"
-  if [ -e "$list" ]; then
-    comm -23 "$list" "$list.now" | while IFS= read -r path; do rm -f "$folder/tree/$path"; done
-  fi
-  while IFS= read -r path; do
-    [ -f "$root/$path" ] || continue
-    cmp -s "$root/$path" "$folder/tree/$path" && continue
-    mkdir -p "$folder/tree/$(dirname "$path")"
-    cp "$root/$path" "$folder/tree/$path"
-  done <"$list.now"
-  mv "$list.now" "$list"
-}
-
 build() { ninja -C "$folder/tree/build/check" "$@" >"$folder/build.log" 2>&1; }
 
 # The test of entry i, in the folder that its program was built in.
@@ -168,7 +152,7 @@ for i in "${!names[@]}"; do
 done
 [ ${#only[@]} -eq 0 ] || [ ${#wanted[@]} -eq ${#only[@]} ] || fail "a mistake of --only is not in $table"
 
-update_copy
+update_copy "$root" "$folder"
 [ -e "$folder/tree/build/check/build.ninja" ] ||
   (cd "$folder/tree" && cmake --preset check) >"$folder/build.log" 2>&1 ||
   fail "the copy cannot be configured: see $folder/build.log"
