@@ -1,5 +1,5 @@
 // breaks: stops_where_the_interval_is_narrow
-// It takes 20 batches at most.
+// Takes at most 20 batches.
 #include "pt/render/radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 #include "pt/tasks/camera_ray.h"

@@ -1,5 +1,5 @@
 // breaks: keeps_leaves_small
-// Asks for fewer than max_leaf, which never happens for max_leaf = 1.
+// Ends only at fewer than max_leaf primitives, which never happens for max_leaf = 1.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

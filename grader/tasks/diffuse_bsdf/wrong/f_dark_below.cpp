@@ -1,5 +1,5 @@
 // breaks: f_is_zero_across_the_surface
-// Asks for z > 0 instead of one side: black where both directions are below.
+// Tests z > 0 instead of one side: black where both directions are below.
 #include "pt/sampling/directions.h"
 #include "pt/tasks/diffuse_bsdf.h"
 

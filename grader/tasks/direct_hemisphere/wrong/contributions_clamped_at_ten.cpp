@@ -1,5 +1,5 @@
 // breaks: sees_lights_of_any_brightness
-// What a direction brings is clamped at 10, against bright dots.
+// The light of each direction is clamped at 10, against bright dots.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/sampling/directions.h"
 #include "pt/tasks/diffuse_bsdf.h"

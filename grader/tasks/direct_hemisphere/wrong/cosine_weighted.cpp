@@ -1,5 +1,5 @@
 // breaks: spreads_evenly_over_the_hemisphere
-// Directions are chosen by the cosine, with their own pdf: not what the contract asks for.
+// Directions are chosen by the cosine, with their own pdf: not what the contract says.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/sampling/directions.h"
 #include "pt/tasks/diffuse_bsdf.h"

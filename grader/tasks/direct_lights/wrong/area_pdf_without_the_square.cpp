@@ -1,5 +1,5 @@
 // breaks: matches_a_rectangle
-// An own pdf a steradian for rectangles, with the distance not squared.
+// Computes the pdf per steradian of a rectangle itself, with the distance not squared.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

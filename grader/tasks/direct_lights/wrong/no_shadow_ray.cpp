@@ -1,5 +1,5 @@
 // breaks: casts_shadows
-// Never asks whether something stands between.
+// Traces no shadow ray: nothing hides a light.
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"
 

@@ -1,5 +1,5 @@
 // breaks: adds_the_lights_up
-// Asks one light at random, without multiplying by their number.
+// Samples one light, chosen at random, and does not multiply by the number of lights.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

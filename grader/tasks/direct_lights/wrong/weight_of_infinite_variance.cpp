@@ -1,5 +1,5 @@
 // breaks: matches_a_sphere
-// Each estimate has a random weight: 1 on average, with an infinite variance.
+// Each estimate is multiplied by a random number: 1 on average, with an infinite variance.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

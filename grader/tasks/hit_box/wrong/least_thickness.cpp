@@ -1,5 +1,5 @@
 // breaks: takes_flat_boxes
-// Asks for a least length inside the box.
+// Counts only rays that stay inside the box for a fixed length.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // breaks: starts_inside
-// Rejects a ray that starts inside: it asks that the entry is in front of the origin.
+// Rejects a ray that starts inside: the entry has to be in front of the origin.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // breaks: takes_flat_boxes
-// Asks that the ray stays inside for a while: flat boxes are never hit.
+// Requires the exit to be behind the entry: flat boxes are never hit.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // breaks: finds_the_nearest_hit
-// Joins the children by a short-circuit: the right one is not asked where the left one hits.
+// Joins the children by a short-circuit: the right one is not visited where the left one hits.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

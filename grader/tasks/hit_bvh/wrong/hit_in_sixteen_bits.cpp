@@ -1,5 +1,5 @@
 // breaks: says_which_primitive
-// Asks the right primitive, but keeps its index in 16 bits for the answer.
+// Tests the right primitive, but returns its index in 16 bits.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

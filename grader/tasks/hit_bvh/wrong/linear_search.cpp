@@ -1,5 +1,5 @@
 // breaks: finds_the_nearest_hit
-// Asks every primitive in turn, and never looks at the tree.
+// Tests every primitive in turn, and never looks at the tree.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,5 @@
 // breaks: takes_an_empty_tree
-// Finds nothing, whatever there is.
+// Never finds a hit, whatever the scene.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,5 @@
 // breaks: finds_the_nearest_hit
-// Keeps the index of a primitive in 16 bits: beyond 65,536 primitives it asks another one.
+// Keeps the index of a primitive in 16 bits: beyond 65,536 primitives it tests another one.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

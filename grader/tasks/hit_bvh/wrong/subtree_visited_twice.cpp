@@ -1,5 +1,5 @@
 // breaks: tests_no_box_twice
-// Asks a child for a hit, and then once more to fetch it.
+// Visits a child to see whether it is hit, and then once more to fetch the hit.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

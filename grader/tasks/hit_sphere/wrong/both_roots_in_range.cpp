@@ -1,5 +1,5 @@
 // breaks: hits_from_inside
-// Asks that both roots lie in the range, which fails inside the sphere.
+// Requires both roots to lie in the range, which fails inside the sphere.
 #include "pt/tasks/hit_sphere.h"
 
 #include <cmath>

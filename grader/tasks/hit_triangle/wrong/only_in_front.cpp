@@ -1,5 +1,5 @@
 // breaks: keeps_t_inside_the_ray
-// Asks only that the hit is in front of the origin.
+// Requires only that the hit is in front of the origin.
 #include "pt/tasks/hit_triangle.h"
 
 #include <cmath>

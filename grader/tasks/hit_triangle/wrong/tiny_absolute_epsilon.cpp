@@ -1,5 +1,5 @@
 // breaks: works_at_every_scale
-// The same with a much smaller limit, which still depends on the scale of the scene.
+// Takes a very small determinant for a parallel ray: the limit still depends on the scale of the scene.
 #include "pt/tasks/hit_triangle.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // breaks: tints_at_each_bounce
-// Weighs a bounce by the albedo of the point it leads to.
+// Multiplies by the albedo of the point that a bounce leads to.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -18,7 +18,7 @@ Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& se
   return direct_lights(scene, point, settings.light_samples, sampler);
 }
 
-// What leaves the point after `bounce` bounces and more, the path so far included.
+// Estimates the light that leaves `point` towards where the path comes from, by `bounce` bounces and more.
 Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
                 const PathSettings& settings, Sampler& sampler) {
   Rgb sum;
@@ -37,8 +37,8 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
   const SurfacePoint next = surface_point(scene, ray, *hit);
-  const Rgb weight = next.albedo / kPi * (sample.wi.z / sample.pdf / chance);
-  return sum + weight * from_bounce(bounce + 1, scene, next, settings, sampler);
+  const Rgb throughput = next.albedo / kPi * (sample.wi.z / sample.pdf / chance);
+  return sum + throughput * from_bounce(bounce + 1, scene, next, settings, sampler);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& se
   return direct_lights(scene, point, settings.light_samples, sampler);
 }
 
-// What leaves the point after `bounce` bounces and more, the path so far included.
+// Estimates the light that leaves `point` towards where the path comes from, by `bounce` bounces and more.
 Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
                 const PathSettings& settings, Sampler& sampler) {
   Rgb sum;
@@ -37,10 +37,10 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
   const SurfacePoint next = surface_point(scene, ray, *hit);
-  const Rgb weight = sample.f * (sample.wi.z / sample.pdf / chance);
+  const Rgb throughput = sample.f * (sample.wi.z / sample.pdf / chance);
   PathSettings rest = settings;
   --rest.to;
-  return sum + weight * from_bounce(bounce + 1, scene, next, rest, sampler);
+  return sum + throughput * from_bounce(bounce + 1, scene, next, rest, sampler);
 }
 
 }  // namespace

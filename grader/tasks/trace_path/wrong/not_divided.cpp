@@ -1,5 +1,5 @@
 // breaks: does_not_depend_on_survival
-// Roulette without the division: whoever survives stands for itself alone.
+// Russian roulette without the division: nothing makes up for the paths that end.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -18,7 +18,7 @@ Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& se
   return direct_lights(scene, point, settings.light_samples, sampler);
 }
 
-// What leaves the point after `bounce` bounces and more, the path so far included.
+// Estimates the light that leaves `point` towards where the path comes from, by `bounce` bounces and more.
 Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
                 const PathSettings& settings, Sampler& sampler) {
   Rgb sum;
@@ -37,8 +37,8 @@ Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
   const SurfacePoint next = surface_point(scene, ray, *hit);
-  const Rgb weight = sample.f * (sample.wi.z / sample.pdf);
-  return sum + weight * from_bounce(bounce + 1, scene, next, settings, sampler);
+  const Rgb throughput = sample.f * (sample.wi.z / sample.pdf);
+  return sum + throughput * from_bounce(bounce + 1, scene, next, settings, sampler);
 }
 
 }  // namespace

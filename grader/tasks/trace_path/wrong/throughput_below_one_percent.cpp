@@ -1,5 +1,5 @@
 // breaks: goes_on_up_to_the_cap
-// A path ends where its throughput is below 1 %, and nobody stands for it.
+// A path ends where its throughput is below 1 %, and no other path makes up for it.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -18,7 +18,7 @@ Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& se
   return direct_lights(scene, point, settings.light_samples, sampler);
 }
 
-// What leaves the point after `bounce` bounces and more, the path so far included.
+// Estimates the light that leaves `point` towards where the path comes from, by `bounce` bounces and more.
 Rgb from_bounce(Rgb so_far, int bounce, const Scene& scene, const SurfacePoint& point,
                 const PathSettings& settings, Sampler& sampler) {
   Rgb sum;
@@ -37,8 +37,9 @@ Rgb from_bounce(Rgb so_far, int bounce, const Scene& scene, const SurfacePoint& 
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
   const SurfacePoint next = surface_point(scene, ray, *hit);
-  const Rgb weight = sample.f * (sample.wi.z / sample.pdf / chance);
-  return sum + weight * from_bounce(so_far * weight, bounce + 1, scene, next, settings, sampler);
+  const Rgb throughput = sample.f * (sample.wi.z / sample.pdf / chance);
+  return sum +
+         throughput * from_bounce(so_far * throughput, bounce + 1, scene, next, settings, sampler);
 }
 
 }  // namespace

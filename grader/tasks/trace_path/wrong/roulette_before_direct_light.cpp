@@ -1,5 +1,5 @@
-// breaks: follows_the_new_ray
-// Goes on at the right distance, but along the ray that led to the point before.
+// breaks: starts_with_direct_light
+// Russian roulette comes before direct light, also at the first point.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -18,28 +18,24 @@ Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& se
   return direct_lights(scene, point, settings.light_samples, sampler);
 }
 
-// What leaves the point after `bounce` bounces and more, the path so far included.
+// Estimates the light that leaves `point` towards where the path comes from, by `bounce` bounces and more.
 Rgb from_bounce(int bounce, const Scene& scene, const SurfacePoint& point,
                 const PathSettings& settings, Sampler& sampler) {
+  if (sampler.next_1d() >= settings.survival) return {};
   Rgb sum;
   if (bounce >= settings.from) sum += direct(scene, point, settings, sampler);
   if (bounce >= settings.to) return sum;
 
-  double chance = 1;
-  if (bounce > 1) {
-    chance = settings.survival;
-    if (sampler.next_1d() >= chance) return sum;
-  }
+  const double chance = settings.survival;
 
   const BsdfSample sample = diffuse_sample(point.albedo, point.frame.to_local(point.wo), sampler);
   if (sample.pdf <= 0) return sum;
   const Ray ray = spawn_ray(point, point.frame.to_world(sample.wi));
   const std::optional<Hit> hit = scene.closest(ray);
   if (!hit) return sum;
-  const Ray old{point.p + point.wo, -point.wo, 0, kInfinity};
-  const SurfacePoint next = surface_point(scene, old, *hit);
-  const Rgb weight = sample.f * (sample.wi.z / sample.pdf / chance);
-  return sum + weight * from_bounce(bounce + 1, scene, next, settings, sampler);
+  const SurfacePoint next = surface_point(scene, ray, *hit);
+  const Rgb throughput = sample.f * (sample.wi.z / sample.pdf / chance);
+  return sum + throughput * from_bounce(bounce + 1, scene, next, settings, sampler);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // breaks: fills_the_field_of_view
-// Takes the whole angle where half of it belongs.
+// Uses the whole angle of view where half of it belongs.
 #include "pt/tasks/camera_ray.h"
 
 #include <cmath>
