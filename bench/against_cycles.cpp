@@ -60,7 +60,7 @@ double squared_error(const std::vector<double>& picture, const Golden& golden) {
   return sum / static_cast<double>(picture.size());
 }
 
-// Of the square's mean; nothing is known of a square that is not positive.
+// The square root of the mean of `squares`; nothing is known of one whose mean is not positive.
 Mean root_of(const std::vector<double>& squares) {
   const Mean square = mean_of(squares);
   if (!(square.value > 0)) return {0, std::sqrt(square.error)};

@@ -111,7 +111,7 @@ void draw_errors(const SceneReport& report, const std::filesystem::path& folder)
   writeup::draw(folder, report.scene, plot + "\n");
 }
 
-// Of the long renders, which ./run compare lays side by side.
+// Writes the pictures of the long renders, which ./run compare lays side by side.
 void write_pictures(const SceneReport& report, const std::filesystem::path& folder) {
   const char* const names[] = {"ours", "cycles"};
   for (int i = 0; i < 2; ++i) {

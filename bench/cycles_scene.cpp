@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Of a light against the surfaces that emit.
+// The tolerance for the power of a light, compared with that of the surfaces that emit.
 constexpr double kSamePower = 1e-6;
-// Of a corner's normal against the face's: below it the triangle is flat.
+// The distance of a corner's normal from the face's below which the triangle counts as flat.
 constexpr double kFlat = 1e-9;
 
 Json numbers(Vec3 v) { return {v.x, v.y, v.z}; }

@@ -127,7 +127,7 @@ Line line(const char* kind, const std::vector<double>& ours, const std::vector<d
   return {kind, median(ours), median(embree), ratio(embree, ours)};
 }
 
-// Of one scene, what the goals ask for.
+// The results of one scene that goals are set for.
 struct Result {
   struct Line {
     std::string kind;

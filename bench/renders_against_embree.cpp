@@ -57,7 +57,7 @@ Picture render(const View& view, int samples, int threads) {
   return picture;
 }
 
-// By the wall clock, and by the CPU time that the threads took together: the second shows what they
+// Compares by the wall clock, and by the CPU time of all threads together: the second shows what they
 // cost each other also where other programs keep the processors busy.
 void compare_threads(const std::string& name, const View& view, const BenchSettings& settings,
                      Csv& csv, std::vector<Goal>& goals) {

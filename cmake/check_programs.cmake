@@ -1,4 +1,4 @@
-# What asks one task: the task as asked for, counting versions and mocks of the tasks that it calls, the reference for all
+# The programs that check one task: the task as asked for, counting versions and mocks of the tasks that it calls, the reference for all
 # others.
 function(firstlight_link_asked program slug implementation)
   firstlight_inner_choices(${slug} counting scripted)

@@ -71,7 +71,7 @@ TEST(image_verdict, thresholds_are_those_of_the_design) {
 }
 
 // The evidence of a cell is |z| over the threshold that the level of its round leads to.
-TEST(image_verdict, judges_each_stage_by_its_level) {
+TEST(image_verdict, judges_each_round_by_its_level) {
   const SyntheticScene scene = synthetic_scene(Spread::diffuse, kWidth, kHeight);
   const pt::Film film = Draw(7).golden(scene, 16384);
   SyntheticScene dark = scene;

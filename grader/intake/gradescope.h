@@ -5,7 +5,7 @@
 
 namespace grader::intake {
 
-// Whose submission a folder of Gradescope's export is.
+// The learners who handed in a folder of Gradescope's export.
 struct Submitters {
   std::string names, ids;  // joined; may be empty
 };

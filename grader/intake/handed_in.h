@@ -12,7 +12,7 @@ namespace grader::intake {
 
 // The submission of one learner or of one group.
 struct HandedIn {
-  // Of the learner, or of the folder: a file's name of at most 200 bytes without control characters, unlike all
+  // The name of the learner or of the folder, as the name of a file: at most 200 bytes, without control characters, unlike all
   // others even where large and small letters are the same.
   std::string name;
   std::string id;       // that the learning platform has for it; may be empty

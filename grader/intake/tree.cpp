@@ -82,8 +82,8 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
          folder.end();
 }
 
-// Of the files of one task the one that counts: with the right name rather than with another one, and the outermost; of
-// those the one that the judge would read first. Nothing where two have the same right.
+// The file that counts among those of one task: one with the right name before one with another, then the outermost,
+// then the one that the judge would read first. Nothing if that leaves two.
 const Candidate* that_counts(std::vector<Candidate>& all) {
   const auto is_exact = [](const Candidate& each) { return each.is_exact; };
   if (std::any_of(all.begin(), all.end(), is_exact)) {

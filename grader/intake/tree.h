@@ -21,7 +21,7 @@ struct Meant {
 };
 Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks);
 
-// What a folder holds.
+// The task files of a folder.
 struct Tree {
   // The folder in which the judge finds all task files; empty: there is none such, and they have to be copied.
   std::filesystem::path root;

@@ -20,7 +20,7 @@ namespace {
 
 using std::string_view;
 
-// Of a task's variables and code; beyond 2 GiB no linker can address them.
+// The limit for a task's variables and code; beyond 2 GiB no linker can address them.
 constexpr std::uint64_t kMaxMemory = std::uint64_t{256} << 20;
 constexpr int kUnique = 10;  // STB_GNU_UNIQUE, of inline variables and statics of templates
 constexpr std::uint32_t kLinkerOptions = 0x6fff4c01;  // SHT_LLVM_LINKER_OPTIONS, of clang: empty

@@ -154,7 +154,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   const std::vector<std::string> precompiled = precompiled_.flags_for(task, text);
   add(box, precompiled);
   if (!precompiled.empty()) box.visible.push_back(precompiled_.folder());
-  // Of a failed assertion, too: no path of this machine is in an object.
+  // No path of this machine is in an object, not even in the text of a failed assertion.
   add(box, {"-I" + tree, "-fmacro-prefix-map=" + tree + "/=", "-fdiagnostics-color=never", "-c",
             task.file(), "-o", "task.o"});
   const auto compiled = [&] {

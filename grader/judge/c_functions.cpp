@@ -9,7 +9,7 @@ namespace {
 
 using std::string_view;
 
-// Of one, two or three numbers; each also with f and l at its end.
+// Functions of one, two or three numbers; each also exists with f and l at its end.
 constexpr string_view kMath[] = {
     "acos",         "acosh",     "asin",      "asinh",     "atan",       "atan2",  "atanh",
     "cbrt",         "ceil",      "copysign",  "cos",       "cosh",       "erf",    "erfc",
@@ -84,8 +84,8 @@ bool among(const string_view (&names)[n], string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// Of libgcc: arithmetic that the machine has not, "__muldc3", "__udivti3", "__popcountdi2",
-// "__floattidf": a word, and the types that it is about.
+// Whether the name is that of a function of libgcc for arithmetic that the machine lacks: "__muldc3", "__udivti3",
+// "__popcountdi2", "__floattidf". Such a name is a word, and the types of its numbers.
 bool is_arithmetic(string_view name) {
   constexpr string_view kTypes[] = {"si", "di", "ti", "hf", "sf", "df",
                                     "xf", "tf", "sc", "dc", "xc", "tc"};

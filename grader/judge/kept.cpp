@@ -93,7 +93,7 @@ std::string sums_in(const std::string& folder) {
   return all;
 }
 
-// What stands at the path now is what was opened.
+// Whether the file at the path is still the one that was opened.
 bool is_still(const base::Descriptor& opened, const std::string& path) {
   struct stat then {
   }, now{};

@@ -21,8 +21,8 @@ class PrecompiledHeaders {
  public:
   PrecompiledHeaders(const Config& config, Headers headers);
 
-  // What the compiler has to be told in addition, for this text of a task's file: "-include" and a
-  // path, or nothing, where they cannot be made or could change what the text means. Safe from any
+  // More options of the compiler for this text of a task's file: "-include" and a path, or nothing,
+  // where headers cannot be precompiled or could change what the text means. Safe from any
   // thread.
   std::vector<std::string> flags_for(const TaskConfig& task, const std::string& text) const;
 

@@ -14,7 +14,7 @@ namespace grader::pictures {
 namespace {
 
 constexpr int kSide = 8;  // pixels
-// By which rounding, another order of additions or pi to six digits may change a mean.
+// The part by which rounding, another order of additions or pi to six digits may change a mean.
 constexpr double kOfMean = 2e-3, kOfBright = 5e-4;
 // For all values together, and over all planes for their sums of squares and their means.
 constexpr double kLargestLevel = 4e-4, kSquaresLevel = 3e-4, kMeanLevel = 2e-4;

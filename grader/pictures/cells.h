@@ -33,7 +33,8 @@ struct MeasuredCell {
   double evidence() const;  // |z| / threshold
 };
 
-// Of two failing cells at one place: luminance says most, unless a channel is much further off.
+// Whether `a` says more than `b`, two failing cells at one place: luminance says most, unless a channel is much further
+// off.
 bool says_more(const MeasuredCell& a, const MeasuredCell& b);
 
 // The deviation of every cell and the threshold at which, over all cells together, a right picture

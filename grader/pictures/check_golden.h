@@ -15,11 +15,11 @@ namespace grader::pictures {
 // five standard errors on average, or six and a half at one pixel.
 std::vector<std::string> against_closed_form(const pt::Film& film, pt::Rgb radiance);
 
-// Of one recipe: its files are there, of the right size, with enough samples, made from the recipe
+// Checks the golden of one recipe: its files are there, of the right size, with enough samples, made from the recipe
 // and the scene as they are now, and agree with the closed form where there is one.
 std::vector<std::string> check_golden(const Recipe& recipe, const std::filesystem::path& folder);
 
-// Of all, and of files in the folder that belong to no recipe.
+// Checks the goldens of all recipes, and names files in the folder that belong to no recipe.
 std::vector<std::string> check_goldens(const std::vector<Recipe>& recipes,
                                        const std::filesystem::path& folder);
 

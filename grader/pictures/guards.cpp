@@ -73,7 +73,7 @@ struct Spread {
   double variance = 0;
 };
 
-// Of a weighted sum, between the batches.
+// The spread of a weighted sum between the batches.
 Spread spread_of(const std::vector<pt::Image>& images, const Plane& weights) {
   Spread spread;
   double squares = 0;

@@ -28,7 +28,7 @@ struct Round {
 // 16 times the samples of the last.
 std::array<Round, 3> rounds_of(NoiseClass noise);
 
-// Of an adaptive picture a sample is one whole run: the golden then holds the mean and the variance
+// In an adaptive picture a sample is one whole run: the golden then holds the mean and the variance
 // between the reference's runs, and `samples` counts those runs.
 inline constexpr std::array<Round, 3> kAdaptiveRounds{{{16, 1}, {16, 1}, {16, 1}}};
 

@@ -42,7 +42,7 @@ GoldenState render_golden(const Recipe& recipe, const Effort& effort, int thread
                           const std::filesystem::path& partial,
                           const std::function<void(double)>& progress);
 
-// Of an adaptive recipe: 1 for each pixel whose first batch was all zero in one of the runs.
+// For an adaptive recipe: 1 for each pixel whose first batch was all zero in one of the runs.
 std::vector<char> dark_starts(const Recipe& recipe, int runs, int threads);
 
 pt::Film film_of(const Recipe& recipe, const GoldenState& state);

@@ -15,12 +15,12 @@ struct PixelMoments {
   std::array<double, 4> squares{};  // sums of (value - mean)^2
 };
 
-// Of a film's pixel, all its samples; and with the pixel's mean as a single sample, for pixels
-// whose number of samples depends on what they were.
+// The moments of all samples of a film's pixel; one_sample() takes the pixel's mean as a single sample, for
+// pixels whose number of samples depends on what they were.
 PixelMoments moments_of(const pt::FilmPixel& pixel);
 PixelMoments one_sample(const pt::FilmPixel& pixel);
 
-// Of both sets of samples (Chan, Golub and LeVeque 1979). Where all samples are alike, the squares
+// The moments of both sets of samples together (Chan, Golub and LeVeque 1979). Where all samples are alike, the squares
 // stay exactly zero.
 PixelMoments merge(const PixelMoments& a, const PixelMoments& b);
 

@@ -29,7 +29,7 @@ struct KnownMistake {
   std::map<std::string, Picture> pictures;  // by recipe
 };
 
-// Of several entries on one mistake of one content the pictures are put together, later ones in the
+// Adds an entry. The pictures of several entries on one mistake of one content are put together, later ones in the
 // place of earlier ones; a later content replaces an earlier one.
 void add(std::vector<KnownMistake>& mistakes, KnownMistake mistake);
 

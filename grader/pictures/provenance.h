@@ -27,7 +27,7 @@ struct Provenance {
 // nor seed.
 std::string recipe_settings(const Recipe& recipe);
 
-// Of those settings and the bytes of the scene. A golden with another hash is out of date.
+// A hash of those settings and the bytes of the scene. A golden with another hash is out of date.
 std::string picture_hash(const Recipe& recipe);
 
 void write_provenance(const std::filesystem::path& file, const Provenance& provenance);

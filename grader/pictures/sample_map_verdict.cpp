@@ -23,7 +23,7 @@ bool is_active(const SampleMapReference& reference, std::size_t i) {
          reference.mean[i] < 0.9 * reference.settings.max_samples;
 }
 
-// Of the active pixels.
+// The mean over the active pixels.
 double mean_batches(const SampleMapReference& reference) {
   double active = 0, sum = 0;
   for (std::size_t i = 0; i < reference.mean.size(); ++i) {

@@ -13,14 +13,14 @@ namespace grader::pictures {
 
 inline constexpr std::uint64_t kGoldenSeeds = std::uint64_t{1} << 63;
 
-// Of the part-th slice (or run, for adaptive recipes) of a recipe's golden: different for every
+// The seed of the part-th slice (or run, for adaptive recipes) of a recipe's golden: different for every
 // recipe and part.
 constexpr std::uint64_t golden_seed(const Recipe& recipe, std::uint32_t part) {
   assert(recipe.seed < kGoldenSeeds >> 32);
   return kGoldenSeeds | recipe.seed << 32 | part;
 }
 
-// Of a render that is judged, from any number that its submission, recipe, round and batch
+// The seed of a render that is judged, from any number that its submission, recipe, round and batch
 // determine.
 constexpr std::uint64_t judged_seed(std::uint64_t number) { return number & ~kGoldenSeeds; }
 

@@ -57,7 +57,7 @@ nanoseconds waiting_time(const std::string& process) {
 
 using Children = std::multimap<pid_t, pid_t>;
 
-// Of all processes: not every kernel lists the children of one.
+// The children of all processes: not every kernel lists those of one.
 Children all_children() {
   Children children;
   std::error_code error;

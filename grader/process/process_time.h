@@ -17,17 +17,17 @@ struct ProcessTime {
   bool asleep = false;
 };
 
-// Of a process and its descendants since each began, and what descendants ran that have ended and
+// The time of a process and its descendants since each began, those included that have ended and
 // were waited for. `waiting` is up to date but for the wait that is just going on. Zero where the
 // kernel does not tell, or there is no such process. Takes some milliseconds: all processes of the
 // machine are looked at. Source: /proc/PID/stat and schedstat (Linux,
 // Documentation/scheduler/sched-stats).
 ProcessTime time_of_tree(pid_t pid);
 
-// Of one process alone, while it lives; takes some 30 microseconds.
+// The time of one process alone, while it lives; takes some 30 microseconds.
 ProcessTime time_of_process(pid_t pid);
 
-// Of one process, what it ran; takes less than a microsecond.
+// The processor time of one process; takes less than a microsecond.
 std::chrono::nanoseconds running_time(pid_t pid);
 
 // The time in which this thread was ready to run and had no processor.

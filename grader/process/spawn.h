@@ -18,7 +18,7 @@ struct Child {
   std::vector<int> descriptors;          // entry i becomes descriptor i; all others are closed
   std::string directory;                 // to run in; empty: this one
   Limits limits;
-  // Of it and all that come from it together, in bytes, where there are control groups for it.
+  // The memory of the child and all its descendants together, in bytes, where there are control groups for it.
   std::optional<std::uint64_t> tree_memory{};
   // Whoever starts the child keeps this until it is gone: the lock of its user, for example.
   std::shared_ptr<const void> held{};

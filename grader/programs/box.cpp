@@ -49,7 +49,7 @@ void tell(int started) {
   if (started >= 0 && write(started, "s", 1) != 1) fail("the judge");
 }
 
-// By a descriptor each, as the other user may not be allowed to come by the folders above them.
+// Goes into each folder by a descriptor, as the other user may have no right to pass the folders above it.
 void enter(const std::string& folder, const std::optional<User>& user) {
   if (folder.empty()) {
     if (chdir("/") != 0) fail("/");

@@ -29,8 +29,8 @@ class ClassPage {
   // Rows in alphabetical order. One file, which needs no network and no script to be read.
   std::string to_html() const;
 
-  // Of a promise or a picture: the numbers of submissions that were judged by it, that were right,
-  // and in whose task it was the first failure that the learner reads.
+  // For a promise or a picture, the numbers of submissions that were judged by it, that were right, and in which
+  // it is the first failure of its task.
   struct Count {
     std::string title;
     int judged = 0;

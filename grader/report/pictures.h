@@ -27,7 +27,7 @@ pt::Picture block_difference_map(const pt::Image& render, const pt::Image& golde
 // |z| over its threshold: white at 0, purple at 1, nearly black from 2 on.
 pt::Color8 evidence_color(double evidence);
 
-// Of an image whose red channel holds the evidence.
+// The picture of an image whose red channel holds the evidence.
 pt::Picture evidence_map(const pt::Image& evidence);
 
 // The colours of sample_color, from `min` to `max` samples, without a legend.

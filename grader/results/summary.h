@@ -33,7 +33,7 @@ Totals totals(const std::vector<TaskResult>& tasks);
 // promises of a task wait for their verdict together.
 bool is_judged(const TaskResult& task, const PromiseResult& promise);
 
-// Of promises and pictures: their number, and the number of those with a verdict.
+// The number of promises and pictures, and of those among them that have a verdict.
 struct Counts {
   std::size_t all = 0, judged = 0;
 };
@@ -52,7 +52,7 @@ inline constexpr const char* kStopped =
 // "27.0 s (properties 5.9 s, pictures 21.0 s)"
 std::string times(const Results& results);
 
-// Of its promises and pictures, together.
+// The time of its promises and pictures together.
 double seconds(const TaskResult& task);
 
 // "1" and "rays" of "1_rays".

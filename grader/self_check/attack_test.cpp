@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// What a process runs. In a container root may not see that of other users, but how it was started.
+// The command of a process. In a container root may not see that of other users, but how it was started.
 std::string program_of(const fs::path& process) {
   std::error_code error;
   std::string program = fs::read_symlink(process / "exe", error);
@@ -42,7 +42,7 @@ std::vector<std::string> running(const Submission& submission) {
   return programs;
 }
 
-// What still runs, and files where attacks try to leave some.
+// The processes that still run, and files where attacks try to leave some.
 std::vector<std::string> left_behind(const Submission& submission) {
   std::vector<std::string> left = running(submission);
   for (const char* folder : {"/", "/tmp", "/var/tmp", "/dev/shm", "/usr/lib", FIRSTLIGHT_ROOT}) {
@@ -62,7 +62,7 @@ std::vector<std::string> left_behind(const Submission& submission) {
   return left;
 }
 
-// What is killed takes a moment to be gone.
+// A killed process takes a moment to be gone.
 std::vector<std::string> left_after_a_while(const Submission& submission) {
   std::vector<std::string> left = left_behind(submission);
   for (int i = 0; i < 200 && !left.empty(); ++i) {
@@ -232,7 +232,7 @@ TEST_P(Attack, ends_with_the_judge) {
 INSTANTIATE_TEST_SUITE_P(tier, Attack, testing::Values("A", "B"),
                          [](const auto& tier) { return tier.param; });
 
-// That these attacks are able to get somewhere: here nothing holds them but limits.
+// Shows that these attacks can get somewhere: here nothing holds them but limits.
 TEST(attack, gets_somewhere_where_nothing_is_isolated) {
   Submission submission("open");
   submission.put("reach");

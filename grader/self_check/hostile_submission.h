@@ -8,7 +8,7 @@
 
 namespace grader::self_check {
 
-// What came of grading a submission.
+// The outcome of grading a submission.
 struct Outcome {
   int exit_status = -1;
   std::string output;
@@ -18,7 +18,7 @@ struct Outcome {
   std::string state(const std::string& slug) const;
 };
 
-// Of the judge in these tests.
+// The environment of the judge in these tests.
 std::vector<std::string> environment();
 
 // For what only hangs where the machine is busy, in milliseconds.

@@ -1,4 +1,4 @@
-// What a submission does to the grader must cost no more than the task it does it in.
+// Whatever a submission does to the grader, it costs no more than the task that does it.
 #include "grader/self_check/hostile_submission.h"
 
 #include <fstream>

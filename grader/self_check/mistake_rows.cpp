@@ -41,7 +41,7 @@ MistakeRow row_of(const std::string& line) {
   return row;
 }
 
-// Of one solution, over all recipes that judged it.
+// The row of one solution, over all recipes that judged it.
 struct Seen {
   std::vector<std::string> by;        // recipes that see it
   std::vector<std::string> slow;      // in which it takes too long

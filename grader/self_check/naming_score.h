@@ -11,7 +11,7 @@ namespace grader::self_check {
 // Counts how many known mistakes are named right: kept solutions are handed in as submissions.
 class Score {
  public:
-  // Of the kinds "wrong", "right", "reference" and "variation", whose name is the mistake it makes.
+  // Adds a solution of the kind "wrong", "right", "reference" or "variation"; the name is that of the mistake it makes.
   void add(const mistakes::KnownTask& known, const std::string& slug, const std::string& kind,
            const std::string& name, const mistakes::Evidence& evidence);
 
@@ -21,10 +21,10 @@ class Score {
   // Wrong names given to anything that was handed in whole.
   int misnamed() const;
 
-  // Of the wrong solutions that fail.
+  // The share of the wrong solutions that fail.
   double share_named() const;
 
-  // Of the same: those that get the name of another kind of mistake when they are not known.
+  // The share of those that get the name of another kind of mistake when they are not known.
   double share_left_out() const;
 
  private:

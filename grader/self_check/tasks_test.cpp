@@ -96,7 +96,7 @@ TEST(tasks, call_the_tasks_of_the_table) {
   }
 }
 
-// By following the calls of the objects from task to task.
+// Found by following the calls of the objects from task to task.
 TEST(tasks, need_what_their_calls_reach) {
   for (const Task& task : tasks()) {
     Names reached, next{task.slug};

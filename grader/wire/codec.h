@@ -32,7 +32,7 @@ T get(Reader& in) {
   return Codec<T>::get(in);
 }
 
-// Of every codec: kMinSize, the fewest bytes that a value takes; kPlain, whether every value is
+// Every codec has kMinSize, the fewest bytes that a value takes; kPlain, whether every value is
 // encoded as exactly the bytes it has in memory, so that arrays can be copied; kCode, a number that
 // two types share only if they are encoded alike.
 constexpr std::uint64_t mix_code(std::uint64_t a, std::uint64_t b) {

@@ -13,7 +13,7 @@ Tests tests;
 bool recording = false;
 std::uint64_t kept = 0;  // of all calls so far
 
-// Of a task or the slot: what came of the call, and whether the task keeps something of it.
+// Calls the task, or the function in the slot, and notes whether the task keeps something of the call.
 template <class Signature, class Function, class Held>
 auto apply(Function function, Held& held) {
   auto result = Signature::apply(function, held);

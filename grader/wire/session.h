@@ -30,7 +30,7 @@ struct SessionSettings {
   // Called with a sentence when the judge itself cannot go on, as without a worker: that is nobody's
   // verdict. Does not return.
   std::function<void(const std::string&)> at_fault = cannot_judge;
-  // Of processor time (grader/process/time_limit.h).
+  // Limits of processor time (grader/process/time_limit.h).
   std::chrono::milliseconds call_limit =
       process::kCallLimit;                       // of one call, and of kBatch repetitions
   std::chrono::milliseconds total_limit{30000};  // of all calls together

@@ -42,7 +42,7 @@ class Store {
   Objects<pt::Bvh> trees_;
 };
 
-// Of this worker.
+// The store of this worker.
 Store& store();
 
 }  // namespace grader::wire

@@ -60,7 +60,7 @@ PT_INLINE bool search_any(const WideQuery& query, const Ray& ray, const FloatRay
   }
 }
 
-// Of a scene of one block, a tree with spheres, and one without.
+// Traces the ray through a scene of one block, a tree with spheres, or one without.
 PT_INLINE bool trace_any(const WideQuery& query, const Ray& ray, const FloatRay& r) {
   const WideView& view = query.view;
   if (view.root & kLeaf) {

@@ -29,7 +29,7 @@ struct Verdict {
   }
 };
 
-// Of W pairs: from the ray's origin to the corner p0, the ray's direction and range, the triangle
+// W pairs of a ray and a triangle: the vector from the ray's origin to the corner p0, the ray's direction and range, the triangle
 // as in WideBlock, and how far the volumes over its edges and t times det may be off.
 template <int W>
 struct Pairs {

@@ -11,7 +11,7 @@
 namespace pt {
 namespace {
 
-// Of several hits at the same t, the primitive with the smallest index counts.
+// Keeps the nearer hit; among hits at the same t that of the primitive with the smallest index.
 PT_INLINE bool offer(const ExactHit& hit, std::uint32_t primitive, WideHit& best) {
   if (!hit.hit || hit.t > best.hit.t || (hit.t == best.hit.t && primitive > best.primitive)) {
     return false;

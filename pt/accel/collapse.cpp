@@ -37,7 +37,7 @@ void put(WideBlock<W>& block, int slot, const Triangle& triangle, const WideFram
   const Vec3 n = cross(e1, e2);
   put(block.n, slot, n);
   block.size[slot] = std::max(kSmallest, static_cast<float>(longer + longer * longer / 6));
-  // Of a sliver, rounding moves n by more than its length.
+  // In a sliver, rounding moves n by more than its length.
   const double area = length(n) + 0x1p-24 * longer * longer;
   block.area[slot] = std::max(kSmallestArea, static_cast<float>(1.0001 * area));
 }

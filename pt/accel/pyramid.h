@@ -40,7 +40,7 @@ PT_INLINE bool are_alike(const Ray* rays, int count) {
   return other == 0;
 }
 
-// Of rays that are alike.
+// The pyramid around rays that are alike.
 PT_INLINE Pyramid pyramid_of(const FloatRay* r, int count) {
   Floats4 low = load<4>(r[0].direction), high = low;
   Pyramid pyramid;

@@ -45,7 +45,7 @@ class WideBvh {
   // For up to 32 rays, best from one point: bit i says whether ray i is blocked.
   std::uint32_t occluded(const Primitives& primitives, std::span<const Ray> rays) const;
 
-  // Of memory, beside the primitives.
+  // The memory that it takes, beside the primitives.
   std::size_t bytes() const;
 
   // The data that the kernel's queries read. Needs a tree that was built, and is valid as long as

@@ -63,7 +63,7 @@ class RunningMoments {
   int samples() const { return samples_; }
   Rgb mean() const { return {mean_[0], mean_[1], mean_[2]}; }
   double mean_y() const { return mean_[3]; }
-  // Of one sample, divided by n - 1; 0 for n < 2.
+  // The variance of one sample, divided by n - 1; 0 for n < 2.
   Rgb variance() const { return {variance(0), variance(1), variance(2)}; }
   double variance_y() const { return variance(3); }
 

@@ -15,7 +15,7 @@ namespace pt {
 // Throws pt::Error unless write_image knows the extension of `path` and could write there.
 void check_image_target(const std::filesystem::path& path);
 
-// By extension: .png the tone-mapped mean, .exr all of the film (exposure plays no part).
+// Writes by the extension: .png the tone-mapped mean, .exr all of the film (exposure plays no part).
 void write_image(const std::filesystem::path& path, const Film& film, double exposure = 1);
 
 // The bytes of a PNG file.

@@ -14,7 +14,7 @@ namespace grader::programs {
 // submission then names no file either. Throws pt::Error if `out` has reports that show names.
 void hide_names(ClassPlan& plan, const std::string& out);
 
-// Of everybody, in their order: the name in the grading that the plan compares with; empty for who
+// The name of each learner of the plan in the grading that it compares with, in the plan's order; empty for who
 // was not in it. Learners are the same by what their platform calls them, else by name.
 std::vector<std::string> former_names(const ClassPlan& plan);
 

@@ -163,7 +163,7 @@ ClassPlan planned(Options& options, const judge::Config& config,
   return plan;
 }
 
-// What the plan is made of, and what is left out.
+// Prints the seed of the plan, and the files that it leaves out.
 void print_plan(const ClassPlan& plan) {
   fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
   const std::vector<std::string>& files = plan.unclaimed;

@@ -63,7 +63,7 @@ Key key_of(const Judging& judging, const std::string& submission) {
   return {base::sha256(key), base::sha256(base::read_file(points_file(judging)))};
 }
 
-// Of the reports with that path; empty where there are none.
+// The key of the reports with that path; empty where there are none.
 Key key_at(const std::string& path) {
   for (const char* ending : {".json", ".html", ".key"}) {
     if (!fs::exists(path + ending)) return {};

@@ -149,7 +149,7 @@ intake::HandedIn handed_in_from(const json& from) {
       text_from(from.at("feedback"))};
 }
 
-// Of what another program may have written.
+// Throws for a plan that cannot be right: another program may have written it.
 void check_plan(const ClassPlan& plan) {
   const auto check = [](bool holds, const char* what) {
     if (!holds) throw pt::Error(what);

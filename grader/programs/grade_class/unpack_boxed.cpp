@@ -26,7 +26,7 @@ constexpr std::uint64_t kMaxFile = std::uint64_t{64} << 20;  // no owner may hav
 constexpr std::uint64_t kMaxFiles = 32;                      // open at a time
 constexpr std::size_t kMaxReason = 300;
 
-// Of processor time; the box ends a little earlier than who waits for it.
+// The limit of processor time; the box ends a little earlier than the process that waits for it.
 std::uint64_t max_seconds(intake::Extent extent) {
   return extent == intake::Extent::everybody ? 3600 : 60;
 }

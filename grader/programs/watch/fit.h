@@ -8,7 +8,7 @@ struct ScreenSize {
   int columns = 80, rows = 24;
 };
 
-// Of the terminal that standard output is.
+// The size of the terminal that standard output is.
 ScreenSize screen_size();
 
 // A text as a screen shows it whole: longer lines are broken between words,

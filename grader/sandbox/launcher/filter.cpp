@@ -96,7 +96,7 @@ class Filter {
 
 namespace {
 
-// By the commands and flags that an honest program needs. The others end the process: nobody tries
+// Allows the commands and flags that an honest program needs. The others end the process: nobody tries
 // them to find out what a machine can do.
 void allow_descriptors(Filter& filter, bool tools) {
   for (const int command : kDescriptorCommands) {
