@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-// What the mesh formulas share.
+// Parts that the formulas of the meshes share.
 
 namespace scenes {
 

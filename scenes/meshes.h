@@ -19,7 +19,7 @@ struct Mesh {
   std::vector<std::array<int, 3>> faces;  // indices of points, anticlockwise seen from outside
 };
 
-// What all of them promise, for `triangles` from 100 to 10,000,000 (else pt::Error): at most that
+// All of them promise, for `triangles` from 100 to 10,000,000 (else pt::Error): at most that
 // many triangles, short of it by less than 3 sqrt(triangles), each with an area. From 1,000
 // triangles on, the corner normals lie on the face's own side.
 

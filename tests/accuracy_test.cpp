@@ -129,7 +129,7 @@ TEST(Slope, knows_its_error) {
   EXPECT_NEAR(std::sqrt(squares / said), 1, .08);
 }
 
-// Of a method with this error for one sample, and this time of one sample.
+// The curve of a method with this error for one sample, and this time of one sample.
 MethodCurve curve_of(double error, double seconds) {
   MethodCurve curve;
   curve.error2_second = {error * error * seconds, .01 * error * error * seconds};
@@ -382,7 +382,7 @@ TEST(Ladder, turns_measure_noise_bias_and_time) {
     const double variance = weight * (k == 0 ? .09 : .01), bias2 = weight * (k == 0 ? 0 : .04);
     EXPECT_NEAR(turns[k].variance.value, variance,
                 kErrors * turns[k].variance.error + kOfWeights * variance);
-    // Of 5 squares of each of 300 pixels.
+    // The mean of 5 squares of each of 300 pixels.
     EXPECT_NEAR(turns[k].variance.error, variance * std::sqrt(2 / 1500.), .2 * variance * .0365);
     EXPECT_NEAR(turns[k].bias2.value, bias2, kErrors * turns[k].bias2.error + kOfWeights * bias2);
     EXPECT_NEAR(turns[k].seconds, k == 0 ? 2e-6 : 1e-6, 1e-12);

@@ -13,7 +13,7 @@
 namespace grader::sandbox {
 namespace {
 
-// What the launcher is told; empty if it is not told a user.
+// The user that the launcher is told; empty if it is told none.
 std::string user_of(const process::Child& child) {
   for (const std::string& word : child.command) {
     if (word.starts_with("--user=")) return word.substr(word.find('=') + 1);

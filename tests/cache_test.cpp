@@ -278,7 +278,7 @@ TEST_F(Cache, folders_in_use_stay_whatever_their_time) {
   EXPECT_FALSE(use_folder(path("none")));
 }
 
-// Of a process that has ended, nothing is in use.
+// A process that has ended uses nothing any more.
 TEST_F(Cache, folders_of_dead_processes_go) {
   fs::create_directories(path("new"));
   fs::create_directories(path("used"));

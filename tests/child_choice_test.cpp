@@ -48,7 +48,7 @@ float least_of_sets(const BinaryTree& tree, const std::vector<std::uint32_t>& ch
   return area;
 }
 
-// Of the wide nodes at and below a binary one.
+// The least area of the wide nodes at and below a binary one.
 float least_area(const BinaryTree& tree, std::uint32_t node) {
   const pt::BinaryNode& n = tree.nodes[node];
   if (n.count > 0) return 0;

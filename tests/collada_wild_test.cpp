@@ -57,7 +57,7 @@ TEST(SharedIds, that_nothing_refers_to_are_noted) {
   text.geometries += triangle_mesh("spare") + triangle_mesh("spare");
   const LoadedScene loaded = load(text);
   EXPECT_EQ(loaded.scene.primitives.triangles.size(), 1u);
-  // Of each spare mesh the geometry, its source and its vertices.
+  // They are the geometry, the source and the vertices of each spare mesh.
   EXPECT_TRUE(has_note(loaded, "5 elements have the id of another (the first: <light> 'sun'"));
 }
 

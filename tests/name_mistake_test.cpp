@@ -197,7 +197,7 @@ TEST(name_mistake, files_are_read_as_they_were_written) {
   const auto all = read_mistakes(file, "");
   ASSERT_EQ(all.size(), 2u);
   EXPECT_FALSE(all[1].pictures.at("hall").known);
-  // Of a file that has changed since, what was known goes.
+  // If a file has changed since, what was known of it goes.
   KnownMistake changed = second;
   changed.content = "13";
   pt::write_file(file, to_line(first) + to_line(changed));

@@ -105,7 +105,7 @@ TEST(RenderFilm, records_the_variance_of_the_samples) {
   EXPECT_EQ(floor.samples, 16);
 }
 
-// Of a wall of infinite radiance nothing is left, and its pixels are named.
+// Nothing is left of a wall of infinite radiance, and its pixels are named.
 TEST(RenderFilm, leaves_out_samples_that_are_not_finite) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Scene scene = make_scene({infinity, 1, 1});

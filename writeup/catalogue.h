@@ -62,7 +62,7 @@ struct Figure {
   std::vector<Price> prices;        // of the kind "prices"
 };
 
-// Of a curve.
+// The task of a figure that is a curve.
 inline std::string task_of(const Figure& figure) {
   return figure.curve.substr(0, figure.curve.find('.'));
 }

@@ -16,7 +16,7 @@ struct Code {
   std::map<std::string, std::string> unusable;  // tasks that cannot run, each with the reason
 };
 
-// Of writeup_render.<name>, by the list of objects beside it.
+// The code in writeup_render.<name>, by the list of objects beside it.
 Code code_of_program(const std::filesystem::path& program);
 
 // A name that stands for all code on which the pixels of a render depend.

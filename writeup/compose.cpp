@@ -26,7 +26,7 @@ void add(Rendered& sum, const Rendered& layer) {
   if (sum.failed.empty()) sum.failed = layer.failed;
 }
 
-// Of the mean of a pixel, as a part of what it is divided by; squared.
+// The variance of the mean of a pixel, divided by the square of what the picture divides it by.
 double relative_variance(const pt::FilmPixel& pixel) {
   const double scale = pt::luminance(pixel.mean) + kDark;
   return pixel.variance_y / std::max(pixel.samples, 1) / (scale * scale);

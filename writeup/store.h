@@ -41,7 +41,7 @@ class Store {
   std::string key(const Unit& unit) const;
   std::filesystem::path folder(const Unit& unit) const { return folder_ / key(unit); }
 
-  // Of the content of a scene file.
+  // A hash of the content of a scene file.
   std::string scene_hash(const std::string& file) const;
 
   // The render's bands, in `count` of about equal size; as they were cut when it was begun. Makes

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-// Of the reference, whose path does not depend on the cap as long as it is below it: the walk that
+// The reference's path does not depend on the cap as long as it is below it: the walk that
 // is taken apart, up to bounce m, is the one that stops there, bit for bit.
 
 namespace pt::proof {

@@ -61,7 +61,7 @@ inline Meeting meet(const Triangle& triangle, const Ray& ray) {
   if (product < 0x1p-45L) return {Meeting::Kind::either, 0, HUGE_VALL};
   const long double t = dot(n, p0 - o) / (cosine * length(d));
   const Exact at = o + t * d;
-  // Of a point in the plane, the distances to the edges, less than zero outside.
+  // The distances of a point in the plane to the edges, less than zero outside.
   const auto inside = [&](Exact a, Exact b) {
     return dot(n, cross(b - a, at - a)) / length(b - a);
   };

@@ -103,7 +103,7 @@ TEST(Sky, lights_by_how_much_of_it_is_seen) {
   }
 }
 
-// Of the sky above the floor, a large sheet hides what lies beyond its edge: a half.
+// A large sheet hides the half of the sky above the floor that lies beyond its edge.
 TEST(Sky, is_hidden_by_a_sheet) {
   const Place place{frame_from_normal({0, 1, 0}), {}};
   SceneBuilder builder = floor_at(place);

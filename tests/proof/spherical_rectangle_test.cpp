@@ -123,8 +123,8 @@ TEST(SphericalRectangle, has_no_solid_angle_in_its_own_plane) {
   EXPECT_EQ(spherical_rectangle({0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}).solid_angle, 0);
 }
 
-// Of n points, each of 16 equal squares holds a sixteenth, but for a few; random ones vary by the
-// root of that.
+// Each of 16 equal squares holds a sixteenth of n points, but for a few; with random points that number varies by its
+// square root.
 TEST(Quasirandom, fills_the_square_evenly) {
   Sampler sampler(72);
   for (int round = 0; round < 50; ++round) {

@@ -37,7 +37,7 @@ Journal journal_of(const Call& call) {
 
 namespace {
 
-// Of the tasks without which there is no picture at all.
+// The unwritten ones among the tasks without which there is no picture at all.
 std::vector<std::string> unwritten_and_needed(pt::Engine engine) {
   Spec spec;
   spec.engine = engine;

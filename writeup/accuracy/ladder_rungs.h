@@ -34,7 +34,7 @@ struct Chosen {
   LightIdea lights = LightIdea::none;  // the cheapest, but solid_angle alone; more is not kept
 };
 
-// Of a rung that has these ideas for its lights.
+// The rung with these ideas for its lights.
 Rung with_lights(Rung rung, LightIdea idea, const Chosen& chosen);
 
 // The rungs, from below. Their programs are listed in writeup/CMakeLists.txt.

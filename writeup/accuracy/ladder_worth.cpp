@@ -23,7 +23,7 @@ Uncertain exp_of(const Uncertain& log) {
   return {std::exp(log.value), std::exp(log.value) * log.error};
 }
 
-// Of a few turns, where each was timed side by side.
+// The mean difference over a few turns, in each of which both were timed side by side.
 Uncertain mean_difference(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> differences;
   for (std::size_t i = 0; i < a.size(); ++i) differences.push_back(a[i] - b[i]);

@@ -69,7 +69,7 @@ class Study {
   Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
         std::function<void(double)> progress, int bounces = kAllBounces, Journal journal = {});
 
-  // Of all renders so far.
+  // The time of all renders so far.
   double cpu_seconds() const { return cpu_seconds_; }
   // The run has ended as it should: it will not have to go on.
   void forget_journal() { journal_.remove(); }

@@ -27,7 +27,7 @@ struct Input {
   bool hits() const { return enter.t <= leave.t; }
 };
 
-// By slabs (Kay and Kajiya 1986), in long double. False if the ray runs beside the box.
+// Finds where the ray enters and leaves, by slabs (Kay and Kajiya 1986), in long double. False if the ray runs beside the box.
 bool find_ends(Input& input) {
   const long double step = length(Precise3(input.ray.direction));
   input.enter = {input.ray.t_min, step};

@@ -52,7 +52,7 @@ const TaskConfig& config_of(const Config& config, const std::string& slug) {
 // Names beside the reference, by task.
 using Asked = std::map<std::string, std::vector<std::string>>;
 
-// Of "hit_sphere.half_b" the task; "" for other words, as "1.3".
+// The task in "hit_sphere.half_b"; "" for other words, as "1.3".
 std::string task_named(const Config& config, const std::string& word) {
   const std::string slug = word.substr(0, word.find('.'));
   const bool known = std::any_of(config.tasks.begin(), config.tasks.end(),
@@ -103,7 +103,7 @@ class Workshop {
         plain_(plain_config_, materials.tier, kCompileSeconds),
         counted_(counted_config_, materials.tier, kCompileSeconds) {}
 
-  // Of what is compiled, or, where nothing is, says why.
+  // Completes the candidate from its object, or says why there is none.
   void finish(const Judged& judged, bool counts, Candidate& candidate) const {
     if (!judged.object.ok()) {
       const auto& result = judged.result;

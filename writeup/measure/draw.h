@@ -23,7 +23,7 @@ inline pt::Vec3 in_cube(double half, pt::Sampler& sampler) {
   return {x, y, between(-half, half, sampler)};
 }
 
-// Of unit length.
+// A direction of unit length, uniform over the sphere.
 inline pt::Vec3 any_direction(pt::Sampler& sampler) {
   const double z = between(-1, 1, sampler), angle = between(0, 2 * pt::kPi, sampler);
   const double r = std::sqrt(1 - z * z);

@@ -133,7 +133,7 @@ std::optional<Aimed<pt::Sphere>> make_sphere(pt::Sampler& sampler) {
   return aimed;
 }
 
-// Of the point at t, and of the normal there, in radii.
+// The errors of the point at t, and of the normal there, in radii.
 std::array<long double, 2> errors_at(const Aimed<pt::Sphere>& aimed, const SurfaceHit& hit) {
   const long double t = hit.t, radius = aimed.shape.radius;
   const Precise3 p = Precise3(aimed.ray.origin) + t * Precise3(aimed.ray.direction);

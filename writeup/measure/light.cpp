@@ -49,7 +49,7 @@ std::vector<Patch> patches() {
   return all;
 }
 
-// Of f, and of the density that a sample says it has.
+// Notes the errors of f, and of the density that a sample says it has.
 void look_at_bsdf(const Patch& patch, pt::Sampler& sampler, Found& found) {
   const pt::BsdfSample sample = pt::diffuse_sample(patch.albedo, patch.wo, sampler);
   for (const Rgb& f : {pt::diffuse_f(patch.albedo, patch.wo, sample.wi), sample.f}) {

@@ -182,7 +182,7 @@ class Measuring {
     }
   }
 
-  // Of all but the reference.
+  // A new order of all but the reference.
   std::vector<std::size_t> new_order() {
     std::vector<std::size_t> order;
     for (std::size_t p = 1; p < players_.size(); ++p) {

@@ -15,7 +15,7 @@ struct Ranged {
 // Statistics, section 7.1). Of less than six values it is from the least to the largest.
 Ranged median_of(std::vector<double> values);
 
-// Of two values or more that are independent.
+// The mean of two values or more that are independent.
 Ranged mean_of(const std::vector<double>& values);
 
 // Both are positive and independent.

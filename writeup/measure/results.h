@@ -42,7 +42,7 @@ std::string mistake(const About& about, const Row& row);
 // worse in the other. Tables are compared with themselves, or all together where they have one front.
 std::vector<std::vector<bool>> pareto_fronts(const About& about, const std::vector<Table>& tables);
 
-// Of an estimator: time x variance, over that of the reference.
+// The work of an estimator: time x variance, over that of the reference.
 Ranged work(const Row& row, const Row& reference);
 
 }  // namespace writeup::measure

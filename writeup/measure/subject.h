@@ -16,7 +16,7 @@ struct Subject {
   std::function<Found(std::uint64_t seed)> find;
 };
 
-// By the place of the case in tasks.h.
+// The subjects, in the order of the cases in tasks.h.
 Subject camera_rays();
 Subject triangles();
 Subject spheres();
