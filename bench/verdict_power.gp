@@ -8,7 +8,7 @@ set logscale x 2
 set xrange [14:580]
 set yrange [-5:105]
 set xtics (16, 32, 64, 128, 256, 512)
-set xlabel "samples per pixel in stage 1"
+set xlabel "samples per pixel in round 1"
 set ylabel "found, %"
 set grid
 array Error[5] = ["1 % too bright", "10 % too dark in a 2 % block", "a shadow missing on 1 %", "indirect light 5 % low", "one bounce too few"]

@@ -22,7 +22,7 @@ struct SampleMapReference {
   int height = 0;
   pt::AdaptiveSettings settings;
   int runs = 0;
-  std::vector<double> mean;            // number of samples that a pixel took
+  std::vector<double> mean;            // of the samples that a pixel took
   std::vector<double> deviation;       // of the same, between the runs; one run's, not the mean's
   std::vector<char> always_one_batch;  // pixels that took one batch in every run
   std::vector<char> constant;          // pixels of the same value in every run,
