@@ -131,7 +131,7 @@ function(firstlight_add_compiled)
   foreach(place IN LISTS compiled_programs)
     get_filename_component(program ${place} NAME)
     set(copy ${PROJECT_BINARY_DIR}/${place})
-    add_custom_command(OUTPUT ${copy} DEPENDS ${folder}/${place}
+    add_custom_command(OUTPUT ${copy} VERBATIM DEPENDS ${folder}/${place}
       COMMAND ${CMAKE_COMMAND} -E copy ${folder}/${place} ${copy})
     add_custom_target(${program} DEPENDS ${copy})
     if(place MATCHES "^grader/box")

@@ -16,7 +16,7 @@ open_edition() {
   if [ ! -d "$from" ]; then
     unpacked=$(mktemp -d)
     # shellcheck disable=SC2064
-    trap "rm -rf '$unpacked'" EXIT
+    trap "rm -rf ${unpacked@Q}" EXIT
     from=$(realpath -- "$from")
     (cd "$unpacked" && cmake -E tar xf "$from") >/dev/null 2>&1 ||
       fail "$1 cannot be unpacked: give a folder, a .zip or a .tar.gz"
@@ -83,7 +83,7 @@ submit() {
   done < <(tasks_meant)
   half=$(mktemp -d)
   # shellcheck disable=SC2064
-  trap "rm -rf '$half' '$target.half'" EXIT
+  trap "rm -rf ${half@Q} ${target@Q}.half" EXIT
   for file in "${files[@]}"; do
     mkdir -p "$half/$(dirname "$file")"
     cp "$root/student/$file" "$half/$file"

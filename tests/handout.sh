@@ -5,7 +5,7 @@
 # shellcheck disable=SC2015
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-root=$PWD build=$1 folder=$1/handout
+root=$PWD build=$1 folder="$1/a learner's handout" # CMake and shells have to quote it
 # Always in one place, and by paths that do not name it: then ccache knows what it has compiled before.
 export CCACHE_BASEDIR=$folder CCACHE_NOHASHDIR=1
 

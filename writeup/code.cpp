@@ -20,7 +20,8 @@ Code code_of_program(const std::filesystem::path& program) {
   std::map<std::string, std::string> contents;
   const std::filesystem::path build = program.parent_path().parent_path();
   std::istringstream list(pt::read_file(program.string() + ".objects", kMaxObject));
-  for (std::string name, path; list >> name >> path;) {
+  // A line each: a name without spaces, one space, and the rest of the line is the path.
+  for (std::string name, path; list >> name && list.get() == ' ' && std::getline(list, path);) {
     contents[name] += grader::base::sha256(pt::read_file(build / path, kMaxObject));
   }
   if (contents.empty()) throw pt::Error(program.string() + ".objects is empty");
