@@ -4,16 +4,24 @@
 # its sources, as in the full tree.
 
 # The archives that the programs link; the objects of some are listed in grade.json and by the write-up.
-set(compiled_archives pt_base pt_scene pt_image pt_loader pt_render pt_rows pt_progress grader_tasks grader_base grader_process grader_users
-  grader_sandbox grader_results grader_pictures grader_recipe_scenes grader_report grader_judge grader_mistakes grader_check
-  grader_counting grader_wire)
-set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_render pt_rows)
+set(compiled_archives pt_base pt_scene pt_image pt_loader pt_test_count pt_film pt_render pt_rows pt_progress scene_meshes
+  grader_tasks grader_base grader_process grader_users grader_sandbox grader_results
+  grader_pictures grader_recipe_scenes grader_worker_rows grader_report grader_judge grader_mistakes grader_closed_forms grader_check grader_counting grader_wire)
+set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_test_count pt_film pt_render pt_rows scene_meshes
+  grader_closed_forms)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
-  grader_worker grader_recording
-  diffuse_bsdf.mock hit_box.counting hit_sphere.counting hit_triangle.counting hit_box.callback hit_sphere.callback
-  hit_triangle.callback radiance.callback)
+  grader_worker grader_serve grader_recording)
 set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/graded_picture pt/compare
   scenes/generate)
+foreach(slug IN LISTS FIRSTLIGHT_COUNTED)
+  list(APPEND compiled_objects ${slug}.counting)
+endforeach()
+foreach(name IN LISTS FIRSTLIGHT_ANSWERED)
+  list(APPEND compiled_objects ${name}.callback)
+endforeach()
+foreach(slug IN LISTS FIRSTLIGHT_MOCKED)
+  list(APPEND compiled_objects ${slug}.mock)
+endforeach()
 foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
   list(APPEND compiled_objects properties.${slug} ${slug}.repeat)
   list(APPEND compiled_programs grader/graded.${slug})

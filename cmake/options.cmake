@@ -32,6 +32,15 @@ function(firstlight_objects name)
   target_link_libraries(${name} PRIVATE firstlight_warnings PUBLIC firstlight_options)
 endfunction()
 
+# firstlight_starts(<program> <target>...): the program starts these, and so they are built with it; but not where it is only to be
+# linked (tests/one_definition.sh).
+option(FIRSTLIGHT_LINK_ONLY "Build programs without those that they start" OFF)
+function(firstlight_starts program)
+  if(NOT FIRSTLIGHT_LINK_ONLY)
+    add_dependencies(${program} ${ARGN})
+  endif()
+endfunction()
+
 # Programs of one learner's file are linked by the hundred, and so are tests: gold takes a third of ld's time.
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold FIRSTLIGHT_GOLD)

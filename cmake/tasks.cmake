@@ -7,7 +7,9 @@
 #
 # grader/tasks.json is the table of them. From it, for each slug: FIRSTLIGHT_JUDGE_ANSWERS_<slug> and
 # FIRSTLIGHT_MOCKS_<slug>, slugs; and where its calls can be counted, FIRSTLIGHT_COUNTED_<slug>: the
-# types of its result and of its shape, and the counter's name.
+# types of its result and of its shape, and the counter's name. And lists of slugs: FIRSTLIGHT_COUNTED those whose calls can be counted,
+# FIRSTLIGHT_TAPED those whose answers the write-up can keep on a tape, FIRSTLIGHT_MOCKED those that a mock stands for, and
+# FIRSTLIGHT_ANSWERED what the judge answers: slugs, and the slot radiance.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/grader/tasks.json)
 file(READ ${PROJECT_SOURCE_DIR}/grader/tasks.json table)
 # firstlight_names(<variable> <words of the path in the table>...): an array of names as a list; empty
@@ -39,7 +41,18 @@ foreach(i RANGE ${last})
       list(APPEND FIRSTLIGHT_COUNTED_${slug} ${value})
     endif()
   endforeach()
+  if(DEFINED FIRSTLIGHT_COUNTED_${slug})
+    list(APPEND FIRSTLIGHT_COUNTED ${slug})
+  endif()
+  string(JSON taped ERROR_VARIABLE missing GET "${table}" tasks ${i} taped)
+  if(NOT missing AND taped)
+    list(APPEND FIRSTLIGHT_TAPED ${slug})
+  endif()
+  list(APPEND FIRSTLIGHT_ANSWERED ${FIRSTLIGHT_JUDGE_ANSWERS_${slug}})
+  list(APPEND FIRSTLIGHT_MOCKED ${FIRSTLIGHT_MOCKS_${slug}})
 endforeach()
+list(REMOVE_DUPLICATES FIRSTLIGHT_ANSWERED)
+list(REMOVE_DUPLICATES FIRSTLIGHT_MOCKED)
 
 # The library <slug>.<name>.counted: the same implementation, and a counter (pt/render/test_count.h).
 function(firstlight_add_counted slug name source)
@@ -55,10 +68,9 @@ function(firstlight_add_counted slug name source)
   endif()
 endfunction()
 
-# The library <slug>.<name>.taped of a task of direct light: the same implementation, by way of the tape of
-# pt/render/bounces_apart.h.
+# The library <slug>.<name>.taped: the same implementation, by way of the tape of pt/render/bounces_apart.h.
 function(firstlight_add_taped slug name source)
-  if(slug MATCHES "^direct_")
+  if(slug IN_LIST FIRSTLIGHT_TAPED)
     set(taped ${CMAKE_CURRENT_BINARY_DIR}/taped/${slug}.${name}.cpp)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/taped.cpp.in ${taped} @ONLY)
     add_library(${slug}.${name}.taped OBJECT EXCLUDE_FROM_ALL ${taped})
@@ -163,21 +175,29 @@ function(firstlight_inner_choices slug implementation radiance)
   set(INNER_CHOICES ${choices} PARENT_SCOPE)
 endfunction()
 
+# firstlight_symbol(<slug> <result>): the name that g++ and clang give to the function of a counted or taped task;
+# self_check/tasks_test.cpp compares it with the reference's object.
+function(firstlight_symbol slug result)
+  string(LENGTH ${slug} length)
+  if(slug IN_LIST FIRSTLIGHT_COUNTED)
+    list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
+    string(LENGTH ${shape} shape_length)
+    set(arguments RKNS_${shape_length}${shape}ERKNS_3RayE)
+  elseif(slug IN_LIST FIRSTLIGHT_TAPED)
+    set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
+  else()
+    message(FATAL_ERROR "grader/tasks.json does not say that ${slug} is counted or taped")
+  endif()
+  set(${result} _ZN2pt${length}${slug}E${arguments} PARENT_SCOPE)
+endfunction()
+
 # firstlight_wrap(<objects> <flags> <slug>...): the objects define what calls of these tasks go through in a
-# program that is linked with the flags, by the names that g++ and clang give to the functions:
+# program that is linked with the flags, by the names of the functions:
 # "__wrap_" FIRSTLIGHT_SYMBOL_<slug>, and "__real_" for the task itself. Without objects, only the flags are set.
 function(firstlight_wrap objects flags)
   set(words)
   foreach(slug IN LISTS ARGN)
-    string(LENGTH ${slug} length)
-    if(DEFINED FIRSTLIGHT_COUNTED_${slug})
-      list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
-      string(LENGTH ${shape} shape_length)
-      set(arguments RKNS_${shape_length}${shape}ERKNS_3RayE)
-    else()
-      set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
-    endif()
-    set(symbol _ZN2pt${length}${slug}E${arguments})
+    firstlight_symbol(${slug} symbol)
     if(objects)
       target_compile_definitions(${objects} PRIVATE FIRSTLIGHT_SYMBOL_${slug}="${symbol}")
     endif()

@@ -76,36 +76,31 @@
 #define FIRSTLIGHT_CALLS_render_rows(CALL, DRAW) \
   CALL(PictureRows, render_rows, (const View& view, const RowsRequest& request), (view, request))
 
-// In the order of the course.
-#define FIRSTLIGHT_TASKS(TASK) \
-  TASK(estimate_pixel)         \
-  TASK(camera_ray)             \
-  TASK(hit_triangle)           \
-  TASK(hit_sphere)             \
-  TASK(build_bvh)              \
-  TASK(hit_box)                \
-  TASK(hit_bvh)                \
-  TASK(diffuse_bsdf)           \
-  TASK(direct_hemisphere)      \
-  TASK(direct_lights)          \
-  TASK(trace_path)             \
-  TASK(adaptive_pixel)
-
-#define FIRSTLIGHT_CALLS(CALL, DRAW)                                                         \
-  FIRSTLIGHT_CALLS_estimate_pixel(CALL, DRAW) FIRSTLIGHT_CALLS_camera_ray(CALL, DRAW)        \
-      FIRSTLIGHT_CALLS_hit_triangle(CALL, DRAW) FIRSTLIGHT_CALLS_hit_sphere(CALL, DRAW)      \
-          FIRSTLIGHT_CALLS_build_bvh(CALL, DRAW) FIRSTLIGHT_CALLS_hit_box(CALL, DRAW)        \
-              FIRSTLIGHT_CALLS_hit_bvh(CALL, DRAW) FIRSTLIGHT_CALLS_diffuse_bsdf(CALL, DRAW) \
-                  FIRSTLIGHT_CALLS_direct_hemisphere(CALL, DRAW)                             \
-                      FIRSTLIGHT_CALLS_direct_lights(CALL, DRAW)                             \
-                          FIRSTLIGHT_CALLS_trace_path(CALL, DRAW)                            \
-                              FIRSTLIGHT_CALLS_adaptive_pixel(CALL, DRAW)                    \
-                                  FIRSTLIGHT_CALLS_radiance(CALL, DRAW)                      \
-                                      FIRSTLIGHT_CALLS_render_rows(CALL, DRAW)
+// TASK(slug, CALL, DRAW) for each task, in the order of grader/tasks.json, which self_check/tasks_test
+// compares with it.
+#define FIRSTLIGHT_TASKS(TASK, CALL, DRAW) \
+  TASK(estimate_pixel, CALL, DRAW)         \
+  TASK(camera_ray, CALL, DRAW)             \
+  TASK(hit_triangle, CALL, DRAW)           \
+  TASK(hit_sphere, CALL, DRAW)             \
+  TASK(build_bvh, CALL, DRAW)              \
+  TASK(hit_box, CALL, DRAW)                \
+  TASK(hit_bvh, CALL, DRAW)                \
+  TASK(diffuse_bsdf, CALL, DRAW)           \
+  TASK(direct_hemisphere, CALL, DRAW)      \
+  TASK(direct_lights, CALL, DRAW)          \
+  TASK(trace_path, CALL, DRAW)             \
+  TASK(adaptive_pixel, CALL, DRAW)
 
 // The rows of one task whose slug is itself a macro.
 #define FIRSTLIGHT_JOIN(a, b) a##b
 #define FIRSTLIGHT_CALLS_OF(slug) FIRSTLIGHT_JOIN(FIRSTLIGHT_CALLS_, slug)
+
+// All rows.
+#define FIRSTLIGHT_ROWS(slug, CALL, DRAW) FIRSTLIGHT_CALLS_OF(slug)(CALL, DRAW)
+#define FIRSTLIGHT_CALLS(CALL, DRAW)            \
+  FIRSTLIGHT_TASKS(FIRSTLIGHT_ROWS, CALL, DRAW) \
+  FIRSTLIGHT_CALLS_radiance(CALL, DRAW) FIRSTLIGHT_CALLS_render_rows(CALL, DRAW)
 
 // For the body of a file that defines Repeated (grader/check/repeat.h): makes it for one task.
 #define FIRSTLIGHT_NO_ROW(result, function, parameters, names)
@@ -124,8 +119,8 @@ enum class Function : std::uint32_t { FIRSTLIGHT_CALLS(FIRSTLIGHT_NAME, FIRSTLIG
 inline constexpr std::array kFunctionNames{FIRSTLIGHT_CALLS(FIRSTLIGHT_NAME, FIRSTLIGHT_NAME)};
 #undef FIRSTLIGHT_NAME
 
-#define FIRSTLIGHT_NAME(slug) std::string_view(#slug),
-inline constexpr std::array kTasks{FIRSTLIGHT_TASKS(FIRSTLIGHT_NAME)};
+#define FIRSTLIGHT_NAME(slug, CALL, DRAW) std::string_view(#slug),
+inline constexpr std::array kTasks{FIRSTLIGHT_TASKS(FIRSTLIGHT_NAME, , )};
 #undef FIRSTLIGHT_NAME
 
 // The number of a function: kFunction<&pt::hit_box> is Function::hit_box.

@@ -3,6 +3,7 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -46,12 +47,25 @@ std::vector<Task> read_tasks() {
   return tasks;
 }
 
+// Through these a scene is traced.
+constexpr std::array kTracers{"build_bvh", "hit_bvh"};
+
 void add_needs(const Task& task, std::set<std::string>& needed) {
   Names calls = task.calls;
-  if (task.traces) calls.insert(calls.end(), {"build_bvh", "hit_bvh"});
+  if (task.traces) calls.insert(calls.end(), kTracers.begin(), kTracers.end());
   for (const std::string& slug : calls) {
     if (needed.insert(slug).second) add_needs(task_of(slug), needed);
   }
+}
+
+Names find_tracing_tasks() {
+  std::set<std::string> found(kTracers.begin(), kTracers.end());
+  for (const char* slug : kTracers) add_needs(task_of(slug), found);
+  Names all;
+  for (const Task& task : tasks()) {
+    if (found.contains(task.slug)) all.push_back(task.slug);
+  }
+  return all;
 }
 
 std::map<std::string, Names, std::less<>> find_needs() {
@@ -86,6 +100,11 @@ const std::vector<std::string>& needs(std::string_view slug) {
   static const Names none;
   const auto found = all.find(slug);
   return found == all.end() ? none : found->second;
+}
+
+const std::vector<std::string>& tracing_tasks() {
+  static const Names all = find_tracing_tasks();
+  return all;
 }
 
 }  // namespace grader

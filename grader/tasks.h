@@ -19,9 +19,10 @@ struct Task {
   std::vector<std::string> mocks{};          // and what a mock stands for
   std::vector<std::string> framework{};      // functions of the renderer: "pt::Scene::closest"
   bool traces = false;                       // it sends rays through a scene, and so through a tree
-  // The table has two words more. `scene`, above the tasks: the `framework` of all that trace.
-  // `counted`, for CMake (cmake/tasks.cmake): the types of the result and the shape of a task whose
-  // calls can be counted, and the name of the counter.
+  // The table has three words more. `scene`, above the tasks: the `framework` of all that trace.
+  // For CMake (cmake/tasks.cmake), `counted`: the types of the result and the shape of a task whose
+  // calls can be counted, and the name of the counter; and `taped`: whether the write-up can keep
+  // its answers on a tape (cmake/taped.cpp.in).
 
   std::string file() const { return part + "/" + slug + ".cpp"; }
 };
@@ -35,6 +36,10 @@ const Task& task_of(std::string_view slug);
 // The tasks whose code a task's calls reach, in the order of the course: all of them, not only
 // those it calls itself. Scenes are traced by build_bvh and hit_bvh.
 const std::vector<std::string>& needs(std::string_view slug);
+
+// The tasks that a ray through a scene is traced by, in the order of the course: build_bvh, hit_bvh
+// and what they need.
+const std::vector<std::string>& tracing_tasks();
 
 // The text of grader/tasks.json.
 extern const std::string_view tasks_json;

@@ -5,10 +5,12 @@
 set -euo pipefail
 
 root=$1 build=$2 compiler=$3
-# Together these hold every folder of the grader; grade and known_mistakes would build every task's program beside them.
-programs=(watch hint grade_class graded.hit_bvh graded_picture wrong_and_right_test)
+# Together these hold every folder of the grader, and the write-up's programs that start submissions. They are not run, and so
+# built without what they start: the programs of all tasks.
+programs=(watch hint grade grade_class bless stability graded.hit_bvh graded_picture wrong_and_right_test known_mistakes
+  writeup_boxed measure)
 mkdir -p "$build"
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -flto=auto" -DFIRSTLIGHT_PCH=OFF \
+cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -flto=auto" -DFIRSTLIGHT_PCH=OFF -DFIRSTLIGHT_LINK_ONLY=ON \
   -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_EXE_LINKER_FLAGS="-Werror=odr -Werror=lto-type-mismatch" \
   -DCMAKE_AR="$(command -v gcc-ar)" -DCMAKE_RANLIB="$(command -v gcc-ranlib)" \
   -DFIRSTLIGHT_WERROR=ON >"$build/configure.log" 2>&1 || {

@@ -6,6 +6,7 @@
 #include "grader/wire/session.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/render/choose_engine.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
 #include "writeup/band.h"
@@ -74,13 +75,14 @@ double make_rows(const pt::View& view, const Spec& spec, const Band& band, int y
 
 bool tree_is_missing() {
   const auto& todo = wire::session().record().todo;
-  return todo.contains("build_bvh") || todo.contains("hit_box") || todo.contains("hit_bvh");
+  return std::ranges::any_of(
+      pt::kTreeTasks, [&](std::string_view task) { return todo.contains(std::string(task)); });
 }
 
 std::vector<std::string> missing_tasks(const Spec& spec, bool tree_missing) {
   std::vector<std::string> missing;
   for (const std::string& task : tasks_used(spec)) {
-    const bool of_tree = task == "build_bvh" || task == "hit_box" || task == "hit_bvh";
+    const bool of_tree = std::ranges::count(pt::kTreeTasks, task) > 0;
     if (of_tree && tree_missing) continue;
     if (wire::session().record().todo.contains(task)) missing.push_back(task);
   }

@@ -1,6 +1,7 @@
 // writeup: plans the figures of the write-up, makes what is missing or out of date, and writes the
 // pages. ./run writeup builds what it needs and starts it.
 #include "grader/process/run_command.h"
+#include "grader/tasks.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/printable.h"
@@ -9,6 +10,7 @@
 #include "writeup/handbook.h"
 #include "writeup/make_site.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -35,10 +37,9 @@ void lock(const fs::path& work) {
 
 bool traces_with_reference(const std::string& mixture) {
   if (!mixture.starts_with("reference")) return false;
-  for (const char* task : {"hit_triangle", "hit_sphere", "build_bvh", "hit_box", "hit_bvh"}) {
-    if (mixture.find(std::string(task) + "=") != std::string::npos) return false;
-  }
-  return true;
+  return std::ranges::none_of(grader::tracing_tasks(), [&](const std::string& task) {
+    return mixture.find(task + "=") != std::string::npos;
+  });
 }
 
 // The wrong solutions that the pictures of the catalogue are rendered with.

@@ -1,5 +1,6 @@
 #include "writeup/plan.h"
 
+#include "grader/tasks.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -80,10 +81,9 @@ bool Plan::traces_as_reference(const Picture& picture) const {
   if (!codes_.reference_rays && reference == codes_.mistakes.end()) return false;
   const Code& right = codes_.reference_rays ? codes_.chosen : reference->second;
   const auto& hash = code_of(picture).hash;
-  for (const char* task : {"hit_triangle", "hit_sphere", "build_bvh", "hit_box", "hit_bvh"}) {
-    if (hash.at(task) != right.hash.at(task)) return false;
-  }
-  return true;
+  return std::ranges::all_of(grader::tracing_tasks(), [&](const std::string& task) {
+    return hash.at(task) == right.hash.at(task);
+  });
 }
 
 Unit Plan::unit(const Picture& picture) const {

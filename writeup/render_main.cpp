@@ -14,6 +14,7 @@
 #include "pt/todo.h"
 #include "writeup/band.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace writeup {
@@ -79,7 +80,7 @@ Row render_row(const pt::View& view, int y, const pt::RenderSettings& settings,
 std::vector<std::string> missing_tasks(const Spec& spec, pt::Engine engine) {
   std::vector<std::string> missing;
   for (const std::string& task : tasks_used(spec)) {
-    const bool of_tree = task == "build_bvh" || task == "hit_box" || task == "hit_bvh";
+    const bool of_tree = std::ranges::count(pt::kTreeTasks, task) > 0;
     if (of_tree && engine == pt::Engine::linear) continue;
     if (pt::todo_reached(task)) missing.push_back(task);
   }

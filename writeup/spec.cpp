@@ -1,6 +1,7 @@
 #include "writeup/spec.h"
 
 #include "pt/error.h"
+#include "pt/render/choose_engine.h"
 
 #include <map>
 
@@ -85,7 +86,7 @@ std::set<std::string> tasks_used(const Spec& spec) {
   std::set<std::string> tasks{"camera_ray", spec.adaptive ? "adaptive_pixel" : "estimate_pixel"};
   if (spec.engine != pt::Engine::wide) tasks.insert({"hit_triangle", "hit_sphere"});
   // Also where no tree is asked for: the tree is what the program tries first.
-  if (spec.engine == pt::Engine::task) tasks.insert({"build_bvh", "hit_box", "hit_bvh"});
+  if (spec.engine == pt::Engine::task) tasks.insert(pt::kTreeTasks.begin(), pt::kTreeTasks.end());
   if (spec.path.show_normals || spec.path.to < 1) return tasks;
   tasks.insert({"trace_path", "diffuse_bsdf"});
   const bool hemisphere = spec.path.direct == Direct::hemisphere;

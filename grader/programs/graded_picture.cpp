@@ -34,10 +34,7 @@ struct Options {
 
 // Parts 1 and 2 are what the wide engine does without.
 pt::Engine engine_for(const std::string& slug) {
-  const Task& tree = task_of("hit_bvh");
-  const bool traces =
-      slug == "build_bvh" || slug == tree.slug || std::ranges::count(tree.calls, slug) > 0;
-  return traces ? pt::Engine::task : pt::Engine::wide;
+  return std::ranges::count(tracing_tasks(), slug) > 0 ? pt::Engine::task : pt::Engine::wide;
 }
 
 // This program renders one scene.

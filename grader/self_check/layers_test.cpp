@@ -1,5 +1,6 @@
-// The folders of the grader, and those that each may include. A folder uses those that stand before
-// it in the list; so no two use each other, and who reads one from the bottom up needs no other.
+// The folders of the grader and of the renderer, and those that each may include. A folder uses those
+// that stand before it in the list; so no two use each other, and who reads one from the bottom up
+// needs no other. The table of them, with where things are, is in decision 32.
 #include "grader/base/files.h"
 
 #include <algorithm>
@@ -32,14 +33,33 @@ const std::map<std::string, std::set<std::string>> kOnly{
     {"intake", {"base"}},
     {"report", {"base", "results", "pictures"}}};
 
+// The folders of pt/, likewise.
+const std::vector<std::string> kRenderer{"math",  "sampling", "geometry", "accel",
+                                         "scene", "tasks",    "image",    "render"};
+
+// Where the renderer calls tasks, whose contracts speak of its scenes: the only includes upwards.
+const std::map<std::string, std::set<std::string>> kCallsOfTasks{
+    {"geometry/primitives.h", {"hit_sphere.h", "hit_triangle.h"}},
+    {"scene/tracer.cpp", {"build_bvh.h", "hit_bvh.h"}}};
+
+// What is linked in the place of a task or of the slot radiance is in namespace pt, as they are.
+const std::set<std::string> kInPlaceOfTasks{
+    "check/counting_hit_box.cpp", "check/counting_hit_sphere.cpp",
+    "check/counting_hit_triangle.cpp", "check/mock_diffuse_bsdf.cpp", "wire/implementation.cpp"};
+
+// Files that have a part in the namespace of another folder: Repeated of check/repeat.h, for tasks
+// in a worker.
+const std::map<std::string, std::string> kSpecialised{{"wire/call.h", "grader::check"}};
+
 struct Source {
   fs::path path;
-  std::string folder, text;
+  std::string folder, text;  // folder: empty for files of grader/ itself
 };
 
 // Solutions of a task, right and wrong ones, and submissions that attack are not the grader's code.
 bool is_ours(const fs::path& below) {
   const auto depth = std::distance(below.begin(), below.end());
+  if (depth == 1) return true;
   const std::string folder = *below.begin();
   if (folder == "tasks") return depth == 3;
   return folder != "self_check" || depth == 2;
@@ -50,12 +70,10 @@ std::vector<Source> sources() {
   const fs::path grader = FIRSTLIGHT_ROOT "/grader";
   for (const auto& entry : fs::recursive_directory_iterator(grader)) {
     const fs::path below = fs::relative(entry.path(), grader);
-    const std::string folder = *below.begin();
+    const std::string folder = below.has_parent_path() ? below.begin()->string() : "";
     const std::string type = entry.path().extension();
     const bool code = type == ".cpp" || type == ".h";
-    if (code && is_ours(below) && std::ranges::count(kFolders, folder) > 0) {
-      all.push_back({below, folder, base::read_file(entry.path())});
-    }
+    if (code && is_ours(below)) all.push_back({below, folder, base::read_file(entry.path())});
   }
   return all;
 }
@@ -72,8 +90,10 @@ std::map<std::string, std::string> included(const std::string& text) {
   return folders;
 }
 
+// Before it in the list; files of grader/ itself stand before all folders.
 bool may_include(const std::string& folder, const std::string& other) {
   if (folder == other) return true;
+  if (folder.empty()) return false;
   // A battery asks what the properties of its task ask too.
   if (other == "tasks") return folder == "mistakes";
   const auto only = kOnly.find(folder);
@@ -89,6 +109,8 @@ TEST(layers, point_downwards) {
         << folder;
   }
   for (const Source& source : all) {
+    EXPECT_TRUE(source.folder.empty() || std::ranges::count(kFolders, source.folder) > 0)
+        << "grader/" << source.folder << " is not in the list";
     for (const auto& [other, line] : included(source.text)) {
       EXPECT_TRUE(may_include(source.folder, other))
           << "grader/" << source.path.string() << ": " << line;
@@ -108,24 +130,100 @@ TEST(layers, private_parts_of_rapidcheck_are_in_one_file) {
   EXPECT_EQ(users, std::vector<std::string>{"check/find_failure.cpp"});
 }
 
+// Namespaces with a name that a text opens, but for those in others: "grader::check".
+std::set<std::string> namespaces(const std::string& text) {
+  static const std::regex opens(R"(^namespace ([\w:]+) \{.*)");
+  std::set<std::string> names;
+  std::istringstream lines(text);
+  std::smatch found;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, found, opens)) names.insert(found[1]);
+  }
+  return names;
+}
+
+// The namespace of a source of ours; with calls.h, which is a table for wire/.
+std::string namespace_of(const Source& source) {
+  if (source.path == "calls.h") return "grader::wire";
+  if (source.folder.empty()) return "grader";
+  return "grader::" + (source.folder == "tasks" ? "check" : source.folder);
+}
+
+// Namespaces of others, as pt and CLI, may be opened. A test is in that of what it tests.
+bool may_open(const Source& source, const std::string& name) {
+  const std::string own = namespace_of(source);
+  if (name == own || name.starts_with(own + "::") || !name.starts_with("grader")) return true;
+  const bool tests =
+      source.folder == "self_check" && source.path.stem().string().ends_with("_test");
+  const auto specialised = kSpecialised.find(source.path);
+  return (tests && name.starts_with("grader::")) ||
+         (specialised != kSpecialised.end() && specialised->second == name);
+}
+
+// Programs have main() in no namespace, and the rest of them in one without a name.
+bool may_do_without(const Source& source) {
+  return kInPlaceOfTasks.contains(source.path) ||
+         source.text.find("int main(") != std::string::npos ||
+         (source.path.extension() == ".h" && source.text.find("namespace ") == std::string::npos);
+}
+
 TEST(layers, are_namespaces) {
   for (const Source& source : sources()) {
-    if (source.path.extension() != ".h" || source.folder == "self_check") continue;
-    const std::string name =
-        "namespace grader::" + (source.folder == "tasks" ? "check" : source.folder);
-    const bool own = source.text.find(name) != std::string::npos;
-    EXPECT_TRUE(own || source.text.find("namespace ") == std::string::npos)
-        << "grader/" << source.path.string() << " is not in " << name;
+    const std::set<std::string> opened = namespaces(source.text);
+    for (const std::string& name : opened) {
+      EXPECT_TRUE(may_open(source, name))
+          << "grader/" << source.path.string() << " is not in " << namespace_of(source);
+    }
+    const bool any = std::ranges::any_of(
+        opened, [](const std::string& name) { return name.starts_with("grader"); });
+    EXPECT_TRUE(any || may_do_without(source))
+        << "grader/" << source.path.string() << " is not in " << namespace_of(source);
   }
 }
 
-TEST(layers, of_the_renderer_and_the_tests_stand_apart) {
+TEST(layers, of_the_renderer_point_downwards) {
+  static const std::regex include(R"(^#include "(pt|grader)/(?:(\w+)/)?(.*)\"$)");
+  std::set<std::string> calls;
   for (const auto& entry : fs::recursive_directory_iterator(FIRSTLIGHT_ROOT "/pt")) {
     const std::string type = entry.path().extension();
     if (type != ".cpp" && type != ".h") continue;
-    EXPECT_EQ(base::read_file(entry.path()).find("#include \"grader/"), std::string::npos)
-        << entry.path();
+    const fs::path path = fs::relative(entry.path(), FIRSTLIGHT_ROOT "/pt");
+    const std::string folder = path.has_parent_path() ? path.begin()->string() : "";
+    const auto place = std::ranges::find(kRenderer, folder);
+    EXPECT_TRUE(folder.empty() || place != kRenderer.end()) << path << " is not in the list";
+    std::istringstream lines(base::read_file(entry.path()));
+    std::smatch found;
+    for (std::string line; std::getline(lines, line);) {
+      if (!std::regex_match(line, found, include)) continue;
+      const auto upward = kCallsOfTasks.find(path);
+      const bool calls_task =
+          found[2] == "tasks" && upward != kCallsOfTasks.end() && upward->second.contains(found[3]);
+      if (calls_task) calls.insert(path);
+      const bool beside = found[2] == "" || (!folder.empty() && found[2] == folder);
+      const bool below = !folder.empty() && std::find(kRenderer.begin(), place, found[2]) != place;
+      EXPECT_TRUE(found[1] == "pt" && (calls_task || beside || below))
+          << "pt/" << path.string() << ": " << line;
+    }
   }
+  EXPECT_EQ(calls.size(), kCallsOfTasks.size()) << "an exception that nothing needs";
+}
+
+// A row of decision 32: "| Where is the hash? | `sha256` in `grader/base/sha256.cpp` |".
+TEST(layers, hold_what_the_decision_says_is_where) {
+  static const std::regex row(R"(\| (.*\?) \| `([^`]+)` in `([^`]+)` \|)");
+  std::istringstream lines(
+      base::read_file(FIRSTLIGHT_ROOT "/docs/decisions/0032-folders-of-the-grader.md"));
+  std::smatch found;
+  int count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("? |") == std::string::npos) continue;
+    ++count;
+    ASSERT_TRUE(std::regex_match(line, found, row)) << line;
+    const fs::path file = fs::path(FIRSTLIGHT_ROOT) / found[3].str();
+    ASSERT_TRUE(fs::is_regular_file(file)) << line;
+    EXPECT_NE(base::read_file(file).find(found[2]), std::string::npos) << line;
+  }
+  EXPECT_EQ(count, 12);
 }
 
 }  // namespace

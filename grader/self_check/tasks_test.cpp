@@ -6,6 +6,7 @@
 #include "grader/calls.h"
 #include "grader/judge/object_file.h"
 #include "pt/error.h"
+#include "pt/render/choose_engine.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,6 +17,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include <cxxabi.h>
@@ -37,9 +39,10 @@ std::string name_of(const std::string& symbol) {
   return text ? std::string(text.get()).substr(0, std::string(text.get()).find('(')) : symbol;
 }
 
-// Names of functions in namespace pt, without it: of the reference's object of a task.
+// Names of functions in namespace pt, without it: of the reference's object of a task. `symbols`: those
+// that it defines, as the linker reads them.
 struct Object {
-  Names defined, called;
+  Names defined, called, symbols;
 };
 
 Object object_of(const Task& task) {
@@ -51,6 +54,7 @@ Object object_of(const Task& task) {
       // A function with its body in a header is not a function of the task.
       if (!name.starts_with("pt::") || symbol.in_group) continue;
       (symbol.section == SHN_UNDEF ? object.called : object.defined).insert(name.substr(4));
+      if (symbol.section != SHN_UNDEF) object.symbols.insert(symbol.name);
     }
   }
   return object;
@@ -113,6 +117,30 @@ TEST(tasks, need_what_their_calls_reach) {
     const std::vector<std::string>& needed = needs(task.slug);
     EXPECT_EQ(Names(needed.begin(), needed.end()), reached) << task.slug;
   }
+}
+
+// A scene is traced by the tree and the shapes in it: parts 1 and 2 without the camera and the pixel.
+TEST(tasks, trace_what_the_tree_and_the_shapes_are) {
+  EXPECT_EQ(tracing_tasks(), (std::vector<std::string>{"hit_triangle", "hit_sphere", "build_bvh",
+                                                       "hit_box", "hit_bvh"}));
+  std::vector<std::string> tree;
+  for (const Task& task : tasks()) {
+    if (task.part == task_of("build_bvh").part) tree.push_back(task.slug);
+  }
+  EXPECT_EQ(std::vector<std::string>(pt::kTreeTasks.begin(), pt::kTreeTasks.end()), tree)
+      << "pt/render/choose_engine.h";
+}
+
+// firstlight_symbol in cmake/tasks.cmake puts these names together: "hit_box=_ZN2pt7hit_boxE...".
+TEST(tasks, have_the_names_that_the_linker_is_told) {
+  std::istringstream words(FIRSTLIGHT_SYMBOLS);
+  int count = 0;
+  for (std::string word; words >> word; ++count) {
+    const std::size_t end = word.find('=');
+    const std::string slug = word.substr(0, end);
+    EXPECT_TRUE(object_of(task_of(slug)).symbols.contains(word.substr(end + 1))) << word;
+  }
+  EXPECT_GT(count, 0);
 }
 
 TEST(tasks, are_answered_only_where_they_are_called) {

@@ -12,7 +12,7 @@ void choose_engine(Scene& scene, Engine engine, int max_leaf) {
   const Ray probe{target - Vec3{1, 2, 3}, {1, 2, 3}, 0, kInfinity};
   hit_bvh(scene.tracer.bvh(), scene.primitives, probe);
   occluded_bvh(scene.tracer.bvh(), scene.primitives, probe);
-  for (const char* slug : {"build_bvh", "hit_box", "hit_bvh"}) {
+  for (const std::string_view slug : kTreeTasks) {
     if (!todo_reached(slug)) continue;
     scene.tracer = Tracer(Engine::linear, scene.primitives);
     return;

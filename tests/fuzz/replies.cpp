@@ -46,9 +46,8 @@ void read_reply_of(int function, std::string_view bytes) {
 #define FIRSTLIGHT_READ(result, function_, parameters, names)  \
   if (number++ == function) read_reply<&pt::function_>(bytes); \
   if (number++ == function) read_replies<&pt::function_>(bytes);
-#define FIRSTLIGHT_READ_TASK(task) FIRSTLIGHT_CALLS_OF(task)(FIRSTLIGHT_READ, FIRSTLIGHT_READ)
-  FIRSTLIGHT_TASKS(FIRSTLIGHT_READ_TASK)
-  FIRSTLIGHT_READ_TASK(render_rows)
+  FIRSTLIGHT_TASKS(FIRSTLIGHT_ROWS, FIRSTLIGHT_READ, FIRSTLIGHT_READ)
+  FIRSTLIGHT_CALLS_render_rows(FIRSTLIGHT_READ, FIRSTLIGHT_READ)
 }
 
 // The codes of the types are put in their places: without them all questions would end there.
