@@ -1,12 +1,12 @@
 // grade_class: grades every submission of a class, or does one step of it: plan, chunk, collect. Exit
 // status 0 if all could be judged, 2 if one could not, or nothing could.
-#include "grader/base/printable.h"
 #include "grader/programs/grade_class/collect.h"
 #include "grader/programs/grade_class/engine.h"
 #include "grader/programs/grade_class/one.h"
 #include "grader/programs/grade_class/plan.h"
 #include "grader/programs/grade_class/teller.h"
 #include "grader/programs/status_line.h"
+#include "grader/report/worksheet.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -68,6 +68,10 @@ void describe_plan(CLI::App& app, Options& options) {
   app.add_option("--assignment", options.plan.assignment,
                  "the column in canvas.csv, as Canvas writes it: \"Rays (1234)\"; default: the "
                  "export's name, which Canvas takes for a new one");
+  app.add_option("--worksheet", options.plan.worksheet,
+                 "the grading worksheet that Moodle exported, to be filled in: moodle.csv is then "
+                 "that file with the grades; default: one that holds the submissions only")
+      ->check(CLI::ExistingFile);
   app.add_flag("--anonymous", options.plan.anonymous,
                "numbers in place of names; names.csv tells who is who");
   app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
@@ -156,8 +160,19 @@ ClassPlan planned(Options& options, const judge::Config& config,
                       " cannot be compared with themselves; write --out another folder");
     }
   }
+  if (!request.worksheet.empty()) {
+    request.worksheet = fs::absolute(request.worksheet);
+    (void)report::read_worksheet(request.worksheet);  // while nothing is judged yet
+  }
   pt::check_target(request.out + "/class.csv");
   ClassPlan plan = make_plan(config, programs_of(options), request);
+  const auto is_of_moodle = [](const intake::HandedIn& by) {
+    return by.platform == intake::Platform::moodle;
+  };
+  if (!request.worksheet.empty() && std::ranges::none_of(plan.everybody, is_of_moodle)) {
+    throw pt::Error("--worksheet is for what Moodle exports, and nothing in " + request.input +
+                    " is named as Moodle names it");
+  }
   forget_outcomes(request.out, plan.everybody);
   write_plan(plan, request.out);
   return plan;
@@ -168,19 +183,13 @@ void print_plan(const ClassPlan& plan) {
   fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
   const std::vector<std::string>& files = plan.unclaimed;
   if (files.empty()) return;
-  constexpr std::size_t kMaxNamed = 5;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(files.size(), kMaxNamed); ++i) {
-    names += (i == 0 ? "" : ", ") + base::printable(files[i], 100);
-  }
-  fmt::print("{} in the class {}: {}{}\n",
+  fmt::print("{} in the class {}: {}\n",
              files.size() == 1 ? "1 file" : fmt::format("{} files", files.size()),
-             files.size() == 1 ? "belongs to nobody" : "belong to nobody", names,
-             files.size() > kMaxNamed ? ", ..." : "");
+             files.size() == 1 ? "belongs to nobody" : "belong to nobody", some_of(files));
 }
 
 void print_files(const Collector& collector, const std::vector<std::string>& files) {
-  if (!collector.comparison().empty()) fmt::print("{}\n", collector.comparison());
+  for (const std::string& remark : collector.remarks()) fmt::print("{}\n", remark);
   for (const std::string& file : files) fmt::print("{}\n", file);
 }
 

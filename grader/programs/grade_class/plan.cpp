@@ -195,6 +195,7 @@ ClassPlan make_plan(const judge::Config& config, const std::string& programs,
   plan.host = host_name();
   plan.former = request.former;
   plan.assignment = request.assignment;
+  plan.worksheet = request.worksheet;
   std::vector<intake::TaskFile> tasks;
   for (const judge::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
   intake::HandedInByAll all =
@@ -218,6 +219,7 @@ void write_plan(const ClassPlan& plan, const std::string& out) {
            {"host", plan.host},
            {"former", text_json(plan.former)},
            {"assignment", text_json(plan.assignment)},
+           {"worksheet", text_json(plan.worksheet)},
            {"salt", plan.salt},
            {"chunks", plan.chunks},
            {"everybody", json::array()},
@@ -243,6 +245,8 @@ ClassPlan read_plan(const std::string& out) {
     plan.host = all.at("host").get<std::string>();
     plan.former = text_from(all.at("former"));
     plan.assignment = text_from(all.at("assignment"));
+    // Plans of before had none.
+    if (all.contains("worksheet")) plan.worksheet = text_from(all.at("worksheet"));
     plan.salt = all.at("salt").get<std::string>();
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
     for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));
