@@ -672,6 +672,54 @@ TEST_F(Intake, names_are_those_of_reports) {
   EXPECT_EQ(all["gus (2)"].feedback, "gus (2).html");
 }
 
+// As a learner's computer wrote it, and as a platform did.
+const char* const kComposed = "Zo\xc3\xab";
+const char* const kWithMarks = "Zoe\xcc\x88";
+
+TEST_F(Intake, names_that_differ_in_accents_as_bytes_only_are_two) {
+  for (const std::string& name : {std::string(kComposed), std::string(kWithMarks)}) {
+    add(name + "/hit_box.cpp", name);
+    add(name + " K_7_assignsubmission_file_/hit_box.cpp", name + " K");
+  }
+  add("Zo\xc3\xa9/hit_box.cpp", "another accent");
+  add("zOE\xcc\x88/hit_box.cpp", "capital");
+  // Hangul, and Japanese.
+  for (const char* name : {"\xea\xb0\x81", "\xe1\x84\x80\xe1\x85\xa1\xe1\x86\xa8", "\xe3\x81\x8c",
+                           "\xe3\x81\x8b\xe3\x82\x99"}) {
+    add(std::string(name) + "/hit_box.cpp", name);
+  }
+  auto all = seen();
+  EXPECT_EQ(all.size(), 10U);
+  for (const std::string name : {kComposed, "Zo\xc3\xab K", "\xea\xb0\x81", "\xe3\x81\x8c"}) {
+    EXPECT_EQ(all[name].files, (Files{{"hit_box.cpp", name}}));
+  }
+  EXPECT_EQ(all["Zo\xc3\xa9"].files.size(), 1U) << "it needs no number";
+  EXPECT_EQ(all["Zoe\xcc\x88 (2)"].files, (Files{{"hit_box.cpp", kWithMarks}}));
+  EXPECT_EQ(all["zOE\xcc\x88 (3)"].files, (Files{{"hit_box.cpp", "capital"}}));
+  for (const char* name : {"Zoe\xcc\x88 K (2)", "\xe1\x84\x80\xe1\x85\xa1\xe1\x86\xa8 (2)",
+                           "\xe3\x81\x8b\xe3\x82\x99 (2)"}) {
+    EXPECT_EQ(all[name].files.size(), 1U) << name;
+  }
+}
+
+TEST_F(Intake, nobody_is_lost_where_an_archive_writes_accents_in_two_ways) {
+  for (const Format format : {Format::zip, Format::tar_gz}) {
+    pt::write_file(in("class.zip"), archive_of({{std::string(kComposed) + "/hit_box.cpp", "1"},
+                                                {std::string(kWithMarks) + "/hit_box.cpp", "2"},
+                                                {"ada/hit_box.cpp", "a"},
+                                                {"Ada/hit_box.cpp", "A"},
+                                                {"bob/hit_box.cpp", "b"},
+                                                {"bob/hit_box.cpp", "b"}},
+                                               format));
+    auto all = seen(in("class.zip"));
+    EXPECT_THAT(all[kComposed].problem, HasSubstr("unpack the archive, and grade the folder"));
+    for (const auto& [name, text] : {std::pair("Ada", "A"), {"ada (2)", "a"}, {"bob", "b"}}) {
+      EXPECT_EQ(all[name].files, (Files{{"hit_box.cpp", text}})) << name;
+    }
+    EXPECT_EQ(all.size(), 4U);
+  }
+}
+
 TEST_F(Intake, a_bare_repository_is_named) {
   add("ada/HEAD", "ref: refs/heads/main");
   fs::create_directories(in("ada/objects"));

@@ -201,7 +201,18 @@ class Unpacking {
     if (++used.files > kBoundsOfOne.files)
       throw EntryFault(fmt::format("it has more than {} files", kBoundsOfOne.files));
     if (++files_ > bounds_.files) fail(fmt::format("it has more than {} files", bounds_.files));
+    if (of_all_ && is_other(path, bytes)) {
+      throw EntryFault(
+          "the archive has two of that name, or two folders whose names differ only in how their "
+          "accents are written; unpack the archive, and grade the folder");
+    }
     put(path, bytes);
+  }
+
+  // The library writes all accents in one way: of two learners' files one would be lost.
+  bool is_other(const std::string& path, const std::string& bytes) const {
+    const fs::path file = folder_ / path;
+    return fs::is_regular_file(file) && base::read_file(file) != bytes;
   }
 
   // So that everybody is seen: the owner's folder, or an empty file.

@@ -35,7 +35,7 @@ inline constexpr Bounds kBoundsOfEverybody{2'000'000, 200'000, std::uint64_t{20}
 // Writes the files of an archive (zip, tar, 7-zip, RAR, compressed in any usual way) to `folder`,
 // which is made: source files, archives, and kGradescopeList. Of other files the first few become empty
 // files, so that it can be said what there is. Links and devices, hidden files, and paths that lead out of the
-// folder are left out. Of two files of one path the last counts.
+// folder are left out. Of two files of one path the last counts; in an archive of everybody's work they are a fault, if they differ.
 //
 // Throws pt::Error, one sentence, if it is not an archive, is damaged or encrypted, or is beyond
 // the bounds; and another exception where the machine is at fault, as when the disk is full.
