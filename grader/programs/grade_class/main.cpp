@@ -256,9 +256,13 @@ int run_chunks(const Options& options) {
   StatusLine line(StatusLine::Output::none);  // its log has the outcomes
   Teller teller(count, line);
   const int jobs = std::max(1, options.engine.jobs);
+  bool complete = true;
   run_chunk(judging_of(config, options, plan, out, 1), plan, all, jobs,
-            [&](std::size_t, const Graded& graded) { teller.tell(graded); });
-  return 0;  // each has its outcome, which the collector tells
+            [&](std::size_t, const Graded& graded) {
+              teller.tell(graded);
+              complete = complete && !graded.changed;
+            });
+  return complete ? 0 : 2;  // a problem is an outcome too, which the collector tells
 }
 
 int collect(const Options& options) {
