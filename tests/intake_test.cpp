@@ -8,6 +8,7 @@
 
 #include <clocale>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -78,6 +79,9 @@ const std::vector<TaskFile> kTasks{{"1_rays", "hit_sphere"},
                                    {"1_rays", "hit_box"},
                                    {"2_bvh", "hit_bvh"}};
 
+// Bounds that a small archive exceeds. An archive of everybody's work has the usual ones.
+const Limits kSmall{{1000, 20, std::uint64_t{2} << 20, kBoundsOfOne.unpacked}, kBoundsOfEverybody};
+
 class Intake : public testing::Test {
  protected:
   void SetUp() override {
@@ -101,10 +105,10 @@ class Intake : public testing::Test {
     std::map<std::string, std::string> judged{};  // what the judge reads, by task
   };
   std::map<std::string, Seen> seen(const fs::path& input) const {
-    const auto unpack_here = [](const std::string& archive, const std::string& folder,
-                                Extent extent) {
+    const auto unpack_here = [this](const std::string& archive, const std::string& folder,
+                                    Extent extent) {
       try {
-        unpack(archive, folder, extent);
+        unpack(archive, folder, extent, limits_);
         return std::string();
       } catch (const pt::Error& error) {
         return std::string(error.what());
@@ -134,6 +138,7 @@ class Intake : public testing::Test {
   std::map<std::string, Seen> seen() const { return seen(in()); }
 
   TemporaryFolder folder_;
+  Limits limits_;
   mutable std::vector<std::string> unclaimed_;  // of the last call
 };
 
@@ -265,17 +270,18 @@ TEST_F(Intake, nothing_lands_outside_and_nothing_is_linked) {
 }
 
 TEST_F(Intake, what_is_broken_or_too_large_has_a_reason_and_the_others_are_there) {
+  limits_ = kSmall;
   const std::string good = archive_of({{"hit_box.cpp", std::string(5000, 'a')}, {"b.cpp", "b"}});
   add("cut.zip", good.substr(0, good.size() / 3));
   add("empty.zip", "");
   add("text.zip", "this is no archive");
   std::vector<Entry> bomb;
-  for (int i = 0; i < 70; ++i) {
+  for (int i = 0; i < 3; ++i) {
     bomb.push_back({std::to_string(i) + ".cpp", std::string(std::size_t{1} << 20, '\0')});
   }
   add("bomb.zip", archive_of(bomb));
   std::vector<Entry> many;
-  for (int i = 0; i < 5001; ++i) many.push_back({std::to_string(i) + ".cpp", ""});
+  for (int i = 0; i < 21; ++i) many.push_back({std::to_string(i) + ".cpp", ""});
   add("many.zip", archive_of(many));
   add("good.zip", good);
   auto all = seen();
@@ -283,8 +289,8 @@ TEST_F(Intake, what_is_broken_or_too_large_has_a_reason_and_the_others_are_there
   for (const char* name : {"cut", "empty", "text", "bomb", "many"}) {
     EXPECT_THAT(all[name].problem, HasSubstr("cannot be unpacked")) << name;
   }
-  EXPECT_THAT(all["bomb"].problem, HasSubstr("64 MiB"));
-  EXPECT_THAT(all["many"].problem, HasSubstr("5000 files"));
+  EXPECT_THAT(all["bomb"].problem, HasSubstr("larger than 2 MiB"));
+  EXPECT_THAT(all["many"].problem, HasSubstr("more than 20 files"));
 }
 
 TEST_F(Intake, every_cut_and_many_damages_end_with_a_reason_or_files) {
@@ -351,34 +357,52 @@ TEST_F(Intake, pipes_and_devices_are_left_out) {
 
 // A class as Canvas and Moodle pack it: the bounds of one learner are not those of all.
 TEST_F(Intake, the_archive_of_a_class_has_the_bounds_of_a_class) {
+  limits_ = kSmall;
   std::vector<Entry> entries;
-  for (int learner = 0; learner < 1000; ++learner) {
-    for (int file = 0; file < 12; ++file) {
+  for (int learner = 0; learner < 30; ++learner) {
+    for (int file = 0; file < 3; ++file) {
       const std::string name = file == 0 ? "hit_box" : "other_" + std::to_string(file);
       entries.push_back(
-          {fmt::format("class/learner_{}_{}_{}.cpp", learner, learner * 12 + file, name),
+          {fmt::format("class/learner_{}_{}_{}.cpp", learner, learner * 3 + file, name),
            std::to_string(learner)});
     }
   }
   pt::write_file(in("class.zip"), archive_of(entries));
   auto all = seen(in("class.zip"));
-  EXPECT_EQ(all.size(), 1000U);
-  EXPECT_EQ(all["learner (77)"].files["hit_box.cpp"], "77");
+  EXPECT_EQ(all.size(), 30U);
+  EXPECT_EQ(all["learner (17)"].files["hit_box.cpp"], "17");
+  limits_.everybody.files = 89;
+  EXPECT_THAT([&] { seen(in("class.zip")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("more than 89 files")));
+  limits_.everybody = kBoundsOfEverybody;
+  limits_.everybody.entries = 89;
+  EXPECT_THAT([&] { seen(in("class.zip")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("more than 89 entries")));
+}
+
+TEST_F(Intake, a_thousand_learners_are_within_the_bounds) {
+  const Limits usual;
+  EXPECT_GE(usual.everybody.files, 12 * 1000);
+  EXPECT_GE(usual.everybody.entries, usual.everybody.files);
+  EXPECT_GE(usual.everybody.bytes, 20 * usual.one.bytes);
+  EXPECT_EQ(usual.one.files, 5000);
+  EXPECT_EQ(usual.one.bytes, std::uint64_t{64} << 20);
 }
 
 TEST_F(Intake, each_owner_in_the_archive_of_a_class_has_the_bounds_of_one) {
+  limits_ = kSmall;
   std::vector<Entry> entries{{"ada/hit_box.cpp", "a"}};
-  for (int i = 0; i < 5001; ++i) entries.push_back({fmt::format("bob/{}.cpp", i), ""});
+  for (int i = 0; i < 21; ++i) entries.push_back({fmt::format("bob/{}.cpp", i), ""});
   entries.push_back({"cy/hit_box.cpp", "c"});
-  for (int i = 0; i < 70; ++i) {
+  for (int i = 0; i < 3; ++i) {
     entries.push_back({fmt::format("di/{}.cpp", i), std::string(std::size_t{1} << 20, '\0')});
   }
   entries.push_back({"eve/hit_box.cpp", "e"});
   pt::write_file(in("class.zip"), archive_of(entries));
   auto all = seen(in("class.zip"));
   EXPECT_EQ(all.size(), 5U);
-  EXPECT_THAT(all["bob"].problem, HasSubstr("5000 files"));
-  EXPECT_THAT(all["di"].problem, HasSubstr("64 MiB"));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("more than 20 files"));
+  EXPECT_THAT(all["di"].problem, HasSubstr("larger than 2 MiB"));
   for (const char* name : {"ada", "cy", "eve"}) {
     EXPECT_EQ(all[name].problem, "") << name;
     EXPECT_EQ(all[name].files.size(), 1U) << name;

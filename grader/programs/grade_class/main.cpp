@@ -1,5 +1,6 @@
 // grade_class: grades every submission of a class, or does one step of it: plan, chunk, collect. Exit
 // status 0 if all could be judged, 2 if one could not, or nothing could.
+#include "grader/intake/tree.h"
 #include "grader/programs/grade_class/collect.h"
 #include "grader/programs/grade_class/engine.h"
 #include "grader/programs/grade_class/one.h"
@@ -129,10 +130,7 @@ Judging judging_of(const judge::Config& config, const Options& options, const Cl
 // Reports in the class would be submissions of the next call.
 void refuse_inside(const PlanRequest& request) {
   const fs::path input = fs::weakly_canonical(request.input);
-  const fs::path out = fs::weakly_canonical(request.out);
-  if (!fs::is_directory(input)) return;
-  const auto after = std::mismatch(input.begin(), input.end(), out.begin(), out.end()).first;
-  if (after == input.end()) {
+  if (fs::is_directory(input) && intake::lies_in(fs::weakly_canonical(request.out), input)) {
     throw pt::Error("the reports in " + request.out + " would lie among the submissions in " +
                     request.input + "; write --out another folder");
   }

@@ -113,8 +113,7 @@ std::string folder_to_unpack(const std::string& out) {
   std::ranges::sort(former, std::ranges::greater{},
                     [](const fs::path& path) { return fs::last_write_time(path); });
   for (std::size_t i = kKeptUnpacked - 1; i < former.size(); ++i) fs::remove_all(former[i]);
-  std::random_device random;
-  return folder / fmt::format("{:08x}{:08x}", random(), random());
+  return folder / random_text();
 }
 
 // A file's name may hold any bytes, and JSON only UTF-8: others become a list of numbers.
