@@ -540,6 +540,49 @@ TEST_F(Intake, a_bad_entry_in_the_archive_of_a_class_is_its_owners) {
   }
 }
 
+// An archive with an entry of which zlib says that it cannot go on; libarchive's reader ends there.
+std::string with_ends(std::string bytes, const std::string& name) {
+  for (std::size_t at = 0; (at = bytes.find("PK\3\4", at)) != bytes.npos; ++at) {
+    const auto size = [&](std::size_t place) {
+      return static_cast<unsigned char>(bytes[at + place]) +
+             256U * static_cast<unsigned char>(bytes[at + place + 1]);
+    };
+    if (bytes.compare(at + 30, name.size(), name) != 0) continue;
+    bytes[at + 30 + size(26) + size(28)] = 7;  // a block of a kind that there is not
+  }
+  return bytes;
+}
+
+TEST_F(Intake, an_entry_that_ends_the_reader_is_its_owners_up_to_a_number) {
+  std::vector<Entry> entries{{"ada/hit_box.cpp", any_text(300)}};
+  for (int i = 0; i < 200; ++i) entries.push_back({fmt::format("bob/{}.cpp", i), any_text(300)});
+  entries.push_back({"cy/hit_box.cpp", "c"});
+  pt::write_file(in("class.zip"), with_ends(archive_of(entries), "bob/1.cpp"));
+  auto all = seen(in("class.zip"));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("'1.cpp' cannot be unpacked"));
+  EXPECT_EQ(all["ada"].files.size(), 1U);
+  EXPECT_EQ(all["cy"].files, (Files{{"hit_box.cpp", "c"}}));
+  for (int i = 0; i < 201; ++i) entries.push_back({fmt::format("z{}/a.cpp", i), any_text(300)});
+  pt::write_file(in("class.zip"), with_ends(archive_of(entries), "z"));
+  EXPECT_THAT([&] { seen(in("class.zip")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("damaged in many places")));
+}
+
+TEST_F(Intake, all_that_is_read_counts_also_what_is_left_out) {
+  pt::write_file(in("class.tar.gz"), archive_of({{"ada/hit_box.cpp", any_text(3000)},
+                                                 {"ada/film.mov", std::string(100'000, '\0')},
+                                                 {"bob/hit_box.cpp", "b"}},
+                                                Format::tar_gz));
+  EXPECT_EQ(seen(in("class.tar.gz")).size(), 2U);
+  limits_.everybody.unpacked = 50'000;
+  EXPECT_THAT([&] { seen(in("class.tar.gz")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("it is larger than")));
+  limits_.everybody = kBoundsOfEverybody;
+  limits_.everybody.bytes = 3000;
+  EXPECT_THAT([&] { seen(in("class.tar.gz")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("its files are larger than")));
+}
+
 TEST_F(Intake, an_encrypted_entry_is_its_owners) {
   std::string bytes = archive_of({{"ada/hit_box.cpp", "a"}, {"bob/hit_box.cpp", "b"}});
   // The bit of encryption, in front of the file and in the directory at the end: 24 and 38 bytes before the name.
