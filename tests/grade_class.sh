@@ -149,6 +149,61 @@ assert nobody["Grade"] == "" and "none of the files" in nobody["Feedback comment
 assert zipfile.ZipFile(folder + "/feedback.zip").namelist() == ["Zoë 北_7_assignsubmission_file_/report.html"]
 END
 
+# Moodle's own worksheet, filled in: all else stays, also of who handed in nothing and of who has a grade that is locked.
+for learner in Participant_9_assignsubmission_file Ada_11_assignsubmission_file_ Stray_12_assignsubmission_file_; do
+  mkdir "$class/$learner"
+  cp reference/1_rays/hit_sphere.cpp "$class/$learner"
+done
+# worksheet MAXIMUM: $folder/sheet.csv, as Moodle exports it.
+worksheet() {
+  python3 - "$folder" "$1" <<'END'
+import csv, sys
+columns = ["Identifier", "Full name", "Email address", "Status", "Grade", "Maximum Grade", "Grade can be changed",
+           "Last modified (submission)", "Last modified (grade)", "Feedback comments"]
+rows = {7: ("Zoë 北", "", "Yes", ""), 8: ("Nobody", "1.00", "Yes", "old"), 9: ("", "", "Yes", ""),
+        10: ('زوي "Z"\r\nBob', "", "Yes", "wait,\nfor it"), 11: ("Ada", "3.00", "No", "final")}
+with open(sys.argv[1] + "/sheet.csv", "w", newline="", encoding="utf-8-sig") as file:
+    sheet = csv.writer(file)
+    sheet.writerow(columns)
+    for number, (name, grade, can, comment) in rows.items():
+        sheet.writerow([f"Participant {number}", name, "a@x.org", "No submission" if number == 10 else "Submitted for grading", grade,
+                        sys.argv[2], can, "Monday, 4 January 2027, 10:00 AM", "-", comment])
+END
+}
+most=$(python3 -c 'import csv, sys; print(next(csv.DictReader(open(sys.argv[1], encoding="utf-8")))["Maximum Grade"])' "$folder/class-graded/moodle.csv")
+worksheet "$most.00"
+options="--jobs 2 --out $folder/class-graded --worksheet $folder/sheet.csv"
+says 2 'that Moodle lets their grade not be changed: it stays' 'sheet.csv has no row for 1 of the submissions: Stray' '5/5 '
+python3 - "$folder" <<'END' || complain 'the worksheet is not filled in'
+import csv, sys
+def table(path):
+    return {row["Identifier"]: row for row in csv.DictReader(open(sys.argv[1] + path, newline="", encoding="utf-8-sig"))}
+before, after = table("/sheet.csv"), table("/class-graded/moodle.csv")
+assert list(before) == list(after) == [f"Participant {i}" for i in (7, 8, 9, 10, 11)], after
+filled = {(f"Participant {i}", column) for i in (7, 9) for column in ("Grade", "Feedback comments")}
+filled.add(("Participant 8", "Feedback comments"))
+for key, row in after.items():
+    for column in row:
+        assert (row[column] != before[key][column]) == ((key, column) in filled), (key, column, row)
+for key in ("Participant 7", "Participant 9"):
+    assert 0 < int(after[key]["Grade"]) < float(after[key]["Maximum Grade"]), after[key]
+    assert "1 of 2 tasks pass" in after[key]["Feedback comments"], after[key]
+assert "none of the files" in after["Participant 8"]["Feedback comments"], after
+END
+worksheet 100.00
+says 2 "sheet.csv:2: Moodle's maximum is '100.00', and there are $most points"
+[ ! -e "$folder/class-graded/moodle.csv" ] || complain 'there is a worksheet with other points'
+[ -e "$folder/class-graded/feedback.zip" ] || complain 'there are no pages'
+echo 'Kennung,Bewertung' >"$folder/sheet.csv"
+before=$(cat "$folder/class-graded/plan.json")
+says 2 "sheet.csv:1: it has no column 'Identifier'; download the grading worksheet with Moodle in English"
+[ "$before" = "$(cat "$folder/class-graded/plan.json")" ] || complain 'a plan is made with what is no worksheet'
+worksheet "$most"
+class=$folder/class
+mkdir -p "$class/ada"
+cp reference/1_rays/hit_sphere.cpp "$class/ada"
+says 2 '--worksheet is for what Moodle exports'
+
 # The program that unpacks an archive runs in a box: here awk takes its place, and takes the archive's name for its
 # own program.
 boxed=$(grep -l '"isolation": "[AB]:' "$folder/class-graded/"*.json || true)

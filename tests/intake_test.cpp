@@ -8,6 +8,7 @@
 
 #include <clocale>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -78,6 +79,9 @@ const std::vector<TaskFile> kTasks{{"1_rays", "hit_sphere"},
                                    {"1_rays", "hit_box"},
                                    {"2_bvh", "hit_bvh"}};
 
+// Bounds that a small archive exceeds. An archive of everybody's work has the usual ones.
+const Limits kSmall{{1000, 20, std::uint64_t{2} << 20, kBoundsOfOne.unpacked}, kBoundsOfEverybody};
+
 class Intake : public testing::Test {
  protected:
   void SetUp() override {
@@ -101,10 +105,10 @@ class Intake : public testing::Test {
     std::map<std::string, std::string> judged{};  // what the judge reads, by task
   };
   std::map<std::string, Seen> seen(const fs::path& input) const {
-    const auto unpack_here = [](const std::string& archive, const std::string& folder,
-                                Extent extent) {
+    const auto unpack_here = [this](const std::string& archive, const std::string& folder,
+                                    Extent extent) {
       try {
-        unpack(archive, folder, extent);
+        unpack(archive, folder, extent, limits_);
         return std::string();
       } catch (const pt::Error& error) {
         return std::string(error.what());
@@ -134,6 +138,7 @@ class Intake : public testing::Test {
   std::map<std::string, Seen> seen() const { return seen(in()); }
 
   TemporaryFolder folder_;
+  Limits limits_;
   mutable std::vector<std::string> unclaimed_;  // of the last call
 };
 
@@ -265,17 +270,18 @@ TEST_F(Intake, nothing_lands_outside_and_nothing_is_linked) {
 }
 
 TEST_F(Intake, what_is_broken_or_too_large_has_a_reason_and_the_others_are_there) {
+  limits_ = kSmall;
   const std::string good = archive_of({{"hit_box.cpp", std::string(5000, 'a')}, {"b.cpp", "b"}});
   add("cut.zip", good.substr(0, good.size() / 3));
   add("empty.zip", "");
   add("text.zip", "this is no archive");
   std::vector<Entry> bomb;
-  for (int i = 0; i < 70; ++i) {
+  for (int i = 0; i < 3; ++i) {
     bomb.push_back({std::to_string(i) + ".cpp", std::string(std::size_t{1} << 20, '\0')});
   }
   add("bomb.zip", archive_of(bomb));
   std::vector<Entry> many;
-  for (int i = 0; i < 5001; ++i) many.push_back({std::to_string(i) + ".cpp", ""});
+  for (int i = 0; i < 21; ++i) many.push_back({std::to_string(i) + ".cpp", ""});
   add("many.zip", archive_of(many));
   add("good.zip", good);
   auto all = seen();
@@ -283,8 +289,8 @@ TEST_F(Intake, what_is_broken_or_too_large_has_a_reason_and_the_others_are_there
   for (const char* name : {"cut", "empty", "text", "bomb", "many"}) {
     EXPECT_THAT(all[name].problem, HasSubstr("cannot be unpacked")) << name;
   }
-  EXPECT_THAT(all["bomb"].problem, HasSubstr("64 MiB"));
-  EXPECT_THAT(all["many"].problem, HasSubstr("5000 files"));
+  EXPECT_THAT(all["bomb"].problem, HasSubstr("larger than 2 MiB"));
+  EXPECT_THAT(all["many"].problem, HasSubstr("more than 20 files"));
 }
 
 TEST_F(Intake, every_cut_and_many_damages_end_with_a_reason_or_files) {
@@ -351,34 +357,52 @@ TEST_F(Intake, pipes_and_devices_are_left_out) {
 
 // A class as Canvas and Moodle pack it: the bounds of one learner are not those of all.
 TEST_F(Intake, the_archive_of_a_class_has_the_bounds_of_a_class) {
+  limits_ = kSmall;
   std::vector<Entry> entries;
-  for (int learner = 0; learner < 1000; ++learner) {
-    for (int file = 0; file < 12; ++file) {
+  for (int learner = 0; learner < 30; ++learner) {
+    for (int file = 0; file < 3; ++file) {
       const std::string name = file == 0 ? "hit_box" : "other_" + std::to_string(file);
       entries.push_back(
-          {fmt::format("class/learner_{}_{}_{}.cpp", learner, learner * 12 + file, name),
+          {fmt::format("class/learner_{}_{}_{}.cpp", learner, learner * 3 + file, name),
            std::to_string(learner)});
     }
   }
   pt::write_file(in("class.zip"), archive_of(entries));
   auto all = seen(in("class.zip"));
-  EXPECT_EQ(all.size(), 1000U);
-  EXPECT_EQ(all["learner (77)"].files["hit_box.cpp"], "77");
+  EXPECT_EQ(all.size(), 30U);
+  EXPECT_EQ(all["learner (17)"].files["hit_box.cpp"], "17");
+  limits_.everybody.files = 89;
+  EXPECT_THAT([&] { seen(in("class.zip")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("more than 89 files")));
+  limits_.everybody = kBoundsOfEverybody;
+  limits_.everybody.entries = 89;
+  EXPECT_THAT([&] { seen(in("class.zip")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("more than 89 entries")));
+}
+
+TEST_F(Intake, a_thousand_learners_are_within_the_bounds) {
+  const Limits usual;
+  EXPECT_GE(usual.everybody.files, 12 * 1000);
+  EXPECT_GE(usual.everybody.entries, usual.everybody.files);
+  EXPECT_GE(usual.everybody.bytes, 20 * usual.one.bytes);
+  EXPECT_EQ(usual.one.files, 5000);
+  EXPECT_EQ(usual.one.bytes, std::uint64_t{64} << 20);
 }
 
 TEST_F(Intake, each_owner_in_the_archive_of_a_class_has_the_bounds_of_one) {
+  limits_ = kSmall;
   std::vector<Entry> entries{{"ada/hit_box.cpp", "a"}};
-  for (int i = 0; i < 5001; ++i) entries.push_back({fmt::format("bob/{}.cpp", i), ""});
+  for (int i = 0; i < 21; ++i) entries.push_back({fmt::format("bob/{}.cpp", i), ""});
   entries.push_back({"cy/hit_box.cpp", "c"});
-  for (int i = 0; i < 70; ++i) {
+  for (int i = 0; i < 3; ++i) {
     entries.push_back({fmt::format("di/{}.cpp", i), std::string(std::size_t{1} << 20, '\0')});
   }
   entries.push_back({"eve/hit_box.cpp", "e"});
   pt::write_file(in("class.zip"), archive_of(entries));
   auto all = seen(in("class.zip"));
   EXPECT_EQ(all.size(), 5U);
-  EXPECT_THAT(all["bob"].problem, HasSubstr("5000 files"));
-  EXPECT_THAT(all["di"].problem, HasSubstr("64 MiB"));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("more than 20 files"));
+  EXPECT_THAT(all["di"].problem, HasSubstr("larger than 2 MiB"));
   for (const char* name : {"ada", "cy", "eve"}) {
     EXPECT_EQ(all[name].problem, "") << name;
     EXPECT_EQ(all[name].files.size(), 1U) << name;
@@ -514,6 +538,49 @@ TEST_F(Intake, a_bad_entry_in_the_archive_of_a_class_is_its_owners) {
                 testing::ThrowsMessage<pt::Error>(HasSubstr("cannot be unpacked")))
         << "the archive ends";
   }
+}
+
+// An archive with an entry of which zlib says that it cannot go on; libarchive's reader ends there.
+std::string with_ends(std::string bytes, const std::string& name) {
+  for (std::size_t at = 0; (at = bytes.find("PK\3\4", at)) != bytes.npos; ++at) {
+    const auto size = [&](std::size_t place) {
+      return static_cast<unsigned char>(bytes[at + place]) +
+             256U * static_cast<unsigned char>(bytes[at + place + 1]);
+    };
+    if (bytes.compare(at + 30, name.size(), name) != 0) continue;
+    bytes[at + 30 + size(26) + size(28)] = 7;  // a block of a kind that there is not
+  }
+  return bytes;
+}
+
+TEST_F(Intake, an_entry_that_ends_the_reader_is_its_owners_up_to_a_number) {
+  std::vector<Entry> entries{{"ada/hit_box.cpp", any_text(300)}};
+  for (int i = 0; i < 200; ++i) entries.push_back({fmt::format("bob/{}.cpp", i), any_text(300)});
+  entries.push_back({"cy/hit_box.cpp", "c"});
+  pt::write_file(in("class.zip"), with_ends(archive_of(entries), "bob/1.cpp"));
+  auto all = seen(in("class.zip"));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("'1.cpp' cannot be unpacked"));
+  EXPECT_EQ(all["ada"].files.size(), 1U);
+  EXPECT_EQ(all["cy"].files, (Files{{"hit_box.cpp", "c"}}));
+  for (int i = 0; i < 201; ++i) entries.push_back({fmt::format("z{}/a.cpp", i), any_text(300)});
+  pt::write_file(in("class.zip"), with_ends(archive_of(entries), "z"));
+  EXPECT_THAT([&] { seen(in("class.zip")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("damaged in many places")));
+}
+
+TEST_F(Intake, all_that_is_read_counts_also_what_is_left_out) {
+  pt::write_file(in("class.tar.gz"), archive_of({{"ada/hit_box.cpp", any_text(3000)},
+                                                 {"ada/film.mov", std::string(100'000, '\0')},
+                                                 {"bob/hit_box.cpp", "b"}},
+                                                Format::tar_gz));
+  EXPECT_EQ(seen(in("class.tar.gz")).size(), 2U);
+  limits_.everybody.unpacked = 50'000;
+  EXPECT_THAT([&] { seen(in("class.tar.gz")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("it is larger than")));
+  limits_.everybody = kBoundsOfEverybody;
+  limits_.everybody.bytes = 3000;
+  EXPECT_THAT([&] { seen(in("class.tar.gz")); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("its files are larger than")));
 }
 
 TEST_F(Intake, an_encrypted_entry_is_its_owners) {
@@ -670,6 +737,54 @@ TEST_F(Intake, names_are_those_of_reports) {
   EXPECT_TRUE(all.contains("Zo\xc3\xab (2)") || all.contains("zo\xc3\x8b (2)"));
   EXPECT_EQ(all["gus"].feedback, "gus.html");
   EXPECT_EQ(all["gus (2)"].feedback, "gus (2).html");
+}
+
+// As a learner's computer wrote it, and as a platform did.
+const char* const kComposed = "Zo\xc3\xab";
+const char* const kWithMarks = "Zoe\xcc\x88";
+
+TEST_F(Intake, names_that_differ_in_accents_as_bytes_only_are_two) {
+  for (const std::string& name : {std::string(kComposed), std::string(kWithMarks)}) {
+    add(name + "/hit_box.cpp", name);
+    add(name + " K_7_assignsubmission_file_/hit_box.cpp", name + " K");
+  }
+  add("Zo\xc3\xa9/hit_box.cpp", "another accent");
+  add("zOE\xcc\x88/hit_box.cpp", "capital");
+  // Hangul, and Japanese.
+  for (const char* name : {"\xea\xb0\x81", "\xe1\x84\x80\xe1\x85\xa1\xe1\x86\xa8", "\xe3\x81\x8c",
+                           "\xe3\x81\x8b\xe3\x82\x99"}) {
+    add(std::string(name) + "/hit_box.cpp", name);
+  }
+  auto all = seen();
+  EXPECT_EQ(all.size(), 10U);
+  for (const std::string name : {kComposed, "Zo\xc3\xab K", "\xea\xb0\x81", "\xe3\x81\x8c"}) {
+    EXPECT_EQ(all[name].files, (Files{{"hit_box.cpp", name}}));
+  }
+  EXPECT_EQ(all["Zo\xc3\xa9"].files.size(), 1U) << "it needs no number";
+  EXPECT_EQ(all["Zoe\xcc\x88 (2)"].files, (Files{{"hit_box.cpp", kWithMarks}}));
+  EXPECT_EQ(all["zOE\xcc\x88 (3)"].files, (Files{{"hit_box.cpp", "capital"}}));
+  for (const char* name : {"Zoe\xcc\x88 K (2)", "\xe1\x84\x80\xe1\x85\xa1\xe1\x86\xa8 (2)",
+                           "\xe3\x81\x8b\xe3\x82\x99 (2)"}) {
+    EXPECT_EQ(all[name].files.size(), 1U) << name;
+  }
+}
+
+TEST_F(Intake, nobody_is_lost_where_an_archive_writes_accents_in_two_ways) {
+  for (const Format format : {Format::zip, Format::tar_gz}) {
+    pt::write_file(in("class.zip"), archive_of({{std::string(kComposed) + "/hit_box.cpp", "1"},
+                                                {std::string(kWithMarks) + "/hit_box.cpp", "2"},
+                                                {"ada/hit_box.cpp", "a"},
+                                                {"Ada/hit_box.cpp", "A"},
+                                                {"bob/hit_box.cpp", "b"},
+                                                {"bob/hit_box.cpp", "b"}},
+                                               format));
+    auto all = seen(in("class.zip"));
+    EXPECT_THAT(all[kComposed].problem, HasSubstr("unpack the archive, and grade the folder"));
+    for (const auto& [name, text] : {std::pair("Ada", "A"), {"ada (2)", "a"}, {"bob", "b"}}) {
+      EXPECT_EQ(all[name].files, (Files{{"hit_box.cpp", text}})) << name;
+    }
+    EXPECT_EQ(all.size(), 4U);
+  }
 }
 
 TEST_F(Intake, a_bare_repository_is_named) {

@@ -26,6 +26,15 @@ bool is_shown(std::int32_t code) {
            within(0x2028, 0x202e) || within(0x2060, 0x206f) || code == 0xfeff);
 }
 
+// Written behind a letter, or behind the first part of a Korean syllable.
+bool is_mark(std::int32_t code) {
+  const auto within = [&](std::int32_t first, std::int32_t last) {
+    return code >= first && code <= last;
+  };
+  return within(0x300, 0x36f) || within(0x653, 0x655) || within(0x3099, 0x309a) ||
+         within(0x1161, 0x1175) || within(0x11a8, 0x11c2);
+}
+
 std::string as_utf8(std::uint32_t code) {
   if (code < 0x80) return {static_cast<char>(code)};
   std::string text;
@@ -76,6 +85,27 @@ std::string folded(const std::string& name) {
     at += next.size;
   }
   return small;
+}
+
+bool has_marks(const std::string& name) {
+  for (std::size_t at = 0; at < name.size();) {
+    const pt::FirstCharacter next = pt::first_character(std::string_view(name).substr(at));
+    if (is_mark(next.code)) return true;
+    at += next.size;
+  }
+  return false;
+}
+
+std::string accents_alike(const std::string& name) {
+  std::string plain;
+  for (std::size_t at = 0; at < name.size();) {
+    const pt::FirstCharacter next = pt::first_character(std::string_view(name).substr(at));
+    const bool is_plain = next.code >= 0 && next.code < 0x80;
+    if (is_mark(next.code) && !plain.empty()) plain.pop_back();
+    plain += is_plain ? static_cast<char>(next.code) : '?';
+    at += next.size;
+  }
+  return plain;
 }
 
 }  // namespace grader::intake

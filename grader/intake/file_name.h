@@ -19,4 +19,11 @@ std::string as_file_name(const std::string& name);
 // Equal for names that are one file where large and small letters are the same (macOS, Windows).
 std::string folded(const std::string& name);
 
+// Some systems write ë as one character, others as e and a mark (NFC and NFD of Unicode), and macOS takes both for one name.
+// Returns whether a name has such marks.
+bool has_marks(const std::string& name);
+
+// Equal for a name with marks and the same name without. Others may be equal too: what has a mark is any letter with any mark.
+std::string accents_alike(const std::string& name);
+
 }  // namespace grader::intake

@@ -272,13 +272,21 @@ class Intake {
     for (HandedIn& each : all) each.name = as_file_name(each.name);
     std::map<std::string, int> count;
     for (const HandedIn& each : all) ++count[folded(each.name)];
-    std::set<std::string> used = reserved_names();
+    // A name with marks has to differ from those that have theirs in the letter.
+    std::stable_partition(all.begin(), all.end(),
+                          [](const HandedIn& each) { return !has_marks(each.name); });
+    std::set<std::string> used = reserved_names(), plain;
+    const auto is_new = [&](const std::string& name) {
+      const std::string key = folded(name), without = accents_alike(key);
+      if (has_marks(name)) return !plain.contains(without) && used.insert(key).second;
+      plain.insert(without);
+      return used.insert(key).second;
+    };
     for (HandedIn& each : all) {
       if (count[folded(each.name)] > 1 && !each.id.empty())
         each.name += " (" + as_file_name(std::string(pt::beginning(each.id, 30))) + ")";
       std::string name = each.name;
-      for (int i = 2; !used.insert(folded(name)).second; ++i)
-        name = fmt::format("{} ({})", each.name, i);
+      for (int i = 2; !is_new(name); ++i) name = fmt::format("{} ({})", each.name, i);
       each.name = name;
       if (each.platform == Platform::none) each.feedback = name + ".html";
     }

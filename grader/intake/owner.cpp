@@ -31,27 +31,24 @@ std::optional<Label> canvas_label(const std::string& name) {
   static const std::regex typed(R"((.+?)_(LATE_)?(\d{1,20})_((?:text|link)\.html))");
   std::smatch found;
   Label label;
-  label.platform = Platform::canvas;
+  const auto take = [&](std::size_t name_at, std::size_t id_at, bool late) {
+    label.platform = Platform::canvas;
+    label.name = found[name_at];
+    label.id = found[id_at];
+    label.late = late;
+    label.file = found[found.size() - 1];
+  };
   if (std::regex_match(name, found, anonymous)) {
-    label.name = label.id = found[2];
-    label.late = found[1].matched || found[3].matched;
-    label.order = padded(found[4]);
-    label.file = found[5];
+    take(2, 2, found[1].matched || found[3].matched);
   } else if (std::regex_match(name, found, named)) {
-    label.name = found[1];
-    label.id = found[3];
-    label.late = found[2].matched;
-    label.order = padded(found[4]);
-    label.file = found[5];
+    take(1, 3, found[2].matched);
   } else if (std::regex_match(name, found, typed)) {
-    label.name = found[1];
-    label.id = found[3];
-    label.late = found[2].matched;
-    label.file = found[4];
+    take(1, 3, found[2].matched);
     label.text = true;
   } else {
     return std::nullopt;
   }
+  if (!label.text) label.order = padded(found[4]);
   return label;
 }
 

@@ -77,11 +77,6 @@ void walk(const fs::path& folder, const std::vector<TaskFile>& tasks, Tree& tree
   }
 }
 
-bool lies_in(const fs::path& path, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
-}
-
 // The file that counts among those of one task: one with the right name before one with another, then the outermost,
 // then the one that the judge would read first. Nothing if that leaves two.
 const Candidate* that_counts(std::vector<Candidate>& all) {
@@ -119,6 +114,11 @@ std::string question(const fs::path& folder, const std::string& slug,
 }
 
 }  // namespace
+
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
 
 Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks) {
   static const std::regex nearly(R"((.+?)(?:[ _]?\(\d+\)|-\d+|[ _-]*copy)?\.cpp(?:\.txt)?)");

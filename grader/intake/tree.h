@@ -37,6 +37,9 @@ Tree look_inside(const std::filesystem::path& folder, const std::vector<TaskFile
 // Returns whether it is one submission, by the files and folders on top of it (below folders that stand alone).
 bool is_submission(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
 
+// Returns whether a path is the folder's, or begins with it.
+bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 // Returns whether it is a git repository without its files.
 bool is_bare_repository(const std::filesystem::path& folder);
 

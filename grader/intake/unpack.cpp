@@ -2,6 +2,7 @@
 
 #include "grader/base/descriptor.h"
 #include "grader/base/files.h"
+#include "grader/intake/archive_reader.h"
 #include "grader/intake/entry_path.h"
 #include "grader/intake/owner.h"
 #include "pt/error.h"
@@ -12,7 +13,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -20,7 +20,6 @@
 #include <archive_entry.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace grader::intake {
 
@@ -29,7 +28,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMaxPlaceholders = 20;  // of one owner
-constexpr int kMaxReopened = 200;
 constexpr std::size_t kMaxPath = 3000;
 constexpr const char* kFaults = ".faults";  // hidden: no entry has such a name
 
@@ -51,62 +49,26 @@ bool is_useful(const std::string& name) {
          is_archive(name);
 }
 
-struct Closed {
-  void operator()(archive* reader) const { archive_read_free(reader); }
-};
-using Reader = std::unique_ptr<archive, Closed>;
-
-// Without those filters for which the library starts programs.
-Reader new_reader() {
-  Reader reader(archive_read_new());
-  archive_read_support_filter_gzip(reader.get());
-  archive_read_support_filter_bzip2(reader.get());
-  archive_read_support_filter_compress(reader.get());
-  archive_read_support_filter_lzma(reader.get());
-  archive_read_support_filter_xz(reader.get());
-  archive_read_support_filter_zstd(reader.get());
-  archive_read_support_format_zip(reader.get());
-  archive_read_support_format_tar(reader.get());
-  archive_read_support_format_gnutar(reader.get());
-  archive_read_support_format_7zip(reader.get());
-  archive_read_support_format_rar(reader.get());
-  archive_read_support_format_rar5(reader.get());
-  return reader;
-}
-
-std::string path_of(archive_entry* entry) {
-  const char* text = archive_entry_pathname_utf8(entry);
-  if (text == nullptr) text = archive_entry_pathname(entry);
-  return text == nullptr ? "" : text;
-}
-
-// A fault of one entry.
-struct EntryFault : std::runtime_error {
-  explicit EntryFault(const std::string& why, bool reader_ends = false)
-      : std::runtime_error(why), ends_reader(reader_ends) {}
-  bool ends_reader;  // nothing more can be read after it
-};
-
 class Unpacking {
  public:
-  Unpacking(int file, std::string name, fs::path folder, Extent extent)
-      : file_(file),
-        name_(std::move(name)),
-        folder_(std::move(folder)),
+  Unpacking(int file, std::string name, fs::path folder, Extent extent, const Limits& limits)
+      : folder_(std::move(folder)),
         of_all_(extent == Extent::everybody),
-        bounds_(of_all_ ? kBoundsOfEverybody : kBoundsOfOne) {}
+        limits_(limits),
+        bounds_(of_all_ ? limits.everybody : limits.one),
+        reader_(file, std::move(name), bounds_) {}
 
   void run() {
     if (of_all_) look_ahead();
-    open();
-    while (archive_entry* entry = next()) {
+    reader_.open();
+    while (archive_entry* entry = reader_.next()) {
       const std::vector<std::string> place = parts_of(path_of(entry));
       if (place.empty()) continue;
       try {
         take(entry, place);
       } catch (const EntryFault& fault) {
         blame(place, fault.what());
-        if (fault.ends_reader) read_on();
+        if (fault.ends_reader) reader_.read_on();
       }
     }
     write_faults();
@@ -119,42 +81,11 @@ class Unpacking {
     bool failed = false;
   };
 
-  void open() {
-    if (lseek(file_, 0, SEEK_SET) != 0) fail("it cannot be read from its beginning");
-    reader_ = new_reader();
-    entries_ = 0;
-    constexpr std::size_t kBlock = 1 << 16;
-    expect(archive_read_open_fd(reader_.get(), file_, kBlock));
-  }
-
-  // The next entry; nothing at the end.
-  archive_entry* next() {
-    archive_entry* entry = nullptr;
-    const int got = archive_read_next_header(reader_.get(), &entry);
-    if (got == ARCHIVE_EOF) return nullptr;
-    expect(got);
-    if (++entries_ > bounds_.entries)
-      fail(fmt::format("it has more than {} entries", bounds_.entries));
-    if (archive_filter_bytes(reader_.get(), 0) > bounds_.unpacked)
-      fail(fmt::format("it is larger than {} GiB", bounds_.unpacked >> 30));
-    return entry;
-  }
-
-  // After an entry that ends the reader: a new one goes on behind it.
-  void read_on() {
-    const int done = entries_;
-    if (++reopened_ > kMaxReopened) fail("it is damaged in many places");
-    open();
-    while (entries_ < done) {
-      if (next() == nullptr) fail("it is damaged");
-    }
-  }
-
   // How many folders stand around everything, and whether Canvas named what is in them.
   void look_ahead() {
     std::vector<std::vector<std::string>> paths;
-    open();
-    while (archive_entry* entry = next()) {
+    reader_.open();
+    while (archive_entry* entry = reader_.next()) {
       std::vector<std::string> place = parts_of(path_of(entry));
       // The folder itself has an entry of its own.
       if (!place.empty() && archive_entry_filetype(entry) == AE_IFDIR) place.emplace_back();
@@ -198,10 +129,22 @@ class Unpacking {
     }
     if (archive_entry_is_encrypted(entry) != 0) throw EntryFault("it is encrypted");
     const std::string bytes = content(used);
-    if (++used.files > kBoundsOfOne.files)
-      throw EntryFault(fmt::format("it has more than {} files", kBoundsOfOne.files));
-    if (++files_ > bounds_.files) fail(fmt::format("it has more than {} files", bounds_.files));
+    if (++used.files > limits_.one.files)
+      throw EntryFault(fmt::format("it has more than {} files", limits_.one.files));
+    if (++files_ > bounds_.files)
+      reader_.fail(fmt::format("it has more than {} files", bounds_.files));
+    if (of_all_ && is_other(path, bytes)) {
+      throw EntryFault(
+          "the archive has two of that name, or two folders whose names differ only in how their "
+          "accents are written; unpack the archive, and grade the folder");
+    }
     put(path, bytes);
+  }
+
+  // The library writes all accents in one way: of two learners' files one would be lost.
+  bool is_other(const std::string& path, const std::string& bytes) const {
+    const fs::path file = folder_ / path;
+    return fs::is_regular_file(file) && base::read_file(file) != bytes;
   }
 
   // So that everybody is seen: the owner's folder, or an empty file.
@@ -239,22 +182,20 @@ class Unpacking {
     std::string bytes;
     std::array<char, 1 << 16> block;
     while (true) {
-      const la_ssize_t got = archive_read_data(reader_.get(), block.data(), block.size());
-      if (got == 0) return bytes;
-      if (got < 0) throw EntryFault(reason(), got == ARCHIVE_FATAL);
-      const auto more = static_cast<std::uint64_t>(got);
+      const std::size_t more = reader_.read(block.data(), block.size());
+      if (more == 0) return bytes;
       used.bytes += more;
       bytes_ += more;
-      if (used.bytes > kBoundsOfOne.bytes)
-        throw EntryFault(fmt::format("its files are larger than {} MiB", kBoundsOfOne.bytes >> 20));
+      if (used.bytes > limits_.one.bytes)
+        throw EntryFault(fmt::format("its files are larger than {} MiB", limits_.one.bytes >> 20));
       if (bytes_ > bounds_.bytes)
-        fail(fmt::format("its files are larger than {} GiB", bounds_.bytes >> 30));
+        reader_.fail(fmt::format("its files are larger than {} GiB", bounds_.bytes >> 30));
       bytes.append(block.data(), more);
     }
   }
 
   void blame(const std::vector<std::string>& place, const std::string& why) {
-    if (!of_all_) fail(why);
+    if (!of_all_) reader_.fail(why);
     make_owner(place, false);
     used_[owner(place)].failed = true;
     faults_.push_back(
@@ -268,25 +209,13 @@ class Unpacking {
     pt::write_file(folder_ / kFaults, text);
   }
 
-  std::string reason() const {
-    const char* text = archive_error_string(reader_.get());
-    return text == nullptr ? "it is damaged" : text;
-  }
-  void expect(int status) const {
-    if (status < ARCHIVE_WARN) fail(reason());
-  }
-  [[noreturn]] void fail(const std::string& why) const {
-    throw pt::Error(fmt::format("'{}' cannot be unpacked: {}", name_, why));
-  }
-
-  int file_;
-  std::string name_;
   fs::path folder_;
   bool of_all_, is_canvas_ = false;
-  Bounds bounds_;
+  Limits limits_;
+  Bounds bounds_;  // of this archive
+  ArchiveReader reader_;
   std::size_t depth_ = 0;
-  Reader reader_;
-  int entries_ = 0, files_ = 0, reopened_ = 0;
+  int files_ = 0;
   std::uint64_t bytes_ = 0;
   std::map<std::string, Used> used_;
   std::set<std::string> made_;
@@ -301,16 +230,18 @@ bool is_packed(const std::string& name) {
   return is_archive(name) || has_ending(name, kOtherPacked);
 }
 
-void unpack(const std::string& archive, const std::string& folder, Extent extent) {
+void unpack(const std::string& archive, const std::string& folder, Extent extent,
+            const Limits& limits) {
   const std::string name = fs::path(archive).filename();
   const base::Descriptor file(::open(archive.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.is_open()) throw pt::Error(fmt::format("'{}' cannot be read", name));
   fs::create_directories(folder);
-  unpack(file.number(), name, folder, extent);
+  unpack(file.number(), name, folder, extent, limits);
 }
 
-void unpack(int archive, const std::string& name, const std::string& folder, Extent extent) {
-  Unpacking(archive, name, folder, extent).run();
+void unpack(int archive, const std::string& name, const std::string& folder, Extent extent,
+            const Limits& limits) {
+  Unpacking(archive, name, folder, extent, limits).run();
 }
 
 std::vector<Fault> read_faults(const std::string& folder) {

@@ -32,10 +32,15 @@ inline constexpr Bounds kBoundsOfOne{100'000, 5'000, std::uint64_t{64} << 20,
 inline constexpr Bounds kBoundsOfEverybody{2'000'000, 200'000, std::uint64_t{20} << 30,
                                            std::int64_t{64} << 30};
 
+// `one`: of a learner's archive, and of each owner in one of everybody's work.
+struct Limits {
+  Bounds one = kBoundsOfOne, everybody = kBoundsOfEverybody;
+};
+
 // Writes the files of an archive (zip, tar, 7-zip, RAR, compressed in any usual way) to `folder`,
 // which is made: source files, archives, and kGradescopeList. Of other files the first few become empty
 // files, so that it can be said what there is. Links and devices, hidden files, and paths that lead out of the
-// folder are left out. Of two files of one path the last counts.
+// folder are left out. Of two files of one path the last counts; in an archive of everybody's work they are a fault, if they differ.
 //
 // Throws pt::Error, one sentence, if it is not an archive, is damaged or encrypted, or is beyond
 // the bounds; and another exception where the machine is at fault, as when the disk is full.
@@ -43,10 +48,12 @@ inline constexpr Bounds kBoundsOfEverybody{2'000'000, 200'000, std::uint64_t{20}
 // In an archive of everybody's work, each owner has the bounds of one, and a fault in an entry is that owner's: read_faults has
 // it, and the others are unpacked. Whoever is in it has a folder or a file, empty if need be. An owner is the first part
 // of the path below the folders that all entries share, or whom that part names (grader/intake/owner.h).
-void unpack(const std::string& archive, const std::string& folder, Extent extent = Extent::one);
+void unpack(const std::string& archive, const std::string& folder, Extent extent = Extent::one,
+            const Limits& limits = {});
 
 // The same of an archive that is open; sentences call it `name`.
-void unpack(int archive, const std::string& name, const std::string& folder, Extent extent);
+void unpack(int archive, const std::string& name, const std::string& folder, Extent extent,
+            const Limits& limits = {});
 
 // The reason why part of an archive is not there.
 struct Fault {

@@ -2,7 +2,9 @@
 
 #include "grader/intake/unpack.h"
 #include "grader/programs/grade_class/compare.h"
+#include "grader/programs/grade_class/teller.h"
 #include "grader/report/csv.h"
+#include "grader/report/worksheet.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
 #include "pt/file.h"
@@ -103,7 +105,7 @@ void Collector::add(std::size_t i, const Graded& graded) {
   max_points_ = std::max(max_points_, sums.max_points);
   for_platforms_[i] = {anonymous ? plan_.real_names[i] : graded.by.name, graded.by.id, judged,
                        sums.points + sums.bonus_points,
-                       judged ? results::verdict(graded.results) : graded.problem};
+                       judged ? results::verdict(graded.results) : graded.by.problem};
   page_.add({graded.by.name, anonymous ? "" : graded.by.id, graded.by.name + ".html",
              graded.problem, graded.by.late},
             graded.results);
@@ -121,13 +123,12 @@ std::vector<std::string> Collector::write() {
   write_table();
   std::vector<std::string> written{out_ + "/class.csv", out_ + "/class.html"};
   pt::write_file(written[1], page_.to_html());
-  for (const std::string& path : write_returns()) written.push_back(path);
   if (!plan_.former.empty()) {
     const report::Comparison comparison = compare(plan_, plan_.former, out_);
     for (const char* name : {"/compare.csv", "/compare.html"}) written.push_back(out_ + name);
     pt::write_file(out_ + "/compare.csv", report::comparison_csv(comparison));
     pt::write_file(out_ + "/compare.html", report::comparison_html(comparison));
-    comparison_ = report::comparison_sentence(comparison);
+    remarks_.push_back(report::comparison_sentence(comparison));
   }
   if (!plan_.real_names.empty()) {
     std::string names = std::string(report::kByteOrderMark) + "submission,name,id\r\n";
@@ -138,10 +139,30 @@ std::vector<std::string> Collector::write() {
     written.push_back(out_ + "/names.csv");
     pt::write_file(written.back(), names);
   }
+  for (const std::string& path : write_returns()) written.push_back(path);
   return written;
 }
 
-std::vector<std::string> Collector::write_returns() const {
+// The worksheet filled in, if there is one.
+std::string Collector::moodle_table(const std::vector<report::GradeRow>& rows) {
+  if (plan_.worksheet.empty()) return report::moodle_csv(rows, max_points_);
+  report::Worksheet::Filled filled =
+      report::read_worksheet(plan_.worksheet).filled(rows, max_points_);
+  if (filled.locked > 0) {
+    remarks_.push_back(
+        fmt::format("{} says of {} of the submissions that Moodle lets their grade "
+                    "not be changed: it stays",
+                    plan_.worksheet, filled.locked));
+  }
+  if (!filled.strays.empty()) {
+    const std::string names = plan_.real_names.empty() ? ": " + some_of(filled.strays) : "";
+    remarks_.push_back(fmt::format("{} has no row for {} of the submissions{}", plan_.worksheet,
+                                   filled.strays.size(), names));
+  }
+  return filled.text;
+}
+
+std::vector<std::string> Collector::write_returns() {
   std::vector<report::GradeRow> canvas, moodle, gradescope;
   std::vector<intake::Packed> pages;
   for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
@@ -167,11 +188,12 @@ std::vector<std::string> Collector::write_returns() const {
   if (!gradescope.empty()) {
     write_text("gradescope.csv", report::gradescope_csv(gradescope, max_points_));
   }
-  if (!moodle.empty()) write_text("moodle.csv", report::moodle_csv(moodle, max_points_));
   if (!pages.empty()) {
     written.push_back(out_ + "/feedback.zip");
     intake::pack(written.back(), pages);
   }
+  fs::remove(out_ + "/moodle.csv");  // the worksheet may not fit
+  if (!moodle.empty()) write_text("moodle.csv", moodle_table(moodle));
   return written;
 }
 

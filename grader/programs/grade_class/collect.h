@@ -17,7 +17,7 @@ namespace grader::programs {
 // Collects outcomes, one for each submission of the plan, and writes
 //   class.csv                a line per submission: who, points, and the state and points of every task (RFC 4180)
 //   class.html               grader/report/class_page.h
-//   canvas.csv, moodle.csv   what the learning platforms take back
+//   canvas.csv, moodle.csv   what the learning platforms take back; of Moodle its worksheet, if the plan names it
 //   gradescope.csv           the same by name and ID; Gradescope takes no table back
 //   feedback.zip             every page, under the path by which its platform knows it
 //   compare.csv, .html       if the plan names an earlier grading: grader/report/compare_page.h
@@ -33,12 +33,13 @@ class Collector {
   // Writes everything. Returns the paths.
   std::vector<std::string> write();
 
-  // After that: who gains and who loses, in a sentence; empty where nothing is compared.
-  const std::string& comparison() const { return comparison_; }
+  // After that, sentences to be read: who gains and who loses, and whom the worksheet leaves out.
+  const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
   void write_table();
-  std::vector<std::string> write_returns() const;
+  std::vector<std::string> write_returns();
+  std::string moodle_table(const std::vector<report::GradeRow>& rows);
 
   const judge::Config& config_;
   const ClassPlan& plan_;
@@ -47,7 +48,7 @@ class Collector {
   std::vector<report::GradeRow> for_platforms_;
   report::ClassPage page_;
   int max_points_ = 0;
-  std::string comparison_;
+  std::vector<std::string> remarks_;
   std::chrono::steady_clock::time_point next_table_{};
 };
 

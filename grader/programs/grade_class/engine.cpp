@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <mutex>
-#include <set>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -29,6 +29,7 @@ namespace fs = std::filesystem;
 constexpr int kTries = 3;
 constexpr int kBetweenLooks = 1000;  // milliseconds
 constexpr std::size_t kMaxSaid = 400;
+constexpr const char* kNotSeen = "not looked at yet";
 constexpr std::size_t kMaxSlurmChunk = 1000;  // MaxArraySize is 1001, if nobody has set it
 
 // For a shell: in apostrophes.
@@ -82,15 +83,19 @@ class Watch {
   Watch(const Judging& judging, const ClassPlan& plan, const Report& report)
       : judging_(judging), plan_(plan), report_(report) {
     for (const Chunk& chunk : plan.chunks) {
-      for (const Equal& equal : chunk) waiting_.insert(equal.begin(), equal.end());
+      for (const Equal& equal : chunk) {
+        for (const std::size_t i : equal) waiting_[i] = kNotSeen;
+      }
     }
   }
 
   // `first`: what is done then was done by an earlier call.
   void look(bool first) {
     for (auto at = waiting_.begin(); at != waiting_.end();) {
-      const std::size_t i = *at;
-      if (is_done(judging_, plan_.everybody[i])) {
+      const std::size_t i = at->first;
+      const std::string before = at->second;
+      at->second = outcome_so_far(judging_, plan_.everybody[i]);
+      if (at->second != before && is_done(judging_, plan_.everybody[i])) {
         Graded graded = graded_before(judging_, plan_.everybody[i]);
         graded.again = first;
         report_(i, graded);
@@ -105,7 +110,9 @@ class Watch {
   const Judging& judging_;
   const ClassPlan& plan_;
   const Report& report_;
-  std::set<std::size_t> waiting_;
+  // What the last look found. Reports of an earlier class stay until they are made anew, and to see that they are old takes
+  // all files of the submission.
+  std::map<std::size_t, std::string> waiting_;
 };
 
 // With all that is in our environment: keys of ssh, settings of the cluster.

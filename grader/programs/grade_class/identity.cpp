@@ -30,11 +30,6 @@ std::string identity_of(const ClassPlan& plan, std::size_t i) {
   return plan.real_names.empty() ? by.name : plan.real_names[i];
 }
 
-std::string random_text() {
-  std::random_device random;
-  return fmt::format("{:08x}{:08x}", random(), random());
-}
-
 std::string alias_of(const std::string& salt, const std::string& identity) {
   return "submission-" + base::sha256(salt + identity).substr(0, kDigitsOfAlias);
 }
@@ -52,6 +47,11 @@ std::string salt_for(const ClassPlan& plan, const std::string& out) {
 }
 
 }  // namespace
+
+std::string random_text() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
 
 void hide_names(ClassPlan& plan, const std::string& out) {
   plan.salt = salt_for(plan, out);

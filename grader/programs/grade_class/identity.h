@@ -9,6 +9,9 @@
 
 namespace grader::programs {
 
+// 16 characters that nobody can foresee.
+std::string random_text();
+
 // Gives every submission of the plan a number in place of its name, which only who has the plan can turn back. A
 // learner keeps it in every later plan in `out`, and in those that compare with it. What the intake says of a
 // submission then names no file either. Throws pt::Error if `out` has reports that show names.

@@ -1,12 +1,13 @@
 // grade_class: grades every submission of a class, or does one step of it: plan, chunk, collect. Exit
 // status 0 if all could be judged, 2 if one could not, or nothing could.
-#include "grader/base/printable.h"
+#include "grader/intake/tree.h"
 #include "grader/programs/grade_class/collect.h"
 #include "grader/programs/grade_class/engine.h"
 #include "grader/programs/grade_class/one.h"
 #include "grader/programs/grade_class/plan.h"
 #include "grader/programs/grade_class/teller.h"
 #include "grader/programs/status_line.h"
+#include "grader/report/worksheet.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -68,6 +69,10 @@ void describe_plan(CLI::App& app, Options& options) {
   app.add_option("--assignment", options.plan.assignment,
                  "the column in canvas.csv, as Canvas writes it: \"Rays (1234)\"; default: the "
                  "export's name, which Canvas takes for a new one");
+  app.add_option("--worksheet", options.plan.worksheet,
+                 "the grading worksheet that Moodle exported, to be filled in: moodle.csv is then "
+                 "that file with the grades; default: one that holds the submissions only")
+      ->check(CLI::ExistingFile);
   app.add_flag("--anonymous", options.plan.anonymous,
                "numbers in place of names; names.csv tells who is who");
   app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
@@ -125,10 +130,7 @@ Judging judging_of(const judge::Config& config, const Options& options, const Cl
 // Reports in the class would be submissions of the next call.
 void refuse_inside(const PlanRequest& request) {
   const fs::path input = fs::weakly_canonical(request.input);
-  const fs::path out = fs::weakly_canonical(request.out);
-  if (!fs::is_directory(input)) return;
-  const auto after = std::mismatch(input.begin(), input.end(), out.begin(), out.end()).first;
-  if (after == input.end()) {
+  if (fs::is_directory(input) && intake::lies_in(fs::weakly_canonical(request.out), input)) {
     throw pt::Error("the reports in " + request.out + " would lie among the submissions in " +
                     request.input + "; write --out another folder");
   }
@@ -156,8 +158,19 @@ ClassPlan planned(Options& options, const judge::Config& config,
                       " cannot be compared with themselves; write --out another folder");
     }
   }
+  if (!request.worksheet.empty()) {
+    request.worksheet = fs::absolute(request.worksheet);
+    (void)report::read_worksheet(request.worksheet);  // while nothing is judged yet
+  }
   pt::check_target(request.out + "/class.csv");
   ClassPlan plan = make_plan(config, programs_of(options), request);
+  const auto is_of_moodle = [](const intake::HandedIn& by) {
+    return by.platform == intake::Platform::moodle;
+  };
+  if (!request.worksheet.empty() && std::ranges::none_of(plan.everybody, is_of_moodle)) {
+    throw pt::Error("--worksheet is for what Moodle exports, and nothing in " + request.input +
+                    " is named as Moodle names it");
+  }
   forget_outcomes(request.out, plan.everybody);
   write_plan(plan, request.out);
   return plan;
@@ -168,19 +181,13 @@ void print_plan(const ClassPlan& plan) {
   fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
   const std::vector<std::string>& files = plan.unclaimed;
   if (files.empty()) return;
-  constexpr std::size_t kMaxNamed = 5;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(files.size(), kMaxNamed); ++i) {
-    names += (i == 0 ? "" : ", ") + base::printable(files[i], 100);
-  }
-  fmt::print("{} in the class {}: {}{}\n",
+  fmt::print("{} in the class {}: {}\n",
              files.size() == 1 ? "1 file" : fmt::format("{} files", files.size()),
-             files.size() == 1 ? "belongs to nobody" : "belong to nobody", names,
-             files.size() > kMaxNamed ? ", ..." : "");
+             files.size() == 1 ? "belongs to nobody" : "belong to nobody", some_of(files));
 }
 
 void print_files(const Collector& collector, const std::vector<std::string>& files) {
-  if (!collector.comparison().empty()) fmt::print("{}\n", collector.comparison());
+  for (const std::string& remark : collector.remarks()) fmt::print("{}\n", remark);
   for (const std::string& file : files) fmt::print("{}\n", file);
 }
 
@@ -247,9 +254,13 @@ int run_chunks(const Options& options) {
   StatusLine line(StatusLine::Output::none);  // its log has the outcomes
   Teller teller(count, line);
   const int jobs = std::max(1, options.engine.jobs);
+  bool complete = true;
   run_chunk(judging_of(config, options, plan, out, 1), plan, all, jobs,
-            [&](std::size_t, const Graded& graded) { teller.tell(graded); });
-  return 0;  // each has its outcome, which the collector tells
+            [&](std::size_t, const Graded& graded) {
+              teller.tell(graded);
+              complete = complete && !graded.changed;
+            });
+  return complete ? 0 : 2;  // a problem is an outcome too, which the collector tells
 }
 
 int collect(const Options& options) {

@@ -19,8 +19,10 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/wait.h>
 
 namespace grader::programs {
@@ -44,6 +46,15 @@ std::string points_file(const Judging& judging) {
   return judging.config.root + "/grader/points.json";
 }
 
+// Of all files in a folder: whoever writes into one of them leaves the folder as it was.
+std::string stamp_of_files(const std::string& folder) {
+  std::set<std::string> stamps;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file()) stamps.insert(base::stamp(entry.path()));
+  }
+  return fmt::format("{}", fmt::join(stamps, "\n"));
+}
+
 Key key_of(const Judging& judging, const std::string& submission) {
   const judge::Config& config = judging.config;
   const std::string cache = config.work + "/cache";
@@ -51,7 +62,7 @@ Key key_of(const Judging& judging, const std::string& submission) {
   std::string key =
       stamp(judging.grade) + stamp(config.picture) + stamp(config.root + "/scenes/recipes.json");
   const std::string golden = config.root + "/golden";
-  if (fs::exists(golden)) key += base::stamp(golden);
+  if (fs::exists(golden)) key += stamp_of_files(golden);
   for (const std::string& word : judging.words) key += word + '\0';
   key += std::to_string(judging.seed);
   const std::string root = base::submission_root(submission);
@@ -96,6 +107,11 @@ std::optional<results::Results> counted_anew(const Judging& judging, const std::
   for (results::TaskResult& task : results.tasks) results::count_points(points, task);
   return results;
 }
+
+// Nobody's fault, and over by the next try.
+struct FilesChanged : pt::Error {
+  FilesChanged() : pt::Error("its files, or the grader's, have changed while it was judged") {}
+};
 
 // Returns why it could not be judged; empty if it was.
 std::string run_grade(const Judging& judging, const intake::HandedIn& by, const std::string& path) {
@@ -143,7 +159,7 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
   results::Results results = results::read_results(path + ".json");
   if (!results.complete) throw pt::Error("the run was stopped before it ended");
   if (key_of(judging, by.folder) != key) {
-    throw pt::Error("its files, or the grader's, have changed while it was judged");
+    throw FilesChanged();
   }
   pt::write_file(path + ".key", key.text());
   return results;
@@ -160,6 +176,9 @@ Graded grade_one(const Judging& judging, const intake::HandedIn& by,
     graded.results = graded.again ? results::read_results(path + ".json")
                                   : make_reports(judging, by, key, equal);
     fs::remove(path + ".problem");
+  } catch (const FilesChanged& changed) {
+    graded.problem = changed.what();
+    graded.changed = true;
   } catch (const std::exception& error) {
     graded.problem = pt::sentence_of(error);
     if (judging.anonymous) graded.problem = without_names(graded.problem, by.folder);
@@ -193,6 +212,11 @@ Graded graded_before(const Judging& judging, const intake::HandedIn& by) {
     graded.problem = pt::sentence_of(error);
   }
   return graded;
+}
+
+std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by) {
+  const std::string path = judging.out + "/" + by.name;
+  return fs::exists(path + ".problem") ? "a problem" : key_at(path).text();
 }
 
 bool is_done(const Judging& judging, const intake::HandedIn& by) {

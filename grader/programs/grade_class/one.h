@@ -12,7 +12,7 @@
 // One submission of a class, with its reports in a folder:
 //   <name>.json, <name>.html   the reports
 //   <name>.key                 stands for all that they depend on; written last
-//   <name>.problem             why it was not judged
+//   <name>.problem             why it was not judged; not where its files changed meanwhile: it is judged again
 
 namespace grader::programs {
 
@@ -36,6 +36,7 @@ struct Graded {
   results::Results results{};  // if there is no problem
   std::string problem{};       // the reason why it was not judged, one sentence; else empty
   bool again = false;          // it was judged before, and nothing has changed since
+  bool changed = false;  // meanwhile: the problem is no outcome, and it has to be judged again
 };
 
 // Removes what earlier calls left that must not be taken for an outcome of this one: problems, and
@@ -46,8 +47,11 @@ void forget_outcomes(const std::string& out, const std::vector<intake::HandedIn>
 // the same words by the same judge; else its problem.
 Graded graded_before(const Judging& judging, const intake::HandedIn& by);
 
-// Returns whether grade_all is done with it: there are such reports, or there is a problem.
+// Returns whether grade_equal is done with it: there are such reports, or there is a problem.
 bool is_done(const Judging& judging, const intake::HandedIn& by);
+
+// Another text whenever is_done may have become true. It takes no look at what was handed in.
+std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by);
 
 // Judges submissions whose files are equal, and writes their reports. Earlier outcomes are used
 // again: reports of before; results that differ in points only, which are counted anew; those of an

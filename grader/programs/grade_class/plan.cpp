@@ -113,8 +113,7 @@ std::string folder_to_unpack(const std::string& out) {
   std::ranges::sort(former, std::ranges::greater{},
                     [](const fs::path& path) { return fs::last_write_time(path); });
   for (std::size_t i = kKeptUnpacked - 1; i < former.size(); ++i) fs::remove_all(former[i]);
-  std::random_device random;
-  return folder / fmt::format("{:08x}{:08x}", random(), random());
+  return folder / random_text();
 }
 
 // A file's name may hold any bytes, and JSON only UTF-8: others become a list of numbers.
@@ -195,6 +194,7 @@ ClassPlan make_plan(const judge::Config& config, const std::string& programs,
   plan.host = host_name();
   plan.former = request.former;
   plan.assignment = request.assignment;
+  plan.worksheet = request.worksheet;
   std::vector<intake::TaskFile> tasks;
   for (const judge::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
   intake::HandedInByAll all =
@@ -218,6 +218,7 @@ void write_plan(const ClassPlan& plan, const std::string& out) {
            {"host", plan.host},
            {"former", text_json(plan.former)},
            {"assignment", text_json(plan.assignment)},
+           {"worksheet", text_json(plan.worksheet)},
            {"salt", plan.salt},
            {"chunks", plan.chunks},
            {"everybody", json::array()},
@@ -243,6 +244,8 @@ ClassPlan read_plan(const std::string& out) {
     plan.host = all.at("host").get<std::string>();
     plan.former = text_from(all.at("former"));
     plan.assignment = text_from(all.at("assignment"));
+    // Plans of before had none.
+    if (all.contains("worksheet")) plan.worksheet = text_from(all.at("worksheet"));
     plan.salt = all.at("salt").get<std::string>();
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
     for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));

@@ -25,6 +25,7 @@ struct ClassPlan {
   std::string host;                // the machine on which it was made
   std::string former;              // reports of an earlier grading, to compare with; may be empty
   std::string assignment;          // its column in Canvas' table; empty: that of the export's name
+  std::string worksheet;           // of Moodle, to be filled in; may be empty
   std::string salt;                // of the names of an anonymous class; empty: names are shown
   std::vector<intake::HandedIn> everybody;
   std::vector<std::string> real_names;  // of everybody, if the class is anonymous; else empty
@@ -40,6 +41,7 @@ struct PlanRequest {
   std::optional<std::uint64_t> seed;
   std::string former;          // reports of an earlier grading, to compare with; may be empty
   std::string assignment;      // its column in Canvas' table; empty: that of the export's name
+  std::string worksheet;       // of Moodle, to be filled in; may be empty
   std::size_t chunk_size = 0;  // submissions that differ, in a chunk; 0: kMaxChunks at most
   bool anonymous = false;
   bool must_isolate = true;  // refuses where nothing isolates submissions, archives among them

@@ -1,16 +1,30 @@
 #pragma once
 
+#include "grader/base/printable.h"
 #include "grader/programs/grade_class/one.h"
 #include "grader/programs/status_line.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace grader::programs {
+
+// The first few of many names, fit to be shown.
+inline std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 5, kMostBytes = 100;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+    text += (i == 0 ? "" : ", ") + base::printable(names[i], kMostBytes);
+  }
+  return names.size() > kMostNamed ? text + ", ..." : text;
+}
 
 // Says one outcome after another, and how long the rest will take.
 class Teller {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader::report {
+
+struct CsvCell {
+  std::string value;
+  std::size_t at = 0, size = 0;  // where it stands in the text, with its quotation marks
+};
+
+struct CsvRow {
+  int line = 0;  // on which it begins, from 1 on
+  std::vector<CsvCell> cells;
+};
+
+struct CsvTable {
+  char separator = ',';
+  std::vector<CsvRow> rows;
+};
+
+// Reads a table (RFC 4180) as others write it: with any line ends, perhaps a byte order mark, and a semicolon or a tab in
+// place of the comma. Empty lines are no rows. Throws pt::Error, with the line, if it is not UTF-8, or a quotation ends badly;
+// `path` is for that sentence.
+CsvTable read_csv(std::string_view text, const std::string& path);
+
+}  // namespace grader::report
