@@ -228,6 +228,33 @@ TEST_F(Cache, damaged_files_are_not_whole) {
   EXPECT_FALSE(is_whole(path("b.o"))) << "without a sum";
 }
 
+TEST_F(Cache, of_files_that_belong_together_one_that_is_damaged_or_missing_counts) {
+  const std::vector<std::string> files{path("a.json"), path("a.exr"), path("a.csv")};
+  const std::string text = "a picture, or what was found in it";
+  const auto keep = [&] {
+    for (int i = 0; i < 2; ++i) pt::write_file(files[static_cast<std::size_t>(i)], text);
+    fs::remove(files[2]);
+    note_sums_of(files[0], files);
+  };
+  for (int i = 0; i < 2; ++i) {
+    for (const std::string& other : damaged(text)) {
+      keep();
+      EXPECT_TRUE(are_whole(files[0], files));
+      pt::write_file(files[static_cast<std::size_t>(i)], other);
+      EXPECT_FALSE(are_whole(files[0], files)) << i << ' ' << other;
+    }
+    keep();
+    fs::remove(files[static_cast<std::size_t>(i)]);
+    EXPECT_FALSE(are_whole(files[0], files)) << i << " is missing";
+  }
+  keep();
+  pt::write_file(files[2], text);
+  EXPECT_FALSE(are_whole(files[0], files)) << "one more than there was";
+  keep();
+  fs::remove(files[0] + ".sum");
+  EXPECT_FALSE(are_whole(files[0], files)) << "without sums";
+}
+
 TEST_F(Cache, kept_folders_are_mended) {
   const auto kept = [&] {
     return kept_folder(folder(), "key", [](const ToolFolder& place) {

@@ -16,7 +16,6 @@
 #include <mutex>
 #include <set>
 #include <sstream>
-#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -93,6 +92,15 @@ std::string sums_in(const std::string& folder) {
   return all;
 }
 
+// A line for each file: its name and its sum, which is empty for one that is not there.
+std::string sums_of(const std::vector<std::string>& files) {
+  std::string all;
+  for (const std::string& file : files) {
+    all += fs::path(file).filename().string() + ' ' + sum_of_file(file) + '\n';
+  }
+  return all;
+}
+
 // Whether the file at the path is still the one that was opened.
 bool is_still(const base::Descriptor& opened, const std::string& path) {
   struct stat then {
@@ -140,6 +148,15 @@ void keep_file(const std::string& path, const std::string& bytes) {
 bool is_whole(const std::string& path) {
   const std::string sum = text_if_any(path + ".sum");
   return !sum.empty() && sum == sum_of_file(path);
+}
+
+void note_sums_of(const std::string& path, const std::vector<std::string>& files) {
+  note_sum(path, sums_of(files));
+}
+
+bool are_whole(const std::string& path, const std::vector<std::string>& files) {
+  const std::string sums = text_if_any(path + ".sum");
+  return !sums.empty() && sums == sums_of(files);
 }
 
 void note_sums(const std::string& folder) { pt::write_file(folder + '/' + kSums, sums_in(folder)); }

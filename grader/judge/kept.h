@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Files that are kept from run to run: whether they are what was written, as a loss of power may leave a file empty
 // or cut off; and folders of them that other judges use too.
@@ -20,6 +21,11 @@ void keep_file(const std::string& path, const std::string& bytes);
 
 // Returns whether the file is there, as its sum says.
 bool is_whole(const std::string& path);
+
+// The same for files that belong together, as a verdict and its pictures do: all their sums in <path>.sum, noted
+// when the last of them is written. Which of them are there is a part of it.
+void note_sums_of(const std::string& path, const std::vector<std::string>& files);
+bool are_whole(const std::string& path, const std::vector<std::string>& files);
 
 // The same for a folder, with the sums of all its files in one file in it.
 void note_sums(const std::string& folder);

@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
+#include "grader/judge/kept.h"
 #include "grader/process/cause_of_end.h"
 #include "grader/process/run_command.h"
 #include "grader/results/read_json.h"
@@ -79,6 +80,19 @@ std::optional<results::PictureResult> read_picture(const std::string& path) {
   }
 }
 
+// The verdict, and what the program writes beside it for the report.
+std::vector<std::string> files_of(const std::string& path) {
+  const std::string beside = fs::path(path).replace_extension();
+  return {path, beside + ".exr", beside + ".evidence.exr", beside + ".csv", beside + ".usual.csv"};
+}
+
+// What an earlier run found, if all its files are as they were written: a picture that a loss of power cut off
+// would stop the report.
+std::optional<results::PictureResult> kept_picture(const std::string& path) {
+  if (!are_whole(path, files_of(path))) return std::nullopt;
+  return read_picture(path);
+}
+
 // Runs the program into the file.
 results::PictureResult run_program(std::vector<std::string> words, const std::string& path,
                                    const PictureTrial& trial) {
@@ -101,9 +115,10 @@ results::PictureResult try_picture(const Config& config, const Builder& builder,
   const std::vector<std::string> words = command(config, request, trial);
   const std::string path =
       builder.cache() + "/" + key_of(config, builder.cache(), words, trial) + ".picture.json";
-  const std::optional<results::PictureResult> known = read_picture(path);
+  const std::optional<results::PictureResult> known = kept_picture(path);
   results::PictureResult result = known ? *known : run_program(words, path, trial);
   if (!known && process::was_killed(result.text)) result = run_program(words, path, trial);
+  if (!known) note_sums_of(path, files_of(path));
   mark_used(path);
   result.replay = replay_command(request, trial.task.slug);
   // Time and memory depend on what else the machine does: tried again when it is asked for again.
