@@ -195,6 +195,8 @@ TEST_P(Attack, gets_nowhere_by_compiling_for_ever) {
     EXPECT_EQ(task.at("state"), "fail");
     EXPECT_EQ(task.at("reason"), "it does not compile") << task.at("slug");
   }
+  const std::string text = outcome.task("hit_sphere").at("compiler_output");
+  EXPECT_NE(text.find("its output is too large; is there a huge array"), std::string::npos) << text;
 }
 
 // Whoever kills the judge, with no time to clean up, ends everything.

@@ -34,8 +34,14 @@ int run_tool_part(const std::vector<char*>& command, int parts) {
   }
   const int signal = WTERMSIG(status);
   if (signal != SIGKILL) tell("f");
-  std::fprintf(stderr, "%s: error: it ended with signal %d (%s)\n", command[0], signal,
-               strsignal(signal));
+  if (signal == SIGXFSZ) {
+    std::fprintf(
+        stderr, "%s: error: its output is too large; is there a huge array that is not all zero?\n",
+        command[0]);
+  } else {
+    std::fprintf(stderr, "%s: error: it ended with signal %d (%s)\n", command[0], signal,
+                 strsignal(signal));
+  }
   return 128 + signal;
 }
 
