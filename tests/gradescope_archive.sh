@@ -38,6 +38,12 @@ grader/editions/gradescope_zip.sh "$autograder/autograder.zip"
 bash "$autograder/source/setup.sh" >"$autograder/log" 2>&1 ||
   complain "setup.sh failed:" "$(cat "$autograder/log")"
 
+# Another user who knows every path reads nothing but the box, and what is in its folder.
+readable=$(find "$autograder/source" -type f -print0 |
+  setpriv --reuid 65534 --regid 65534 --clear-groups xargs -0 sh -c 'for file; do [ ! -r "$file" ] || echo "$file"; done' sh |
+  grep -vE '/build/check/grader/(box|box_probe|graded/.*)$' || true)
+[ -z "$readable" ] || complain "another user can read:" "$readable"
+
 for tier in A B; do
   cp reference/*/hit_*.cpp "$autograder/submission"
   judges 'r["score"] > 0 and task["hit_bvh"]["status"] == "passed"

@@ -3,7 +3,14 @@
 # but the submission is compiled later, and tries the grader on the reference.
 set -euo pipefail
 cd "${FIRSTLIGHT_AUTOGRADER:-/autograder}/source"
-# The reference and the goldens are nobody's business: a submission runs as another user.
-chmod 700 .
 export DEBIAN_FRONTEND=noninteractive
+# A submission is compiled and runs as another user. It has to come as far as the folder of its box; on the way there it may
+# list and read nothing: the reference and the goldens are nobody's business.
+chmod 711 .
 bash run grade --submission reference --no-pictures --require-isolation
+chmod 711 build build/check build/check/grader
+closed() { find "$1" -mindepth 1 -maxdepth 1 "${@:2}" -exec chmod -R go-rwx {} +; }
+closed . ! -name build
+closed build ! -name check
+closed build/check ! -name grader
+closed build/check/grader ! -name graded ! -name box ! -name box_probe
