@@ -5,8 +5,9 @@
 
 # The archives that the programs link; the objects of some are listed in grade.json and by the write-up.
 set(compiled_archives pt_base pt_scene pt_image pt_loader pt_test_count pt_film pt_render pt_rows pt_progress scene_meshes
-  grader_tasks grader_base grader_process grader_users grader_sandbox grader_results
-  grader_pictures grader_recipe_scenes grader_worker_rows grader_report grader_judge grader_mistakes grader_closed_forms grader_check grader_counting grader_wire)
+  grader_tasks grader_base grader_process grader_users grader_sandbox grader_results grader_pictures grader_recipe_scenes
+  grader_worker_rows grader_report grader_judge grader_mistakes grader_closed_forms grader_check grader_counting
+  grader_wire)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_test_count pt_film pt_render pt_rows scene_meshes
   grader_closed_forms)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
