@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What changes between two gradings of a class, or while one runs: a promise, a golden, a learner's file. It is told who gains and
+# Changes between two gradings of a class, or while one runs, of a promise, a golden, a learner's file: it is told who gains and
 # who loses by which promise, nothing is judged again that the change cannot touch, and what changes while it is judged is
 # judged again.
 # class_changes.sh GRADER: the folder with grade_class and its grade.json.

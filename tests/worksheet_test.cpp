@@ -107,7 +107,7 @@ TEST(Worksheet, what_is_none_is_named_with_its_line) {
            {columns + row + ",", ":2: it has 11 cells, and the first line 10"},
            {columns + "\nParticipant 7", ":2: it has 1 cells"},
            {columns + "\r\n\r\nParticipant 7", ":3: it has 1 cells"},
-           {columns + "\nada@x,A,a,s,,20,Yes,-,-,", ":2: 'ada@x' is no participant"},
+           {columns + "\nada@x,A,a,s,,20,Yes,-,-,", ":2: 'ada@x' is not a participant"},
            {columns + row + "\"a\nb\"\n,", ":4: it has 2 cells"},
            {columns + row + "\n\"a\n\n", ":3: a quotation that begins here does not end"},
            {columns + row + "\n\"a\n\"b,", ":4: a cell goes on behind its quotation mark"},

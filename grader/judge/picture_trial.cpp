@@ -86,8 +86,8 @@ std::vector<std::string> files_of(const std::string& path) {
   return {path, beside + ".exr", beside + ".evidence.exr", beside + ".csv", beside + ".usual.csv"};
 }
 
-// What an earlier run found, if all its files are as they were written: a picture that a loss of power cut off
-// would stop the report.
+// The verdict of an earlier run, if all its files are as they were written: a report could not show a picture that a
+// loss of power cut off.
 std::optional<results::PictureResult> kept_picture(const std::string& path) {
   if (!are_whole(path, files_of(path))) return std::nullopt;
   return read_picture(path);

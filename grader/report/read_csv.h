@@ -23,7 +23,8 @@ struct CsvTable {
 };
 
 // Reads a table (RFC 4180) as others write it: with any line ends, perhaps a byte order mark, and a semicolon or a tab in
-// place of the comma. Empty lines are no rows. Throws pt::Error, with the line, if it is not UTF-8, or a quotation ends badly;
+// place of the comma. Empty lines are left out. Throws pt::Error, with the line, if it is not UTF-8, or a quotation is not
+// closed or goes on behind its mark;
 // `path` is for that sentence.
 CsvTable read_csv(std::string_view text, const std::string& path);
 

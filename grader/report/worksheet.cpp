@@ -82,9 +82,10 @@ void Worksheet::check(const CsvRow& row) const {
                                row.cells.size(), columns));
   }
   if (number_of(row.cells[identifier_]).empty()) {
-    fail(row.line, fmt::format("'{}' is no participant ('Participant 123'); download the grading "
-                               "worksheet again",
-                               shown(row.cells[identifier_])));
+    fail(row.line,
+         fmt::format("'{}' is not a participant ('Participant 123'); download the grading "
+                     "worksheet again",
+                     shown(row.cells[identifier_])));
   }
 }
 

@@ -13,14 +13,13 @@ namespace grader::report {
 // row per participant, of whom some have handed in nothing.
 class Worksheet {
  public:
-  // `path` is for the sentences. Throws pt::Error, with the line, if the text is none, or in another language than
-  // English, of which Moodle would have to be told.
+  // `path` is for the sentences. Throws pt::Error, with the line, if the text is not a worksheet, or is in
+  // another language than English.
   Worksheet(std::string text, std::string path);
 
   struct Filled {
     std::string text;
-    std::size_t locked =
-        0;  // learners whose grades cannot be changed, as Moodle says: they keep them
+    std::size_t locked = 0;  // learners who keep the grade that they have: Moodle has locked it
     std::vector<std::string> strays;  // names of learners who are not in the worksheet
   };
 
@@ -40,7 +39,7 @@ class Worksheet {
   std::size_t identifier_, grade_, maximum_, can_change_, comment_;
 };
 
-// Throws pt::Error if there is no such file, or it is no worksheet.
+// Throws pt::Error if the file is missing, or is not a worksheet.
 Worksheet read_worksheet(const std::string& path);
 
 }  // namespace grader::report

@@ -110,8 +110,8 @@ class Watch {
   const Judging& judging_;
   const ClassPlan& plan_;
   const Report& report_;
-  // What the last look found. Reports of an earlier class stay until they are made anew, and to see that they are old takes
-  // all files of the submission.
+  // By submission, the outcome that the last look found. Reports of an earlier class stay until they are made anew, and
+  // whether they are old can only be seen by reading all files of the submission.
   std::map<std::size_t, std::string> waiting_;
 };
 

@@ -46,7 +46,7 @@ std::string points_file(const Judging& judging) {
   return judging.config.root + "/grader/points.json";
 }
 
-// Of all files in a folder: whoever writes into one of them leaves the folder as it was.
+// Stands for all files in a folder. The stamp of the folder itself does not change when one of them is written.
 std::string stamp_of_files(const std::string& folder) {
   std::set<std::string> stamps;
   for (const auto& entry : fs::directory_iterator(folder)) {

@@ -36,7 +36,7 @@ struct Graded {
   results::Results results{};  // if there is no problem
   std::string problem{};       // the reason why it was not judged, one sentence; else empty
   bool again = false;          // it was judged before, and nothing has changed since
-  bool changed = false;  // meanwhile: the problem is no outcome, and it has to be judged again
+  bool changed = false;  // while it was judged, so the problem does not stay: it is judged again
 };
 
 // Removes what earlier calls left that must not be taken for an outcome of this one: problems, and

@@ -244,7 +244,7 @@ ClassPlan read_plan(const std::string& out) {
     plan.host = all.at("host").get<std::string>();
     plan.former = text_from(all.at("former"));
     plan.assignment = text_from(all.at("assignment"));
-    // Plans of before had none.
+    // Plans of earlier versions have no such entry.
     if (all.contains("worksheet")) plan.worksheet = text_from(all.at("worksheet"));
     plan.salt = all.at("salt").get<std::string>();
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();

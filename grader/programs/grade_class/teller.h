@@ -18,12 +18,12 @@ namespace grader::programs {
 
 // The first few of many names, fit to be shown.
 inline std::string some_of(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNamed = 5, kMostBytes = 100;
+  constexpr std::size_t kMaxNamed = 5, kMaxBytes = 100;
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
-    text += (i == 0 ? "" : ", ") + base::printable(names[i], kMostBytes);
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) {
+    text += (i == 0 ? "" : ", ") + base::printable(names[i], kMaxBytes);
   }
-  return names.size() > kMostNamed ? text + ", ..." : text;
+  return names.size() > kMaxNamed ? text + ", ..." : text;
 }
 
 // Says one outcome after another, and how long the rest will take.
