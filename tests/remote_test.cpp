@@ -5,6 +5,8 @@
 #include "grader/wire/finite.h"
 #include "grader/wire/message.h"
 #include "grader/wire/session.h"
+#include "grader/wire/worker_process.h"
+#include "pt/error.h"
 
 #include <algorithm>
 #include <random>
@@ -197,6 +199,36 @@ TEST(remote, smaller_inputs_have_a_session_of_their_own) {
   EXPECT_GT(first_smaller - used.begin(), 0);
   EXPECT_EQ(std::count(first_smaller, used.end(), *first_smaller), used.end() - first_smaller);
   EXPECT_EQ(&session(), usual);
+}
+
+TEST(remote, a_worker_that_does_not_start_is_started_again) {
+  std::unique_ptr<WorkerProcess> none;
+  int calls = 0;
+  const auto starts_at_the_third = [&] {
+    if (++calls < 3) throw WorkerNotStarted{"no users"};
+    return calls;
+  };
+  EXPECT_EQ(try_again(none, starts_at_the_third), 3);
+  calls = 0;
+  const auto never_starts = [&]() -> int {
+    ++calls;
+    throw WorkerNotStarted{"no users"};
+  };
+  try {
+    try_again(none, never_starts);
+    FAIL();
+  } catch (const pt::Error& error) {
+    EXPECT_STREQ(error.what(), "a worker cannot start: no users");
+  }
+  EXPECT_EQ(calls, 4);
+  // What a submission did is told at once.
+  calls = 0;
+  const auto crashes = [&]() -> int {
+    ++calls;
+    throw WorkerFailed{results::Cause::crash, "signal 11", false, false};
+  };
+  EXPECT_THROW(try_again(none, crashes), WorkerFailed);
+  EXPECT_EQ(calls, 1);
 }
 
 TEST(sha256, examples) {

@@ -1,10 +1,18 @@
-// A command's limit of time, whatever it prints meanwhile.
+// How commands start and end: their limit of time, whatever they print meanwhile, and their descriptors.
 #include "grader/process/run_command.h"
 
+#include "grader/base/descriptor.h"
+#include "grader/process/spawn.h"
+
+#include <algorithm>
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace grader::process {
 namespace {
@@ -36,6 +44,36 @@ TEST(CommandLimit, leaves_alone_what_prints_slowly_and_ends) {
       run_script("for i in 1 2 3 4 5; do echo $i; sleep 0.02; done", milliseconds(10000));
   EXPECT_TRUE(slow.ok());
   EXPECT_EQ(slow.output, "1\n2\n3\n4\n5\n");
+}
+
+// A file in memory with this text, as the descriptor of this number, whatever was there.
+base::Descriptor file_at(int number, const std::string& text) {
+  const base::Descriptor any(memfd_create("text", MFD_CLOEXEC));
+  EXPECT_EQ(pwrite(any.number(), text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
+  EXPECT_EQ(dup2(any.number(), number), number);
+  return base::Descriptor(number);
+}
+
+// Prints three files, whose descriptors are the numbers after `first`, by a child that has them in the other order.
+std::string printed_from(int first) {
+  const base::Descriptor out = file_at(first, ""), a = file_at(first + 1, "a"),
+                         b = file_at(first + 2, "b"), c = file_at(first + 3, "c");
+  Child child{{"/bin/cat", "/dev/fd/3", "/dev/fd/4", "/dev/fd/5"}, {}, {}, "", {}};
+  child.descriptors = {a.number(), out.number(), out.number(), c.number(), b.number(), a.number()};
+  child.limits.cpu_seconds = 5;
+  const pid_t pid = spawn(child);
+  int status = 0;
+  EXPECT_EQ(waitpid(pid, &status, 0), pid);
+  std::string text(16, ' ');
+  text.resize(std::max<ssize_t>(pread(out.number(), text.data(), text.size(), 0), 0));
+  return text + " " + describe_status(status);
+}
+
+// The numbers of the parent's descriptors may be any, those that the child's get too.
+TEST(Descriptors, become_those_of_the_child_whatever_their_numbers) {
+  for (const int first : {8, 20, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 250, 796, 800}) {
+    EXPECT_EQ(printed_from(first), "cba exit status 0") << first;
+  }
 }
 
 }  // namespace

@@ -32,14 +32,16 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 
 // From here to exec nothing may allocate: another thread may have held the allocator's lock.
 
-// Moves the descriptors out of the way of their final numbers first, then to those numbers.
-void arrange(const int* descriptors, int count) {
-  constexpr int kMovedTo = 100;
-  for (int i = 0; i < count; ++i) {
-    if (dup2(descriptors[i], kMovedTo + i) < 0) _exit(127);
+// Moves the descriptors out of the way of their final numbers first, to numbers that are free, then to their
+// final ones.
+void arrange(std::vector<int>& descriptors) {
+  const int count = static_cast<int>(descriptors.size());
+  for (int& descriptor : descriptors) {
+    descriptor = fcntl(descriptor, F_DUPFD, count);
+    if (descriptor < 0) _exit(127);
   }
   for (int i = 0; i < count; ++i) {
-    if (dup2(kMovedTo + i, i) < 0) _exit(127);
+    if (dup2(descriptors[i], i) < 0) _exit(127);
   }
   close_range(static_cast<unsigned>(count), ~0U, 0);
 }
@@ -71,14 +73,15 @@ std::string group_of(const Child& child) {
   return child.tree_memory ? groups.make(*child.tree_memory) : "";
 }
 
-[[noreturn]] void become(const Child& child, char* const* command, char* const* environment,
-                         pid_t parent, const std::string& score, const std::string& group) {
+[[noreturn]] void become(const Child& child, std::vector<int>& descriptors, char* const* command,
+                         char* const* environment, pid_t parent, const std::string& score,
+                         const std::string& group) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // it died before the line above
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   std::signal(SIGPIPE, SIG_IGN);
-  arrange(child.descriptors.data(), static_cast<int>(child.descriptors.size()));
+  arrange(descriptors);
   if (!child.directory.empty() && chdir(child.directory.c_str()) != 0) _exit(127);
   if (!set_limits(child.limits)) _exit(127);
   set_score(score);
@@ -108,6 +111,7 @@ void reap_orphans() {
 pid_t spawn(const Child& child) {
   const std::vector<char*> command = pointers(child.command);
   const std::vector<char*> environment = pointers(child.environment);
+  std::vector<int> descriptors = child.descriptors;
   reap_orphans();
   const pid_t parent = getpid();
   static const std::string score = score_of_children();
@@ -119,7 +123,8 @@ pid_t spawn(const Child& child) {
   if (pid < 0) {
     throw pt::Error(fmt::format("cannot start {}: {}", child.command.at(0), std::strerror(errno)));
   }
-  if (pid == 0) become(child, command.data(), environment.data(), parent, score, group);
+  if (pid == 0)
+    become(child, descriptors, command.data(), environment.data(), parent, score, group);
   setpgid(pid, pid);  // in case we are first; fails once the child has run exec
   if (!group.empty()) join_group(group.c_str(), pid);
   return pid;

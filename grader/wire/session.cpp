@@ -11,7 +11,6 @@
 #include <new>
 
 #include <fmt/format.h>
-#include <poll.h>
 
 namespace grader::wire {
 
@@ -21,7 +20,6 @@ constexpr std::size_t kMaxKnown = 256;                         // objects
 constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
 constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // in a call; sums do not overflow
 constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
-constexpr int kMaxStarts = 4;
 constexpr int kMaxAge = 20;  // times the limit of all calls, by the clock
 constexpr int kHung = 125;   // failures that one counts for after which the worker did not end
 
@@ -110,7 +108,8 @@ std::string_view Session::call(Function function, std::uint64_t code, const Repe
   drop_known_definitions();
   record_.calls += std::max(1, repetition.count);
   try {
-    reply_ = converse_or_start_again(message(function, code, repetition, arguments));
+    const Writer call = message(function, code, repetition, arguments);
+    reply_ = try_again(worker_, [&] { return converse(call); });
     Reader reply(reply_);
     take_head(reply, code);
     expect_attempted();
@@ -218,29 +217,8 @@ Writer Session::message(Function function, std::uint64_t code, const Repetition&
   return out;
 }
 
-// Processes, memory or users for boxes may be short for a moment.
-std::string Session::converse_or_start_again(const Writer& call) {
-  for (int attempt = 1;; ++attempt) {
-    try {
-      return converse(call);
-    } catch (const WorkerNotStarted& problem) {
-      worker_.reset();
-      if (attempt == kMaxStarts) throw pt::Error("a worker cannot start: " + problem.text);
-      poll(nullptr, 0, 200 * attempt);
-    }
-  }
-}
-
-void Session::start_worker() {
-  try {
-    worker_ = std::make_unique<WorkerProcess>(settings_.program, settings_.tier, kMaxPrinted);
-  } catch (const pt::Error& error) {
-    throw WorkerNotStarted{error.what()};
-  }
-}
-
 std::string Session::converse(const Writer& call) {
-  if (!worker_) start_worker();
+  if (!worker_) worker_ = start_worker(settings_.program, settings_.tier, kMaxPrinted);
   worker_->allow(settings_.call_limit);
   worker_->send(Kind::call, ++sequence_, call.bytes());
   while (true) {

@@ -100,9 +100,7 @@ class Session {
   void drop_known_definitions();
   Writer message(Function function, std::uint64_t code, const Repetition& repetition,
                  const Writer& arguments);
-  void start_worker();
   std::string converse(const Writer& call);
-  std::string converse_or_start_again(const Writer& call);
   void take_head(Reader& reply, std::uint64_t code);
   [[noreturn]] void fail(const WorkerFailed& failure);
 

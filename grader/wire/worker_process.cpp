@@ -221,4 +221,13 @@ void WorkerProcess::ended() {
                                            base::printable(last_words_, 2000, true))};
 }
 
+std::unique_ptr<WorkerProcess> start_worker(const std::string& program, sandbox::Tier tier,
+                                            std::size_t max_printed) {
+  try {
+    return std::make_unique<WorkerProcess>(program, tier, max_printed);
+  } catch (const pt::Error& error) {
+    throw WorkerNotStarted{error.what()};
+  }
+}
+
 }  // namespace grader::wire

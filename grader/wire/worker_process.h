@@ -7,10 +7,12 @@
 #include "grader/results/results.h"
 #include "grader/sandbox/told.h"
 #include "grader/wire/message.h"
+#include "pt/error.h"
 
 #include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 
 // The judge's end: a worker as a process in its box.
 
@@ -97,5 +99,26 @@ class WorkerProcess {
   std::uint64_t answered_ = 0;
   bool has_answered_ = false;
 };
+
+// A worker in its box. Throws WorkerNotStarted.
+std::unique_ptr<WorkerProcess> start_worker(const std::string& program, sandbox::Tier tier,
+                                            std::size_t max_printed);
+
+// The result of `converse()`, which is called again, and has to start a new worker, where the last one did not start:
+// processes, memory or users for boxes may be short for a moment. Throws pt::Error if that does not pass.
+template <class Converse>
+auto try_again(std::unique_ptr<WorkerProcess>& worker, const Converse& converse) {
+  constexpr int kMaxStarts = 4;
+  constexpr std::chrono::milliseconds kPause{200};
+  for (int attempt = 1;; ++attempt) {
+    try {
+      return converse();
+    } catch (const WorkerNotStarted& problem) {
+      worker.reset();
+      if (attempt == kMaxStarts) throw pt::Error("a worker cannot start: " + problem.text);
+      std::this_thread::sleep_for(kPause * attempt);
+    }
+  }
+}
 
 }  // namespace grader::wire

@@ -27,6 +27,8 @@ class Conversation {
  private:
   template <class Content>
   Content ask(const Request& request);
+  template <class Content>
+  Content converse(const Request& request);
 
   std::string program_;
   grader::sandbox::Tier tier_;
