@@ -79,7 +79,11 @@ class Renders {
  public:
   Renders(const std::vector<Contender>& contenders, const std::vector<Region>& regions,
           const Effort& effort, const std::function<void(double)>& progress)
-      : contenders_(contenders), regions_(regions), effort_(effort), progress_(progress) {}
+      : contenders_(contenders),
+        regions_(regions),
+        effort_(effort),
+        progress_(progress),
+        seed_(effort.seed) {}
 
   std::vector<Golden> goldens(const std::vector<int>& of);
   // [contender][number of samples]; the first are of one sample: they show what costs nothing but a start.
@@ -103,7 +107,7 @@ class Renders {
   const Effort& effort_;
   const std::function<void(double)>& progress_;
   double done_ = 0, all_ = 1;  // samples per pixel
-  std::uint32_t seed_ = 1;
+  std::uint32_t seed_;         // of the next render
 };
 
 std::vector<Golden> Renders::goldens(const std::vector<int>& of) {

@@ -3,6 +3,7 @@
 #include "bench/cycles.h"
 #include "bench/regions.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@ struct Effort {
   int golden_renders = 16;  // even; each with a seed of its own
   int golden_samples = 64;
   std::vector<int> samples{4, 16, 64, 256};
-  int repeats = 2;  // renders of each number of samples
+  int repeats = 2;         // renders of each number of samples
+  std::uint32_t seed = 1;  // of the first render; the others take the seeds after it
 };
 
 // One renderer with its settings.

@@ -3,6 +3,7 @@
 #include "bench/against_cycles.h"
 #include "bench/cycles_report.h"
 #include "bench/cycles_scene.h"
+#include "bench/direct_formula.h"
 #include "pt/command_line.h"
 #include "pt/render/choose_engine.h"
 #include "pt/render/cpu_time.h"
@@ -36,6 +37,7 @@ struct Options {
   int bounces = 5;
   int sphere_level = 7;
   int threads = 1;
+  std::uint32_t seed = 1;
   bool quick = false;
 
   int height() const { return width * 3 / 4; }
@@ -99,7 +101,8 @@ pt::SceneReport compare_scene(const fs::path& file, const Options& options,
   pt::View view{loaded.file.scene, loaded.camera, {}, options.width, options.height()};
   view.settings.to = options.bounces;
   view.settings.survival = options.survival;
-  pt::SceneReport report{file.stem().string(), find_regions(view), {}, {}, {loaded.times}};
+  pt::SceneReport report{file.stem().string(), find_regions(view), {}, {}, {loaded.times}, {}};
+  report.by_formula = direct_by_formula(view, report.regions);
 
   Theirs blender(options, loaded, file);
   std::vector<pt::Contender> contenders = ours(view, options);
@@ -120,6 +123,7 @@ pt::SceneReport compare_scene(const fs::path& file, const Options& options,
 int run(Options options) {
   pt::Effort effort;
   if (options.quick) effort = {8, 32, {4, 16, 64}, 2};
+  effort.seed = options.seed;
   if (options.width == 0) options.width = options.quick ? kQuickWidth : kWidth;
   if (options.scenes.empty()) {
     for (const char* name : {"box_spheres", "box_gems"}) {
@@ -171,6 +175,9 @@ int main(int count, char** arguments) {
       ->capture_default_str();
   app.add_option("-t,--threads", options.threads, "of both")
       ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "of the first render; each of the others has the next one")
+      ->check(CLI::Range(0, 1 << 30))
       ->capture_default_str();
   app.add_option("--blender", options.blender, "the program")->capture_default_str();
   return pt::run_command_line(app, count, arguments, [&] { return run(options); });

@@ -53,6 +53,26 @@ std::string region_table(const SceneReport& report) {
   return text;
 }
 
+// Both beside a formula without noise.
+std::string formula_table(const SceneReport& report) {
+  if (!report.by_formula) return "";
+  std::string text = fmt::format("\n  {:<32}{:>12}{:>22}{:>8}{:>22}{:>8}\n", "region", "by formula",
+                                 "ours", "sigmas", "Cycles", "sigmas");
+  for (std::size_t i = 0; i < report.regions.size(); ++i) {
+    const Mean exact{(*report.by_formula)[i], 0};
+    text += fmt::format("  {:<32}{:>12.6f}", report.regions[i].name, exact.value);
+    for (const Golden& golden : report.comparison.goldens) {
+      const Agreement a = agreement(exact, golden.regions[i]);
+      text += fmt::format(
+          "{:>22}{:>8.1f}",
+          fmt::format("{:+.3f} \u00b1 {:.3f} %", 100 * a.relative, 100 * a.relative_error),
+          a.sigmas);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 // The time for the same error, of the first curve as 1: the mean of error^2 x seconds.
 double cost(const ErrorCurve& curve) {
   double sum = 0;
@@ -125,7 +145,8 @@ void write_pictures(const SceneReport& report, const std::filesystem::path& fold
 }  // namespace
 
 std::string to_text(const SceneReport& report) {
-  std::string text = report.scene + "\n" + region_table(report) + "\n" + error_table(report) + "\n";
+  std::string text = report.scene + "\n" + region_table(report) + formula_table(report) + "\n" +
+                     error_table(report) + "\n";
   for (const StartTimes& start : report.times) {
     text += fmt::format("  {}: {:.2f} s until the scene is there, {:.3f} s for the tree\n",
                         start.title, start.scene, start.tree);
@@ -134,13 +155,14 @@ std::string to_text(const SceneReport& report) {
 }
 
 void write_reports(const std::vector<SceneReport>& reports, const std::filesystem::path& folder) {
-  std::string csv = "scene,region,pixels,ours,ours_error,cycles,cycles_error,sigmas\n";
+  std::string csv = "scene,region,pixels,ours,ours_error,cycles,cycles_error,sigmas,by_formula\n";
   for (const SceneReport& report : reports) {
     for (std::size_t i = 0; i < report.regions.size(); ++i) {
       const Agreement a = agreement(report, i);
-      csv += fmt::format("{},\"{}\",{},{:.8g},{:.3g},{:.8g},{:.3g},{:.2f}\n", report.scene,
+      csv += fmt::format("{},\"{}\",{},{:.8g},{:.3g},{:.8g},{:.3g},{:.2f},{}\n", report.scene,
                          report.regions[i].name, report.regions[i].pixels.size(), a.ours.value,
-                         a.ours.error, a.theirs.value, a.theirs.error, a.sigmas);
+                         a.ours.error, a.theirs.value, a.theirs.error, a.sigmas,
+                         report.by_formula ? fmt::format("{:.8g}", (*report.by_formula)[i]) : "");
     }
     draw_errors(report, folder);
     write_pictures(report, folder);

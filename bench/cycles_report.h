@@ -3,6 +3,7 @@
 #include "bench/against_cycles.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct SceneReport {
   std::vector<std::string> titles;  // of the contenders
   Comparison comparison;            // its goldens: ours, theirs
   std::vector<StartTimes> times;
+  std::optional<std::vector<double>>
+      by_formula;  // the luminance of the regions, where one is known
 };
 
 // Tables for the terminal.

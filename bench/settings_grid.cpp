@@ -29,7 +29,7 @@ int run(int argc, const char* const* argv) {
   const Options options = parse_cheapest(argc, argv);
   Measuring scene(load_scene(options), {Command::cheapest, options}, kAllBounces);
   Study& study = scene.study;
-  const Answer answer = find_cheapest(study, scene.view, options.error);
+  const Answer answer = find_cheapest(study, scene.view, options);
   const int bounces = answer.best.way.bounces;
   const Setting found{answer.best.way, answer.best.choice->light_samples};
   fmt::print("bounces,survival,light_samples,seconds_beside_those_found\n");

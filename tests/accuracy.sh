@@ -47,6 +47,12 @@ expect 2 'more than 16777216 samples per pixel' cheapest scenes/box_spheres.dae 
 for error in 0 -2% 2%% 101% nan two; do
   expect 2 '--error takes a part of the radiance' cheapest scenes/box_spheres.dae --error="$error"
 done
+expect 0 ' 32   ' cheapest scenes/box_spheres.dae --error 10% --light-samples 32,1
+[ "$(grep -cE '^ +[0-9]+ +[0-9.e-]+ +[0-9.e-]+ +[0-9.]+ +[0-9.]+$' "$folder/said")" -eq 2 ] ||
+  { echo "FAILED: two numbers of light samples make two rows"; failures=$((failures + 1)); }
+for numbers in 4 4,4 0,4 1,101 one,two; do
+  expect 2 '--light-samples' cheapest scenes/box_spheres.dae --light-samples="$numbers"
+done
 expect 2 'no such file' cheapest scenes/nothing.dae
 expect 2 '--engine' cheapest scenes/box_spheres.dae --engine steam
 expect 2 'not written yet: ' "$programs/accuracy.student" cheapest scenes/box_spheres.dae

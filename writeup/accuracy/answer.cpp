@@ -123,18 +123,18 @@ bool is_unwritten(const Answer& answer, const std::string& task) {
   return std::find(tasks.begin(), tasks.end(), task) != tasks.end();
 }
 
-Answer find_cheapest(Study& study, const pt::View& view, double error) {
+Answer find_cheapest(Study& study, const pt::View& view, const Options& options) {
   Answer answer;
-  answer.error = error;
+  const double error = answer.error = options.error;
   answer.bias2 = study.bias2();
   answer.delta_lights =
       std::all_of(view.scene.lights.begin(), view.scene.lights.end(), pt::is_delta);
-  const std::vector<int> four = answer.delta_lights ? std::vector{1, 2} : std::vector{1, 2, 4, 8};
+  const std::vector<int> tried = answer.delta_lights ? std::vector{1, 2} : options.light_samples;
   const std::vector<int> pair = answer.delta_lights ? std::vector{1, 2} : std::vector{1, 4};
 
   const int bounces = bounces_needed(study, error);
   const double bias2 = study.bias2_at(bounces);
-  answer.best = look_at(study, {Direct::lights, bounces, kCourse.survival}, four, bias2, error);
+  answer.best = look_at(study, {Direct::lights, bounces, kCourse.survival}, tried, bias2, error);
   answer.survivals.push_back(answer.best);
   choose_survival(study, answer, bias2, pair);
   choose_bounces(study, answer, pair);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "writeup/accuracy/options.h"
 #include "writeup/accuracy/study.h"
 
 #include <optional>
@@ -44,6 +45,6 @@ struct Answer {
 bool is_unwritten(const Answer& answer, const std::string& task);
 
 // Throws pt::Error where the error cannot be reached.
-Answer find_cheapest(Study& study, const pt::View& view, double error);
+Answer find_cheapest(Study& study, const pt::View& view, const Options& options);
 
 }  // namespace writeup::accuracy

@@ -23,11 +23,12 @@ Journal journal_of(const Call& call) {
   const Options& o = call.options;
   if (o.keep.empty()) return {};
   const std::string code = o.built.empty() ? "/proc/self/exe" : o.built;
-  const std::string text = fmt::format(
-      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(call.command),
-      grader::base::stamp(code), grader::base::stamp(o.scene.string()), o.error, o.bounces, o.width,
-      o.height, static_cast<int>(o.framing), static_cast<int>(o.engine), o.lambertian, o.seconds,
-      o.seed, o.threads, o.pixels, std::filesystem::absolute(o.scene).string());
+  const std::string text =
+      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(call.command),
+                  grader::base::stamp(code), grader::base::stamp(o.scene.string()), o.error,
+                  o.bounces, o.width, o.height, static_cast<int>(o.framing),
+                  static_cast<int>(o.engine), o.lambertian, o.seconds, o.seed, o.threads, o.pixels,
+                  fmt::join(o.light_samples, ","), std::filesystem::absolute(o.scene).string());
   Journal journal(o.keep / grader::base::sha256(text).substr(0, 32));
   if (journal.goes_on()) fmt::print(stderr, "going on where the same command was stopped\n");
   return journal;
@@ -75,7 +76,7 @@ namespace {
 void run_cheapest(const Call& call) {
   const Options& options = call.options;
   Measuring scene(load_scene(options), call, kAllBounces);
-  const Answer answer = find_cheapest(scene.study, scene.view, options.error);
+  const Answer answer = find_cheapest(scene.study, scene.view, options);
   scene.progress.clear();
   fmt::print("{}", to_text(answer, options, scene.loaded.scene));
   if (!options.out.empty()) write_charts(answer, options, scene.loaded.scene);

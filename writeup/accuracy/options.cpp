@@ -3,10 +3,13 @@
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/render/option_words.h"
+#include "writeup/accuracy/model.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -49,6 +52,16 @@ double error_of(std::string word) {
     throw pt::Error("--error takes a part of the radiance above 0 and at most 1, as 2% or .02");
   }
   return value * unit;
+}
+
+// Rising, each once. A line needs two.
+std::vector<int> sorted_light_samples(std::vector<int> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  if (numbers.size() < 2) {
+    throw pt::Error("--light-samples takes two different numbers or more, as 1,2,4,8");
+  }
+  return numbers;
 }
 
 // The options that all commands have.
@@ -115,7 +128,14 @@ Options parse_cheapest(int argc, const char* const* argv) {
                "./run cheapest");
   app.footer(std::string(kError) + kCheapestExamples);
   app.add_option("--error", error, "The error wanted, as 2% or .02")->capture_default_str();
+  app.add_option("--light-samples", options.light_samples,
+                 "Numbers of light samples that are tried, two or more; default 1,2,4,8")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("L,L,...")
+      ->check(CLI::Range(1, kMaxLightSamples));
   parse(app, options, argc, argv);
+  options.light_samples = sorted_light_samples(std::move(options.light_samples));
   options.error = error_of(error);
   return options;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace writeup::accuracy {
 
@@ -30,6 +31,7 @@ struct Options {
   std::string built;       // the same, built already: the file that says how; then its worker
   std::filesystem::path keep;  // a folder for what a stopped run had measured; empty: none
   int pixels = 10000;          // that are looked at, about
+  std::vector<int> light_samples{1, 2, 4, 8};  // of cheapest: tried for the two lines; rising
 };
 
 enum class Command { cheapest, converge };
