@@ -2,7 +2,7 @@
 # others.
 function(firstlight_link_asked program slug implementation)
   firstlight_inner_choices(${slug} counting scripted)
-  target_link_libraries(${program} PRIVATE grader_counting firstlight_warnings)
+  target_link_libraries(${program} PRIVATE firstlight_warnings)
   firstlight_link_tasks(${program} FROM reference RADIANCE ${INNER_RADIANCE}
     CHOICES ${slug}=${implementation} ${INNER_CHOICES})
 endfunction()
