@@ -284,7 +284,7 @@ TEST_F(Cache, kept_folders_are_mended) {
   EXPECT_TRUE(is_mended());
 }
 
-// A clock that jumped makes a folder look old, or like one of the future, that a compiler reads right now.
+// After a jump of the clock, a folder that a compiler reads right now looks old, or like one of the future.
 TEST_F(Cache, folders_in_use_stay_whatever_their_time) {
   const auto age_all = [&](const Names& all, minutes ago) {
     for (const std::string& name : all) {

@@ -20,7 +20,7 @@ program() {
   chmod 755 "$bin/$1"
 }
 
-# What the grade of the tree below says to --programs.
+# The answer of the grade of the tree below to --programs.
 : >"$folder/programs"
 
 # A tree with nothing but ./run, and a system with every tool but managers of packages.

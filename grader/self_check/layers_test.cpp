@@ -37,7 +37,7 @@ const std::map<std::string, std::set<std::string>> kOnly{
 const std::vector<std::string> kRenderer{"math",  "sampling", "geometry", "accel",
                                          "scene", "tasks",    "image",    "render"};
 
-// Where the renderer calls tasks, whose contracts speak of its scenes: the only includes upwards.
+// The only includes upwards: here the renderer calls tasks, whose contracts speak of its scenes.
 const std::map<std::string, std::set<std::string>> kCallsOfTasks{
     {"geometry/primitives.h", {"hit_sphere.h", "hit_triangle.h"}},
     {"scene/tracer.cpp", {"build_bvh.h", "hit_bvh.h"}}};
