@@ -149,7 +149,7 @@ TEST_F(Cache, what_dead_runs_left_goes_at_once) {
   EXPECT_EQ(names(), used);
 }
 
-// Beside a file that somebody asked for, in a folder that is not the judge's.
+// The file is one that somebody asked for, in a folder that is not the judge's.
 TEST_F(Cache, what_dead_runs_left_beside_a_file_goes) {
   const std::string dead = dead_process(), here = std::to_string(getpid());
   const Names stay{"r.json", "a.r.json." + dead + ".1.tmp", "r." + dead + ".1.tmp",

@@ -739,7 +739,7 @@ TEST_F(Intake, names_are_those_of_reports) {
   EXPECT_EQ(all["gus (2)"].feedback, "gus (2).html");
 }
 
-// As a learner's computer wrote it, and as a platform did.
+// A name as a learner's computer writes it, and as a platform does.
 const char* const kComposed = "Zo\xc3\xab";
 const char* const kWithMarks = "Zoe\xcc\x88";
 

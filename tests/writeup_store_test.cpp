@@ -92,7 +92,7 @@ class StoreTest : public testing::Test {
   }
 
   void scene(const std::string& text) const { pt::write_file(folder_.path() + "/room.dae", text); }
-  // As the next call of the program has it, which knows no hash yet.
+  // The store of another call of the program, which knows no hash yet.
   Store store() const { return Store(folder_.path() + "/renders"); }
   std::string key() const { return store().key(unit_); }
 

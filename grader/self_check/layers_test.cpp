@@ -90,7 +90,7 @@ std::map<std::string, std::string> included(const std::string& text) {
   return folders;
 }
 
-// Before it in the list; files of grader/ itself stand before all folders.
+// Folders before it in the list; files of grader/ itself stand before all folders.
 bool may_include(const std::string& folder, const std::string& other) {
   if (folder == other) return true;
   if (folder.empty()) return false;

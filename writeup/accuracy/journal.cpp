@@ -10,7 +10,7 @@ namespace writeup::accuracy {
 
 namespace {
 
-// Before each entry.
+// What stands before each entry.
 struct Head {
   std::uint64_t question = 0;  // bytes
   std::uint64_t answer = 0;    // numbers
