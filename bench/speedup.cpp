@@ -53,7 +53,7 @@ struct Engines {
   double task = 0;
 };
 
-// Microseconds a ray.
+// Microseconds per ray.
 Engines time_engines(int triangles) {
   pt::Scene scene = blob_scene(triangles);
   // As many rays as the linear engine answers in about a fifth of a second.

@@ -1,6 +1,6 @@
 // Judges the reference's own pictures, with one seed after the other: the rate at which a right
 // submission fails. Each verdict is a line of a CSV, and what is there already is not judged again,
-// so that it may be stopped and started as one likes. Exit status 1 if a picture failed.
+// so that it may be stopped and started at any time. Exit status 1 if a picture failed.
 #include "grader/base/parallel.h"
 #include "grader/pictures/judge_recipe.h"
 #include "pt/command_line.h"

@@ -2,7 +2,7 @@
 # others.
 function(firstlight_link_asked program slug implementation)
   firstlight_inner_choices(${slug} counting scripted)
-  target_link_libraries(${program} PRIVATE grader_counting firstlight_warnings)
+  target_link_libraries(${program} PRIVATE firstlight_warnings)
   firstlight_link_tasks(${program} FROM reference RADIANCE ${INNER_RADIANCE}
     CHOICES ${slug}=${implementation} ${INNER_CHOICES})
 endfunction()
@@ -32,4 +32,20 @@ function(firstlight_add_check_programs)
       add_test(NAME check.${slug} COMMAND check.${slug}.reference --gtest_filter=-*_bonus)
     endif()
   endforeach()
+endfunction()
+
+# The target graded is all programs that judge a task, and stability_programs are those that measure its curves: adds the
+# program to its target, if it has one.
+function(firstlight_gather program)
+  if(program MATCHES "^graded[._]")
+    set(all graded)
+  elseif(program MATCHES "^stability[.]")
+    set(all stability_programs)
+  else()
+    return()
+  endif()
+  if(NOT TARGET ${all})
+    add_custom_target(${all})
+  endif()
+  add_dependencies(${all} ${program})
 endfunction()

@@ -4,7 +4,7 @@
 # tidy, and wherever there is a compiler cache). Not with link-time optimisation: there each file has flags of its own. Not
 # for pt/, the tasks, and what is linked with them into a worker: their objects are to depend on what is in their files only.
 #
-# Measured with g++ 12 (CPU seconds a file, without and with): tests of the renderer 2.8 and 1.6, properties 6.1 and 5.1, the
+# Measured with g++ 12 (CPU seconds per file, without and with): tests of the renderer 2.8 and 1.6, properties 6.1 and 5.1, the
 # rest of the grader and of the write-up 2.3 and 1.2. CLI11 gains nothing: its time goes into what a file makes
 # of it. A compiler cache serves files without better, and so this is for machines that have none.
 set(default OFF)

@@ -392,7 +392,7 @@ TEST(Ladder, turns_measure_noise_bias_and_time) {
   }
 }
 
-// As many pixels as there is time for, others in each turn, and the same for all engines.
+// A turn takes as many pixels as there is time for, others each time, and the same ones for all engines.
 TEST(Ladder, engines_are_timed_on_the_same_pixels) {
   const pt::Scene scene = furnace();
   Study study(view_of(scene), 2, 12, {1, 4}, {});

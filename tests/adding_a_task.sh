@@ -70,7 +70,7 @@ done
 said=$(grade --submission student)
 grep -qE 'sphere_area +not attempted' <<<"$said" || fail "the stub is not 'not attempted': $said"
 
-# What the project asks of every task.
+# The tests that hold for every task.
 bash tests/handbook.sh >"$1/said" || fail "the handbook: $(cat "$1/said")"
 ninja -C build/check tasks_test layers_test >"$1/said" 2>&1 || fail "the tests are not built: $(tail -n 30 "$1/said")"
 for test in tasks_test layers_test; do

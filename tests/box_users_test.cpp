@@ -22,7 +22,7 @@ std::string user_of(const process::Child& child) {
 }
 
 TEST(Users, are_taken_as_long_as_somebody_holds_them) {
-  // Behind the range, so that no box has it.
+  // The first number behind the range: no box has it.
   const uid_t id = kUsersOfTierB.first + kUsersOfTierB.count;
   {
     const std::optional<User> user = take_user(id);

@@ -149,7 +149,7 @@ TEST_F(Cache, what_dead_runs_left_goes_at_once) {
   EXPECT_EQ(names(), used);
 }
 
-// Beside a file that somebody asked for, in a folder that is not the judge's.
+// The file is one that somebody asked for, in a folder that is not the judge's.
 TEST_F(Cache, what_dead_runs_left_beside_a_file_goes) {
   const std::string dead = dead_process(), here = std::to_string(getpid());
   const Names stay{"r.json", "a.r.json." + dead + ".1.tmp", "r." + dead + ".1.tmp",
@@ -284,7 +284,7 @@ TEST_F(Cache, kept_folders_are_mended) {
   EXPECT_TRUE(is_mended());
 }
 
-// A clock that jumped makes a folder look old, or like one of the future, that a compiler reads right now.
+// After a jump of the clock, a folder that a compiler reads right now looks old, or like one of the future.
 TEST_F(Cache, folders_in_use_stay_whatever_their_time) {
   const auto age_all = [&](const Names& all, minutes ago) {
     for (const std::string& name : all) {

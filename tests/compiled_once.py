@@ -8,7 +8,7 @@ import json
 import os
 import sys
 
-FOLDERS = ("pt", "scenes", "reference", "fast", "student", "grader", "writeup")
+FOLDERS = ("pt", "scenes", "reference", "fast", "student", "grader", "writeup", "tests", "bench")
 
 # Counting and taped versions of a task are files of their own, made by CMake (cmake/counted.cpp.in), and so are the kernels of
 # pt/accel: neither is an exception.

@@ -131,8 +131,8 @@ sys.exit(any(c in text for c in "\x1b\u202e"))
 END
 }
 
-# What a submission consists of is read with the same care before any box: a named pipe and an endless file end
-# nothing, and what may be right has its pictures.
+# Before any box, a submission's files are read with the same care: a named pipe or an endless file does not stop the
+# judge, and tasks that may be right have their pictures.
 named_programs() {
   local kind expected
   for kind in tree flat folder pipe endless unwritten missing; do mkdir -p "$folder/named/$kind/1_rays"; done
@@ -232,7 +232,7 @@ interrupted() {
   leaves interrupt
 }
 
-# What a run that was killed leaves beside its reports goes with the next one; what is not the judge's stays.
+# The next run removes what a killed one left beside its reports; files that are not the judge's stay.
 left_reports() {
   local dead file
   prepare left
@@ -330,7 +330,7 @@ damaged_cache() {
   grades output 0 "${asked[@]}"
   for what in cache/*.o cache/*.worker cache/*.json cache/* kept/* headers/*; do
     for kind in emptied halved zeros; do
-      # What is made of the files is made again, too.
+      # Files that are made from these are made again, too.
       case $what in kept/* | headers/*) rm -f "$work"/cache/*.o "$work"/cache/*.worker ;; esac
       mapfile -t files < <(find "$work/${what%/*}" -type f -path "$work/$what")
       [ "${#files[@]}" -gt 0 ] || complain "there is nothing of $what"

@@ -43,7 +43,7 @@ if grep -raF "$root" "$folder"; then complain "it tells where it was made"; fi
 # An editor is right before anything is built.
 bash tests/editors.sh "$folder" || [ $? -eq 77 ] || complain "an editor finds errors in it"
 
-# Long lines of the reference that stand nowhere in what learners are to have.
+# Long lines of the reference that are in no file for learners.
 lines=$(mktemp)
 trap 'rm -f "$lines"' EXIT
 trimmed() { cat "$@" | sed 's/^ *//; s/ *$//' | sort -u; }

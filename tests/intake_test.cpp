@@ -540,7 +540,7 @@ TEST_F(Intake, a_bad_entry_in_the_archive_of_a_class_is_its_owners) {
   }
 }
 
-// An archive with an entry of which zlib says that it cannot go on; libarchive's reader ends there.
+// An archive with an entry that zlib cannot read on; libarchive's reader ends there.
 std::string with_ends(std::string bytes, const std::string& name) {
   for (std::size_t at = 0; (at = bytes.find("PK\3\4", at)) != bytes.npos; ++at) {
     const auto size = [&](std::size_t place) {
@@ -739,7 +739,7 @@ TEST_F(Intake, names_are_those_of_reports) {
   EXPECT_EQ(all["gus (2)"].feedback, "gus (2).html");
 }
 
-// As a learner's computer wrote it, and as a platform did.
+// A name as a learner's computer writes it, and as a platform does.
 const char* const kComposed = "Zo\xc3\xab";
 const char* const kWithMarks = "Zoe\xcc\x88";
 

@@ -46,7 +46,7 @@ TEST(answers, that_are_not_finite_agree_with_themselves_only) {
   EXPECT_FALSE(agree({{"", {nan}, {1}}}, {{"", {1}, {1}}}));
 }
 
-// How often a task is called that crashes in 100 questions but for one.
+// The number of calls of a task that crashes in 100 questions but for one.
 int calls_of_a_task_that_crashes_but_in(int question) {
   Battery battery({});
   int calls = 0;

@@ -20,7 +20,7 @@ program() {
   chmod 755 "$bin/$1"
 }
 
-# What the grade of the tree below says to --programs.
+# The answer of the grade of the tree below to --programs.
 : >"$folder/programs"
 
 # A tree with nothing but ./run, and a system with every tool but managers of packages.
@@ -131,7 +131,7 @@ done
 exit 1
 END
 run grade 1 2>"$folder/log" >/dev/null || complain "a long step is silent: $(cat "$folder/log")"
-# On a terminal in one line.
+# On a terminal, one line shows it.
 printf '#!/bin/bash\necho "[1/2] Linking CXX executable grade"; echo "[2/2] $(printf "%%200s" x)"\n' >"$tree/steps"
 PATH=$bin TERM=xterm script -qec "stty cols 60; $tree/run grade 1" /dev/null >"$folder/screen" </dev/null
 grep -q $'\r\x1b\\[Kbuilding grade (check): \\[1/2\\] linked grade' "$folder/screen" || complain "no line is rewritten: $(cat -v "$folder/screen")"
@@ -143,7 +143,7 @@ status=0
 said=$(run grade 1 2>&1) || status=$?
 case $status:$said in 2:*'a.cpp:3: error: no'*'the build failed'*) ;; *) complain "a build that fails: $status, $said" ;; esac
 
-# Two at a time: the second waits, and says for whom.
+# Two commands at a time: the second waits, and says for whom.
 cat >"$tree/steps" <<END
 #!/bin/bash
 echo begin >>$folder/order

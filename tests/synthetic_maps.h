@@ -45,7 +45,7 @@ struct AdaptiveRun {
 AdaptiveRun run_adaptive(const AdaptiveScene& scene, const pt::AdaptiveSettings& settings,
                          StoppingRule rule, double variance, std::uint64_t seed);
 
-// From 64 runs of the right rule.
+// The reference that 64 runs of the right rule give.
 SampleMapReference synthetic_reference(const AdaptiveScene& scene,
                                        const pt::AdaptiveSettings& settings);
 

@@ -50,7 +50,7 @@ class Draw {
   // The means of `samples` samples per pixel, exactly distributed as such.
   pt::Image image(const SyntheticScene& scene, int samples);
   Batches batches(const SyntheticScene& scene, int batches, int samples);
-  // With the variance as the samples drawn show it.
+  // Its variance is that of the samples drawn.
   pt::Film golden(const SyntheticScene& scene, int samples);
 
   std::mt19937_64& random() { return random_; }

@@ -73,7 +73,7 @@ class WatchTest : public testing::Test {
     return failing("1_rays", "1.3", "hit_triangle", promises);
   }
 
-  // As an editor does it.
+  // Saves as an editor does.
   void save(const std::string& file, const std::string& text) const {
     pt::write_file(here_ + "/student/" + file + ".cpp", text);
   }

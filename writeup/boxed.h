@@ -23,7 +23,7 @@ struct SubmissionFailed : pt::Error {
   using pt::Error::Error;
 };
 
-// Throws pt::Error where nothing can be made of it.
+// Throws pt::Error where a submission cannot be built.
 Boxed build_submission(const std::string& submission);
 void write_boxed(const Boxed& boxed, const std::string& file);  // as JSON
 Boxed read_boxed(const std::string& file);

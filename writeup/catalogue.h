@@ -12,7 +12,7 @@
 
 namespace writeup {
 
-// The source of a scene: the course's file if there is one here, else a stand-in of our own.
+// The source of a scene: the course's file if there is one here, else a scene of our own in its place.
 struct SceneSource {
   std::string title;
   std::string course;             // below the folder of the course's scenes; may be empty

@@ -111,7 +111,7 @@ class Artist {
     drawn_.pictures.push_back(shown);
   }
 
-  // A picture that is named after its scene gets the name of the stand-in, if there is one.
+  // A picture that is named after its scene gets the name of the scene in its place, if there is one.
   std::string label(const Picture& picture) const {
     const bool by_scene = picture.label == picture.scene;
     return by_scene ? plan_.scenes().short_name(picture.scene) : picture.label;

@@ -74,6 +74,30 @@ void draw_chart(const fs::path& folder, const std::string& id,
   draw(folder, id, fmt::format(fmt::runtime(kChart), id));
 }
 
+std::string csv_line(const std::string& scene, const Cell& linear, const Cell& tree,
+                     const Cell& wide) {
+  const auto number = [](const Cell& cell, double value) {
+    return cell.problem.empty() ? fmt::format("{:.6g}", value) : "nan";
+  };
+  return fmt::format("{},{},{},{},{},{},{}\n", scene, wide.primitives,
+                     number(linear, linear.seconds), number(tree, tree.seconds),
+                     number(wide, wide.seconds), number(linear, linear.tests),
+                     number(tree, tree.tests));
+}
+
+std::string factor_of(const Cell& linear, const Cell& tree) {
+  return digits(linear.seconds / tree.seconds);
+}
+
+void enter_numbers(const std::string& scene, const Cell& linear, const Cell& tree, Drawn& drawn) {
+  drawn.numbers[scene] = factor_of(linear, tree);
+  drawn.numbers[scene + ".linear"] = digits(linear.seconds);
+  drawn.numbers[scene + ".tree"] = digits(tree.seconds);
+  if (!(tree.tests > 0)) return;
+  drawn.numbers[scene + ".linear_tests"] = digits(linear.tests);
+  drawn.numbers[scene + ".tests"] = digits(tree.tests);
+}
+
 }  // namespace
 
 Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folder) {
@@ -92,32 +116,18 @@ Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folde
     const Cell tree = measured(plan, scene, pt::Engine::task);
     const Cell wide = measured(plan, scene, pt::Engine::wide);
     const bool both = linear.problem.empty() && tree.problem.empty() && tree.seconds > 0;
-    const std::string factor = both ? digits(linear.seconds / tree.seconds) : "\u2013";
+    const std::string factor = both ? factor_of(linear, tree) : "\u2013";
     drawn.rows.push_back({plan.scenes().description(scene), std::to_string(wide.primitives),
                           shown(linear, linear.seconds), shown(tree, tree.seconds),
                           shown(wide, wide.seconds), both ? factor + "\u00d7" : factor,
                           shown(linear, linear.tests), shown(tree, tree.tests)});
-    if (both) {
-      drawn.numbers[scene] = factor;
-      drawn.numbers[scene + ".linear"] = digits(linear.seconds);
-      drawn.numbers[scene + ".tree"] = digits(tree.seconds);
-    }
-    if (both && tree.tests > 0) {
-      drawn.numbers[scene + ".linear_tests"] = digits(linear.tests);
-      drawn.numbers[scene + ".tests"] = digits(tree.tests);
-    }
+    if (both) enter_numbers(scene, linear, tree, drawn);
     for (const Cell& cell : {linear, tree}) {
       const std::string problem = plan.scenes().short_name(scene) + ": " + cell.problem;
       const bool is_new = drawn.problems.empty() || drawn.problems.back() != problem;
       if (!cell.problem.empty() && is_new) drawn.problems.push_back(problem);
     }
-    const auto number = [](const Cell& cell, double value) {
-      return cell.problem.empty() ? fmt::format("{:.6g}", value) : "nan";
-    };
-    lines[wide.primitives] += fmt::format("{},{},{},{},{},{},{}\n", scene, wide.primitives,
-                                          number(linear, linear.seconds),
-                                          number(tree, tree.seconds), number(wide, wide.seconds),
-                                          number(linear, linear.tests), number(tree, tree.tests));
+    lines[wide.primitives] += csv_line(scene, linear, tree, wide);
     for (const pt::Engine engine : kEngines) {
       drawn.seconds += plan.store().load(plan.cell(scene, engine)).seconds;
     }

@@ -23,7 +23,7 @@ constexpr int kStripe = 6;  // pixels, of the hatching
 constexpr pt::Color8 kHatch[] = {{86, 90, 96}, {120, 124, 130}};
 constexpr int kColors = 1000;
 
-// To the nearest number of 11 significant bits.
+// The nearest number of 11 significant bits.
 double rounded(double value) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
   return std::bit_cast<float>((bits + 0x1000U) & ~0x1fffU);

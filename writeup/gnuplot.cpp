@@ -15,7 +15,7 @@ set grid lc rgb "#c8ccd0"
 set border lc rgb "#8a9299"
 )gp";
 
-// From the sequential schemes of ColorBrewer, the lightest left out (Harrower and Brewer 2003).
+// The sequential schemes of ColorBrewer without their lightest colours (Harrower and Brewer 2003).
 const char* const kColors[3][kShades] = {
     {"#08306b", "#08519c", "#2171b5", "#4292c6", "#6baed6", "#9ecae1"},
     {"#00441b", "#006d2c", "#238b45", "#41ab5d", "#74c476", "#a1d99b"},

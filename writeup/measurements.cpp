@@ -87,7 +87,7 @@ bool make_one(const Measurements& measurements, const Measurement& measurement, 
   }
   words.insert(words.end(), code.command.begin() + 1, code.command.end());
   words.insert(words.end(), measurement.options.begin(), measurement.options.end());
-  // On one processor, whatever there is.
+  // `measure` uses one processor, however many there are.
   if (measurement.command != "measure") {
     words.insert(words.end(), {"-t", std::to_string(threads)});
   }

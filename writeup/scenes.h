@@ -19,7 +19,7 @@ class Scenes {
   // Paths of our own scenes are relative to the project's root, where this program runs.
   std::string path(const std::string& name) const;
   int triangles(const std::string& name) const;  // about
-  // As the option --camera has it.
+  // The word for the option --camera.
   std::string camera(const std::string& name) const;
   // "CBbunny.dae", or "box_blob, in place of CBbunny.dae".
   std::string description(const std::string& name) const;

@@ -63,7 +63,7 @@ def take_picture(page, picture, width, height):
                    check=True, stderr=subprocess.DEVNULL, timeout=120)
 
 
-# Of the page, what it says of the pictures of a task; the first two.
+# The part of the page on the pictures of a task; the first two.
 ONLY_PICTURES = """<style>.head, [aria-labelledby=overview], .part > h2, .task h4, .promises, .reason, footer,
 .picture ~ .picture ~ .picture, .readout { display: none }</style>"""
 

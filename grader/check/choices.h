@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-// Where the generators (grader/check/generators.h) take their numbers from. Usually that is RapidCheck's
+// The source of the generators' numbers (grader/check/generators.h). Usually that is RapidCheck's
 // random numbers. A search for bad inputs (grader/check/bad_inputs.h) gives them its own list instead, so
 // that it can change one number and keep the others (MacIver and Hatfield-Dodds 2019, Hypothesis: A
 // New Approach to Property-Based Testing).

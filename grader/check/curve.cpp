@@ -17,7 +17,7 @@ std::vector<NamedCurve>& kept_curves() {
   return all;
 }
 
-// Where nothing has given a number, further cases of this place only take time.
+// So many cases of a place without any number: further ones would only take time.
 constexpr int kWithoutAny = 20;
 
 constexpr std::size_t kCoarse = 3;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// Where a method fails. A curve shows how the error of a task grows while its input gets harder: a
+// The place where a method fails. A curve shows how the error of a task grows while its input gets harder: a
 // sphere farther away, a thinner triangle, a smaller light. A promise of the contract is one place of
 // a curve, and both are measured by the same functions. The curves of a task are in
 // grader/tasks/<task>/curves.cpp:

@@ -28,7 +28,7 @@ inline Exact3 cross(Exact3 a, Exact3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// Of a small difference that has been computed exactly.
+// For a small difference that was computed exactly.
 inline double rounded(Exact a) { return static_cast<double>(a); }
 inline pt::Vec3 rounded(Exact3 a) { return {rounded(a.x), rounded(a.y), rounded(a.z)}; }
 

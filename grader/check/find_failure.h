@@ -28,7 +28,7 @@ struct Found {
 
 Found find_failure(const std::function<void()>& property, const FailureSearch& search);
 
-// Whether a property runs now on an input that is tried only because it is smaller than one that has
+// Returns whether a property runs now on an input that is tried only because it is smaller than one that has
 // failed. How many are tried depends on the speed of the machine, so nothing that they do may change
 // a verdict.
 bool tries_smaller_inputs();

@@ -84,7 +84,7 @@ struct Situation {
 };
 void showValue(const Situation& situation, std::ostream& out);
 
-// Whether an area light is also a surface that rays meet.
+// An area light may also be a surface that rays meet.
 enum class Body { none, surface };
 
 // A shaded patch, and the lights and surfaces around it. All arguments are in local coordinates:

@@ -37,7 +37,7 @@ objects=$half/reference-objects
 mkdir "$objects"
 cmake "$build" >/dev/null
 cp "$build/reference.stamp" "$objects/stamp"
-# In place of this folder its name is as many characters that mean the folder in which one is.
+# Stands for the name of this folder: as many characters, which mean the current folder.
 nowhere=.$(printf '%*s' "${#PWD}" '' | tr ' ' /)
 # rename_locals OBJECT: the linker needs the names of variables that each thread has one of; any name will do.
 rename_locals() {

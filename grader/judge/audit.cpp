@@ -48,7 +48,7 @@ bool begins(string_view name, string_view prefix) {
   return name.substr(0, prefix.size()) == prefix;
 }
 
-// As C++ writes it; empty if it is not a name of C++.
+// The name as C++ writes it; empty if it is not a name of C++.
 std::string demangled(const std::string& name) {
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> text(

@@ -60,6 +60,15 @@ void keep_worker(const ToolFolder& place, const std::string& path) {
   fs::rename(temporary, path);
 }
 
+// The functions that the reference of the task defines.
+std::set<std::string> contract_of(const TaskConfig& task) {
+  std::set<std::string> functions;
+  for (const std::string& object : task.reference) {
+    functions.merge(functions_in(base::read_file(object)));
+  }
+  return functions;
+}
+
 }  // namespace
 
 Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
@@ -124,29 +133,26 @@ process::CommandResult Builder::run(const sandbox::Box& box, const std::string& 
   return result;
 }
 
-Built Builder::compile(const TaskConfig& task, const std::string& text) const {
-  const Headers headers = headers_for(task_of(task.slug), headers_);
+std::string Builder::object_key(const TaskConfig& task, const std::string& text,
+                                const Headers& headers) const {
   // A header that the task may not include cannot touch it.
   std::string seen;
   for (const auto& [name, content] : headers) {
     seen += name + '\0' + (content == headers_.at(name) ? header_hashes_.at(name) : "") + '\0';
   }
-  const std::string key = base::sha256(toolchain_ + seen + task.file() + '\0' + text);
-  const std::string path = cache_ + "/" + key + ".o";
-  const std::string warnings_path = cache_ + "/" + key + ".warnings";
-  const bool warned = fs::exists(warnings_path);
-  if (is_whole(path) && (!warned || is_whole(warnings_path))) {
-    mark_used(path);
-    return {path, key, "", "", warned ? base::read_file(warnings_path) : ""};
-  }
+  return base::sha256(toolchain_ + seen + task.file() + '\0' + text);
+}
+
+std::string Builder::folder_of(const Headers& headers) const {
   std::string whole;  // its comments too: messages quote lines
   for (const auto& [name, content] : headers) whole += name + '\0' + content + '\0';
-  const std::string tree =
-      kept_folder(config_.work, base::sha256(whole), [&](const ToolFolder& place) {
-        for (const auto& [name, content] : headers) place.put(name, content);
-      });
-  const ToolFolder place(pt::temporary_name(cache_ + "/" + key + ".tree"));
-  place.put(task.file(), text);
+  return kept_folder(config_.work, base::sha256(whole), [&](const ToolFolder& place) {
+    for (const auto& [name, content] : headers) place.put(name, content);
+  });
+}
+
+sandbox::Box Builder::compiler_box(const ToolFolder& place, const TaskConfig& task,
+                                   const std::string& text, const std::string& tree) const {
   sandbox::Box box = tool_box(place);
   box.visible.push_back(tree);
   add(box, config_.compile_flags);
@@ -157,6 +163,23 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   // No path of this machine is in an object, not even in the text of a failed assertion.
   add(box, {"-I" + tree, "-fmacro-prefix-map=" + tree + "/=", "-fdiagnostics-color=never", "-c",
             task.file(), "-o", "task.o"});
+  return box;
+}
+
+Built Builder::compile(const TaskConfig& task, const std::string& text) const {
+  const Headers headers = headers_for(task_of(task.slug), headers_);
+  const std::string key = object_key(task, text, headers);
+  const std::string path = cache_ + "/" + key + ".o";
+  const std::string warnings_path = cache_ + "/" + key + ".warnings";
+  const bool warned = fs::exists(warnings_path);
+  if (is_whole(path) && (!warned || is_whole(warnings_path))) {
+    mark_used(path);
+    return {path, key, "", "", warned ? base::read_file(warnings_path) : ""};
+  }
+  const std::string tree = folder_of(headers);
+  const ToolFolder place(pt::temporary_name(cache_ + "/" + key + ".tree"));
+  place.put(task.file(), text);
+  sandbox::Box box = compiler_box(place, task, text, tree);
   const auto compiled = [&] {
     process::CommandResult result = run(box, task.slug);
     result.output = in_project(result.output, tree, precompiled_.folder());
@@ -168,18 +191,12 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
     box.command.insert(box.command.end(), kTrapFlags.begin(), kTrapFlags.end());
     result = compiled();
   }
-  if (!result.ok()) {
-    return {"", key, first_error(result, seconds_), "", ""};
-  }
+  if (!result.ok()) return {"", key, first_error(result, seconds_), "", ""};
   const base::Submitted object = place.take("task.o", kMaxObject);
   if (!object.present || !object.rejected.empty()) {
     return {"", key, "", "the compiled object is not accepted: " + object.rejected, ""};
   }
-  std::set<std::string> contract;
-  for (const std::string& reference : task.reference) {
-    contract.merge(functions_in(base::read_file(reference)));
-  }
-  const std::string reason = audit(object.text, contract, task_of(task.slug));
+  const std::string reason = audit(object.text, contract_of(task), task_of(task.slug));
   if (!reason.empty()) return {"", key, "", reason, ""};
   if (!warnings.empty()) keep_file(warnings_path, warnings);
   keep_file(path, with_state_marked(object.text));

@@ -43,7 +43,15 @@ class Builder {
  private:
   // Copies of the objects that no submission has a part in.
   std::string folder_of_parts() const;
+  // Stands for all that an object of the task depends on.
+  std::string object_key(const TaskConfig& task, const std::string& text,
+                         const Headers& headers) const;
+  // A folder with these headers.
+  std::string folder_of(const Headers& headers) const;
   sandbox::Box tool_box(const ToolFolder& place) const;
+  // `tree`: the folder of the headers.
+  sandbox::Box compiler_box(const ToolFolder& place, const TaskConfig& task,
+                            const std::string& text, const std::string& tree) const;
   process::CommandResult run_linker(const ToolFolder& place, const Paths& objects,
                                     bool integrated) const;
   // Throws pt::Error if the reference does not link either. The output of the

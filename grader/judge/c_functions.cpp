@@ -84,7 +84,7 @@ bool among(const string_view (&names)[n], string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// Whether the name is that of a function of libgcc for arithmetic that the machine lacks: "__muldc3", "__udivti3",
+// Returns whether the name is that of a function of libgcc for arithmetic that the machine lacks: "__muldc3", "__udivti3",
 // "__popcountdi2", "__floattidf". Such a name is a word, and the types of its numbers.
 bool is_arithmetic(string_view name) {
   constexpr string_view kTypes[] = {"si", "di", "ti", "hf", "sf", "df",

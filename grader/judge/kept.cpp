@@ -101,7 +101,7 @@ std::string sums_of(const std::vector<std::string>& files) {
   return all;
 }
 
-// Whether the file at the path is still the one that was opened.
+// Returns whether the file at the path is still the one that was opened.
 bool is_still(const base::Descriptor& opened, const std::string& path) {
   struct stat then {
   }, now{};

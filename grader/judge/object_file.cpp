@@ -95,7 +95,7 @@ std::vector<ObjectSymbol> symbols_of(const Bytes& file, const std::vector<Elf64_
   return symbols;
 }
 
-// Whether the section holds variables that may be written; not those that are constant once the program is loaded.
+// Returns whether the section holds variables that may be written; not those that are constant once the program is loaded.
 bool is_state(const Elf64_Shdr& section, const std::string& name) {
   const bool written = section.sh_size > 0 && (section.sh_flags & SHF_WRITE) != 0 &&
                        (section.sh_flags & SHF_ALLOC) != 0 && (section.sh_flags & SHF_TLS) == 0;

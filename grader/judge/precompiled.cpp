@@ -77,7 +77,7 @@ std::vector<std::string> PrecompiledHeaders::flags_for(const TaskConfig& task,
 void PrecompiledHeaders::make(const Header& header) const try {
   const std::string path = path_of(header), made = path + ".gch";
   if (!use_folder(folder_) || !is_whole(made) || !fs::exists(path)) {
-    // In the cache the next run removes what a killed one leaves.
+    // They are in the cache, where the next run removes what a killed one leaves.
     const fs::path cache = config_.work + "/cache";
     for (const fs::path& folder : {cache, fs::path(folder_)}) fs::create_directories(folder);
     if (!use_folder(folder_)) return;

@@ -118,7 +118,7 @@ std::string kept_folder(const std::string& work, const std::string& key,
   const std::string folder = work + "/kept/" + key;
   if (!is_known_whole(folder)) {
     make_folder(work + "/kept");
-    // In the cache the next run removes what a killed one leaves.
+    // It is in the cache, where the next run removes what a killed one leaves.
     const ToolFolder tree(pt::temporary_name(work + "/cache/kept.tree"));
     fill(tree);
     note_sums(tree.folder());

@@ -37,8 +37,8 @@ class ToolFolder {
 std::string kept_folder(const std::string& work, const std::string& key,
                         const std::function<void(const ToolFolder&)>& fill);
 
-// Why nothing more can be written in the folder, or too little for a compiler, in a few words; empty
-// if there is room. Looks at the disk as somebody who is not root finds it, too.
+// The reason, in a few words, why nothing more can be written in the folder, or too little for a compiler; empty
+// if there is room. It also counts the room that the disk has for somebody who is not root.
 std::string lack_of_room(const std::string& folder);
 
 }  // namespace grader::judge

@@ -16,7 +16,7 @@ namespace {
 constexpr int kSide = 8;  // pixels
 // The part by which rounding, another order of additions or pi to six digits may change a mean.
 constexpr double kOfMean = 2e-3, kOfBright = 5e-4;
-// For all values together, and over all planes for their sums of squares and their means.
+// Levels for all values together: for the largest, and, over all planes, for their sums of squares and their means.
 constexpr double kLargestLevel = 4e-4, kSquaresLevel = 3e-4, kMeanLevel = 2e-4;
 
 constexpr std::string_view kDigits =
@@ -82,7 +82,7 @@ double chi_square_above(double count, double probability) {
   return count * root * root * root;
 }
 
-// In standard deviations, beyond the margin.
+// How many standard deviations values are off, beyond the margin.
 struct Deviations {
   double largest = 0;
   double squares = 0;

@@ -33,7 +33,7 @@ struct MeasuredCell {
   double evidence() const;  // |z| / threshold
 };
 
-// Whether `a` says more than `b`, two failing cells at one place: luminance says most, unless a channel is much further
+// Returns whether `a` says more than `b`, two failing cells at one place: luminance says most, unless a channel is much further
 // off.
 bool says_more(const MeasuredCell& a, const MeasuredCell& b);
 

@@ -54,7 +54,7 @@ std::vector<MeasuredCell> blatant(const std::vector<MeasuredCell>& measured) {
 // The error of the energy of a noisy picture, if two rounds agree on its sign; else 0.
 double agreed(double now, double before) { return now * before > 0 ? now : 0; }
 
-// In pixels, as if no two overlapped.
+// Their area in pixels, as if no two overlapped.
 std::size_t area(const std::vector<MeasuredCell>& parts) {
   std::size_t sum = 0;
   for (const MeasuredCell& one : parts) sum += one.cell.width * one.cell.height;

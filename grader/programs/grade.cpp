@@ -120,7 +120,7 @@ std::vector<std::string> asked_for(const judge::Config& config, const GradeOptio
   return asked;
 }
 
-// Whether each function of the task begins with todo, as it was handed out. In doubt it does not: a comment
+// Returns whether each function of the task begins with todo, as it was handed out. In doubt it does not: a comment
 // or a condition of the preprocessor may hold another text of the function.
 bool is_unwritten(const Task& task, const std::string& text) {
   if (text.find("/*") != text.npos || text.find("#if") != text.npos) return false;

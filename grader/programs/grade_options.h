@@ -31,7 +31,7 @@ struct GradeOptions {
   bool resume = false;    // goes on with the interrupted run; all else here then comes from it
 };
 
-// As a person would type it, so that it gives the same verdicts again.
+// The command that a person would type for the same verdicts.
 std::string command(const GradeOptions& options);
 
 // There is nothing to do: help was printed, or what is wrong with the words.

@@ -15,7 +15,7 @@ int rank_of_cause(Cause cause) {
   return cause == Cause::wrong ? 3 : 2;
 }
 
-// Whether the failure is that of a statistical test, by the texts of expect_mean and the chi-square tests.
+// Returns whether the failure is that of a statistical test, by the texts of expect_mean and the chi-square tests.
 bool is_statistical(const Failure& failure) {
   for (const std::string* text : {&failure.what, &failure.got, &failure.expected}) {
     for (const char* sign : {"as the mean of", "chi-square", "standard error", "the mean of"}) {

@@ -102,7 +102,7 @@ bool shows_differences(const std::vector<double>& a, const std::vector<double>& 
   return true;
 }
 
-// As many digits as show how `got` differs from `expected`.
+// The number of digits that shows how `got` differs from `expected`.
 int digits_for(const std::string& got, const std::string& expected) {
   const std::vector<double> a = numbers_in(got), b = numbers_in(expected);
   for (int digits = kDigits; digits < kAllDigits; ++digits) {

@@ -21,7 +21,7 @@ struct Outcome {
 // The environment of the judge in these tests.
 std::vector<std::string> environment();
 
-// For what only hangs where the machine is busy, in milliseconds.
+// A limit for calls that take long only on a busy machine, in milliseconds.
 inline constexpr int kCallLimit = 10000;
 
 // A submission in a folder of its own: the reference, with other files put over it. Everything goes

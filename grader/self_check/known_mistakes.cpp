@@ -1,6 +1,6 @@
 // known_mistakes: measures every solution in grader/tasks/*/wrong, and writes the fingerprint of
 // each into grader/mistakes/known.json. Measurements are kept in a folder, so that it may be
-// stopped and started as one likes. Then the check of what is known: each wrong solution is handed
+// stopped and started at any time. Then the check of what is known: each wrong solution is handed
 // in, with other random numbers, and named or not; the right ones too; and each once more with its
 // own fingerprint taken away.
 #include "grader/base/files.h"

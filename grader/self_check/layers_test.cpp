@@ -37,7 +37,7 @@ const std::map<std::string, std::set<std::string>> kOnly{
 const std::vector<std::string> kRenderer{"math",  "sampling", "geometry", "accel",
                                          "scene", "tasks",    "image",    "render"};
 
-// Where the renderer calls tasks, whose contracts speak of its scenes: the only includes upwards.
+// The only includes upwards: here the renderer calls tasks, whose contracts speak of its scenes.
 const std::map<std::string, std::set<std::string>> kCallsOfTasks{
     {"geometry/primitives.h", {"hit_sphere.h", "hit_triangle.h"}},
     {"scene/tracer.cpp", {"build_bvh.h", "hit_bvh.h"}}};
@@ -90,7 +90,7 @@ std::map<std::string, std::string> included(const std::string& text) {
   return folders;
 }
 
-// Before it in the list; files of grader/ itself stand before all folders.
+// Folders before it in the list; files of grader/ itself stand before all folders.
 bool may_include(const std::string& folder, const std::string& other) {
   if (folder == other) return true;
   if (folder.empty()) return false;

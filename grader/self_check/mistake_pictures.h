@@ -22,7 +22,7 @@ std::string sentence_of(const std::string& text);
 std::string known_path(const std::string& out);
 std::string seen_path(const std::string& out);
 
-// As it was judged.
+// The picture as it was judged.
 pictures::KnownMistake::Picture picture_of(const results::PictureResult& result);
 
 // The same of a picture that was wrong before: if it is right now nobody knows.

@@ -28,7 +28,7 @@ void run(const char* script) {
                        std::chrono::seconds(60));
 }
 
-// In containers nobody else asks.
+// In a container nobody else asks how orphans ended.
 TEST(orphans, are_asked_how_they_ended_whatever_their_session_and_group) {
   for (int i = 0; i < 5; ++i) {
     run("sleep 100 >/dev/null 2>&1 &");                   // killed with its group

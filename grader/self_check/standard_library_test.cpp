@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// File and level of optimisation: a submission is compiled as the build is, and names that are
-// inline functions in one level are called in another.
+// A file and a level of optimisation. A submission is compiled with the build's level; a function that is
+// inline at one level is called at another.
 class StandardLibrary : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 void run(const std::string& command) { EXPECT_EQ(std::system(command.c_str()), 0) << command; }

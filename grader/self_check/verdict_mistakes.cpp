@@ -1,7 +1,7 @@
 // Finds the pictures that see each mistake: judges each solution in
 // grader/tasks/*/{wrong,right,noisy}/, alone among the reference's tasks, built and judged as a
 // submission is, on the recipes that judge its task. Each verdict is a line of a CSV, and a pair
-// that has its line is not judged again, so that it may be stopped and started as one likes. The
+// that has its line is not judged again, so that it may be stopped and started at any time. The
 // block means of the wrong pictures are kept in golden/known_mistakes.jsonl, from samples of their
 // own; then it is tried how many of the mistakes the judged pictures name. The reference with other
 // chances to survive is added on an adaptive recipe: right, and drawn with another variance.

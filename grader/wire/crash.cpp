@@ -19,7 +19,7 @@ constexpr std::uintptr_t kAbove = std::uintptr_t{1} << 16, kBelow = std::uintptr
 
 std::uintptr_t stack_top = 0;
 
-// On a stack of its own, as the other one is full.
+// The handler has a stack of its own, as the other one may be full.
 alignas(16) char handler_stack[1 << 15];
 
 void on_wrong_address(int signal, siginfo_t* info, void*) {

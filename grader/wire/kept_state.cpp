@@ -56,7 +56,7 @@ bool has_state() {
   return distance(begin_of_data, end_of_data) + distance(begin_of_bss, end_of_bss) > 0;
 }
 
-// Where nothing can be kept, nothing is noted. Never destroyed: memory is given back until the end.
+// Empty where nothing can be kept. Never destroyed: memory is given back until the end.
 Blocks& blocks() {
   static Blocks& all = *new (std::malloc(sizeof(Blocks))) Blocks;
   return all;

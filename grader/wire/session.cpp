@@ -20,14 +20,8 @@ constexpr std::size_t kMaxKnown = 256;                         // objects
 constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
 constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // in a call; sums do not overflow
 constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
-constexpr int kMaxAge = 20;  // times the limit of all calls, by the clock
-constexpr int kHung = 125;   // failures that one counts for after which the worker did not end
 
 std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
-
-double seconds(std::chrono::nanoseconds time) {
-  return std::chrono::duration<double>(time).count();
-}
 
 std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content) {
   const std::string_view bytes = content.bytes();
@@ -138,64 +132,6 @@ void Session::expect_attempted() const {
   }
 }
 
-// With the cause of something that was not tried, a smaller input is not kept, and none is tried after
-// it (check::find_failure).
-void Session::call_no_more(results::Cause cause, const std::string& why) const {
-  settings_.give_up(settings_.smaller_inputs ? results::Cause::not_attempted : cause,
-                    "not called any more: " + why);
-}
-
-void Session::expect_time_left() {
-  if (timeouts_ >= settings_.max_timeouts) {
-    call_no_more(last_cause_, fmt::format("{} {} no answer within {} s", timeouts_,
-                                          timeouts_ == 1 ? "call got" : "calls got",
-                                          seconds(settings_.call_limit)));
-  }
-  if (failures_ >= settings_.max_failures) {
-    call_no_more(last_cause_, "too many calls crashed or gave no answer");
-  }
-  const std::uint64_t answered = answered_ + (worker_ ? worker_->answered() : 0);
-  if (answered > settings_.max_answered) {
-    call_no_more(results::Cause::bad_reply,
-                 fmt::format("its answers were {} MiB in all, where {} are the most",
-                             answered >> 20, settings_.max_answered >> 20));
-  }
-  expect_total_time_left();
-}
-
-// Time in which workers slept counts too: nothing in a task waits. What they wait for a processor is
-// nobody's fault, and yet no run may last for ever: then there is no verdict.
-void Session::expect_total_time_left() {
-  const auto give_up = [&](std::chrono::nanoseconds took) {
-    call_no_more(results::Cause::timeout,
-                 fmt::format("all calls so far took {:.1f} s", seconds(took)));
-  };
-  const auto running = running_ + (worker_ ? worker_->running() : Clock::duration::zero());
-  if (running > settings_.total_limit) give_up(running);
-  const auto patience = settings_.total_limit / 2;
-  const auto most = worker_ ? worker_->waited() - worker_->running() : Clock::duration::zero();
-  if (slept_ + most > patience && slept() > patience) give_up(slept());
-  try {
-    process::expect_processor(running, Clock::now() - first_call_, kMaxAge * settings_.total_limit);
-  } catch (const pt::Error& busy) {
-    settings_.at_fault(busy.what());
-  }
-}
-
-std::chrono::nanoseconds Session::slept() const {
-  if (!worker_) return slept_;
-  const auto slept = worker_->waited() - worker_->running() - worker_->starved();
-  return slept_ + std::max<std::chrono::nanoseconds>(slept, Clock::duration::zero());
-}
-
-// A dead process does not tell how long it waited for a processor: of the time for which the judge
-// waited, only that is held against it in which it was seen asleep.
-void Session::keep_totals(results::Cause cause) {
-  slept_ = cause == results::Cause::timeout ? slept() : slept_ + worker_->slept();
-  running_ += worker_->running();
-  answered_ += worker_->answered();
-}
-
 void Session::drop_known_definitions() {
   std::size_t bytes = known_bytes_;
   for (const Shared& each : definitions_) bytes += each->content.size();
@@ -256,22 +192,17 @@ void Session::reject(const std::string& why) {
 }
 
 void Session::fail(const WorkerFailed& failure) {
-  last_cause_ = failure.cause;
-  if (failure.cause == results::Cause::timeout) {
-    ++timeouts_;
-  } else {
-    failures_ += failure.hung ? kHung : 1;
-  }
+  count_failure(failure);
   if (!failure.alive) {
     if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
     if (worker_) keep_totals(failure.cause);
     worker_.reset();
     ++record_.restarts;
   }
-  settings_.give_up(failure.cause,
-                    failure.cause == results::Cause::timeout
-                        ? fmt::format("no answer within {} s", seconds(settings_.call_limit))
-                        : failure.text);
+  const std::chrono::duration<double> limit = settings_.call_limit;
+  settings_.give_up(failure.cause, failure.cause == results::Cause::timeout
+                                       ? fmt::format("no answer within {} s", limit.count())
+                                       : failure.text);
   std::abort();  // give_up has returned
 }
 

@@ -95,6 +95,7 @@ class Session {
   void expect_time_left();
   void call_no_more(results::Cause cause, const std::string& why) const;
   void expect_total_time_left();
+  void count_failure(const WorkerFailed& failure);
   std::chrono::nanoseconds slept() const;  // all workers together, but for what is not certain
   void keep_totals(results::Cause cause);  // of the worker that has ended
   void drop_known_definitions();

@@ -44,7 +44,7 @@ struct Message {
 // does not depend on what else the machine does.
 class WorkerProcess {
  public:
-  // In a box of the tier.
+  // Starts the program in a box of the tier.
   WorkerProcess(const std::string& program, sandbox::Tier tier, std::size_t max_printed);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;

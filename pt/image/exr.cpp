@@ -32,7 +32,7 @@ enum Channel {
 constexpr std::array<const char*, kChannels> kNames{
     "B", "G", "R", "Y", "samples", "variance.B", "variance.G", "variance.R", "variance.Y"};
 
-// For each of our channels its place in the file, or -1.
+// The place of each of our channels in the file, or -1.
 using ChannelPlaces = std::array<int, kChannels>;
 
 // Frees the memory of tinyexr whichever way a function is left.

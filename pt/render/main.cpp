@@ -68,7 +68,7 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
   }
 }
 
-// In one line, however many there are.
+// Prints one line, however many there are.
 void name_unwritten_tasks(const RenderOptions& options, const Scene& scene) {
   const std::vector<std::string> unwritten = todo_list();
   if (unwritten.empty()) return;

@@ -10,7 +10,7 @@
 namespace grader::wire {
 namespace {
 
-// As the judge looks at results; rows of a picture have a test of their own (grader/pictures).
+// Looks at a result as the judge does; rows of a picture have a test of their own (grader/pictures).
 template <class Result>
 void look_at(const Result& result) {
   if constexpr (!std::is_same_v<Result, pt::PictureRows>) has_numbers(result);

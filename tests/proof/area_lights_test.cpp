@@ -125,7 +125,7 @@ TEST(RectangleLight, is_hidden_in_part_by_a_sheet) {
     SceneBuilder builder;
     add_receiver(builder, place);
     add_light(builder, place, r, false);
-    // At half the height, so that it hides the light up to twice as far.
+    // It hangs at half the height, and so hides the light up to twice as far.
     builder.quad(place.point({edge - 9, -9, 1}), place.direction({9, 0, 0}),
                  place.direction({0, 18, 0}), builder.material(gray(0.5)));
     const Polygon seen = clipped(parallelogram(r.center, r.u, r.v), {}, {1, 0, -edge});

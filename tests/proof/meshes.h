@@ -27,7 +27,7 @@ inline Vec3 on_grid(Sampler& sampler) {
   return {std::round(p.x) / 8, std::round(p.y) / 8, std::round(p.z) / 8};
 }
 
-// With some normal where there is no area.
+// A triangle without area has some normal.
 inline Triangle any_triangle(Vec3 a, Vec3 b, Vec3 c) {
   Triangle triangle = flat_triangle(a, b, c);
   if (!is_finite(triangle.n0)) triangle.n0 = triangle.n1 = triangle.n2 = {0, 0, 1};

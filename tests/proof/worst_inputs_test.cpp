@@ -86,7 +86,7 @@ struct AtSphere {
   Ray ray;
 };
 
-// In radii.
+// The distance in radii.
 double off_the_sphere(const AtSphere& at, double t) {
   const Exact3 p =
       Exact3(at.ray.origin) + Exact(t) * Exact3(at.ray.direction) - Exact3(at.sphere.center);
@@ -94,7 +94,7 @@ double off_the_sphere(const AtSphere& at, double t) {
   return std::abs(rounded((dot(p, p) - radius * radius) / (2 * radius * radius)));
 }
 
-// At most a thousand radii away.
+// Spheres at most a thousand radii away.
 const AtSphere kSpheres[] = {
     {{{-6565417.690410527, 11951187.386336766, -5682787.735812953}, 12009.695186021176},
      {{-18555048.959142637, 11558373.889895052, -5506672.828470255},

@@ -10,7 +10,7 @@ namespace writeup::accuracy {
 
 namespace {
 
-// Before each entry.
+// The head of an entry.
 struct Head {
   std::uint64_t question = 0;  // bytes
   std::uint64_t answer = 0;    // numbers

@@ -166,7 +166,7 @@ Options parse_ladder(int argc, const char* const* argv) {
   Options options;
   options.seconds = 120;
   CLI::App app(
-      "A ladder from the plainest right renderer to the best one, an idea a rung: what each is "
+      "A ladder from the plainest right renderer to the best one, one idea per rung: what each is "
       "worth in a scene.",
       "./run ladder");
   app.footer(kLadder);

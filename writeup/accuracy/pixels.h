@@ -14,7 +14,7 @@ struct PixelAt {
   int y = 0;
 };
 
-// As many as one looks at where all would take too long.
+// The number of pixels to look at where all would take too long.
 inline constexpr int kSpreadPixels = 10000;
 
 // About `wanted` pixels, or all if there are no more: one of each block of a grid, at a place in it

@@ -118,7 +118,7 @@ class Study {
   using Cost = std::function<double(const pt::RenderSettings&, std::span<const PixelAt>)>;
   int samples_in(double seconds, const Cost& cpu_seconds);
   int samples_in(double seconds, const pt::View& view);
-  // As measure() and measure_apart(), or what the journal has of them.
+  // The results of measure() and measure_apart(), from the journal if it has them.
   RenderedPixels made(const pt::View& view, const pt::RenderSettings& settings,
                       std::span<const PixelAt> pixels);
   MeasuredApart made_apart(const pt::View& view, const pt::RenderSettings& settings,

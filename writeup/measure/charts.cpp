@@ -105,7 +105,7 @@ struct Span {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  // With some room at both ends.
+  // The span with some room at both ends.
   Span roomy(double most) const {
     const double factor = std::clamp(high / low, 1.3, most);
     return {low / std::pow(factor, 0.12), high * std::pow(factor, 0.12)};

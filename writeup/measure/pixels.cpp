@@ -18,7 +18,7 @@ struct Pixel {
   double truth = 0;
 };
 
-// On the window at distance 1 in front of the camera, which is a right angle wide and high.
+// The place on the window at distance 1 in front of the camera, which is a right angle wide and high.
 double in_pixel(double along, double ahead) {
   const double at = 0.5 * kSide * (1 + along / ahead);
   return at - std::floor(at);

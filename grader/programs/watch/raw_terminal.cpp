@@ -14,7 +14,7 @@ namespace {
 constexpr int kAsked[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCHLD};
 constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-// For the handlers, which can be given nothing.
+// Variables of the signal handlers, which have no other arguments.
 int signal_pipe = -1;
 termios terminal_as_found;
 

@@ -22,7 +22,7 @@ class Verdicts {
   // watch does not ask for, would be missing.
   std::string bar() const;
 
-  // Whether nothing is left to do.
+  // Returns whether nothing is left to do.
   bool all_pass() const;
 
   // Lists the state and the file of each task.

@@ -18,7 +18,7 @@ std::optional<Triangle> place(const FileTriangle& triangle, const Transform& to_
   if (!std::isnormal(length_squared(geometric))) return std::nullopt;
   const Vec3 face = normalize(geometric);
   const auto unit_normal = [&](int corner) {
-    // In two steps, so that neither tiny normals nor tiny scales underflow.
+    // Two steps, so that neither tiny normals nor tiny scales underflow.
     const Vec3 local = triangle.n[order[corner]];
     if (!std::isnormal(length_squared(local))) return face;
     const Vec3 n = to_world.normal(normalize(local));
