@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <archive.h>
@@ -785,6 +786,46 @@ TEST_F(Intake, nobody_is_lost_where_an_archive_writes_accents_in_two_ways) {
     }
     EXPECT_EQ(all.size(), 4U);
   }
+}
+
+// Nor where their folders have no file in common, or their archives are equal.
+TEST_F(Intake, names_that_become_one_in_an_archive_are_a_row_with_the_reason) {
+  const std::string one = kComposed, two = kWithMarks;
+  const std::vector<Entry> files{
+      {one + "/hit_box.cpp", "1"},        {"ada/hit_box.cpp", "a"},
+      {"ada/hit_sphere.cpp", "a"},        {"Zo\xc3\xa9/hit_box.cpp", "e"},
+      {"Zo\xc3\xa9/hit_sphere.cpp", "e"}, {two + "/hit_sphere.cpp", "2"}};
+  std::vector<Entry> with_folders;
+  for (const std::string& name : {one, two, std::string("ada"), std::string("Zo\xc3\xa9")}) {
+    with_folders.push_back({name + "/", "", AE_IFDIR});
+  }
+  with_folders.insert(with_folders.end(), files.begin(), files.end());
+  const std::string packed = archive_of({{"hit_box.cpp", "1"}});
+  const std::vector<Entry> archives{{one + ".zip", packed},
+                                    {two + ".zip", packed},
+                                    {"ada.zip", packed},
+                                    {"Zo\xc3\xa9.zip", packed}};
+  for (const Format format : {Format::zip, Format::tar_gz}) {
+    for (const std::vector<Entry>& entries : {files, with_folders, archives}) {
+      SCOPED_TRACE(fmt::format("format {}, first {}", static_cast<int>(format), entries[0].path));
+      pt::write_file(in("class.zip"), archive_of(entries, format));
+      auto all = seen(in("class.zip"));
+      EXPECT_THAT(all[one].problem, HasSubstr("unpack the archive, and grade the folder"));
+      for (const std::string name : {"ada", "Zo\xc3\xa9"}) {
+        EXPECT_EQ(all[name].problem, "");
+        EXPECT_FALSE(all[name].files.empty());
+      }
+      EXPECT_EQ(all.size(), 3U);
+    }
+  }
+  // The number of a platform tells that it is one learner, and in large and small letters a name is its own.
+  pt::write_file(in("class.zip"),
+                 archive_of({{one + "_7_assignsubmission_file_/hit_box.cpp", "1"},
+                             {"ada/hit_box.cpp", "a"},
+                             {"bob/hit_box.cpp", "b"},
+                             {"ada/hit_sphere.cpp", "a"},
+                             {one + "_7_assignsubmission_file_/hit_sphere.cpp", "1"}}));
+  for (const auto& [name, found] : seen(in("class.zip"))) EXPECT_EQ(found.problem, "") << name;
 }
 
 TEST_F(Intake, a_bare_repository_is_named) {
