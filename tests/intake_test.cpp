@@ -828,6 +828,29 @@ TEST_F(Intake, names_that_become_one_in_an_archive_are_a_row_with_the_reason) {
   for (const auto& [name, found] : seen(in("class.zip"))) EXPECT_EQ(found.problem, "") << name;
 }
 
+TEST_F(Intake, progress_counts_submissions) {
+  using Told = std::vector<std::pair<std::size_t, std::size_t>>;
+  const auto told = [&](const fs::path& input) {
+    Told all;
+    handed_in(
+        input, folder_.path() + "/work", kTasks,
+        [](const std::string&, const std::string&, Extent) { return "not now"; },
+        [&](std::size_t done, std::size_t of) { all.emplace_back(done, of); });
+    return all;
+  };
+  // Two files of one learner are one submission.
+  add("ada_1_11_hit_box.cpp", "a");
+  add("ada_1_12_hit_sphere.cpp", "a");
+  add("bob_2_13_work.zip", "b");
+  add("eve/hit_box.cpp", "e");
+  EXPECT_EQ(told(in()), (Told{{0, 3}, {1, 3}, {2, 3}, {3, 3}}));
+  fs::remove_all(in());
+  add("submission_metadata.yml", "submission_1:\n  :submitters:\n  - :name: Ada\n");
+  add("submission_1/hit_box.cpp", "a");
+  add("submission_2/hit_box.cpp", "b");
+  EXPECT_EQ(told(in()), (Told{{0, 2}, {1, 2}, {2, 2}}));
+}
+
 TEST_F(Intake, a_bare_repository_is_named) {
   add("ada/HEAD", "ref: refs/heads/main");
   fs::create_directories(in("ada/objects"));

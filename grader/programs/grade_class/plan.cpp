@@ -186,7 +186,7 @@ std::string host_name() {
 }
 
 ClassPlan make_plan(const judge::Config& config, const std::string& programs,
-                    const PlanRequest& request) {
+                    const PlanRequest& request, const intake::Progress& progress) {
   ClassPlan plan;
   plan.input = request.input;
   plan.words = request.words;
@@ -199,7 +199,7 @@ ClassPlan make_plan(const judge::Config& config, const std::string& programs,
   for (const judge::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
   intake::HandedInByAll all =
       intake::handed_in(request.input, folder_to_unpack(request.out), tasks,
-                        unpack_boxed(config, programs, request.must_isolate));
+                        unpack_boxed(config, programs, request.must_isolate), progress);
   plan.everybody = std::move(all.everybody);
   plan.unclaimed = std::move(all.unclaimed);
   for (intake::HandedIn& by : plan.everybody) {

@@ -55,7 +55,7 @@ inline constexpr std::size_t kMaxChunks = 500;
 // of those to compare with, else a new one, drawn: a table of answers to one seed is worth nothing
 // then. It is kept in `out`. Throws pt::Error if there is no submission.
 ClassPlan make_plan(const judge::Config& config, const std::string& programs,
-                    const PlanRequest& request);
+                    const PlanRequest& request, const intake::Progress& progress);
 
 // <out>/plan.json. Reading throws pt::Error if the file is missing or is something else.
 void write_plan(const ClassPlan& plan, const std::string& out);
