@@ -47,7 +47,7 @@ std::string work_on(const judge::Config& config, const ClassPlan& plan) {
 
 Judging judging_of(const judge::Config& config, const ClassOptions& options, const ClassPlan& plan,
                    const std::string& out, int threads) {
-  Judging judging{config, programs_of(options) + "/grade", out};
+  Judging judging{config, programs_of(options) + "/grade", out, plan.id};
   judging.former = plan.former;
   for (std::size_t i = 0; i < plan.former_names.size(); ++i) {
     const std::string& former = plan.former_names[i];

@@ -19,6 +19,7 @@ using Equal = std::vector<std::size_t>;
 using Chunk = std::vector<Equal>;
 
 struct ClassPlan {
+  std::string id;                  // unlike that of every other plan
   std::string input;               // the folder or archive, as it was exported
   std::vector<std::string> words;  // of the command line of `grade`, the same for all
   std::uint64_t seed = 1;          // of all random inputs
