@@ -261,8 +261,11 @@ TEST_F(Intake, nothing_lands_outside_and_nothing_is_linked) {
   fs::create_symlink("/etc", in("linked"));
   auto all = seen();
   EXPECT_EQ(all["evil"].files, (Files{})) << "the tar";
-  EXPECT_EQ(all["evil (2)"].files, (Files{{"hit_sphere.cpp", "second"},
-                                          {"link/firstlight_evil.cpp", "in a folder of its own"}}));
+  Files& files = all["evil (2)"].files;
+  EXPECT_EQ(files.size(), 3U);
+  EXPECT_EQ(files["hit_sphere.cpp"], "second");
+  EXPECT_EQ(files["link/firstlight_evil.cpp"], "in a folder of its own");
+  EXPECT_THAT(files["hit_box.cpp"], testing::StartsWith("#error \"in the archive"));
   EXPECT_THAT(all["linked"].problem, HasSubstr("link"));
   EXPECT_FALSE(fs::exists("/tmp/firstlight_evil.cpp"));
   for (const auto& file : fs::recursive_directory_iterator(folder_.path())) {
@@ -347,13 +350,38 @@ TEST_F(Intake, names_of_a_list_are_names_of_files) {
 }
 
 // A file that no platform exports is nobody's submission, and the others are judged.
-TEST_F(Intake, pipes_and_devices_are_left_out) {
+TEST_F(Intake, what_is_left_out_is_said) {
+  add("absolute.zip", archive_of({{"/home/ada/hit_box.cpp", "a"}}));
+  add("parent.zip", archive_of({{"../hit_box.cpp", "a"}, {"a/..\\hit_sphere.cpp", "a"}}));
+  add("both.zip", archive_of({{"../hit_box.cpp", "a"}, {"hit_sphere.cpp", "b"}}));
+  add("hidden.zip", archive_of({{".a/hit_box.cpp", "a"}}));
+  add("link.tar.gz", archive_of({{"hit_box.cpp", "", AE_IFLNK, "/etc/passwd"},
+                                 {"hit_sphere.cpp", "s"},
+                                 {"notes", "", AE_IFLNK, "/tmp"}},
+                                Format::tar_gz));
+  add("links.zip", archive_of({{"hit_box.cpp", "", AE_IFLNK, "/etc/passwd"}, {"notes.txt", "n"}}));
+  fs::create_directories(in("linked"));
+  fs::create_directory_symlink("/etc", in("linked/student"));
+  auto all = seen();
+  for (const char* name : {"absolute", "parent"}) {
+    EXPECT_THAT(all[name].problem, HasSubstr("its paths are absolute or lead out of it"));
+  }
+  EXPECT_EQ(all["both"].files, (Files{{"hit_sphere.cpp", "b"}}));
+  EXPECT_THAT(all["hidden"].problem, HasSubstr("it is empty"));
+  EXPECT_THAT(all["link"].judged["hit_box"], HasSubstr("this is a link or a device"));
+  EXPECT_EQ(all["link"].files.size(), 2U);
+  EXPECT_THAT(all["links"].problem, HasSubstr("its source files are links"));
+  EXPECT_THAT(all["linked"].problem, testing::EndsWith("only 'student' (a link)"));
+}
+
+TEST_F(Intake, pipes_and_devices_are_nobodys) {
   add("ada/hit_box.cpp", "a");
   ASSERT_EQ(mkfifo(in("bob_1_2_hit_box.cpp").c_str(), 0600), 0);
   ASSERT_EQ(mkfifo(in("carol.zip").c_str(), 0600), 0);
   const auto all = seen();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all.begin()->first, "ada");
+  EXPECT_EQ(unclaimed_, (std::vector<std::string>{"bob_1_2_hit_box.cpp", "carol.zip"}));
 }
 
 // A class as Canvas and Moodle pack it: the bounds of one learner are not those of all.
@@ -431,7 +459,7 @@ TEST_F(Intake, everybody_in_the_archive_of_a_class_has_a_row) {
   EXPECT_THAT(all["eve"].problem, HasSubstr("only 'onlinetext.html'"));
   EXPECT_THAT(all["fay"].problem, HasSubstr("it is empty"));
   EXPECT_THAT(all["gus"].problem, HasSubstr("link"));
-  EXPECT_THAT(all["hal"].problem, HasSubstr("it is empty"));
+  EXPECT_THAT(all["hal"].problem, HasSubstr("its source files are links"));
   EXPECT_THAT(all["ida"].problem, HasSubstr("hand in a zip"));
 }
 

@@ -163,7 +163,7 @@ class Intake {
       by.problem = "it is a link; copy what it points to";
       result_.everybody.push_back(by);
     } else if (!is_folder(entry) && !is_file(entry)) {
-      return;  // a pipe, a device: no platform exports one
+      result_.unclaimed.push_back(name);  // a pipe, a device: no platform exports one
     } else if (is_folder(entry)) {
       by.folder = entry.path();
       if (by.problem.empty()) settle(by, means_);

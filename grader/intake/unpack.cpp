@@ -46,10 +46,17 @@ bool has_ending(const std::string& name, const Endings& endings) {
                      [&](const char* ending) { return small.ends_with(ending); });
 }
 
-bool is_useful(const std::string& name) {
+// In the place of a link, so that a task says it and is not taken for one that nobody has begun.
+constexpr const char* kNotAFile =
+    "#error \"in the archive that was handed in, this is a link or a device; hand in the file\"\n";
+
+bool is_source(const std::string& name) {
   const std::string small = lower_case(name);
-  return small.ends_with(".cpp") || small.ends_with(".cpp.txt") || name == kGradescopeList ||
-         is_archive(name);
+  return small.ends_with(".cpp") || small.ends_with(".cpp.txt");
+}
+
+bool is_useful(const std::string& name) {
+  return is_source(name) || name == kGradescopeList || is_archive(name);
 }
 
 class Unpacking {
@@ -65,7 +72,9 @@ class Unpacking {
     if (of_all_) look_ahead();
     reader_.open();
     while (archive_entry* entry = reader_.next()) {
-      const std::vector<std::string> place = parts_of(path_of(entry));
+      const std::string path = path_of(entry);
+      const std::vector<std::string> place = parts_of(path);
+      outside_ = outside_ || leads_out(path);
       if (place.empty()) continue;
       try {
         take(entry, place);
@@ -74,12 +83,19 @@ class Unpacking {
         if (fault.ends_reader) reader_.read_on();
       }
     }
+    if (outside_ && used_.empty())
+      reader_.fail("its paths are absolute or lead out of it; pack the folder anew");
+    for (const auto& [owner, used] : used_) {
+      if (used.links > 0 && used.links == used.files)
+        blame(used.link, "its source files are links; hand in what they point to");
+    }
     write_faults();
   }
 
  private:
   struct Used {
-    int files = 0, placeholders = 0;
+    int files = 0, links = 0, placeholders = 0;
+    std::vector<std::string> link;  // the place of one
     std::uint64_t bytes = 0;
     bool failed = false;
   };
@@ -105,26 +121,35 @@ class Unpacking {
     const bool on_top = place.size() <= owners_.depth() + 1;
     if (of_all_ && !(plain && on_top)) make_owner(place, is_folder);
     if (is_folder || used.failed) return;
-    if (!plain) {
-      if (of_all_ && on_top) throw EntryFault("it is a link; hand in what it points to");
-      return;
-    }
+    if (!plain && of_all_ && on_top) throw EntryFault("it is a link; hand in what it points to");
     const std::string path = joined(place, place.size());
     if (path.size() > kMaxPath) throw EntryFault("its paths are too long");
+    if (!plain) {
+      if (!is_source(place.back())) return;
+      count_file(used);
+      ++used.links;
+      used.link = place;
+      put(path, kNotAFile);
+      return;
+    }
     if (!is_useful(place.back())) {
       if (used.placeholders++ < kMaxPlaceholders) put(path, "");
       return;
     }
     if (archive_entry_is_encrypted(entry) != 0) throw EntryFault("it is encrypted");
     const std::string bytes = content(used);
-    if (++used.files > limits_.one.files)
-      throw EntryFault(fmt::format("it has more than {} files", limits_.one.files));
-    if (++files_ > bounds_.files)
-      reader_.fail(fmt::format("it has more than {} files", bounds_.files));
+    count_file(used);
     if (of_all_ && is_other(path, bytes)) {
       throw EntryFault(kTwoOfThatName);
     }
     put(path, bytes);
+  }
+
+  void count_file(Used& used) {
+    if (++used.files > limits_.one.files)
+      throw EntryFault(fmt::format("it has more than {} files", limits_.one.files));
+    if (++files_ > bounds_.files)
+      reader_.fail(fmt::format("it has more than {} files", bounds_.files));
   }
 
   // The library writes all accents in one way: of two learners' files one would be lost.
@@ -196,7 +221,7 @@ class Unpacking {
   }
 
   fs::path folder_;
-  bool of_all_;
+  bool of_all_, outside_ = false;
   Limits limits_;
   Bounds bounds_;  // of this archive
   ArchiveReader reader_;
