@@ -518,6 +518,23 @@ TEST_F(Intake, folders_around_everything_are_entered) {
   EXPECT_EQ(seen().size(), 2U);
 }
 
+// An example of what to hand in, or the class being a repository, does not make all of it one submission.
+TEST_F(Intake, a_task_file_beside_the_learners_does_not_hide_them) {
+  add("export/hit_box.cpp", "?");
+  add("export/.git/HEAD", "?");
+  add("export/ada/hit_box.cpp", "a");
+  add("export/bob.zip", archive_of({{"hit_box.cpp", "b"}}));
+  EXPECT_EQ(seen().size(), 2U);
+  EXPECT_EQ(unclaimed_, (std::vector<std::string>{"hit_box.cpp"}));
+  // A learner's folder may have one more.
+  fs::remove_all(in("export"));
+  add("ada/hit_box.cpp", "a");
+  add("ada/1_rays/hit_sphere.cpp", "a");
+  add("ada/2_bvh/hit_bvh.cpp", "a");
+  add("ada/old/1_rays/hit_box.cpp", "old");
+  EXPECT_EQ(seen().size(), 1U);
+}
+
 TEST_F(Intake, the_folder_of_one_learner_is_not_entered) {
   add("ada/1_rays/hit_box.cpp", "a");
   add("ada/notes.txt", "?");

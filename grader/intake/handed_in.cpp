@@ -102,7 +102,9 @@ class Intake {
       const std::vector<fs::directory_entry> entries = entries_of(folder);
       if (entries.size() != 1 || !is_folder(entries[0])) return folder;
       const fs::path& inner = entries[0].path();
-      if (read_label(inner.filename()) || is_submission(inner, means_.tasks)) return folder;
+      const bool is_class = holds_several(inner, means_.tasks);
+      if (read_label(inner.filename()) || (is_submission(inner, means_.tasks) && !is_class))
+        return folder;
       const std::vector<fs::directory_entry> inside = entries_of(inner);
       if (inside.empty() || (inside.size() == 1 && !is_folder(inside[0]))) return folder;
       folder = inner;
