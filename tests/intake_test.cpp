@@ -447,10 +447,14 @@ TEST_F(Intake, everybody_in_the_archive_of_a_class_has_a_row) {
                                                  {"fay", "", AE_IFDIR},
                                                  {"gus", "", AE_IFLNK, "/etc"},
                                                  {"hal/hit_box.cpp", "", AE_IFLNK, "/etc/passwd"},
-                                                 {"ida.gz", "?"}},
+                                                 {"ida.gz", "?"},
+                                                 {"jo\xc3\xab/.DS_Store", "?"},
+                                                 {"jo\xc3\xab/__MACOSX/._hit_box.cpp", "?"},
+                                                 {"__MACOSX/ada/._hit_box.cpp", "?"},
+                                                 {".DS_Store", "?"}},
                                                 Format::tar_gz));
   auto all = seen(in("class.tar.gz"));
-  EXPECT_EQ(all.size(), 9U);
+  EXPECT_EQ(all.size(), 10U);
   EXPECT_EQ(all["ada"].problem, "");
   EXPECT_THAT(all["bob"].problem, HasSubstr("only 'work.gz'"));
   EXPECT_THAT(all["bob"].problem, HasSubstr("hand in a zip"));
@@ -461,6 +465,7 @@ TEST_F(Intake, everybody_in_the_archive_of_a_class_has_a_row) {
   EXPECT_THAT(all["gus"].problem, HasSubstr("link"));
   EXPECT_THAT(all["hal"].problem, HasSubstr("its source files are links"));
   EXPECT_THAT(all["ida"].problem, HasSubstr("hand in a zip"));
+  EXPECT_THAT(all["jo\xc3\xab"].problem, HasSubstr("it is empty")) << "hidden files only";
 }
 
 TEST_F(Intake, files_on_top_have_an_owner_or_are_named) {

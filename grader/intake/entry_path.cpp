@@ -40,15 +40,23 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-std::vector<std::string> parts_of(const std::string& path) {
+std::vector<std::string> seen_of(const std::string& path) {
   if (leads_out(path)) return {};
   std::vector<std::string> all;
   for (const std::string& part : all_parts(path)) {
     if (part.empty() || part == ".") continue;
-    if (base::is_hidden(part)) return {};
+    if (base::is_hidden(part)) break;
     all.push_back(shortened(part));
   }
   return all;
+}
+
+std::vector<std::string> parts_of(const std::string& path) {
+  const std::vector<std::string> all = all_parts(path);
+  const bool is_hidden = std::any_of(all.begin(), all.end(), [](const std::string& part) {
+    return part != "." && base::is_hidden(part);
+  });
+  return is_hidden ? std::vector<std::string>() : seen_of(path);
 }
 
 bool leads_out(const std::string& path) {

@@ -9,6 +9,9 @@ namespace grader::intake {
 // out of the folder. Windows writes \ for /. A part that is too long for a file's name is cut before its ending.
 std::vector<std::string> parts_of(const std::string& path);
 
+// The folders around what is hidden; all of it if nothing is.
+std::vector<std::string> seen_of(const std::string& path);
+
 // Returns whether an entry's path is absolute or leads out of the folder.
 bool leads_out(const std::string& path);
 

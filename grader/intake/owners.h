@@ -9,6 +9,9 @@ namespace grader::intake {
 // The last part of a path that is a folder's own entry.
 inline constexpr const char* kFolderItself = "";
 
+// That of a file which is hidden, or in a hidden folder.
+inline constexpr const char* kHidden = ".";
+
 // Whose the entries of an archive of everybody's work are, by all of their paths.
 class Owners {
  public:

@@ -75,7 +75,10 @@ class Unpacking {
       const std::string path = path_of(entry);
       const std::vector<std::string> place = parts_of(path);
       outside_ = outside_ || leads_out(path);
-      if (place.empty()) continue;
+      if (place.empty()) {
+        make_owner_of_hidden(seen_of(path));
+        continue;
+      }
       try {
         take(entry, place);
       } catch (const EntryFault& fault) {
@@ -104,9 +107,14 @@ class Unpacking {
     std::vector<std::vector<std::string>> paths;
     reader_.open();
     while (archive_entry* entry = reader_.next()) {
-      std::vector<std::string> place = parts_of(path_of(entry));
+      const std::string path = path_of(entry);
+      std::vector<std::string> place = seen_of(path);
       if (place.empty()) continue;
-      if (archive_entry_filetype(entry) == AE_IFDIR) place.emplace_back(kFolderItself);
+      if (parts_of(path).empty()) {
+        place.emplace_back(kHidden);
+      } else if (archive_entry_filetype(entry) == AE_IFDIR) {
+        place.emplace_back(kFolderItself);
+      }
       paths.push_back(std::move(place));
     }
     owners_ = Owners(paths);
@@ -167,6 +175,10 @@ class Unpacking {
     } else {
       put(path, "");
     }
+  }
+
+  void make_owner_of_hidden(const std::vector<std::string>& folder) {
+    if (of_all_ && folder.size() > owners_.depth()) make_owner(folder, true);
   }
 
   // Returns whether it is there now: a file may stand where a folder should.
