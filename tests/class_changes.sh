@@ -132,8 +132,11 @@ grades golden
 cp golden/rays_spheres.exr "$folder/root/golden"
 
 # A file that changes while it is judged: that is no outcome, and the same chunk judges it.
-"$grader/grade_class" plan "$folder/class" --out "$folder/chunks" --seed 7 --not-isolated --config "$folder/programs/grade.json" \
-  -- hit_sphere hit_triangle --no-pictures >"$folder/said" 2>&1 || complain "$(cat "$folder/said")"
+cat >"$folder/make_plan" <<END
+exec '$grader/grade_class' plan '$folder/class' --out '$folder/chunks' --seed 7 --not-isolated --config '$folder/programs/grade.json' \
+  -- hit_sphere hit_triangle --no-pictures >'$folder/planned' 2>&1
+END
+bash "$folder/make_plan" || complain "$(cat "$folder/planned")"
 chunks() {
   "$grader/grade_class" chunk "$folder/chunks" 1 2 3 4 --config "$folder/programs/grade.json" >"$folder/said" 2>&1
 }
@@ -155,6 +158,24 @@ grep -q 'other: .*have changed while it was judged' "$folder/said" || complain "
 rm "$folder/judged"
 chunks || complain "$(cat "$folder/said")"
 [ "$(cat "$folder/judged")" = other ] || complain "judged: $(cat "$folder/judged")"
+
+# Another plan while a chunk of the one before runs: that chunk judges nobody any more, and why it could not judge is not what
+# the new plan says.
+for learner in right other wrong unwritten; do echo '// of a new plan' >>"$folder/class/$learner/hit_triangle.cpp"; done
+echo "rm '$folder/hook'; bash '$folder/make_plan'; echo 'a fault of before' >&2; exit 2" >"$folder/hook"
+bash "$folder/make_plan" || complain "$(cat "$folder/planned")"
+rm "$folder/judged"
+status=0
+chunks || status=$?
+[ "$status" -eq 2 ] || complain "a chunk of an earlier plan ended with $status"
+grep -q 'a fault of before' "$folder/said" || complain "$(cat "$folder/said")"
+[ "$(grep -c 'another plan of this class has been made' "$folder/said")" -eq 3 ] || complain "$(cat "$folder/said")"
+[ ! -e "$folder/judged" ] || complain "judged by an earlier plan: $(cat "$folder/judged")"
+"$grader/grade_class" collect "$folder/chunks" --config "$folder/programs/grade.json" >"$folder/said" 2>&1 || true
+grep -q '^0 of 4 submissions are judged' "$folder/said" || complain "$(cat "$folder/said")"
+[ "$(grep -c 'it is not judged yet' "$folder/chunks/class.csv")" -eq 4 ] || complain "$(cat "$folder/chunks/class.csv")"
+chunks || complain "$(cat "$folder/said")"
+[ "$(sort "$folder/judged" | tr '\n' ' ')" = 'other right unwritten wrong ' ] || complain "judged: $(cat "$folder/judged")"
 
 # While others judge, the files of a submission are not read again and again to see whether its former reports hold.
 if command -v parallel >/dev/null; then

@@ -1,6 +1,9 @@
 // The page of a class: its counts, and their order.
 #include "grader/report/class_page.h"
 
+#include <regex>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,6 +64,27 @@ TEST(ClassPage, lists_every_promise_with_those_who_read_of_it_first) {
                              "<td>the first: promise"));
   EXPECT_THAT(all, HasSubstr(">1 of 3</td><td class=\"number\">1</td><td><code>hit_box</code></td>"
                              "<td>the second: promise"));
+}
+
+// By construction: each number of points once, 137 of them.
+TEST(ClassPage, every_number_of_points_is_in_one_bin) {
+  ClassPage page;
+  for (int points = 0; points <= 136; ++points) {
+    results::Results run = run_with(State::fail, true, true, points);
+    run.tasks[0].max_points = 136;
+    page.add({std::to_string(points), "", "x.html", "", false}, run);
+  }
+  const std::string html = page.to_html();
+  const std::regex bin(R"(<strong>(\d+)</strong><br>(\d+) to (\d+)</span>)");
+  int next = 0, bins = 0;
+  for (std::sregex_iterator at(html.begin(), html.end(), bin), end; at != end; ++at, ++bins) {
+    const int count = std::stoi((*at)[1]), from = std::stoi((*at)[2]), to = std::stoi((*at)[3]);
+    EXPECT_EQ(from, next);
+    EXPECT_EQ(count, to - from + 1);
+    next = to + 1;
+  }
+  EXPECT_EQ(bins, 10);
+  EXPECT_EQ(next, 137);
 }
 
 TEST(ClassPage, leaves_out_what_everybody_has_right) {

@@ -73,6 +73,14 @@ says 0 '3/4 wrong: 1 of 2 tasks pass' '4/4 zoe: 0 of 2 tasks pass'
 grep -qF 'hit_sphere may not include pt/render/radiance.h' "$folder/class-graded/zoe.html" || complain 'the header is not named'
 ! grep -qF "$PWD" "$folder/class-graded/zoe.html" || complain 'a learner would read where the project is'
 
+# Of what does not link, the name that is missing.
+mkdir "$folder/class/otto"
+: >"$folder/class/otto/hit_sphere.cpp"
+says 0 'otto: 0 of 2 tasks pass'
+grep -qF "undefined reference to" "$folder/class-graded/otto.html" || complain 'it is not said what is missing'
+! grep -qF "$PWD" "$folder/class-graded/otto.html" || complain 'a learner would read where the grader is built'
+rm -r "$folder/class/otto"
+
 # The seed is drawn once for the class, printed, kept, and what the reports say; another one judges anew.
 seed=$(cat "$folder/class-graded/seed")
 echo damaged >"$folder/class-graded/seed"

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <archive.h>
@@ -260,8 +261,11 @@ TEST_F(Intake, nothing_lands_outside_and_nothing_is_linked) {
   fs::create_symlink("/etc", in("linked"));
   auto all = seen();
   EXPECT_EQ(all["evil"].files, (Files{})) << "the tar";
-  EXPECT_EQ(all["evil (2)"].files, (Files{{"hit_sphere.cpp", "second"},
-                                          {"link/firstlight_evil.cpp", "in a folder of its own"}}));
+  Files& files = all["evil (2)"].files;
+  EXPECT_EQ(files.size(), 3U);
+  EXPECT_EQ(files["hit_sphere.cpp"], "second");
+  EXPECT_EQ(files["link/firstlight_evil.cpp"], "in a folder of its own");
+  EXPECT_THAT(files["hit_box.cpp"], testing::StartsWith("#error \"in the archive"));
   EXPECT_THAT(all["linked"].problem, HasSubstr("link"));
   EXPECT_FALSE(fs::exists("/tmp/firstlight_evil.cpp"));
   for (const auto& file : fs::recursive_directory_iterator(folder_.path())) {
@@ -346,13 +350,38 @@ TEST_F(Intake, names_of_a_list_are_names_of_files) {
 }
 
 // A file that no platform exports is nobody's submission, and the others are judged.
-TEST_F(Intake, pipes_and_devices_are_left_out) {
+TEST_F(Intake, what_is_left_out_is_said) {
+  add("absolute.zip", archive_of({{"/home/ada/hit_box.cpp", "a"}}));
+  add("parent.zip", archive_of({{"../hit_box.cpp", "a"}, {"a/..\\hit_sphere.cpp", "a"}}));
+  add("both.zip", archive_of({{"../hit_box.cpp", "a"}, {"hit_sphere.cpp", "b"}}));
+  add("hidden.zip", archive_of({{".a/hit_box.cpp", "a"}}));
+  add("link.tar.gz", archive_of({{"hit_box.cpp", "", AE_IFLNK, "/etc/passwd"},
+                                 {"hit_sphere.cpp", "s"},
+                                 {"notes", "", AE_IFLNK, "/tmp"}},
+                                Format::tar_gz));
+  add("links.zip", archive_of({{"hit_box.cpp", "", AE_IFLNK, "/etc/passwd"}, {"notes.txt", "n"}}));
+  fs::create_directories(in("linked"));
+  fs::create_directory_symlink("/etc", in("linked/student"));
+  auto all = seen();
+  for (const char* name : {"absolute", "parent"}) {
+    EXPECT_THAT(all[name].problem, HasSubstr("its paths are absolute or lead out of it"));
+  }
+  EXPECT_EQ(all["both"].files, (Files{{"hit_sphere.cpp", "b"}}));
+  EXPECT_THAT(all["hidden"].problem, HasSubstr("it is empty"));
+  EXPECT_THAT(all["link"].judged["hit_box"], HasSubstr("this is a link or a device"));
+  EXPECT_EQ(all["link"].files.size(), 2U);
+  EXPECT_THAT(all["links"].problem, HasSubstr("its source files are links"));
+  EXPECT_THAT(all["linked"].problem, testing::EndsWith("only 'student' (a link)"));
+}
+
+TEST_F(Intake, pipes_and_devices_are_nobodys) {
   add("ada/hit_box.cpp", "a");
   ASSERT_EQ(mkfifo(in("bob_1_2_hit_box.cpp").c_str(), 0600), 0);
   ASSERT_EQ(mkfifo(in("carol.zip").c_str(), 0600), 0);
   const auto all = seen();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all.begin()->first, "ada");
+  EXPECT_EQ(unclaimed_, (std::vector<std::string>{"bob_1_2_hit_box.cpp", "carol.zip"}));
 }
 
 // A class as Canvas and Moodle pack it: the bounds of one learner are not those of all.
@@ -418,10 +447,14 @@ TEST_F(Intake, everybody_in_the_archive_of_a_class_has_a_row) {
                                                  {"fay", "", AE_IFDIR},
                                                  {"gus", "", AE_IFLNK, "/etc"},
                                                  {"hal/hit_box.cpp", "", AE_IFLNK, "/etc/passwd"},
-                                                 {"ida.gz", "?"}},
+                                                 {"ida.gz", "?"},
+                                                 {"jo\xc3\xab/.DS_Store", "?"},
+                                                 {"jo\xc3\xab/__MACOSX/._hit_box.cpp", "?"},
+                                                 {"__MACOSX/ada/._hit_box.cpp", "?"},
+                                                 {".DS_Store", "?"}},
                                                 Format::tar_gz));
   auto all = seen(in("class.tar.gz"));
-  EXPECT_EQ(all.size(), 9U);
+  EXPECT_EQ(all.size(), 10U);
   EXPECT_EQ(all["ada"].problem, "");
   EXPECT_THAT(all["bob"].problem, HasSubstr("only 'work.gz'"));
   EXPECT_THAT(all["bob"].problem, HasSubstr("hand in a zip"));
@@ -430,8 +463,9 @@ TEST_F(Intake, everybody_in_the_archive_of_a_class_has_a_row) {
   EXPECT_THAT(all["eve"].problem, HasSubstr("only 'onlinetext.html'"));
   EXPECT_THAT(all["fay"].problem, HasSubstr("it is empty"));
   EXPECT_THAT(all["gus"].problem, HasSubstr("link"));
-  EXPECT_THAT(all["hal"].problem, HasSubstr("it is empty"));
+  EXPECT_THAT(all["hal"].problem, HasSubstr("its source files are links"));
   EXPECT_THAT(all["ida"].problem, HasSubstr("hand in a zip"));
+  EXPECT_THAT(all["jo\xc3\xab"].problem, HasSubstr("it is empty")) << "hidden files only";
 }
 
 TEST_F(Intake, files_on_top_have_an_owner_or_are_named) {
@@ -487,6 +521,23 @@ TEST_F(Intake, folders_around_everything_are_entered) {
   add("export/handed in/ada/hit_box.cpp", "a");
   add("export/handed in/bob/student/1_rays/hit_box.cpp", "b");
   EXPECT_EQ(seen().size(), 2U);
+}
+
+// An example of what to hand in, or the class being a repository, does not make all of it one submission.
+TEST_F(Intake, a_task_file_beside_the_learners_does_not_hide_them) {
+  add("export/hit_box.cpp", "?");
+  add("export/.git/HEAD", "?");
+  add("export/ada/hit_box.cpp", "a");
+  add("export/bob.zip", archive_of({{"hit_box.cpp", "b"}}));
+  EXPECT_EQ(seen().size(), 2U);
+  EXPECT_EQ(unclaimed_, (std::vector<std::string>{"hit_box.cpp"}));
+  // A learner's folder may have one more.
+  fs::remove_all(in("export"));
+  add("ada/hit_box.cpp", "a");
+  add("ada/1_rays/hit_sphere.cpp", "a");
+  add("ada/2_bvh/hit_bvh.cpp", "a");
+  add("ada/old/1_rays/hit_box.cpp", "old");
+  EXPECT_EQ(seen().size(), 1U);
 }
 
 TEST_F(Intake, the_folder_of_one_learner_is_not_entered) {
@@ -785,6 +836,69 @@ TEST_F(Intake, nobody_is_lost_where_an_archive_writes_accents_in_two_ways) {
     }
     EXPECT_EQ(all.size(), 4U);
   }
+}
+
+// Nor where their folders have no file in common, or their archives are equal.
+TEST_F(Intake, names_that_become_one_in_an_archive_are_a_row_with_the_reason) {
+  const std::string one = kComposed, two = kWithMarks;
+  const std::vector<Entry> files{
+      {one + "/hit_box.cpp", "1"},        {"ada/hit_box.cpp", "a"},
+      {"ada/hit_sphere.cpp", "a"},        {"Zo\xc3\xa9/hit_box.cpp", "e"},
+      {"Zo\xc3\xa9/hit_sphere.cpp", "e"}, {two + "/hit_sphere.cpp", "2"}};
+  std::vector<Entry> with_folders;
+  for (const std::string& name : {one, two, std::string("ada"), std::string("Zo\xc3\xa9")}) {
+    with_folders.push_back({name + "/", "", AE_IFDIR});
+  }
+  with_folders.insert(with_folders.end(), files.begin(), files.end());
+  const std::string packed = archive_of({{"hit_box.cpp", "1"}});
+  const std::vector<Entry> archives{{one + ".zip", packed},
+                                    {two + ".zip", packed},
+                                    {"ada.zip", packed},
+                                    {"Zo\xc3\xa9.zip", packed}};
+  for (const Format format : {Format::zip, Format::tar_gz}) {
+    for (const std::vector<Entry>& entries : {files, with_folders, archives}) {
+      SCOPED_TRACE(fmt::format("format {}, first {}", static_cast<int>(format), entries[0].path));
+      pt::write_file(in("class.zip"), archive_of(entries, format));
+      auto all = seen(in("class.zip"));
+      EXPECT_THAT(all[one].problem, HasSubstr("unpack the archive, and grade the folder"));
+      for (const std::string name : {"ada", "Zo\xc3\xa9"}) {
+        EXPECT_EQ(all[name].problem, "");
+        EXPECT_FALSE(all[name].files.empty());
+      }
+      EXPECT_EQ(all.size(), 3U);
+    }
+  }
+  // The number of a platform tells that it is one learner, and in large and small letters a name is its own.
+  pt::write_file(in("class.zip"),
+                 archive_of({{one + "_7_assignsubmission_file_/hit_box.cpp", "1"},
+                             {"ada/hit_box.cpp", "a"},
+                             {"bob/hit_box.cpp", "b"},
+                             {"ada/hit_sphere.cpp", "a"},
+                             {one + "_7_assignsubmission_file_/hit_sphere.cpp", "1"}}));
+  for (const auto& [name, found] : seen(in("class.zip"))) EXPECT_EQ(found.problem, "") << name;
+}
+
+TEST_F(Intake, progress_counts_submissions) {
+  using Told = std::vector<std::pair<std::size_t, std::size_t>>;
+  const auto told = [&](const fs::path& input) {
+    Told all;
+    handed_in(
+        input, folder_.path() + "/work", kTasks,
+        [](const std::string&, const std::string&, Extent) { return "not now"; },
+        [&](std::size_t done, std::size_t of) { all.emplace_back(done, of); });
+    return all;
+  };
+  // Two files of one learner are one submission.
+  add("ada_1_11_hit_box.cpp", "a");
+  add("ada_1_12_hit_sphere.cpp", "a");
+  add("bob_2_13_work.zip", "b");
+  add("eve/hit_box.cpp", "e");
+  EXPECT_EQ(told(in()), (Told{{0, 3}, {1, 3}, {2, 3}, {3, 3}}));
+  fs::remove_all(in());
+  add("submission_metadata.yml", "submission_1:\n  :submitters:\n  - :name: Ada\n");
+  add("submission_1/hit_box.cpp", "a");
+  add("submission_2/hit_box.cpp", "b");
+  EXPECT_EQ(told(in()), (Told{{0, 2}, {1, 2}, {2, 2}}));
 }
 
 TEST_F(Intake, a_bare_repository_is_named) {

@@ -174,6 +174,12 @@ expect 'a class of a thousand has a row each' <<'E2'
 return document.querySelectorAll('.class tbody tr').length === 1000
   && document.querySelectorAll('.class td.problem').length === 20;
 E2
+post "$session/window/rect" '{"width": 500, "height": 844}' >/dev/null
+expect 'on a phone the table alone is wider than the page' <<'E2'
+const table = document.querySelector('.class'), place = table.parentElement;
+return document.documentElement.scrollWidth <= innerWidth && place.scrollWidth > place.clientWidth;
+E2
+post "$session/window/rect" '{"width": 1280, "height": 900}' >/dev/null
 expect 'and texts stay texts there' <<'E2'
 return window.harmed === undefined && document.scripts.length === 1
   && document.body.innerText.includes('<script>window.harmed = 1</' + 'script>');

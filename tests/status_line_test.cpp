@@ -3,7 +3,10 @@
 
 #include "grader/base/descriptor.h"
 
+#include <chrono>
+#include <regex>
 #include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -70,6 +73,24 @@ TEST_F(StatusLineTest, says_nothing_of_what_is_over_at_once) {
   StatusLine quiet(StatusLine::Output::none);
   quiet.show("judging", .5);
   EXPECT_EQ(said(1500), "");
+}
+
+// Where half of the work is done, the rest takes as long as that did; the line has the time of all that came before, too.
+TEST_F(StatusLineTest, tells_the_time_left_by_that_of_this_work_alone) {
+  StatusLine line(StatusLine::Output::log, std::chrono::milliseconds(100));
+  line.show("reading", 0);
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  line.show("judging", 0);
+  line.show("judging", .5);
+  const std::regex told(R"(judging, about (\d+) s left \((\d+) s\)\n)");
+  std::smatch found;
+  std::string text;
+  while (!std::regex_search(text, found, told)) {
+    const std::string more = said(kSoon);
+    ASSERT_NE(more, "") << text;
+    text += more;
+  }
+  EXPECT_LT(std::stoi(found[1]), std::stoi(found[2]));
 }
 
 TEST_F(StatusLineTest, is_a_line_now_and_then_in_a_log) {

@@ -23,6 +23,15 @@ std::string shortened(const std::string& part) {
       kMaxPart);
 }
 
+// Windows writes \ for /. The first is empty for an absolute path.
+std::vector<std::string> all_parts(std::string path) {
+  std::replace(path.begin(), path.end(), '\\', '/');
+  std::vector<std::string> all;
+  std::istringstream parts(path);
+  for (std::string part; std::getline(parts, part, '/');) all.push_back(part);
+  return all;
+}
+
 }  // namespace
 
 std::string lower_case(std::string text) {
@@ -31,17 +40,28 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-std::vector<std::string> parts_of(std::string path) {
-  std::replace(path.begin(), path.end(), '\\', '/');
-  if (path.starts_with('/')) return {};
+std::vector<std::string> seen_of(const std::string& path) {
+  if (leads_out(path)) return {};
   std::vector<std::string> all;
-  std::istringstream parts(path);
-  for (std::string part; std::getline(parts, part, '/');) {
+  for (const std::string& part : all_parts(path)) {
     if (part.empty() || part == ".") continue;
-    if (base::is_hidden(part)) return {};
+    if (base::is_hidden(part)) break;
     all.push_back(shortened(part));
   }
   return all;
+}
+
+std::vector<std::string> parts_of(const std::string& path) {
+  const std::vector<std::string> all = all_parts(path);
+  const bool is_hidden = std::any_of(all.begin(), all.end(), [](const std::string& part) {
+    return part != "." && base::is_hidden(part);
+  });
+  return is_hidden ? std::vector<std::string>() : seen_of(path);
+}
+
+bool leads_out(const std::string& path) {
+  const std::vector<std::string> all = all_parts(path);
+  return (!all.empty() && all[0].empty()) || std::find(all.begin(), all.end(), "..") != all.end();
 }
 
 std::size_t folders_around(const std::vector<std::vector<std::string>>& paths) {

@@ -7,7 +7,13 @@ namespace grader::intake {
 
 // The folders and the name of an archive's entry; empty if the entry is left out: hidden, absolute, or leading
 // out of the folder. Windows writes \ for /. A part that is too long for a file's name is cut before its ending.
-std::vector<std::string> parts_of(std::string path);
+std::vector<std::string> parts_of(const std::string& path);
+
+// The folders around what is hidden; all of it if nothing is.
+std::vector<std::string> seen_of(const std::string& path);
+
+// Returns whether an entry's path is absolute or leads out of the folder.
+bool leads_out(const std::string& path);
 
 // How many folders stand around all of the paths.
 std::size_t folders_around(const std::vector<std::vector<std::string>>& paths);

@@ -4,6 +4,7 @@
 #include "grader/intake/tree.h"
 #include "grader/intake/unpack.h"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct HandedIn {
 using Unpack = std::function<std::string(const std::string& archive, const std::string& folder,
                                          Extent extent)>;
 
+// Called when the number of submissions is known, and after each that has been taken in.
+using Progress = std::function<void(std::size_t done, std::size_t all)>;
+
 struct HandedInByAll {
   std::vector<HandedIn> everybody;     // in alphabetical order
   std::vector<std::string> unclaimed;  // files of which nothing says whose they are
@@ -45,7 +49,8 @@ struct HandedInByAll {
 // base::read_submitted finds them. What is unpacked or copied lies below `work`; what a former call
 // left there is removed. A submission that is a link, cannot be read, or leaves a choice
 // has a problem. Throws pt::Error if there is nothing, or where the machine is at fault.
-HandedInByAll handed_in(const std::string& input, const std::string& work,
-                        const std::vector<TaskFile>& tasks, const Unpack& unpack);
+HandedInByAll handed_in(
+    const std::string& input, const std::string& work, const std::vector<TaskFile>& tasks,
+    const Unpack& unpack, const Progress& progress = [](std::size_t, std::size_t) {});
 
 }  // namespace grader::intake

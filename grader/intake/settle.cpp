@@ -46,7 +46,8 @@ std::string nothing_found(const Tree& tree, const std::vector<TaskFile>& tasks) 
                        as_file_name(packed->filename()));
   }
   const std::size_t more = tree.others.size() - 1;
-  return fmt::format("{}, only '{}'{}", none, as_file_name(tree.others[0].filename()),
+  return fmt::format("{}, only '{}'{}{}", none, as_file_name(tree.others[0].filename()),
+                     fs::is_symlink(tree.others[0]) ? " (a link)" : "",
                      more == 0 ? "" : fmt::format(" and {} more", more));
 }
 

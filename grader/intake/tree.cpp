@@ -171,4 +171,19 @@ bool is_submission(const fs::path& folder, const std::vector<TaskFile>& tasks) {
   return false;
 }
 
+bool holds_several(const fs::path& folder, const std::vector<TaskFile>& tasks) {
+  if (is_project(folder)) return false;
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (base::is_hidden(name) || entry.is_symlink()) continue;
+    if (entry.is_directory()) {
+      count += name != "student" && !is_part(name, tasks) && is_submission(entry.path(), tasks);
+    } else {
+      count += is_archive(name);
+    }
+  }
+  return count > 1;
+}
+
 }  // namespace grader::intake

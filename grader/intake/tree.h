@@ -37,6 +37,10 @@ Tree look_inside(const std::filesystem::path& folder, const std::vector<TaskFile
 // Returns whether it is one submission, by the files and folders on top of it (below folders that stand alone).
 bool is_submission(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
 
+// Returns whether several of its folders and archives are submissions: then a task file or a repository on top does not make
+// it one.
+bool holds_several(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
+
 // Returns whether a path is the folder's, or begins with it.
 bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
 

@@ -4,7 +4,7 @@
 #include "grader/base/files.h"
 #include "grader/intake/archive_reader.h"
 #include "grader/intake/entry_path.h"
-#include "grader/intake/owner.h"
+#include "grader/intake/owners.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
@@ -29,6 +29,9 @@ namespace {
 
 constexpr int kMaxPlaceholders = 20;  // of one owner
 constexpr std::size_t kMaxPath = 3000;
+constexpr const char* kTwoOfThatName =
+    "the archive has two of that name, or two names that differ only in how their accents are "
+    "written; unpack the archive, and grade the folder";
 constexpr const char* kFaults = ".faults";  // hidden: no entry has such a name
 
 constexpr std::array kArchives{".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",  ".txz",
@@ -43,10 +46,17 @@ bool has_ending(const std::string& name, const Endings& endings) {
                      [&](const char* ending) { return small.ends_with(ending); });
 }
 
-bool is_useful(const std::string& name) {
+// In the place of a link, so that a task says it and is not taken for one that nobody has begun.
+constexpr const char* kNotAFile =
+    "#error \"in the archive that was handed in, this is a link or a device; hand in the file\"\n";
+
+bool is_source(const std::string& name) {
   const std::string small = lower_case(name);
-  return small.ends_with(".cpp") || small.ends_with(".cpp.txt") || name == kGradescopeList ||
-         is_archive(name);
+  return small.ends_with(".cpp") || small.ends_with(".cpp.txt");
+}
+
+bool is_useful(const std::string& name) {
+  return is_source(name) || name == kGradescopeList || is_archive(name);
 }
 
 class Unpacking {
@@ -62,8 +72,13 @@ class Unpacking {
     if (of_all_) look_ahead();
     reader_.open();
     while (archive_entry* entry = reader_.next()) {
-      const std::vector<std::string> place = parts_of(path_of(entry));
-      if (place.empty()) continue;
+      const std::string path = path_of(entry);
+      const std::vector<std::string> place = parts_of(path);
+      outside_ = outside_ || leads_out(path);
+      if (place.empty()) {
+        make_owner_of_hidden(seen_of(path));
+        continue;
+      }
       try {
         take(entry, place);
       } catch (const EntryFault& fault) {
@@ -71,74 +86,78 @@ class Unpacking {
         if (fault.ends_reader) reader_.read_on();
       }
     }
+    if (outside_ && used_.empty())
+      reader_.fail("its paths are absolute or lead out of it; pack the folder anew");
+    for (const auto& [owner, used] : used_) {
+      if (used.links > 0 && used.links == used.files)
+        blame(used.link, "its source files are links; hand in what they point to");
+    }
     write_faults();
   }
 
  private:
   struct Used {
-    int files = 0, placeholders = 0;
+    int files = 0, links = 0, placeholders = 0;
+    std::vector<std::string> link;  // the place of one
     std::uint64_t bytes = 0;
     bool failed = false;
   };
 
-  // How many folders stand around everything, and whether Canvas named what is in them.
   void look_ahead() {
     std::vector<std::vector<std::string>> paths;
     reader_.open();
     while (archive_entry* entry = reader_.next()) {
-      std::vector<std::string> place = parts_of(path_of(entry));
-      // The folder itself has an entry of its own.
-      if (!place.empty() && archive_entry_filetype(entry) == AE_IFDIR) place.emplace_back();
-      if (!place.empty()) paths.push_back(std::move(place));
+      const std::string path = path_of(entry);
+      std::vector<std::string> place = seen_of(path);
+      if (place.empty()) continue;
+      if (parts_of(path).empty()) {
+        place.emplace_back(kHidden);
+      } else if (archive_entry_filetype(entry) == AE_IFDIR) {
+        place.emplace_back(kFolderItself);
+      }
+      paths.push_back(std::move(place));
     }
-    depth_ = folders_around(paths);
-    std::vector<std::string> files;
-    for (const std::vector<std::string>& path : paths) {
-      if (path.size() == depth_ + 1) files.push_back(path.back());
-    }
-    std::sort(files.begin(), files.end());
-    files.erase(std::unique(files.begin(), files.end()), files.end());
-    is_canvas_ = are_of_canvas(files);
-  }
-
-  std::string owner(const std::vector<std::string>& place) const {
-    if (!of_all_) return "";
-    const std::string part = place[std::min(depth_, place.size() - 1)];
-    const auto label = read_label(part);
-    const bool is_known = label && (label->platform != Platform::canvas || is_canvas_);
-    return is_known ? label->key() : part;
+    owners_ = Owners(paths);
+    for (const std::vector<std::string>& place : owners_.in_doubt()) blame(place, kTwoOfThatName);
   }
 
   void take(archive_entry* entry, const std::vector<std::string>& place) {
-    Used& used = used_[owner(place)];
+    Used& used = used_[of_all_ ? owners_.key(place) : ""];
     const auto type = archive_entry_filetype(entry);
     const bool is_folder = type == AE_IFDIR;
     const bool plain = type == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
-    const bool on_top = place.size() <= depth_ + 1;
+    const bool on_top = place.size() <= owners_.depth() + 1;
     if (of_all_ && !(plain && on_top)) make_owner(place, is_folder);
     if (is_folder || used.failed) return;
-    if (!plain) {
-      if (of_all_ && on_top) throw EntryFault("it is a link; hand in what it points to");
-      return;
-    }
+    if (!plain && of_all_ && on_top) throw EntryFault("it is a link; hand in what it points to");
     const std::string path = joined(place, place.size());
     if (path.size() > kMaxPath) throw EntryFault("its paths are too long");
+    if (!plain) {
+      if (!is_source(place.back())) return;
+      count_file(used);
+      ++used.links;
+      used.link = place;
+      put(path, kNotAFile);
+      return;
+    }
     if (!is_useful(place.back())) {
       if (used.placeholders++ < kMaxPlaceholders) put(path, "");
       return;
     }
     if (archive_entry_is_encrypted(entry) != 0) throw EntryFault("it is encrypted");
     const std::string bytes = content(used);
+    count_file(used);
+    if (of_all_ && is_other(path, bytes)) {
+      throw EntryFault(kTwoOfThatName);
+    }
+    put(path, bytes);
+  }
+
+  void count_file(Used& used) {
     if (++used.files > limits_.one.files)
       throw EntryFault(fmt::format("it has more than {} files", limits_.one.files));
     if (++files_ > bounds_.files)
       reader_.fail(fmt::format("it has more than {} files", bounds_.files));
-    if (of_all_ && is_other(path, bytes)) {
-      throw EntryFault(
-          "the archive has two of that name, or two folders whose names differ only in how their "
-          "accents are written; unpack the archive, and grade the folder");
-    }
-    put(path, bytes);
   }
 
   // The library writes all accents in one way: of two learners' files one would be lost.
@@ -149,13 +168,17 @@ class Unpacking {
 
   // So that everybody is seen: the owner's folder, or an empty file.
   void make_owner(const std::vector<std::string>& place, bool is_folder) {
-    const std::string path = joined(place, depth_ + 1);
+    const std::string path = joined(place, owners_.depth() + 1);
     if (path.size() > kMaxPath || !made_.insert(path).second) return;
-    if (is_folder || place.size() > depth_ + 1) {
+    if (is_folder || place.size() > owners_.depth() + 1) {
       make_folder(folder_ / path);
     } else {
       put(path, "");
     }
+  }
+
+  void make_owner_of_hidden(const std::vector<std::string>& folder) {
+    if (of_all_ && folder.size() > owners_.depth()) make_owner(folder, true);
   }
 
   // Returns whether it is there now: a file may stand where a folder should.
@@ -197,9 +220,9 @@ class Unpacking {
   void blame(const std::vector<std::string>& place, const std::string& why) {
     if (!of_all_) reader_.fail(why);
     make_owner(place, false);
-    used_[owner(place)].failed = true;
-    faults_.push_back(
-        {joined(place, depth_ + 1), fmt::format("'{}' cannot be unpacked: {}", place.back(), why)});
+    used_[owners_.key(place)].failed = true;
+    faults_.push_back({joined(place, owners_.depth() + 1),
+                       fmt::format("'{}' cannot be unpacked: {}", place.back(), why)});
   }
 
   void write_faults() const {
@@ -210,11 +233,11 @@ class Unpacking {
   }
 
   fs::path folder_;
-  bool of_all_, is_canvas_ = false;
+  bool of_all_, outside_ = false;
   Limits limits_;
   Bounds bounds_;  // of this archive
   ArchiveReader reader_;
-  std::size_t depth_ = 0;
+  Owners owners_;
   int files_ = 0;
   std::uint64_t bytes_ = 0;
   std::map<std::string, Used> used_;

@@ -221,6 +221,7 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
     // A machine without memory fails for a moment only: then the second attempt succeeds.
     if (first) expect_linker(integrated);
   }
+  result.output = without_parts(result.output, folder_of_parts());
   return {"", whole, first_error(result, seconds_), "", ""};
 }
 

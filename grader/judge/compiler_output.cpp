@@ -2,6 +2,7 @@
 
 #include "grader/base/printable.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -13,13 +14,17 @@ namespace {
 constexpr std::size_t kMaxErrorLines = 12;
 constexpr std::size_t kMaxWarningLines = 40;
 
-bool starts_error(const std::string& line) {
+// Where an error begins that a compiler or linker found in a line; npos: there is none.
+std::size_t error_in(const std::string& line) {
+  std::size_t first = std::string::npos;
   for (const char* sign :
        {"error:", "Error:", "undefined reference to", "multiple definition of"}) {
-    if (line.find(sign) != std::string::npos) return true;
+    first = std::min(first, line.find(sign));
   }
-  return false;
+  return first;
 }
+
+bool starts_error(const std::string& line) { return error_in(line) != std::string::npos; }
 
 }  // namespace
 
@@ -65,6 +70,17 @@ std::string in_project(const std::string& output, const std::string& tree, const
     for (std::size_t at = text.find(folder); at != text.npos; at = text.find(folder, at)) {
       text.replace(at, folder.size(), "pt/");
     }
+  }
+  return text;
+}
+
+std::string without_parts(const std::string& output, const std::string& own) {
+  std::istringstream lines(output);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_own = line.find(own) != line.npos;
+    if (is_own && !starts_error(line)) continue;
+    text += (is_own ? line.substr(error_in(line)) : line) + '\n';
   }
   return text;
 }

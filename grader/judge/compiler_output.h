@@ -20,4 +20,7 @@ std::string first_error(const process::CommandResult& result, int seconds);
 // folder `own`, of the judge, are left out.
 std::string in_project(const std::string& output, const std::string& tree, const std::string& own);
 
+// The output of a linker without the judge's files, which are in the folder `own`: of lines that name one, what is missing.
+std::string without_parts(const std::string& output, const std::string& own);
+
 }  // namespace grader::judge

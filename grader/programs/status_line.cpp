@@ -45,6 +45,7 @@ void StatusLine::show(const std::string& what, double part) {
   const std::lock_guard lock(mutex_);
   what_ = what;
   part_ = part;
+  if (part == 0) start_of_work_ = Clock::now();
   if (visible_) print();
 }
 
@@ -64,12 +65,15 @@ void StatusLine::run() {
 
 // Called with the lock.
 void StatusLine::print() {
-  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+  const auto seconds_since = [now = Clock::now()](Clock::time_point time) {
+    return std::chrono::duration<double>(now - time).count();
+  };
+  const double worked = seconds_since(start_of_work_);
   std::string line = what_;
-  if (part_ > 0 && part_ < 1 && elapsed >= kBeforeEstimate) {
-    line += fmt::format(", about {:.0f} s left", elapsed * (1 - part_) / part_ + 1);
+  if (part_ > 0 && part_ < 1 && worked >= kBeforeEstimate) {
+    line += fmt::format(", about {:.0f} s left", worked * (1 - part_) / part_ + 1);
   }
-  line += fmt::format(" ({:.0f} s)", elapsed);
+  line += fmt::format(" ({:.0f} s)", seconds_since(start_));
   visible_ = output_ == Output::terminal;
   std::fputs((visible_ ? kClearLine + line : line + "\n").c_str(), stderr);
   std::fflush(stderr);

@@ -24,8 +24,8 @@ class StatusLine {
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
 
-  // The current work, and the part of all that is done, in [0, 1], from which the line tells the
-  // time left.
+  // The current work, and the part of it that is done, in [0, 1], from which the line tells the time left. The work
+  // begins where the part is 0: what came before says nothing about the rest.
   void show(const std::string& what, double part);
 
   // Removes the line, so that what is printed next starts on a clean one. It comes back.
@@ -40,6 +40,7 @@ class StatusLine {
   const Output output_;
   const std::chrono::milliseconds pause_;
   const Clock::time_point start_ = Clock::now();
+  Clock::time_point start_of_work_ = start_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::string what_;

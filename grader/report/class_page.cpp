@@ -92,6 +92,14 @@ data most_common(const std::map<ClassPage::Key, int>& mistakes) {
   return list;
 }
 
+// The points of a bin: whole numbers from i to i + 1 tenths of the most that there are, which are in the last.
+std::string range_of_bin(int i, int most) {
+  const auto first = [&](int bin) { return (most * bin + kBins - 1) / kBins; };
+  const int from = first(i), to = i + 1 == kBins ? most : first(i + 1) - 1;
+  if (from > to) return "";
+  return from == to ? std::to_string(to) : fmt::format("{} to {}", from, to);
+}
+
 data distribution(const std::vector<int>& points, int most) {
   std::array<int, kBins> bins{};
   for (const int each : points) ++bins[most > 0 ? std::min(kBins - 1, each * kBins / most) : 0];
@@ -99,8 +107,7 @@ data distribution(const std::vector<int>& points, int most) {
   data list{data::type::list};
   for (int i = 0; i < kBins; ++i) {
     data bin = bar("count", bins[i], tallest);
-    bin.set("from", std::to_string(most * i / kBins));
-    bin.set("to", std::to_string(most * (i + 1) / kBins));
+    bin.set("range", range_of_bin(i, most));
     list.push_back(bin);
   }
   return list;

@@ -4,6 +4,7 @@
 #include "grader/programs/grade_class/collect.h"
 #include "grader/programs/grade_class/engine.h"
 #include "grader/programs/grade_class/one.h"
+#include "grader/programs/grade_class/options.h"
 #include "grader/programs/grade_class/plan.h"
 #include "grader/programs/grade_class/teller.h"
 #include "grader/programs/status_line.h"
@@ -16,7 +17,6 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -29,78 +29,12 @@ namespace fs = std::filesystem;
 using namespace grader;
 using namespace grader::programs;
 
-struct Options {
-  PlanRequest plan;
-  EngineRequest engine;
-  std::string config;
-  std::vector<std::size_t> numbers;  // of chunks
-  bool not_isolated = false;
-  bool end_with_parent = false;
-};
-
-constexpr const char* kSteps =
-    "One step at a time, for other schedulers than --engine knows:\n"
-    "  ./run grade-class plan CLASS --out DIR [--chunk-size N] ... [-- OPTIONS of grade]\n"
-    "  ./run grade-class chunk DIR NUMBER ...      on any machine that has DIR; in any order\n"
-    "  ./run grade-class collect DIR               at any time: tables and pages of what is "
-    "judged\n"
-    "A class whose folder has one of these names is written ./plan.";
-
-void add_config(CLI::App& app, Options& options) {
-  app.add_option("--config", options.config, "what CMake wrote (grade.json)");
-}
-
-void describe_plan(CLI::App& app, Options& options) {
-  app.add_option("class", options.plan.input,
-                 "an export of Canvas, Moodle or Gradescope, or a folder with a folder or "
-                 "an archive per submission")
-      ->required()
-      ->check(CLI::ExistingPath);
-  app.add_option("--out", options.plan.out, "where reports go; default: <class>-graded");
-  app.add_option("--seed", options.plan.seed,
-                 "the seed of all random inputs; default: drawn for the class, and kept");
-  app.add_option("--chunk-size", options.plan.chunk_size,
-                 "submissions that one process judges; default: as many as give 500 chunks");
-  app.add_option(
-         "--compare", options.plan.former,
-         "reports of an earlier grading: who gains, who loses, and by which promise; judges "
-         "with its seed, and only what may have changed")
-      ->check(CLI::ExistingDirectory);
-  app.add_option("--assignment", options.plan.assignment,
-                 "the column in canvas.csv, as Canvas writes it: \"Rays (1234)\"; default: the "
-                 "export's name, which Canvas takes for a new one");
-  app.add_option("--worksheet", options.plan.worksheet,
-                 "the grading worksheet that Moodle exported, to be filled in: moodle.csv is then "
-                 "that file with the grades; default: one that holds the submissions only")
-      ->check(CLI::ExistingFile);
-  app.add_flag("--anonymous", options.plan.anonymous,
-               "numbers in place of names; names.csv tells who is who");
-  app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
-  add_config(app, options);
-  app.prefix_command();
-}
-
-void describe_engine(CLI::App& app, Options& options) {
-  const std::map<std::string, Engine> engines{
-      {"local", Engine::local}, {"parallel", Engine::parallel}, {"slurm", Engine::slurm}};
-  app.add_option("--jobs", options.engine.jobs,
-                 "submissions at a time; verdicts do not depend on it; default: one per processor")
-      ->check(CLI::Range(1, 4096));
-  app.add_option("--engine", options.engine.engine,
-                 "where: local (this machine), parallel (GNU parallel) or slurm (an array job)")
-      ->transform(CLI::Transformer(engines).description("local|parallel|slurm"));
-  app.add_option(
-         "--engine-option", options.engine.options,
-         "a word for parallel or sbatch, as --engine-option=--sshlogin=a,b; may be repeated")
-      ->allow_extra_args(false);
-}
-
-std::string config_of(const Options& options) {
+std::string config_of(const ClassOptions& options) {
   return options.config.empty() ? judge::default_config_path()
                                 : fs::absolute(options.config).string();
 }
 
-std::string programs_of(const Options& options) {
+std::string programs_of(const ClassOptions& options) {
   return fs::path(config_of(options)).parent_path();
 }
 
@@ -111,9 +45,9 @@ std::string work_on(const judge::Config& config, const ClassPlan& plan) {
   return plan.host == host_name() ? "" : config.work + "/on/" + host_name();
 }
 
-Judging judging_of(const judge::Config& config, const Options& options, const ClassPlan& plan,
+Judging judging_of(const judge::Config& config, const ClassOptions& options, const ClassPlan& plan,
                    const std::string& out, int threads) {
-  Judging judging{config, programs_of(options) + "/grade", out};
+  Judging judging{config, programs_of(options) + "/grade", out, plan.id};
   judging.former = plan.former;
   for (std::size_t i = 0; i < plan.former_names.size(); ++i) {
     const std::string& former = plan.former_names[i];
@@ -136,8 +70,9 @@ void refuse_inside(const PlanRequest& request) {
   }
 }
 
-ClassPlan planned(Options& options, const judge::Config& config,
-                  const std::vector<std::string>& words) {
+ClassPlan planned(ClassOptions& options, const judge::Config& config,
+                  const std::vector<std::string>& words, StatusLine& line) {
+  line.show("reading what was handed in", 0);
   PlanRequest& request = options.plan;
   request.words = words;
   std::erase(request.words, "--");
@@ -163,7 +98,11 @@ ClassPlan planned(Options& options, const judge::Config& config,
     (void)report::read_worksheet(request.worksheet);  // while nothing is judged yet
   }
   pt::check_target(request.out + "/class.csv");
-  ClassPlan plan = make_plan(config, programs_of(options), request);
+  ClassPlan plan =
+      make_plan(config, programs_of(options), request, [&](std::size_t done, std::size_t all) {
+        line.show(fmt::format("unpacking: {} of {} submissions", done, all),
+                  static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(all, 1)));
+      });
   const auto is_of_moodle = [](const intake::HandedIn& by) {
     return by.platform == intake::Platform::moodle;
   };
@@ -173,6 +112,7 @@ ClassPlan planned(Options& options, const judge::Config& config,
   }
   forget_outcomes(request.out, plan.everybody);
   write_plan(plan, request.out);
+  line.clear();
   return plan;
 }
 
@@ -191,12 +131,10 @@ void print_files(const Collector& collector, const std::vector<std::string>& fil
   for (const std::string& file : files) fmt::print("{}\n", file);
 }
 
-int grade_all(Options options, const std::vector<std::string>& words) {
+int grade_all(ClassOptions options, const std::vector<std::string>& words) {
   StatusLine line;
-  line.show("reading what was handed in", 0);
   const judge::Config config = judge::load_config(config_of(options));
-  const ClassPlan plan = planned(options, config, words);
-  line.clear();
+  const ClassPlan plan = planned(options, config, words, line);
   print_plan(plan);
   EngineRequest& engine = options.engine;
   if (engine.engine == Engine::local && engine.jobs == 0) engine.jobs = processors();
@@ -227,15 +165,16 @@ int grade_all(Options options, const std::vector<std::string>& words) {
   return teller.all_judged() ? 0 : 2;
 }
 
-int make_plan_only(Options options, const std::vector<std::string>& words) {
-  const ClassPlan plan = planned(options, judge::load_config(config_of(options)), words);
+int make_plan_only(ClassOptions options, const std::vector<std::string>& words) {
+  StatusLine line;
+  const ClassPlan plan = planned(options, judge::load_config(config_of(options)), words, line);
   print_plan(plan);
   fmt::print("{} submissions in {} chunks: ./run grade-class chunk {} NUMBER, from 1 to {}\n",
              plan.everybody.size(), plan.chunks.size(), options.plan.out, plan.chunks.size());
   return 0;
 }
 
-int run_chunks(const Options& options) {
+int run_chunks(const ClassOptions& options) {
   if (options.end_with_parent) prctl(PR_SET_PDEATHSIG, SIGKILL);
   const judge::Config config = judge::load_config(config_of(options));
   const std::string out = fs::absolute(options.plan.out);
@@ -263,7 +202,7 @@ int run_chunks(const Options& options) {
   return complete ? 0 : 2;  // a problem is an outcome too, which the collector tells
 }
 
-int collect(const Options& options) {
+int collect(const ClassOptions& options) {
   const judge::Config config = judge::load_config(config_of(options));
   const std::string out = fs::absolute(options.plan.out);
   const ClassPlan plan = read_plan(out);
@@ -283,7 +222,7 @@ int collect(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
+  ClassOptions options;
   const std::string step = argc > 1 ? argv[1] : "";
   const bool is_step = step == "plan" || step == "chunk" || step == "collect";
   CLI::App app{"Grades every submission of a class; options after -- go to grade",
@@ -291,29 +230,20 @@ int main(int argc, char** argv) {
   if (is_step) {
     --argc;
     ++argv;
-  } else {
-    app.footer(kSteps);
-    describe_engine(app, options);
-  }
-  if (step == "chunk" || step == "collect") {
-    app.add_option("reports", options.plan.out, "the folder with the plan")
-        ->required()
-        ->check(CLI::ExistingDirectory);
-    add_config(app, options);
   }
   if (step == "chunk") {
-    app.add_option("number", options.numbers, "of the chunks, from 1 on")->required();
-    app.add_option("--jobs", options.engine.jobs, "submissions at a time; default: 1")
-        ->check(CLI::Range(1, 4096));
-    app.add_flag("--end-with-parent", options.end_with_parent,
-                 "for engines: it ends when the process that started it does");
+    describe_chunk(app, options);
     return pt::run_command_line(app, argc, argv, [&] { return run_chunks(options); });
   }
   if (step == "collect") {
+    describe_collect(app, options);
     return pt::run_command_line(app, argc, argv, [&] { return collect(options); });
   }
-  describe_plan(app, options);
-  return pt::run_command_line(app, argc, argv, [&] {
-    return is_step ? make_plan_only(options, app.remaining()) : grade_all(options, app.remaining());
-  });
+  if (step == "plan") {
+    describe_plan(app, options);
+    return pt::run_command_line(app, argc, argv,
+                                [&] { return make_plan_only(options, app.remaining()); });
+  }
+  describe_class(app, options);
+  return pt::run_command_line(app, argc, argv, [&] { return grade_all(options, app.remaining()); });
 }

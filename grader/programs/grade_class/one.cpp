@@ -109,9 +109,27 @@ std::optional<results::Results> counted_anew(const Judging& judging, const std::
 }
 
 // Nobody's fault, and over by the next try.
-struct FilesChanged : pt::Error {
-  FilesChanged() : pt::Error("its files, or the grader's, have changed while it was judged") {}
+struct Changed : pt::Error {
+  using pt::Error::Error;
 };
+
+// A chunk of an earlier plan may still run, here or on another machine.
+void check_plan_stays(const Judging& judging) {
+  if (read_plan(judging.out).id != judging.plan)
+    throw Changed("another plan of this class has been made meanwhile");
+}
+
+// The reason why it was not judged, if that was found by this plan; else empty.
+std::string problem_of(const Judging& judging, const std::string& path) {
+  const std::string file = path + ".problem", first = judging.plan + '\n';
+  if (!fs::exists(file)) return "";
+  const std::string text = base::read_file(file);
+  return text.starts_with(first) ? text.substr(first.size()) : "";
+}
+
+void note_problem(const Judging& judging, const std::string& path, const std::string& problem) {
+  pt::write_file(path + ".problem", judging.plan + '\n' + problem);
+}
 
 // Returns why it could not be judged; empty if it was.
 std::string run_grade(const Judging& judging, const intake::HandedIn& by, const std::string& path) {
@@ -159,7 +177,7 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
   results::Results results = results::read_results(path + ".json");
   if (!results.complete) throw pt::Error("the run was stopped before it ended");
   if (key_of(judging, by.folder) != key) {
-    throw FilesChanged();
+    throw Changed("its files, or the grader's, have changed while it was judged");
   }
   pt::write_file(path + ".key", key.text());
   return results;
@@ -171,18 +189,19 @@ Graded grade_one(const Judging& judging, const intake::HandedIn& by,
   Graded graded{by};
   try {
     const Claim claim(judging.out, by.name);
+    check_plan_stays(judging);
     const Key key = key_of(judging, by.folder);
     graded.again = key_at(path) == key;
     graded.results = graded.again ? results::read_results(path + ".json")
                                   : make_reports(judging, by, key, equal);
     fs::remove(path + ".problem");
-  } catch (const FilesChanged& changed) {
+  } catch (const Changed& changed) {
     graded.problem = changed.what();
     graded.changed = true;
   } catch (const std::exception& error) {
     graded.problem = pt::sentence_of(error);
     if (judging.anonymous) graded.problem = without_names(graded.problem, by.folder);
-    pt::write_file(path + ".problem", graded.problem);
+    note_problem(judging, path, graded.problem);
   }
   return graded;
 }
@@ -206,7 +225,8 @@ Graded graded_before(const Judging& judging, const intake::HandedIn& by) {
     if (key_at(path) == key_of(judging, by.folder)) {
       graded.results = results::read_results(path + ".json");
     } else {
-      graded.problem = fs::exists(path + ".problem") ? base::read_file(path + ".problem") : kNotYet;
+      graded.problem = problem_of(judging, path);
+      if (graded.problem.empty()) graded.problem = kNotYet;
     }
   } catch (const std::exception& error) {
     graded.problem = pt::sentence_of(error);
@@ -216,13 +236,13 @@ Graded graded_before(const Judging& judging, const intake::HandedIn& by) {
 
 std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by) {
   const std::string path = judging.out + "/" + by.name;
-  return fs::exists(path + ".problem") ? "a problem" : key_at(path).text();
+  return problem_of(judging, path) + key_at(path).text();
 }
 
 bool is_done(const Judging& judging, const intake::HandedIn& by) {
   if (!by.problem.empty()) return true;
   const std::string path = judging.out + "/" + by.name;
-  if (fs::exists(path + ".problem")) return true;
+  if (!problem_of(judging, path).empty()) return true;
   const Key known = key_at(path);
   if (known == Key{}) return false;  // most wait, and their files need not be read
   try {

@@ -12,7 +12,7 @@
 // One submission of a class, with its reports in a folder:
 //   <name>.json, <name>.html   the reports
 //   <name>.key                 stands for all that they depend on; written last
-//   <name>.problem             why it was not judged; not where its files changed meanwhile: it is judged again
+//   <name>.problem             the plan's ID, and why it was not judged; not where its files changed meanwhile: it is judged again
 
 namespace grader::programs {
 
@@ -21,6 +21,7 @@ struct Judging {
   const judge::Config& config;
   std::string grade;     // the program
   std::string out;       // the folder of the reports
+  std::string plan;      // the ID of the plan in it
   std::string former{};  // one of an earlier grading, whose results may be used again
   std::map<std::string, std::string> former_names{};  // what a submission of now was called there
   std::vector<std::string> words{};                   // of the program's command line
@@ -36,7 +37,8 @@ struct Graded {
   results::Results results{};  // if there is no problem
   std::string problem{};       // the reason why it was not judged, one sentence; else empty
   bool again = false;          // it was judged before, and nothing has changed since
-  bool changed = false;  // while it was judged, so the problem does not stay: it is judged again
+  bool changed =
+      false;  // it, or the plan, meanwhile, so the problem does not stay: it is judged again
 };
 
 // Removes what earlier calls left that must not be taken for an outcome of this one: problems, and
@@ -55,7 +57,8 @@ std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by);
 
 // Judges submissions whose files are equal, and writes their reports. Earlier outcomes are used
 // again: reports of before; results that differ in points only, which are counted anew; those of an
-// equal submission. Another process that judges the same is waited for.
+// equal submission. Another process that judges the same is waited for. If another plan has been made meanwhile, nothing is judged:
+// that plan may have other files of the same learners.
 std::vector<Graded> grade_equal(const Judging& judging, const std::vector<intake::HandedIn>& equal);
 
 }  // namespace grader::programs

@@ -186,8 +186,9 @@ std::string host_name() {
 }
 
 ClassPlan make_plan(const judge::Config& config, const std::string& programs,
-                    const PlanRequest& request) {
+                    const PlanRequest& request, const intake::Progress& progress) {
   ClassPlan plan;
+  plan.id = random_text();
   plan.input = request.input;
   plan.words = request.words;
   plan.seed = seed_for(request);
@@ -199,7 +200,7 @@ ClassPlan make_plan(const judge::Config& config, const std::string& programs,
   for (const judge::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
   intake::HandedInByAll all =
       intake::handed_in(request.input, folder_to_unpack(request.out), tasks,
-                        unpack_boxed(config, programs, request.must_isolate));
+                        unpack_boxed(config, programs, request.must_isolate), progress);
   plan.everybody = std::move(all.everybody);
   plan.unclaimed = std::move(all.unclaimed);
   for (intake::HandedIn& by : plan.everybody) {
@@ -212,7 +213,8 @@ ClassPlan make_plan(const judge::Config& config, const std::string& programs,
 }
 
 void write_plan(const ClassPlan& plan, const std::string& out) {
-  json all{{"input", text_json(plan.input)},
+  json all{{"id", plan.id},
+           {"input", text_json(plan.input)},
            {"words", plan.words},
            {"seed", plan.seed},
            {"host", plan.host},
@@ -244,7 +246,8 @@ ClassPlan read_plan(const std::string& out) {
     plan.host = all.at("host").get<std::string>();
     plan.former = text_from(all.at("former"));
     plan.assignment = text_from(all.at("assignment"));
-    // Plans of earlier versions have no such entry.
+    // Plans of earlier versions have no such entries.
+    if (all.contains("id")) plan.id = all.at("id").get<std::string>();
     if (all.contains("worksheet")) plan.worksheet = text_from(all.at("worksheet"));
     plan.salt = all.at("salt").get<std::string>();
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();

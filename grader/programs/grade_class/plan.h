@@ -19,6 +19,7 @@ using Equal = std::vector<std::size_t>;
 using Chunk = std::vector<Equal>;
 
 struct ClassPlan {
+  std::string id;                  // unlike that of every other plan
   std::string input;               // the folder or archive, as it was exported
   std::vector<std::string> words;  // of the command line of `grade`, the same for all
   std::uint64_t seed = 1;          // of all random inputs
@@ -55,7 +56,7 @@ inline constexpr std::size_t kMaxChunks = 500;
 // of those to compare with, else a new one, drawn: a table of answers to one seed is worth nothing
 // then. It is kept in `out`. Throws pt::Error if there is no submission.
 ClassPlan make_plan(const judge::Config& config, const std::string& programs,
-                    const PlanRequest& request);
+                    const PlanRequest& request, const intake::Progress& progress);
 
 // <out>/plan.json. Reading throws pt::Error if the file is missing or is something else.
 void write_plan(const ClassPlan& plan, const std::string& out);

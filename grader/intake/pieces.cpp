@@ -1,0 +1,75 @@
+#include "grader/intake/pieces.h"
+
+#include "grader/intake/file_name.h"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace grader::intake {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A file's name without Canvas' number of the resubmission, and that number. Only names of tasks
+// have one: part-1.zip and part-2.zip are two files.
+std::pair<std::string, int> resubmission(const std::string& name,
+                                         const std::vector<TaskFile>& tasks) {
+  static const std::regex numbered(R"((.+)-(\d{1,6})(\.[A-Za-z]+))");
+  std::smatch found;
+  if (!meant_task(name, tasks) || !std::regex_match(name, found, numbered)) return {name, 0};
+  return {found[1].str() + found[3].str(), std::stoi(found[2])};
+}
+
+// A folder of their own for the files that count.
+fs::path copied(const std::vector<Piece>& all, const Means& means) {
+  std::map<std::string, std::pair<int, const Piece*>> counts;
+  for (const Piece& piece : all) {
+    const auto [name, number] = resubmission(piece.label.file, means.tasks);
+    auto& [newest, one] = counts[name];
+    if (one == nullptr || number >= newest) std::tie(newest, one) = std::pair(number, &piece);
+  }
+  const fs::path folder = means.next_folder();
+  fs::create_directories(folder);
+  constexpr auto kAll = fs::copy_options::recursive | fs::copy_options::skip_existing |
+                        fs::copy_options::copy_symlinks;
+  for (const auto& [name, one] : counts) {
+    fs::copy(one.second->path, folder / as_file_name(name), kAll);
+  }
+  return folder;
+}
+
+// The last of the folders, if there are any.
+fs::path last_folder(const std::vector<Piece>& all) {
+  const auto last = std::find_if(all.rbegin(), all.rend(),
+                                 [](const Piece& each) { return each.label.file.empty(); });
+  return last != all.rend() && fs::is_directory(last->path) ? last->path : fs::path();
+}
+
+}  // namespace
+
+HandedIn gathered(Pieces pieces, const Means& means) {
+  HandedIn& by = pieces.by;
+  std::vector<Piece>& all = pieces.all;
+  // Words in a form are a submission only where there is nothing else.
+  const auto is_text = [](const Piece& each) { return each.label.text; };
+  if (!std::all_of(all.begin(), all.end(), is_text)) std::erase_if(all, is_text);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Piece& a, const Piece& b) { return a.label.order < b.label.order; });
+  const Label& last = all.back().label;
+  if (by.platform != Platform::none) {
+    // The platforms know files by what stands before the name that the learner gave them.
+    by.feedback = last.before + (last.file.empty() ? "/report.html" : "report.html");
+  }
+  if (!by.problem.empty()) return by;
+  by.folder = last_folder(all);
+  if (by.folder.empty()) or_problem(by, [&] { by.folder = copied(all, means); });
+  if (by.problem.empty()) settle(by, means);
+  return by;
+}
+
+}  // namespace grader::intake
