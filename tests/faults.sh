@@ -318,6 +318,25 @@ END
   [ ! -e "$folder/page.html" ] || complain "there is a page of damaged results"
 }
 
+# What CMake wrote, and the note of a run that goes on: one sentence that names the file.
+damaged_notes() {
+  local text
+  mkdir "$folder/notes"
+  for text in '' '{' '[]' '{"root": 7}'; do
+    printf '%s' "$text" >"$folder/notes/grade.json"
+    grades notes 2 "${asked[@]}"
+    says "$folder/notes/grade.json is not what CMake wrote"
+    ! grep -qF '[json' "$folder/said" || complain "$(cat "$folder/said")"
+  done
+  prepare notes
+  mkdir -p "$folder/notes/work"
+  for text in '' half; do
+    printf '%s' "$text" >"$folder/notes/work/unfinished"
+    grades notes 2 --resume
+    says "$folder/notes/work/unfinished does not say which run was interrupted"
+  done
+}
+
 # damages KIND FILE: as a loss of power may leave it.
 damages() {
   case $1 in
@@ -357,5 +376,6 @@ interrupted
 left_reports
 resumed_elsewhere
 damaged_results
+damaged_notes
 damaged_cache
 echo 'faults of the machine are nobody'\''s verdict'

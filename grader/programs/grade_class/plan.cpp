@@ -2,6 +2,7 @@
 
 #include "grader/base/descriptor.h"
 #include "grader/base/files.h"
+#include "grader/base/json_text.h"
 #include "grader/base/sha256.h"
 #include "grader/programs/grade_class/identity.h"
 #include "grader/programs/grade_class/unpack_boxed.h"
@@ -264,7 +265,7 @@ ClassPlan read_plan(const std::string& out) {
     return plan;
   } catch (const std::exception& error) {
     throw pt::Error(
-        fmt::format("{}: {}; make the plan again (./run grade-class plan)", path, error.what()));
+        fmt::format("{}: {}; make the plan again (./run grade-class plan)", path, base::words_of(error)));
   }
 }
 
