@@ -34,10 +34,19 @@ inline FirstCharacter first_character(std::string_view text) {
   return {size, code};
 }
 
+// Returns whether a character is not seen, ends a line, or turns the direction of writing. The two that
+// join letters are not among them: Persian names and many small pictures need these.
+inline bool is_unseen(std::int32_t code) {
+  const auto within = [&](std::int32_t first, std::int32_t last) {
+    return code >= first && code <= last;
+  };
+  return code == 0x61c || code == 0x200b || within(0x200e, 0x200f) || within(0x2028, 0x202e) ||
+         within(0x2060, 0x206f) || code == 0xfeff || within(0xe0000, 0xe007f);
+}
+
 inline constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
 
-// Valid UTF-8 that no terminal obeys and no reader is misled by: bytes that are not UTF-8, the characters that turn the
-// direction of writing, and U+FFFE and U+FFFF become U+FFFD; control characters, those of 8 bits too, become what is
+// Valid UTF-8 that no terminal obeys and no reader is misled by: bytes that are not UTF-8, characters that are not seen, and U+FFFE and U+FFFF become U+FFFD; control characters, those of 8 bits too, become what is
 // given. Newlines and tabs may stay.
 inline std::string printable(std::string_view text, bool lines = false,
                              std::string_view for_controls = " ") {
@@ -47,12 +56,11 @@ inline std::string printable(std::string_view text, bool lines = false,
     const auto [size, code] = first_character(text);
     const bool stays = lines && (code == '\n' || code == '\t');
     const bool is_control = (code >= 0 && code < 0x20) || (code >= 0x7f && code < 0xa0);
-    const bool turns = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
     if (is_control && !stays) {
       shown += for_controls;
     } else {
-      shown += code < 0 || turns || code == 0xfffe || code == 0xffff ? kReplacement
-                                                                     : text.substr(0, size);
+      const bool is_shown = code >= 0 && !is_unseen(code) && code != 0xfffe && code != 0xffff;
+      shown += is_shown ? text.substr(0, size) : kReplacement;
     }
     text.remove_prefix(size);
   }

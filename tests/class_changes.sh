@@ -68,6 +68,14 @@ grades before
 [ -z "$(asked)" ] || complain "nothing has changed, and it asks: $(asked)"
 [ "$(grep -c 'as before' "$folder/said")" -eq 4 ] || complain "$(cat "$folder/said")"
 
+# After a loss of power a report may be empty whose key is whole.
+: >"$folder/before/right.html"
+truncate -s 100 "$folder/before/wrong.json"
+grades before
+[ "$(grep -c 'as before' "$folder/said")" -eq 2 ] || complain "damaged reports are taken: $(cat "$folder/said")"
+grep -q '</html>' "$folder/before/right.html" || complain "an empty page stays"
+python3 -m json.tool "$folder/before/wrong.json" >/dev/null || complain "half of the results stay"
+
 # A promise becomes easier, so that one learner more keeps it, and one harder, so that one less does.
 python3 - "$folder" >"$folder/names" <<'END'
 import json, sys

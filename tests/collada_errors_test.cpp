@@ -103,8 +103,8 @@ TEST(BadMeshes, are_named) {
   };
   expect_error(polylist("3 3", "0 1 2"), "more indices than the 3");
   expect_error(polylist("2000000000 2000000000", "0 1 2"), "more indices than the 3");
-  expect_error(polylist("2", "0 1"), "2 corners has no surface");
-  expect_error(polylist("-3", "0 1 2"), "-3 corners has no surface");
+  expect_error(polylist("2", "0 1"), "no surface");
+  expect_error(polylist("-3", "0 1 2"), "a face has -3 corners");
   text.geometries = mesh("g", "0 0 0", 3, "tristrips", "", "");
   expect_error(text, "triangulate");
   text.geometries = mesh("g", "0 0 0", 3, "polygons", "", "<ph/>");

@@ -51,6 +51,30 @@ TEST(LastRows, of_a_projection_are_refused) {
   }
 }
 
+TEST(SmallFaces, have_no_surface_and_are_noted) {
+  SceneText text;
+  text.nodes = node(instance("g"));
+  text.geometries = mesh("g", "0 0 0 1 0 0 0 1 0 0 0 1", 12, "polylist", "",
+                         "<vcount>3 2 0 1 3</vcount><p>0 1 2 0 1 2 1 2 3</p>");
+  const LoadedScene loaded = load(text);
+  ASSERT_EQ(loaded.scene.primitives.triangles.size(), 2u);
+  expect_near(loaded.scene.primitives.triangles[0].p2, {0, 1, 0});
+  expect_near(loaded.scene.primitives.triangles[1].p2, {0, 0, 1});
+  EXPECT_TRUE(has_note(loaded, "3 faces of fewer than three corners"));
+}
+
+// As a URL writes them: exporters do so to blanks and to letters that are not ASCII.
+TEST(References, may_be_written_with_codes) {
+  SceneText text;
+  text.geometries = triangle_mesh("W\xc3\xbcrfel 1%") + triangle_mesh("plain%20");
+  for (const char* url : {"W%C3%BCrfel%201%", "W\xc3\xbcrfel 1%25", "plain%20"}) {
+    text.nodes = node(instance(url));
+    EXPECT_EQ(load(text).scene.primitives.triangles.size(), 1u) << url;
+  }
+  text.nodes = node(instance("W%C3%B%"));
+  EXPECT_TRUE(contains(error_of(text), "'#W%C3%B%'"));
+}
+
 TEST(SharedIds, that_nothing_refers_to_are_noted) {
   SceneText text = one_triangle();
   text.lights = "<light id=\"sun\"/><light id=\"sun\"/><light id=\"sun\"/>";

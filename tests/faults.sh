@@ -154,16 +154,17 @@ named_programs() {
   done
 }
 
-# A compiler that is killed, or of which a part is, or who watches the part, or that fails though no part of it does; and a linker with its disk full, or for a moment, or that refuses
+# A compiler that is killed, each time or once, or of which a part is, or who watches the part, or that fails though no part of it does; and a linker with its disk full, or for a moment, or that refuses
 # the submission's objects (1.o, ...) alone.
 killed_compiler() {
   local name
-  for name in killed part watcher nothing linker moment undefined; do
+  for name in killed once part watcher nothing linker moment undefined; do
     cat >"$folder/$name.sh" <<END
 #!/bin/bash
 full() { echo "/usr/bin/ld: final link failed: No space left on device" >&2; exit 1; }
 case "$name \$*" in
   killed*) kill -9 \$\$ ;;
+  once*) [ -e "$folder/killed" ] || { touch "$folder/killed"; kill -9 \$\$; } ;;
   part*-wrapper*) \${2//,/ } sh -c 'kill -9 \$\$'; exit 1 ;;
   watcher*-wrapper*) \${2//,/ } sh -c 'kill -9 \$PPID; sleep 1'; exit 1 ;;
   nothing*-wrapper*) \${2//,/ } true; exit 1 ;;
@@ -182,6 +183,9 @@ END
     says 'hit_box could not be judged: the compiler was killed'
     leaves "$name"
   done
+  # Beside others, it may have been chosen though another one took the memory: it runs once more, alone.
+  grades once 0 "${asked[@]}" --isolation C
+  [ -e "$folder/killed" ] || complain "no compiler was killed"
   grades linker 2 "${asked[@]}" --isolation C
   says 'final link failed'
   leaves linker
@@ -314,6 +318,25 @@ END
   [ ! -e "$folder/page.html" ] || complain "there is a page of damaged results"
 }
 
+# What CMake wrote, and the note of a run that goes on: one sentence that names the file.
+damaged_notes() {
+  local text
+  mkdir "$folder/notes"
+  for text in '' '{' '[]' '{"root": 7}'; do
+    printf '%s' "$text" >"$folder/notes/grade.json"
+    grades notes 2 "${asked[@]}"
+    says "$folder/notes/grade.json is not what CMake wrote"
+    ! grep -qF '[json' "$folder/said" || complain "$(cat "$folder/said")"
+  done
+  prepare notes
+  mkdir -p "$folder/notes/work"
+  for text in '' half; do
+    printf '%s' "$text" >"$folder/notes/work/unfinished"
+    grades notes 2 --resume
+    says "$folder/notes/work/unfinished does not say which run was interrupted"
+  done
+}
+
 # damages KIND FILE: as a loss of power may leave it.
 damages() {
   case $1 in
@@ -353,5 +376,6 @@ interrupted
 left_reports
 resumed_elsewhere
 damaged_results
+damaged_notes
 damaged_cache
 echo 'faults of the machine are nobody'\''s verdict'

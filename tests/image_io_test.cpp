@@ -216,6 +216,23 @@ TEST_F(ImageIo, reads_hdr_as_it_is) {
   EXPECT_EQ(read_image(in_folder("a.hdr")).at(0, 0), (Rgb{1, 0.5, 0.25}));
 }
 
+TEST_F(ImageIo, refuses_every_beginning_of_an_hdr) {
+  const std::string start = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
+  const std::string run = "\x88\x40", values = std::string("\x08") + "12345678";
+  const std::string line = std::string("\x02\x02\0\x08", 4) + run + values + run + values;
+  for (const std::string& whole : {start + "-Y 2 +X 1\n" + "\x80\x40\x20\x81" + "\x80\x40\x20\x81",
+                                   start + "-Y 2 +X 8\n" + line + line}) {
+    for (std::size_t size = 0; size <= whole.size(); ++size) {
+      write_file(in_folder("part"), whole.substr(0, size));
+      if (size == whole.size()) {
+        EXPECT_EQ(read_image(in_folder("part")).height, 2);
+      } else {
+        EXPECT_THROW(read_image(in_folder("part")), Error) << size;
+      }
+    }
+  }
+}
+
 TEST_F(ImageIo, refuses_every_beginning_of_an_exr) {
   const std::string whole = encode_exr(random_film(3, 20));
   for (std::size_t size = 0; size < whole.size(); ++size) {

@@ -28,7 +28,14 @@ TEST(Printable, has_no_controls) {
 
 TEST(Printable, turns_no_direction_of_writing) {
   EXPECT_EQ(printable("\u202Eab\u2069\u202a\u2066"), "\uFFFDab\uFFFD\uFFFD\uFFFD");
-  EXPECT_EQ(printable("\u2029\u202f\u2065\u206a"), "\u2029\u202f\u2065\u206a");
+}
+
+// Two names that look the same, or a line that ends within one.
+TEST(Printable, shows_what_is_not_seen) {
+  EXPECT_EQ(printable("a\u200bb\ufeff\U000e0041"), "a\uFFFDb\uFFFD\uFFFD");
+  EXPECT_EQ(printable("\u2028\u2029\u2060\u206f\u200e\u061c"),
+            "\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(printable("\u200c\u200d\u202f\u2070\u2027"), "\u200c\u200d\u202f\u2070\u2027");
 }
 
 // Each byte that is not part of a character becomes one mark.

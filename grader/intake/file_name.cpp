@@ -17,13 +17,12 @@ namespace {
 
 constexpr std::size_t kMaxName = 160;  // bytes
 
-// Control characters, line ends, and what turns the direction of writing or is not seen.
+// Nor may a name differ from another one by a joiner alone.
 bool is_shown(std::int32_t code) {
   const auto within = [&](std::int32_t first, std::int32_t last) {
     return code >= first && code <= last;
   };
-  return !(within(0, 0x1f) || within(0x7f, 0x9f) || code == 0x61c || within(0x200b, 0x200f) ||
-           within(0x2028, 0x202e) || within(0x2060, 0x206f) || code == 0xfeff);
+  return !(within(0, 0x1f) || within(0x7f, 0x9f) || within(0x200c, 0x200d) || pt::is_unseen(code));
 }
 
 // Written behind a letter, or behind the first part of a Korean syllable.

@@ -30,7 +30,7 @@ constexpr std::size_t kMaxWorker = std::size_t{64} << 20;
 // A compiler can be made to work for ever, or to fill the disk.
 constexpr process::Limits kCompilerLimits{
     .cpu_seconds = {},
-    .address_space = std::uint64_t{4} << 30,
+    .address_space = kToolMemory,
     .file_size = kMaxWorker,
     .processes = 64,
     .open_files = 256,
@@ -113,7 +113,7 @@ std::string Builder::folder_of_parts() const {
 }
 
 process::CommandResult Builder::run(const sandbox::Box& box, const std::string& what) const {
-  const ToolRun run = run_tool(box, tier_, seconds_);
+  const ToolRun run = run_tool(box, tier_, seconds_, cache_);
   const process::CommandResult& result = run.result;
   if (result.ok() || result.timed_out) return result;
   const auto give_up = [&](const std::string& why) {
@@ -122,8 +122,7 @@ process::CommandResult Builder::run(const sandbox::Box& box, const std::string& 
   if (!run.started) {
     give_up("its box does not start (" + base::printable(first_line(result.output), 200) + ")");
   }
-  // Its own limit of time ends it later.
-  if (run.killed && result.seconds < 0.9 * seconds_) {
+  if (run.killed) {
     give_up(
         "the compiler was killed, perhaps because no memory was left; give the machine more, or "
         "grade with --threads 1");

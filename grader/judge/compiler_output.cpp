@@ -1,6 +1,7 @@
 #include "grader/judge/compiler_output.h"
 
 #include "grader/base/printable.h"
+#include "grader/judge/tool_run.h"
 
 #include <algorithm>
 #include <sstream>
@@ -26,6 +27,21 @@ std::size_t error_in(const std::string& line) {
 
 bool starts_error(const std::string& line) { return error_in(line) != std::string::npos; }
 
+// What g++, clang, the assembler and linkers print where no memory is left, at the beginning of a line. A submission can
+// print them too, and then reads a sentence that is not true; no more hangs on it.
+bool says_no_memory(const std::string& output) {
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    for (const char* sign :
+         {"virtual memory exhausted", "cc1plus: out of memory", "cc1plus: error: out of memory",
+          "LLVM ERROR: out of memory", "as: out of memory",
+          "terminate called after throwing an instance of 'std::bad_alloc'"}) {
+      if (line.starts_with(sign)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string warnings_of(const std::string& output, const std::string& file) {
@@ -47,6 +63,12 @@ std::string warnings_of(const std::string& output, const std::string& file) {
 
 std::string first_error(const process::CommandResult& result, int seconds) {
   if (result.timed_out) return fmt::format("the compiler did not finish in {} s", seconds);
+  if (!result.ok() && says_no_memory(result.output)) {
+    return fmt::format(
+        "the compiler wanted more than {} MiB of memory; are there huge arrays, or macros, "
+        "templates or constant expressions that grow and grow?",
+        kToolMemory >> 20);
+  }
   std::istringstream lines(base::printable(result.output, process::kMaxOutput, true));
   std::string text;
   std::size_t count = 0;

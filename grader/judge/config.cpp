@@ -1,11 +1,13 @@
 #include "grader/judge/config.h"
 
+#include "grader/base/files.h"
+#include "grader/base/json_text.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
 
 #include <filesystem>
-#include <fstream>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace grader::judge {
@@ -14,10 +16,9 @@ std::string default_config_path() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "grade.json";
 }
 
-Config load_config(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw pt::Error(path + " is missing: build the target grade");
-  const nlohmann::json json = nlohmann::json::parse(file);
+namespace {
+
+Config config_from(const nlohmann::json& json) {
   Config config;
   json.at("root").get_to(config.root);
   json.at("work").get_to(config.work);
@@ -38,6 +39,20 @@ Config load_config(const std::string& path) {
         {row.part, row.number, row.slug, task.at("graded"), task.at("reference")});
   }
   return config;
+}
+
+}  // namespace
+
+Config load_config(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    throw pt::Error(path + " is missing: build the target grade");
+  }
+  try {
+    return config_from(nlohmann::json::parse(base::read_file(path)));
+  } catch (const nlohmann::json::exception& error) {
+    throw pt::Error(fmt::format("{} is not what CMake wrote ({}); build the target grade anew",
+                                path, base::words_of(error)));
+  }
 }
 
 }  // namespace grader::judge

@@ -56,7 +56,7 @@ Headers public_headers(const std::string& root) {
   Headers headers;
   for (const auto& entry : fs::recursive_directory_iterator(root + "/pt")) {
     if (entry.path().extension() != ".h") continue;
-    headers[fs::relative(entry.path(), root)] = base::read_file(entry.path());
+    headers[entry.path().lexically_relative(root)] = base::read_file(entry.path());
   }
   return headers;
 }

@@ -2,11 +2,13 @@
 
 #include "grader/sandbox/told.h"
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 
 namespace grader::judge {
@@ -34,18 +36,21 @@ bool lost_a_part(const base::Descriptor& parts) {
   return begun && !failed;
 }
 
-}  // namespace
-
-void report_parts(sandbox::Box& box, const ToolFolder& place) {
-  const std::string launcher = sandbox::launcher_path();
-  if (!fs::exists(launcher)) return;
-  fs::create_symlink(launcher, fs::path(place.folder()) / kLauncher);
-  box.visible.push_back(launcher);
-  box.command.insert(box.command.end(),
-                     {"-wrapper", fmt::format("{},--part={},--", kLauncher, kParts)});
+// Holds a lock in the folder, together with others (LOCK_SH) or alone (LOCK_EX), until the descriptor is closed. On a
+// disk without room nobody waits for anybody.
+base::Descriptor lock(const std::string& folder, const char* name, int how) {
+  base::Descriptor file(
+      open(fmt::format("{}/{}", folder, name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  while (file.is_open() && flock(file.number(), how) != 0 && errno == EINTR) {
+  }
+  return file;
 }
 
-ToolRun run_tool(sandbox::Box box, sandbox::Tier tier, int seconds) {
+// Whoever waits to be alone holds this one, so that no others begin meanwhile.
+constexpr const char* kNext = "next_tool";
+constexpr const char* kRunning = "running_tools";
+
+ToolRun run_once(sandbox::Box box, sandbox::Tier tier, int seconds) {
   const base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   const base::Pipe parts = base::make_pipe(), launcher = base::make_pipe();
   base::set_nonblocking(parts.read_end);
@@ -62,9 +67,37 @@ ToolRun run_tool(sandbox::Box box, sandbox::Tier tier, int seconds) {
   run.started = tier == sandbox::Tier::limits
                     ? !(WIFEXITED(status) && WEXITSTATUS(status) == kNotFound)
                     : told.has_started();
-  run.killed = (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) ||
-               (!run.result.ok() && lost_a_part(parts.read_end));
+  const bool ended = (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) ||
+                     (!run.result.ok() && lost_a_part(parts.read_end));
+  // Its own limit of time ends it with the same signal.
+  if (ended && run.result.seconds >= 0.9 * seconds) run.result.timed_out = true;
+  run.killed = ended && !run.result.timed_out;
   return run;
+}
+
+}  // namespace
+
+void report_parts(sandbox::Box& box, const ToolFolder& place) {
+  const std::string launcher = sandbox::launcher_path();
+  if (!fs::exists(launcher)) return;
+  fs::create_symlink(launcher, fs::path(place.folder()) / kLauncher);
+  box.visible.push_back(launcher);
+  box.command.insert(box.command.end(),
+                     {"-wrapper", fmt::format("{},--part={},--", kLauncher, kParts)});
+}
+
+ToolRun run_tool(const sandbox::Box& box, sandbox::Tier tier, int seconds,
+                 const std::string& folder) {
+  {
+    base::Descriptor next = lock(folder, kNext, LOCK_EX);
+    const base::Descriptor running = lock(folder, kRunning, LOCK_SH);
+    next.close();
+    ToolRun run = run_once(box, tier, seconds);
+    if (!run.killed) return run;
+  }
+  const base::Descriptor next = lock(folder, kNext, LOCK_EX);
+  const base::Descriptor alone = lock(folder, kRunning, LOCK_EX);
+  return run_once(box, tier, seconds);
 }
 
 }  // namespace grader::judge

@@ -4,6 +4,9 @@
 #include "grader/process/run_command.h"
 #include "grader/sandbox/box.h"
 
+#include <cstdint>
+#include <string>
+
 namespace grader::judge {
 
 // A run of a compiler or a linker in its box. Its output may be a submission's text (#line "bwrap: x"),
@@ -11,11 +14,20 @@ namespace grader::judge {
 struct ToolRun {
   process::CommandResult result;
   bool started = false;  // the box was made, and the program began
-  bool killed = false;   // SIGKILL ended it, or a part of it that report_parts() knows
+  bool killed =
+      false;  // SIGKILL ended it, or a part of it that report_parts() knows, before its time was over
 };
 
-// For so many seconds at most. The first descriptors of the box are set here.
-ToolRun run_tool(sandbox::Box box, sandbox::Tier tier, int seconds);
+// The address space of each part of a tool, the same on every machine: a verdict does not depend on where it was
+// found. Nearly twice what g++ and clang need for all of the standard library, and less than the smallest machines have
+// (Gradescope: 768 MiB), where the kernel would end a compiler before its limit does.
+inline constexpr std::uint64_t kToolMemory = std::uint64_t{576} << 20;
+
+// For so many seconds at most. The first descriptors of the box are set here. Tools that run side by side, for any
+// judge with this folder, may want more memory than there is, and the kernel may choose the wrong one: a tool that was killed
+// runs once more, while no other one does.
+ToolRun run_tool(const sandbox::Box& box, sandbox::Tier tier, int seconds,
+                 const std::string& folder);
 
 // The command is gcc's driver: how its parts (cc1plus, as) end is told to run_tool(). Other compilers
 // are one process. To be called before words are added to the command.

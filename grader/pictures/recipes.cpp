@@ -1,5 +1,6 @@
 #include "grader/pictures/recipes.h"
 
+#include "grader/base/json_text.h"
 #include "grader/pictures/read_recipe.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -16,22 +17,6 @@ namespace grader::pictures {
 namespace {
 
 constexpr std::size_t kMaxRecipeBytes = 1 << 20;
-
-// nlohmann's message starts with its own number and place; ours has the line in front.
-nlohmann::json parse(const std::string& text, const std::filesystem::path& file) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const std::string message = error.what();
-    const std::size_t reason = message.find("syntax error");
-    throw pt::Error(fmt::format("{}:{}: this is not JSON ({}); mend it here or just before",
-                                file.string(), 1 + std::count(text.begin(), end, '\n'),
-                                reason == std::string::npos ? message : message.substr(reason)));
-  } catch (const nlohmann::json::exception& error) {  // a number that no double holds
-    throw pt::Error(fmt::format("{}: {}; write another number", file.string(), error.what()));
-  }
-}
 
 void require_unique(const std::vector<Recipe>& recipes, const std::filesystem::path& file) {
   std::set<std::string> names;
@@ -50,7 +35,7 @@ void require_unique(const std::vector<Recipe>& recipes, const std::filesystem::p
 }  // namespace
 
 std::vector<Recipe> load_recipes(const std::filesystem::path& file) {
-  const nlohmann::json all = parse(pt::read_file(file, kMaxRecipeBytes), file);
+  const nlohmann::json all = base::parse_json(pt::read_file(file, kMaxRecipeBytes), file.string());
   if (!all.is_object() || all.size() != 1 || !all.contains("recipes") ||
       !all["recipes"].is_array() || all["recipes"].empty()) {
     throw pt::Error(file.string() + ": write one object, {\"recipes\": [...]}, with a list of " +

@@ -88,6 +88,9 @@ class Unfinished {
     std::istringstream all(base::read_file(path_));
     std::string folder;
     std::getline(all, folder, '\0');
+    if (folder.empty() || all.eof()) {
+      throw pt::Error(path_ + " does not say which run was interrupted; grade again");
+    }
     std::error_code error;
     std::filesystem::current_path(folder, error);
     if (error) {

@@ -1,6 +1,7 @@
 #include "grader/results/points.h"
 
 #include "grader/base/files.h"
+#include "grader/base/json_text.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
 
@@ -137,14 +138,16 @@ int spared_by(const TaskPoints& task, const TaskResult& result) {
 }  // namespace
 
 Points load_points(const std::string& path) {
+  const json all = base::parse_json(base::read_file(path), path);
   try {
-    const json all = json::parse(base::read_file(path));
+    if (!all.is_object()) throw pt::Error("it is not an object with default and tasks");
     const TaskPoints usual = read_task(all.at("default"), {}, "default");
     Points points = read_tasks(all.at("tasks"), usual);
     if (all.contains("parts")) weigh_parts(all.at("parts"), points);
     return points;
   } catch (const json::exception& error) {
-    throw pt::Error(fmt::format("{}: {}; see grader/results/points.h", path, error.what()));
+    throw pt::Error(
+        fmt::format("{}: {}; see grader/results/points.h", path, base::words_of(error)));
   } catch (const pt::Error& error) {
     throw pt::Error(fmt::format("{}: {}", path, error.what()));
   }

@@ -1,6 +1,6 @@
 #include "grader/results/read_json.h"
 
-#include "grader/base/printable.h"
+#include "grader/base/json_text.h"
 #include "grader/results/members.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -111,10 +111,8 @@ Results results_from_json(const std::string& text, const std::string& path) {
     expect_sound(results);
     return results;
   } catch (const std::exception& error) {
-    const std::string_view what = error.what();
-    const std::size_t label = what.starts_with("[json.") ? what.find("] ") + 2 : 0;
     throw pt::Error(fmt::format("{} holds no results of this grader: {}; judge again", path,
-                                base::printable(what.substr(label), 300)));
+                                base::words_of(error)));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/exr.h"
+#include "pt/image/hdr_pixels.h"
 #include "pt/image/tone_map.h"
 
 #include <algorithm>
@@ -49,6 +50,9 @@ Image decode_stb(const std::string& bytes, const std::string& name) {
                 std::to_string(height) + " pixels is not accepted");
   }
   if (stbi_is_hdr_from_memory(data, size)) {
+    if (!has_all_pixels(bytes, width, height)) {
+      throw Error("cannot read '" + name + "': its HDR data is cut short or damaged");
+    }
     const std::unique_ptr<float, void (*)(void*)> values(
         stbi_loadf_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
     if (!values) fail();

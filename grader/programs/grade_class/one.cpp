@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
+#include "grader/judge/kept.h"
 #include "grader/process/run_command.h"
 #include "grader/programs/grade_class/claim.h"
 #include "grader/programs/grade_class/identity.h"
@@ -20,6 +21,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -74,15 +76,27 @@ Key key_of(const Judging& judging, const std::string& submission) {
   return {base::sha256(key), base::sha256(base::read_file(points_file(judging)))};
 }
 
-// The key of the reports with that path; empty where there are none.
-Key key_at(const std::string& path) {
+// The reports that a key stands for: their sums stand behind it, as a loss of power may leave a report empty whose key is whole.
+std::string sums_of_reports(const std::string& path) {
+  return judge::sum_of_file(path + ".json") + '\n' + judge::sum_of_file(path + ".html") + '\n';
+}
+
+// The file of the key; empty where there are no reports.
+std::string key_text_at(const std::string& path) {
   for (const char* ending : {".json", ".html", ".key"}) {
-    if (!fs::exists(path + ending)) return {};
+    if (!fs::exists(path + ending)) return "";
   }
-  const std::string text = base::read_file(path + ".key");
-  const std::size_t end = text.find('\n');
-  if (end == std::string::npos || text.back() != '\n') return {};
-  return {text.substr(0, end), text.substr(end + 1, text.size() - end - 2)};
+  return base::read_file(path + ".key");
+}
+
+// The key of the reports with that path; empty where there are none, or not those that were written.
+Key key_at(const std::string& path) {
+  const std::string text = key_text_at(path);
+  std::istringstream lines(text);
+  Key key;
+  std::getline(lines, key.judging);
+  std::getline(lines, key.points);
+  return text == key.text() + sums_of_reports(path) ? key : Key{};
 }
 
 // Returns whether the page can show again what it showed: the judge may have cleared its cache.
@@ -179,7 +193,7 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
   if (key_of(judging, by.folder) != key) {
     throw Changed("its files, or the grader's, have changed while it was judged");
   }
-  pt::write_file(path + ".key", key.text());
+  pt::write_file(path + ".key", key.text() + sums_of_reports(path));
   return results;
 }
 
@@ -236,7 +250,7 @@ Graded graded_before(const Judging& judging, const intake::HandedIn& by) {
 
 std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by) {
   const std::string path = judging.out + "/" + by.name;
-  return problem_of(judging, path) + key_at(path).text();
+  return problem_of(judging, path) + key_text_at(path);
 }
 
 bool is_done(const Judging& judging, const intake::HandedIn& by) {

@@ -1,6 +1,8 @@
 #include "grader/programs/grade_class/plan.h"
 
+#include "grader/base/descriptor.h"
 #include "grader/base/files.h"
+#include "grader/base/json_text.h"
 #include "grader/base/sha256.h"
 #include "grader/programs/grade_class/identity.h"
 #include "grader/programs/grade_class/unpack_boxed.h"
@@ -9,12 +11,15 @@
 #include "pt/file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <random>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -229,6 +234,11 @@ void write_plan(const ClassPlan& plan, const std::string& out) {
   for (const intake::HandedIn& by : plan.everybody) all["everybody"].push_back(to_json(by));
   for (const std::string& name : plan.real_names) all["real_names"].push_back(text_json(name));
   for (const std::string& name : plan.former_names) all["former_names"].push_back(text_json(name));
+  // Chunks judge the files that the plan names: all of them are on the disk before it is, where power may be lost.
+  const base::Descriptor folder(open(out.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open() && syncfs(folder.number()) != 0) {
+    throw pt::Error(fmt::format("{} cannot be written: {}", out, std::strerror(errno)));
+  }
   pt::write_file(out + "/plan.json", all.dump(1) + "\n");
 }
 
@@ -258,7 +268,7 @@ ClassPlan read_plan(const std::string& out) {
     return plan;
   } catch (const std::exception& error) {
     throw pt::Error(
-        fmt::format("{}: {}; make the plan again (./run grade-class plan)", path, error.what()));
+        fmt::format("{}: {}; make the plan again (./run grade-class plan)", path, base::words_of(error)));
   }
 }
 

@@ -22,9 +22,8 @@ namespace grader::sandbox::box {
 
 namespace {
 
-// Names, as machines differ in what they have. What is missing here is what nobody has asked for;
-// above all: processes, sockets, new namespaces, mounts, tracing, other processes' memory, keys,
-// io_uring, bpf, anonymous files, and shared memory.
+// Names, as machines differ in what they have. What stands in no list fails with EPERM: libraries try calls to find
+// out what a machine can do, and newer ones try calls that nobody knows yet.
 constexpr const char* kWorkerCalls[] = {
     // Memory and threads' own affairs.
     "brk", "mmap", "munmap", "mprotect", "mremap", "madvise", "futex", "set_robust_list",
@@ -52,27 +51,68 @@ constexpr const char* kToolCalls[] = {
     "statfs",    "fstatfs",  "setrlimit", "flock",     "alarm",           "setitimer",
     "getpgid",   "getsid"};
 
-// The commands that C++ gives to a descriptor. Others would have the kernel send signals to any process of the
-// user (F_SETOWN, F_SETSIG), or tell of what others do with a file.
+// Calls of attacks: no library tries one of them to find out what a machine can do, so that who makes one ends
+// there. docs/decisions/0020 has the reasons, and of those that fail with EPERM.
+constexpr const char* kAttacks[] = {
+    // Other processes: their memory, descriptors and signals.
+    "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "pidfd_open",
+    "pidfd_getfd", "pidfd_send_signal", "kcmp", "rt_sigqueueinfo", "rt_tgsigqueueinfo",
+    // Another root, other files than those of the box, and what others do with theirs.
+    "unshare", "setns", "mount", "umount2", "pivot_root", "chroot", "move_mount", "open_tree",
+    "fsopen", "fsconfig", "fsmount", "fspick", "mount_setattr", "open_by_handle_at", "inotify_init",
+    "inotify_init1", "fanotify_init",
+    // The kernel and the machine.
+    "bpf", "perf_event_open", "userfaultfd", "io_uring_setup", "add_key", "request_key", "keyctl",
+    "init_module", "finit_module", "delete_module", "kexec_load", "kexec_file_load", "reboot",
+    "swapon", "swapoff", "acct", "quotactl", "syslog", "iopl", "ioperm", "modify_ldt",
+    "settimeofday", "clock_settime", "sethostname", "setdomainname",
+    // Another user.
+    "setuid", "setgid", "setreuid", "setregid", "setresuid", "setresgid", "setfsuid", "setfsgid",
+    "setgroups", "capset"};
+
+// The same of a worker alone; a compiler, or a script in its place, may try them.
+constexpr const char* kWorkerAttacks[] = {"execve", "setsid", "setpgid", "personality",
+                                          // Memory that outlives the process or that others see.
+                                          "memfd_create", "memfd_secret", "shmget", "shmat",
+                                          "semget", "msgget", "mq_open"};
+
+// The commands that C++ gives to a descriptor, and those by which the kernel would send signals to any process of
+// the user, or tell of what others do with a file.
 constexpr int kDescriptorCommands[] = {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL};
+constexpr int kSignalCommands[] = {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE, F_NOTIFY};
+// The like of devices, and those that write into somebody's terminal.
+constexpr std::uint64_t kDeviceAttacks[] = {FIOASYNC,  FIOSETOWN, SIOCSPGRP, TIOCSTI,
+                                            TIOCLINUX, TIOCSETD,  TIOCCONS,  TIOCSCTTY};
 
-// To open a file for reading; a worker has none to write.
+// To open a file for writing; a worker has none to write.
 constexpr std::uint64_t kToWrite =
-    O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | (O_TMPFILE & ~O_DIRECTORY) | O_ASYNC | O_DIRECT;
+    O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | (O_TMPFILE & ~O_DIRECTORY);
+// Flags that no program needs.
+constexpr std::uint64_t kOddFlags[] = {O_ASYNC, O_DIRECT};
 
-constexpr std::uint64_t kNewNamespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS |
-                                         CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
+// Arguments that are an int, of which the kernel reads these bits.
+constexpr std::uint64_t kInt = 0xffffffff;
+
+constexpr std::uint64_t kNewNamespaces[] = {CLONE_NEWNS,  CLONE_NEWCGROUP, CLONE_NEWUTS,
+                                            CLONE_NEWIPC, CLONE_NEWUSER,   CLONE_NEWPID,
+                                            CLONE_NEWNET};
 
 class Filter {
  public:
   Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM)), &seccomp_release) {
     if (!context_) throw pt::Error("no filter of system calls can be made");
+    // Calls by the numbers of another kind of processor (int 0x80).
+    check(seccomp_attr_set(context_.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS));
   }
 
   // `condition`s are about the call's arguments; all must hold.
   template <class... Condition>
   void allow(const char* name, Condition... condition) {
     add(SCMP_ACT_ALLOW, name, condition...);
+  }
+  template <class... Condition>
+  void kill(const char* name, Condition... condition) {
+    add(SCMP_ACT_KILL_PROCESS, name, condition...);
   }
   template <class... Condition>
   void add(std::uint32_t action, const char* name, Condition... condition) {
@@ -92,48 +132,70 @@ class Filter {
   std::unique_ptr<void, decltype(&seccomp_release)> context_;
 };
 
-}  // namespace
+scmp_datum_t datum(int number) { return static_cast<scmp_datum_t>(number); }
 
-namespace {
-
-// Allows the commands and flags that an honest program needs. The others end the process: nobody tries
-// them to find out what a machine can do.
-void allow_descriptors(Filter& filter, bool tools) {
+void filter_descriptors(Filter& filter) {
   for (const int command : kDescriptorCommands) {
-    filter.allow("fcntl", SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+    filter.allow("fcntl", SCMP_A1(SCMP_CMP_EQ, datum(command)));
   }
   filter.allow("fcntl", SCMP_A1(SCMP_CMP_EQ, F_SETFL), SCMP_A2(SCMP_CMP_MASKED_EQ, O_ASYNC, 0));
-  for (const int command : {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE, F_NOTIFY}) {
-    filter.add(SCMP_ACT_KILL_PROCESS, "fcntl",
-               SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+  for (const int command : kSignalCommands) {
+    filter.kill("fcntl", SCMP_A1(SCMP_CMP_MASKED_EQ, kInt, datum(command)));
   }
-  filter.add(SCMP_ACT_KILL_PROCESS, "fcntl", SCMP_A1(SCMP_CMP_EQ, F_SETFL),
-             SCMP_A2(SCMP_CMP_MASKED_EQ, O_ASYNC, O_ASYNC));
-  filter.allow("ioctl", SCMP_A1(SCMP_CMP_MASKED_EQ, 0xffffffff, TCGETS));
-  for (const std::uint64_t request : {FIOASYNC, FIOSETOWN, SIOCSPGRP, TIOCSTI, TIOCSCTTY}) {
-    filter.add(SCMP_ACT_KILL_PROCESS, "ioctl", SCMP_A1(SCMP_CMP_MASKED_EQ, 0xffffffff, request));
+  filter.kill("fcntl", SCMP_A1(SCMP_CMP_MASKED_EQ, kInt, F_SETFL),
+              SCMP_A2(SCMP_CMP_MASKED_EQ, O_ASYNC, O_ASYNC));
+  filter.allow("ioctl", SCMP_A1(SCMP_CMP_MASKED_EQ, kInt, TCGETS));
+  for (const std::uint64_t request : kDeviceAttacks) {
+    filter.kill("ioctl", SCMP_A1(SCMP_CMP_MASKED_EQ, kInt, request));
   }
-  const std::uint64_t closed = tools ? std::uint64_t{O_ASYNC} : kToWrite;
+}
+
+void filter_opening(Filter& filter, bool tools) {
+  std::uint64_t closed = tools ? 0 : kToWrite;
+  for (const std::uint64_t flag : kOddFlags) {
+    closed |= flag;
+    filter.kill("open", SCMP_A1(SCMP_CMP_MASKED_EQ, flag, flag));
+    filter.kill("openat", SCMP_A2(SCMP_CMP_MASKED_EQ, flag, flag));
+  }
   filter.allow("open", SCMP_A1(SCMP_CMP_MASKED_EQ, closed, 0));
   filter.allow("openat", SCMP_A2(SCMP_CMP_MASKED_EQ, closed, 0));
+}
+
+void filter_processes(Filter& filter, int program, bool tools) {
+  const scmp_datum_t self = datum(getpid());
+  for (const char* name : {"kill", "tgkill"}) {
+    filter.allow(name, SCMP_A0(SCMP_CMP_EQ, self));
+    // A compiler's driver ends its parts, and a part is not the process that this one is now.
+    if (!tools) filter.kill(name, SCMP_A0(SCMP_CMP_NE, self));
+  }
+  filter.allow("prlimit64", SCMP_A0(SCMP_CMP_EQ, 0));
+  filter.kill("prlimit64", SCMP_A0(SCMP_CMP_NE, 0));
+  filter.allow("execveat", SCMP_A0(SCMP_CMP_EQ, datum(program)),
+               SCMP_A4(SCMP_CMP_EQ, AT_EMPTY_PATH));
+  filter.kill("execveat", SCMP_A0(SCMP_CMP_NE, datum(program)));
+  for (const std::uint64_t kind : kNewNamespaces) {
+    filter.kill("clone", SCMP_A0(SCMP_CMP_MASKED_EQ, kind, kind));
+  }
 }
 
 }  // namespace
 
 void filter_system_calls(int program, bool tools) {
   Filter filter;
-  allow_descriptors(filter, tools);
+  filter_descriptors(filter);
+  filter_opening(filter, tools);
+  filter_processes(filter, program, tools);
   for (const char* name : kWorkerCalls) filter.allow(name);
-  const auto self = static_cast<scmp_datum_t>(getpid());
-  for (const char* name : {"kill", "tgkill"}) filter.allow(name, SCMP_A0(SCMP_CMP_EQ, self));
-  filter.allow("prlimit64", SCMP_A0(SCMP_CMP_EQ, 0));
-  filter.allow("execveat", SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(program)),
-               SCMP_A4(SCMP_CMP_EQ, AT_EMPTY_PATH));
+  for (const char* name : kAttacks) filter.kill(name);
   if (tools) {
     for (const char* name : kToolCalls) filter.allow(name);
-    filter.allow("clone", SCMP_A0(SCMP_CMP_MASKED_EQ, kNewNamespaces, 0));
+    std::uint64_t namespaces = 0;
+    for (const std::uint64_t kind : kNewNamespaces) namespaces |= kind;
+    filter.allow("clone", SCMP_A0(SCMP_CMP_MASKED_EQ, namespaces, 0));
     // Its flags are out of a filter's reach; without it, clone is asked.
     filter.add(SCMP_ACT_ERRNO(ENOSYS), "clone3");
+  } else {
+    for (const char* name : kWorkerAttacks) filter.kill(name);
   }
   filter.load();
 }

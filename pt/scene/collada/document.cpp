@@ -3,6 +3,7 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -56,6 +57,20 @@ std::string read_file(const std::filesystem::path& file) {
   text.resize(size);
   in.read(text.data() + head, static_cast<std::streamsize>(size - head));
   if (size > head && !in) throw Error(name + ": cannot be read to its end; copy it again");
+  return text;
+}
+
+// What a URL writes as "%20" is a blank: exporters do this to blanks and to letters that are not ASCII.
+std::string decoded(std::string_view url) {
+  std::string text;
+  for (std::size_t i = 0; i < url.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const code = url.data() + i + 1;
+    const bool is_code = url[i] == '%' && i + 2 < url.size() &&
+                         std::from_chars(code, code + 2, byte, 16).ptr == code + 2;
+    text += is_code ? static_cast<char>(byte) : url[i];
+    if (is_code) i += 2;
+  }
   return text;
 }
 
@@ -155,7 +170,9 @@ ColladaDocument::Identified ColladaDocument::find(const XMLElement& from, std::s
     if (own != in_mesh_.end()) return own->second;
   }
   const auto found = by_id_.find(key);
-  return found == by_id_.end() ? Identified{} : found->second;
+  if (found != by_id_.end()) return found->second;
+  const std::string plain = decoded(url);
+  return plain == url ? Identified{} : find(from, plain, kind);
 }
 
 std::string ColladaDocument::ambiguity(std::string_view url, const Identified& found) {

@@ -71,9 +71,8 @@ void check_sizes(const ColladaDocument& document, const XMLElement& set, const F
   const auto held = static_cast<long long>(faces.indices.size());
   long long wanted = 0;
   for (const int corners : faces.corners) {
-    if (corners < 3) {
-      document.fail(set, "a face of " + std::to_string(corners) +
-                             " corners has no surface; give it three or remove it");
+    if (corners < 0) {
+      document.fail(set, "a face has " + std::to_string(corners) + " corners; write at least 3");
     }
     wanted += static_cast<long long>(corners) * stride;
     if (wanted > held) break;
@@ -100,6 +99,7 @@ MeshPart read_part(const ColladaDocument& document, const XMLElement& set, Sourc
   part.triangles.reserve(faces.indices.size() / (3 * static_cast<std::size_t>(inputs.stride)));
   const int* corner = faces.indices.data();
   for (const int corners : faces.corners) {
+    if (corners < 3) ++part.without_surface;
     for (int i = 1; i + 1 < corners; ++i) {
       FileTriangle& triangle = part.triangles.emplace_back();
       const int fan[3] = {0, i, i + 1};
@@ -137,11 +137,13 @@ ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement&
                                 " is neither a mesh nor a sphere; convert it to a mesh");
   }
   Sources sources;
+  std::size_t without_surface = 0;
   for (const XMLElement* set = mesh->FirstChildElement(); set != nullptr;
        set = set->NextSiblingElement()) {
     const std::string_view kind = set->Name();
     if (kind == "polylist" || kind == "triangles" || kind == "polygons") {
       MeshPart part = read_part(document, *set, sources);
+      without_surface += part.without_surface;
       if (!part.triangles.empty()) result.parts.push_back(std::move(part));
     } else if (kind == "lines" || kind == "linestrips") {
       result.notes.push_back("geometry " + label(geometry) + " has " + std::string(kind) +
@@ -149,6 +151,11 @@ ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement&
     } else if (kind == "tristrips" || kind == "trifans") {
       document.fail(*set, "<" + std::string(kind) + "> cannot be read; triangulate the mesh");
     }
+  }
+  if (without_surface > 0) {
+    result.notes.push_back("geometry " + label(geometry) + " has " +
+                           std::to_string(without_surface) +
+                           " faces of fewer than three corners, which are left out.");
   }
   return result;
 }

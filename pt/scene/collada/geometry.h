@@ -3,6 +3,7 @@
 #include "pt/math/vec3.h"
 #include "pt/scene/collada/document.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct FileTriangle {
 struct MeshPart {
   std::string material_symbol;  // empty where the file has none
   std::vector<FileTriangle> triangles;
+  std::size_t without_surface = 0;  // faces of fewer than three corners
 };
 
 // A mesh, or a sphere around the origin.
