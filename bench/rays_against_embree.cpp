@@ -214,8 +214,7 @@ std::vector<Goal> compare_rays(const BenchSettings& settings, const std::vector<
                                const std::vector<std::string>& files) {
   Csv csv(settings.folder + "/rays.csv",
           "scene,primitives,rays,ns,ns_embree,ratio,build_ms,build_ms_embree,bytes,bytes_embree,"
-          "ratio_least,"
-          "ratio_most");
+          "ratio_least,ratio_most");
   std::vector<Goal> goals;
   std::vector<Result> of_blobs;
   for (const int triangles : blobs) {
