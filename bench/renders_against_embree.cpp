@@ -82,6 +82,21 @@ void compare_threads(const std::string& name, const View& view, const BenchSetti
   }
 }
 
+// One engine's line on the terminal, and its row.
+void report(const std::string& name, const char* engine, double rays, double seconds, double mean,
+            const Ratio& single, const Ratio& packets, Csv& csv) {
+  std::printf(
+      "  %-14s %6.2f M rays/s   mean %.6f   %.2f (%.2f to %.2f) x Embree, "
+      "%.2f (%.2f to %.2f) x packets\n",
+      engine, 1e-6 * rays / seconds, mean, single.median, single.least, single.most, packets.median,
+      packets.least, packets.most);
+  char row[200];
+  std::snprintf(row, sizeof row, "%s,%s,%.4g,%.4g,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f", name.c_str(),
+                engine, seconds, 1e-6 * rays / seconds, single.median, packets.median, single.least,
+                single.most, packets.least, packets.most);
+  csv.row(row);
+}
+
 void compare(const std::string& argument, const BenchSettings& settings, Csv& csv,
              std::vector<Goal>& goals) {
   const bool is_blob = argument[0] >= '0' && argument[0] <= '9';
@@ -111,18 +126,8 @@ void compare(const std::string& argument, const BenchSettings& settings, Csv& cs
   const char* names[] = {"wide", "wide groups", "Embree", "Embree packets"};
   std::printf("%s, %d x %d, %d samples\n", test.name.c_str(), width, height, settings.samples);
   for (int i = 0; i < 4; ++i) {
-    const double rays = last[0].rays, time = median(seconds[i]);
-    const Ratio single = ratio(seconds[2], seconds[i]), packets = ratio(seconds[3], seconds[i]);
-    std::printf(
-        "  %-14s %6.2f M rays/s   mean %.6f   %.2f (%.2f to %.2f) x Embree, "
-        "%.2f (%.2f to %.2f) x packets\n",
-        names[i], 1e-6 * rays / time, luminance(last[i].mean), single.median, single.least,
-        single.most, packets.median, packets.least, packets.most);
-    char row[200];
-    std::snprintf(row, sizeof row, "%s,%s,%.4g,%.4g,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f",
-                  test.name.c_str(), names[i], time, 1e-6 * rays / time, single.median,
-                  packets.median, single.least, single.most, packets.least, packets.most);
-    csv.row(row);
+    report(test.name, names[i], last[0].rays, median(seconds[i]), luminance(last[i].mean),
+           ratio(seconds[2], seconds[i]), ratio(seconds[3], seconds[i]), csv);
   }
 
   if (is_blob) return;
