@@ -109,7 +109,8 @@ void occluded_steps(Scene& scene, const std::vector<Ray>& rays, const Kernel& ke
         rays.size());
 }
 
-int run(const std::vector<std::string>& scenes, int count, int rounds) {
+int run(const std::vector<std::string>& scenes, const std::vector<std::string>& kernels, int count,
+        int rounds) {
   for (const std::string& name : scenes) {
     TestScene test =
         name.ends_with(".dae") ? file_scene(name, 480, 360) : blob_scene(std::stoi(name));
@@ -117,8 +118,8 @@ int run(const std::vector<std::string>& scenes, int count, int rounds) {
     const RaySets rays = make_rays(test, count);
     std::printf("%s, %d primitives; ns per ray, medians of %d rounds\n", test.name.c_str(),
                 test.scene.primitives.size(), rounds);
-    for (const char* asked : {"v4", "v3", "plain"}) {
-      const Kernel* kernel = find_kernel(asked);
+    for (const std::string& asked : kernels) {
+      const Kernel* kernel = find_kernel(asked.c_str());
       if (kernel == nullptr) continue;
       closest_steps("camera", test.scene, rays.primary, *kernel, rounds);
       closest_steps("bounce", test.scene, rays.bounce, *kernel, rounds);
@@ -133,11 +134,15 @@ int run(const std::vector<std::string>& scenes, int count, int rounds) {
 
 int main(int count, char** arguments) {
   CLI::App app("Where the time of a ray goes, step by step, for each kernel.");
-  std::vector<std::string> scenes;
+  std::vector<std::string> scenes, kernels{"v4", "v3", "plain"};
   int rays = 100000, rounds = 7;
   app.add_option("scenes", scenes, "scene files, or numbers: blobs of so many triangles")
       ->required();
+  app.add_option("--kernels", kernels, "one alone, where its instructions are counted")
+      ->check(CLI::IsMember({"v4", "v3", "plain"}))
+      ->allow_extra_args(false);
   app.add_option("--rays", rays, "of each kind")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--rounds", rounds)->check(CLI::PositiveNumber)->capture_default_str();
-  return pt::run_command_line(app, count, arguments, [&] { return pt::run(scenes, rays, rounds); });
+  return pt::run_command_line(app, count, arguments,
+                              [&] { return pt::run(scenes, kernels, rays, rounds); });
 }

@@ -106,11 +106,11 @@ void compare_precisions(const TestScene& test, const RaySets& rays, int rounds, 
       interleave({[&] { in_double.closest(); }, [&] { in_float.closest(); }}, rounds);
   const double million = 1e-6 * static_cast<double>(rays.bounce.size());
   const double slow = median(seconds[0]), fast = median(seconds[1]);
-  const double times = ratio(seconds[0], seconds[1]);
+  const double times = ratio(seconds[0], seconds[1]).median;
   std::printf("  bounce, binary tree: double %.2f M/s, float %.2f M/s, ratio %.2f\n",
               million / slow, million / fast, times);
   char row[300];
-  std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,,,,", test.name.c_str(),
+  std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,,,,,,", test.name.c_str(),
                 primitives.size(), "binary float (and double)", 1e3 * fast / million,
                 1e3 * slow / million, times);
   csv.row(row);
@@ -120,7 +120,7 @@ struct Line {
   const char* kind;
   double ours;  // seconds, medians
   double embree;
-  double ratio;
+  Ratio ratio;  // times Embree
 };
 
 Line line(const char* kind, const std::vector<double>& ours, const std::vector<double>& embree) {
@@ -175,13 +175,14 @@ Result compare(TestScene& test, const BenchSettings& settings, Csv& csv) {
     const Line& l = lines[i];
     const double million = 1e-6 * static_cast<double>(counts[i]);
     if (counts[i] == 0) continue;
-    result.lines.push_back({l.kind, 1e3 * l.ours / million, l.ratio});
-    std::printf("  %-10s %6.2f M/s   Embree %6.2f M/s   ratio %.2f\n", l.kind, million / l.ours,
-                million / l.embree, l.ratio);
+    result.lines.push_back({l.kind, 1e3 * l.ours / million, l.ratio.median});
+    std::printf("  %-10s %6.2f M/s   Embree %6.2f M/s   ratio %.2f (%.2f to %.2f)\n", l.kind,
+                million / l.ours, million / l.embree, l.ratio.median, l.ratio.least, l.ratio.most);
     char row[300];
-    std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,%.4g,%.4g,%.1f,%.1f", test.name.c_str(),
-                  primitives.size(), l.kind, 1e3 * l.ours / million, 1e3 * l.embree / million,
-                  l.ratio, 1e3 * build_ours, 1e3 * build_embree, bytes, bytes_embree);
+    std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,%.4g,%.4g,%.1f,%.1f,%.3f,%.3f",
+                  test.name.c_str(), primitives.size(), l.kind, 1e3 * l.ours / million,
+                  1e3 * l.embree / million, l.ratio.median, 1e3 * build_ours, 1e3 * build_embree,
+                  bytes, bytes_embree, l.ratio.least, l.ratio.most);
     csv.row(row);
   }
   compare_precisions(test, rays, settings.rounds, csv);
@@ -212,7 +213,8 @@ Goal growth(const Result& first, const Result& last) {
 std::vector<Goal> compare_rays(const BenchSettings& settings, const std::vector<int>& blobs,
                                const std::vector<std::string>& files) {
   Csv csv(settings.folder + "/rays.csv",
-          "scene,primitives,rays,ns,ns_embree,ratio,build_ms,build_ms_embree,bytes,bytes_embree");
+          "scene,primitives,rays,ns,ns_embree,ratio,build_ms,build_ms_embree,bytes,bytes_embree,"
+          "ratio_least,ratio_most");
   std::vector<Goal> goals;
   std::vector<Result> of_blobs;
   for (const int triangles : blobs) {

@@ -27,10 +27,11 @@ std::vector<std::vector<double>> interleave(const std::vector<std::function<void
   return seconds;
 }
 
-double ratio(const std::vector<double>& a, const std::vector<double>& b) {
+Ratio ratio(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i] / b[i]);
-  return median(ratios);
+  const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+  return {median(ratios), *least, *most};
 }
 
 Csv::Csv(const std::string& file, const std::string& header)

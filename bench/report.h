@@ -15,8 +15,13 @@ double median(std::vector<double> values);
 std::vector<std::vector<double>> interleave(const std::vector<std::function<void()>>& contenders,
                                             int rounds);
 
-// The median over the rounds of how many times faster b was than a.
-double ratio(const std::vector<double>& a, const std::vector<double>& b);
+// How many times faster b was than a, over the rounds.
+struct Ratio {
+  double median;
+  double least;
+  double most;
+};
+Ratio ratio(const std::vector<double>& a, const std::vector<double>& b);
 
 // A table as comma-separated values, a line per row.
 class Csv {

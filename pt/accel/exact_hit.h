@@ -39,14 +39,16 @@ struct Shear {
   double inverse;  // 1 / the direction's largest component; 0 where that is infinite
 };
 
+// Not in the function: g++ would make a copy of them at each call.
+constexpr int kNext[] = {1, 2, 0}, kLast[] = {2, 0, 1};
+
 // No branch depends on the axis or on a sign: a processor could not foresee it.
 static inline Shear shear_of(const Vec3& d) {
   const double x = __builtin_fabs(d.x), y = __builtin_fabs(d.y), z = __builtin_fabs(d.z);
   const int not_x = !((x >= y) & (x >= z)), not_y = !(y >= z);
   const int axis = not_x + (not_x & not_y);
-  constexpr int kNext[] = {1, 2, 0}, kLast[] = {2, 0, 1};
   const int next = kNext[axis], last = kLast[axis];
-  const double components[] = {d.x, d.y, d.z};
+  const double* components = &d.x;
   const double inverse = 1 / components[axis];
   return {axis, next, last, components[next] * inverse, components[last] * inverse, inverse};
 }

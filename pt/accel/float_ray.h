@@ -104,7 +104,9 @@ PT_INLINE void clip(double o, double d, double side, double& begin, double& end)
 // One at a time: a processor waits for what was just stored in pieces if it loads it as a whole.
 PT_INLINE Doubles4 load3(const double* p) {
 #if defined(__AVX__)
-  const __m128d xy = _mm_loadh_pd(_mm_load_sd(p), p + 1);
+  const double* y = p + 1;
+  __asm__("" : "+r"(y));  // or g++ loads x and y as a whole
+  const __m128d xy = _mm_loadh_pd(_mm_load_sd(p), y);
   return (Doubles4)_mm256_insertf128_pd(_mm256_castpd128_pd256(xy), _mm_load_sd(p + 2), 1);
 #else
   Doubles4 a;  // the fourth lane is whatever follows
