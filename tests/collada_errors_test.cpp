@@ -57,6 +57,32 @@ TEST(BadFiles, of_any_size_are_refused_at_once) {
   expect_error(tags + "</COLLADA>", "two million");
 }
 
+TEST(BadFiles, with_too_many_attributes_in_a_tag_are_refused_at_once) {
+  const auto attributes = [](int count, const std::string& value) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += " a" + std::to_string(i) + "=" + value;
+    return text;
+  };
+  for (const char* value : {"\"1\"", "'>'", "\"'\"", "\"<>\""}) {
+    expect_error("<COLLADA>\n<a b=\"c\"/>\n<a" + attributes(400'000, value) + "/></COLLADA>",
+                 ":3: a tag has more than 250");
+  }
+  expect_error("<COLLADA>\n<!-- don't <a --><a" + attributes(251, "\"\"") + "/></COLLADA>",
+               ":2: a tag has");
+  // Attributes of several tags, and text, which may be a program.
+  std::string many = "<asset/>";
+  for (int i = 0; i < 20; ++i) many += "<extra" + attributes(20, "'1'") + "/>";
+  for (const std::string& text : {many, "<extra>" + attributes(400, "b;") + "</extra>",
+                                  "<!-- <a" + attributes(400, "\"") + " -->",
+                                  "<extra><![CDATA[ <a" + attributes(400, "'") + "]]></extra>"}) {
+    SceneText scene;
+    scene.geometries = triangle_mesh();
+    scene.nodes = node(instance("tri"));
+    scene.geometries += "<geometry id=\"unused\"><mesh/>" + text + "</geometry>";
+    EXPECT_EQ(load(scene).scene.primitives.triangles.size(), 1u);
+  }
+}
+
 TEST(BadXml, is_named_with_its_line) {
   const std::string good = one_triangle("<p>0 1 2</p>").str();
   expect_error(good.substr(0, good.size() / 2), "malformed");

@@ -1,6 +1,7 @@
 #include "pt/scene/collada/document.h"
 
 #include "pt/error.h"
+#include "pt/scene/collada/attributes.h"
 
 #include <algorithm>
 #include <charconv>
@@ -19,6 +20,7 @@ namespace {
 // the file, so that it has a limit of its own.
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 constexpr std::ptrdiff_t kMaxMarkup = 2'000'000;
+constexpr std::size_t kMaxAttributes = 250;  // of one tag; COLLADA knows some ten
 constexpr std::size_t kHeadBytes = 64 * 1024;
 
 bool is_course_profile(const XMLElement& technique) {
@@ -115,6 +117,10 @@ void ColladaDocument::parse(const std::string& text) {
   if (std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; }) >
       kMaxMarkup) {
     throw Error(file_ + ": has more than two million tags and attributes; split the scene");
+  }
+  if (const auto line = line_of_too_many_attributes(text, kMaxAttributes)) {
+    throw Error(file_ + ":" + std::to_string(*line) + ": a tag has more than " +
+                std::to_string(kMaxAttributes) + " attributes; keep those that COLLADA knows");
   }
   const tinyxml2::XMLError error = xml_->Parse(text.data(), text.size());
   if (error == tinyxml2::XML_SUCCESS) return;
