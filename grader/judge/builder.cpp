@@ -144,7 +144,9 @@ std::string Builder::object_key(const TaskConfig& task, const std::string& text,
 
 std::string Builder::folder_of(const Headers& headers) const {
   std::string whole;  // its comments too: messages quote lines
-  for (const auto& [name, content] : headers) whole += name + '\0' + content + '\0';
+  for (const auto& [name, content] : headers) {
+    whole.append(name).append(1, '\0').append(content).append(1, '\0');
+  }
   return kept_folder(config_.work, base::sha256(whole), [&](const ToolFolder& place) {
     for (const auto& [name, content] : headers) place.put(name, content);
   });
