@@ -267,8 +267,8 @@ ClassPlan read_plan(const std::string& out) {
     check_plan(plan);
     return plan;
   } catch (const std::exception& error) {
-    throw pt::Error(
-        fmt::format("{}: {}; make the plan again (./run grade-class plan)", path, base::words_of(error)));
+    throw pt::Error(fmt::format("{}: {}; make the plan again (./run grade-class plan)", path,
+                                base::words_of(error)));
   }
 }
 
