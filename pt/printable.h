@@ -46,7 +46,8 @@ inline bool is_unseen(std::int32_t code) {
 
 inline constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
 
-// Valid UTF-8 that no terminal obeys and no reader is misled by: bytes that are not UTF-8, characters that are not seen, and U+FFFE and U+FFFF become U+FFFD; control characters, those of 8 bits too, become what is
+// Valid UTF-8 that no terminal obeys and no reader is misled by: bytes that are not UTF-8, characters that
+// are not seen, and U+FFFE and U+FFFF become U+FFFD; control characters, those of 8 bits too, become what is
 // given. Newlines and tabs may stay.
 inline std::string printable(std::string_view text, bool lines = false,
                              std::string_view for_controls = " ") {

@@ -37,10 +37,12 @@ struct Limits {
   Bounds one = kBoundsOfOne, everybody = kBoundsOfEverybody;
 };
 
-// Writes the files of an archive (zip, tar, 7-zip, RAR, compressed in any usual way) to `folder`,
-// which is made: source files, archives, and kGradescopeList. Of other files the first few become empty
-// files, so that it can be said what there is. Links and devices, hidden files, and paths that lead out of the
-// folder are left out; where one of them has the name of a source file, there is a file that the compiler refuses, with the reason. Of two files of one path the last counts; in an archive of everybody's work they are a fault, if they differ.
+// Writes the files of an archive (zip, tar, 7-zip, RAR, compressed in any usual way) to `folder`, which is
+// made: source files, archives, and kGradescopeList. Of other files the first few become empty files, so that
+// it can be said what there is. Links and devices, hidden files, and paths that lead out of the folder are
+// left out; where one of them has the name of a source file, there is a file that the compiler refuses, with
+// the reason. Of two files of one path the last counts; in an archive of everybody's work they are a fault,
+// if they differ.
 //
 // Throws pt::Error, one sentence, if it is not an archive, is damaged or encrypted, or is beyond
 // the bounds; and another exception where the machine is at fault, as when the disk is full.

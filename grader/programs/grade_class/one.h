@@ -12,7 +12,8 @@
 // One submission of a class, with its reports in a folder:
 //   <name>.json, <name>.html   the reports
 //   <name>.key                 stands for all that they depend on; written last
-//   <name>.problem             the plan's ID, and why it was not judged; not where its files changed meanwhile: it is judged again
+//   <name>.problem             the plan's ID, and why it was not judged; not where its files
+//                              changed meanwhile: then it is judged again
 
 namespace grader::programs {
 
@@ -55,10 +56,10 @@ bool is_done(const Judging& judging, const intake::HandedIn& by);
 // Another text whenever is_done may have become true. It takes no look at what was handed in.
 std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by);
 
-// Judges submissions whose files are equal, and writes their reports. Earlier outcomes are used
-// again: reports of before; results that differ in points only, which are counted anew; those of an
-// equal submission. Another process that judges the same is waited for. If another plan has been made meanwhile, nothing is judged:
-// that plan may have other files of the same learners.
+// Judges submissions whose files are equal, and writes their reports. Earlier outcomes are used again:
+// reports of before; results that differ in points only, which are counted anew; those of an equal
+// submission. Another process that judges the same is waited for. If another plan has been made meanwhile,
+// nothing is judged: that plan may have other files of the same learners.
 std::vector<Graded> grade_equal(const Judging& judging, const std::vector<intake::HandedIn>& equal);
 
 }  // namespace grader::programs
