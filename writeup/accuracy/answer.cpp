@@ -33,6 +33,21 @@ Option look_at(Study& study, const Way& way, const std::vector<int>& light_sampl
   return option;
 }
 
+// Where the best number of light samples lies beyond those that were tried, it is tried too: a line tells less outside of
+// its points.
+void try_the_best(Study& study, Option& option, double error) {
+  if (!option.choice || option.choice->light_samples <= option.tried.back().light_samples) return;
+  option.tried.push_back(study.try_out(option.way, {option.choice->light_samples})[0]);
+  option.model = model_of(option.tried, option.model.bias2);
+  option.choice = cheapest_choice(option.model, error);
+}
+
+// Two numbers of light samples, for ways that differ from one that is known in something else.
+std::vector<int> pair_beside(const Option& known, bool delta_lights) {
+  if (delta_lights) return {1, 2};
+  return {1, std::max(kCourseLightSamples, known.choice ? known.choice->light_samples : 1)};
+}
+
 bool is_better(const Option& a, const Option& b) {
   return a.choice && (!b.choice || a.choice->seconds < b.choice->seconds);
 }
@@ -53,6 +68,7 @@ Option look_at_hemisphere(Study& study, const Way& way, double bias2, double err
     option.model.bias2 = seen.value;
     option.choice = cheapest_choice(option.model, error);
   }
+  try_the_best(study, option, error);
   return option;
 }
 
@@ -130,11 +146,12 @@ Answer find_cheapest(Study& study, const pt::View& view, const Options& options)
   answer.delta_lights =
       std::all_of(view.scene.lights.begin(), view.scene.lights.end(), pt::is_delta);
   const std::vector<int> tried = answer.delta_lights ? std::vector{1, 2} : options.light_samples;
-  const std::vector<int> pair = answer.delta_lights ? std::vector{1, 2} : std::vector{1, 4};
 
   const int bounces = bounces_needed(study, error);
   const double bias2 = study.bias2_at(bounces);
   answer.best = look_at(study, {Direct::lights, bounces, kCourse.survival}, tried, bias2, error);
+  if (!answer.delta_lights) try_the_best(study, answer.best, error);
+  const std::vector<int> pair = pair_beside(answer.best, answer.delta_lights);
   answer.survivals.push_back(answer.best);
   choose_survival(study, answer, bias2, pair);
   choose_bounces(study, answer, pair);

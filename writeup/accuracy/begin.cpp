@@ -65,8 +65,12 @@ Measuring::Measuring(pt::LoadedScene scene, const Call& call, int bounces, doubl
           [this, share](double part) { progress.show(share * part); }, bounces, journal_of(call)) {
   const std::vector<std::string> unwritten = unwritten_and_needed(call.options.engine);
   print_notes(loaded);
-  if (unwritten.empty()) return;
+  if (unwritten.empty() && !study.is_black()) return;
   progress.clear();
+  if (unwritten.empty()) {
+    throw pt::Error(
+        "the picture is black: no light reaches this camera; choose another with --camera");
+  }
   throw pt::Error(fmt::format("not written yet: {}; nothing can be measured without",
                               fmt::join(unwritten, ", ")));
 }

@@ -124,6 +124,10 @@ void Study::look_at_bounces(int bounces) {
   }
 }
 
+bool Study::is_black() const {
+  return std::all_of(golden_[0].begin(), golden_[0].end(), [](double g) { return g == 0; });
+}
+
 std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_samples) {
   std::vector<int> samples;
   samples.reserve(light_samples.size());

@@ -74,6 +74,9 @@ class Study {
   // The run has ended as it should: it will not have to go on.
   void forget_journal() { journal_.remove(); }
 
+  // Returns whether no light at all reaches the camera.
+  bool is_black() const;
+
   // The square of the relative bias that is left with 0, 1, ... kToldApart bounces at most.
   const std::vector<Uncertain>& bias2() const { return bias2_; }
   // The same for any number of bounces: nothing is left with more.
