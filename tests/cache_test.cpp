@@ -319,6 +319,15 @@ TEST_F(Cache, folders_of_dead_processes_go) {
   EXPECT_EQ(names(), Names{"new"});
 }
 
+// A checkout may be made of links to folders elsewhere.
+TEST(public_headers, have_the_names_by_which_they_are_included) {
+  const TemporaryFolder here, elsewhere;
+  std::filesystem::create_directory(elsewhere.path() + "/math");
+  pt::write_file(elsewhere.path() + "/math/a.h", "int a;\n");
+  std::filesystem::create_directory_symlink(elsewhere.path(), here.path() + "/pt");
+  EXPECT_EQ(public_headers(here.path()), (Headers{{"pt/math/a.h", "int a;\n"}}));
+}
+
 TEST(code_of, is_what_a_compiler_sees) {
   EXPECT_EQ(code_of("// words\n\n#pragma once\nint f();  // more\n"), "#pragma once\nint f();  \n");
   EXPECT_EQ(code_of("int /* here */ f();\n/* two\nlines */\n"), "int   f();\n \n");
