@@ -147,7 +147,7 @@ class Intake {
 
   void count() { progress_(++done_, all_); }
 
-  // Of what one learner may have several.
+  // The label of an entry of which one learner may have several; nothing for others.
   std::optional<Label> label_of(const fs::directory_entry& entry) const {
     if (entry.is_symlink() || !(is_folder(entry) || is_file(entry))) return std::nullopt;
     const std::optional<Label> label = read_label(entry.path().filename());

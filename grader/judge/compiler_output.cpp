@@ -27,8 +27,8 @@ std::size_t error_in(const std::string& line) {
 
 bool starts_error(const std::string& line) { return error_in(line) != std::string::npos; }
 
-// What g++, clang, the assembler and linkers print where no memory is left, at the beginning of a line. A submission can
-// print them too, and then reads a sentence that is not true; no more hangs on it.
+// Returns whether a line begins as g++, clang, the assembler or a linker print it where no memory is left. A submission can
+// print the same. Then its author reads a sentence that is not true, and nothing else depends on it.
 bool says_no_memory(const std::string& output) {
   std::istringstream lines(output);
   for (std::string line; std::getline(lines, line);) {

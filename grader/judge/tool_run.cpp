@@ -46,7 +46,7 @@ base::Descriptor lock(const std::string& folder, const char* name, int how) {
   return file;
 }
 
-// Whoever waits to be alone holds this one, so that no others begin meanwhile.
+// The first lock is held by a tool that waits to be alone, so that no other one begins meanwhile.
 constexpr const char* kNext = "next_tool";
 constexpr const char* kRunning = "running_tools";
 

@@ -14,8 +14,8 @@ namespace grader::judge {
 struct ToolRun {
   process::CommandResult result;
   bool started = false;  // the box was made, and the program began
-  bool killed =
-      false;  // SIGKILL ended it, or a part of it that report_parts() knows, before its time was over
+  // SIGKILL ended it, or a part of it that report_parts() knows, before its time was over.
+  bool killed = false;
 };
 
 // The address space of each part of a tool, the same on every machine: a verdict does not depend on where it was

@@ -165,7 +165,7 @@ TEST_P(Attack, gets_nowhere_by_commands_and_flags) {
   }
 }
 
-// What preprocessors, assemblers and linkers can be told to read or to make.
+// Files that preprocessors, assemblers and linkers are told to read or to make.
 TEST_P(Attack, gets_nowhere_by_directives) {
   const Outcome outcome = attack("links");
   SKIP_WHERE_THE_TIER_DOES_NOT_WORK(outcome);

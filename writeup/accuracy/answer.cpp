@@ -141,7 +141,8 @@ bool is_unwritten(const Answer& answer, const std::string& task) {
 
 Answer find_cheapest(Study& study, const pt::View& view, const Options& options) {
   Answer answer;
-  const double error = answer.error = options.error;
+  const double error = options.error;
+  answer.error = error;
   answer.bias2 = study.bias2();
   answer.delta_lights =
       std::all_of(view.scene.lights.begin(), view.scene.lights.end(), pt::is_delta);

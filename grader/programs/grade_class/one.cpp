@@ -76,12 +76,13 @@ Key key_of(const Judging& judging, const std::string& submission) {
   return {base::sha256(key), base::sha256(base::read_file(points_file(judging)))};
 }
 
-// The reports that a key stands for: their sums stand behind it, as a loss of power may leave a report empty whose key is whole.
+// The sums of the reports, which stand behind their key: a loss of power may leave a report empty whose key is
+// whole.
 std::string sums_of_reports(const std::string& path) {
   return judge::sum_of_file(path + ".json") + '\n' + judge::sum_of_file(path + ".html") + '\n';
 }
 
-// The file of the key; empty where there are no reports.
+// The text of the key's file; empty where there are no reports.
 std::string key_text_at(const std::string& path) {
   for (const char* ending : {".json", ".html", ".key"}) {
     if (!fs::exists(path + ending)) return "";
