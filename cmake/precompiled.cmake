@@ -63,14 +63,15 @@ function(firstlight_use_precompiled name)
   endforeach()
 endfunction()
 
-# firstlight_use_precompiled_here(<name> [EXCEPT <target>...]): all targets of this folder that compile something.
+# firstlight_use_precompiled_here(<name> [EXCEPT <target>...]): all programs and libraries of this folder. Not those that are
+# objects: solutions of tasks are. tests/precompiled_fits.py says which target lacks what the header was compiled with.
 function(firstlight_use_precompiled_here name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "EXCEPT")
   get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
   list(REMOVE_ITEM targets ${name} ${ARG_EXCEPT})
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
-    if(type MATCHES "^(STATIC_LIBRARY|OBJECT_LIBRARY|EXECUTABLE)$")
+    if(type MATCHES "^(STATIC_LIBRARY|EXECUTABLE)$")
       firstlight_use_precompiled(${name} ${target})
     endif()
   endforeach()
