@@ -223,6 +223,30 @@ TEST_F(Intake, a_list_of_another_kind_is_named) {
   }
 }
 
+TEST_F(Intake, an_entry_of_the_list_that_is_damaged_costs_its_names_only) {
+  add("submission_1/hit_box.cpp", "a");
+  add("submission_2/hit_box.cpp", "b");
+  for (const char* entry : {"5", "[1, 2]", "~", "{:submitters: x}", "{:submitters: {:name: Bob}}",
+                            "{:submitters: [y, [z]]}", "{:submitters: [{:name: [Bob]}]}", "{}"}) {
+    add(kGradescopeList,
+        fmt::format("submission_1: {}\nsubmission_2: {{:submitters: [{{:name: Ada}}]}}\n", entry));
+    auto all = seen();
+    EXPECT_EQ(all.size(), 2U) << entry;
+    EXPECT_EQ(all["submission_1"].files, (Files{{"hit_box.cpp", "a"}})) << entry;
+    EXPECT_EQ(all["Ada"].files, (Files{{"hit_box.cpp", "b"}})) << entry;
+  }
+}
+
+TEST_F(Intake, a_submission_that_is_hidden_is_named) {
+  add("ada/hit_box.cpp", "a");
+  add(".bob/1_rays/hit_box.cpp", "b");
+  add(".cy.zip", archive_of({{"hit_box.cpp", "c"}}));
+  add(".git/HEAD", "?");
+  add("__MACOSX/._ada/._hit_box.cpp", "?");
+  EXPECT_EQ(seen().size(), 1U);
+  EXPECT_THAT(unclaimed_, testing::ElementsAre(".bob", ".cy.zip"));
+}
+
 TEST_F(Intake, archives_in_archives_are_unpacked_to_a_depth) {
   std::string bytes = archive_of({{"hit_box.cpp", "a"}});
   for (int depth = 1; depth <= 6; ++depth) {

@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 
+#include <cstddef>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,16 +13,26 @@ namespace grader::intake {
 
 namespace {
 
-std::string text_of(const YAML::Node& node) {
-  return node && node.IsScalar() ? node.as<std::string>("") : "";
+// What stands under the key; nothing where there is no table, as yaml-cpp throws there.
+YAML::Node value_of(const YAML::Node& table, const char* key) {
+  return table.IsMap() ? table[key] : YAML::Node();
+}
+
+std::string text_of(const YAML::Node& table, const char* key) {
+  const YAML::Node value = value_of(table, key);
+  return value && value.IsScalar() ? value.as<std::string>("") : "";
 }
 
 Submitters submitters_of(const YAML::Node& entry) {
   std::vector<std::string> names, ids;
-  for (const auto& who : entry[":submitters"]) {
-    const std::string id = text_of(who[":sid"]);
-    names.push_back(text_of(who[":name"]));
-    ids.push_back(id.empty() ? text_of(who[":email"]) : id);
+  const YAML::Node people = value_of(entry, ":submitters");
+  if (!people || !people.IsSequence()) return {};
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    const YAML::Node person = people[i];
+    const std::string name = text_of(person, ":name"), id = text_of(person, ":sid");
+    if (!name.empty()) names.push_back(name);
+    const std::string address = text_of(person, ":email");
+    if (!id.empty() || !address.empty()) ids.push_back(id.empty() ? address : id);
   }
   return {fmt::format("{}", fmt::join(names, ", ")), fmt::format("{}", fmt::join(ids, ", "))};
 }

@@ -78,6 +78,7 @@ class Intake {
       throw pt::Error(input.string() +
                       " has no submissions in it: there must be a folder or an archive for each");
     }
+    name_hidden(folder);
     result_.everybody = with_names_that_differ(std::move(result_.everybody));
     return std::move(result_);
   }
@@ -224,6 +225,18 @@ class Intake {
       result_.everybody.push_back(by);
       count();
     }
+  }
+
+  // Nobody's, unless it is renamed: a submission whose name begins with a dot.
+  void name_hidden(const fs::path& folder) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().filename();
+      if (!base::is_hidden(name) || entry.is_symlink()) continue;
+      const bool is_handed_in =
+          is_folder(entry) ? is_submission(entry.path(), means_.tasks) : is_archive(name);
+      if (is_handed_in) result_.unclaimed.push_back(name);
+    }
+    std::sort(result_.unclaimed.begin(), result_.unclaimed.end());
   }
 
   fs::path next_folder() {
