@@ -23,7 +23,7 @@ spoil() {
 spoil sleeper 'std::this_thread::sleep_for(std::chrono::seconds(3));'
 spoil spinner 'for (volatile int i = 0;; i = 0) {}'
 
-# Whatever fits on the disk: it ends with 2, whoever has a verdict keeps it, and nobody has a verdict because of the disk.
+# However little fits on the disk: it ends with 2, a verdict that is there stays, and nobody has a verdict because of the disk.
 out=$folder/graded
 mkdir "$out"
 if ! mount -t tmpfs -o size=16k tmpfs "$out" 2>/dev/null; then

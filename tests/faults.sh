@@ -318,7 +318,7 @@ END
   [ ! -e "$folder/page.html" ] || complain "there is a page of damaged results"
 }
 
-# What CMake wrote, and the note of a run that goes on: one sentence that names the file.
+# Damaged files that CMake wrote, and the note of a run that goes on: one sentence that names the file.
 damaged_notes() {
   local text
   mkdir "$folder/notes"

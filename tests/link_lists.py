@@ -15,7 +15,7 @@ class Target:
         head, listed, handed_on = line.rstrip("\n").split("|")
         self.type, self.name = head.split(" ", 1)
         self.listed = [name for name in listed.split(";") if name]
-        # What only the linker gets is not handed on: who calls it lists it.
+        # A library that only the linker gets is not handed on: its callers list it.
         self.handed_on = [name for name in handed_on.split(";") if name and not name.startswith("$<LINK_ONLY")]
 
 

@@ -221,7 +221,7 @@ TEST(remote, a_worker_that_does_not_start_is_started_again) {
     EXPECT_STREQ(error.what(), "a worker cannot start: no users");
   }
   EXPECT_EQ(calls, 4);
-  // What a submission did is told at once.
+  // A fault of the submission is told at once.
   calls = 0;
   const auto crashes = [&]() -> int {
     ++calls;

@@ -13,7 +13,7 @@ namespace grader::intake {
 
 namespace {
 
-// What stands under the key; nothing where there is no table, as yaml-cpp throws there.
+// The value of the key; none where there is no table, as yaml-cpp throws there.
 YAML::Node value_of(const YAML::Node& table, const char* key) {
   return table.IsMap() ? table[key] : YAML::Node();
 }

@@ -20,7 +20,7 @@ struct Child {
   Limits limits;
   // The memory of the child and all its descendants together, in bytes, where there are control groups for it.
   std::optional<std::uint64_t> tree_memory{};
-  // Whoever starts the child keeps this until it is gone: the lock of its user, for example.
+  // The starter of the child keeps this until the child is gone: the lock of its user, for example.
   std::shared_ptr<const void> held{};
 };
 

@@ -231,7 +231,7 @@ TEST_P(Attack, gets_nowhere_by_compiling_for_ever) {
   told("hit_bvh", "wanted more than 576 MiB of memory");
 }
 
-// Whoever kills the judge, with no time to clean up, ends everything.
+// The judge is killed, with no time to clean up: all its processes end.
 TEST_P(Attack, ends_with_the_judge) {
   Submission submission("killed" + GetParam());
   std::ofstream(submission / "2_bvh/hit_box.cpp")

@@ -1,4 +1,4 @@
-// Whatever a submission does to the grader, it costs no more than the task that does it.
+// A submission that attacks the grader loses the task that does it, and no more.
 #include "grader/self_check/hostile_submission.h"
 
 #include <fstream>

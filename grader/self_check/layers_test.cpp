@@ -42,7 +42,7 @@ const std::map<std::string, std::set<std::string>> kCallsOfTasks{
     {"geometry/primitives.h", {"hit_sphere.h", "hit_triangle.h"}},
     {"scene/tracer.cpp", {"build_bvh.h", "hit_bvh.h"}}};
 
-// What is linked in the place of a task or of the slot radiance is in namespace pt, as they are.
+// Code that is linked in the place of a task or of the slot radiance is in namespace pt, as they are.
 const std::set<std::string> kInPlaceOfTasks{
     "check/counting_hit_box.cpp", "check/counting_hit_sphere.cpp",
     "check/counting_hit_triangle.cpp", "check/mock_diffuse_bsdf.cpp", "wire/implementation.cpp"};

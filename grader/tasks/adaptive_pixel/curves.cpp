@@ -41,7 +41,7 @@ double too_dark(double chance, double rare, double usual, const AdaptiveSettings
   return std::abs(1 - sum / expected);
 }
 
-// What a pixel loses that is done after a first batch without the rare light, by the chance that it
+// The loss of a pixel that is done after a first batch without the rare light, by the chance that it
 // is. A pixel that has met it sees so much noise that it goes on to the end.
 double lost(double chance, double rare, double usual, int batch) {
   const double expected = chance * rare + (1 - chance) * usual;

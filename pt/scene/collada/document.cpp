@@ -62,7 +62,7 @@ std::string read_file(const std::filesystem::path& file) {
   return text;
 }
 
-// What a URL writes as "%20" is a blank: exporters do this to blanks and to letters that are not ASCII.
+// A URL writes a blank as "%20": exporters do this to blanks and to letters that are not ASCII.
 std::string decoded(std::string_view url) {
   std::string text;
   for (std::size_t i = 0; i < url.size(); ++i) {

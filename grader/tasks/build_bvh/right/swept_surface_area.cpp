@@ -33,7 +33,7 @@ class Builder {
     });
   }
 
-  // How many go to the left, and what it costs.
+  // The number of triangles to the left, and the cost.
   std::pair<std::size_t, double> best_place(const std::vector<int>& some) const {
     std::vector<double> right_area(some.size());
     Box right;

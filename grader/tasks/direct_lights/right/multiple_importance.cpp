@@ -9,7 +9,7 @@ namespace pt {
 
 namespace {
 
-// What a direction finds of a light: as sample_light would have drawn it. No pdf, no light.
+// The light that a direction finds, as sample_light would have drawn it. No pdf, no light.
 struct Found {
   double distance = 0;
   Rgb radiance;

@@ -17,7 +17,7 @@ Light strip(const Light& light, int i, int n) {
   return part;
 }
 
-// What one draw counts for: strips are summed, draws of a whole light averaged.
+// The weight of one draw: strips are summed, draws of a whole light averaged.
 double share(const Light& light, int n) {
   return std::holds_alternative<RectangleLight>(light) ? 1 : 1.0 / n;
 }
