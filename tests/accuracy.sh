@@ -98,14 +98,14 @@ grep -qE '^"lights, l = 4","lights, l = 4",1,[^,]*,1,[^,]*,1,' "$folder/engines/
 }
 
 # Killed in the middle, it goes on; and what is printed at the end is what the renders before and after say.
-long() { "$programs/accuracy.reference" cheapest --seconds 20 --pixels 600 -r 48 36 --keep "$folder/kept" scenes/box_spheres.dae; }
-long >/dev/null 2>&1 &
+long_command=("$programs/accuracy.reference" cheapest --seconds 20 --pixels 600 -r 48 36 --keep "$folder/kept" scenes/box_spheres.dae)
+long() { "${long_command[@]}"; }
+"${long_command[@]}" >/dev/null 2>&1 & # the program itself, so that wait ends when it is gone, and its lock with it
 victim=$!
 for _ in $(seq 600); do
   [ -n "$(find "$folder/kept" -type f -size +300k 2>/dev/null)" ] && break
   sleep 0.1
 done
-pkill -9 -P "$victim" 2>/dev/null || true
 kill -9 "$victim" 2>/dev/null || true
 wait "$victim" 2>/dev/null || true
 before=$(find "$folder/kept" -type f -printf '%s')
