@@ -78,13 +78,18 @@ std::string text_if_any(const std::string& path) {
   return fs::is_regular_file(path, error) ? base::read_file(path) : "";
 }
 
-// A line for each file of the folder: its sum and its name.
+// A file's name and its sum, which is empty for a file that is not there.
+std::string sum_line(const std::string& name, const std::string& path) {
+  return name + ' ' + sum_of_file(path) + '\n';
+}
+
+// A line for each file of the folder.
 std::string sums_in(const std::string& folder) {
   std::vector<std::string> lines;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path name = entry.path().lexically_relative(folder);
     if (entry.is_directory() || name == kSums) continue;
-    lines.push_back(sum_of_file(entry.path()) + ' ' + name.string() + '\n');
+    lines.push_back(sum_line(name, entry.path()));
   }
   std::sort(lines.begin(), lines.end());
   std::string all;
@@ -92,12 +97,10 @@ std::string sums_in(const std::string& folder) {
   return all;
 }
 
-// A line for each file: its name and its sum, which is empty for one that is not there.
+// A line for each of the files.
 std::string sums_of(const std::vector<std::string>& files) {
   std::string all;
-  for (const std::string& file : files) {
-    all += fs::path(file).filename().string() + ' ' + sum_of_file(file) + '\n';
-  }
+  for (const std::string& file : files) all += sum_line(fs::path(file).filename(), file);
   return all;
 }
 
