@@ -59,6 +59,10 @@ before=$(grep -o '[0-9]* inputs in' <<<"$said" | head -1)
 shown 0 hit_sphere --submission "$work/mine" --search --minutes .01
 [ "$(grep -o '[0-9]* inputs in' <<<"$said" | head -1 | tr -dc 0-9)" -gt "$(tr -dc 0-9 <<<"$before")" ] ||
   complain "a second search did not go on:" "$before" "$said"
+# The reference is searched in the program itself.
+shown 0 hit_bvh --search --minutes .01
+says 'hit_bvh: '
+says ' inputs in '
 shown 2 trace_path --search
 says 'trace_path has no search'
 

@@ -38,6 +38,12 @@ std::string program_of(const judge::TaskConfig& task) {
   return fs::path(task.graded).replace_filename("stability." + task.slug);
 }
 
+// It has the reference in its own process (grader/programs/search_here.cpp); not where there are no
+// sources of the reference.
+std::string search_program_of(const judge::TaskConfig& task) {
+  return fs::path(task.graded).replace_filename("search." + task.slug);
+}
+
 // The compiled object of the line; or a reason in `error`.
 judge::Judged compiled(const judge::Config& config, const judge::Builder& builder,
                        const judge::TaskConfig& task, const Request& request,
@@ -182,20 +188,22 @@ bool is_named(const Charts& charts, const Chart& chart, std::size_t line) {
 json search_task(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
                  const Hunt& hunt, CurveLine& line) {
   if (!config.no_reference.empty()) throw pt::Error(config.no_reference);
-  const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
-  const judge::Built worker = worker_of(config, builder, task, request, line);
-  if (!line.unusable.empty()) return json::array();
-  // Not judge::ask_program: each search goes on where the last one ended.
   const double seconds = 60 * hunt.minutes;
-  const grader::process::Child child{
-      {program_of(task), "--worker", worker.path, "--isolation",
-       std::string(1, grader::sandbox::letter(request.judge.isolation.tier)), "--seed",
-       std::to_string(request.judge.seed), "--seconds", std::to_string(seconds), "--search",
-       hunt.file},
-      grader::sandbox::judges_environment(),
-      {},
-      "",
-      {}};
+  std::vector<std::string> words{search_program_of(task)};
+  if (line.kind != CurveLine::Kind::reference || !fs::exists(words[0])) {
+    const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
+    const judge::Built worker = worker_of(config, builder, task, request, line);
+    if (!line.unusable.empty()) return json::array();
+    words = {program_of(task), "--worker", worker.path, "--isolation",
+             std::string(1, grader::sandbox::letter(request.judge.isolation.tier))};
+  }
+  // Not judge::ask_program: each search goes on where the last one ended.
+  for (const std::string& word :
+       {std::string("--seed"), std::to_string(request.judge.seed), std::string("--seconds"),
+        std::to_string(seconds), std::string("--search"), hunt.file}) {
+    words.push_back(word);
+  }
+  const grader::process::Child child{words, grader::sandbox::judges_environment(), {}, "", {}};
   const auto most = std::chrono::seconds(static_cast<long long>(60 + 4 * seconds));
   const auto result = grader::process::run_command(child, most);
   if (!result.ok()) throw pt::Error("the search of " + task.slug + ": " + result.output);
