@@ -194,25 +194,29 @@ std::vector<Contest> contests_of(const Materials& materials, const Options& opti
 std::vector<Contest> find_contests(const Materials& materials, const Options& options,
                                    const std::function<void(double)>& progress) {
   std::vector<Contest> contests = contests_of(materials, options);
-  std::vector<std::pair<Contest*, Candidate*>> jobs;
+  struct Job {
+    const Contest* contest;
+    Candidate* candidate;
+  };
+  std::vector<Job> jobs;
   for (Contest& contest : contests) {
-    for (Candidate& candidate : contest.candidates) jobs.emplace_back(&contest, &candidate);
+    for (Candidate& candidate : contest.candidates) jobs.push_back({&contest, &candidate});
   }
   const Workshop workshop(materials);
   std::mutex mutex;
   std::size_t done = 0;
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   grader::base::for_each(jobs.size(), threads, [&](std::size_t i) {
-    const auto& [contest, candidate] = jobs[i];
-    const TaskConfig& task = config_of(materials.config, contest->slug);
+    const Contest& contest = *jobs[i].contest;
+    Candidate& candidate = *jobs[i].candidate;
+    const TaskConfig& task = config_of(materials.config, contest.slug);
     const Judged judged = [&] {
-      if (candidate->is_own) return workshop.own(task, own_folder(options, contest->slug));
-      if (candidate == contest->candidates.data()) return workshop.compiled(task, task.reference);
-      if (candidate->name == kFast)
-        return workshop.compiled(task, materials.fast.at(contest->slug));
-      return workshop.right(task, candidate->name);
+      if (candidate.is_own) return workshop.own(task, own_folder(options, contest.slug));
+      if (&candidate == contest.candidates.data()) return workshop.compiled(task, task.reference);
+      if (candidate.name == kFast) return workshop.compiled(task, materials.fast.at(contest.slug));
+      return workshop.right(task, candidate.name);
     }();
-    workshop.finish(judged, contest->slug == "build_bvh" || contest->slug == "hit_bvh", *candidate);
+    workshop.finish(judged, contest.slug == "build_bvh" || contest.slug == "hit_bvh", candidate);
     const std::lock_guard lock(mutex);
     progress(static_cast<double>(++done) / static_cast<double>(jobs.size()));
   });
