@@ -2,7 +2,6 @@
 
 #include "pt/error.h"
 
-#include <cstddef>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,8 +26,8 @@ Submitters submitters_of(const YAML::Node& entry) {
   std::vector<std::string> names, ids;
   const YAML::Node people = value_of(entry, ":submitters");
   if (!people || !people.IsSequence()) return {};
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    const YAML::Node person = people[i];
+  for (const auto& each : people) {
+    const YAML::Node& person = each;
     const std::string name = text_of(person, ":name"), id = text_of(person, ":sid");
     if (!name.empty()) names.push_back(name);
     const std::string address = text_of(person, ":email");

@@ -165,18 +165,16 @@ class Intake {
     if (entry.is_symlink()) {
       by.problem = "it is a link; copy what it points to";
       result_.everybody.push_back(by);
-    } else if (!is_folder(entry) && !is_file(entry)) {
-      result_.unclaimed.push_back(name);  // a pipe, a device: no platform exports one
     } else if (is_folder(entry)) {
       by.folder = entry.path();
       if (by.problem.empty()) settle(by, means_);
       result_.everybody.push_back(by);
-    } else if (is_packed(name) || !by.problem.empty()) {
+    } else if (is_file(entry) && (is_packed(name) || !by.problem.empty())) {
       by.name = is_packed(name) ? without_ending(name) : name;
       if (by.problem.empty()) add_archive(by, entry.path());
       result_.everybody.push_back(by);
     } else {
-      result_.unclaimed.push_back(name);
+      result_.unclaimed.push_back(name);  // or a pipe, or a device: no platform exports one
     }
   }
 
