@@ -118,6 +118,7 @@ std::vector<Golden> Renders::goldens(const std::vector<int>& of) {
     }
   }
   std::vector<Golden> goldens;
+  goldens.reserve(sums.size());
   for (const GoldenSum& sum : sums) goldens.push_back(sum.golden(effort_.golden_renders));
   return goldens;
 }
