@@ -54,7 +54,8 @@ std::optional<double> luminance_of_pixel(const View& view, int pixel, int points
   const int x = pixel % view.width, y = view.height - 1 - pixel / view.width;
   double sum = 0;
   for (int i = 0; i < points * points; ++i) {
-    const double dx = (i % points + 0.5) / points, dy = (i / points + 0.5) / points;
+    const int column = i % points, row = i / points;
+    const double dx = (column + 0.5) / points, dy = (row + 0.5) / points;
     const std::optional<double> one =
         luminance_at(view, (x + dx) / view.width, (y + dy) / view.height);
     if (!one) return std::nullopt;

@@ -80,7 +80,7 @@ void closest_steps(const char* kind, Scene& scene, const std::vector<Ray>& rays,
   print(kind, kernel.name,
         {"call", "+ frame", "+ prepared", "+ float search", "+ decision", "+ normal", "in a scene"},
         seconds, rays.size());
-}
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): clang-tidy loses the list of std::function
 
 void occluded_steps(Scene& scene, const std::vector<Ray>& rays, const Kernel& kernel, int rounds) {
   const Primitives& primitives = scene.primitives;

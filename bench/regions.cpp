@@ -23,7 +23,8 @@ struct Surface {
   std::array<long, 4> plane{};  // in units: normal, and distance from the origin
   bool flat = false;
 
-  auto operator<=>(const Surface&) const = default;
+  // clang-tidy 14 takes a 0 of the default for a pointer.
+  auto operator<=>(const Surface&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 Surface surface_of(const Scene& scene, const Hit& hit) {
