@@ -94,6 +94,7 @@ bool keep_curve(const char* task, const char* name, Curve (*make)()) {
 
 std::vector<double> by_factors(double first, double last, int count) {
   std::vector<double> places;
+  places.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     places.push_back(first * std::pow(last / first, static_cast<double>(i) / (count - 1)));
   }
