@@ -33,7 +33,7 @@ fs::path copied(const std::vector<Piece>& all, const Means& means) {
     auto& [newest, one] = counts[name];
     if (one == nullptr || number >= newest) std::tie(newest, one) = std::pair(number, &piece);
   }
-  const fs::path folder = means.next_folder();
+  fs::path folder = means.next_folder();
   fs::create_directories(folder);
   constexpr auto kAll = fs::copy_options::recursive | fs::copy_options::skip_existing |
                         fs::copy_options::copy_symlinks;

@@ -115,7 +115,7 @@ base::Submitted ToolFolder::take(const std::string& name, std::size_t most) cons
 
 std::string kept_folder(const std::string& work, const std::string& key,
                         const std::function<void(const ToolFolder&)>& fill) {
-  const std::string folder = work + "/kept/" + key;
+  std::string folder = work + "/kept/" + key;
   if (!is_known_whole(folder)) {
     make_folder(work + "/kept");
     // It is in the cache, where the next run removes what a killed one leaves.

@@ -46,7 +46,7 @@ set logscale xy
 set format x "{}"
 set xlabel "{}" offset 0,.5
 set ylabel "error (root of relMSE)"
-set key bmargin center horizontal maxcols 3 Left reverse samplen 1.5 font ",11"
+set key bmargin center horizontal maxcols 3 Left reverse samplen 1.5 font ",11" title " "
 plot {}
 )gp";
 

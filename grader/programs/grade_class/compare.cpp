@@ -35,11 +35,12 @@ report::Comparison compare(const ClassPlan& plan, const std::string& former,
   report::Comparison comparison;
   comparison.former = former;
   std::set<std::string> names(plan.former_names.begin(), plan.former_names.end());
+  const fs::path old_reports = former, new_reports = out;
   for (std::size_t i = 0; i < plan.everybody.size(); ++i) {
     const intake::HandedIn& by = plan.everybody[i];
     const std::string& name = plan.former_names.at(i);
-    const auto before = name.empty() ? std::nullopt : results_at(former + "/" + name);
-    const auto after = results_at(out + "/" + by.name);
+    const auto before = name.empty() ? std::nullopt : results_at(old_reports / name);
+    const auto after = results_at(new_reports / by.name);
     if (before && after) {
       const results::Totals old = results::totals(before->tasks);
       const results::Totals now = results::totals(after->tasks);
