@@ -73,14 +73,15 @@ TEST(hostile, earns_nothing_by_headers_of_the_renderer_nor_before_it_is_asked) {
   const std::vector<std::string> slugs = submission.put("headers");
   const Outcome outcome = submission.grade(slugs);
   EXPECT_EQ(outcome.exit_status, 1);
-  const std::map<std::string, std::string> closed{{"hit_triangle", "pt/accel/exact_hit.h"},
-                                                  {"hit_sphere", "pt/scene/scene.h"},
-                                                  {"build_bvh", "pt/accel/binary_tree.h"}};
-  for (const auto& [slug, header] : closed) {
+  const std::map<std::string, std::string> closed{
+      {"hit_triangle", "hit_triangle may not include pt/accel/exact_hit.h"},
+      {"hit_sphere", "hit_sphere may not include pt/scene/scene.h"},
+      {"build_bvh", "build_bvh may not include pt/accel/binary_tree.h"}};
+  for (const auto& [slug, words] : closed) {
     EXPECT_EQ(outcome.state(slug), "fail") << slug;
     EXPECT_EQ(outcome.task(slug).at("reason"), "it does not compile") << slug;
     const std::string output = outcome.task(slug).at("compiler_output");
-    EXPECT_NE(output.find(slug + " may not include " + header), std::string::npos) << output;
+    EXPECT_NE(output.find(words), std::string::npos) << output;
   }
   EXPECT_NE(outcome.state("hit_bvh"), "pass");
   for (const std::string& slug : slugs) EXPECT_EQ(outcome.task(slug).at("points"), 0) << slug;

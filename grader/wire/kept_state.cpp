@@ -12,8 +12,10 @@
 #include <vector>
 
 // The linker knows where a section begins and ends; null where there is none.
+// NOLINTBEGIN(bugprone-macro-parentheses): the compiler wants both words bare
 #define FIRSTLIGHT_EDGE(name, symbol) \
   extern char name[] asm(symbol) __attribute__((weak, visibility("hidden")))
+// NOLINTEND(bugprone-macro-parentheses)
 extern "C" {
 FIRSTLIGHT_EDGE(begin_of_data, "__start_firstlight_data");
 FIRSTLIGHT_EDGE(end_of_data, "__stop_firstlight_data");
@@ -32,6 +34,7 @@ struct Malloc {
   Malloc() = default;
   template <class Other>
   Malloc(const Malloc<Other>&) {}
+  // NOLINTNEXTLINE(bugprone-sizeof-expression): T may be a pointer
   T* allocate(std::size_t n) { return static_cast<T*>(std::malloc(n * sizeof(T))); }
   void deallocate(T* p, std::size_t) { std::free(p); }
   bool operator==(const Malloc&) const { return true; }
@@ -75,6 +78,7 @@ class Digest {
   std::uint64_t of_what_is_at(std::uintptr_t address) {
     hash_ = 0xcbf29ce484222325;
     follow(address);
+    // NOLINTNEXTLINE(modernize-loop-convert): add_block makes the list longer
     for (std::size_t i = 0; i < waiting_.size(); ++i) add_block(waiting_[i]);
     waiting_.clear();
     return hash_;
@@ -88,6 +92,7 @@ class Digest {
   void add_block(std::uintptr_t address) {
     const std::size_t size = std::min(blocks().at(address), left_);
     left_ -= size;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the blocks are kept by address
     const char* bytes = reinterpret_cast<const char*>(address);
     for (std::size_t i = 0; i < size; i += sizeof(std::uintptr_t)) {
       std::uintptr_t word = 0;
