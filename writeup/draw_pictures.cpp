@@ -118,7 +118,7 @@ class Artist {
   }
 
   std::string problem(const Picture& picture, const Composed& composed) const {
-    const std::string missing_here = plan_.unavailable(picture);
+    std::string missing_here = plan_.unavailable(picture);
     if (!missing_here.empty()) return missing_here;
     const Rendered& sum = composed.sum;
     if (!sum.failed.empty()) {

@@ -70,7 +70,7 @@ Battery::Numbers numbers(pt::Vec3 v);
 Battery::Numbers numbers(pt::Rgb c);
 inline double flag(bool condition) { return condition ? 1 : 0; }
 
-// The use that two calls make of the same sampler: how far the first one moves it (0: not at all, 1: by one
+// What two calls do with the same sampler: how far the first one moves it (0: not at all, 1: by one
 // number, 2: further), and whether both return the same, as all calls must.
 Battery::Numbers use_of_sampler(const std::function<Battery::Numbers(pt::Sampler& sampler)>& call);
 

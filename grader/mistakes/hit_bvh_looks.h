@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-// The answer to a query, and the rules on the cost that it broke. The order in which a tree is walked is
+// What a query found, and which rules on the cost it broke. The order in which a tree is walked is
 // free, so the number of tests is not part of an answer.
 
 namespace grader::mistakes {

@@ -148,6 +148,7 @@ Uncertain slope_of(const std::vector<Checked>& points) {
 
 void expect_method(const std::vector<Method>& methods, const std::string& title) {
   std::vector<std::string> titles;
+  titles.reserve(methods.size());
   for (const Method& method : methods) titles.push_back(method.title);
   if (title.empty() || std::find(titles.begin(), titles.end(), title) != titles.end()) return;
   throw pt::Error(fmt::format("--beside: there is no method '{}' here, but these: \"{}\"", title,
