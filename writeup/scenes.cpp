@@ -56,7 +56,7 @@ std::string Scenes::camera(const std::string& name) const {
 
 std::string Scenes::description(const std::string& name) const {
   const SceneSource& source = sources_.at(name);
-  const std::string course = fs::path(source.course).filename().string();
+  std::string course = fs::path(source.course).filename().string();
   if (has_course_file(source)) return course;
   const std::string own = source.mesh.empty() ? fs::path(source.own).stem().string()
                                               : fmt::format("a generated {} of {} triangles",

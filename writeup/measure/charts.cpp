@@ -130,9 +130,9 @@ std::vector<double> ticks(const Span& span) {
   const bool many = span.high < kMiddle * span.low;
   const std::vector<double> digits =
       many ? std::vector<double>{1, 2, 3, 5, 7} : std::vector<double>{1, 3};
-  for (double power = std::pow(10, std::floor(std::log10(span.low))); power < span.high;
-       power *= 10) {
-    for (const double digit : digits) all.push_back(digit * power);
+  const int least = static_cast<int>(std::floor(std::log10(span.low)));
+  for (int exponent = least; std::pow(10, exponent) < span.high; ++exponent) {
+    for (const double digit : digits) all.push_back(digit * std::pow(10, exponent));
   }
   std::erase_if(all, [&](double at) { return at < span.low || at > span.high; });
   return all;

@@ -37,6 +37,7 @@ Subject pixels(bool adaptive, int of_cases) {
   pt::PathSettings settings;
   settings.to = of_cases;  // for radiance() below
   std::vector<Pixel> all;
+  all.reserve(kPlaces);
   for (int i = 0; i < kPlaces; ++i) {
     all.push_back({i % kSide, i / kSide, kBright + kDark * (1 - kBright)});
   }
