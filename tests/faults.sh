@@ -329,11 +329,13 @@ damaged_notes() {
     ! grep -qF '[json' "$folder/said" || complain "$(cat "$folder/said")"
   done
   prepare notes
-  mkdir -p "$folder/notes/work"
+  local note=$folder/notes/work
+  mkdir -p "$note"
+  note+=/unfinished
   for text in '' half; do
-    printf '%s' "$text" >"$folder/notes/work/unfinished"
+    printf '%s' "$text" >"$note"
     grades notes 2 --resume
-    says "$folder/notes/work/unfinished does not say which run was interrupted"
+    says "$note does not say which run was interrupted"
   done
 }
 

@@ -53,7 +53,7 @@ TEST_F(Intake, nothing_lands_outside_and_nothing_is_linked) {
                               {"link/firstlight_evil.cpp", "in a folder of its own"},
                               {"hit_sphere.cpp", "first"},
                               {"hit_sphere.cpp", "second"},
-                              {"hit_sphere.cpp/inner.cpp", "a file is no folder"}}));
+                              {"hit_sphere.cpp/inner.cpp", "a file is not a folder"}}));
   add("evil.tar.gz",
       archive_of({{"a/../../../evil.cpp", "x"}, {"ok.cpp", "", AE_IFIFO, ""}}, Format::tar_gz));
   fs::create_symlink("/etc", in("linked"));
@@ -76,7 +76,7 @@ TEST_F(Intake, what_is_broken_or_too_large_has_a_reason_and_the_others_are_there
   const std::string good = archive_of({{"hit_box.cpp", std::string(5000, 'a')}, {"b.cpp", "b"}});
   add("cut.zip", good.substr(0, good.size() / 3));
   add("empty.zip", "");
-  add("text.zip", "this is no archive");
+  add("text.zip", "this is not an archive");
   std::vector<Entry> bomb;
   for (int i = 0; i < 3; ++i) {
     bomb.push_back({std::to_string(i) + ".cpp", std::string(std::size_t{1} << 20, '\0')});

@@ -12,7 +12,7 @@ namespace grader::intake {
 
 namespace {
 
-// The value of the key; none where there is no table, as yaml-cpp throws there.
+// The value of the key, or an empty node where there is no table, for which yaml-cpp throws.
 YAML::Node value_of(const YAML::Node& table, const char* key) {
   return table.IsMap() ? table[key] : YAML::Node();
 }
@@ -28,10 +28,10 @@ Submitters submitters_of(const YAML::Node& entry) {
   if (!people || !people.IsSequence()) return {};
   for (const auto& each : people) {
     const YAML::Node& person = each;
-    const std::string name = text_of(person, ":name"), id = text_of(person, ":sid");
+    const std::string name = text_of(person, ":name"), number = text_of(person, ":sid");
+    const std::string id = number.empty() ? text_of(person, ":email") : number;
     if (!name.empty()) names.push_back(name);
-    const std::string address = text_of(person, ":email");
-    if (!id.empty() || !address.empty()) ids.push_back(id.empty() ? address : id);
+    if (!id.empty()) ids.push_back(id);
   }
   return {fmt::format("{}", fmt::join(names, ", ")), fmt::format("{}", fmt::join(ids, ", "))};
 }

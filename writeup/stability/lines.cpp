@@ -198,11 +198,8 @@ json search_task(const judge::Config& config, const judge::TaskConfig& task, con
              std::string(1, grader::sandbox::letter(request.judge.isolation.tier))};
   }
   // Not judge::ask_program: each search goes on where the last one ended.
-  for (const std::string& word :
-       {std::string("--seed"), std::to_string(request.judge.seed), std::string("--seconds"),
-        std::to_string(seconds), std::string("--search"), hunt.file}) {
-    words.push_back(word);
-  }
+  words.insert(words.end(), {"--seed", std::to_string(request.judge.seed), "--seconds",
+                             std::to_string(seconds), "--search", hunt.file});
   const grader::process::Child child{words, grader::sandbox::judges_environment(), {}, "", {}};
   const auto most = std::chrono::seconds(static_cast<long long>(60 + 4 * seconds));
   const auto result = grader::process::run_command(child, most);

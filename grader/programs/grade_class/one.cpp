@@ -82,7 +82,7 @@ std::string sums_of_reports(const std::string& path) {
   return judge::sum_of_file(path + ".json") + '\n' + judge::sum_of_file(path + ".html") + '\n';
 }
 
-// The text of the key's file; empty where there are no reports.
+// The text of the key's file, or an empty one if there are no reports.
 std::string key_text_at(const std::string& path) {
   for (const char* ending : {".json", ".html", ".key"}) {
     if (!fs::exists(path + ending)) return "";
