@@ -74,7 +74,7 @@ struct Repeats {
   std::vector<std::vector<double>> squares;  // relMSE, by golden
 };
 
-// All of it in one place, so that the parts stay short.
+// Makes the renders of a comparison and reports their progress.
 class Renders {
  public:
   Renders(const std::vector<Contender>& contenders, const std::vector<Region>& regions,
@@ -86,7 +86,7 @@ class Renders {
         seed_(effort.seed) {}
 
   std::vector<Golden> goldens(const std::vector<int>& of);
-  // [contender][number of samples]; the first are of one sample: they show what costs nothing but a start.
+  // [contender][number of samples]; the first have one sample: they show the time that does not depend on samples.
   std::vector<std::vector<Repeats>> repeats(const std::vector<Golden>& goldens,
                                             const std::vector<int>& samples);
   void count_renders(std::size_t goldens, int samples_of_repeats) {

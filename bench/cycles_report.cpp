@@ -73,7 +73,7 @@ std::string formula_table(const SceneReport& report) {
   return text;
 }
 
-// The time for the same error, of the first curve as 1: the mean of error^2 x seconds.
+// The mean of error^2 x seconds. The ratio of two costs is that of the times for the same error.
 double cost(const ErrorCurve& curve) {
   double sum = 0;
   for (const ErrorAfter& point : curve.points) {
@@ -95,7 +95,8 @@ std::string error_table(const SceneReport& report) {
                           point.cpu_seconds, percent(point.errors[0]), percent(point.errors[1]));
     }
     text += fmt::format(
-        "  {:<28}the same error takes {:.2f} of the time of the first; {:.3f} s a render besides\n",
+        "  {:<28}the same error takes {:.2f} of the time of the first; {:.3f} s per render besides "
+        "its samples\n",
         "", cost(curve) / cost(report.comparison.curves[0]), curve.fixed_seconds);
   }
   return text;

@@ -29,8 +29,8 @@ struct SceneReport {
 // Tables for the terminal.
 std::string to_text(const SceneReport& report);
 
-// regions.csv, error.csv and, where there is gnuplot, a chart <scene>.svg for each. Throws Error if they cannot be
-// written.
+// Writes regions.csv and, for each scene, <scene>_error.csv, a chart <scene>.svg where there is gnuplot, and the two
+// long renders as <scene>_ours.exr and <scene>_cycles.exr. Throws Error if a file cannot be written.
 void write_reports(const std::vector<SceneReport>& reports, const std::filesystem::path& folder);
 
 }  // namespace pt

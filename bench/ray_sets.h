@@ -7,8 +7,8 @@
 
 namespace pt {
 
-// The rays of one kind that a path tracer would trace in a scene. Those of a shadow set come in
-// groups of kShadowGroup from one point.
+// The rays that a path tracer would trace in a scene, by kind. Shadow rays come in groups of
+// kShadowGroup from one point.
 inline constexpr int kShadowGroup = 8;
 struct RaySets {
   std::vector<Ray> primary;

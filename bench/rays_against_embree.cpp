@@ -136,7 +136,7 @@ struct Result {
   };
   std::string scene;
   int primitives;
-  double bytes;  // a primitive
+  double bytes;  // per primitive
   std::vector<Line> lines;
 };
 
@@ -189,7 +189,8 @@ Result compare(TestScene& test, const BenchSettings& settings, Csv& csv) {
   return result;
 }
 
-// Times Embree, at least, of rays of this kind. Groups of eight share what a ray costs by itself.
+// The speed that we want for rays of this kind, at least, as a multiple of Embree's. Rays in groups of
+// eight share some of their cost.
 double wanted_of(const std::string& kind, double primitives) {
   if (kind == "camera") return 1;
   if (kind == "bounce") return 1.1;

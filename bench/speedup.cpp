@@ -72,8 +72,8 @@ Engines time_engines(int triangles) {
 }
 
 void print_speedups() {
-  fmt::print("{:>10}  {:>16}  {:>14}  {:>9}\n", "triangles", "linear, us a ray", "task, us a ray",
-             "speed-up");
+  fmt::print("{:>10}  {:>18}  {:>16}  {:>9}\n", "triangles", "linear, us per ray",
+             "task, us per ray", "speed-up");
   for (const int triangles : {100, 1000, 10000, 28000, 100000}) {
     const Engines time = time_engines(triangles);
     fmt::print("{:>10}  {:>16.2f}  {:>14.3f}  {:>8.0f}x\n", triangles, time.linear, time.task,
@@ -98,7 +98,7 @@ void print_whole_render(const std::filesystem::path& file) {
     rates.push_back(1e-6 * rays / result.cpu_seconds);
   }
   fmt::print(
-      "{}, 480 x 360, -s 16 -l 8 -m 6, engine task: {:.2f} million rays a CPU second "
+      "{}, 480 x 360, -s 16 -l 8 -m 6, engine task: {:.2f} million rays per CPU second "
       "({:.2f} to {:.2f} in {} runs)\n",
       file.filename().string(), median(rates), *std::min_element(rates.begin(), rates.end()),
       *std::max_element(rates.begin(), rates.end()), kRuns);

@@ -58,8 +58,8 @@ Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted,
     const auto verdict =
         pictures::judge_image(golden, noise, submission(submitted, own), 3, rounds);
     const bool passed = verdict.outcome == Outcome::pass;
-    const int complained = passed ? verdict.rounds - 1 : verdict.rounds;
-    for (int round = 0; round < complained; ++round) ++tally.failing[round];
+    const int failed_rounds = passed ? verdict.rounds - 1 : verdict.rounds;
+    for (int round = 0; round < failed_rounds; ++round) ++tally.failing[round];
     if (verdict.outcome == Outcome::too_noisy) {
       ++tally.too_noisy;
     } else if (!passed) {
@@ -93,7 +93,7 @@ void print_false_failures(int pictures) {
 
 // The later rounds by themselves: 16 cells chosen at random, each with a sign.
 void print_later_rounds(int pictures) {
-  fmt::print("\nStage 2 on 16 cells at random: of {} right pictures, level 0.002\n", pictures);
+  fmt::print("\nRound 2 on 16 random cells: of {} right pictures, level 0.002\n", pictures);
   for (const auto& [spread, name] : kSpreads) {
     const SyntheticScene scene = synthetic_scene(spread, kWidth, kHeight);
     const auto rounds = pictures::rounds_of(noise_of(spread));

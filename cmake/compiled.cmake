@@ -1,4 +1,4 @@
-# All that is not the learner's, compiled. The full tree says what that is (firstlight_describe_compiled), and
+# Compiled copies of everything but the learner's files. The full tree says what that is (firstlight_describe_compiled), and
 # grader/editions/handout.sh copies it to compiled/ of the learners' edition. Where it fits, targets of the same names are made
 # of it (firstlight_add_compiled), and only the learner's files are left to compile; where it does not, all is built from
 # its sources, as in the full tree.
@@ -41,7 +41,7 @@ function(firstlight_objects_of library separator result)
   set(${result} "${joined}" PARENT_SCOPE)
 endfunction()
 
-# Stops where `library` links a library of ours that the lists above lack: a handout would look for it in vain.
+# Stops if `library` links a library of ours that is not in the lists above: a handout would not contain it.
 function(firstlight_expect_compiled library linked)
   string(REGEX REPLACE "\\$<LINK_ONLY:([^>]*)>" "\\1" linked "${linked}")
   foreach(name IN LISTS linked)

@@ -5,11 +5,12 @@
 # pt/tasks/<slug>.h. Each file becomes an object library <slug>.<implementation>; a program links
 # exactly one library for each task. Exercise numbers (1.3) follow from the order here.
 #
-# grader/tasks.json is the table of them. From it, for each slug: FIRSTLIGHT_JUDGE_ANSWERS_<slug> and
-# FIRSTLIGHT_MOCKS_<slug>, slugs; and where its calls can be counted, FIRSTLIGHT_COUNTED_<slug>: the
-# types of its result and of its shape, and the counter's name. And lists of slugs: FIRSTLIGHT_COUNTED those whose calls can be counted,
-# FIRSTLIGHT_TAPED those whose answers the write-up can keep on a tape, FIRSTLIGHT_MOCKED those that a mock stands for, and
-# FIRSTLIGHT_ANSWERED what the judge answers: slugs, and the slot radiance.
+# grader/tasks.json is the table of the tasks. From it come, for each slug,
+#   FIRSTLIGHT_JUDGE_ANSWERS_<slug>  the calls that the judge answers while the task is judged alone
+#   FIRSTLIGHT_MOCKS_<slug>          the tasks that a mock replaces then
+#   FIRSTLIGHT_COUNTED_<slug>        if its calls can be counted: the types of result and shape, and the counter
+# and the lists FIRSTLIGHT_COUNTED (calls can be counted), FIRSTLIGHT_TAPED (the write-up can keep the answers on a
+# tape), FIRSTLIGHT_MOCKED (there is a mock) and FIRSTLIGHT_ANSWERED (the judge answers; also the slot radiance).
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/grader/tasks.json)
 file(READ ${PROJECT_SOURCE_DIR}/grader/tasks.json table)
 # firstlight_names(<variable> <words of the path in the table>...): an array of names as a list; empty
@@ -54,12 +55,17 @@ endforeach()
 list(REMOVE_DUPLICATES FIRSTLIGHT_ANSWERED)
 list(REMOVE_DUPLICATES FIRSTLIGHT_MOCKED)
 
+# Sets `result`, `shape` and `counter` to the words of a counted task.
+macro(firstlight_counted_by slug)
+  list(GET FIRSTLIGHT_COUNTED_${slug} 0 result)
+  list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
+  list(GET FIRSTLIGHT_COUNTED_${slug} 2 counter)
+endmacro()
+
 # The library <slug>.<name>.counted: the same implementation, and a counter (pt/render/test_count.h).
 function(firstlight_add_counted slug name source)
   if(DEFINED FIRSTLIGHT_COUNTED_${slug})
-    list(GET FIRSTLIGHT_COUNTED_${slug} 0 result)
-    list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
-    list(GET FIRSTLIGHT_COUNTED_${slug} 2 counter)
+    firstlight_counted_by(${slug})
     set(counted ${CMAKE_CURRENT_BINARY_DIR}/counted/${slug}.${name}.cpp)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/counted.cpp.in ${counted} @ONLY)
     add_library(${slug}.${name}.counted OBJECT EXCLUDE_FROM_ALL ${counted})
@@ -175,12 +181,12 @@ function(firstlight_inner_choices slug implementation radiance)
   set(INNER_CHOICES ${choices} PARENT_SCOPE)
 endfunction()
 
-# firstlight_symbol(<slug> <result>): the name that g++ and clang give to the function of a counted or taped task;
+# firstlight_symbol(<slug> <variable>): the name that g++ and clang give to the function of a counted or taped task;
 # self_check/tasks_test.cpp compares it with the reference's object.
-function(firstlight_symbol slug result)
+function(firstlight_symbol slug variable)
   string(LENGTH ${slug} length)
   if(slug IN_LIST FIRSTLIGHT_COUNTED)
-    list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
+    firstlight_counted_by(${slug})
     string(LENGTH ${shape} shape_length)
     set(arguments RKNS_${shape_length}${shape}ERKNS_3RayE)
   elseif(slug IN_LIST FIRSTLIGHT_TAPED)
@@ -188,7 +194,7 @@ function(firstlight_symbol slug result)
   else()
     message(FATAL_ERROR "grader/tasks.json does not say that ${slug} is counted or taped")
   endif()
-  set(${result} _ZN2pt${length}${slug}E${arguments} PARENT_SCOPE)
+  set(${variable} _ZN2pt${length}${slug}E${arguments} PARENT_SCOPE)
 endfunction()
 
 # firstlight_wrap(<objects> <flags> <slug>...): the objects define what calls of these tasks go through in a

@@ -66,7 +66,7 @@
        (const View& view, int x, int y, const AdaptiveSettings& settings, Sampler& sampler), \
        (view, x, y, settings, sampler))
 
-// Not a task, but asked for by two of them.
+// Not a task, but two tasks call it.
 #define FIRSTLIGHT_CALLS_radiance(CALL, DRAW)                                                \
   DRAW(Rgb, radiance,                                                                        \
        (const Scene& scene, const Ray& ray, const PathSettings& settings, Sampler& sampler), \

@@ -17,8 +17,18 @@ namespace {
 using nlohmann::json;
 using Names = std::vector<std::string>;
 
+// A word that nobody reads would do nothing, so it is an error.
+constexpr std::array kWords{"slug",  "part",    "functions", "calls", "judge_answers",
+                            "mocks", "counted", "taped",     "traces"};
+
 Task read_task(const json& from, const Names& scene) {
   Task task;
+  for (const auto& [word, value] : from.items()) {
+    if (std::ranges::find(kWords, word) == kWords.end()) {
+      throw pt::Error("grader/tasks.json has the word '" + word +
+                      "', which grader/tasks.h does not know");
+    }
+  }
   from.at("slug").get_to(task.slug);
   from.at("part").get_to(task.part);
   task.functions = from.value("functions", Names{task.slug});
@@ -48,19 +58,22 @@ std::vector<Task> read_tasks() {
 }
 
 // Through these a scene is traced.
-constexpr std::array kTracers{"build_bvh", "hit_bvh"};
+const Names& tracers() {
+  static const Names all = json::parse(tasks_json).at("tracers");
+  return all;
+}
 
 void add_needs(const Task& task, std::set<std::string>& needed) {
   Names calls = task.calls;
-  if (task.traces) calls.insert(calls.end(), kTracers.begin(), kTracers.end());
+  if (task.traces) calls.insert(calls.end(), tracers().begin(), tracers().end());
   for (const std::string& slug : calls) {
     if (needed.insert(slug).second) add_needs(task_of(slug), needed);
   }
 }
 
 Names find_tracing_tasks() {
-  std::set<std::string> found(kTracers.begin(), kTracers.end());
-  for (const char* slug : kTracers) add_needs(task_of(slug), found);
+  std::set<std::string> found(tracers().begin(), tracers().end());
+  for (const std::string& slug : tracers()) add_needs(task_of(slug), found);
   Names all;
   for (const Task& task : tasks()) {
     if (found.contains(task.slug)) all.push_back(task.slug);

@@ -10,19 +10,21 @@ namespace grader {
 // script ./run read too. The functions with their types are in grader/calls.h, their promises in
 // pt/tasks/, the points for these in grader/points.json.
 struct Task {
-  std::string slug;                          // "hit_triangle"
-  std::string part;                          // "1_rays"
-  std::string number;                        // "1.3": the third line of its part
-  std::vector<std::string> functions{};      // of the contract, in namespace pt; without: the slug
-  std::vector<std::string> calls{};          // the other tasks that it may call: slugs
-  std::vector<std::string> judge_answers{};  // of what it calls: answered by the judge, alone
-  std::vector<std::string> mocks{};          // and what a mock stands for
-  std::vector<std::string> framework{};      // functions of the renderer: "pt::Scene::closest"
-  bool traces = false;                       // it sends rays through a scene, and so through a tree
-  // The table has three words more. `scene`, above the tasks: the `framework` of all that trace.
-  // For CMake (cmake/tasks.cmake), `counted`: the types of the result and the shape of a task whose
-  // calls can be counted, and the name of the counter; and `taped`: whether the write-up can keep
-  // its answers on a tape (cmake/taped.cpp.in).
+  std::string slug;                      // "hit_triangle"
+  std::string part;                      // "1_rays"
+  std::string number;                    // "1.3": the third line of its part
+  std::vector<std::string> functions{};  // of the contract, in namespace pt; by default the slug
+  std::vector<std::string> calls{};      // the other tasks that it may call: slugs
+  std::vector<std::string>
+      judge_answers{};                   // calls that the judge answers while it is judged alone
+  std::vector<std::string> mocks{};      // tasks that a mock replaces then
+  std::vector<std::string> framework{};  // functions of the renderer: "pt::Scene::closest"
+  bool traces = false;                   // it sends rays through a scene, and so through a tree
+  // The table has four more fields. Two stand above the tasks: `scene`, the `framework` of all that
+  // trace, and `tracers`, the tasks that pt/scene/tracer.cpp calls. Two are for CMake
+  // (cmake/tasks.cmake): `counted`, the types of the result and the shape of a task whose calls can
+  // be counted, and the name of the counter; and `taped`: whether the write-up can keep its answers
+  // on a tape (cmake/taped.cpp.in).
 
   std::string file() const { return part + "/" + slug + ".cpp"; }
 };
@@ -34,11 +36,11 @@ const std::vector<Task>& tasks();
 const Task& task_of(std::string_view slug);
 
 // The tasks whose code a task's calls reach, in the order of the course: all of them, not only
-// those it calls itself. Scenes are traced by build_bvh and hit_bvh.
+// those it calls itself. A task that traces needs the `tracers`.
 const std::vector<std::string>& needs(std::string_view slug);
 
-// The tasks that a ray through a scene is traced by, in the order of the course: build_bvh, hit_bvh
-// and what they need.
+// The tasks that a ray through a scene is traced by, in the order of the course: the `tracers` and
+// what they need.
 const std::vector<std::string>& tracing_tasks();
 
 // The text of grader/tasks.json.

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-// The last words of a program.
+// The output at the end of a program.
 
 namespace pt {
 
@@ -21,8 +21,8 @@ inline void flush_standard_output() {
   throw Error(std::string("the output cannot be written: ") + std::strerror(errno));
 }
 
-// The text of an exception, in one line that a terminal does not obey: names of files may hold
-// anything.
+// The message of an exception as one line without control characters, which the name of a file may
+// contain.
 inline std::string sentence_of(const std::exception& error) {
   std::string text = error.what();
   if (const auto* files = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {

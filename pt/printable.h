@@ -29,14 +29,14 @@ inline FirstCharacter first_character(std::string_view text) {
     code = code << 6 | (byte & 0x3f);
   }
   constexpr std::array<std::int32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
-  const bool is_half_a_pair = code >= 0xd800 && code < 0xe000;
-  if (code < kSmallest[size] || is_half_a_pair || code > 0x10ffff) return {};
+  const bool is_surrogate = code >= 0xd800 && code < 0xe000;
+  if (code < kSmallest[size] || is_surrogate || code > 0x10ffff) return {};
   return {size, code};
 }
 
-// Returns whether a character is not seen, ends a line, or turns the direction of writing. The two that
-// join letters are not among them: Persian names and many small pictures need these.
-inline bool is_unseen(std::int32_t code) {
+// Returns whether a character is invisible, ends a line, or changes the direction of writing. The joiners
+// U+200C and U+200D do not count: Persian names and many emoji need them.
+inline bool is_invisible(std::int32_t code) {
   const auto within = [&](std::int32_t first, std::int32_t last) {
     return code >= first && code <= last;
   };
@@ -60,7 +60,7 @@ inline std::string printable(std::string_view text, bool lines = false,
     if (is_control && !stays) {
       shown += for_controls;
     } else {
-      const bool is_shown = code >= 0 && !is_unseen(code) && code != 0xfffe && code != 0xffff;
+      const bool is_shown = code >= 0 && !is_invisible(code) && code != 0xfffe && code != 0xffff;
       shown += is_shown ? text.substr(0, size) : kReplacement;
     }
     text.remove_prefix(size);
@@ -68,7 +68,7 @@ inline std::string printable(std::string_view text, bool lines = false,
   return shown;
 }
 
-// So many bytes at most, and no part of a character at the end.
+// At most `most` bytes from the beginning of a text; no character is cut in two.
 inline std::string_view beginning(std::string_view text, std::size_t most) {
   if (text.size() <= most) return text;
   std::size_t end = most;

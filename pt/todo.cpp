@@ -36,7 +36,7 @@ void todo(std::string_view slug) {
   }
 }
 
-void print_no_todo() {
+void silence_todo() {
   const std::lock_guard lock(reached().mutex);
   reached().print = false;
 }

@@ -6,7 +6,7 @@
 namespace pt {
 
 // From now on todo() prints nothing: the program will name all tasks that are not written at once.
-void print_no_todo();
+void silence_todo();
 
 // The slugs with which todo() was called in this process, in alphabetical order.
 std::vector<std::string> todo_list();

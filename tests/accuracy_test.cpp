@@ -319,8 +319,8 @@ TEST(Ladder, an_idea_is_worth_the_factor_in_time_and_variance) {
   EXPECT_NEAR(climbed[4].seconds, .5e-4, 1e-12);
 }
 
-// Engines have the picture of the base, so that its noise is none of a comparison. The wobble of the
-// machine is that of both where they were timed in the same turns.
+// Engines share the picture of the base, so its noise adds no error when they are compared. If two are
+// timed in the same turns, a change in the machine's speed affects both of them.
 TEST(Ladder, errors_are_those_of_times_and_of_noise) {
   const auto [rungs, turns] = steps();
   const std::vector<Climbed> climbed = worth_of(rungs, turns);

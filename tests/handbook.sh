@@ -58,7 +58,7 @@ check_points() {
     pictures=$(grep '"tasks"' scenes/recipes.json | grep -c "\"$slug\"" || true)
     [ "$most" -eq $((promises + 3 * pictures)) ] && [ "$got" -le "$most" ] ||
       complain "$page: $slug has $((promises + 3 * pictures)) points, not $points"
-  done < <(grep -E '^ +[1-5]\.[0-9]  [a-z_]+ +[a-z]+ +[0-9]+/[0-9]+' "$page")
+  done < <(grep -E '^ +[1-9]\.[0-9]  [a-z_]+ +[a-z]+ +[0-9]+/[0-9]+' "$page")
 }
 
 pages=0

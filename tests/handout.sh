@@ -82,7 +82,8 @@ sed -i 's/^machine .*/machine Linux other/' "$folder"/{reference-objects,compile
 grades 0 'as the reference was compiled for another machine' hit_triangle
 grades 1 'blocked' trace_path
 cp -r reference/* "$folder/student/"
-grades 0 '12 of 12 tasks pass'
+count=$(grep -c '"slug"' grader/tasks.json)
+grades 0 "$count of $count tasks pass"
 cd "$folder"
 if ./run render scenes/spheres.dae -f none.png --from reference 2>errors; then
   complain "stubs have been rendered as the reference"

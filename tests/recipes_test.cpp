@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 #include "pt/file.h"
+#include "tests/pixels_depend_on.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -215,9 +216,10 @@ TEST(Recipes, judge_every_task_by_a_few_pictures) {
   }
   for (const std::string& task : task_slugs()) {
     EXPECT_TRUE(fs::exists(kRoot / "pt/tasks" / (task + ".h"))) << task;
-    EXPECT_GE(pictures[task], 1) << task;
+    if (pixels_depend_on(task)) {
+      EXPECT_GE(pictures[task], 1) << task;
+    }
   }
-  EXPECT_EQ(task_slugs().size(), 12u);
 }
 
 }  // namespace

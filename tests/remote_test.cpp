@@ -170,19 +170,18 @@ TEST(remote, types_that_differ_have_different_codes) {
 
 TEST(remote, answers_have_numbers) {
   const double nan = std::nan("");
-  EXPECT_TRUE(has_numbers(pt::Ray{{}, {0, 0, 1}, 0, pt::kInfinity}));
-  EXPECT_FALSE(has_numbers(pt::Ray{{}, {0, nan, 1}, 0, 1}));
-  EXPECT_FALSE(has_numbers(pt::Ray{{}, {0, 0, 1}, 0, nan}));
-  EXPECT_FALSE(has_numbers(std::optional<pt::SurfaceHit>({pt::kInfinity, {}})));
-  EXPECT_TRUE(has_numbers(std::optional<pt::SurfaceHit>()));
-  EXPECT_TRUE(has_numbers(std::optional<pt::Interval>({0, pt::kInfinity})));
-  EXPECT_FALSE(has_numbers(pt::Rgb{1, nan, 1}));
-  EXPECT_FALSE(has_numbers(pt::Bvh{{{{{0, 0, nan}, {}}, 0, 0, 0, 1}}, {0}}));
+  EXPECT_TRUE(has_valid_numbers(pt::Ray{{}, {0, 0, 1}, 0, pt::kInfinity}));
+  EXPECT_FALSE(has_valid_numbers(pt::Ray{{}, {0, nan, 1}, 0, 1}));
+  EXPECT_FALSE(has_valid_numbers(pt::Ray{{}, {0, 0, 1}, 0, nan}));
+  EXPECT_FALSE(has_valid_numbers(std::optional<pt::SurfaceHit>({pt::kInfinity, {}})));
+  EXPECT_TRUE(has_valid_numbers(std::optional<pt::SurfaceHit>()));
+  EXPECT_TRUE(has_valid_numbers(std::optional<pt::Interval>({0, pt::kInfinity})));
+  EXPECT_FALSE(has_valid_numbers(pt::Rgb{1, nan, 1}));
+  EXPECT_FALSE(has_valid_numbers(pt::Bvh{{{{{0, 0, nan}, {}}, 0, 0, 0, 1}}, {0}}));
 }
 
-// FIPS 180-4's own examples, and lengths around a block's end.
-// A fast machine tries more of them than a slow one. Limits of all calls together, and variables that
-// a submission keeps, must not depend on that.
+// A fast machine tries more smaller inputs than a slow one. They have a session of their own, so that
+// the limits of all calls together, and variables that a submission keeps, do not depend on that.
 TEST(remote, smaller_inputs_have_a_session_of_their_own) {
   open_session({});
   Session* const usual = &session();

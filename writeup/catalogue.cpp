@@ -23,7 +23,7 @@ const std::set<std::string> kFigure{
 
 void expect_known(const json& object, const std::set<std::string>& known) {
   for (const auto& [name, value] : object.items()) {
-    if (!known.contains(name)) throw pt::Error("nobody reads '" + name + "'");
+    if (!known.contains(name)) throw pt::Error("unknown field '" + name + "'");
   }
 }
 
@@ -37,7 +37,7 @@ Look look_of(const std::string& word) {
   return found->second;
 }
 
-// Default values of a figure's fields.
+// Default settings of a picture.
 json defaults() {
   Spec spec;
   spec.path.to = 5;

@@ -73,7 +73,7 @@ Problems for_each(const Plan& plan, const std::vector<const Figure*>& figures, A
   return problems;
 }
 
-// The part of the numbers that differ by more than rounding.
+// Throws pt::Error if two pictures differ by more than rounding.
 void expect_same(const pt::Picture& made, const pt::Picture& kept) {
   if (made.width != kept.width || made.height != kept.height) {
     throw pt::Error(fmt::format("its picture is {} x {} pixels and would be {} x {}", kept.width,
@@ -90,8 +90,8 @@ void expect_same(const pt::Picture& made, const pt::Picture& kept) {
   }
   if (other == 0) return;
   throw pt::Error(
-      fmt::format("{} of {} pixels of its picture are others, by up to {} levels; "
-                  "./run writeup --handbook makes it anew",
+      fmt::format("{} of {} pixels differ from the kept picture, by up to {} levels; "
+                  "./run writeup --handbook makes it again",
                   other, made.pixels.size(), most));
 }
 

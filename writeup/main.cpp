@@ -216,7 +216,7 @@ int run(Options options) {
 
 // Finished work is on disk, and the children end with this process.
 void stop(int) {
-  const char words[] = "\nstopped; the same command goes on here\n";
+  const char words[] = "\nstopped; run the same command again to continue\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
   _exit(130);
 }

@@ -17,9 +17,9 @@ const char* const kFooter =
     "  ./run writeup --quality draft    a minute: small pictures of few samples\n"
     "  ./run writeup 3 adaptive         a part, and a figure\n"
     "  ./run writeup --from student     your own code; --from hit_bvh=student a mixture\n\n"
-    "Whatever ends it, the same command goes on where it was. Exit codes: 0 all is made, 1 a "
-    "figure\n"
-    "is not (its place says why), 2 the call cannot be used.";
+    "If it is stopped, the same command continues where it was. Exit codes: 0 all figures are "
+    "made,\n"
+    "1 a figure is missing (the page says why), 2 the arguments cannot be used.";
 
 void describe(CLI::App& app, Options& options) {
   app.add_option("what", options.what,

@@ -22,7 +22,7 @@ struct Site {
 // part's page. Throws pt::Error for a name in a text that does not exist.
 void write_pages(const Site& site, const std::filesystem::path& folder);
 
-// The texts that there must be: index, part1 to part5, bugs.
+// The names of the pages, each of which has a text: index, part1 to part5, accuracy, needs, stability, bugs.
 const std::vector<std::string>& page_names();
 
 }  // namespace writeup

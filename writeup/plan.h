@@ -31,8 +31,8 @@ class Plan {
   Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes, const Store& store,
        const Measurements& measured, Quality quality);
 
-  // The renders whose sum the picture is. If their settings depend on the time of others that have
-  // not been made, those others, which come first.
+  // The renders whose sum the picture is. If the number of samples depends on times that are not known
+  // yet, a pilot render instead, which has to be made first.
   std::vector<Unit> units(const Figure& figure, const Picture& picture) const;
 
   // Everything a figure needs that can be named so far.

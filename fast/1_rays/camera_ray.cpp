@@ -6,8 +6,8 @@ namespace pt {
 
 namespace {
 
-// Half of what a field of view spans on the window at z = -1. The rays of a picture all ask for the
-// same two, and a tangent takes as long as the rest of a ray.
+// tan(fov / 2), kept from the last call: all rays of a picture have the same two fields of view, and
+// a tangent takes as long as the rest of the function.
 class HalfTangent {
  public:
   double of(double fov_deg) {
@@ -27,7 +27,7 @@ constinit thread_local HalfTangent horizontal, vertical;
 
 }  // namespace
 
-// As in reference/, operation for operation, but for the tangents.
+// The same operations as in reference/1_rays/camera_ray.cpp; only the two tangents are kept.
 Ray camera_ray(const Camera& camera, double x, double y) {
   const double half_width = horizontal.of(camera.hfov_deg);
   const double half_height = vertical.of(camera.vfov_deg);

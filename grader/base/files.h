@@ -30,8 +30,8 @@ inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
 
-// Returns whether a program, and no person, made a file of that name: .DS_Store, __MACOSX, .git. `..`
-// is such a name too.
+// Returns whether a name begins with a dot (.git, .DS_Store, also ..) or is __MACOSX: programs make such
+// files, people do not.
 bool is_hidden(const std::string& name);
 
 // The folder in which the tree of a submission starts: the given one, or what is in it as long as

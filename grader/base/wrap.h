@@ -6,7 +6,7 @@
 
 namespace grader::base {
 
-// Broken between words into lines of at most `width` characters, longer words apart.
+// Breaks a text between words into lines of at most `width` characters. A longer word has a line of its own.
 inline std::vector<std::string> wrap(const std::string& text, std::size_t width) {
   std::vector<std::string> lines;
   std::istringstream words(text);

@@ -17,7 +17,7 @@ struct FailureSearch {
   std::uint64_t seed = 0;  // of the random inputs
   int cases = 0;           // the largest number of random inputs
   bool shrinks = true;     // looks for a smaller input, for a limited time
-  int max_crashes = 20;    // smaller inputs after a crash, of which each costs a new process
+  int max_crashes = 20;    // smaller inputs after a crash, each of which costs a new process
 };
 
 struct Found {
@@ -33,7 +33,7 @@ Found find_failure(const std::function<void()>& property, const FailureSearch& s
 // a verdict.
 bool tries_smaller_inputs();
 
-// Repeats the same search. A debugger stops (at_smallest_failure) just before this run.
+// Repeats the same search. A debugger stops (at_smallest_failure) just before run number `run`.
 void run_again(const std::function<void()>& property, const FailureSearch& search, int run);
 
 // The place where a debugger stops (./run debug).

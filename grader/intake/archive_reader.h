@@ -19,8 +19,8 @@ struct EntryFault : std::runtime_error {
   bool ends_reader;  // nothing more can be read after it
 };
 
-// Reads the entries of an archive one after the other, within the bounds for numbers and for all that is read. Throws pt::Error,
-// with the name, where the archive ends or is beyond them.
+// Reads the entries of an archive one after the other, and bounds their number and the bytes that are read. Throws pt::Error,
+// with the archive's name, if the archive is damaged or exceeds these bounds.
 class ArchiveReader {
  public:
   ArchiveReader(int file, std::string name, const Bounds& bounds);

@@ -40,7 +40,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-std::vector<std::string> seen_of(const std::string& path) {
+std::vector<std::string> parts_before_hidden(const std::string& path) {
   if (leads_out(path)) return {};
   std::vector<std::string> all;
   for (const std::string& part : all_parts(path)) {
@@ -56,7 +56,7 @@ std::vector<std::string> parts_of(const std::string& path) {
   const bool is_hidden = std::any_of(all.begin(), all.end(), [](const std::string& part) {
     return part != "." && base::is_hidden(part);
   });
-  return is_hidden ? std::vector<std::string>() : seen_of(path);
+  return is_hidden ? std::vector<std::string>() : parts_before_hidden(path);
 }
 
 bool leads_out(const std::string& path) {

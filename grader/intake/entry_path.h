@@ -9,8 +9,8 @@ namespace grader::intake {
 // out of the folder. Windows writes \ for /. A part that is too long for a file's name is cut before its ending.
 std::vector<std::string> parts_of(const std::string& path);
 
-// The folders around what is hidden; all of it if nothing is.
-std::vector<std::string> seen_of(const std::string& path);
+// The parts of a path before the first hidden one; all parts if none is hidden; none if the path leads out of the folder.
+std::vector<std::string> parts_before_hidden(const std::string& path);
 
 // Returns whether an entry's path is absolute or leads out of the folder.
 bool leads_out(const std::string& path);

@@ -22,7 +22,8 @@ bool is_shown(std::int32_t code) {
   const auto within = [&](std::int32_t first, std::int32_t last) {
     return code >= first && code <= last;
   };
-  return !(within(0, 0x1f) || within(0x7f, 0x9f) || within(0x200c, 0x200d) || pt::is_unseen(code));
+  return !(within(0, 0x1f) || within(0x7f, 0x9f) || within(0x200c, 0x200d) ||
+           pt::is_invisible(code));
 }
 
 // Written behind a letter, or behind the first part of a Korean syllable.

@@ -11,9 +11,8 @@ std::string ending_of(const std::string& name);
 // A name of at most `most` bytes, which keeps its ending.
 std::string cut_name(const std::string& name, std::size_t most);
 
-// A file's name for a folder of our own, whatever a platform allows in a name: UTF-8 without control
-// characters and without those that turn the direction of writing. Of the names of a large group the beginning: a file's name
-// has 255 bytes at most, and reports have endings.
+// Makes a safe name for a file in a folder of ours: UTF-8, without control characters and without characters that change the
+// direction of writing. It is cut, since a name may have 255 bytes, and an ID and the ending of a report may be added.
 std::string as_file_name(const std::string& name);
 
 // Equal for names that are one file where large and small letters are the same (macOS, Windows).

@@ -5,7 +5,7 @@
 #include "grader/intake/gradescope.h"
 #include "grader/intake/names_that_differ.h"
 #include "grader/intake/pieces.h"
-#include "grader/intake/settle.h"
+#include "grader/intake/prepare_submission.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class Intake {
   Intake(fs::path work, const std::vector<TaskFile>& tasks, const Unpack& unpack,
          const Progress& progress)
       : work_(std::move(work)),
-        means_{tasks, unpack, [this] { return next_folder(); }},
+        tools_{tasks, unpack, [this] { return next_folder(); }},
         progress_(progress) {
     fs::remove_all(work_);
   }
@@ -89,7 +89,7 @@ class Intake {
     if (fs::is_directory(input)) return input;
     fs::path folder = work_ / "all";
     fs::create_directories(work_);
-    const std::string problem = means_.unpack(input, folder, Extent::everybody);
+    const std::string problem = tools_.unpack(input, folder, Extent::everybody);
     if (!problem.empty()) throw pt::Error(problem);
     for (const Fault& fault : read_faults(folder)) {
       faults_.emplace((folder / fault.path).string(), fault.reason);
@@ -103,8 +103,8 @@ class Intake {
       const std::vector<fs::directory_entry> entries = entries_of(folder);
       if (entries.size() != 1 || !is_folder(entries[0])) return folder;
       const fs::path& inner = entries[0].path();
-      const bool is_class = holds_several(inner, means_.tasks);
-      if (read_label(inner.filename()) || (is_submission(inner, means_.tasks) && !is_class))
+      const bool is_class = holds_several(inner, tools_.tasks);
+      if (read_label(inner.filename()) || (is_submission(inner, tools_.tasks) && !is_class))
         return folder;
       const std::vector<fs::directory_entry> inside = entries_of(inner);
       if (inside.empty() || (inside.size() == 1 && !is_folder(inside[0]))) return folder;
@@ -136,7 +136,7 @@ class Intake {
       count();
     }
     for (auto& [key, pieces] : pieces_) {
-      result_.everybody.push_back(gathered(std::move(pieces), means_));
+      result_.everybody.push_back(one_submission(std::move(pieces), tools_));
       count();
     }
   }
@@ -167,7 +167,7 @@ class Intake {
       result_.everybody.push_back(by);
     } else if (is_folder(entry)) {
       by.folder = entry.path();
-      if (by.problem.empty()) settle(by, means_);
+      if (by.problem.empty()) prepare_submission(by, tools_);
       result_.everybody.push_back(by);
     } else if (is_file(entry) && (is_packed(name) || !by.problem.empty())) {
       by.name = is_packed(name) ? without_ending(name) : name;
@@ -180,7 +180,7 @@ class Intake {
 
   void add_archive(HandedIn& by, const fs::path& file) const {
     if (is_archive(file.filename())) {
-      settle_archive(by, file, means_);
+      prepare_archive(by, file, tools_);
     } else {
       by.problem =
           fmt::format("'{}' cannot be unpacked here; hand in a zip", as_file_name(file.filename()));
@@ -219,7 +219,7 @@ class Intake {
         by.folder = place->second;
         by.problem = fault_of(place->second);
       }
-      if (by.problem.empty()) settle(by, means_);
+      if (by.problem.empty()) prepare_submission(by, tools_);
       result_.everybody.push_back(by);
       count();
     }
@@ -231,7 +231,7 @@ class Intake {
       const std::string name = entry.path().filename();
       if (!base::is_hidden(name) || entry.is_symlink()) continue;
       const bool is_handed_in =
-          is_folder(entry) ? is_submission(entry.path(), means_.tasks) : is_archive(name);
+          is_folder(entry) ? is_submission(entry.path(), tools_.tasks) : is_archive(name);
       if (is_handed_in) result_.unclaimed.push_back(name);
     }
     std::sort(result_.unclaimed.begin(), result_.unclaimed.end());
@@ -243,7 +243,7 @@ class Intake {
   }
 
   fs::path work_;
-  Means means_;
+  IntakeTools tools_;
   const Progress& progress_;
   std::size_t done_ = 0, all_ = 0;
   int folders_ = 0;

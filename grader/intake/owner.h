@@ -14,7 +14,7 @@ struct Label {
   std::string name, id;  // of the learner; the ID may be empty
   std::string file;      // as the learner named it; empty: it is a folder
   std::string before;    // what stands before that
-  std::string order;     // of files with equal names the one with the greatest counts
+  std::string order;     // of files with equal names, the one with the largest order is used
   bool late = false;
   bool text = false;  // words typed into a form, and nothing that was uploaded
 

@@ -12,7 +12,7 @@ inline constexpr const char* kFolderItself = "";
 // That of a file which is hidden, or in a hidden folder.
 inline constexpr const char* kHidden = ".";
 
-// Whose the entries of an archive of everybody's work are, by all of their paths.
+// Finds the owner of each entry in an archive of a whole class, from the paths of all entries.
 class Owners {
  public:
   Owners() = default;
@@ -24,8 +24,8 @@ class Owners {
   // The same for all entries of one owner.
   std::string key(const std::vector<std::string>& place) const;
 
-  // Places of owners who may be two: their files or folders come twice, and libarchive writes all accents in one
-  // way. Where a platform's number is in the name, it is one.
+  // Places of files or folders that may belong to two owners: their name is there twice, and libarchive writes names that differ
+  // only in how accents are encoded in one way. A name with a platform's number in it has one owner.
   const std::vector<std::vector<std::string>>& in_doubt() const { return in_doubt_; }
 
  private:

@@ -26,14 +26,14 @@ std::pair<std::string, int> resubmission(const std::string& name,
 }
 
 // A folder of their own for the files that count.
-fs::path copied(const std::vector<Piece>& all, const Means& means) {
+fs::path copied(const std::vector<Piece>& all, const IntakeTools& tools) {
   std::map<std::string, std::pair<int, const Piece*>> counts;
   for (const Piece& piece : all) {
-    const auto [name, number] = resubmission(piece.label.file, means.tasks);
+    const auto [name, number] = resubmission(piece.label.file, tools.tasks);
     auto& [newest, one] = counts[name];
     if (one == nullptr || number >= newest) std::tie(newest, one) = std::pair(number, &piece);
   }
-  fs::path folder = means.next_folder();
+  fs::path folder = tools.next_folder();
   fs::create_directories(folder);
   constexpr auto kAll = fs::copy_options::recursive | fs::copy_options::skip_existing |
                         fs::copy_options::copy_symlinks;
@@ -52,7 +52,7 @@ fs::path last_folder(const std::vector<Piece>& all) {
 
 }  // namespace
 
-HandedIn gathered(Pieces pieces, const Means& means) {
+HandedIn one_submission(Pieces pieces, const IntakeTools& tools) {
   HandedIn& by = pieces.by;
   std::vector<Piece>& all = pieces.all;
   // Words in a form are a submission only where there is nothing else.
@@ -67,8 +67,8 @@ HandedIn gathered(Pieces pieces, const Means& means) {
   }
   if (!by.problem.empty()) return by;
   by.folder = last_folder(all);
-  if (by.folder.empty()) or_problem(by, [&] { by.folder = copied(all, means); });
-  if (by.problem.empty()) settle(by, means);
+  if (by.folder.empty()) note_problem(by, [&] { by.folder = copied(all, tools); });
+  if (by.problem.empty()) prepare_submission(by, tools);
   return by;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grader/intake/handed_in.h"
-#include "grader/intake/settle.h"
+#include "grader/intake/prepare_submission.h"
 
 #include <filesystem>
 #include <vector>
@@ -19,7 +19,7 @@ struct Pieces {
   std::vector<Piece> all;
 };
 
-// The submission that they are together: of resubmissions the last, in a folder of their own.
-HandedIn gathered(Pieces pieces, const Means& means);
+// Makes one submission of a learner's files and folders: the last folder, or a new one with the last version of each file.
+HandedIn one_submission(Pieces pieces, const IntakeTools& tools);
 
 }  // namespace grader::intake

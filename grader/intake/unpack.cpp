@@ -76,7 +76,7 @@ class Unpacking {
       const std::vector<std::string> place = parts_of(path);
       outside_ = outside_ || leads_out(path);
       if (place.empty()) {
-        make_owner_of_hidden(seen_of(path));
+        make_owner_of_hidden(parts_before_hidden(path));
         continue;
       }
       try {
@@ -108,7 +108,7 @@ class Unpacking {
     reader_.open();
     while (archive_entry* entry = reader_.next()) {
       const std::string path = path_of(entry);
-      std::vector<std::string> place = seen_of(path);
+      std::vector<std::string> place = parts_before_hidden(path);
       if (place.empty()) continue;
       if (parts_of(path).empty()) {
         place.emplace_back(kHidden);

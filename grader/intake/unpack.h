@@ -32,7 +32,7 @@ inline constexpr Bounds kBoundsOfOne{100'000, 5'000, std::uint64_t{64} << 20,
 inline constexpr Bounds kBoundsOfEverybody{2'000'000, 200'000, std::uint64_t{20} << 30,
                                            std::int64_t{64} << 30};
 
-// `one`: of a learner's archive, and of each owner in one of everybody's work.
+// `one`: for a learner's archive, and for each owner in an archive of the whole class.
 struct Limits {
   Bounds one = kBoundsOfOne, everybody = kBoundsOfEverybody;
 };
@@ -47,9 +47,9 @@ struct Limits {
 // Throws pt::Error, one sentence, if it is not an archive, is damaged or encrypted, or is beyond
 // the bounds; and another exception where the machine is at fault, as when the disk is full.
 //
-// In an archive of everybody's work, each owner has the bounds of one, and a fault in an entry is that owner's: read_faults has
-// it, and the others are unpacked. Whoever is in it has a folder or a file, empty if need be. An owner is the first part
-// of the path below the folders that all entries share, or whom that part names (grader/intake/owner.h).
+// In an archive of the whole class, each owner has the bounds of `one`. A fault in an entry belongs to its owner: read_faults
+// returns it, and the others are unpacked. Every owner has a folder or a file, which may be empty. The owner is the first part
+// of the path below the folders that all entries share, or the learner whom that part names (grader/intake/owner.h).
 void unpack(const std::string& archive, const std::string& folder, Extent extent = Extent::one,
             const Limits& limits = {});
 

@@ -34,8 +34,8 @@ class Builder {
   // `text` as the file part/slug.cpp of a tree in which there are the headers and nothing else.
   Built compile(const TaskConfig& task, const std::string& text) const;
 
-  // A worker of the framework and one definition of every task: objects, and for each key what
-  // stands for its content.
+  // Links a worker: the framework, and `objects` with one definition of every task. `key` stands for
+  // the content of these objects. `integrated`: the worker also records the tests that hit_bvh makes.
   Built link(const Paths& objects, const std::string& key, bool integrated) const;
 
   const std::string& cache() const { return cache_; }

@@ -135,7 +135,7 @@ void trim_cache(const std::string& folder, std::uintmax_t most) {
   }
 }
 
-// The time of a file tells when. One of the future is of a clock that was set back.
+// The time of a file tells when. A time in the future means that the clock was set back.
 void trim_cache_now_and_then(const std::string& folder, std::uintmax_t most) {
   const std::string looked = folder + "/trimmed";
   std::error_code error;

@@ -21,8 +21,8 @@ inline constexpr std::chrono::hours kInUse{1};
 // Marks an entry's file as used now. Does nothing if the file is not there.
 void mark_used(const std::string& path);
 
-// A hash of the content of a file; of objects and programs, one that stays the same when they are built again from the same
-// sources. Found once for each version of the file, and kept in the folder.
+// The SHA-256 of a file's content. Unlike base::stamp(), it stays the same when an object is built again with equal content. It is
+// computed once for each version of the file, and kept in `folder`.
 std::string content_stamp(const std::string& path, const std::string& folder);
 
 // Removes temporary files and folders of processes that are gone: half-made trees, files of

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-// Files that are kept from run to run: whether they are what was written, as a loss of power may leave a file empty
-// or cut off; and folders of them that other judges use too.
+// Files and folders that are kept from run to run, with checksums: after a loss of power, a file may be empty or cut
+// off. Other judges may use the folders at the same time.
 namespace grader::judge {
 
 // The size and a checksum of bytes, and of a file; empty if the file cannot be read. They find damage, and no
@@ -23,7 +23,7 @@ void keep_file(const std::string& path, const std::string& bytes);
 bool is_whole(const std::string& path);
 
 // The same for files that belong together, as a verdict and its pictures do: all their sums in <path>.sum, noted
-// when the last of them is written. Which of them are there is a part of it.
+// when the last of them is written. A file that is missing is noted as missing.
 void note_sums_of(const std::string& path, const std::vector<std::string>& files);
 bool are_whole(const std::string& path, const std::vector<std::string>& files);
 
@@ -35,7 +35,7 @@ bool is_whole_folder(const std::string& folder);
 bool use_folder(const std::string& folder);
 
 // Removes the folders beside this one that no process uses and that nobody has used within kInUse: those of other
-// versions of the project, its compiler or its flags. A time of the future is of a clock that was set back.
+// versions of the project, its compiler or its flags. A time in the future means that the clock was set back.
 void remove_unused_beside(const std::string& folder);
 
 }  // namespace grader::judge

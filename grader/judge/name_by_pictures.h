@@ -7,8 +7,8 @@
 
 namespace grader::judge {
 
-// The known mistakes that make one of these pictures of a task at least, and of which no picture
-// says that it is not made by them.
+// The known mistakes that explain at least one of these pictures of a task, and that no picture
+// contradicts.
 std::vector<std::string> candidates(const std::vector<results::PictureResult>& pictures);
 
 // Enters the only candidate, if there is one alone, into the pictures that it makes, with its

@@ -33,10 +33,10 @@ struct ObjectFile {
 // with one sentence if the bytes are not a 64-bit relocatable object of this machine's byte order.
 ObjectFile read_object(std::string_view bytes);
 
-// The object with its variables that live as long as the program and may be written in sections of
-// their own, those with a value at the start and those without (and without those that only one
-// thread sees): the worker looks whether a task changes them (grader/wire/kept_state.h). Nothing
-// else is different. Throws as read_object.
+// Returns the object with its writable static variables in two sections of their own: those with an
+// initial value, and those without. Variables of one thread stay where they are. The worker looks
+// whether a task changes these sections (grader/wire/kept_state.h). Nothing else is different. Throws
+// as read_object.
 inline constexpr std::string_view kStateSections[] = {"firstlight_data", "firstlight_bss"};
 std::string with_state_marked(std::string_view object);
 

@@ -1,6 +1,6 @@
 #include "grader/judge/tool_run.h"
 
-#include "grader/sandbox/told.h"
+#include "grader/sandbox/launcher_messages.h"
 
 #include <cerrno>
 #include <csignal>
@@ -60,13 +60,13 @@ ToolRun run_once(sandbox::Box box, sandbox::Tier tier, int seconds) {
   box.tells_start = true;
   ToolRun run;
   run.result = process::run_command(sandbox::boxed(box, tier), std::chrono::seconds(seconds));
-  sandbox::Told told;
-  told.listen(launcher.read_end);
+  sandbox::LauncherMessages messages;
+  messages.listen(launcher.read_end);
   int& status = run.result.status;
-  status = sandbox::program_status(status, tier, told);
+  status = sandbox::program_status(status, tier, messages);
   run.started = tier == sandbox::Tier::limits
                     ? !(WIFEXITED(status) && WEXITSTATUS(status) == kNotFound)
-                    : told.has_started();
+                    : messages.has_started();
   const bool ended = (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) ||
                      (!run.result.ok() && lost_a_part(parts.read_end));
   // Its own limit of time ends it with the same signal.

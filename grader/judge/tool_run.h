@@ -9,8 +9,8 @@
 
 namespace grader::judge {
 
-// A run of a compiler or a linker in its box. Its output may be a submission's text (#line "bwrap: x"),
-// so the other two come from the launcher and the kernel alone.
+// A run of a compiler or a linker in its box. Its output may contain text of a submission (#line "bwrap: x"),
+// so the other two are known from the launcher and the kernel alone.
 struct ToolRun {
   process::CommandResult result;
   bool started = false;  // the box was made, and the program began
@@ -23,9 +23,9 @@ struct ToolRun {
 // (Gradescope: 768 MiB), where the kernel would end a compiler before its limit does.
 inline constexpr std::uint64_t kToolMemory = std::uint64_t{576} << 20;
 
-// For so many seconds at most. The first descriptors of the box are set here. Tools that run side by side, for any
-// judge with this folder, may want more memory than there is, and the kernel may choose the wrong one: a tool that was killed
-// runs once more, while no other one does.
+// Runs the tool for at most `seconds`. Sets the first descriptors of the box. Tools that run side by side, for any
+// judge with this folder, may need more memory than there is, and the kernel may kill the wrong one. So a tool that was
+// killed runs once more, while no other tool runs.
 ToolRun run_tool(const sandbox::Box& box, sandbox::Tier tier, int seconds,
                  const std::string& folder);
 

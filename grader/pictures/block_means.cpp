@@ -94,7 +94,8 @@ double beyond(double difference, double margin, double variance) {
   return excess <= 0 ? 0 : excess / std::sqrt(variance);
 }
 
-// The larger of two variances, as in every verdict.
+// Compares block by block: each difference over its standard deviation, from the larger of two variances, as in every
+// verdict. `ratio`: the samples per pixel of `known` over those of `picture`.
 Deviations deviations(const std::vector<BlockMean>& picture, const std::vector<BlockMean>& known,
                       double ratio) {
   const auto count = static_cast<double>(known.size());

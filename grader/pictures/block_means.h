@@ -41,8 +41,8 @@ std::string to_text(const BlockMeans& blocks);
 // Throws pt::Error for anything that to_text does not write.
 BlockMeans block_means_from(const std::string& text);
 
-// Returns whether both can be of one program, as far as their noise lets one see: a picture that is
-// of the program that made `known` is refused less than once in a thousand times. False for
+// Returns whether both pictures may come from one program, within their noise. A picture of the
+// program that made `known` is rejected less than once in a thousand times. Returns false for
 // pictures of different shapes.
 bool can_be(const BlockMeans& picture, const BlockMeans& known);
 

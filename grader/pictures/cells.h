@@ -20,7 +20,7 @@ struct Cell {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-// All that hold a pixel that is not constant. Blocks at a ragged border are what is left of them.
+// All cells with a pixel that is not constant. At the border of the picture, a block may be smaller.
 std::vector<Cell> cells_of(const Golden& golden);
 
 // A cell and its deviation from the golden. It fails beyond its threshold.
@@ -33,8 +33,8 @@ struct MeasuredCell {
   double evidence() const;  // |z| / threshold
 };
 
-// Returns whether `a` says more than `b`, two failing cells at one place: luminance says most, unless a channel is much further
-// off.
+// Returns whether `a` is to be reported rather than `b`, two failing cells at one place: luminance is preferred, unless a channel
+// is much further off.
 bool says_more(const MeasuredCell& a, const MeasuredCell& b);
 
 // The deviation of every cell and the threshold at which, over all cells together, a right picture
@@ -49,8 +49,8 @@ std::vector<MeasuredCell> exceeding(const std::vector<MeasuredCell>& measured, s
 std::vector<MeasuredCell> repeated(const Comparison& pictures,
                                    const std::vector<MeasuredCell>& kept, double level);
 
-// Those that hold no smaller one, the clearest first; of several channels of a block the one that
-// says most.
+// The cells that contain no smaller failing cell, the clearest first. Of several channels of a block, the one
+// that says_more.
 std::vector<MeasuredCell> smallest(std::vector<MeasuredCell> cells);
 
 results::FailingCell failing_cell(const MeasuredCell& measured);

@@ -13,7 +13,8 @@ namespace grader::pictures {
 
 inline constexpr const char* kSheetName = "contact_sheet.png";
 
-// Every golden that there is, with its name below. Nothing else has that place in the folder.
+// A picture of all goldens that exist, with their names below. The program bless writes it as kSheetName, beside the
+// goldens.
 pt::Picture contact_sheet(const std::vector<Recipe>& recipes, const std::filesystem::path& folder);
 
 // In Markdown, a row per recipe: its content and the tasks that it judges, the deviation of one

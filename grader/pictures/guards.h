@@ -17,11 +17,11 @@ struct Unusable {
   std::optional<std::size_t> pixel;  // the faulty pixel, if it is one
 };
 
-// Values that are not a radiance, images of another size than the golden's, fewer images than asked
-// for, or two that are the same bit for bit though their samples should not be.
+// Returns why pictures cannot be judged: a value that cannot be a radiance, another size than the golden's, fewer
+// images than `asked`, or two identical images whose samples should differ. Nothing if they can.
 std::optional<Unusable> unusable(const Golden& golden, const Batches& batches, int asked);
 
-// A pixel whose samples are all alike in the golden, and which the picture shows otherwise.
+// A pixel that is constant in the golden, as all its samples are equal, and has another value in the picture.
 struct WrongConstant {
   std::size_t pixel = 0;
   int plane = 0;          // the channel that is furthest off

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// Decides whether a picture made of random samples is the golden's, by statistics whose error rates
+// Decides whether a picture made of random samples agrees with the golden, by statistics whose error rates
 // are known: docs/verdicts.md says what is compared, how often a right picture fails, and which
 // mistakes are found. Linear radiance; pixels count from the top left, as in pt::Image.
 

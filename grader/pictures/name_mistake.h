@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-// Finds the known mistake that made the pictures of a task: one whose own pictures they are, all of
-// them, where no other known mistake could have made them. A wrong name costs a learner hours: in
-// doubt there is none. docs/verdicts.md says how, and how often it is right.
+// Finds the known mistake that made the pictures of a task. It is named only if all pictures look
+// like its own, and no other known mistake could have made them: a wrong name costs a learner hours.
+// docs/verdicts.md says how, and how often it is right.
 
 namespace grader::pictures {
 
@@ -40,8 +40,8 @@ std::vector<KnownMistake> read_mistakes(const std::filesystem::path& file, const
 // One line, with its end.
 std::string to_line(const KnownMistake& mistake);
 
-// The evidence of one picture of a task: the names of the mistakes that make it, and of those that
-// do not. Of all others it says nothing.
+// The evidence of one picture of a task: mistakes that may have made it (like), and mistakes that did
+// not (unlike). A mistake may be in neither list.
 struct Likeness {
   std::vector<std::string> like, unlike;
 };

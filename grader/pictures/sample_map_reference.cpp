@@ -33,7 +33,7 @@ CountMoments moments(std::span<const pt::SampleMap> runs, std::size_t pixel) {
   return {mean, std::sqrt(squares / (count - 1))};
 }
 
-// One letter per pixel: a fact that the others need not repeat.
+// One character per pixel, for its flags.
 char flags(const SampleMapReference& reference, std::size_t i) {
   const int bits = (reference.always_one_batch[i] ? 1 : 0) + (reference.constant[i] ? 2 : 0) +
                    (reference.all_zero[i] ? 4 : 0) + (reference.dark_start[i] ? 8 : 0);

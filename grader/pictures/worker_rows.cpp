@@ -13,7 +13,7 @@ pt::PictureRows worker_rows(const pt::View& view, const pt::RowsRequest& request
   session().begin();
   Signature::put(out, session(), view, request);
   const std::string_view reply =
-      session().call(kFunction<&pt::render_rows>, Signature::code(), Repetition{}, out);
+      session().call(kFunction<&pt::render_rows>, Signature::code(), CallBatch{}, out);
   auto rows = read_reply<pt::PictureRows>(reply, get<pt::PictureRows>);
   const std::size_t asked = request.only.empty()
                                 ? static_cast<std::size_t>(view.width) * request.rows

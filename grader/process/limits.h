@@ -5,8 +5,8 @@
 
 namespace grader::process {
 
-// Limits of a process; an empty one means no limit of our own. They are a process's, not its
-// children's.
+// Limits of one process; an empty one sets no limit. Children inherit them, and each child may use as much again. Only
+// `processes` counts all processes of the user together.
 struct Limits {
   std::optional<std::uint64_t> cpu_seconds;
   std::optional<std::uint64_t> address_space;  // bytes; not applied to sanitised programs
@@ -15,7 +15,7 @@ struct Limits {
   std::optional<std::uint64_t> open_files;
 };
 
-// Puts them on this process, for good, and lets it leave no core. False if that cannot be.
+// Puts them on this process, for good, and lets it leave no core. Returns false if the kernel refuses.
 // Allocates nothing: it may be called between fork and exec.
 bool set_limits(const Limits& limits);
 

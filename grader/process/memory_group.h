@@ -14,9 +14,9 @@
 
 namespace grader::process {
 
-// The folder below which this process may make groups with a bound on memory; empty if there is
-// none. Its own group holds processes, so that groups stand beside it, or below it if it is the first
-// of all. `mounts` and `groups` are the texts of /proc/self/mountinfo and /proc/self/cgroup.
+// The folder in which this process may make groups with a bound on memory; empty if there is none. A
+// group with processes cannot hold such groups, so they are made beside our own group, or below it if
+// it is the root. `mounts` and `groups` are the texts of /proc/self/mountinfo and /proc/self/cgroup.
 std::string place_for_groups(const std::string& mounts, const std::string& groups);
 
 // The groups that this process has made.
@@ -29,7 +29,7 @@ class MemoryGroups {
   MemoryGroups& operator=(const MemoryGroups&) = delete;
 
   // A new group, without processes, that kills all its processes where they use more memory together.
-  // Empty where that cannot be. Groups of children that have ended are removed on the way.
+  // Returns an empty text if there can be none. Groups of children that have ended are removed on the way.
   std::string make(std::uint64_t bytes);
 
  private:
@@ -41,7 +41,7 @@ class MemoryGroups {
 };
 
 // Puts a process into a group: 0 is this one. Allocates nothing, so that it may be called between
-// fork and exec. False if that cannot be.
+// fork and exec. Returns false if the kernel refuses.
 bool join_group(const char* group, pid_t pid);
 
 }  // namespace grader::process

@@ -7,9 +7,9 @@
 
 namespace grader::process {
 
-// Keeps this thread and another process on one processor while each waits for the other: whoever
-// asks does nothing until the answer comes, and to wake a second, idle processor for it takes longer than
-// most answers (measured in docs/decisions/0021-pictures.md).
+// Keeps this thread and another process on one processor while they exchange messages. One of the
+// two always waits for the other, and waking a second, idle processor takes longer than most answers
+// (measured in docs/decisions/0021-pictures.md).
 //
 // No processor is theirs for long: after each kTurn, one exchange runs wherever the kernel puts it,
 // so that two such pairs, or a busy processor, do not stay together while another one is idle.

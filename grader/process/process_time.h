@@ -12,8 +12,8 @@ namespace grader::process {
 struct ProcessTime {
   std::chrono::nanoseconds running{0};  // on a processor
   std::chrono::nanoseconds waiting{0};  // ready to run while no processor was given to it
-  // It waited for something else than a processor when this was read, so that no wait for one was
-  // going on, which `waiting` would not have known. Only of one process.
+  // It slept when this was read, and did not wait for a processor: so `waiting` is complete. Only
+  // time_of_process sets this.
   bool asleep = false;
 };
 
@@ -33,7 +33,8 @@ std::chrono::nanoseconds running_time(pid_t pid);
 // The time in which this thread was ready to run and had no processor.
 std::chrono::nanoseconds own_waiting_time();
 
-// The youngest of a process's descendants that has no children; the process itself if it has none.
+// One of the descendants that are farthest from the process: the last one that /proc lists; the process itself
+// if it has none.
 pid_t last_descendant(pid_t pid);
 
 }  // namespace grader::process

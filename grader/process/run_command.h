@@ -26,11 +26,10 @@ inline constexpr std::size_t kMaxOutput = std::size_t{1} << 18;
 // For programs of our own: far beyond what they allow themselves. A fault of ours if it is reached.
 inline constexpr std::chrono::seconds kProgramTime{1500};
 
-// Runs a command to its end, or until it and its descendants have had `most` of processor time
-// (grader/process/time_limit.h: a busy machine changes nothing, and one that sleeps ends too), and
-// keeps what it prints. Its first three descriptors are set here: both outputs are read, and its input is the first
-// that it has, or nothing. Throws pt::Error where the machine is too busy for it, and Stopped where somebody asks for
-// that; it has ended then.
+// Runs a command until it ends, or until it and its descendants have used `most` of processor time
+// (grader/process/time_limit.h: other load changes nothing, and a command that sleeps is ended too), and keeps what it
+// prints. Sets descriptors 0 to 2: both outputs are read, and the input is child.descriptors[0], or empty. Throws
+// pt::Error if the machine is too busy, and Stopped if `stop` requests it; the command has been ended then.
 CommandResult run_command(Child child, std::chrono::milliseconds most, std::stop_token stop = {});
 
 struct Stopped : std::runtime_error {

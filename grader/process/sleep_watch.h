@@ -16,7 +16,7 @@ class SleepWatch {
   // Looks are close together at first and then less, so that little of a sleep is missed.
   static constexpr std::chrono::milliseconds kFirst{10}, kLongest{40};
 
-  // This process did nothing for so long but wait for the other one (see Wait).
+  // Adds a time in which this process only waited for the other one (see Wait).
   void add_waited(std::chrono::nanoseconds time) { waited_ += time; }
 
   // After so much more of it, look() is worth its cost.

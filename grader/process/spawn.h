@@ -30,7 +30,7 @@ struct Child {
 // no process to be had; a program that cannot be run exits with 127.
 pid_t spawn(const Child& child);
 
-// Ends the child and its group; somebody has yet to wait for it.
+// Ends the child and its group. The caller still has to wait for it.
 void end_child(pid_t pid);
 
 // The same, and takes its exit status (as waitpid gives it).

@@ -29,7 +29,7 @@ bool TimeLimit::is_over() {
   const nanoseconds slept =
       waited_ - (time.running - first_->running) - (time.waiting - first_->waiting);
   if (slept > kPatience * limit_) return true;
-  expect_processor(time.running - before_, Clock::now() - start_, kForever * limit_);
+  expect_processor(time.running - before_, Clock::now() - start_, kMaxByClock * limit_);
   constexpr nanoseconds kSoonest = std::chrono::milliseconds(2);
   next_look_ = Clock::now() + std::clamp(left, kSoonest, std::max(kSoonest, limit_ / 2));
   return false;

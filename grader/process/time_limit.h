@@ -9,17 +9,16 @@ namespace grader::process {
 // The usual limit of one call of a task: a right one takes microseconds.
 inline constexpr std::chrono::milliseconds kCallLimit{2000};
 
-// A limit on the time that a process and its descendants may take, whatever else the machine does:
-// so much of processor time. Time spent waiting for a processor does not count, nor does time in
-// which this process computes. A process that sleeps instead of computing ends too, after kPatience times
-// the limit. Where the machine is so busy that neither comes to an end, nobody can say how long the
-// program takes: that is no verdict (expect_processor).
+// A limit on the processor time of a process and its descendants, the same on a busy machine: time in
+// which they wait for a processor does not count, nor does time in which this process computes. A
+// process that sleeps instead of computing is ended too, after kPatience times the limit. If the
+// machine is so busy that neither limit is reached, there is no verdict (expect_processor).
 //
 // The kernel is asked only when so much time has gone by that the limit may have been reached.
 class TimeLimit {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr int kPatience = 4, kForever = 100;
+  static constexpr int kPatience = 4, kMaxByClock = 100;
 
   TimeLimit() = default;
   // From now on; `running_before` is what the processes ran until now.
@@ -29,10 +28,10 @@ class TimeLimit {
   // The earliest time at which the limit can be reached.
   Clock::time_point next_look() const { return next_look_; }
 
-  // This process did nothing for so long but wait for the other one (see Wait).
+  // Adds a time in which this process only waited for the other one (see Wait).
   void add_waited(std::chrono::nanoseconds time) { waited_ += time; }
 
-  // Returns whether the kernel was asked already: then the call takes more than some milliseconds.
+  // Returns whether the kernel was asked already: then the call has lasted for some milliseconds.
   bool was_looked_at() const { return first_.has_value(); }
 
   // Asks the kernel, and puts off the next look. Throws pt::Error where the machine is too busy.
@@ -46,8 +45,8 @@ class TimeLimit {
   Clock::time_point start_, next_look_;
 };
 
-// Throws pt::Error, with what to do about it, if a program that has run for so long was not ended by its limits within
-// `most`, by the clock: it waits for a processor.
+// Throws pt::Error, with advice, if a program has run longer than `most` by the clock; `running` is the processor time
+// that it had: the machine is too busy for a verdict.
 void expect_processor(std::chrono::nanoseconds running, std::chrono::nanoseconds by_the_clock,
                       std::chrono::nanoseconds most);
 

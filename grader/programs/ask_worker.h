@@ -11,7 +11,7 @@ class App;
 
 namespace grader::programs {
 
-// The worker that a program of one task (graded.<slug>, stability.<slug>) asks, and the seed of its inputs.
+// The worker that a program of one task (graded.<slug>, stability.<slug>) calls, and the seed of its inputs.
 struct AskOptions {
   wire::SessionSettings session;
   std::uint64_t seed = 1;

@@ -143,7 +143,7 @@ bool may_be_rendered(const std::vector<std::string>& asked, const std::string& s
   });
 }
 
-// One a line, for ./run, which builds no others.
+// Prints the names of the programs, one per line, for ./run, which builds only these.
 int name_programs(const judge::Config& config, const GradeOptions& options) {
   const std::vector<std::string> asked = asked_for(config, options);
   for (const std::string& slug : judge::tasks_judged(config, asked)) {

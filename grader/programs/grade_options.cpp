@@ -28,8 +28,9 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_flag("--no-pictures", options.no_pictures, "Judge the promises only");
   app.add_option("--json", options.files.json, "Also write the results to this file");
   app.add_option("--html", options.files.html, "Also write a page with all pictures");
-  app.add_flag("--small-page", options.files.small_page,
-               "Leave the numbers of pixels out of that page, and maps of pictures that are right");
+  app.add_flag(
+      "--small-page", options.files.small_page,
+      "Leave out of that page the values of pixels, and the maps of pictures that are right");
   app.add_option("--junit", options.files.junit, "Also write JUnit's XML");
   app.add_option("--gradescope", options.files.gradescope, "Also write Gradescope's results.json");
   app.add_option("--csv", options.files.csv, "Also write a table, a line per task");

@@ -8,9 +8,9 @@
 
 namespace grader::programs {
 
-// Says on standard error what a long run is doing, also while nothing comes to an end: on a terminal
-// one line that is rewritten every second, elsewhere a line every ten seconds. Runs that are over
-// before say nothing. May be used by several threads.
+// Shows on standard error what a long run is doing, even while no step ends: on a terminal one line
+// that is rewritten every second, elsewhere a line every ten seconds. A run that ends earlier shows
+// nothing. May be used by several threads.
 class StatusLine {
  public:
   enum class Output { terminal, log, none };

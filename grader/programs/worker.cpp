@@ -29,7 +29,7 @@ std::string describe(const std::exception& error) {
 
 int main() {
   using grader::wire::Kind;
-  if (!grader::process::kSanitized) grader::wire::tell_stack_overflow();
+  if (!grader::process::kSanitized) grader::wire::report_stack_overflow();
   while (true) {
     const std::string call = grader::wire::receive(Kind::call);
     try {

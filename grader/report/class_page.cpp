@@ -130,7 +130,7 @@ void set_sums(data& out, const std::vector<ClassPage::Entry>& lines) {
   out.set("problems", problems > 0 ? data(std::to_string(problems)) : data(false));
   out.set("max_points", std::to_string(most));
   out.set("median", points.empty() ? "-" : std::to_string(points[points.size() / 2]));
-  // Side by side, and equal submissions once: a sum would say nothing.
+  // The mean, not the sum: submissions run side by side, and equal ones are graded once.
   const double each = points.empty() ? 0 : seconds / static_cast<double>(points.size());
   out.set("seconds", fmt::format("{:.0f}", each));
   out.set("distribution", distribution(points, most));

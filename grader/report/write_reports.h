@@ -15,7 +15,7 @@ struct ReportFiles {
   std::string junit;
   std::string gradescope;
   std::string csv;
-  bool small_page = false;  // of html: without numbers of pixels (grader/report/html.h)
+  bool small_page = false;  // of html: without the values of pixels (grader/report/html.h)
 };
 
 // Throws pt::Error if one of them could not be written.

@@ -19,10 +19,11 @@ namespace {
 
 using nlohmann::json;
 
-// Twelve tasks whose texts are all as long as they may be need less.
+// More than twelve tasks need, even if each text has its largest length.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
 constexpr std::size_t kMaxEntries = 1000;
-constexpr int kMaxNumber = 1 << 24;
+constexpr int kMaxNumber =
+    1 << 24;  // more than any grader writes; sums of such numbers fit into an int
 
 template <class T>
 void read(const json& from, T& value) {
@@ -34,9 +35,8 @@ void read(const json& from, double& value) {
   value = from.is_null() ? std::numeric_limits<double>::quiet_NaN() : from.get<double>();
 }
 
-// So large that no grader writes it, so small that sums of such numbers fit.
 void read(const json& from, int& value) {
-  // Beyond all signed numbers a large one would come back negative.
+  // get<long long>() would turn a number above the largest long long into a negative one.
   const bool whole = from.is_number_integer() &&
                      !(from.is_number_unsigned() && from.get<std::uint64_t>() > kMaxNumber);
   const auto number = whole ? from.get<long long>() : 0;

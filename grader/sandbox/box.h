@@ -36,22 +36,21 @@ struct Box {
   process::Limits limits;
   // The last of the descriptors is not the program's but the launcher's: one byte comes there when
   // nothing but the program itself is left to start, a second one if that fails, and in tier A the
-  // program's status when it has ended (grader/sandbox/told.h). Not in tier C.
+  // program's status when it has ended (grader/sandbox/launcher_messages.h). Not in tier C.
   bool tells_start = false;
 };
 
-// The child that runs the box's program in this tier. In tier A, where we are root, it has a user that no other box
-// has. Throws pt::Error if all are taken. In the tiers A and B nothing of it outlives
-// the program, spawn()'s pid, or this process. There, a program that cannot be started exits with
-// 127 and one sentence.
+// The child that runs the box's program in this tier. In tier A, as root, it gets a user that no other box has; throws
+// pt::Error if all are taken. In tiers A and B, all processes of the box end when the program, the started child or this
+// process ends. There, a program that cannot be started exits with 127 and one sentence.
 process::Child boxed(const Box& box, Tier tier);
 
 // The launcher: the program `box`, next to the program that runs.
 std::string launcher_path();
 
-// The newest version of Landlock that boxes use where the environment variable FIRSTLIGHT_LANDLOCK
-// says so: tests hold boxes of older kernels (5: without scopes; 0: without Landlock) against
-// attacks. Throws pt::Error if it is not a number.
+// The newest version of Landlock that boxes may use, if the environment variable FIRSTLIGHT_LANDLOCK is
+// set: tests try attacks as on older kernels (5: without scopes; 0: without Landlock). Throws pt::Error
+// if it is not a number.
 inline constexpr const char* kLandlockVariable = "FIRSTLIGHT_LANDLOCK";
 std::optional<int> landlock_at_most();
 

@@ -108,7 +108,8 @@ Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
     }
     const std::set<std::string> now = what_holds(result);
     if (!now.contains("root"))
-      return {"", "there is no Landlock, and everybody may enter " + root + " (chmod 700 it)"};
+      return {"", "there is no Landlock, and everybody may read " + root +
+                      " (chmod 711 the folders on the way to " + work + ", and go-rwx all else)"};
     if (!folder.empty() && !now.contains("write")) return {"", "it cannot write in a folder"};
     if (!folder.empty() && !now.contains("kept")) {
       return {"", fmt::format("its user cannot reach {} (chmod go+x that folder and those above)",

@@ -1,8 +1,7 @@
-// contained [--no-programs] PROGRAM [ARGUMENT ...]: runs the program as a container does that has
-// no namespaces to give away: Docker's own filter of system calls forbids these, to root as well,
-// and no program regains them. With --no-programs the launcher of boxes cannot start one either
-// (execveat), so that no tier that isolates works. Exit status: the program's, 127 if it cannot
-// run.
+// contained [--no-programs] PROGRAM [ARGUMENT ...]: runs the program as in a container that cannot
+// make namespaces. Docker's own filter of system calls forbids them, even to root, and no program can
+// undo that. With --no-programs the launcher of boxes cannot start a program either (execveat), so
+// that no tier that isolates works. Exit status: the program's, 127 if it cannot run.
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

@@ -94,7 +94,7 @@ std::map<std::string, std::string> included(const std::string& text) {
 bool may_include(const std::string& folder, const std::string& other) {
   if (folder == other) return true;
   if (folder.empty()) return false;
-  // A battery asks what the properties of its task ask too.
+  // A battery also uses headers of the properties.
   if (other == "tasks") return folder == "mistakes";
   const auto only = kOnly.find(folder);
   if (only != kOnly.end() && !only->second.contains(other)) return false;

@@ -206,7 +206,7 @@ std::string battery_hash(const std::string& root, const std::string& slug) {
   for (const fs::path& file : sources_of(folder)) {
     if (file.filename().string().starts_with(slug)) files.push_back(file);
   }
-  // A battery asks what properties ask, too.
+  // A battery also uses headers of the properties.
   for (const fs::path& file : sources_of(fs::path(root) / "grader/tasks" / slug)) {
     if (file.extension() == ".h") files.push_back(file);
   }

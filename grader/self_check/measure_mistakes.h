@@ -44,7 +44,7 @@ enum class Extent {
 MeasuredSolution measure(const judge::Config& config, const judge::GradeRequest& request,
                          const Kept& kept, const std::string& store, Extent extent);
 
-// The hashes of what asks: the battery of a task; and its properties.
+// The hashes of the files of a task's battery, and of those of its properties.
 std::string battery_hash(const std::string& root, const std::string& slug);
 std::string properties_hash(const std::string& root, const std::string& slug);
 

@@ -43,9 +43,10 @@ MistakeRow row_of(const std::string& line) {
 
 // The row of one solution, over all recipes that judged it.
 struct Seen {
-  std::vector<std::string> by;        // recipes that see it
-  std::vector<std::string> slow;      // in which it takes too long
-  std::vector<std::string> at_first;  // that complained in the first stage and passed it in the end
+  std::vector<std::string> by;    // recipes that see it
+  std::vector<std::string> slow;  // in which it takes too long
+  std::vector<std::string>
+      at_first;  // with a failing cell in the first round that passed it in the end
 };
 
 using Solutions = std::map<std::string, Seen>;  // by name
@@ -109,8 +110,8 @@ std::string table_of_mistakes(const std::vector<MistakeRow>& rows) {
     for (const auto& [name, what] : wrong) {
       if (what.by.empty()) (what.slow.empty() ? missed : slow).push_back(name);
       if (!what.by.empty() || what.at_first.empty()) continue;
-      others += fmt::format("- {}/wrong/{}: {} complained in the first stage only\n", task, name,
-                            fmt::join(what.at_first, ", "));
+      others += fmt::format("- {}/wrong/{}: {} had a failing cell in the first round only\n", task,
+                            name, fmt::join(what.at_first, ", "));
     }
     tried += wrong.size();
     const std::size_t by_pictures = wrong.size() - missed.size() - slow.size();
@@ -121,7 +122,7 @@ std::string table_of_mistakes(const std::vector<MistakeRow>& rows) {
       for (const auto& [name, what] : seen(rows, task, kind)) {
         if (what.by.empty() && what.at_first.empty()) continue;
         others +=
-            fmt::format("- {}/{}/{}: not passed by [{}], passed after the first stage by [{}]\n",
+            fmt::format("- {}/{}/{}: not passed by [{}], passed after the first round by [{}]\n",
                         task, kind, name, fmt::join(what.by, ", "), fmt::join(what.at_first, ", "));
       }
     }

@@ -100,6 +100,18 @@ TEST(tasks, call_the_tasks_of_the_table) {
   }
 }
 
+// The tasks whose contracts the tracer of scenes includes: it calls these.
+Names tracers() {
+  Names all;
+  std::istringstream lines(base::read_file(FIRSTLIGHT_ROOT "/pt/scene/tracer.cpp"));
+  const std::string before = "#include \"pt/tasks/";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(before))
+      all.insert(line.substr(before.size(), line.find(".h\"") - before.size()));
+  }
+  return all;
+}
+
 // Found by following the calls of the objects from task to task.
 TEST(tasks, need_what_their_calls_reach) {
   for (const Task& task : tasks()) {
@@ -109,7 +121,7 @@ TEST(tasks, need_what_their_calls_reach) {
       next.erase(next.begin());
       const Object object = object_of(task_of(slug));
       Names calls = called_tasks(object);
-      if (traces(object)) calls.insert({"build_bvh", "hit_bvh"});
+      if (traces(object)) calls.merge(tracers());
       for (const std::string& call : calls) {
         if (reached.insert(call).second) next.insert(call);
       }
@@ -139,6 +151,22 @@ TEST(tasks, have_the_names_that_the_linker_is_told) {
     const std::size_t end = word.find('=');
     const std::string slug = word.substr(0, end);
     EXPECT_TRUE(object_of(task_of(slug)).symbols.contains(word.substr(end + 1))) << word;
+  }
+  EXPECT_GT(count, 0);
+}
+
+// grader/wire/answers.cpp is written by hand, since few calls are answered.
+TEST(tasks, are_answered_where_the_table_says) {
+  const std::string answers = base::read_file(FIRSTLIGHT_ROOT "/grader/wire/answers.cpp");
+  int count = 0;
+  for (const Task& task : tasks()) {
+    for (const std::string& call : task.judge_answers) {
+      EXPECT_NE(answers.find(fmt::format("case Function::{}:\n      return answer_with<&pt::{}>(",
+                                         call, call)),
+                std::string::npos)
+          << call;
+      ++count;
+    }
   }
   EXPECT_GT(count, 0);
 }

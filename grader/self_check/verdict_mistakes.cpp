@@ -266,7 +266,7 @@ int main(int argc, char** argv) {
       "seconds; "
       "of a sample map whether it passes, ratio, a, b, correlation; text");
   app.add_option("--rounds", options.rounds,
-                 "At most; a later call with more goes on with what has complained")
+                 "At most; a later call with more goes on with pictures that had a failing cell")
       ->check(CLI::Range(1, kRounds));
   app.add_flag("--pictures", options.pictures,
                "Keep what the pictures look like, and try which mistakes they name");

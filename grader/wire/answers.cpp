@@ -1,5 +1,6 @@
 #include "grader/tasks.h"
 #include "grader/wire/session.h"
+#include "pt/error.h"
 
 #include <algorithm>
 
@@ -43,8 +44,12 @@ Writer answer(std::string_view task, std::string_view question, const Session& s
       return answer_with<&pt::hit_box>(in, head.code, session);
     case Function::hit_triangle:
       return answer_with<&pt::hit_triangle>(in, head.code, session);
-    default:
+    case Function::hit_sphere:
       return answer_with<&pt::hit_sphere>(in, head.code, session);
+    default:
+      throw pt::Error("grader/tasks.json says that the judge answers " +
+                      std::string(kFunctionNames[head.function]) +
+                      ", and grader/wire/answers.cpp has no case for it; write it there");
   }
 }
 

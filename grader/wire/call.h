@@ -24,7 +24,7 @@ Value read_reply(std::string_view bytes, const Read& read) {
 
 template <class Result>
 const Result& expect_numbers(const Result& result) {
-  if (!has_numbers(result)) {
+  if (!has_valid_numbers(result)) {
     check::fail_call(results::Cause::bad_reply,
                      "an answer in which a number is infinite or not a number");
   }
@@ -39,7 +39,7 @@ auto call(Arguments&... arguments) {
   session().begin();
   Signature::put(out, session(), arguments...);
   const std::string_view reply =
-      session().call(kFunction<Function>, Signature::code(), Repetition{}, out);
+      session().call(kFunction<Function>, Signature::code(), CallBatch{}, out);
   if constexpr (Signature::kDraws) {
     auto [result, state] = read_reply<std::pair<Result, pt::Sampler>>(reply, [](Reader& in) {
       Result value = get<Result>(in);
@@ -52,13 +52,14 @@ auto call(Arguments&... arguments) {
   }
 }
 
-// n calls of a function that draws, with the arguments but for the sampler; a batch a message.
+// Makes n calls of a function that draws random numbers. `arguments` are all but the sampler. One
+// message holds a batch of calls.
 template <auto Task, class Result, class Arguments>
 std::vector<Result> call_repeatedly(int n, std::uint64_t seed, const Arguments& arguments) {
   using Signature = SignatureOf<Task>;
   std::vector<Result> results;
   for (int first = 0; first < n; first += kBatch) {
-    const Repetition batch{first, std::min(kBatch, n - first), seed};
+    const CallBatch batch{first, std::min(kBatch, n - first), seed};
     Writer out;
     session().begin();
     std::apply(

@@ -31,7 +31,7 @@ void on_wrong_address(int signal, siginfo_t* info, void*) {
 
 }  // namespace
 
-void tell_stack_overflow() {
+void report_stack_overflow() {
   char here = 0;
   stack_top = reinterpret_cast<std::uintptr_t>(&here);
   rlimit limit{};

@@ -33,9 +33,9 @@ struct Header {
 };
 static_assert(sizeof(Header) == 24);
 
-// Calls i = first .. first + count - 1 of a repetition, call i with Sampler::for_pixel(seed, i, 0).
+// Calls i = first .. first + count - 1 of a batch, call i with Sampler::for_pixel(seed, i, 0).
 // A single call has count 0, and its sampler is among the arguments.
-struct Repetition {
+struct CallBatch {
   int first = 0;
   int count = 0;
   std::uint64_t seed = 0;
@@ -44,7 +44,7 @@ struct Repetition {
 struct CallHead {
   std::uint32_t function = 0;  // a Function
   std::uint64_t code = 0;      // of its signature
-  Repetition repetition;
+  CallBatch batch;
   bool forget = false;            // everything that was defined so far
   std::uint64_t definitions = 0;  // that follow
 };
@@ -79,8 +79,8 @@ struct ReplyHead {
   Tests tests;
 };
 
-FIRSTLIGHT_FIELDS(Repetition, first, count, seed);
-FIRSTLIGHT_FIELDS(CallHead, function, code, repetition, forget, definitions);
+FIRSTLIGHT_FIELDS(CallBatch, first, count, seed);
+FIRSTLIGHT_FIELDS(CallHead, function, code, batch, forget, definitions);
 FIRSTLIGHT_FIELDS(Definition, handle, kind, content);
 FIRSTLIGHT_FIELDS(AskHead, function, code);
 FIRSTLIGHT_FIELDS(Tests, boxes, triangles, spheres);

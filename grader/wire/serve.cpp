@@ -21,20 +21,20 @@ auto apply(Function function, Held& held) {
   return result;
 }
 
-// The results of one call or of a batch of repetitions, after the head.
+// The results of one call or of a batch of calls, after the head.
 template <auto Pointer>
 void run(Reader& in, const CallHead& head, Writer& results) {
   using Signature = SignatureOf<Pointer>;
   if (head.code != Signature::code()) throw BadMessage("the judge means other types");
   auto held = Signature::get(in, store());
   in.expect_end();
-  if (head.repetition.count == 0) {
+  if (head.batch.count == 0) {
     put(results, apply<Signature>(Pointer, held));
     if constexpr (Signature::kDraws) put(results, Signature::sampler(held));
     return;
   }
   if constexpr (Signature::kDraws) {
-    const auto [first, count, seed] = head.repetition;
+    const auto [first, count, seed] = head.batch;
     std::vector<typename Signature::Result> all;
     for (int i = first; i < first + count; ++i) {
       Signature::sampler(held) = pt::Sampler::for_pixel(seed, i, 0);

@@ -94,15 +94,15 @@ const pt::Scene& Session::scene(Handle handle) const {
   return *found->second;
 }
 
-std::string_view Session::call(Function function, std::uint64_t code, const Repetition& repetition,
+std::string_view Session::call(Function function, std::uint64_t code, const CallBatch& batch,
                                const Writer& arguments) {
   if (record_.calls == 0) first_call_ = Clock::now();
   expect_attempted();
   expect_time_left();
   drop_known_definitions();
-  record_.calls += std::max(1, repetition.count);
+  record_.calls += std::max(1, batch.count);
   try {
-    const Writer call = message(function, code, repetition, arguments);
+    const Writer call = message(function, code, batch, arguments);
     reply_ = try_again(worker_, [&] { return converse(call); });
     Reader reply(reply_);
     take_head(reply, code);
@@ -143,11 +143,11 @@ void Session::drop_known_definitions() {
   std::erase_if(definitions_, [&](const Shared& each) { return known_.contains(each->handle); });
 }
 
-Writer Session::message(Function function, std::uint64_t code, const Repetition& repetition,
+Writer Session::message(Function function, std::uint64_t code, const CallBatch& batch,
                         const Writer& arguments) {
   Writer out;
-  put(out, CallHead{static_cast<std::uint32_t>(function), code, repetition, forget_,
-                    definitions_.size()});
+  put(out,
+      CallHead{static_cast<std::uint32_t>(function), code, batch, forget_, definitions_.size()});
   for (const Shared& each : definitions_) put(out, *each);
   out.raw(arguments.bytes().data(), arguments.bytes().size());
   return out;

@@ -25,7 +25,7 @@ struct SessionSettings {
   sandbox::Tier tier = sandbox::Tier::limits;  // of the box it runs in
   bool integrated = false;  // all tasks are the submission's: its scenes are traced by its own tree
   bool answers = true;      // the worker may call back
-  // Called when a call comes to nothing; does not return.
+  // Called when a call fails; does not return.
   std::function<void(results::Cause, const std::string&)> give_up = check::fail_call;
   // Called with a sentence when the judge itself cannot go on, as without a worker: that is nobody's
   // verdict. Does not return.
@@ -71,7 +71,7 @@ class Session {
 
   // Ends it: sends the call and returns the reply's payload, after the ReplyHead. The arguments are
   // those of a function of the given number and signature.
-  std::string_view call(Function function, std::uint64_t code, const Repetition& repetition,
+  std::string_view call(Function function, std::uint64_t code, const CallBatch& batch,
                         const Writer& arguments);
 
   // The reply to the last call makes no sense. The worker is not called again.
@@ -96,10 +96,10 @@ class Session {
   void call_no_more(results::Cause cause, const std::string& why) const;
   void expect_total_time_left();
   void count_failure(const WorkerFailed& failure);
-  std::chrono::nanoseconds slept() const;  // all workers together, but for what is not certain
+  std::chrono::nanoseconds slept() const;  // of all workers together; uncertain time is left out
   void keep_totals(results::Cause cause);  // of the worker that has ended
   void drop_known_definitions();
-  Writer message(Function function, std::uint64_t code, const Repetition& repetition,
+  Writer message(Function function, std::uint64_t code, const CallBatch& batch,
                  const Writer& arguments);
   std::string converse(const Writer& call);
   void take_head(Reader& reply, std::uint64_t code);
@@ -118,7 +118,7 @@ class Session {
   std::string reply_;
   Clock::time_point first_call_;
   std::chrono::nanoseconds running_{0}, slept_{0};  // of workers that have ended
-  std::uint64_t answered_ = 0;                      // and this
+  std::uint64_t answered_ = 0;                      // bytes of their answers
   int timeouts_ = 0, failures_ = 0;
   results::Cause last_cause_ = results::Cause::timeout;
 };

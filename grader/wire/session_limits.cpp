@@ -11,7 +11,7 @@ namespace grader::wire {
 namespace {
 
 constexpr int kMaxAge = 20;  // times the limit of all calls, by the clock
-constexpr int kHung = 125;   // failures that one counts for after which the worker did not end
+constexpr int kHung = 125;   // a failure counts as so many if the worker did not end after it
 
 double seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
@@ -19,8 +19,8 @@ double seconds(std::chrono::nanoseconds time) {
 
 }  // namespace
 
-// With the cause of something that was not tried, a smaller input is not kept, and none is tried after
-// it (check::find_failure).
+// For a smaller input the cause is not_attempted: then it is not kept, and no other one is tried
+// (check::find_failure).
 void Session::call_no_more(results::Cause cause, const std::string& why) const {
   settings_.give_up(settings_.smaller_inputs ? results::Cause::not_attempted : cause,
                     "not called any more: " + why);
@@ -44,8 +44,8 @@ void Session::expect_time_left() {
   expect_total_time_left();
 }
 
-// Time in which workers slept counts too: nothing in a task waits. What they wait for a processor is
-// nobody's fault, and yet no run may last for ever: then there is no verdict.
+// Time in which workers slept counts, since nothing in a task has to wait. Time in which they waited
+// for a processor does not; if it becomes too long, there is no verdict.
 void Session::expect_total_time_left() {
   const auto give_up = [&](std::chrono::nanoseconds took) {
     call_no_more(results::Cause::timeout,
@@ -69,8 +69,8 @@ std::chrono::nanoseconds Session::slept() const {
   return slept_ + std::max<std::chrono::nanoseconds>(slept, Clock::duration::zero());
 }
 
-// A dead process does not tell how long it waited for a processor: of the time for which the judge
-// waited, only that is held against it in which it was seen asleep.
+// The kernel does not tell how long a dead process waited for a processor. So of the time for which the
+// judge waited, only that part counts in which the process was seen asleep.
 void Session::keep_totals(results::Cause cause) {
   slept_ = cause == results::Cause::timeout ? slept() : slept_ + worker_->slept();
   running_ += worker_->running();

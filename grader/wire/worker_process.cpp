@@ -162,10 +162,10 @@ void WorkerProcess::wait(const base::Descriptor& descriptor, short event) {
 }
 
 // The time of the launcher is not the program's. In tier A the program is the last of those that were
-// started, once the launcher has told that nothing else is left to start.
+// started, once the launcher has reported that nothing else is left to start.
 void WorkerProcess::watch_sleep() {
   if (sleep_.until_look() > std::chrono::nanoseconds(0)) return;
-  if (!has_started()) told_.listen(launcher_);
+  if (!has_started()) messages_.listen(launcher_);
   if (worker_ < 0 && has_started()) worker_ = process::last_descendant(pid_);
   sleep_.look(has_started() ? worker_ : -1);
 }
@@ -187,7 +187,7 @@ void WorkerProcess::take_output() {
 }
 
 bool WorkerProcess::has_started() const {
-  return tier_ == sandbox::Tier::limits || told_.has_started();
+  return tier_ == sandbox::Tier::limits || messages_.has_started();
 }
 
 // The worker closed its side. That is how a process that dies looks from here, a moment before its
@@ -211,13 +211,13 @@ void WorkerProcess::ended() {
   running_ = duration(used.ru_utime) + duration(used.ru_stime);
   kill(-pid_, SIGKILL);
   pid_ = -1;
-  told_.listen(launcher_);
+  messages_.listen(launcher_);
   if (!has_answered_ && !has_started()) {
     throw WorkerNotStarted{last_words_.empty() ? process::describe_status(status)
                                                : base::printable(last_words_, 300)};
   }
   throw WorkerFailed{results::Cause::crash,
-                     process::cause_of_end(sandbox::program_status(status, tier_, told_),
+                     process::cause_of_end(sandbox::program_status(status, tier_, messages_),
                                            base::printable(last_words_, 2000, true))};
 }
 

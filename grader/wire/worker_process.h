@@ -5,7 +5,7 @@
 #include "grader/process/sleep_watch.h"
 #include "grader/process/time_limit.h"
 #include "grader/results/results.h"
-#include "grader/sandbox/told.h"
+#include "grader/sandbox/launcher_messages.h"
 #include "grader/wire/message.h"
 #include "pt/error.h"
 
@@ -20,7 +20,7 @@ namespace grader::wire {
 
 using Clock = std::chrono::steady_clock;
 
-// A conversation that came to nothing. The text says what the worker did, for a person to read.
+// A conversation that failed. The text says what the worker did, for a person to read.
 struct WorkerFailed {
   results::Cause cause = results::Cause::crash;
   std::string text;
@@ -28,7 +28,7 @@ struct WorkerFailed {
   bool hung = false;   // it did not end by itself, and the judge waited for that
 };
 
-// The worker did not come into being: nothing that a submission could have done.
+// The worker could not be started. A submission cannot cause this.
 struct WorkerNotStarted {
   std::string text;
 };
@@ -38,10 +38,9 @@ struct Message {
   std::string payload;
 };
 
-// One life of a worker, seen from the judge: it starts with the constructor and ends, whatever the
-// worker does, with the destructor. Nothing it sends is believed but what the checks let through,
-// and nothing waits longer than a limit allows, which counts what the worker computes: a verdict
-// does not depend on what else the machine does.
+// A running worker. The constructor starts it, and the destructor ends it, whatever the worker does.
+// Everything that it sends is checked before it is used. No wait is longer than a limit, and a limit
+// counts what the worker computes, so that a verdict does not depend on the load of the machine.
 class WorkerProcess {
  public:
   // Starts the program in a box of the tier.
@@ -66,7 +65,7 @@ class WorkerProcess {
   // The time that it has waited for a processor until now. Calls the kernel, which takes a while.
   std::chrono::nanoseconds starved() const { return process::time_of_tree(pid_).waiting; }
 
-  // The bytes of all that it has answered, or wanted to.
+  // The number of bytes in its answers, unfinished ones included.
   std::uint64_t answered() const { return answered_; }
 
   // The beginning of what it has printed.
@@ -78,7 +77,7 @@ class WorkerProcess {
   void watch_sleep();
   void take_output();
   void fill(std::size_t size);  // until buffer_ has so many bytes
-  bool has_started() const;     // once the launcher has told
+  bool has_started() const;     // once the launcher has reported it
   [[noreturn]] void ended();
 
   pid_t pid_ = -1;                    // of what was started: the program, or the box around it
@@ -91,7 +90,7 @@ class WorkerProcess {
   std::chrono::nanoseconds running_{0}, waited_{0};
   base::Descriptor to_worker_, from_worker_, output_;
   base::Descriptor launcher_;  // see Box::tells_start
-  sandbox::Told told_;
+  sandbox::LauncherMessages messages_;
   std::string buffer_;  // received and not yet used
   std::string printed_, last_words_;
   std::size_t max_printed_;
@@ -104,8 +103,8 @@ class WorkerProcess {
 std::unique_ptr<WorkerProcess> start_worker(const std::string& program, sandbox::Tier tier,
                                             std::size_t max_printed);
 
-// The result of `converse()`, which is called again, and has to start a new worker, where the last one did not start:
-// processes, memory or users for boxes may be short for a moment. Throws pt::Error if that does not pass.
+// Returns the result of `converse()`, which starts a worker if there is none. If the worker cannot start, tries again, four
+// times in all: processes, memory or users for boxes may be short for a moment. Throws pt::Error if no attempt succeeds.
 template <class Converse>
 auto try_again(std::unique_ptr<WorkerProcess>& worker, const Converse& converse) {
   constexpr int kMaxStarts = 4;

@@ -12,8 +12,9 @@ namespace {
 
 using Block = WideBlock<kWidth>;
 
-// The result for W pairs of a ray and a triangle: none meet but those in `maybe`, and for certain
-// those in `surely`. t lies in [(distance - error) / det, (distance + error) / det].
+// The result for W pairs of a ray and a triangle: pairs outside of `maybe` certainly miss, those in
+// `surely` certainly hit, and the others are decided in double precision. t lies in
+// [(distance - error) / det, (distance + error) / det].
 template <int W>
 struct Verdict {
   std::uint32_t maybe;

@@ -43,8 +43,8 @@ PT_INLINE void ask(const WideQuery& query, const Ray& ray, const FloatRay& r,
   nearest.t_max = t < nearest.t_max ? t : nearest.t_max;
 }
 
-// The triangles of a block, from the nearest hit so far. Nothing is left to compare with if this
-// kEnds the search.
+// Tests the triangles of a block and updates the nearest hit. kEnds: no block follows, so that a
+// single certain hit need not be compared with others.
 template <bool kEnds>
 PT_INLINE void meet_triangles(const WideQuery& query, const Ray& ray, const FloatRay& r,
                               const Block& block, Nearest& nearest) {
@@ -84,7 +84,8 @@ PT_INLINE void meet_triangles(const WideQuery& query, const Ray& ray, const Floa
   }
 }
 
-// Double precision says no to a sphere as fast as single precision says where it is met.
+// Spheres that may be hit are decided in double precision at once: that is as fast as computing
+// where they are hit in single precision.
 template <bool kSpheres, bool kEnds>
 PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay& r,
                           const Block& block, Nearest& nearest) {

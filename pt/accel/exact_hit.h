@@ -61,8 +61,8 @@ struct Weights {
   double along[3];
 };
 
-// The triangle's plane from the ray's origin: both are the normal's product, `distance` with the
-// way to p0, `det` with the direction; and what `distance` adds up.
+// The triangle's plane, with n = (p1 - p0) x (p2 - p0): distance = n . (p0 - origin), det =
+// n . direction, and `terms` is the sum of the sizes of the three products in `distance`.
 struct Plane {
   double distance;
   double det;
@@ -196,7 +196,7 @@ static inline bool is_degenerate(const Triangle& triangle) {
   return ay * bz - az * by == 0 && az * bx - ax * bz == 0 && ax * by - ay * bx == 0;
 }
 
-// The answer for a triangle that has an area and whose plane is not clearly_outside.
+// The answer for a triangle that has an area and for which is_clearly_outside is false.
 static inline ExactHit meet(const Triangle& triangle, const Ray& ray) {
   const Shear shear = shear_of(ray.direction);
   const Weights q = weights(triangle, ray, shear);

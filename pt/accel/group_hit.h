@@ -39,10 +39,10 @@ struct Visits {
 constexpr int kNodeVisits = kGroup * (kWidth - 1) * kMaxTreeDepth + kGroup;
 constexpr int kBlockVisits = kGroup * kWidth;
 
-// The memory that a query of a group writes. A processor takes a load for one of what was just
-// stored at the same place within another page, and waits. The root, which every ray reads, begins
-// a page (huge_pages.h), so this begins one too and leaves out what the root fills. Without that,
-// one run in 64, by where its stack happened to lie, needed half as long again.
+// The memory that a query of a group writes. If a load and an earlier store have the same place
+// within different pages, a processor may take them for one address, and waits (4K aliasing). The
+// root, which every ray reads, begins a page (huge_pages.h). So this begins a page too, and does not
+// use the root's part of it. Without that, one run in 64 took half as long again.
 struct alignas(kSmallPage) GroupWork {
   char root[sizeof(Node)];
   FloatRay r[kGroup];
@@ -163,7 +163,8 @@ PT_INLINE std::uint32_t enter_any(const WideQuery& query, const Ray* rays, int c
   return blocked;
 }
 
-// Visits what the rays that are not `blocked` have still to visit, and returns all that are then.
+// Makes the remaining visits of the rays that are not `blocked`, and returns the mask of all rays
+// that are blocked afterwards.
 template <bool kSpheres>
 PT_INLINE std::uint32_t finish(const WideQuery& query, const Ray* rays, std::uint32_t blocked,
                                GroupWork& work) {

@@ -6,7 +6,7 @@
 namespace pt {
 namespace {
 
-// A node that is left leaves all its children but one behind; whole vectors are written at the top.
+// Each level of the tree leaves at most kWidth - 1 children here; the top is written in whole vectors.
 constexpr int kStack = kMaxTreeDepth * (kWidth - 1) + 1 + kWidth;
 
 struct Stack {
@@ -85,7 +85,8 @@ PT_INLINE __m256i pick(const Node& node, __m256i slots) {
 }
 #endif
 
-// Up to eight children: the distance's last bits give way to the slot while a network sorts.
+// Pushes up to eight children, sorted by a network. The last bits of each distance are replaced by
+// the child's slot, so that both are sorted as one number.
 PT_INLINE WideRef push_few(const Node& node, NodeFloats enter, std::uint32_t mask, int count,
                            Stack& stack) {
   constexpr int kSlot = kWidth - 1;

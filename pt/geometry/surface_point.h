@@ -16,8 +16,8 @@ struct SurfacePoint {
   Frame frame;            // z is n
   Vec3 wo;                // unit, pointing away from the surface, to where the ray came from
   Rgb albedo;             // in [0, 1]
-  Rgb emission;           // radiance that leaves p along wo by itself
-  int triangle = -1;      // of the scene's primitives, the one that p is on; -1: it is a sphere's
+  Rgb emission;           // emitted radiance along wo
+  int triangle = -1;      // index of the triangle that p is on; -1: p is on a sphere
   double scale = 1;  // the size of the numbers that p was computed from, for its rounding error
 };
 

@@ -10,8 +10,8 @@ namespace pt {
 
 namespace {
 
-// One walk in so many is looked at once more.
-constexpr std::uint64_t kLookedAt = 16;
+// One path in so many is checked by is_only_direct_light().
+constexpr std::uint64_t kCheckEvery = 16;
 
 // The direct light of one path, in the order in which it was asked for.
 struct DirectTape {
@@ -71,10 +71,10 @@ Rgb light_of(const Scene& scene, const SurfacePoint& point, const PathSettings& 
   return later ? played(scene, point, settings, range, sampler, tape) : first;
 }
 
-// Now and then: without direct light, nothing may be left of the sum.
-bool nothing_else(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
-                  const Sampler& sampler, DirectTape& tape) {
-  if (sampler.state()[0] % kLookedAt != 0) return true;
+// Returns false if trace_path adds anything but direct light: without it, it must return black.
+bool is_only_direct_light(const Scene& scene, const SurfacePoint& point,
+                          const PathSettings& settings, const Sampler& sampler, DirectTape& tape) {
+  if (sampler.state()[0] % kCheckEvery != 0) return true;
   return played(scene, point, settings, {-1, -1}, sampler, tape) == Rgb{};
 }
 
@@ -129,7 +129,7 @@ BouncesApart trace_path_apart(const Scene& scene, const SurfacePoint& point,
   for (const BounceRange& range : ranges) {
     apart.ranges.push_back(light_of(scene, point, settings, range, before, tape));
   }
-  apart.complete = add_up(apart) && nothing_else(scene, point, settings, before, tape);
+  apart.complete = add_up(apart) && is_only_direct_light(scene, point, settings, before, tape);
   return apart;
 }
 

@@ -12,12 +12,11 @@
 
 namespace pt {
 
-// The parts of one estimate of trace_path, bounce by bounce, whoever wrote it. The path is walked
-// once. Its direct light and its hits are kept on tapes, and it is walked again on these for each
-// range whose light is wanted, without a ray: all direct light of other bounces is then black. The
-// result is the part of the sum that the range adds, for the sum is linear in direct light. It
-// works where direct_lights and direct_hemisphere are linked in their taped form
-// (cmake/taped.cpp.in).
+// One estimate by any implementation of trace_path, split into ranges of bounces. trace_path runs
+// once, while its hits and its direct light are recorded on tapes. Then it runs again for each range:
+// the tapes answer in place of rays, and direct light of all other bounces is black. The result is
+// what the range adds to the sum, because the sum is linear in direct light. This works where
+// direct_lights and direct_hemisphere are linked in their taped form (cmake/taped.cpp.in).
 struct BouncesApart {
   Rgb sum;                  // the result of trace_path
   std::vector<Rgb> ranges;  // the part that each adds to it

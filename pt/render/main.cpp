@@ -49,15 +49,16 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
              scene.lights.size(), name(scene.tracer.engine()), options.threads, options.seed);
   fmt::print(
       "{:.2f} s, {:.2f} CPU s; {:.3g} M rays ({:.0f} % shadow), {:.3g} M per second, "
-      "{:.3g} M a CPU second\n",
+      "{:.3g} M per CPU second\n",
       result.seconds, result.cpu_seconds, rays * 1e-6,
       100 * static_cast<double>(result.rays.occluded) / std::max(rays, 1.0),
       rays * 1e-6 / result.seconds, rays * 1e-6 / result.cpu_seconds);
-  const auto a_ray = [&](long long count) {
+  const auto per_ray = [&](long long count) {
     return static_cast<double>(count) / std::max(rays, 1.0);
   };
   fmt::print("tests per ray: {:.2f} boxes, {:.2f} triangles, {:.2f} spheres\n",
-             a_ray(result.tests.boxes), a_ray(result.tests.triangles), a_ray(result.tests.spheres));
+             per_ray(result.tests.boxes), per_ray(result.tests.triangles),
+             per_ray(result.tests.spheres));
   if (result.not_finite > 0) {
     fmt::print(
         "{} samples were not finite and are left out; the first at pixel x {} y {} "
@@ -93,7 +94,7 @@ int run(int argc, const char* const* argv) {
                  "its surfaces\n");
     }
   }
-  print_no_todo();
+  silence_todo();
   choose_engine(loaded.scene, options.engine, options.max_leaf);
 
   const View view{loaded.scene,

@@ -25,8 +25,9 @@ const std::map<std::string, Show> kShow{{"full", Show::full},
                                         {"normals", Show::normals}};
 
 const char* kFooter =
-    "Which implementation of the tasks renders is chosen with ./run render --from student, or for\n"
-    "one task with --from hit_bvh=student; the default is the reference, in a handout student.\n\n"
+    "--from chooses the implementation of the tasks: ./run render --from student for all of them, "
+    "or\n"
+    "--from hit_bvh=student for one; the default is reference, and in a handout student.\n\n"
     "Examples:\n"
     "  ./run render scenes/box_spheres.dae -f box.png -s 64 -l 4 -m 5\n"
     "  ./run render scenes/box_spheres.dae -f normals.png --show normals\n"

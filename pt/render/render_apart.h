@@ -16,8 +16,8 @@ struct PixelApart {
 };
 
 // For programs where radiance() is the implementation `apart`. The view's bounces are those of all
-// ranges together; settings are not adaptive. It takes apart samples of the whole, whose mean the
-// task has to return.
+// ranges together; settings are not adaptive. Each sample is split by its bounces. The result is
+// complete only if the pixel's task returns the mean of the samples.
 PixelApart render_pixel_apart(const View& view, int x, int y, const RenderSettings& settings,
                               std::span<const BounceRange> ranges);
 

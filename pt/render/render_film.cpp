@@ -18,14 +18,14 @@ namespace {
 
 constexpr int kTileSize = 16;
 
-PixelEstimate ask_task(const View& view, int x, int y, const RenderSettings& settings,
-                       Sampler& sampler) {
+PixelEstimate call_pixel_task(const View& view, int x, int y, const RenderSettings& settings,
+                              Sampler& sampler) {
   if (settings.adaptive) return adaptive_pixel(view, x, y, *settings.adaptive, sampler);
   return {estimate_pixel(view, x, y, settings.samples, sampler), settings.samples};
 }
 
 // Results of one thread, besides its pixels.
-struct Share {
+struct ThreadResult {
   RayCount rays;
   TestCount tests;
   long long not_finite = 0;
@@ -37,8 +37,8 @@ bool comes_before(const BadPixel& a, const BadPixel& b) {
   return std::pair(a.y, a.x) < std::pair(b.y, b.x);
 }
 
-void note_bad(Share& share, BadPixel pixel) {
-  if (!share.first_bad || comes_before(pixel, *share.first_bad)) share.first_bad = pixel;
+void note_bad(ThreadResult& done, BadPixel pixel) {
+  if (!done.first_bad || comes_before(pixel, *done.first_bad)) done.first_bad = pixel;
 }
 
 // Everything the threads share: the tiles not yet taken, and how far the picture is.
@@ -53,24 +53,25 @@ struct Tiles {
         count(columns * ((height + kTileSize - 1) / kTileSize)) {}
 };
 
-Share render_tiles(const View& view, const RenderSettings& settings, Film& film, Tiles& tiles,
-                   const std::function<void(double)>& progress, const std::atomic<bool>* stop) {
+ThreadResult render_tiles(const View& view, const RenderSettings& settings, Film& film,
+                          Tiles& tiles, const std::function<void(double)>& progress,
+                          const std::atomic<bool>* stop) {
   const RayCount rays_before = rays_traced();
   const TestCount tests_before = test_count;
   const double cpu_before = thread_cpu_seconds();
   const auto stopped = [stop] { return stop != nullptr && *stop; };
-  Share share;
+  ThreadResult done;
   for (int tile = tiles.next++; tile < tiles.count && !stopped(); tile = tiles.next++) {
     const int x0 = tile % tiles.columns * kTileSize;
     const int y0 = tile / tiles.columns * kTileSize;
     for (int y = y0; y < std::min(y0 + kTileSize, view.height); ++y) {
       for (int x = x0; x < std::min(x0 + kTileSize, view.width); ++x) {
-        if (stopped()) return share;
+        if (stopped()) return done;
         const RenderedPixel rendered = render_pixel(view, x, y, settings);
         film.set(x, view.height - 1 - y, rendered.pixel);
         if (rendered.not_finite == 0) continue;
-        share.not_finite += rendered.not_finite;
-        note_bad(share, {x, y});
+        done.not_finite += rendered.not_finite;
+        note_bad(done, {x, y});
       }
     }
     ++tiles.done;
@@ -79,24 +80,24 @@ Share render_tiles(const View& view, const RenderSettings& settings, Film& film,
     if (lock.owns_lock()) progress(static_cast<double>(tiles.done) / tiles.count);
   }
   const RayCount rays = rays_traced();
-  share.rays = {rays.closest - rays_before.closest, rays.occluded - rays_before.occluded};
-  share.tests = {test_count.boxes - tests_before.boxes,
-                 test_count.triangles - tests_before.triangles,
-                 test_count.spheres - tests_before.spheres};
-  share.cpu_seconds = thread_cpu_seconds() - cpu_before;
-  return share;
+  done.rays = {rays.closest - rays_before.closest, rays.occluded - rays_before.occluded};
+  done.tests = {test_count.boxes - tests_before.boxes,
+                test_count.triangles - tests_before.triangles,
+                test_count.spheres - tests_before.spheres};
+  done.cpu_seconds = thread_cpu_seconds() - cpu_before;
+  return done;
 }
 
-void add(RenderResult& result, const Share& share) {
-  result.rays.closest += share.rays.closest;
-  result.rays.occluded += share.rays.occluded;
-  result.tests.boxes += share.tests.boxes;
-  result.tests.triangles += share.tests.triangles;
-  result.tests.spheres += share.tests.spheres;
-  result.not_finite += share.not_finite;
-  result.cpu_seconds += share.cpu_seconds;
-  if (share.first_bad && (!result.first_bad || comes_before(*share.first_bad, *result.first_bad))) {
-    result.first_bad = share.first_bad;
+void add(RenderResult& result, const ThreadResult& done) {
+  result.rays.closest += done.rays.closest;
+  result.rays.occluded += done.rays.occluded;
+  result.tests.boxes += done.tests.boxes;
+  result.tests.triangles += done.tests.triangles;
+  result.tests.spheres += done.tests.spheres;
+  result.not_finite += done.not_finite;
+  result.cpu_seconds += done.cpu_seconds;
+  if (done.first_bad && (!result.first_bad || comes_before(*done.first_bad, *result.first_bad))) {
+    result.first_bad = done.first_bad;
   }
 }
 
@@ -106,7 +107,7 @@ RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings&
   PixelRecord& record = pixel_record();
   record = {};
   Sampler sampler = Sampler::for_pixel(settings.seed, x, y);
-  PixelEstimate estimate = ask_task(view, x, y, settings, sampler);
+  PixelEstimate estimate = call_pixel_task(view, x, y, settings, sampler);
 
   // The task counted samples that were not finite as black: take them out of its mean.
   int not_finite = record.not_finite;
@@ -128,17 +129,17 @@ RenderResult render_film(const View& view, const RenderSettings& settings,
   RenderResult result;
   result.film = Film(view.width, view.height);
   Tiles tiles(view.width, view.height);
-  std::vector<Share> shares(settings.threads);
+  std::vector<ThreadResult> results(settings.threads);
   {
     std::vector<std::jthread> threads;
-    threads.reserve(shares.size());
-    for (Share& share : shares) {
-      threads.emplace_back([&, into = &share] {
+    threads.reserve(results.size());
+    for (ThreadResult& done : results) {
+      threads.emplace_back([&, into = &done] {
         *into = render_tiles(view, settings, result.film, tiles, progress, stop);
       });
     }
   }
-  for (const Share& share : shares) add(result, share);
+  for (const ThreadResult& done : results) add(result, done);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.complete = tiles.done == tiles.count;
   if (result.complete && progress) progress(1);

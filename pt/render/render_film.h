@@ -20,7 +20,7 @@ struct RenderSettings {
   int threads = 1;
 };
 
-// A sample that was NaN or infinite, named so that it can be looked at.
+// The pixel of a sample that was NaN or infinite, so that a person can look for the cause.
 struct BadPixel {
   int x = 0;  // as the tasks count: from the left
   int y = 0;  // and from the bottom

@@ -40,8 +40,9 @@ struct PictureRows {
   RowsMeasured measured;
 };
 
-// Only the numbers: others judge them elsewhere. Each pixel has its own random numbers, from the
-// seed and its place. A slot of the seam with two implementations:
+// Renders the rows and returns the numbers; the judge compares them in another process. Each pixel
+// has its own random numbers, from the seed and its position. A slot of the seam with two
+// implementations:
 //   plain     (pt/render/render_rows.cpp), for the grader;
 //   measured  (pt/render/render_rows_measured.cpp), for the write-up: samples that are not finite
 //             are left out of the mean, and of each row there is a picture per range, one after the

@@ -27,9 +27,9 @@ struct SphericalRectangle {
   double solid_angle = 0;  // zero where the point is in the plane
 };
 
-// The parallelogram center + (a - 1/2) u + (b - 1/2) v, a and b in [0, 1], as seen from p. u and v
-// are perpendicular and not zero. Of any size and anywhere; the solid angle is right to 1e-15, which
-// is no digit at all for a rectangle that looks as small.
+// The rectangle center + (a - 1/2) u + (b - 1/2) v, a and b in [0, 1], as seen from p; u and v are
+// perpendicular and not zero. It may have any size and position. The absolute error of the solid
+// angle is about 1e-15, so a rectangle with a smaller solid angle has no correct digit.
 inline SphericalRectangle spherical_rectangle(Vec3 p, Vec3 center, Vec3 u, Vec3 v) {
   SphericalRectangle seen;
   const double width = length(u), height = length(v);
@@ -75,7 +75,7 @@ inline Vec3 sample_rectangle(const SphericalRectangle& seen, Vec2 xi) {
   const double x = std::clamp(seen.z0 * sine / cosine, seen.x0, seen.x1);
 
   // There, the height is uniform.
-  const double squared = x * x + seen.z0 * seen.z0;  // the distance to the axis
+  const double squared = x * x + seen.z0 * seen.z0;  // the squared distance to the axis
   const double h0 = seen.y0 / std::sqrt(seen.y0 * seen.y0 + squared);
   const double h1 = seen.y1 / std::sqrt(seen.y1 * seen.y1 + squared);
   const double h = h0 + xi.y * (h1 - h0);

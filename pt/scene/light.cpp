@@ -17,8 +17,8 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang before 17 does not deduce this itself
 
-// A point q on an emitting surface with normal n, chosen with density 1 / area. The density a
-// steradian follows by the solid angle that a piece of surface fills: cos(light) dA / distance^2.
+// A point q on an emitting surface with normal n, chosen with density 1 / area. The density per
+// steradian follows from the solid angle of a piece dA of the surface: cos(light) dA / distance^2.
 LightSample area_sample(Vec3 p, Vec3 q, Vec3 n, double area, Rgb radiance) {
   const Vec3 to_light = q - p;
   const double squared = length_squared(to_light);

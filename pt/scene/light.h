@@ -84,8 +84,8 @@ struct LightSampleGroup {
   Vec3 wi_of(int i) const { return {wi[0][i], wi[1][i], wi[2][i]}; }
 };
 
-// Makes `samples` the first `count` samples, up to kLightGroup, that so many calls of sample_light
-// would return, bit for bit. Where the light is a rectangle, this takes half as long.
+// Writes to `samples` what `count` calls of sample_light would return, bit for bit; `count` is at
+// most kLightGroup. For a rectangle this takes half as long as the calls.
 void sample_light_group(const Light& light, Vec3 p, int count, Sampler& sampler,
                         LightSampleGroup& samples);
 

@@ -9,7 +9,7 @@ namespace pt {
 struct AdaptiveSettings {
   int max_samples = 64;     // >= batch; it need not be a multiple of batch
   int batch = 32;           // >= 2: the samples between two checks
-  double tolerance = 0.05;  // 1e-4 to 1: of the mean
+  double tolerance = 0.05;  // relative to the mean; 1e-4 to 1
 };
 
 // The mean of a pixel, and how many samples it took.
@@ -42,8 +42,8 @@ struct PixelEstimate {
 //   - never exceeds the maximum: radiance() is called n times, and 1 <= n <= max_samples.
 //   - returns the mean of all samples: divided by n, wherever it stopped.
 //   - judges by luminance: not by one channel.
-//   - goes on while it is dark: a small mean alone does not make a pixel done whose samples are not
-//     all zero.
+//   - goes on while it is dark: a pixel whose samples are not all zero is not done just because its
+//     mean is small.
 //   - uses the batch and the tolerance given: whatever they are.
 //   - passes the settings on: radiance() sees the view's scene and settings, and the same sampler,
 //     which has moved on afterwards.

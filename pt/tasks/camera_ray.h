@@ -17,10 +17,10 @@ namespace pt {
 // the camera, the bottom and top edges vfov_deg, whatever the shape of the picture in pixels.
 //
 // Precision: the ray goes through its point of the window to 1e-5 of the window's width and height,
-// for fields of view up to 170 degrees. Single precision and 3.14159 have that, but for fields of
-// view under ten degrees; therefore an error of 1e-6 in the unit direction is always right. Its
-// length is 1 to 1e-5. The origin and the clip range are the camera's, in single or in double
-// precision.
+// for fields of view up to 170 degrees. Single precision and 3.14159 are enough for that, except for
+// fields of view under ten degrees; so an error of 1e-6 in the unit direction is always accepted.
+// The length of the direction is 1 to 1e-5. The origin and the clip range are the camera's, in
+// single or in double precision.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.

@@ -24,10 +24,10 @@ namespace pt {
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
-//   - finds the nearest hit: the same t as asking every primitive in turn, also among thousands, of
+//   - finds the nearest hit: the same t as testing every primitive in turn, also among thousands, of
 //     which it tests less than half.
 //   - says which primitive: index and normal belong to the one that was hit.
-//   - misses what is not there: no hit where asking every primitive finds none.
+//   - misses what is not there: no hit where testing every primitive finds none.
 //   - keeps t inside the ray: no hit before t_min or beyond t_max.
 //   - takes an empty tree: without nodes there is no hit.
 //   - takes a tree of any shape: lopsided, a thousand levels deep, with many primitives in a leaf,

@@ -16,7 +16,7 @@ namespace pt {
 //      there, pointing outwards.
 //
 // Precision: up to a thousand radii away, the point at t lies on the sphere to 1e-6 radii, and n is
-// right to 1e-6. The quadratic formula in double has that, single precision has not. If the point
+// right to 1e-6. The quadratic formula in double has that, single precision does not. If the point
 // is within 1e-6 radii of an end of the range, hit and miss are both right. A ray that passes
 // within 1e-8 radii of touching the sphere may hit or miss.
 //
@@ -25,7 +25,7 @@ namespace pt {
 //
 // Promises:
 //   - hits where it is aimed: a ray at a visible point of the sphere has t at that point, also
-//     where it all but touches the sphere.
+//     where it grazes the sphere.
 //   - misses beside the sphere: a ray that passes at more than the radius has no hit.
 //   - finds the near side: of two points in the range the first is reported.
 //   - hits from inside: a ray that starts inside, or whose range begins inside, has the far point.

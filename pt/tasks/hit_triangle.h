@@ -24,7 +24,8 @@ namespace pt {
 // as long as high the error may be a thousand times larger, and so on; likewise where the ray meets
 // the plane at a small angle, down to a millionth of a radian. Flatter rays may miss. If the point
 // is closer than this error to an edge or to an end of the range, hit and miss are both right. If
-// only rounding takes a triangle without area off its line, a ray that meets this line may hit.
+// rounding gives an area to a triangle whose corners lie on one line, a ray that meets the line may
+// hit.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.

@@ -23,10 +23,10 @@ namespace pt {
 // own f and pdf belong to it. The path moves on by spawn_ray and scene.closest; the first surface
 // that it meets has the next point; where it meets nothing, it ends (indirect rays see no sky).
 //
-// The first bounce of the path is certain. Before every later one, the path survives with the
-// chance `survival`, and what it finds from there on is divided by it. (Another chance, fixed or by
-// the throughput, is right too if it is within the noise below.) It never bounces more than `to`
-// times.
+// The path always goes on from its first point to the second. From every later point it goes on
+// with the chance `survival`, and what it finds from there on is divided by it. (Another chance,
+// fixed or by the throughput, is right too if it is within the noise below.) It has at most `to`
+// points.
 //
 // Precision: 1e-5 of the radiance of each bounce; float is enough for colors.
 // Noise: one estimate has at most twice the standard deviation that the method above has with
@@ -45,7 +45,7 @@ namespace pt {
 //     E (a + a^2 + ... + a^to), for every `to`.
 //   - adds up the bounces asked for: from .. to and no other; nothing if from > to.
 //   - does not depend on survival: neither .05 nor 1 changes the mean.
-//   - takes the first bounce always: roulette starts with the second.
+//   - takes the first bounce always: roulette starts at the second point of the path.
 //   - ends at the cap: never more than `to` bounces, also where almost every path survives.
 //   - goes on up to the cap: nothing but roulette ends a path of a closed room before bounce `to`,
 //     however many bounces that is, and however small its throughput.

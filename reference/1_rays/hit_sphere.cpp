@@ -6,9 +6,9 @@
 namespace pt {
 
 // |origin + t d - center|^2 = radius^2 is the quadratic a t^2 - 2 b t + c = 0 in t. The textbook's
-// discriminant b^2 - a c subtracts two large numbers when the sphere is far away, and loses it
-// there. Haines et al. 2019 (Ray Tracing Gems, chapter 7) take the distance from the centre to the
-// ray instead, which is as large as the sphere, not as the way to it.
+// discriminant b^2 - a c is a small difference of two large numbers when the sphere is far away, and
+// loses its digits. Haines et al. 2019 (Ray Tracing Gems, chapter 7) use the distance from the
+// centre to the ray instead: for a hit it is at most the radius, however far away the sphere is.
 std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray) {
   const Vec3 d = ray.direction;
   const Vec3 to_center = sphere.center - ray.origin;
@@ -21,7 +21,8 @@ std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray) {
   const double discriminant = a * (radius_squared - length_squared(ray_to_center));
   if (!(discriminant >= 0)) return std::nullopt;
 
-  // Of the two roots b -+ root, one may cancel; q is the other, and t1 t2 = c / a gives the first.
+  // One of b - root and b + root may lose its digits. q is the other one: it gives one t as q / a,
+  // and the other t follows from t1 t2 = c / a.
   const double q = b + std::copysign(std::sqrt(discriminant), b);
   double t_near = c / q;
   double t_far = q / a;

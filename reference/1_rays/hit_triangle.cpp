@@ -4,11 +4,11 @@ namespace pt {
 
 namespace {
 
-// Returns whether the triple product of three vectors is more than what rounding makes of zero.
-// Without this, a ray in the triangle's plane, or at a triangle that is only a line, would divide
-// one rounding error by another and find itself anywhere. The error is at most some ten roundings
-// of the product of the three lengths (Higham 2002, Accuracy and Stability of Numerical Algorithms,
-// 3.1).
+// Returns whether the triple product of three vectors is larger than its rounding error. Without
+// this test, a ray in the triangle's plane, or a triangle that is only a line, would give the
+// quotient of two rounding errors, which may be any t. The error is at most about ten rounding
+// errors of the product of the three lengths (Higham 2002, Accuracy and Stability of Numerical
+// Algorithms, 3.1).
 bool exceeds_rounding(double product, Vec3 a, Vec3 b, Vec3 c) {
   constexpr double kRounding = 16 * 0x1p-53;
   return product * product >
@@ -28,9 +28,9 @@ std::optional<SurfaceHit> hit_triangle(const Triangle& triangle, const Ray& ray)
   const Vec3 direction_x_e2 = cross(ray.direction, e2);
   const Vec3 s_x_e1 = cross(s, e1);
 
-  // A small triangle at a small scale has a tiny determinant, and must be hit: there is no epsilon
-  // here. If the determinant is zero, the numbers below are infinite or NaN, and no comparison with
-  // "accept if" is true.
+  // A small triangle has a tiny determinant and must still be hit, so no fixed epsilon is compared
+  // with it. If the determinant is zero, the numbers below are infinite or NaN, and one of the
+  // conditions is false.
   const double determinant = dot(e1, direction_x_e2);
   const double inverse_determinant = 1 / determinant;
   const double b1 = dot(s, direction_x_e2) * inverse_determinant;

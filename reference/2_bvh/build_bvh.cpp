@@ -35,19 +35,19 @@ struct Builder {
       const auto split = std::partition(begin, end, [&](int i) { return position(i) < middle; });
       if (split != begin && split != end) return first + static_cast<int>(split - begin);
     }
-    // No plane, or all centroids are on one side of it, so that they are identical (or as good as):
-    // the median divides whatever it is.
+    // There is no plane, or all centroids are on one side of it, because they are equal or nearly
+    // equal. The median always divides the range.
     const auto median = begin + (last - first) / 2;
     std::nth_element(begin, median, end, [&](int i, int j) { return position(i) < position(j); });
     return first + (last - first) / 2;
   }
 
-  // Makes nodes[index] the root of a tree over order[first .. last). Its children are made next to
-  // each other, since whoever looks at one looks at the other too. A node is reached by its index,
-  // never by a reference, because new nodes may move all of them.
+  // Makes nodes[index] the root of a tree over order[first .. last). The two children lie next to
+  // each other in memory, because a ray is tested against both. A node is named by its index, never
+  // by a reference, because new nodes may move all of them.
   //
-  // Planes follow the shape of a scene, but of centroids at 2^-i each cuts off only one: after
-  // `planes` levels of them, halves keep the tree shallow.
+  // Planes follow the shape of a scene. But where the centroids lie at 2^-i, each plane cuts off
+  // only one of them: so below `planes` levels the median is taken, which keeps the tree shallow.
   void build(int index, int first, int last, int planes) {
     for (int i = first; i < last; ++i) bvh.nodes[index].box.grow(boxes[bvh.order[i]]);
     if (last - first <= max_leaf) {
@@ -74,7 +74,7 @@ Bvh build_bvh(std::span<const Box> boxes, int max_leaf) {
   std::iota(builder.bvh.order.begin(), builder.bvh.order.end(), 0);
   if (boxes.empty()) return builder.bvh;
   builder.bvh.nodes.resize(1);
-  // Twice the depth of an even tree.
+  // Twice the depth of a balanced tree.
   const int planes = 2 * static_cast<int>(std::bit_width(boxes.size()));
   builder.build(0, 0, static_cast<int>(boxes.size()), planes);
   return builder.bvh;

@@ -6,8 +6,8 @@ namespace pt {
 
 namespace {
 
-// The t at which the ray crosses the two planes of a slab: min first, in the order in which it
-// meets them. The sign of 1 / d decides, not that of d, so that -0 counts as downwards too.
+// The values of t at which the ray enters and leaves a slab. The test is on 1 / direction: for a
+// direction of -0 that is negative, but -0 < 0 is false.
 Interval crossings(double plane_min, double plane_max, double origin, double direction) {
   const double inverse = 1 / direction;
   const double to_min = (plane_min - origin) * inverse;

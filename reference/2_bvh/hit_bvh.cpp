@@ -9,8 +9,8 @@ namespace pt {
 namespace {
 
 // The search for the nearest hit. `ray` is a copy of the ray of the query, and always ends at the
-// nearest hit so far: a surface behind that is not a hit any more. (A hit ends the ray; entering or
-// leaving a box does not.)
+// nearest hit so far, so that a surface behind it is not a hit any more. Only a hit shortens the
+// ray; a box does not.
 struct Nearest {
   const Bvh& bvh;
   const Primitives& primitives;

@@ -29,8 +29,8 @@ Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings
     if (bounce >= settings.from) sum += throughput * direct(scene, point, settings, sampler);
     if (bounce == settings.to) break;
 
-    // Russian roulette, from the second bounce on: a path that survives stands for those that
-    // did not.
+    // Russian roulette, at every point but the first: a path that goes on also stands for those
+    // that end here.
     if (bounce > 1) {
       if (!(sampler.next_1d() < settings.survival)) break;
       throughput /= settings.survival;

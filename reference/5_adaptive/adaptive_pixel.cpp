@@ -9,8 +9,8 @@ namespace pt {
 
 namespace {
 
-// Mean and variance of a sequence, one number at a time (Welford 1962). Every term is a square, so
-// the variance of a constant is zero and never less, which s2 - s1^2 / n cannot say.
+// Mean and variance of a sequence, one number at a time (Welford 1962). No term is negative, and all
+// are zero for a constant; s2 - s1^2 / n may become negative by rounding.
 struct RunningVariance {
   int n = 0;
   double mean = 0;

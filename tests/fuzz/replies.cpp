@@ -13,7 +13,7 @@ namespace {
 // Looks at a result as the judge does; rows of a picture have a test of their own (grader/pictures).
 template <class Result>
 void look_at(const Result& result) {
-  if constexpr (!std::is_same_v<Result, pt::PictureRows>) has_numbers(result);
+  if constexpr (!std::is_same_v<Result, pt::PictureRows>) has_valid_numbers(result);
 }
 
 // As call() of grader/wire/call.h and Session::take_head read it.
@@ -22,7 +22,7 @@ void read_reply(std::string_view bytes) {
   using Signature = SignatureOf<Function>;
   Reader in(bytes);
   const auto head = get<ReplyHead>(in);
-  has_numbers(head.tests.boxes);
+  has_valid_numbers(head.tests.boxes);
   const auto result = get<typename Signature::Result>(in);
   if constexpr (Signature::kDraws) get<pt::Sampler>(in);
   in.expect_end();

@@ -19,7 +19,7 @@ using Direct = pt::PathSettings::Direct;
 const Way kCourse{Direct::lights, 5, 0.7};
 constexpr int kCourseLightSamples = 4;
 
-constexpr double kMaxBias = 0.1;      // of error^2: then bounces cost more than they mend
+constexpr double kMaxBias = 0.1;      // of error^2: then bounces cost more than they gain
 constexpr double kWorthTrying = 0.7;  // of error^2: with more bias there is no room for noise
 constexpr int kFewerBounces = 3;      // that are tried
 constexpr double kSignificant = 4;    // standard errors

@@ -18,7 +18,7 @@ namespace writeup::accuracy {
 
 namespace {
 
-// Named by everything that what is measured depends on.
+// The journal of this call. Its name is a hash of everything that the measurements depend on.
 Journal journal_of(const Call& call) {
   const Options& o = call.options;
   if (o.keep.empty()) return {};
@@ -104,7 +104,7 @@ void run_converge(const Call& call) {
 
 void say_when_stopped() {
   const auto stop = [](int) {
-    const char words[] = "\nstopped; the same command goes on here\n";
+    const char words[] = "\nstopped; run the same command again to continue\n";
     [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
     _exit(130);
   };

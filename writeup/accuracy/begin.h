@@ -9,8 +9,8 @@ namespace writeup::accuracy {
 // A scene that is being measured: ready to be traced, and with its long renders made. Each member uses
 // those before it. Throws pt::Error, one sentence, for what cannot be measured.
 struct Measuring {
-  // `bounces`: as Study has it, which may take `share` of the time. It goes on where a run of the same
-  // call was stopped.
+  // `bounces` is passed on to Study, which may take the part `share` of the time. If a run of the same call
+  // was stopped, this one continues there.
   Measuring(pt::LoadedScene scene, const Call& call, int bounces, double share = 1);
   Measuring(const Measuring&) = delete;
   Measuring& operator=(const Measuring&) = delete;

@@ -21,7 +21,7 @@ plot )gp";
 
 const char* const kBouncesChart = R"gp(set logscale y
 set xlabel "most bounces, m"
-set ylabel "missing radiance, as a part"
+set ylabel "missing fraction of the radiance"
 set format y "%g"
 set key off
 plot "bounces.csv" using 1:($2 > 0 ? $2 : NaN) skip 1 with linespoints lc rgb "#1b5288" lw 2 pt 7 ps .6
@@ -34,7 +34,7 @@ set y2tics
 set ytics nomirror
 set xlabel "light samples, l"
 set ylabel "relative variance of a camera sample"
-set y2label "microseconds a camera sample"
+set y2label "microseconds per camera sample"
 set key top center
 plot "noise.csv" using 1:2:3 skip 1 with yerrorbars lc rgb "#1b5288" pt 7 ps .6 title "variance", \
      {:.8g} + {:.8g} / x lc rgb "#1b5288" lw 2 title "A + B / l", \

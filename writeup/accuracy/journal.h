@@ -21,8 +21,8 @@ class Journal {
   Journal& operator=(Journal&&) = delete;
   ~Journal();
 
-  // The answer to the next question, if this very question was the next one then. Else what is left of
-  // the file is forgotten.
+  // The recorded answer, if the next question in the file is this one. Else the rest of the file is
+  // dropped.
   std::optional<std::vector<double>> next(const std::string& question);
   // Adds the answer to a question that was not known.
   void keep(const std::string& question, const std::vector<double>& answer);

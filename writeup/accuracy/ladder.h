@@ -24,8 +24,9 @@ struct Climbed {
   double samples = 0;  // of a pixel, in the mean
   double rays = 0;
   double seconds = 0;
-  Uncertain error2;       // relMSE
-  Uncertain worth;        // time x relMSE of the rung below, divided by that of this one
+  Uncertain error2;  // relMSE
+  Uncertain
+      worth;  // time x relMSE of the last kept rung before this one, divided by that of this one
   Uncertain in_all;       // the same of the lowest rung
   double worth_rays = 1;  // with rays in place of time
   double in_all_rays = 1;

@@ -43,9 +43,9 @@ std::string best_text(const Ladder& ladder) {
 
 std::string notes(const Ladder& ladder) {
   std::string text = fmt::format(
-      "Worth is time x variance of the rung above, divided by that of this one. Rungs in brackets\n"
-      "are not kept. Engines change no picture: only their time is compared. Light "
-      "samples\n"
+      "Worth is time x variance of the last rung before this one that is kept, divided by that of\n"
+      "this one. Rungs in brackets are not kept. Engines change no picture: only their time is\n"
+      "compared. Light samples\n"
       "at which time x variance is least: {:.2g}.\n",
       ladder.chosen.best_light_samples);
   if (!ladder.chosen.hemisphere) {
@@ -68,7 +68,7 @@ std::string notes(const Ladder& ladder) {
 // The engines' rungs differ in time alone: their rays say nothing.
 const char* const kChart = R"gp(set logscale y
 set terminal svg size 860,520
-set ylabel "as many times as cheap as the plainest renderer"
+set ylabel "cost of the plainest renderer over the cost of this one"
 set xtics rotate by -35 ({})
 set xrange [-.5:{}]
 set key top left
@@ -85,8 +85,8 @@ std::string to_text(const Ladder& ladder, const Options& options) {
       "{}, {} x {} pixels, at most {} bounces, {} samples per pixel: what an idea is worth\n\n"
       "  {:<36}{:>9}{:>8}{:>11}{:>16}{:>17}{:>9}\n  {:<36}{:>9}{:>8}{:>11}{:>16}{:>17}{:>9}\n",
       options.scene.string(), options.width, options.height, options.bounces, options.samples,
-      "each rung: the one above it, and", "us per", "rays", "error", "worth", "in all", "in all,",
-      "", "pixel", "", "", "", "", "rays");
+      "each rung adds one idea", "us per", "rays", "error", "worth", "in all", "in all,", "",
+      "pixel", "", "", "", "", "rays");
   for (std::size_t k = 0; k < ladder.rungs.size(); ++k) text += row(ladder.rungs[k], k == 0);
   return text + "\n" + best_text(ladder) + notes(ladder);
 }

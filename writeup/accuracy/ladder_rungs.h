@@ -7,7 +7,7 @@
 
 namespace writeup::accuracy {
 
-// A renderer: its implementations, and its settings. It has one idea more than the rung below.
+// A renderer: its implementations, and its settings. It has one idea more than the last kept rung before it.
 struct Rung {
   std::string idea;
   std::string mixture;  // as ./run --from writes it

@@ -53,7 +53,8 @@ struct TurnSums {
     }
   }
 
-  // The pixels differ, and that is no uncertainty: only the turns tell how well each is known.
+  // Its standard error comes from the differences between the turns: that the pixels differ from each other is
+  // not an error.
   Uncertain variance() const {
     double total = 0, spread = 0;
     for (std::size_t i = 0; i < sum.size(); ++i) {

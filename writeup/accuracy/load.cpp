@@ -25,7 +25,7 @@ pt::LoadedScene load_scene(const Options& options) {
                     ": the scene has no light; add one, or give a surface an emission");
   }
   if (!options.out.empty()) std::filesystem::create_directories(options.out);
-  pt::print_no_todo();
+  pt::silence_todo();
   choose_engine(loaded.scene, options.engine, kMaxLeaf);
   return loaded;
 }

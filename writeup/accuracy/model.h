@@ -38,7 +38,7 @@ Line fit_line(std::span<const LinePoint> points);
 struct SampleModel {
   Line noise;        // its relative variance A + B / l, over 1 / l
   Line seconds;      // its processor time c0 + c1 l, over l
-  double bias2 = 0;  // the square of the relative bias, which no sample mends
+  double bias2 = 0;  // the square of the relative bias, which more samples do not reduce
 
   double variance(int light_samples) const { return noise.at(1.0 / light_samples); }
 };

@@ -31,9 +31,9 @@ const char* kConvergeExamples =
     "  ./run converge scenes/box_spheres.dae -m 1 --from direct_lights=student\n";
 
 const char* kLadder =
-    "What an idea is worth is the factor in time x variance: as many times as long the picture "
-    "takes\n"
-    "without it, at the same error. Times are of one processor.\n\nExamples:\n"
+    "The worth of an idea is a factor in time x variance: without the idea, the picture takes "
+    "that\n"
+    "many times as long for the same error. Times are of one processor.\n\nExamples:\n"
     "  ./run ladder scenes/box_spheres.dae --out box\n"
     "  ./run ladder scenes/box_blob.dae -s 16 --seconds 300\n";
 

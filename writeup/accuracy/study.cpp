@@ -20,8 +20,8 @@ constexpr double kOfBounces = 0.25, kOfOneRender = 0.025;
 constexpr int kMaxTried = 1 << 14;  // samples per pixel of one short render
 constexpr double kClock = 0.01;     // no time is known better: a part of it
 
-// The mean of what two independent halves say of each pixel. The pixels differ, and that is no
-// uncertainty: only the halves tell how well each is known.
+// The weighted mean over the pixels of two independent halves. Its standard error comes from the
+// differences between the halves: that the pixels differ from each other is not an error.
 Uncertain mean_of_halves(const std::vector<double>& a, const std::vector<double>& b,
                          const std::vector<double>& weight) {
   const auto n = static_cast<double>(a.size());
@@ -113,7 +113,7 @@ void Study::look_at_bounces(int bounces) {
     const double g = (golden_[0][i] + golden_[1][i]) / 2 + kBlack;
     weight_.push_back(1 / (g * g));
   }
-  // The product of two independent means is no larger for their noise.
+  // The noise of two independent means does not bias their product.
   for (int m = 0; m <= kToldApart; ++m) {
     std::vector<double> squares;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {

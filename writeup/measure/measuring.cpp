@@ -162,8 +162,8 @@ class Measuring {
     return nanoseconds;
   }
 
-  // Everybody once, in a new order, two at a time between two batches of the reference, whose geometric mean they are
-  // compared with.
+  // Times each candidate once, in a new random order. Every two of them run between two batches of the reference, and
+  // are compared with the geometric mean of these batches.
   void play_round(std::size_t i) {
     const std::vector<std::size_t> order = new_order();
     std::optional<double> before = play(players_[0], i);

@@ -24,8 +24,8 @@ double in_pixel(double along, double ahead) {
   return at - std::floor(at);
 }
 
-// Every pixel is bright left of a line that leans by so much, and on the average at so much of its width: not through
-// the centre, about which some mirror their points.
+// Every pixel is bright to the left of a slanted line: at half its height the line is at kBright of its width. It does
+// not pass through the centre, because some methods mirror their points about the centre.
 constexpr double kLean = 0.37, kBright = 0.43;
 
 }  // namespace

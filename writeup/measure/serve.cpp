@@ -52,7 +52,7 @@ double seconds_of(const Subject& subject, std::uint32_t passes) {
   return pt::thread_cpu_seconds() - start;
 }
 
-// Since the last batch others have used this processor.
+// Other workers have used this processor since the last batch: a short pass first warms up its caches.
 Timed time(Ready& ready, std::uint32_t passes) {
   if (ready.is_short) ready.is_short = seconds_of(ready.subject, 1) < kWarmUp;
   return {seconds_of(ready.subject, passes),

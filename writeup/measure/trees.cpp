@@ -21,7 +21,7 @@ constexpr int kLeaf = 4;  // of hit_bvh's tree, as ./run render has it
 constexpr std::array kLeaves{1, 2, 4, 8, 16};
 constexpr std::uint64_t kSeed = 21;
 
-struct Course {
+struct TreeInputs {
   pt::Primitives primitives;
   std::vector<pt::Box> boxes;
   std::vector<Ray> rays;                       // half from a camera, half from anywhere
@@ -47,15 +47,15 @@ std::optional<double> nearest_by_all(const pt::Primitives& primitives, const Ray
 }
 
 // Some 400 KiB with the tree: it stays in the second cache, where other programs disturb it less.
-Course make_course() {
-  Course course;
-  add(course.primitives, scenes::make_blob(1500), {-1.2, 0, 0});
-  add(course.primitives, scenes::make_coil(800), {1.2, 0, 0});
+TreeInputs make_inputs() {
+  TreeInputs inputs;
+  add(inputs.primitives, scenes::make_blob(1500), {-1.2, 0, 0});
+  add(inputs.primitives, scenes::make_coil(800), {1.2, 0, 0});
   const Vec3 a{-9, -1.2, -9}, b{-9, -1.2, 9}, c{9, -1.2, 9}, d{9, -1.2, -9};
-  course.primitives.triangles.push_back(pt::flat_triangle(a, b, c));
-  course.primitives.triangles.push_back(pt::flat_triangle(a, c, d));
-  for (int i = 0; i < course.primitives.size(); ++i) {
-    course.boxes.push_back(bounds(course.primitives, i));
+  inputs.primitives.triangles.push_back(pt::flat_triangle(a, b, c));
+  inputs.primitives.triangles.push_back(pt::flat_triangle(a, c, d));
+  for (int i = 0; i < inputs.primitives.size(); ++i) {
+    inputs.boxes.push_back(bounds(inputs.primitives, i));
   }
   pt::Sampler sampler(kSeed);
   for (int i = 0; i < kRays; ++i) {
@@ -63,23 +63,23 @@ Course make_course() {
     ray.origin = i % 2 == 0 ? Vec3{0, 1, 6} : in_cube(2.4, sampler);
     const Vec3 target = in_cube(2.4, sampler);
     ray.direction = normalize(target - ray.origin);
-    course.rays.push_back(ray);
+    inputs.rays.push_back(ray);
     ray.t_max = length(target - ray.origin);
-    course.shadow_rays.push_back(ray);
-    course.nearest.push_back(nearest_by_all(course.primitives, course.rays.back()));
-    course.occluded.push_back(nearest_by_all(course.primitives, ray).has_value());
+    inputs.shadow_rays.push_back(ray);
+    inputs.nearest.push_back(nearest_by_all(inputs.primitives, inputs.rays.back()));
+    inputs.occluded.push_back(nearest_by_all(inputs.primitives, ray).has_value());
   }
-  return course;
+  return inputs;
 }
 
-const Course& course() {
-  static const Course the_course = make_course();
-  return the_course;
+const TreeInputs& inputs() {
+  static const TreeInputs all = make_inputs();
+  return all;
 }
 
 // Sends the rays through the tree; `any`: the shadow rays, of which any hit will do.
 Found query(const pt::Bvh& bvh, bool any) {
-  const Course& all = course();
+  const TreeInputs& all = inputs();
   Found found;
   const pt::TestCount before = pt::test_count;
   for (std::size_t i = 0; i < kRays; ++i) {
@@ -106,15 +106,15 @@ Found query(const pt::Bvh& bvh, bool any) {
 Subject tree_builds(int of_cases) {
   const int leaf = kLeaves.at(of_cases);
   return {1,
-          [leaf] { sink = static_cast<double>(pt::build_bvh(course().boxes, leaf).nodes.size()); },
-          [leaf](std::uint64_t) { return query(pt::build_bvh(course().boxes, leaf), false); }};
+          [leaf] { sink = static_cast<double>(pt::build_bvh(inputs().boxes, leaf).nodes.size()); },
+          [leaf](std::uint64_t) { return query(pt::build_bvh(inputs().boxes, leaf), false); }};
 }
 
 Subject tree_queries(int of_cases) {
   const bool any = of_cases == 1;
-  const auto bvh = std::make_shared<const pt::Bvh>(pt::build_bvh(course().boxes, kLeaf));
+  const auto bvh = std::make_shared<const pt::Bvh>(pt::build_bvh(inputs().boxes, kLeaf));
   const auto pass = [bvh, any] {
-    const Course& all = course();
+    const TreeInputs& all = inputs();
     double sum = 0;
     for (std::size_t i = 0; i < kRays; ++i) {
       sum += any ? occluded_bvh(*bvh, all.primitives, all.shadow_rays[i])

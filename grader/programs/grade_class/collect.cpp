@@ -2,7 +2,7 @@
 
 #include "grader/intake/unpack.h"
 #include "grader/programs/grade_class/compare.h"
-#include "grader/programs/grade_class/teller.h"
+#include "grader/programs/grade_class/outcome_printer.h"
 #include "grader/report/csv.h"
 #include "grader/report/worksheet.h"
 #include "grader/results/presentable.h"

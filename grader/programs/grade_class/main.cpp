@@ -5,8 +5,8 @@
 #include "grader/programs/grade_class/engine.h"
 #include "grader/programs/grade_class/one.h"
 #include "grader/programs/grade_class/options.h"
+#include "grader/programs/grade_class/outcome_printer.h"
 #include "grader/programs/grade_class/plan.h"
-#include "grader/programs/grade_class/teller.h"
 #include "grader/programs/status_line.h"
 #include "grader/report/worksheet.h"
 #include "pt/command_line.h"
@@ -144,10 +144,10 @@ int grade_all(ClassOptions options, const std::vector<std::string>& words) {
   if (engine.engine == Engine::parallel) engine.program.emplace_back("--end-with-parent");
 
   Collector collector(config, plan, options.plan.out);
-  Teller teller(plan.everybody.size(), line);
+  OutcomePrinter outcomes(plan.everybody.size(), line);
   std::vector<bool> known(plan.everybody.size(), false);
   const auto report = [&](std::size_t i, const Graded& graded) {
-    teller.tell(graded);
+    outcomes.print(graded);
     collector.add(i, graded);
     known[i] = true;
   };
@@ -162,7 +162,7 @@ int grade_all(ClassOptions options, const std::vector<std::string>& words) {
   const std::vector<std::string> files = collector.write();
   line.clear();
   print_files(collector, files);
-  return teller.all_judged() ? 0 : 2;
+  return outcomes.all_judged() ? 0 : 2;
 }
 
 int make_plan_only(ClassOptions options, const std::vector<std::string>& words) {
@@ -191,12 +191,12 @@ int run_chunks(const ClassOptions& options) {
   std::size_t count = 0;
   for (const Equal& equal : all) count += equal.size();
   StatusLine line(StatusLine::Output::none);  // its log has the outcomes
-  Teller teller(count, line);
+  OutcomePrinter outcomes(count, line);
   const int jobs = std::max(1, options.engine.jobs);
   bool complete = true;
   run_chunk(judging_of(config, options, plan, out, 1), plan, all, jobs,
             [&](std::size_t, const Graded& graded) {
-              teller.tell(graded);
+              outcomes.print(graded);
               complete = complete && !graded.changed;
             });
   return complete ? 0 : 2;  // a problem is an outcome too, which the collector tells

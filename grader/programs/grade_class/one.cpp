@@ -76,7 +76,7 @@ Key key_of(const Judging& judging, const std::string& submission) {
   return {base::sha256(key), base::sha256(base::read_file(points_file(judging)))};
 }
 
-// The sums of the reports, which stand behind their key: a loss of power may leave a report empty whose key is
+// The sums of the reports, stored with their key: after a loss of power, a report may be empty although its key is
 // whole.
 std::string sums_of_reports(const std::string& path) {
   return judge::sum_of_file(path + ".json") + '\n' + judge::sum_of_file(path + ".html") + '\n';
@@ -112,7 +112,7 @@ bool has_its_pictures(const results::Results& results) {
   return true;
 }
 
-// Results of an earlier run in which nothing but points was another, counted anew.
+// Results of an earlier run if only the points have changed since, with the points counted again.
 std::optional<results::Results> counted_anew(const Judging& judging, const std::string& path,
                                              const Key& key) {
   if (key_at(path).judging != key.judging) return std::nullopt;
@@ -123,7 +123,7 @@ std::optional<results::Results> counted_anew(const Judging& judging, const std::
   return results;
 }
 
-// Nobody's fault, and over by the next try.
+// Nobody is at fault, and the next attempt will work.
 struct Changed : pt::Error {
   using pt::Error::Error;
 };
@@ -166,7 +166,7 @@ std::string run_grade(const Judging& judging, const intake::HandedIn& by, const 
     return process::run_command({command, sandbox::judges_environment(), {}, "", {}}, kMaxTime);
   };
   process::CommandResult result = run();
-  // Killed from outside: for want of memory, or by hand. Its results so far are kept.
+  // Killed from outside: by hand, or because memory ran out. Its results so far are kept.
   if (!result.timed_out && WIFSIGNALED(result.status)) result = run();
   if (!result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1) return "";
   return process::fault_of(result);
@@ -263,7 +263,7 @@ bool is_done(const Judging& judging, const intake::HandedIn& by) {
   try {
     return known == key_of(judging, by.folder);
   } catch (const std::exception&) {
-    return false;  // whoever judges it tells what is wrong with its files
+    return false;  // the process that judges it reports what is wrong with its files
   }
 }
 

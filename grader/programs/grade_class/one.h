@@ -23,8 +23,8 @@ struct Judging {
   std::string grade;     // the program
   std::string out;       // the folder of the reports
   std::string plan;      // the ID of the plan in it
-  std::string former{};  // one of an earlier grading, whose results may be used again
-  std::map<std::string, std::string> former_names{};  // what a submission of now was called there
+  std::string former{};  // the folder of an earlier grading, whose results may be used again
+  std::map<std::string, std::string> former_names{};  // name now -> name there
   std::vector<std::string> words{};                   // of the program's command line
   std::uint64_t seed = 1;                             // of all random inputs
   bool anonymous = false;                             // problems must name nobody
@@ -53,7 +53,7 @@ Graded graded_before(const Judging& judging, const intake::HandedIn& by);
 // Returns whether grade_equal is done with it: there are such reports, or there is a problem.
 bool is_done(const Judging& judging, const intake::HandedIn& by);
 
-// Another text whenever is_done may have become true. It takes no look at what was handed in.
+// A text that changes whenever is_done may have become true. Does not read what was handed in.
 std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by);
 
 // Judges submissions whose files are equal, and writes their reports. Earlier outcomes are used again:

@@ -33,7 +33,7 @@ struct ClassPlan {
   std::vector<std::string>
       former_names{};                  // of everybody, in `former`: empty for who was not in it
   std::vector<Chunk> chunks;           // of all that can be judged
-  std::vector<std::string> unclaimed;  // files of the class that are nobody's; not in the file
+  std::vector<std::string> unclaimed;  // files without an owner; not in the file
 };
 
 struct PlanRequest {
@@ -51,10 +51,10 @@ struct PlanRequest {
 // Slurm's usual limit (MaxArraySize) is 1001.
 inline constexpr std::size_t kMaxChunks = 500;
 
-// Lists the submissions, unpacks archives below `out`, by the program `unpack` in the folder `programs`, and cuts
-// the class into chunks. The seed is the one asked for, else that of the reports that are in `out` or
-// of those to compare with, else a new one, drawn: a table of answers to one seed is worth nothing
-// then. It is kept in `out`. Throws pt::Error if there is no submission.
+// Lists the submissions, unpacks archives below `out` with the program `unpack` in the folder `programs`, and cuts the
+// class into chunks. The seed is the requested one, else that of the reports in `out` or of those to compare with, else a
+// random one, so that nobody can prepare answers for a known seed. It is kept in `out`. Throws pt::Error if there is no
+// submission.
 ClassPlan make_plan(const judge::Config& config, const std::string& programs,
                     const PlanRequest& request, const intake::Progress& progress);
 

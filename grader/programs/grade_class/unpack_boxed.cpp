@@ -3,8 +3,8 @@
 #include "grader/base/descriptor.h"
 #include "grader/base/printable.h"
 #include "grader/process/run_command.h"
+#include "grader/sandbox/launcher_messages.h"
 #include "grader/sandbox/probe.h"
-#include "grader/sandbox/told.h"
 #include "pt/error.h"
 
 #include <chrono>

@@ -7,10 +7,10 @@
 
 namespace grader::programs {
 
-// Unpacks archives in a box, the best that works here: it sees the archive, which is open, and may write in the
-// folder alone. Bounds besides those of intake::unpack: a minute of processor time (an hour for a whole class), 2 GiB of memory, no
-// other process. Throws pt::Error where the machine is at fault: the box does not start or is killed, the disk is full. `programs` is the folder of the program `unpack`. Throws too if nothing
-// isolates here and it must.
+// Returns a function that unpacks archives in the best box that works here. The box can read the open archive and write in the
+// folder, and nothing else. It has more bounds than intake::unpack: a minute of processor time (an hour for a class), 2 GiB of
+// memory, no other process. The function throws pt::Error where the machine is at fault: the box does not start or is killed, or
+// the disk is full. `programs` is the folder of the program `unpack`. Throws pt::Error if `must_isolate` and nothing isolates here.
 intake::Unpack unpack_boxed(const judge::Config& config, const std::string& programs,
                             bool must_isolate);
 

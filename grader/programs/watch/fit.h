@@ -11,8 +11,8 @@ struct ScreenSize {
 // The size of the terminal that standard output is.
 ScreenSize screen_size();
 
-// A text as a screen shows it whole: longer lines are broken between words,
-// the rest of a line with a label below its value; and the first rows, with a word about the others.
+// Makes a text fit on a screen. Long lines are broken between words; the rest of a line with a label goes below its
+// value. If there are too many rows, the first ones are kept, and the last row says how many are missing.
 std::string fit(const std::string& text, const ScreenSize& screen);
 
 }  // namespace grader::programs

@@ -126,8 +126,7 @@ void WatchSession::take_verdict() {
   const double seconds = running_->seconds();
   running_.reset();
   show_verdict(output, *status, seconds);
-  // Tasks that ask the one that was saved may stand differently now; the verdicts of others are
-  // known.
+  // Tasks that call the saved one may have another verdict now; all other verdicts are known.
   if (!judging_.empty() && judging_ != kPage && waiting_.empty()) waiting_.push_back("");
 }
 

@@ -59,8 +59,8 @@ class WatchSession {
   std::optional<Running> running_;
   bool judged_ = false;  // something, so far
   std::string task_;     // slug on the screen
-  // The task whose pictures are drawn on demand: that of the failure on the screen or, after a save, the
-  // saved one, though the screen shows what comes next; empty if all tasks pass: of all.
+  // The task whose pictures the key p draws: that of the failure on the screen or, after a save, the saved task,
+  // even if the screen shows another one. Empty if all tasks pass: then the pictures of all tasks.
   std::string page_task_;
   std::string failure_;  // of task_, the failure on the screen, or the function to write
   std::string text_;     // on the screen: that, or the answer to a key

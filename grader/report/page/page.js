@@ -57,7 +57,7 @@ function reader(viewer) {
   const data = viewer.dataset;
   const film = data.kind === "film";
   let render, golden, noise;
-  // A small page has no numbers.
+  // A small page has no values of pixels.
   if (!data.render) return () => "";
   return (index) => {
     if (!render) {

@@ -10,7 +10,7 @@ namespace grader::sandbox::box {
 // up now, by the user that this process is now. Throws pt::Error if one of them is not there.
 base::Descriptor file_rules(const Options& options);
 
-// They hold from now on, for this process and all that come from it. Nothing if there are none.
+// Applies the rules to this process and all its descendants, for good. Does nothing if there are none.
 void enforce(const base::Descriptor& rules);
 
 }  // namespace grader::sandbox::box

@@ -28,7 +28,7 @@ base::Descriptor open_process(pid_t pid) {
   return process;
 }
 
-// Dead processes count until somebody has asked for their status; hence the bound.
+// Zombies count as processes until they are reaped, so the number of attempts is bounded.
 void kill_all_of(uid_t id) {
   const pid_t killer = fork();
   if (killer == 0) {

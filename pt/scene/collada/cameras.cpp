@@ -36,18 +36,19 @@ FileCamera read_perspective(const ColladaDocument& document, const XMLElement& p
   const std::optional<double> x = optional_fov(document, perspective, "xfov");
   const std::optional<double> y = optional_fov(document, perspective, "yfov");
   const double aspect = optional_number(document, perspective, "aspect_ratio").value_or(4.0 / 3);
-  if (!(aspect > 0)) document.fail(perspective, "aspect_ratio must be above 0; mend it");
+  if (!(aspect > 0)) document.fail(perspective, "aspect_ratio must be above 0; correct it");
   if (!x && !y) document.fail(perspective, "<perspective> has no xfov; add it, in degrees");
   camera.hfov_deg = x ? *x : fov_from(half_tangent(*y) * aspect);
   camera.vfov_deg = y ? *y : fov_from(half_tangent(*x) / aspect);
   if (!(camera.hfov_deg > 0 && camera.hfov_deg < 180 && camera.vfov_deg > 0 &&
         camera.vfov_deg < 180)) {
-    document.fail(perspective, "the fields of view leave (0, 180) degrees; mend the aspect_ratio");
+    document.fail(perspective,
+                  "the fields of view leave (0, 180) degrees; correct the aspect_ratio");
   }
   camera.near_clip = optional_number(document, perspective, "znear").value_or(0);
   camera.far_clip = optional_number(document, perspective, "zfar").value_or(kInfinity);
   if (!(camera.near_clip >= 0 && camera.near_clip < camera.far_clip)) {
-    document.fail(perspective, "znear and zfar must satisfy 0 <= znear < zfar; mend them");
+    document.fail(perspective, "znear and zfar must satisfy 0 <= znear < zfar; correct them");
   }
   return camera;
 }
@@ -67,8 +68,9 @@ Frame camera_frame(const ColladaDocument& document, const Instance& instance,
                    std::vector<std::string>& notes) {
   const Vec3 backwards = instance.to_world.z;
   if (!std::isnormal(length_squared(backwards))) {
-    document.fail(*instance.node, "camera " + label(*instance.node) +
-                                      " looks nowhere: its z axis has no length; mend its matrix");
+    document.fail(*instance.node,
+                  "camera " + label(*instance.node) +
+                      " looks nowhere: its z axis has no length; correct its matrix");
   }
   const Vec3 z = normalize(backwards);
   Vec3 right = cross(instance.to_world.y, z);

@@ -129,7 +129,7 @@ void ColladaDocument::parse(const std::string& text) {
     throw Error(where + "elements are nested too deep; flatten the scene");
   }
   throw Error(where + "the XML is malformed (" + tinyxml2::XMLDocument::ErrorIDToName(error) +
-              "); mend it there, or copy the file again if it was cut off");
+              "); correct it there, or copy the file again if it was cut off");
 }
 
 void ColladaDocument::index(const XMLElement& element) {
@@ -193,7 +193,7 @@ const XMLElement& ColladaDocument::resolve(const XMLElement& from, const char* n
   const Identified found = find(from, url, kind);
   if (found.first == nullptr) {
     fail(from, std::string("there is no <") + kind + "> with the id that " + quoted(url) +
-                   " names; define it in this file or mend the " + name);
+                   " names; define it in this file or correct the " + name);
   }
   if (found.second != nullptr) fail(from, ambiguity(url, found) + "; give each an id of its own");
   return *found.first;

@@ -25,7 +25,7 @@ void check_face_count(const ColladaDocument& document, const XMLElement& set,
   if (count && *count != faces_found) {
     document.fail(set, std::string("<") + set.Name() + "> announces " + std::to_string(*count) +
                            " faces and holds " + std::to_string(faces_found) +
-                           "; mend the count, or copy the file again if it was cut off");
+                           "; correct the count, or copy the file again if it was cut off");
   }
 }
 
@@ -57,7 +57,7 @@ Faces read_polygons(const ColladaDocument& document, const XMLElement& set, int 
     const std::vector<int> indices = read_integers(document, *p);
     if (indices.size() % static_cast<std::size_t>(stride) != 0) {
       document.fail(*p, "<p> ends in the middle of a corner; write " + std::to_string(stride) +
-                            " indices a corner");
+                            " indices per corner");
     }
     faces.corners.push_back(static_cast<int>(indices.size()) / stride);
     faces.indices.insert(faces.indices.end(), indices.begin(), indices.end());

@@ -30,7 +30,7 @@ RectangleLight area_light(const ColladaDocument& document, const Instance& insta
   const Vec3 ahead = map.direction({0, 0, -1});
   if (!std::isnormal(length_squared(normal)) || !(dot(normal, ahead) != 0)) {
     document.fail(*instance.node, "area light " + label(*instance.node) +
-                                      " has no area or no side to shine to; mend its matrix");
+                                      " has no area or no side to shine to; correct its matrix");
   }
   const Vec3 n = normalize(normal);
   return {map.translation, u, v, dot(n, ahead) < 0 ? -n : n, color};
@@ -41,7 +41,7 @@ DirectionalLight directional_light(const ColladaDocument& document, const Instan
   const Vec3 ahead = instance.to_world.direction({0, 0, -1});
   if (!std::isnormal(length_squared(ahead))) {
     document.fail(*instance.node, "directional light " + label(*instance.node) +
-                                      " has no direction; mend its matrix");
+                                      " has no direction; correct its matrix");
   }
   return {normalize(ahead), color};
 }

@@ -27,10 +27,11 @@ struct LightNodes {
 
 LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances);
 
-// All lights of a scene, each once. A light node that lies on an emitting surface is a second
-// statement about the same lamp: the surface is the light. So an area light whose centre is within
-// a twentieth of the surface's size from the surface's own and whose plane is parallel; and a point
-// light there that lies in the surface, for whether it shines out of it rounding would decide.
+// All lights of a scene, each once. A light node on an emitting surface describes the same lamp a
+// second time: the surface is the light, and the node is left out. That is so for an area light
+// parallel to a flat surface, if their centres are within a twentieth of the surface's size; and for
+// a point light there that lies in the surface's plane, because rounding would decide on which side
+// it shines.
 struct SceneLights {
   std::vector<Light> lights;
   std::vector<std::string> notes;

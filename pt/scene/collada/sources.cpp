@@ -34,13 +34,14 @@ Accessor read_accessor(const ColladaDocument& document, const XMLElement& source
   if (element == nullptr) return {numbers / 3, 3, 0};
   const std::size_t stride = read_count(document, *element, "stride").value_or(1);
   const std::size_t offset = read_count(document, *element, "offset").value_or(0);
-  if (stride < 3) document.fail(*element, "positions and normals have 3 numbers; mend the stride");
+  if (stride < 3)
+    document.fail(*element, "positions and normals have 3 numbers; correct the stride");
   const std::size_t fit = offset > numbers ? 0 : (numbers - offset) / stride;
   const std::size_t count = read_count(document, *element, "count").value_or(fit);
   if (count > fit) {
     document.fail(*element, "<accessor> asks for " + std::to_string(count) + " vectors and the " +
                                 "array has " + std::to_string(fit) +
-                                "; mend the count, or copy the file again if it was cut off");
+                                "; correct the count, or copy the file again if it was cut off");
   }
   return {count, stride, offset};
 }
@@ -52,7 +53,7 @@ std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement
   if (announced != numbers.size()) {
     document.fail(array, "<float_array> announces " + std::to_string(announced) +
                              " numbers and holds " + std::to_string(numbers.size()) +
-                             "; mend the count, or copy the file again if it was cut off");
+                             "; correct the count, or copy the file again if it was cut off");
   }
   const Accessor accessor = read_accessor(document, source, numbers.size());
   std::vector<Vec3> vectors;

@@ -1,4 +1,4 @@
-// Prints a million lines a call.
+// Prints a million lines per call.
 #include "pt/tasks/hit_triangle.h"
 
 #include <iostream>

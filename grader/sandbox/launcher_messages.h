@@ -11,7 +11,7 @@ namespace grader::sandbox {
 // The messages of a box's launcher to its judge, through Box::tells_start. No program in a box can
 // write there, so no submission can forge them. First comes a byte when nothing but the program is
 // left to start, then a second byte if that fails, or the status of the program when it has ended.
-class Told {
+class LauncherMessages {
  public:
   // Takes what has come; does not wait for more. The descriptor does not block (base::set_nonblocking).
   void listen(const base::Descriptor& launcher);
@@ -30,6 +30,6 @@ class Told {
 // Returns the exit status of the program itself, given that of the child (as waitpid gives both). The
 // launcher's message counts more than the child's own status, in which 137 is either exit(137) or a
 // signal.
-int program_status(int status, Tier tier, const Told& told = {});
+int program_status(int status, Tier tier, const LauncherMessages& messages = {});
 
 }  // namespace grader::sandbox

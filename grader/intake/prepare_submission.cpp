@@ -1,4 +1,4 @@
-#include "grader/intake/settle.h"
+#include "grader/intake/prepare_submission.h"
 
 #include "grader/base/descriptor.h"
 #include "grader/base/files.h"
@@ -52,9 +52,9 @@ std::string nothing_found(const Tree& tree, const std::vector<TaskFile>& tasks) 
 }
 
 // To the names under which the judge reads them.
-void copy_tasks(HandedIn& by, const Tree& tree, const Means& means) {
-  by.folder = means.next_folder();
-  for (const TaskFile& task : means.tasks) {
+void copy_tasks(HandedIn& by, const Tree& tree, const IntakeTools& tools) {
+  by.folder = tools.next_folder();
+  for (const TaskFile& task : tools.tasks) {
     const auto file = tree.files.find(task.slug);
     if (file == tree.files.end()) continue;
     const fs::path& from = file->second;
@@ -72,32 +72,32 @@ void copy_tasks(HandedIn& by, const Tree& tree, const Means& means) {
   }
 }
 
-void settle_at(HandedIn& by, const Means& means, int depth);
+void settle_at(HandedIn& by, const IntakeTools& tools, int depth);
 
-void unpack_at(HandedIn& by, const fs::path& archive, const Means& means, int depth) {
+void unpack_at(HandedIn& by, const fs::path& archive, const IntakeTools& tools, int depth) {
   if (depth > kMaxInside) {
     by.problem = fmt::format("it has archives in archives, more than {} deep", kMaxInside);
     return;
   }
-  by.folder = means.next_folder();
-  by.problem = means.unpack(archive, by.folder, Extent::one);
+  by.folder = tools.next_folder();
+  by.problem = tools.unpack(archive, by.folder, Extent::one);
   if (by.problem.empty()) {
-    settle_at(by, means, depth + 1);
+    settle_at(by, tools, depth + 1);
   } else {
     fs::remove_all(by.folder);  // half of it
   }
 }
 
-void settle_at(HandedIn& by, const Means& means, int depth) {
-  const Tree tree = look_inside(by.folder, means.tasks);
+void settle_at(HandedIn& by, const IntakeTools& tools, int depth) {
+  const Tree tree = look_inside(by.folder, tools.tasks);
   by.problem = tree.problem;
   if (!tree.problem.empty()) return;
   if (!tree.root.empty()) {
     by.folder = tree.root;
   } else if (!tree.files.empty()) {
-    copy_tasks(by, tree, means);
+    copy_tasks(by, tree, tools);
   } else if (tree.archives.size() == 1) {
-    unpack_at(by, tree.archives[0], means, depth);
+    unpack_at(by, tree.archives[0], tools, depth);
   } else if (tree.archives.size() > 1) {
     by.problem = fmt::format("it holds {} archives, '{}' and '{}' among them; keep one",
                              tree.archives.size(), as_file_name(tree.archives[0].filename()),
@@ -106,13 +106,13 @@ void settle_at(HandedIn& by, const Means& means, int depth) {
     by.problem =
         "it is a git repository without its files (a bare one); clone it, and hand in that";
   } else {
-    by.problem = nothing_found(tree, means.tasks);
+    by.problem = nothing_found(tree, tools.tasks);
   }
 }
 
 }  // namespace
 
-void or_problem(HandedIn& by, const std::function<void()>& read) {
+void note_problem(HandedIn& by, const std::function<void()>& read) {
   try {
     read();
   } catch (const fs::filesystem_error& error) {
@@ -125,12 +125,12 @@ void or_problem(HandedIn& by, const std::function<void()>& read) {
   }
 }
 
-void settle(HandedIn& by, const Means& means) {
-  or_problem(by, [&] { settle_at(by, means, 0); });
+void prepare_submission(HandedIn& by, const IntakeTools& tools) {
+  note_problem(by, [&] { settle_at(by, tools, 0); });
 }
 
-void settle_archive(HandedIn& by, const fs::path& archive, const Means& means) {
-  or_problem(by, [&] { unpack_at(by, archive, means, 0); });
+void prepare_archive(HandedIn& by, const fs::path& archive, const IntakeTools& tools) {
+  note_problem(by, [&] { unpack_at(by, archive, tools, 0); });
 }
 
 }  // namespace grader::intake

@@ -26,12 +26,12 @@ inline std::string some_of(const std::vector<std::string>& names) {
   return names.size() > kMaxNamed ? text + ", ..." : text;
 }
 
-// Says one outcome after another, and how long the rest will take.
-class Teller {
+// Prints one outcome after another, and shows how long the rest will take.
+class OutcomePrinter {
  public:
-  Teller(std::size_t all, StatusLine& line) : all_(all), line_(line) { show(); }
+  OutcomePrinter(std::size_t all, StatusLine& line) : all_(all), line_(line) { show(); }
 
-  void tell(const Graded& graded) {
+  void print(const Graded& graded) {
     line_.clear();
     fmt::print("{}/{} {}: {}{}\n", ++count_, all_, results::one_line(graded.by.name),
                graded.problem.empty() ? results::verdict(graded.results)
