@@ -5,6 +5,7 @@
 #include "tests/proof/scenes.h"
 #include "writeup/accuracy/converge.h"
 #include "writeup/accuracy/ladder_turns.h"
+#include "writeup/accuracy/print.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,46 @@ TEST(Model, a_bias_above_the_error_cannot_be_mended) {
   EXPECT_FALSE(cheapest_choice({{1, 1}, {1, 1}, .0101}, .1));
   EXPECT_TRUE(cheapest_choice({{1, 1}, {1, 1}, .0099}, .1));
   EXPECT_FALSE(cheapest_choice({{1, 1}, {1, 1}, 0}, 1e-5)) << "more samples than there are";
+}
+
+Options cheapest(std::vector<const char*> words) {
+  words.insert(words.begin(), {"cheapest", "a.dae"});
+  return parse_cheapest(static_cast<int>(words.size()), words.data());
+}
+
+TEST(Words, say_the_error_as_a_part_or_in_percent) {
+  for (const char* error : {"3%", "3 %", ".03", "0.03"}) {
+    EXPECT_NEAR(cheapest({"--error", error}).error, .03, 1e-15) << error;
+  }
+  EXPECT_EQ(cheapest({"--error", "100%"}).error, 1);
+  EXPECT_EQ(cheapest({}).error, .02);
+}
+
+TEST(Words, say_the_width_before_the_height) {
+  EXPECT_EQ(cheapest({"-r", "64", "48"}).width, 64);
+  EXPECT_EQ(cheapest({"-r", "64", "48"}).height, 48);
+}
+
+// The command that renders with the settings that were found, option by option.
+TEST(Words, of_the_answer_are_the_command_that_renders) {
+  const pt::Scene scene;
+  Answer answer;
+  answer.delta_lights = true;
+  answer.best.way = {pt::PathSettings::Direct::hemisphere, 6, .5};
+  answer.best.tried = {{3, {1, .001}, {}, {}, 1}};
+  answer.best.choice = Choice{3, 50, .02, 1e-6};
+  Options options = cheapest({"-r", "64", "48", "--camera", "fit", "--lambertian"});
+  EXPECT_NE(to_text(answer, options, scene)
+                .find("./run render a.dae -s 50 -l 3 -m 6 --survival 0.5 --engine wide -H -r 64 48 "
+                      "--camera fit --lambertian\n"),
+            std::string::npos);
+  answer.best.way.direct = pt::PathSettings::Direct::lights;
+  options = cheapest({"--camera", "file", "--engine", "task"});
+  EXPECT_NE(to_text(answer, options, scene)
+                .find("./run render a.dae -s 50 -l 3 -m 6 --survival 0.5 --engine task "
+                      "--camera file\n"),
+            std::string::npos);
+  EXPECT_NE(to_text(answer, cheapest({}), scene).find("--engine wide\n"), std::string::npos);
 }
 
 std::vector<Checked> power_law(double factor, double slope) {

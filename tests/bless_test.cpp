@@ -1,4 +1,5 @@
 #include "grader/pictures/check_golden.h"
+#include "grader/pictures/contact_sheet.h"
 #include "grader/pictures/make_golden.h"
 #include "grader/pictures/moments.h"
 #include "grader/pictures/provenance.h"
@@ -192,6 +193,32 @@ TEST_F(Bless, makes_a_golden_and_says_where_it_comes_from) {
   EXPECT_THAT(from.settings, HasSubstr(R"("bounces":[0,1])"));
   EXPECT_TRUE(exists("golden/contact_sheet.png"));
   EXPECT_FALSE(exists("work/box.partial"));
+}
+
+// Half of the pixels are 2, of deviation 3, and half black: the median of those that vary is 3 / 2, and the root of the
+// mean variance, 4.5, is over a mean of 1. 256 samples took 8 seconds, of which a judge renders 64 at
+// first; all where the picture is noisy, and 16 runs of an adaptive one.
+TEST_F(Bless, has_a_table_of_noise_and_time) {
+  pt::Film film(12, 9);
+  for (std::size_t i = 0; i < film.pixels.size(); i += 2) {
+    film.pixels[i] = {pt::gray(2), pt::gray(9), 9, 256};
+  }
+  const fs::path folder = folder_ / "golden";
+  pt::write_exr(golden_files(folder, "box").film, film);
+  Provenance from;
+  from.recipe = "box";
+  from.samples = 256;
+  from.cpu_seconds = 8;
+  from.settings = recipe_settings(recipe());
+  write_provenance(golden_files(folder, "box").provenance, from);
+  Recipe each = recipe();
+  EXPECT_THAT(golden_table({each}, folder),
+              HasSubstr("| box | t | trace_path | 1.50, 2.12 | 2.00 |\n"));
+  each.noisy = true;
+  EXPECT_THAT(golden_table({each}, folder),
+              HasSubstr("| box (noisy) | t | trace_path | 1.50, 2.12 | 8.00 |\n"));
+  each.adaptive = pt::AdaptiveSettings{};
+  EXPECT_THAT(golden_table({each}, folder), HasSubstr("1.50, 2.12 | 0.50 |\n"));
 }
 
 TEST_F(Bless, leaves_a_golden_that_is_up_to_date) {

@@ -109,6 +109,28 @@ TEST(comparison, is_told_in_a_sentence_and_a_table) {
   EXPECT_THAT(csv, Not(HasSubstr("eve")));
 }
 
+TEST(comparison, has_a_table_whose_columns_stand_below_their_names) {
+  report::Comparison comparison;
+  comparison.rows = {{"ada", "ada.html", 1, 2, 3, 4, {{"hit_box", "a", 5, 6}}}};
+  EXPECT_THAT(
+      report::comparison_csv(comparison),
+      testing::EndsWith("submission,points_before,max_before,points,max_points,task,promise,"
+                        "promise_before,promise_after\r\nada,1,2,3,4,hit_box,a,5,6\r\n"));
+}
+
+// By the alphabet it would be the last.
+TEST(comparison, has_a_page_with_the_cause_of_most_changes_first) {
+  report::Comparison comparison = example();
+  for (report::Comparison::Row& row : comparison.rows) {
+    for (Change& change : row.changes) change.slug = change.slug == "hit_box" ? "hit_sphere" : "a";
+  }
+  const std::string page = report::comparison_html(comparison);
+  const std::size_t two = page.find("<code>hit_sphere</code></td>"),
+                    one = page.find("<code>a</code></td>");
+  ASSERT_NE(one, page.npos);
+  EXPECT_LT(two, one);
+}
+
 TEST(comparison, has_a_page_with_who_loses_most_first) {
   const std::string page = report::comparison_html(example());
   const std::size_t ada = page.find("ada.html"), bob = page.find("bob.html");

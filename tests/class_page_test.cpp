@@ -117,6 +117,22 @@ TEST(ClassPage, rows_are_in_alphabetical_order_with_ids_and_links) {
   EXPECT_THAT(html, Not(HasSubstr("href=\"ada.html\"")));
 }
 
+// The report of a run that was stopped may have less tasks than those of others.
+TEST(ClassPage, has_a_column_for_each_task_of_the_longest_report) {
+  ClassPage page;
+  const results::Results one = run_with(State::pass, true, true, 20);
+  results::Results two = one;
+  two.tasks.push_back(one.tasks[0]);
+  two.tasks[1].slug = "hit_bvh";
+  page.add({"a", "", "a.html", "", false}, one);
+  page.add({"b", "", "b.html", "", false}, two);
+  page.add({"c", "", "c.html", "", false}, one);
+  const std::string html = page.to_html();
+  EXPECT_LT(place(html, ">hit_box</button></th>"), place(html, ">hit_bvh</button></th>"));
+  EXPECT_THAT(html, HasSubstr("title=\"hit_bvh: not asked\""));
+  EXPECT_THAT(html, HasSubstr("title=\"hit_bvh: pass\""));
+}
+
 TEST(ClassPage, is_there_for_nobody_judged_too) {
   ClassPage page;
   page.add({"ada", "", "ada.html", "it is a link", false}, {});

@@ -236,7 +236,9 @@ TEST(BadCamerasAndLights, are_named) {
   expect_error(light("<glow><color>1 1 1</color></glow>"), "not a kind of light");
   expect_error(light("<point/>"), "has no <color>");
   expect_error(light("<point><color>1 1</color></point>"), "red, green and blue");
-  expect_error(light("<point><color>1 -1 1</color></point>"), "negative");
+  for (const std::string color : {"-1 1 1", "1 -1 1", "1 1 -1"}) {
+    expect_error(light("<point><color>" + color + "</color></point>"), "negative");
+  }
   expect_error(light("<area><color>1 1 1</color></area>", "0 1 1"), "no area");
   expect_error(light("<directional><color>1 1 1</color></directional>", "1 1 0"), "no direction");
   SceneText up = one_triangle("<p>0 1 2</p>");

@@ -187,6 +187,17 @@ TEST(LightNodesOnSurfaces, give_way_to_the_surface) {
   EXPECT_TRUE(has_note(loaded, "colour 5 5 5 gives way to the radiance 10 10 10"));
 }
 
+TEST(LightNodesOnSurfaces, that_shine_to_the_other_side_are_noted) {
+  for (const std::string angle : {"90", "-90"}) {
+    const LoadedScene loaded = load_emitter(quad_mesh("g"), kPanelPlace,
+                                            node("<translate>0 1.49 0</translate><rotate>1 0 0 " +
+                                                 angle + "</rotate><scale>.6 .8 1</scale>" + kUse),
+                                            course_light("area", "10 10 10"));
+    expect_near(only_light<RectangleLight>(loaded).n, {0, -1, 0});
+    EXPECT_EQ(has_note(loaded, "it shone to the other side"), angle == "90");
+  }
+}
+
 TEST(LightNodesOnSurfaces, that_agree_are_not_mentioned) {
   const LoadedScene loaded = load_emitter(quad_mesh("g"), "<rotate>0 1 0 180</rotate>", node(kUse),
                                           course_light("area", "10 10 10"));

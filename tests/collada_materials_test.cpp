@@ -45,6 +45,34 @@ TEST(Materials, take_the_courses_technique_first) {
   EXPECT_EQ(lamp.albedo, (Rgb{.5, .5, .25}));
 }
 
+TEST(Materials, may_be_of_every_shader) {
+  for (const std::string shader : {"phong", "lambert", "blinn"}) {
+    EXPECT_EQ(load_material("<profile_COMMON><technique sid=\"c\"><" + shader +
+                            "><diffuse><color>.25 .5 .75 1</color></diffuse></" + shader +
+                            "></technique></profile_COMMON>")
+                  .albedo,
+              (Rgb{.25, .5, .75}))
+        << shader;
+  }
+}
+
+// An exporter's emission is not the course's: somebody will look for that light.
+TEST(Materials, whose_emission_is_ignored_are_noted) {
+  const auto loaded = [](const std::string& emission) {
+    SceneText text;
+    text.geometries = triangle_mesh();
+    text.nodes = node(instance("tri", "mat"));
+    return load(with_material(
+        text, "mat",
+        "<profile_COMMON><technique sid=\"c\"><phong>" + emission +
+            "<diffuse><color>1 1 1</color></diffuse></phong></technique></profile_COMMON>"));
+  };
+  const std::string note = "material 'mat' has an emission colour in profile_COMMON";
+  EXPECT_TRUE(has_note(loaded("<emission><color>0 0 1 1</color></emission>"), note));
+  EXPECT_FALSE(has_note(loaded("<emission><color>0 0 0 1</color></emission>"), note));
+  EXPECT_FALSE(has_note(loaded(""), note));
+}
+
 TEST(Materials, know_the_old_profile_and_no_other) {
   const std::string emission = "<emission><radiance>2 2 2</radiance></emission>";
   const auto extra = [&](const std::string& profile) {

@@ -132,6 +132,17 @@ TEST(Meshes, take_normals_of_vertices_and_the_face_normal_for_zero_ones) {
   expect_near(t.n2, {1, 0, 0});
 }
 
+TEST(Meshes, take_the_face_normal_where_the_list_of_normals_is_empty) {
+  SceneText text;
+  text.geometries = mesh("tri", "0 0 0 1 0 0 0 1 0", 9, "triangles", "count=\"1\"",
+                         "<input semantic=\"NORMAL\" source=\"#n\" offset=\"1\"/>"
+                         "<p>0 0 1 0 2 0</p>",
+                         float_source("n", "", 0));
+  text.nodes = node(instance("tri"));
+  const Triangle t = only_triangle(load(text));
+  for (const Vec3 n : {t.n0, t.n1, t.n2}) expect_near(n, {0, 0, 1});
+}
+
 // Stretched by 4 in x, a slope's normal turns away from x (the inverse transpose).
 TEST(Meshes, keep_normals_perpendicular_when_stretched) {
   const Triangle t = load_with_normals("0 0 0 1 0 -1 0 1 0", "1 0 1 1 0 1 1 0 1", "4 1 1");

@@ -263,6 +263,20 @@ TEST(MissingParts, that_choose_the_rule_of_the_course_are_noted) {
   EXPECT_EQ(note_on_framing(load(text), Framing::fit), "");
 }
 
+// A program names itself in the file; a person may name themselves, and leave the rest as it was in a template.
+TEST(Authors, are_programs_where_one_is_named) {
+  const auto exported = [](const std::string& contributor) {
+    std::string text = one_triangle().str();
+    text.insert(text.find("<asset>") + 7, contributor);
+    return load_text(text).exported;
+  };
+  EXPECT_TRUE(exported("<contributor><authoring_tool>Blender 2.7</authoring_tool></contributor>"));
+  EXPECT_FALSE(exported("<contributor><author>Ada</author></contributor>"));
+  EXPECT_FALSE(exported("<contributor><authoring_tool/></contributor>"));
+  EXPECT_FALSE(exported("<contributor/>"));
+  EXPECT_FALSE(exported(""));
+}
+
 TEST(Bindings, fall_back_on_the_only_one_there_is) {
   SceneText text = with_material(one_triangle(), "red", common_diffuse("1 0 0"));
   text = with_material(text, "blue", common_diffuse("0 0 1"));

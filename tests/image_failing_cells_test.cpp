@@ -1,5 +1,7 @@
 // The sentence and the failing cells of a wrong picture; two goldens compared.
+#include "grader/pictures/evidence.h"
 #include "grader/pictures/image_verdict.h"
+#include "grader/pictures/sentences.h"
 #include "pt/error.h"
 #include "tests/judged_picture.h"
 
@@ -108,6 +110,42 @@ TEST_F(Judged, adaptive_pictures_are_judged_run_by_run) {
   for (const SyntheticError& error : synthetic_errors()) {
     EXPECT_EQ(judged(with(scene_, error), 7).outcome, Outcome::wrong) << error.name;
   }
+}
+
+// Pixel 6 of a picture of 4 x 3 is that of column 2 and row 1.
+TEST(sentences, name_the_constant_pixel_that_is_furthest_off) {
+  Golden golden;
+  golden.width = 4;
+  golden.height = 3;
+  for (Plane& plane : golden.mean) plane.assign(12, 1);
+  const WrongConstant small{11, 0, 0.125, 0.125, 2}, large{6, 1, -0.25, -0.25, 5};
+  EXPECT_EQ(sentence({large}, golden, 2),
+            "the green of pixel (2, 1), in which nothing is random, should always be 1, and was "
+            "0.75 in two independent renders");
+  for (const auto& both : {std::vector{small, large}, std::vector{large, small}}) {
+    EXPECT_EQ(sentence(both, golden, 1),
+              "2 pixels in which nothing is random were wrong: the green of pixel (2, 1) should "
+              "always be 1, and was 0.75");
+  }
+}
+
+// Three batches of 4 samples, and five of 8. The mean of 4 samples has a quarter of a sample's variance, and three
+// batches tell of it half as much as five.
+TEST(pooled_film, has_the_mean_and_the_variance_of_a_sample) {
+  const auto round = [](int batches, int samples, double mean, double variance) {
+    Moments made{batches, samples, {}, {}};
+    for (Plane& plane : made.mean) plane = {mean};
+    for (Plane& plane : made.variance) plane = {variance};
+    return made;
+  };
+  PooledFilm pooled(1, 1);
+  pooled.add(round(3, 4, 1, 2));
+  pooled.add(round(5, 8, 2, 4));
+  const pt::FilmPixel& pixel = pooled.film().at(0, 0);
+  EXPECT_EQ(pixel.samples, 12 + 40);
+  EXPECT_NEAR(pixel.mean.g, (12 * 1 + 40 * 2) / 52., 1e-14);
+  EXPECT_NEAR(pixel.variance.g, (2 * (4 * 2.) + 4 * (8 * 4.)) / 6, 1e-12);
+  EXPECT_NEAR(pixel.variance_y, (2 * (4 * 2.) + 4 * (8 * 4.)) / 6, 1e-12);
 }
 
 TEST(contradictions, right_goldens_agree) {

@@ -6,7 +6,9 @@
 #include "pt/image/sample_map.h"
 #include "pt/image/tone_map.h"
 
+#include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -85,6 +87,19 @@ std::string attribute(const std::string& name, const std::string& type, const st
   return name + '\0' + type + '\0' + raw(static_cast<int>(value.size())) + value;
 }
 
+std::string exr_header(const std::string& channels, int compression, const std::string& window) {
+  std::string file = raw(20000630) + raw(2);
+  file += attribute("channels", "chlist", channels + '\0');
+  file += attribute("compression", "compression", std::string(1, static_cast<char>(compression)));
+  file += attribute("dataWindow", "box2i", window);
+  file += attribute("displayWindow", "box2i", window);
+  file += attribute("lineOrder", "lineOrder", std::string(1, '\0'));
+  file += attribute("pixelAspectRatio", "float", raw(1.0f));
+  file += attribute("screenWindowCenter", "v2f", raw(0.0f) + raw(0.0f));
+  file += attribute("screenWindowWidth", "float", raw(1.0f));
+  return file + '\0';
+}
+
 // An uncompressed EXR of 2 x 2 pixels after the file layout of OpenEXR: B and G float, R half.
 // `last_line` is the number that its second block bears; 1 is right.
 std::string plain_exr(int last_line = 1, const std::string& red = "R", int max_x = 1) {
@@ -92,17 +107,7 @@ std::string plain_exr(int last_line = 1, const std::string& red = "R", int max_x
   for (const std::string& name : {std::string("B"), std::string("G"), red}) {
     channels += name + '\0' + raw(name == red ? 1 : 2) + raw(0) + raw(1) + raw(1);
   }
-  const std::string window = raw(0) + raw(0) + raw(max_x) + raw(1);
-  std::string file = raw(20000630) + raw(2);
-  file += attribute("channels", "chlist", channels + '\0');
-  file += attribute("compression", "compression", std::string(1, '\0'));
-  file += attribute("dataWindow", "box2i", window);
-  file += attribute("displayWindow", "box2i", window);
-  file += attribute("lineOrder", "lineOrder", std::string(1, '\0'));
-  file += attribute("pixelAspectRatio", "float", raw(1.0f));
-  file += attribute("screenWindowCenter", "v2f", raw(0.0f) + raw(0.0f));
-  file += attribute("screenWindowWidth", "float", raw(1.0f));
-  file += '\0';
+  std::string file = exr_header(channels, 0, raw(0) + raw(0) + raw(max_x) + raw(1));
   const std::size_t first = file.size() + 16;
   file += raw(first) + raw(first + 28);
   const auto half = [](int code) { return raw(static_cast<std::uint16_t>(code)); };
@@ -111,6 +116,45 @@ std::string plain_exr(int last_line = 1, const std::string& red = "R", int max_x
   file += raw(last_line) + raw(20) + raw(5.0f) + raw(6.0f) + raw(7.0f) + raw(8.0f);
   file += half(0xc000) + half(0x0001);  // -2, 2^-24
   return file;
+}
+
+// An EXR of one column, whose lines from `top` on are in blocks of so many. A block that no compression makes
+// smaller is stored as it is. Blue is the number of the line, green and red are 1 and 2.
+std::string exr_of_blocks(int compression, int lines, int top, int height) {
+  std::string channels;
+  for (const char* name : {"B", "G", "R"}) {
+    channels += std::string(name) + '\0' + raw(2) + raw(0) + raw(1) + raw(1);
+  }
+  std::string file =
+      exr_header(channels, compression, raw(0) + raw(top) + raw(0) + raw(top + height - 1));
+  const int blocks = (height + lines - 1) / lines;
+  std::string table, data;
+  for (int b = 0; b < blocks; ++b) {
+    table += raw(file.size() + 8 * static_cast<std::size_t>(blocks) + data.size());
+    const int count = std::min(lines, height - b * lines);
+    data += raw(top + b * lines) + raw(12 * count);
+    for (int i = 0; i < count; ++i) {
+      data += raw(static_cast<float>(b * lines + i)) + raw(1.0f) + raw(2.0f);
+    }
+  }
+  return file + table + data;
+}
+
+// As other programs write them: each compression has its own number of lines in a block, and the picture may be a part
+// of a larger one, whose lines it counts.
+TEST_F(ImageIo, reads_the_blocks_of_every_compression_wherever_they_begin) {
+  struct Case {
+    int compression, lines;
+  };
+  for (const auto& [compression, lines] : {Case{0, 1}, {1, 1}, {2, 1}, {3, 16}, {4, 32}}) {
+    for (const int top : {0, 5, -3}) {
+      const Film film = decode_exr(exr_of_blocks(compression, lines, top, 70), "a");
+      ASSERT_EQ(film.height, 70) << compression;
+      for (int y = 0; y < 70; ++y) {
+        EXPECT_EQ(film.at(0, y).mean, (Rgb{2, 1, 1.0 * y})) << compression << " " << top;
+      }
+    }
+  }
 }
 
 TEST_F(ImageIo, exr_gives_every_float_back) {
@@ -130,6 +174,23 @@ TEST_F(ImageIo, exr_names_its_channels_in_order) {
     const int type = name == "samples" ? 0 : 2;
     at = bytes.find(name + '\0' + raw(type), at + 1);
     ASSERT_NE(at, std::string::npos) << name;
+  }
+}
+
+// The channel Y, which nothing here reads, takes the place of R by its name.
+TEST_F(ImageIo, exr_has_the_luminance_in_its_channel_Y) {
+  const Film film = random_film(2, 2);
+  std::string bytes = encode_exr(film);
+  const auto rename = [&](char from, char to) {
+    const std::size_t at = bytes.find('\0' + std::string(1, from) + '\0' + raw(2));
+    ASSERT_NE(at, std::string::npos) << from;
+    bytes[at + 1] = to;
+  };
+  rename('R', 'A');
+  rename('Y', 'R');
+  const Film read = decode_exr(bytes, "a");
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    EXPECT_EQ(read.pixels[i].mean.r, static_cast<float>(luminance(film.pixels[i].mean)));
   }
 }
 
@@ -387,6 +448,47 @@ int exit_code(const std::string& arguments) {
   const int status =
       std::system((std::string(COMPARE_PROGRAM) + " " + arguments + " > /dev/null 2>&1").c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string said_by_compare(const std::string& arguments) {
+  FILE* pipe = popen((std::string(COMPARE_PROGRAM) + " " + arguments).c_str(), "r");
+  std::string said;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
+  EXPECT_EQ(pclose(pipe), 0);
+  return said;
+}
+
+// One green channel of 12 is off by a half. Each pixel has the variance 1 / 4 in both pictures, and the mean of the
+// four luminances is off by .7152 / 8.
+TEST_F(ImageIo, compare_says_how_far_and_in_which_direction) {
+  const std::string a = in_folder("a.exr"), b = in_folder("b.exr");
+  Film film(2, 2);
+  for (FilmPixel& pixel : film.pixels) pixel = {gray(1), {}, 1, 4};
+  write_image(b, film);
+  film.set(0, 1, {{1, 0.5, 1}, {}, 1, 4});
+  write_image(a, film);
+  EXPECT_EQ(said_by_compare(a + " " + b),
+            "MSE      0.0208333\n"
+            "relMSE   0.0204228   (mean of (A - B)^2 / (B + 0.01)^2)\n"
+            "mean A   1 0.875 1\n"
+            "mean B   1 1 1\n"
+            "largest  -0.5 at x 0, y 1 (from the top left), channel g: A 0.5, B 1\n"
+            "z        -0.253: the mean luminance differs by -0.0894, with a standard error of "
+            "0.354\n");
+}
+
+TEST_F(ImageIo, compare_draws_blue_where_the_first_is_darker) {
+  const std::string a = in_folder("a.exr"), b = in_folder("b.exr"), d = in_folder("d.png");
+  Film film(2, 1);
+  for (FilmPixel& pixel : film.pixels) pixel = {gray(1), {}, 0, 1};
+  write_image(b, film);
+  film.set(0, 0, {gray(0.9), {}, 0, 1});
+  film.set(1, 0, {gray(1.1), {}, 0, 1});
+  write_image(a, film);
+  said_by_compare(a + " " + b + " -o " + d);
+  const Image drawn = read_image(d);
+  EXPECT_GT(drawn.at(0, 0).b, drawn.at(0, 0).r);
+  EXPECT_LT(drawn.at(1, 0).b, drawn.at(1, 0).r);
 }
 
 TEST_F(ImageIo, compare_exits_with_2_for_what_it_cannot_use) {

@@ -165,6 +165,28 @@ TEST(SampleMap, picture_shows_the_map_above_a_legend_with_its_limits) {
   EXPECT_GT(differ_right, 0);
 }
 
+// The numbers are those of the ends and of the middle of the bar: 1608 is half of the way from 16 to 3200.
+TEST(SampleMap, picture_has_the_numbers_of_its_colours) {
+  const SampleMap map = ascending_map(200, 16);
+  Picture plain(200, 1);
+  for (int x = 0; x < 200; ++x) plain.at(x, 0) = sample_color(map.counts[x], 16, 3200);
+  const std::vector<Color8> stops{sample_color(0, 0, 2), sample_color(1, 0, 2),
+                                  sample_color(2, 0, 2)};
+  const Picture expected = with_legend(plain, stops, {"16", "1608", "3200", "samples per pixel"});
+  EXPECT_EQ(sample_picture(map).pixels, expected.pixels);
+}
+
+TEST(Picture, each_text_of_a_legend_is_drawn) {
+  const std::vector<Color8> stops{{0, 0, 0}, {255, 255, 255}};
+  const auto drawn = [&](const Legend& legend) {
+    return with_legend(Picture(300, 4), stops, legend).pixels;
+  };
+  const std::set<std::vector<Color8>> pictures{
+      drawn({"a", "b", "c", "d"}), drawn({"X", "b", "c", "d"}), drawn({"a", "X", "c", "d"}),
+      drawn({"a", "b", "X", "d"}), drawn({"a", "b", "c", "X"})};
+  EXPECT_EQ(pictures.size(), 5u);
+}
+
 TEST(SampleMap, picture_is_wide_enough_for_its_legend) {
   EXPECT_GE(sample_picture(ascending_map(2, 10)).width, text_width(1, "samples per pixel"));
   EXPECT_GE(sample_picture(ascending_map(2, 1000000000)).width,
@@ -217,6 +239,39 @@ TEST(Compare, tells_a_difference_of_means_in_standard_errors) {
   b.set(1, 0, {gray(1.5), {}, 0, 1});
   EXPECT_FALSE(compare_means(a, b));
   EXPECT_FALSE(compare_means(Film(2, 1), Film(2, 1)));
+}
+
+TEST(Compare, tells_a_difference_without_noise_from_none) {
+  Film a(2, 1), b(2, 1);
+  for (int x = 0; x < 2; ++x) {
+    a.set(x, 0, {gray(1), {}, 0, 10});
+    b.set(x, 0, {gray(2), {}, 0, 10});
+  }
+  EXPECT_EQ(compare_means(a, a).value().z, 0);
+  EXPECT_EQ(compare_means(a, b).value().z, -kInf);
+  EXPECT_EQ(compare_means(b, a).value().z, kInf);
+}
+
+TEST(Compare, does_not_judge_means_that_are_not_finite) {
+  for (const double bad : {kNan, kInf}) {
+    Film a(2, 1), b(2, 1);
+    for (int x = 0; x < 2; ++x) {
+      a.set(x, 0, {gray(1), {}, 1, 10});
+      b.set(x, 0, {gray(1), {}, 1, 10});
+    }
+    ASSERT_TRUE(compare_means(a, b));
+    a.set(1, 0, {gray(bad), {}, 1, 10});
+    EXPECT_FALSE(compare_means(a, b)) << "a mean";
+    a.set(1, 0, {gray(1), {}, bad, 10});
+    EXPECT_FALSE(compare_means(a, b)) << "a variance";
+  }
+}
+
+TEST(Compare, counts_rows_from_the_top) {
+  Image a(2, 3), b(2, 3);
+  a.at(1, 2) = {0, 0.5, 0};
+  EXPECT_EQ(compare(a, b).largest.x, 1);
+  EXPECT_EQ(compare(a, b).largest.y, 2);
 }
 
 TEST(Compare, needs_equal_sizes) {

@@ -107,6 +107,33 @@ TEST(measure, a_wrong_mean_is_named) {
   EXPECT_NE(mistake(about, each), "");
 }
 
+TEST(measure, wrong_answers_are_told_in_percent) {
+  Row each = row("own", 1, 0);
+  each.found.wrong = 0.25;
+  EXPECT_EQ(mistake(about_of("hit_sphere"), each), "wrong for 25 % of the inputs");
+}
+
+TEST(measure, units_are_what_their_names_say) {
+  const auto in_nanoseconds = [](const std::string& name) {
+    return name == "ns" ? 1 : name == "us" ? 1e3 : name == "ms" ? 1e6 : 0;
+  };
+  for (double time = 1; time < 1e9; time *= 3) {
+    const Unit unit = unit_of(time);
+    EXPECT_EQ(unit.nanoseconds, in_nanoseconds(unit.name)) << unit.name;
+    EXPECT_GE(time / unit.nanoseconds, 1) << unit.name;
+  }
+}
+
+// 20 microseconds, from 19.8 to 20.2.
+TEST(measure, the_terminal_has_the_time_and_half_its_interval) {
+  Row reference = row("reference", 20000, 1e-12);
+  reference.nanoseconds = {20000, 19800, 20200};
+  reference.ratio = {1, 1, 1};
+  const std::string text = to_text(Results{&about_of("hit_sphere"), {{"", {reference}}}});
+  EXPECT_NE(text.find("us per call"), std::string::npos) << text;
+  EXPECT_NE(text.find(" 20.0 \u00b1 0.2 "), std::string::npos) << text;
+}
+
 // Half the time and a quarter of the variance: an eighth.
 TEST(measure, work_is_time_times_variance) {
   Row reference = row("reference", 10, 0), own = row("own", 5, 0);

@@ -21,6 +21,15 @@ TEST(Platforms, moodle_gets_no_grade_above_the_maximum) {
   EXPECT_THAT(table, HasSubstr("Participant 18,Zoë,,,,20,Yes,"));
 }
 
+// Canvas finds the column of the assignment by its place in the line, also that of the most points.
+TEST(Platforms, canvas_gets_a_column_below_its_heading) {
+  EXPECT_EQ(canvas_csv(kRows, "Rays (3)", 20),
+            "Student,ID,SIS User ID,SIS Login ID,Section,Rays (3)\r\n"
+            "    Points Possible,,,,,20\r\n"
+            "\"Ada, Countess\",17,,,,22\r\n"
+            "Zoë,18,,,,\r\n");
+}
+
 TEST(Platforms, canvas_and_gradescope_get_points_with_their_bonus) {
   EXPECT_THAT(canvas_csv(kRows, "Rays (3)", 20), HasSubstr(",Rays (3)\r\n"));
   EXPECT_THAT(canvas_csv(kRows, "Rays (3)", 20), HasSubstr("\"Ada, Countess\",17,,,,22\r\n"));

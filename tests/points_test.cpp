@@ -233,6 +233,20 @@ TEST(points, of_a_part_are_weighed_or_left_out) {
   EXPECT_FALSE(is_left_out(points, "hit_sphere"));
 }
 
+// A task may have its points from one promise or one picture alone.
+TEST(points, of_one_promise_or_one_picture_are_enough_to_be_asked) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/points.json";
+  pt::write_file(path, R"({"default": {"promise": 0, "picture": 0},
+    "tasks": {"hit_box": {"promises": {"x": 1, "y": 0}}, "hit_sphere": {"pictures": {"z": 1}},
+              "hit_bvh": {"promises": {"x": 0}, "pictures": {"z": 0}}}})");
+  const Points points = load_points(path);
+  EXPECT_FALSE(is_left_out(points, "hit_box"));
+  EXPECT_FALSE(is_left_out(points, "hit_sphere"));
+  EXPECT_TRUE(is_left_out(points, "hit_bvh"));
+  EXPECT_TRUE(is_left_out(points, "hit_triangle"));
+}
+
 TEST(points, of_parts_are_refused_with_what_is_wrong) {
   const auto parts = [](const std::string& inside) {
     return R"({"default": {}, "tasks": {"hit_box": {}}, "parts": )" + inside + "}";

@@ -150,6 +150,41 @@ TEST_F(RenderProgram, shows_every_view) {
   }
 }
 
+TEST_F(RenderProgram, without_a_size_makes_one_of_480_by_360) {
+  EXPECT_EQ(run("scene.dae -s 1 -m 0 -f a.exr"), 0) << said();
+  EXPECT_EQ(pt::read_exr(folder_ / "a.exr").width, 480);
+  EXPECT_EQ(pt::read_exr(folder_ / "a.exr").height, 360);
+}
+
+TEST_F(RenderProgram, without_a_framing_takes_that_of_the_course) {
+  std::vector<std::string> pictures;
+  for (const char* camera : {"", "--camera course", "--camera fit", "--camera file"}) {
+    EXPECT_EQ(run(std::string("scene.dae -s 1 -m 1 -r 16 12 -f a.exr ") + camera), 0) << said();
+    pictures.push_back(contents("a.exr"));
+  }
+  EXPECT_TRUE(pictures[0] == pictures[1]);
+  EXPECT_FALSE(pictures[0] == pictures[2]);
+  EXPECT_FALSE(pictures[0] == pictures[3]);
+}
+
+// A batch may be all the samples that there are.
+TEST_F(RenderProgram, takes_a_batch_of_all_samples) {
+  EXPECT_EQ(run("scene.dae -s 8 -a 8 0.1 -r 8 6"), 0) << said();
+  EXPECT_EQ(run("scene.dae -s 8 -a 9 0.1 -r 8 6"), 2) << said();
+  EXPECT_EQ(run("scene.dae -s 8 -a 2 0.1 -r 8 6"), 0) << said();
+}
+
+// Each of the 16 x 12 x 4 camera rays meets the floor, and asks for two lights from there: 2304 rays in all.
+TEST_F(RenderProgram, says_how_many_rays_there_were) {
+  std::string two = scene_with("");
+  const std::string light = "<instance_light url=\"#l\"/>";
+  two.insert(two.find(light), light);
+  write("two.dae", two);
+  EXPECT_EQ(run("two.dae -s 4 -m 1 -r 16 12"), 0) << said();
+  EXPECT_NE(said().find(" 0.0023 M rays (67 % shadow)"), std::string::npos) << said();
+  EXPECT_NE(said().find("1 primitives, 2 lights, engine task, "), std::string::npos) << said();
+}
+
 TEST_F(RenderProgram, says_that_a_scene_has_no_light) {
   std::string dark = scene_with("");
   const std::string light = "<instance_light url=\"#l\"/>";
@@ -328,6 +363,34 @@ TEST_F(Options, a_seed_names_the_noise) {
   EXPECT_TRUE(means("--seed 2") != one);
 }
 
+// A light of 1e308, so near that what arrives of it is more than the largest number: these samples are black, and the
+// first of them from the bottom left is named, so that it can be rendered again.
+TEST_F(Options, a_sample_that_is_not_finite_is_named_by_its_pixel) {
+  std::string bright = scene_with("");
+  const auto change = [&](const std::string& from, const std::string& to) {
+    bright.replace(bright.find(from), from.size(), to);
+  };
+  change("9 9 9", "1e308 1e308 1e308");
+  change("0 3 0", ".3 .1 .2");
+  write("bright.dae", bright);
+  const pt::Film plain = rendered("-s 1 -m 1");
+  const pt::Film film = rendered("-s 1 -m 1", "bright.dae");
+  int count = 0, first_x = 0, first_y = 0;
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      const int from_top = film.height - 1 - y;
+      if (film.at(x, from_top).mean.g > 0 || plain.at(x, from_top).mean.g == 0) continue;
+      if (count++ == 0) first_x = x, first_y = y;
+    }
+  }
+  ASSERT_GT(count, 0);
+  ASSERT_NE(first_x, first_y);
+  const std::string expected =
+      std::to_string(count) + " samples were not finite and are left out; the first at pixel x " +
+      std::to_string(first_x) + " y " + std::to_string(first_y) + " (from the bottom left)";
+  EXPECT_NE(said().find(expected), std::string::npos) << said() << expected;
+}
+
 // One light of an area: the variance of direct light falls with the number of its samples, but for
 // the part that the place in the pixel makes.
 TEST_F(Options, l_is_the_number_of_samples_of_an_area_light) {
@@ -358,6 +421,9 @@ TEST_F(RenderProgram, refuses_what_it_cannot_use) {
                   "scene.dae -s 16 -a 32 0.05",
                   "scene.dae -a 8 0",
                   "scene.dae -a 8.5 0.1",
+                  "scene.dae -a 1 0.1",
+                  "scene.dae -a 8 inf",
+                  "scene.dae -a 8 nan",
                   "scene.dae --show nothing",
                   "scene.dae --exposure 0",
                   "scene.dae --unknown",

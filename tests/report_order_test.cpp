@@ -146,6 +146,17 @@ TEST_F(Named, what_one_cause_costs_is_said) {
   EXPECT_THAT(report::to_gradescope(results), HasSubstr(expected));
 }
 
+// Three promises of two points fail, and four of these points are given back.
+TEST(Spared, a_bonus_is_no_part_of_what_one_cause_costs) {
+  TaskResult task = failing("hit_box", {broken("a", {}), broken("b", {}), broken("c", {}),
+                                        broken("extra", {}), broken("kept", {})});
+  for (PromiseResult& promise : task.promises) promise.points = 2;
+  task.promises[3].bonus = true;
+  task.promises[4].held = true;
+  task.spared = 4;
+  EXPECT_EQ(spared_text(task), "One cause: 3 promises fail, 2 points are taken.");
+}
+
 TEST(readable, numbers_have_six_digits) {
   EXPECT_EQ(with_few_digits("(0.1234567891, -2.5, 1e-09)"), "(0.123457, -2.5, 1e-09)");
   EXPECT_EQ(with_few_digits("123456789.25"), "123456789");

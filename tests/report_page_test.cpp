@@ -67,6 +67,45 @@ TEST_F(Page, opens_what_failed) {
   EXPECT_THAT(text, HasSubstr("id=\"direct_lights.two_lights\">"));
 }
 
+// 18 of 39 points are 46 %; of them 6 of 17 in part 3.
+TEST_F(Page, has_the_points_of_all_and_of_each_part) {
+  const std::string text = to_html(run);
+  EXPECT_THAT(text, HasSubstr("<span style=\"width:46%\">"));
+  EXPECT_THAT(text, HasSubstr("Part 3 <span>direct</span></th><td class=\"number\">6/17</td>"));
+}
+
+TEST_F(Page, a_bonus_that_is_not_earned_is_no_fault) {
+  results::Results results = run;
+  const std::string words = "</span>returns the interpolated normal";
+  EXPECT_THAT(to_html(results), HasSubstr("not kept: " + words));
+  for (results::TaskResult& task : results.tasks) {
+    for (results::PromiseResult& promise : task.promises) promise.bonus = true;
+  }
+  EXPECT_THAT(to_html(results), HasSubstr("not kept yet: " + words));
+  EXPECT_THAT(to_html(results), Not(HasSubstr("not kept: " + words)));
+}
+
+TEST_F(Page, says_how_a_picture_was_made) {
+  results::Results results = run;
+  results.tasks[6].pictures[1].noise = 0.5;
+  const std::string text = to_html(results);
+  EXPECT_THAT(text, HasSubstr("; 64 samples per pixel in 1 round; 1.02 times the variance of the "
+                              "reference; 0.8 s."));
+  EXPECT_THAT(text, HasSubstr("; 448 samples per pixel in 3 rounds; 0.50 times the variance of the "
+                              "reference; 0.8 s."));
+}
+
+// The button of a cell leads to its middle. An error above ten times the radiance is not a number to be read.
+TEST_F(Page, lists_the_cells_that_fail) {
+  results::Results results = run;
+  std::vector<results::FailingCell>& cells = results.tasks[6].pictures[1].cells;
+  cells = {{48, 24, 8, 4, "Y", 12, 2.4}, {56, 24, 4, 4, "R", 9.5, 1.3}};
+  const std::string text = to_html(results);
+  EXPECT_THAT(text, HasSubstr("data-x=\"52\" data-y=\"26\">x 48, y 24, 8 &times; 4</button>"));
+  EXPECT_THAT(text, HasSubstr(">&gt; +1000 %</td><td class=\"number\">2.4</td>"));
+  EXPECT_THAT(text, HasSubstr(">+950.0 %</td><td class=\"number\">1.3</td>"));
+}
+
 TEST_F(Page, fetches_nothing) {
   const std::string text = to_html(run);
   EXPECT_THAT(text, HasSubstr("default-src 'none'; img-src data:;"));

@@ -113,6 +113,14 @@ TEST(pictures, exposure_is_one_unless_nothing_could_be_seen) {
   EXPECT_EQ(exposure(32), 1.0 / 32);
 }
 
+// A few bright samples, as a path tracer has them, do not make the rest of the picture black.
+TEST(pictures, exposure_is_not_that_of_the_brightest_pixel) {
+  pt::Image golden(20, 10);
+  for (pt::Rgb& pixel : golden.pixels) pixel = pt::gray(1.0 / 64);
+  golden.at(7, 3) = pt::gray(1000);
+  EXPECT_EQ(exposure_for(golden), 64);
+}
+
 // Rec. 709 luma, as a grey printer would show it.
 double grey(pt::Color8 c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 

@@ -52,6 +52,30 @@ TEST(report, only_a_whole_run_passes) {
   EXPECT_EQ(nlohmann::json::parse(to_json(results)).at("passed"), false);
 }
 
+// A crash is said before a call that takes too long, and that before a wrong answer, whichever comes first. A bonus is
+// no fault.
+TEST(report, a_state_is_the_worst_of_the_promises) {
+  const auto state = [](const std::vector<std::vector<Cause>>& promises, bool bonus = false) {
+    TaskResult task;
+    for (const std::vector<Cause>& causes : promises) {
+      PromiseResult& promise = task.promises.emplace_back();
+      promise.bonus = bonus;
+      promise.held = causes.empty();
+      for (const Cause cause : causes) promise.failures.emplace_back().cause = cause;
+    }
+    return state_of(task);
+  };
+  using enum Cause;
+  EXPECT_EQ(state({}), State::pass);
+  EXPECT_EQ(state({{}, {}}), State::pass);
+  EXPECT_EQ(state({{}, {wrong}}), State::fail);
+  EXPECT_EQ(state({{timeout}, {wrong}}), State::timeout);
+  EXPECT_EQ(state({{wrong}, {timeout}}), State::timeout);
+  EXPECT_EQ(state({{wrong, crash}, {timeout}}), State::crash);
+  EXPECT_EQ(state({{timeout}, {wrong, crash}}), State::crash);
+  EXPECT_EQ(state({{timeout}, {crash}}, true), State::pass);
+}
+
 // Grades are made of them.
 TEST(report, points_that_do_not_fit_are_refused) {
   const auto refused = [](auto change) {

@@ -117,6 +117,11 @@ TEST_F(Writers, csv_is_a_line_a_task) {
   EXPECT_THAT(to_csv(results), HasSubstr("0.80,false\r\n"));
 }
 
+// Two promises of .4 seconds, and five pictures of .8.
+TEST_F(Writers, csv_has_the_time_of_promises_and_pictures) {
+  EXPECT_THAT(to_csv(run), HasSubstr(",3.3,direct_lights,fail,6,17,0,4.80,true\r\n"));
+}
+
 TEST_F(Writers, csv_holds_no_formula) {
   results::Results results = run;
   for (const char* start : {"=", "+", "-", "@", "\uff1d", "\uff20"}) {
@@ -173,6 +178,57 @@ TEST_F(Writers, the_terminal_shows_the_first_failure) {
   EXPECT_THAT(text, HasSubstr("This block was 21.0 % too dark"));
   EXPECT_THAT(text, Not(HasSubstr("right on average")));
   EXPECT_THAT(text, HasSubstr("4 more; --all shows them.\n"));
+}
+
+TEST_F(Writers, the_table_has_bonus_points_and_what_a_task_waits_for) {
+  const std::string text = table(run, {});
+  EXPECT_THAT(text, HasSubstr("estimate_pixel     pass              2/2  + 1 bonus\n"));
+  EXPECT_THAT(text, HasSubstr("hit_triangle       fail              1/2\n"));
+  EXPECT_THAT(text, HasSubstr("hit_bvh            blocked           2/2  by hit_box\n"));
+}
+
+// Of a promise that fails in two ways the first one is enough, unless all are asked for.
+TEST_F(Writers, the_terminal_shows_one_failure_of_a_promise) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  std::vector<results::Failure>& failures = results.tasks[0].promises[1].failures;
+  failures.push_back(failures[0]);
+  failures[1].got = "-7";
+  EXPECT_THAT(to_text(results, {}), HasSubstr("  got       -1\n"));
+  EXPECT_THAT(to_text(results, {}), Not(HasSubstr("  got       -7\n")));
+  EXPECT_THAT(to_text(results, {false, true}), HasSubstr("  got       -1\n"));
+  EXPECT_THAT(to_text(results, {false, true}), HasSubstr("  got       -7\n"));
+}
+
+TEST_F(Writers, the_terminal_says_which_tasks_were_the_submissions) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  EXPECT_THAT(to_text(results, {}), Not(HasSubstr("tasks yours")));
+  results.tasks[0].promises[1].failures[0].integrated = true;
+  EXPECT_THAT(to_text(results, {}), HasSubstr("  With all 12 tasks yours:\n  input     triangle"));
+}
+
+// Where the command that shows a picture is not the one that makes it again, both are told.
+TEST_F(Writers, the_terminal_says_how_a_picture_is_made_again) {
+  results::Results results = run;
+  results.tasks = {run.tasks[6]};
+  results.tasks[0].pictures = {run.tasks[6].pictures[1]};
+  EXPECT_THAT(to_text(results, {}), Not(HasSubstr("  replay    ")));
+  results.tasks[0].pictures[0].replay = "./run render a.dae";
+  EXPECT_THAT(to_text(results, {}),
+              HasSubstr("  replay    ./run render a.dae\n"
+                        "  see it    ./run grade direct_lights --html report.html\n"));
+}
+
+// Nobody has done anything wrong in a task that is not begun.
+TEST_F(Writers, the_terminal_shows_no_failure_of_what_is_not_written) {
+  results::Results results = run;
+  results.tasks = {run.tasks[0], run.tasks[7]};
+  results.tasks[1].reason = "it is not written yet";
+  for (const bool all : {false, true}) {
+    EXPECT_THAT(to_text(results, {false, all}), Not(HasSubstr("it is not written yet")));
+    EXPECT_THAT(to_text(results, {false, all}), Not(HasSubstr("--all")));
+  }
 }
 
 TEST_F(Writers, all_files_are_written_or_none) {

@@ -2,6 +2,7 @@
 #include "grader/process/run_command.h"
 
 #include "grader/base/descriptor.h"
+#include "grader/process/cause_of_end.h"
 #include "grader/process/spawn.h"
 
 #include <algorithm>
@@ -24,6 +25,16 @@ CommandResult run_script(const std::string& script, milliseconds most) {
   Child child{{"/bin/sh", "-c", script}, {"PATH=/usr/bin:/bin"}, {}, "", {}};
   child.limits.cpu_seconds = 5;
   return run_command(child, most);
+}
+
+// A machine without memory kills whom it likes: what it killed is tried again.
+TEST(CauseOfEnd, tells_what_was_killed_from_outside) {
+  const auto signal = [](const std::string& name) {
+    const int status = run_script("kill -s " + name + " $$", std::chrono::seconds(30)).status;
+    return was_killed(cause_of_end(status, ""));
+  };
+  EXPECT_TRUE(signal("KILL"));
+  for (const char* other : {"SEGV", "ABRT", "FPE", "XCPU"}) EXPECT_FALSE(signal(other)) << other;
 }
 
 TEST(CommandLimit, ends_what_prints_without_end) {

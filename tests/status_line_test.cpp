@@ -93,6 +93,22 @@ TEST_F(StatusLineTest, tells_the_time_left_by_that_of_this_work_alone) {
   EXPECT_LT(std::stoi(found[1]), std::stoi(found[2]));
 }
 
+// Where nine tenths are done, the rest takes a ninth of the time that these did.
+TEST_F(StatusLineTest, tells_the_time_left_by_the_part_that_is_done) {
+  StatusLine line(StatusLine::Output::log, std::chrono::milliseconds(100));
+  line.show("judging", 0);
+  line.show("judging", .9);
+  const std::regex told(R"(judging, about (\d+) s left \((\d+) s\)\n)");
+  std::smatch found;
+  std::string text;
+  while (!std::regex_search(text, found, told)) {
+    const std::string more = said(kSoon);
+    ASSERT_NE(more, "") << text;
+    text += more;
+  }
+  EXPECT_LT(std::stoi(found[1]), std::stoi(found[2]));
+}
+
 TEST_F(StatusLineTest, is_a_line_now_and_then_in_a_log) {
   StatusLine line(StatusLine::Output::log, std::chrono::milliseconds(100));
   line.show("judging: 3 of 8 verdicts", 3. / 8);

@@ -133,5 +133,20 @@ TEST(SampleLight, says_how_far_the_light_is) {
   }
 }
 
+// A lamp shines outwards: from within there is no light, however near the surface.
+TEST(SampleLight, of_a_sphere_is_dark_from_within) {
+  const SphereLight light{{1, 2, 3}, 2, gray(5)};
+  Sampler sampler(1);
+  for (const double part : {0.0, 0.3, 0.6, 0.999}) {
+    const Vec3 p = light.center + part * light.radius * normalize({1, -2, 2});
+    const LightSample sample = sample_light(light, p, sampler);
+    EXPECT_TRUE(is_black(sample.radiance)) << part;
+    EXPECT_GT(sample.pdf, 0) << part;
+    EXPECT_NEAR(length(sample.wi), 1, 1e-14) << part;
+  }
+  const Vec3 outside = light.center + 1.001 * light.radius * normalize({1, -2, 2});
+  EXPECT_EQ(sample_light(light, outside, sampler).radiance, gray(5));
+}
+
 }  // namespace
 }  // namespace pt::proof
