@@ -1,7 +1,9 @@
 // The report on a task whose run has not ended.
 #include "grader/judge/so_far.h"
 
+#include "grader/judge/grade.h"
 #include "grader/results/points.h"
+#include "pt/error.h"
 
 #include <gtest/gtest.h>
 
@@ -91,6 +93,36 @@ TEST(so_far, of_two_pictures_the_worse_counts) {
   EXPECT_EQ(so_far(judged).state, results::State::fail);
   std::swap(judged.result.pictures[0].state, judged.result.pictures[1].state);
   EXPECT_EQ(so_far(judged).state, results::State::fail);
+}
+
+using Slugs = std::vector<std::string>;
+
+TEST(words, mean_a_task_an_exercise_or_a_part) {
+  Config config;
+  config.tasks = {{"1_rays", "1.1", "estimate_pixel", "", {}},
+                  {"1_rays", "1.3", "hit_triangle", "", {}},
+                  {"2_bvh", "2.1", "build_bvh", "", {}}};
+  EXPECT_EQ(tasks_meant(config, "hit_triangle"), Slugs{"hit_triangle"});
+  EXPECT_EQ(tasks_meant(config, "1.3"), Slugs{"hit_triangle"});
+  EXPECT_EQ(tasks_meant(config, "1"), (Slugs{"estimate_pixel", "hit_triangle"}));
+  EXPECT_EQ(tasks_meant(config, "1_rays"), (Slugs{"estimate_pixel", "hit_triangle"}));
+  EXPECT_EQ(tasks_meant(config, "2"), Slugs{"build_bvh"});
+  for (const char* nothing : {"", "3", "1.2", "hit", "rays"}) {
+    EXPECT_THROW(tasks_meant(config, nothing), pt::Error) << nothing;
+  }
+}
+
+// Who has a name handed in the folder of a learner, which is the one that the command takes by itself.
+TEST(words, judge_a_task_again) {
+  GradeRequest request;
+  request.seed = 7;
+  request.submission = "student";
+  EXPECT_EQ(replay_command(request, "hit_box"), "./run grade hit_box --seed 7");
+  request.submission = "/class/ada";
+  EXPECT_EQ(replay_command(request, "hit_box"),
+            "./run grade hit_box --seed 7 --submission /class/ada");
+  request.name = "ada";
+  EXPECT_EQ(replay_command(request, "hit_box"), "./run grade hit_box --seed 7");
 }
 
 }  // namespace

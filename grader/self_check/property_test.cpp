@@ -7,7 +7,9 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
@@ -148,6 +150,37 @@ TEST(Property, shrinks_within_the_range_and_ends) {
   }
 }
 
+// Learners read inputs by these words, and write them down again.
+TEST(Show, says_which_number_is_which) {
+  EXPECT_EQ(check::show(pt::Ray{{1, 2, 3}, {4, 5, 6}, 0.5, 7}),
+            "Ray from (1, 2, 3) along (4, 5, 6), t in [0.5, 7]");
+  EXPECT_EQ(
+      check::show(pt::Triangle{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}, {6, 0, 0}}),
+      "Triangle (1, 0, 0) (2, 0, 0) (3, 0, 0), normals (4, 0, 0) (5, 0, 0) (6, 0, 0)");
+  EXPECT_EQ(check::show(pt::Camera{{1, 2, 3}, {}, 60, 40, 0.1, 9}),
+            "Camera at (1, 2, 3), right (1, 0, 0), up (0, 1, 0), back (0, 0, 1), field of view "
+            "60 x 40 degrees, clip [0.1, 9]");
+  EXPECT_EQ(check::show(pt::Box{{1, 2, 3}, {4, 5, 6}}), "Box from (1, 2, 3) to (4, 5, 6)");
+  EXPECT_EQ(check::show(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(check::brief(pt::Rgb{1 / 3., -0.0, 123456}), "(r 0.33333, g 0, b 1.2346e+05)");
+}
+
+TEST(Property, draws_every_hue) {
+  std::set<std::vector<double>> hues;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const pt::Rgb hue = check::hue()(rc::Random(seed), 100).value();
+    hues.insert({hue.r, hue.g, hue.b});
+  }
+  std::set<std::vector<double>> all;
+  for (const double r : {0, 1}) {
+    for (const double g : {0, 1}) {
+      for (const double b : {0, 1}) all.insert({r, g, b});
+    }
+  }
+  all.erase({0, 0, 0});
+  EXPECT_EQ(hues, all);
+}
+
 // Draws of mean 1: `value` by a chance of 1 / value, else nothing.
 std::vector<pt::Rgb> rarely(double value, int n, std::uint64_t seed) {
   pt::Sampler sampler(seed);
@@ -187,6 +220,30 @@ TEST(Mean, is_too_noisy_where_few_draws_carry_it) {
         pt::gray(3), check::Noise{pt::gray(1)});
   });
   EXPECT_TRUE(far.got.starts_with("too noisy to judge the mean")) << far.got;
+}
+
+TEST(Mean, that_is_off_is_told_by_its_factor) {
+  const std::vector<pt::Rgb> half(100, pt::gray(0.5));
+  EXPECT_EQ(
+      failure_of([&] { check::expect_mean("the mean", check::mean_of(half), pt::gray(1)); }).off_by,
+      "0.5 (0.5 times what was expected)");
+}
+
+// 30 of 39 are 77 %.
+TEST(Mean, of_few_draws_is_told_by_the_part_of_the_largest) {
+  std::vector<pt::Rgb> draws(10, pt::gray(1));
+  draws[3] = pt::gray(30);
+  const results::Failure failure =
+      failure_of([&] { check::expect_mean("the mean", check::mean_of(draws), pt::gray(3.9)); });
+  EXPECT_EQ(failure.got, "too noisy to judge the mean: one of 10 estimates is 77 % of their sum");
+}
+
+// 0 and 2 have the deviation sqrt(2), by n - 1.
+TEST(Mean, may_be_as_noisy_as_the_usual_method_times_the_factor) {
+  const std::vector<pt::Rgb> usual{pt::gray(0), pt::gray(2)};
+  for (const double factor : {1.0, 3.0}) {
+    EXPECT_NEAR(check::noise_of(usual, factor).deviation.g, factor * std::sqrt(2), 1e-14);
+  }
 }
 
 TEST(Mean, without_noise_may_be_as_imprecise_as_the_contract_says) {
