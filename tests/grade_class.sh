@@ -51,6 +51,11 @@ row 'int(row["a, flat"]["points"]) == int(row["a, flat"]["max_points"]) > 0'
 row 'row["nested"]["hit_triangle"] == "not attempted" and row["nested"]["hit_triangle_points"] == "0"'
 row 'row["wrong"]["hit_triangle"] == "fail" and row["wrong"]["hit_sphere"] == "rejected"'
 row 'row["wrong"]["camera_ray"] == "" and len(row) == 3'
+# The points of a part are with those of its bonus promises.
+row 'int(row["a, flat"]["bonus_points"]) > 0'
+row 'int(row["a, flat"]["1_rays_points"]) == int(row["a, flat"]["points"]) + int(row["a, flat"]["bonus_points"])'
+grep -qE '"command": "\./run grade hit_triangle hit_sphere --no-pictures --seed [0-9]+"' "$folder/class-graded/nested.json" ||
+  complain 'the report does not say how it was made'
 grep -q 'hit_sphere' "$folder/class-graded/nested.html" || complain "there is no page"
 ! grep -qF "$folder" "$folder/class-graded/"{nested,wrong}.html || complain 'a learner would read a path of the instructor'
 grep -qF '<dd>nested</dd>' "$folder/class-graded/nested.html" || complain 'the page does not say whose it is'
@@ -80,6 +85,15 @@ says 0 'otto: 0 of 2 tasks pass'
 grep -qF "undefined reference to" "$folder/class-graded/otto.html" || complain 'it is not said what is missing'
 ! grep -qF "$PWD" "$folder/class-graded/otto.html" || complain 'a learner would read where the grader is built'
 rm -r "$folder/class/otto"
+
+# Two files that are refused are two, whatever they hold: each page says why its own is.
+mkdir "$folder/class/"{link,large}
+ln -s "$PWD/reference/1_rays/hit_sphere.cpp" "$folder/class/link/hit_sphere.cpp"
+{ cat reference/1_rays/hit_sphere.cpp && head -c 2M /dev/zero | tr '\0' ' '; } >"$folder/class/large/hit_sphere.cpp"
+says 0 'link: 0 of 2 tasks pass' 'large: 0 of 2 tasks pass'
+grep -q 'the file is a link' "$folder/class-graded/link.html" || complain 'a link is not named'
+grep -q 'the file is larger than' "$folder/class-graded/large.html" || complain 'a large file is not named'
+rm -r "$folder/class/"{link,large}
 
 # The seed is drawn once for the class, printed, kept, and what the reports say; another one judges anew.
 seed=$(cat "$folder/class-graded/seed")
@@ -135,11 +149,22 @@ assert name == ["export"] and table[0]["Student"].strip() == "Points Possible", 
 grades = {row["ID"]: row["export"] for row in table[1:]}
 assert set(grades) == {"12", "13", "14", "15"} and grades["13"] == grades["14"] == "", grades
 assert int(grades["12"]) > int(grades["15"]) > 0, grades
+rows = {row["id"]: row for row in csv.DictReader(open(folder + "/class.csv", newline="", encoding="utf-8-sig"))}
+for number in ("12", "15"):
+    assert int(rows[number]["bonus_points"]) > 0, rows
+    assert int(grades[number]) == int(rows[number]["points"]) + int(rows[number]["bonus_points"]), (grades, rows)
 pages = zipfile.ZipFile(folder + "/feedback.zip")
 assert pages.testzip() is None
 assert set(pages.namelist()) == {"lovelace_LATE_12_34_report.html", "germain_15_37_report.html"}, pages.namelist()
 assert pages.read("germain_15_37_report.html") == open(folder + "/germain.html", "rb").read()
 END
+# Another archive of the same files: its name is that of the column, and what was unpacked for the plan before is still there,
+# as chunks of that plan may be running on another machine.
+class=$folder/rays.v2.tar.gz
+(cd "$folder/export" && cmake -E tar czf "$class" ./*.zip ./*.cpp)
+says 2 'lovelace: 2 of 2' '(as before)'
+head -1 "$folder/class-graded/canvas.csv" | grep -q ',rays\.v2.$' || complain "$(head -1 "$folder/class-graded/canvas.csv")"
+[ "$(find "$folder/class-graded/unpacked" -mindepth 1 -maxdepth 1 | wc -l)" -eq 2 ] || complain 'not two plans are unpacked'
 rm -r "$folder/class-graded"
 class=$folder/moodle
 mkdir -p "$class/"{"Zoë 北_7_assignsubmission_file_","Nobody_8_assignsubmission_file_"}
