@@ -1,9 +1,12 @@
 // The settings that a scene needs and the worth of methods in it: the model of error and time, and the
 // measurements.
+#include "pt/file.h"
 #include "pt/render/render_apart.h"
 #include "pt/render/render_rows.h"
 #include "tests/proof/scenes.h"
+#include "tests/temporary_folder.h"
 #include "writeup/accuracy/converge.h"
+#include "writeup/accuracy/ladder.h"
 #include "writeup/accuracy/ladder_turns.h"
 #include "writeup/accuracy/print.h"
 
@@ -132,6 +135,41 @@ TEST(Words, of_the_answer_are_the_command_that_renders) {
                       "--camera file\n"),
             std::string::npos);
   EXPECT_NE(to_text(answer, cheapest({}), scene).find("--engine wide\n"), std::string::npos);
+}
+
+// 64 x 48 pixels, each of which takes a microsecond and two rays.
+TEST(Tables, have_the_seconds_and_rays_of_a_picture) {
+  const TemporaryFolder folder;
+  Options options = cheapest({"-r", "64", "48"});
+  options.out = folder.path();
+  MethodCurve curve;
+  curve.method.title = "lights, l = 4";
+  curve.method.light_samples = 4;
+  curve.points = {{{.5, .01}, 1e-6, 16, 2, 1}};
+  curve.error2_second = curve.error2_ray = {1, .1};
+  write_curves({curve}, options, 1);
+  EXPECT_EQ(pt::read_file(options.out / "converge.csv", 1 << 20),
+            "method,light_samples,samples,seconds,rays,error,error_of_it\n"
+            "\"lights, l = 4\",4,16,0.003072,6144,0.5,0.01\n");
+}
+
+TEST(Tables, have_microseconds_of_a_sample_and_the_root_of_a_bias) {
+  const TemporaryFolder folder;
+  const pt::Scene scene;
+  Options options = cheapest({});
+  options.out = folder.path();
+  Answer answer;
+  answer.bias2 = {{.25, .01}, {.04, .01}};
+  answer.survivals.resize(1);
+  answer.survivals[0].tried = {{2, {.5, .01}, {3e-6, 1e-7}, {}, 7}};
+  answer.survivals[0].choice = Choice{2, 16, .02, 1e-6};
+  answer.best = answer.survivals[0];
+  write_charts(answer, options, scene);
+  EXPECT_EQ(pt::read_file(options.out / "bounces.csv", 1 << 20),
+            "most_bounces,bias\n0,0.5\n1,0.2\n");
+  EXPECT_EQ(pt::read_file(options.out / "noise.csv", 1 << 20),
+            "light_samples,variance,variance_error,microseconds,microseconds_error,rays\n"
+            "2,0.5,0.01,3,0.1,7\n");
 }
 
 std::vector<Checked> power_law(double factor, double slope) {
@@ -392,6 +430,34 @@ TEST(Ladder, a_bias_is_an_error_where_it_can_be_seen) {
   EXPECT_NEAR(climbed[4].error2.value, .4, 1e-12);
   EXPECT_FALSE(climbed[3].biased);
   EXPECT_NEAR(climbed[3].error2.value, .1, 1e-12);
+}
+
+// The rung in brackets would be the best, and is not kept.
+TEST(Ladder, tells_microseconds_percent_and_the_best_that_is_kept) {
+  Ladder ladder;
+  const auto add = [&](const char* idea, double in_all, bool kept) {
+    Climbed& rung = ladder.rungs.emplace_back();
+    rung.rung.idea = idea;
+    rung.rung.kept = kept;
+    rung.seconds = 25e-6;
+    rung.rays = 7;
+    rung.error2 = {.09, .001};
+    rung.worth = {2, .1};
+    rung.in_all = {in_all, .1};
+    rung.in_all_rays = 3;
+  };
+  add("plain", 1, true);
+  add("better", 8, true);
+  add("worse", 4, true);
+  add("too much", 16, false);
+  const std::string text = to_text(ladder, {});
+  const auto has = [&](const std::string& words) { return text.find(words) != std::string::npos; };
+  EXPECT_TRUE(has(
+      "  better                                     25       7       30 %   2.000 \u00b1 0.100"))
+      << text;
+  EXPECT_TRUE(has("  (too much)  ")) << text;
+  EXPECT_TRUE(has("The best, with \"better\": ")) << text;
+  EXPECT_TRUE(has("\n8.000 \u00b1 0.100 times as cheap as the plainest.\n")) << text;
 }
 
 // Renders of the furnace, radiance 2, by a machine that is made up: normal noise, the same in all

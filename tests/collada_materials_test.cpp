@@ -46,13 +46,14 @@ TEST(Materials, take_the_courses_technique_first) {
 }
 
 TEST(Materials, may_be_of_every_shader) {
-  for (const std::string shader : {"phong", "lambert", "blinn"}) {
-    EXPECT_EQ(load_material("<profile_COMMON><technique sid=\"c\"><" + shader +
-                            "><diffuse><color>.25 .5 .75 1</color></diffuse></" + shader +
-                            "></technique></profile_COMMON>")
-                  .albedo,
-              (Rgb{.25, .5, .75}))
-        << shader;
+  const auto albedo = [](const std::string& shader) {
+    return load_material("<profile_COMMON><technique sid=\"c\"><" + shader +
+                         "><diffuse><color>.25 .5 .75 1</color></diffuse></" + shader +
+                         "></technique></profile_COMMON>")
+        .albedo;
+  };
+  for (const char* shader : {"phong", "lambert", "blinn"}) {
+    EXPECT_EQ(albedo(shader), (Rgb{.25, .5, .75})) << shader;
   }
 }
 

@@ -117,7 +117,8 @@ TEST(measure, units_are_what_their_names_say) {
   const auto in_nanoseconds = [](const std::string& name) {
     return name == "ns" ? 1 : name == "us" ? 1e3 : name == "ms" ? 1e6 : 0;
   };
-  for (double time = 1; time < 1e9; time *= 3) {
+  for (int power = 0; power < 18; ++power) {
+    const double time = std::pow(3, power);
     const Unit unit = unit_of(time);
     EXPECT_EQ(unit.nanoseconds, in_nanoseconds(unit.name)) << unit.name;
     EXPECT_GE(time / unit.nanoseconds, 1) << unit.name;

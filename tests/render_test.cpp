@@ -1,11 +1,16 @@
 #include "pt/render/pixel_record.h"
+#include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/render/render_rows.h"
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <regex>
+#include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -179,6 +184,27 @@ TEST(RenderFilm, tells_its_progress_up_to_the_end) {
     last = part;
   });
   EXPECT_EQ(last, 1);
+}
+
+// After a quarter of the work, the rest takes three times as long as that did.
+TEST(Progress, tells_each_tenth_once_and_the_time_that_is_left) {
+  Progress progress;
+  const auto said = [&](double part) {
+    testing::internal::CaptureStderr();
+    progress.show(part);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(said(0.2), "") << "what is over at once says nothing";
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  const std::string text = said(0.25);
+  std::smatch found;
+  ASSERT_TRUE(
+      std::regex_match(text, found, std::regex(R"(20 % after (\d+) s, about (\d+) s left\n)")))
+      << text;
+  EXPECT_GE(std::stoi(found[2]), 2 * std::stoi(found[1]));
+  EXPECT_EQ(said(0.29), "");
+  EXPECT_EQ(said(0.3).substr(0, 5), "30 % ");
+  EXPECT_EQ(said(1), "");
 }
 
 }  // namespace
