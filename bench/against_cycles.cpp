@@ -17,12 +17,12 @@ std::vector<double> luminances(const Image& image) {
 }
 
 // The sum of the renders of a golden so far.
-struct GoldenSum {
+struct LongRenderSum {
   Image picture;
   std::vector<double> halves[2];
   std::vector<std::vector<double>> means;  // [region][render]
 
-  explicit GoldenSum(std::size_t regions) : means(regions) {}
+  explicit LongRenderSum(std::size_t regions) : means(regions) {}
 
   void add(const Image& image, int half, const std::vector<Region>& regions) {
     const std::vector<double> values = luminances(image);
@@ -37,8 +37,8 @@ struct GoldenSum {
     }
   }
 
-  Golden golden(int renders) const {
-    Golden golden{picture, {}, {}};
+  LongRender golden(int renders) const {
+    LongRender golden{picture, {}, {}};
     for (Rgb& pixel : golden.picture.pixels) pixel /= renders;
     for (int i = 0; i < 2; ++i) {
       golden.halves[i] = halves[i];
@@ -50,7 +50,7 @@ struct GoldenSum {
 };
 
 // relMSE without the noise of the golden, whose halves are independent of the picture and of each other.
-double squared_error(const std::vector<double>& picture, const Golden& golden) {
+double squared_error(const std::vector<double>& picture, const LongRender& golden) {
   double sum = 0;
   for (std::size_t i = 0; i < picture.size(); ++i) {
     const double g0 = golden.halves[0][i], g1 = golden.halves[1][i];
@@ -85,9 +85,9 @@ class Renders {
         progress_(progress),
         seed_(effort.seed) {}
 
-  std::vector<Golden> goldens(const std::vector<int>& of);
+  std::vector<LongRender> goldens(const std::vector<int>& of);
   // [contender][number of samples]; the first have one sample: they show the time that does not depend on samples.
-  std::vector<std::vector<Repeats>> repeats(const std::vector<Golden>& goldens,
+  std::vector<std::vector<Repeats>> repeats(const std::vector<LongRender>& goldens,
                                             const std::vector<int>& samples);
   void count_renders(std::size_t goldens, int samples_of_repeats) {
     all_ = static_cast<double>(goldens) * effort_.golden_renders * effort_.golden_samples +
@@ -110,20 +110,20 @@ class Renders {
   std::uint32_t seed_;         // of the next render
 };
 
-std::vector<Golden> Renders::goldens(const std::vector<int>& of) {
-  std::vector<GoldenSum> sums(of.size(), GoldenSum(regions_.size()));
+std::vector<LongRender> Renders::goldens(const std::vector<int>& of) {
+  std::vector<LongRenderSum> sums(of.size(), LongRenderSum(regions_.size()));
   for (int i = 0; i < effort_.golden_renders; ++i) {
     for (std::size_t j = 0; j < of.size(); ++j) {
       sums[j].add(render(of[j], effort_.golden_samples).image, i % 2, regions_);
     }
   }
-  std::vector<Golden> goldens;
+  std::vector<LongRender> goldens;
   goldens.reserve(sums.size());
-  for (const GoldenSum& sum : sums) goldens.push_back(sum.golden(effort_.golden_renders));
+  for (const LongRenderSum& sum : sums) goldens.push_back(sum.golden(effort_.golden_renders));
   return goldens;
 }
 
-std::vector<std::vector<Repeats>> Renders::repeats(const std::vector<Golden>& goldens,
+std::vector<std::vector<Repeats>> Renders::repeats(const std::vector<LongRender>& goldens,
                                                    const std::vector<int>& samples) {
   const Repeats empty{{}, std::vector<std::vector<double>>(goldens.size())};
   std::vector<std::vector<Repeats>> all(contenders_.size(),
@@ -171,14 +171,14 @@ Mean mean_of(const std::vector<double>& values) {
   return {mean, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0};
 }
 
-Comparison compare(const std::vector<Contender>& contenders, const std::vector<int>& golden_of,
-                   const std::vector<Region>& regions, const Effort& effort,
-                   const std::function<void(double)>& progress) {
+RendererComparison compare(const std::vector<Contender>& contenders,
+                           const std::vector<int>& golden_of, const std::vector<Region>& regions,
+                           const Effort& effort, const std::function<void(double)>& progress) {
   std::vector<int> samples{1};
   samples.insert(samples.end(), effort.samples.begin(), effort.samples.end());
   Renders renders(contenders, regions, effort, progress);
   renders.count_renders(golden_of.size(), std::accumulate(samples.begin(), samples.end(), 0));
-  Comparison result;
+  RendererComparison result;
   result.goldens = renders.goldens(golden_of);
   for (const std::vector<Repeats>& all : renders.repeats(result.goldens, samples)) {
     result.curves.push_back(curve_of(all, samples));

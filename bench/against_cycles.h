@@ -35,7 +35,7 @@ struct Mean {
 Mean mean_of(const std::vector<double>& values);
 
 // A renderer's long render: the mean of many, the two means of half of them each, and the mean luminance of each region.
-struct Golden {
+struct LongRender {
   Image picture;
   std::vector<double> halves[2];  // luminance, by pixel
   std::vector<Mean> regions;
@@ -54,15 +54,15 @@ struct ErrorCurve {
   double fixed_seconds = 0;  // of a render, besides its samples
 };
 
-struct Comparison {
-  std::vector<Golden> goldens;
+struct RendererComparison {
+  std::vector<LongRender> goldens;
   std::vector<ErrorCurve> curves;  // of each contender
 };
 
 // All contenders by turns; seeds differ everywhere. `golden_of`: the contenders whose goldens are made. `progress`
 // is called with the part that is done.
-Comparison compare(const std::vector<Contender>& contenders, const std::vector<int>& golden_of,
-                   const std::vector<Region>& regions, const Effort& effort,
-                   const std::function<void(double)>& progress);
+RendererComparison compare(const std::vector<Contender>& contenders,
+                           const std::vector<int>& golden_of, const std::vector<Region>& regions,
+                           const Effort& effort, const std::function<void(double)>& progress);
 
 }  // namespace pt

@@ -33,7 +33,7 @@ Agreement agreement(const Mean& ours, const Mean& theirs) {
 }
 
 Agreement agreement(const SceneReport& report, std::size_t region) {
-  const std::vector<Golden>& goldens = report.comparison.goldens;
+  const std::vector<LongRender>& goldens = report.comparison.goldens;
   return agreement(goldens[0].regions[region], goldens[1].regions[region]);
 }
 
@@ -61,7 +61,7 @@ std::string formula_table(const SceneReport& report) {
   for (std::size_t i = 0; i < report.regions.size(); ++i) {
     const Mean exact{(*report.by_formula)[i], 0};
     text += fmt::format("  {:<32}{:>12.6f}", report.regions[i].name, exact.value);
-    for (const Golden& golden : report.comparison.goldens) {
+    for (const LongRender& golden : report.comparison.goldens) {
       const Agreement a = agreement(exact, golden.regions[i]);
       text += fmt::format(
           "{:>22}{:>8.1f}",

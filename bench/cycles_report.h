@@ -20,7 +20,7 @@ struct SceneReport {
   std::string scene;
   std::vector<Region> regions;
   std::vector<std::string> titles;  // of the contenders
-  Comparison comparison;            // its goldens: ours, theirs
+  RendererComparison comparison;    // its goldens: ours, theirs
   std::vector<StartTimes> times;
   std::optional<std::vector<double>>
       by_formula;  // the luminance of the regions, where one is known

@@ -18,7 +18,7 @@ lint_with() {
 lint_format() {
   command -v clang-format-14 >/dev/null || { missing clang-format-14; return; }
   (cd "$root" && sources | xargs clang-format-14 --dry-run -Werror) && return
-  echo "clang-format writes these lines in another way: ./run format mends them" >&2
+  echo "clang-format writes these lines in another way: ./run format corrects them" >&2
   return 1
 }
 

@@ -76,7 +76,7 @@ if(FIRSTLIGHT_LTO)
     set(inline_more --param=max-inline-insns-auto=200 --param=inline-min-speedup=2)
     add_compile_options(${inline_more})
     add_link_options(-flto=auto ${inline_more})
-    # The same source gives the same object, bit for bit: the write-up makes a figure anew when the
+    # The same source gives the same object, bit for bit: the write-up makes a figure again when the
     # objects that it comes from change.
     string(REPLACE "<FLAGS>" "<FLAGS> -frandom-seed=<OBJECT>" CMAKE_CXX_COMPILE_OBJECT
       "${CMAKE_CXX_COMPILE_OBJECT}")

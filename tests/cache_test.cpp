@@ -118,7 +118,7 @@ TEST_F(Cache, is_looked_at_now_and_then) {
   EXPECT_FALSE(finds_and_trims());
   age("trimmed", kTrimPause + minutes(1));
   EXPECT_TRUE(finds_and_trims());
-  EXPECT_FALSE(finds_and_trims()) << "the pause begins anew";
+  EXPECT_FALSE(finds_and_trims()) << "the pause begins again";
   age("trimmed", hours(-24));
   EXPECT_TRUE(finds_and_trims()) << "the clock was set back";
 }

@@ -115,7 +115,7 @@ END
 [ "$(changes promise)" = "other hit_sphere counts t in 0 1
 wrong hit_sphere finds the near 1 0" ] || complain "$easier is easier, $harder harder:" "$(changes promise)"
 
-# A golden that was wrong is mended, in place: the time of its folder does not tell.
+# A golden that was wrong is corrected, in place: the time of its folder does not tell.
 python3 - "$folder/root/golden" <<'END'
 import hashlib, json, sys
 golden = sys.argv[1] + "/rays_spheres"

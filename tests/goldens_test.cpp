@@ -41,7 +41,7 @@ TEST(Goldens, have_a_row_and_a_title_in_the_handbook_of_recipes) {
   }
 }
 
-// Known pictures of a solution that has changed since would give it a wrong name. To mend it:
+// Known pictures of a solution that has changed since would give it a wrong name. To correct it:
 // build/check/grader/verdict_mistakes --rounds 1 --pictures
 TEST(KnownMistakes, are_of_the_solutions_and_recipes_that_we_keep) {
   const std::vector<Recipe> all = recipes();

@@ -95,7 +95,7 @@ grep -q 'the file is a link' "$folder/class-graded/link.html" || complain 'a lin
 grep -q 'the file is larger than' "$folder/class-graded/large.html" || complain 'a large file is not named'
 rm -r "$folder/class/"{link,large}
 
-# The seed is drawn once for the class, printed, kept, and what the reports say; another one judges anew.
+# The seed is drawn once for the class, printed, kept, and what the reports say; another one judges again.
 seed=$(cat "$folder/class-graded/seed")
 echo damaged >"$folder/class-graded/seed"
 says 2 'seed holds no number; write --seed'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The pages in docs/help are what the programs say: ./run COMMAND --help shows them without building anything.
-# help.sh BUILD [--renew]: compares them, or writes them anew.
+# help.sh BUILD [--renew]: compares them, or writes them again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$1 failures=0
@@ -11,7 +11,7 @@ while read -r command program words; do
   if [ "${2:-}" = --renew ]; then
     printf '%s\n' "$said" >"$page"
   elif ! diff <(./run "$command" --help) <(printf '%s\n' "$said"); then
-    echo "$page is not what ./run $command says; write it anew: tests/help.sh BUILD --renew"
+    echo "$page is not what ./run $command says; write it again: tests/help.sh BUILD --renew"
     failures=$((failures + 1))
   fi
 done <<'END'

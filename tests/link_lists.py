@@ -57,7 +57,7 @@ def main():
     unused = sorted(set(EXCEPTIONS) - set(found))
     for target, name in unused:
         print(f"tests/link_lists.py has a reason why {target} lists {name}; it does not need one")
-    print(f"{len(targets)} targets, {len(wrong)} libraries listed in vain")
+    print(f"{len(targets)} targets, {len(wrong)} libraries listed for nothing")
     return 1 if wrong or unused or not targets else 0
 
 

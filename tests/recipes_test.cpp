@@ -119,7 +119,7 @@ TEST_F(RecipeFile, leaves_out_what_is_usual) {
 
 TEST_F(RecipeFile, that_is_no_json_is_refused_with_its_line) {
   const std::string said = complaint_about("{\n \"recipes\": [\n  {\"name\" \"box\"}\n ]\n}\n");
-  EXPECT_THAT(said, AllOf(HasSubstr(":3: this is not JSON ("), HasSubstr("mend it")));
+  EXPECT_THAT(said, AllOf(HasSubstr(":3: this is not JSON ("), HasSubstr("correct it")));
   EXPECT_THAT(complaint_about("{\n\n"), HasSubstr(":3: this is not JSON"));
   EXPECT_THAT(complaint_about("{\"recipes\": [1e999]}"), HasSubstr("write another number"));
   for (const char* text : {"[]", "{}", "{\"recipes\": []}", "{\"recipes\": 3}",

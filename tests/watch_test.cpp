@@ -126,8 +126,8 @@ TEST_F(WatchTest, judges_everything_once_and_then_what_is_saved) {
 TEST_F(WatchTest, refreshes_the_tasks_that_ask_the_one_that_was_saved) {
   PseudoTerminal terminal(command());
   begin(terminal);
-  results::TaskResult mended = failing("2_bvh", "2.1", "build_bvh", {});
-  answer("all", {triangle({"three"}), mended});
+  results::TaskResult corrected = failing("2_bvh", "2.1", "build_bvh", {});
+  answer("all", {triangle({"three"}), corrected});
   save("1_rays/hit_triangle", "// second");
   terminal.expect("got for three");
   terminal.expect("[#..] 1 of 3 tasks pass");

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The write-up in draft quality: every figure exists; nothing is made twice; a changed task makes anew
+# The write-up in draft quality: every figure exists; nothing is made twice; a changed task makes again
 # all that depends on it and nothing else; a killed run goes on; a crash and an endless loop stay in
 # their place; wrong names in a text are found; the pages work in a browser.
 # writeup.sh BUILD: whose programs are tried.
@@ -182,7 +182,7 @@ cp student/pictures/gems.png "$kept/docs/another.png"
 expect 1 'another.png is in no plan' handbook --check gems --out "$kept"
 expect 0 'coil_normals.png' handbook 2 --out "$kept"
 cmp -s student/pictures/coil_normals.png "$kept/student/pictures/coil_normals.png" ||
-  complain "coil_normals.png was not mended"
+  complain "coil_normals.png was not corrected"
 expect 2 'handbook' "$build/writeup/writeup" --check
 
 # A wrong name is found before anything is made.

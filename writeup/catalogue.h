@@ -37,7 +37,7 @@ struct Picture {
   std::string time_of;  // take so many samples that it takes as long as this picture
 };
 
-// A remedy, and what it is compared with: right ways of a task, as ./run measure has them.
+// A remedy, and what it is compared with: right solutions of a task, as ./run measure has them.
 struct Price {
   std::string id, failure, task;
   std::string plain, remedy;  // names in right/, or "reference"

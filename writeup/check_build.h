@@ -14,7 +14,7 @@ namespace writeup {
 // where somebody else's code than the reference is written about.
 std::optional<Code> code_of_stability(const Options& options);
 
-// Takes the time of the right ways that are kept in the tree. `code` is that of the reference.
+// Takes the time of the right solutions that are kept in the tree. `code` is that of the reference.
 std::optional<Code> code_of_measure(const Options& options, const Code& code);
 
 }  // namespace writeup

@@ -186,7 +186,7 @@ Drawn draw_prices(const Plan& plan, const Figure& figure, const fs::path& folder
   Drawn drawn;
   const std::vector<Measurement> measurements = plan.measurements(figure);
   if (measurements.empty()) {
-    // The right ways are not in this edition.
+    // The right solutions are not in this edition.
     drawn.columns = {"what fails", "task", "remedy"};
     for (const Price& price : figure.prices) {
       drawn.rows.push_back({price.failure, price.task, words_of(price.remedy)});

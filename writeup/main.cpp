@@ -62,7 +62,7 @@ Codes read_codes(const Options& options, const Catalogue& catalogue) {
                                                 : accuracy_of_submission(options, codes.chosen);
   }
   codes.stability = code_of_stability(options);
-  // The learners' edition has no right ways to compare.
+  // The learners' edition has no right solutions to compare.
   if (options.mistakes.empty()) return codes;
   codes.measure = code_of_measure(options, codes.chosen);
   for (const std::string& wrong : mistakes_in(catalogue)) {

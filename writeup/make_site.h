@@ -22,7 +22,7 @@ bool make_missing(const Plan& plan, const std::vector<const Figure*>& figures,
 // Returns whether all renders and measurements of a figure are there, or have failed for good.
 bool is_settled(const Plan& plan, const Figure& figure);
 
-// All figures that are settled, as files in `folder`; drawn anew only where something has changed.
+// All figures that are settled, as files in `folder`; drawn again only where something has changed.
 std::map<std::string, Drawn> draw_figures(const Plan& plan, const Catalogue& catalogue,
                                           const std::filesystem::path& drawn,
                                           const std::filesystem::path& folder, int threads);

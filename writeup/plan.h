@@ -40,7 +40,7 @@ class Plan {
 
   // The measurements for a figure: of the kind "converge", method against method in its scene; of the
   // kinds "needs", "left_out" and "scene_needs", the needs of each of its scenes; of the kind "curve",
-  // all curves of its task, which other figures share; of the kind "prices", the time of right ways.
+  // all curves of its task, which other figures share; of the kind "prices", the time of right solutions.
   std::vector<Measurement> measurements(const Figure& figure) const;
 
   // Processor seconds of all of them, each once.

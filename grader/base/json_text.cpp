@@ -17,8 +17,8 @@ nlohmann::json parse_json(const std::string& text, const std::string& file) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const std::string words = words_of(error);
     const std::size_t reason = words.find("syntax error");
-    throw pt::Error(fmt::format("{}:{}: this is not JSON ({}); mend it here or just before", file,
-                                1 + std::count(text.begin(), end, '\n'),
+    throw pt::Error(fmt::format("{}:{}: this is not JSON ({}); correct it here or just before",
+                                file, 1 + std::count(text.begin(), end, '\n'),
                                 reason == std::string::npos ? words : words.substr(reason)));
   } catch (const nlohmann::json::exception& error) {  // a number that no double holds
     throw pt::Error(fmt::format("{}: {}; write another number", file, words_of(error)));

@@ -87,7 +87,7 @@ class Unpacking {
       }
     }
     if (outside_ && used_.empty())
-      reader_.fail("its paths are absolute or lead out of it; pack the folder anew");
+      reader_.fail("its paths are absolute or lead out of it; pack the folder again");
     for (const auto& [owner, used] : used_) {
       if (used.links > 0 && used.links == used.files)
         blame(used.link, "its source files are links; hand in what they point to");

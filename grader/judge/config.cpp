@@ -50,7 +50,7 @@ Config load_config(const std::string& path) {
   try {
     return config_from(nlohmann::json::parse(base::read_file(path)));
   } catch (const nlohmann::json::exception& error) {
-    throw pt::Error(fmt::format("{} is not what CMake wrote ({}); build the target grade anew",
+    throw pt::Error(fmt::format("{} is not what CMake wrote ({}); build the target grade again",
                                 path, base::words_of(error)));
   }
 }

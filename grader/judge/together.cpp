@@ -131,10 +131,10 @@ class Integration {
       if (!worker.ok()) continue;
       const results::TaskResult found =
           try_worker(builder_, {*judged.config, worker, true, request_, failed});
-      const bool mended =
+      const bool corrected =
           std::all_of(found.promises.begin(), found.promises.end(),
                       [](const results::PromiseResult& promise) { return promise.held; });
-      if (mended) judged.result.blamed.push_back(slug);
+      if (corrected) judged.result.blamed.push_back(slug);
     }
     judged.result.reason = judged.result.blamed.empty()
                                ? "right by itself; it fails only together with your other tasks"

@@ -64,7 +64,7 @@ bool is_known_whole(const std::string& folder) {
 }
 
 // Makes the files of the folder those of the tree, one by one: compilers may be reading there.
-void mend(const fs::path& folder, const fs::path& tree) {
+void repair(const fs::path& folder, const fs::path& tree) {
   for (const auto& entry : fs::recursive_directory_iterator(tree)) {
     const fs::path to = folder / entry.path().lexically_relative(tree);
     if (entry.is_directory()) {
@@ -125,7 +125,7 @@ std::string kept_folder(const std::string& work, const std::string& key,
     std::error_code error;
     fs::rename(tree.folder(), folder, error);
     if (error)
-      mend(folder, tree.folder());  // it is damaged, or another judge has made it meanwhile
+      repair(folder, tree.folder());  // it is damaged, or another judge has made it meanwhile
     if (!is_known_whole(folder)) throw pt::Error(folder + ": cannot be made");
     remove_unused_beside(folder);
   }

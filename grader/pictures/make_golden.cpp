@@ -106,7 +106,7 @@ GoldenState render_golden(const Recipe& recipe, const Effort& effort, int thread
     if (part.not_finite > 0) {
       throw pt::Error(fmt::format(
           "recipe '{}': {} samples are not finite, the first at pixel x {} y {} (from the bottom "
-          "left) with seed {}; mend the reference first",
+          "left) with seed {}; correct the reference first",
           recipe.name, part.not_finite, part.first_bad->x, part.first_bad->y, seed));
     }
     add(state, part, recipe.adaptive.has_value());

@@ -71,7 +71,7 @@ const json& Fields::list(const std::string& key, std::size_t length) {
 void Fields::require_no_more() const {
   for (const auto& [key, value] : object_.items()) {
     if (!taken_.contains(key)) {
-      fail(fmt::format("nothing here is called '{}'; mend or remove it", key));
+      fail(fmt::format("nothing here is called '{}'; correct or remove it", key));
     }
   }
 }

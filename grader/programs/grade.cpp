@@ -133,7 +133,7 @@ bool is_unwritten(const Task& task, const std::string& text) {
   return found == std::max<std::size_t>(1, task.functions.size());
 }
 
-// Nothing is rendered of tasks that are not written. A file that is not accepted may be mended by the time that
+// Nothing is rendered of tasks that are not written. A file that is not accepted may be corrected by the time that
 // it is judged.
 bool may_be_rendered(const std::vector<std::string>& asked, const std::string& submission) {
   return std::ranges::any_of(asked, [&](const std::string& slug) {

@@ -49,7 +49,7 @@ results::Promise find_promise(const std::vector<results::Promise>& promises,
                               fmt::join(titles, "; ")));
 }
 
-// Paragraphs wrapped anew: the files are wider than many a terminal.
+// Paragraphs wrapped again: the files are wider than many a terminal.
 std::string paragraphs(const std::string& text) {
   std::string all, paragraph;
   for (const std::string& line : base::lines_of(text + "\n\n")) {

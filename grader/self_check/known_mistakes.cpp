@@ -109,7 +109,7 @@ int tell_stale(const judge::Config& config, const mistakes::KnownMistakes& known
   for (const std::string& reason : reasons) fmt::print("{}\n", reason);
   if (!reasons.empty()) {
     fmt::print(
-        "grader/mistakes/known.json is out of date; make it anew:\n"
+        "grader/mistakes/known.json is out of date; make it again:\n"
         "  ninja -C build/check known_mistakes && build/check/grader/known_mistakes\n");
   }
   return reasons.empty() ? 0 : 1;

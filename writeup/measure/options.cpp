@@ -14,9 +14,8 @@ namespace {
 
 const char* kFooter =
     "Each runs in a process of its own, in the box of ./run grade, and takes turns with the others "
-    "in short\nbatches. A task is compared with the reference and with other right ways to write "
-    "it; "
-    "* marks those\nthat no other one beats in both time and error.\n\nExamples:\n"
+    "in short\nbatches. A task is compared with the reference and with other right solutions;\n"
+    "* marks those that no other one beats in both time and error.\n\nExamples:\n"
     "  ./run measure hit_sphere --from student\n"
     "  ./run measure hit_sphere.half_b hit_sphere.textbook\n"
     "  ./run measure 3 --submission DIR --out charts\n";
@@ -44,9 +43,10 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
   CLI::App app("Measures tasks: how long a call takes, and its error or its noise.",
                "./run measure");
   app.footer(kFooter);
-  app.add_option("what", options.what,
-                 "Tasks (hit_sphere), parts (1), or the right ways of a task (hit_sphere.half_b); "
-                 "default: all");
+  app.add_option(
+      "what", options.what,
+      "Tasks (hit_sphere), parts (1), or the right solutions of a task (hit_sphere.half_b); "
+      "default: all");
   app.add_option("--from", from, "Also your own code: student, or hit_sphere=student")
       ->expected(1)
       ->allow_extra_args(false);
@@ -66,7 +66,7 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
     throw pt::Error("--from and --submission are two ways to name one thing: leave one out");
   }
   for (const std::string& word : from) add_from(word, root, options);
-  // The learners' edition has no other right way: there the default is the learner's own.
+  // The learners' edition has no other right solution: there the default is the learner's own.
   if (from.empty() && submission.empty() && !fs::exists(root / "reference"))
     add_from("student", root, options);
   return options;

@@ -186,9 +186,9 @@ bool is_named(const Charts& charts, const Chart& chart, std::size_t line) {
 }
 
 json search_task(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
-                 const Hunt& hunt, CurveLine& line) {
+                 const Search& search, CurveLine& line) {
   if (!config.no_reference.empty()) throw pt::Error(config.no_reference);
-  const double seconds = 60 * hunt.minutes;
+  const double seconds = 60 * search.minutes;
   std::vector<std::string> words{search_program_of(task)};
   if (line.kind != CurveLine::Kind::reference || !fs::exists(words[0])) {
     const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
@@ -199,12 +199,12 @@ json search_task(const judge::Config& config, const judge::TaskConfig& task, con
   }
   // Not judge::ask_program: each search goes on where the last one ended.
   words.insert(words.end(), {"--seed", std::to_string(request.judge.seed), "--seconds",
-                             std::to_string(seconds), "--search", hunt.file});
+                             std::to_string(seconds), "--search", search.file});
   const grader::process::Child child{words, grader::sandbox::judges_environment(), {}, "", {}};
   const auto most = std::chrono::seconds(static_cast<long long>(60 + 4 * seconds));
   const auto result = grader::process::run_command(child, most);
   if (!result.ok()) throw pt::Error("the search of " + task.slug + ": " + result.output);
-  return json::parse(base::read_file(hunt.file));
+  return json::parse(base::read_file(search.file));
 }
 
 std::string charts_hash(const judge::Config& config, const judge::TaskConfig& task,

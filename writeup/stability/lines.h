@@ -61,7 +61,7 @@ std::string id_of(const CurveLine& line);
 bool is_named(const Charts& charts, const Chart& chart, std::size_t line);
 
 // A search for bad inputs of a task (grader/check/bad_inputs.h), by the reference or the submission.
-struct Hunt {
+struct Search {
   double minutes = 1;
   std::string file;  // keeps what was found; the next search goes on from there
 };
@@ -70,7 +70,7 @@ struct Hunt {
 // `line`. Throws pt::Error where nothing can be measured.
 nlohmann::json search_task(const grader::judge::Config& config,
                            const grader::judge::TaskConfig& task, const Request& request,
-                           const Hunt& hunt, CurveLine& line);
+                           const Search& search, CurveLine& line);
 
 // A hash of all that the charts of a task depend on, besides the request's numbers.
 std::string charts_hash(const grader::judge::Config& config, const grader::judge::TaskConfig& task,

@@ -8,8 +8,8 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/render/progress.h"
-#include "writeup/stability/hunt.h"
 #include "writeup/stability/print.h"
+#include "writeup/stability/search.h"
 
 #include <algorithm>
 #include <set>
@@ -66,7 +66,7 @@ int search(const judge::Config& config, const std::vector<judge::TaskConfig>& ta
     if (!has_searches(config, task)) continue;
     any = true;
     const std::string folder = config.work + "/searches";
-    all = hunt(config, task, options.request, options.minutes, folder) && all;
+    all = search_all(config, task, options.request, options.minutes, folder) && all;
     std::fflush(stdout);
   }
   if (!any) throw pt::Error(tasks[0].slug + " has no search: its oracles are statistical");

@@ -110,7 +110,7 @@ class Watch {
   const Judging& judging_;
   const ClassPlan& plan_;
   const Report& report_;
-  // By submission, the outcome that the last look found. Reports of an earlier class stay until they are made anew, and
+  // By submission, the outcome that the last look found. Reports of an earlier class stay until they are made again, and
   // whether they are old can only be seen by reading all files of the submission.
   std::map<std::size_t, std::string> waiting_;
 };

@@ -57,7 +57,7 @@ bool is_done(const Judging& judging, const intake::HandedIn& by);
 std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by);
 
 // Judges submissions whose files are equal, and writes their reports. Earlier outcomes are used again:
-// reports of before; results that differ in points only, which are counted anew; those of an equal
+// reports of before; results that differ in points only, which are counted again; those of an equal
 // submission. Another process that judges the same is waited for. If another plan has been made meanwhile,
 // nothing is judged: that plan may have other files of the same learners.
 std::vector<Graded> grade_equal(const Judging& judging, const std::vector<intake::HandedIn>& equal);

@@ -33,7 +33,7 @@ using nlohmann::json;
 
 constexpr std::size_t kKeptUnpacked = 2;
 
-// Without it everybody would be judged anew, and nobody would know why.
+// Without it everybody would be judged again, and nobody would know why.
 std::optional<std::uint64_t> seed_in(const std::string& folder) {
   const std::string path = folder + "/seed";
   if (!fs::exists(path)) return std::nullopt;

@@ -106,7 +106,7 @@ void WatchSession::take_keys() {
   }
 }
 
-// A task that is being judged and was saved again is judged anew; a run over everything makes way.
+// A task that is being judged and was saved again is judged again; a run over everything makes way.
 void WatchSession::take_saves() {
   for (const std::string& slug : files_.saved()) {
     if (running_ && judging_.empty()) waiting_.push_back("");

@@ -93,7 +93,7 @@ const results::TaskResult* Verdicts::find(const std::string& slug) const {
   return nullptr;
 }
 
-// The failures of a task that remain to be mended: none if it passes.
+// The failures of a task that remain to be corrected: none if it passes.
 std::vector<report::FailureText> Verdicts::items(std::size_t task) const {
   const judge::TaskConfig& config = tasks_[task];
   const results::TaskResult* result = find(config.slug);

@@ -1,4 +1,4 @@
-#include "writeup/stability/hunt.h"
+#include "writeup/stability/search.h"
 
 #include "grader/base/sha256.h"
 
@@ -42,8 +42,8 @@ bool has_searches(const judge::Config& config, const judge::TaskConfig& task) {
   return fs::exists(config.root + "/grader/tasks/" + task.slug + "/searches.cpp");
 }
 
-bool hunt(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
-          double minutes, const std::string& folder) {
+bool search_all(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
+                double minutes, const std::string& folder) {
   fs::create_directories(folder);
   CurveLine line;
   std::string name = task.slug;
