@@ -1,5 +1,5 @@
 // breaks: matches_the_sky
-// Leaves the sky out, since it is no surface.
+// Leaves the sky out, since it is not a surface.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"
