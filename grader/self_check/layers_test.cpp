@@ -221,7 +221,7 @@ TEST(layers, hold_what_the_decision_says_is_where) {
     ASSERT_TRUE(fs::is_regular_file(file)) << line;
     EXPECT_NE(base::read_file(file).find(found[2]), std::string::npos) << line;
   }
-  EXPECT_EQ(count, 12);
+  EXPECT_GE(count, 22);
 }
 
 }  // namespace
