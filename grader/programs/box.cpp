@@ -23,8 +23,9 @@ namespace {
 using namespace grader;
 using namespace grader::sandbox::box;
 
-constexpr std::uint64_t kMaxFiles = 512;
+constexpr int kMaxFiles = 512;
 constexpr int kProgramNumber = 800;
+static_assert(kProgramNumber > kMaxFiles, "a program could start another one under this number");
 
 [[noreturn]] void fail(const std::string& what) {
   throw pt::Error(what + ": " + std::strerror(errno));
@@ -79,7 +80,7 @@ void enter(const std::string& folder, const std::optional<User>& user) {
   enforce(rules);
   // A user's processes are counted together: a limit says something of a user that has no others.
   if (!user && options.limits.processes != 0) options.limits.processes.reset();
-  if (options.limits.open_files.value_or(kMaxFiles) > kMaxFiles) {
+  if (options.limits.open_files.value_or(kMaxFiles) > std::uint64_t{kMaxFiles}) {
     throw pt::Error("a program in a box may have at most 512 open files");
   }
   if (!options.limits.open_files) options.limits.open_files = kMaxFiles;

@@ -41,8 +41,8 @@ const std::map<std::string, std::set<std::string>> kCallsOfTasks{
 
 // Code that is linked in the place of a task or of the slot radiance is in namespace pt, as they are.
 const std::set<std::string> kInPlaceOfTasks{
-    "check/counting_hit_box.cpp", "check/counting_hit_sphere.cpp",
-    "check/counting_hit_triangle.cpp", "check/mock_diffuse_bsdf.cpp",
+    "check/counting_hit_box.cpp",         "check/counting_hit_sphere.cpp",
+    "check/counting_hit_triangle.cpp",    "check/mock_diffuse_bsdf.cpp",
     "self_check/obedient_hit_sphere.cpp", "wire/implementation.cpp"};
 
 // Files that have a part in the namespace of another folder: Repeated of check/repeat.h, for tasks

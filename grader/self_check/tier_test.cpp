@@ -1,14 +1,23 @@
 // Tests the tier that is taken where some do not work. `contained` forbids the system calls that
 // make namespaces, as a container does.
+#include "grader/process/limits.h"
+#include "grader/process/run_command.h"
+#include "grader/sandbox/users.h"
 #include "grader/self_check/hostile_submission.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
+#include <linux/landlock.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 namespace grader::self_check {
 namespace {
 
+namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 // Grades the reference's camera_ray in there.
@@ -28,6 +37,59 @@ std::string isolation_of(const Outcome& outcome) {
 
 bool is_one_line(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n') == 1;
+}
+
+// A box that is broken would look like a machine that has none: then nothing isolates, and every attack is skipped.
+// So these two ask the machine itself, without any code of ours.
+bool makes_namespaces() {
+  const process::Child bubblewrap{
+      {"/usr/bin/bwrap", "--unshare-all", "--unshare-user", "--die-with-parent", "--ro-bind", "/",
+       "/", "--dev", "/dev", "--proc", "/proc", "/bin/true"},
+      {"PATH=/usr/bin:/bin"},
+      {},
+      "",
+      {}};
+  try {
+    return process::run_command(bubblewrap, std::chrono::seconds(10)).ok();
+  } catch (const std::exception&) {
+    return false;  // there is no bubblewrap
+  }
+}
+
+bool has_landlock() {
+  return syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) >= 1;
+}
+
+// Returns whether every user may pass through the folders above a path.
+bool is_reached_by_all(fs::path path) {
+  for (path = fs::absolute(path).parent_path();; path = path.parent_path()) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0 || (status.st_mode & S_IXOTH) == 0) return false;
+    if (path == path.root_path()) return true;
+  }
+}
+
+void expect_tier(const std::string& tier) {
+  const Submission submission("tier_" + tier);
+  const Outcome outcome = submission.grade({"--isolation", tier, "--no-pictures", "camera_ray"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+  EXPECT_EQ(outcome.state("camera_ray"), "pass");
+  EXPECT_EQ(isolation_of(outcome).substr(0, 3), tier + ": ");
+}
+
+TEST(tier, A_works_where_bubblewrap_does) {
+  if (process::kSanitized || !makes_namespaces())
+    GTEST_SKIP() << "NOT TESTED: this machine makes no namespaces";
+  expect_tier("A");
+}
+
+TEST(tier, B_works_where_there_are_landlock_and_other_users) {
+  const Submission submission("work");
+  const bool may = sandbox::is_root_of_the_machine() && is_reached_by_all(submission.work()) &&
+                   is_reached_by_all(FIRSTLIGHT_GRADE);
+  if (process::kSanitized || !has_landlock() || !may)
+    GTEST_SKIP() << "NOT TESTED: no Landlock, or no other user";
+  expect_tier("B");
 }
 
 TEST(tier, is_B_in_a_container_without_namespaces) {
