@@ -189,10 +189,10 @@ TEST(LightNodesOnSurfaces, give_way_to_the_surface) {
 
 TEST(LightNodesOnSurfaces, that_shine_to_the_other_side_are_noted) {
   for (const std::string angle : {"90", "-90"}) {
-    const LoadedScene loaded = load_emitter(quad_mesh("g"), kPanelPlace,
-                                            node("<translate>0 1.49 0</translate><rotate>1 0 0 " +
-                                                 angle + "</rotate><scale>.6 .8 1</scale>" + kUse),
-                                            course_light("area", "10 10 10"));
+    std::string place = "<translate>0 1.49 0</translate><rotate>1 0 0 ";
+    place.append(angle).append("</rotate><scale>.6 .8 1</scale>").append(kUse);
+    const LoadedScene loaded =
+        load_emitter(quad_mesh("g"), kPanelPlace, node(place), course_light("area", "10 10 10"));
     expect_near(only_light<RectangleLight>(loaded).n, {0, -1, 0});
     EXPECT_EQ(has_note(loaded, "it shone to the other side"), angle == "90");
   }

@@ -7,6 +7,8 @@
 #include <string>
 #include <variant>
 
+#include <fmt/format.h>
+
 namespace pt {
 namespace {
 
@@ -160,8 +162,8 @@ TEST(MissingParts, that_the_picture_does_not_need_are_noted) {
 SceneText doubled(const std::string& content, int steps = 15) {
   SceneText text = one_triangle();
   for (int i = 0; i < steps; ++i) {
-    const std::string next = "<instance_node url=\"#n" + std::to_string(i + 1) + "\"/>";
-    text.library_nodes += "<node id=\"n" + std::to_string(i) + "\">" + next + next + "</node>";
+    const std::string next = fmt::format("<instance_node url=\"#n{}\"/>", i + 1);
+    text.library_nodes += fmt::format("<node id=\"n{}\">{}{}</node>", i, next, next);
   }
   text.library_nodes += "<node id=\"n" + std::to_string(steps) + "\">" + content + "</node>";
   text.nodes = node("<instance_node url=\"#n0\"/>");

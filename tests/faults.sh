@@ -164,7 +164,7 @@ killed_compiler() {
 full() { echo "/usr/bin/ld: final link failed: No space left on device" >&2; exit 1; }
 case "$name \$*" in
   killed*) kill -9 \$\$ ;;
-  once*) [ -e "$folder/killed" ] || { touch "$folder/killed"; kill -9 \$\$; } ;;
+  once*' -c '*) [ -e "$folder/killed" ] || { touch "$folder/killed"; kill -9 \$\$; } ;;
   part*-wrapper*) \${2//,/ } sh -c 'kill -9 \$\$'; exit 1 ;;
   watcher*-wrapper*) \${2//,/ } sh -c 'kill -9 \$PPID; sleep 1'; exit 1 ;;
   nothing*-wrapper*) \${2//,/ } true; exit 1 ;;

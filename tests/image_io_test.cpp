@@ -281,8 +281,10 @@ TEST_F(ImageIo, refuses_every_beginning_of_an_hdr) {
   const std::string start = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
   const std::string run = "\x88\x40", values = std::string("\x08") + "12345678";
   const std::string line = std::string("\x02\x02\0\x08", 4) + run + values + run + values;
-  for (const std::string& whole : {start + "-Y 2 +X 1\n" + "\x80\x40\x20\x81" + "\x80\x40\x20\x81",
-                                   start + "-Y 2 +X 8\n" + line + line}) {
+  std::string flat = start, packed = start;
+  flat.append("-Y 2 +X 1\n").append("\x80\x40\x20\x81").append("\x80\x40\x20\x81");
+  packed.append("-Y 2 +X 8\n").append(line).append(line);
+  for (const std::string& whole : {flat, packed}) {
     for (std::size_t size = 0; size <= whole.size(); ++size) {
       write_file(in_folder("part"), whole.substr(0, size));
       if (size == whole.size()) {

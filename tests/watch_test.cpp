@@ -186,7 +186,8 @@ TEST_F(WatchTest, keeps_the_failure_that_is_looked_at_until_the_task_passes) {
 TEST_F(WatchTest, draws_the_page_of_pictures_and_opens_it) {
   pt::write_file(here_ + "/xdg-open", "#!/bin/sh\necho \"opened $1\" >> \"$(dirname $0)/log\"\n");
   std::filesystem::permissions(here_ + "/xdg-open", std::filesystem::perms::owner_all);
-  const std::string path = std::getenv("PATH");
+  const char* const found = std::getenv("PATH");
+  const std::string path = found != nullptr ? found : "/usr/bin:/bin";
   setenv("PATH", (here_ + ":" + path).c_str(), 1);
   for (const char* display : {"", ":0"}) {
     unsetenv("WAYLAND_DISPLAY");

@@ -78,7 +78,7 @@ void enter_line(const json& line, double threshold, Drawn& drawn) {
 const json* find_curve(const json& all, const Figure& figure) {
   for (const json& chart : all.at("charts")) {
     const std::string slug = chart.at("slug"), name = chart.at("name");
-    if (figure.curve == slug + "." + name) return &chart;
+    if (figure.curve == fmt::format("{}.{}", slug, name)) return &chart;
   }
   return nullptr;
 }

@@ -107,9 +107,12 @@ Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
       return {"", first_sentence(result.output)};
     }
     const std::set<std::string> now = what_holds(result);
-    if (!now.contains("root"))
-      return {"", "there is no Landlock, and everybody may read " + root +
-                      " (chmod 711 the folders on the way to " + work + ", and go-rwx all else)"};
+    if (!now.contains("root")) {
+      return {"", fmt::format("there is no Landlock, and everybody may read {} (chmod 711 the "
+                              "folders on the way to {}, "
+                              "and go-rwx all else)",
+                              root, work)};
+    }
     if (!folder.empty() && !now.contains("write")) return {"", "it cannot write in a folder"};
     if (!folder.empty() && !now.contains("kept")) {
       return {"", fmt::format("its user cannot reach {} (chmod go+x that folder and those above)",

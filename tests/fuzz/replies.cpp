@@ -37,7 +37,7 @@ void read_replies(std::string_view bytes) {
   Reader in(bytes);
   get<ReplyHead>(in);
   using Result = typename SignatureOf<Function>::Result;
-  for (const Result& each : get<std::vector<Result>>(in)) look_at(each);
+  for (const auto& each : get<std::vector<Result>>(in)) look_at(static_cast<const Result&>(each));
   in.expect_end();
 }
 

@@ -81,6 +81,7 @@ std::vector<RungTurns> time_engines(const std::vector<Worker>& engines, Turning 
   for (int turn = 0; turn < kTurns; ++turn) {
     ++turning.seed;
     std::vector<double> seconds;
+    seconds.reserve(engines.size());
     for (const Worker& engine : engines) {
       seconds.push_back(pixel_seconds(engine.render(turning.seed, turn * step / kTurns, step)));
     }
