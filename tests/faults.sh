@@ -164,7 +164,7 @@ killed_compiler() {
 full() { echo "/usr/bin/ld: final link failed: No space left on device" >&2; exit 1; }
 case "$name \$*" in
   killed*) kill -9 \$\$ ;;
-  once*hit_box.cpp*) [ "\$(grep -c k "$folder/killed" 2>/dev/null)" = 2 ] || { echo k >>"$folder/killed"; kill -9 \$\$; } ;;
+  once*hit_box.cpp*) [ -e "$folder/killed" ] || { touch "$folder/killed"; kill -9 \$\$; } ;;
   part*-wrapper*) \${2//,/ } sh -c 'kill -9 \$\$'; exit 1 ;;
   watcher*-wrapper*) \${2//,/ } sh -c 'kill -9 \$PPID; sleep 1'; exit 1 ;;
   nothing*-wrapper*) \${2//,/ } true; exit 1 ;;
@@ -183,8 +183,7 @@ END
     says 'hit_box could not be judged: the compiler was killed'
     leaves "$name"
   done
-  # Beside others, it may have been chosen though another one took the memory: it runs once more, alone. A file is compiled ahead and,
-  # if that failed, again when its task is judged: so the first of the two has to be killed in both attempts.
+  # Beside others, it may have been chosen though another one took the memory: it runs once more, alone.
   grades once 0 "${asked[@]}" --isolation C
   [ -e "$folder/killed" ] || complain "no compiler was killed"
   grades linker 2 "${asked[@]}" --isolation C
