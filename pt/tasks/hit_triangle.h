@@ -22,10 +22,10 @@ namespace pt {
 // Precision: t is right to 1e-9 of the largest length involved (a coordinate, an edge, the way to
 // the point), so single precision is not enough; n is right to 1e-6. In a sliver a thousand times
 // as long as high the error may be a thousand times larger, and so on; likewise where the ray meets
-// the plane at a small angle, down to a millionth of a radian. Flatter rays may miss. If the point
-// is closer than this error to an edge or to an end of the range, hit and miss are both right. If
-// rounding gives an area to a triangle whose corners lie on one line, a ray that meets the line may
-// hit.
+// the plane at a small angle, down to a millionth of a radian. Flatter rays may miss, or hit with any
+// t. If the point is closer than this error to an edge or to an end of the range, hit and miss are
+// both right. If rounding gives an area to a triangle whose corners lie on one line, a ray that meets
+// the line may hit.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.
