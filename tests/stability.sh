@@ -30,8 +30,9 @@ error() { awk -F, -v line="$2" -v place="$3" '$1 == line && $2 == place { print 
 # larger A B
 larger() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "" && b != "" && a + 0 > b + 0) }'; }
 
-mkdir -p "$work/mine/1_rays"
+mkdir -p "$work/mine/1_rays" "$work/right/1_rays"
 cp grader/tasks/hit_sphere/right/textbook.cpp "$work/mine/1_rays/hit_sphere.cpp"
+cp grader/tasks/hit_sphere/right/textbook.cpp "$work/right/1_rays/hit_sphere.cpp"
 shown 0 hit_sphere --submission "$work/mine" --out "$work/out"
 csv=$work/out/hit_sphere.far_away.csv
 larger 1e-9 "$(error "$csv" yours 10)" || complain "a textbook's sphere is wrong at ten radii:" "$(cat "$csv")"
@@ -63,8 +64,18 @@ shown 0 hit_sphere --submission "$work/mine" --search --minutes .01
 shown 0 hit_bvh --search --minutes .01
 says 'hit_bvh: '
 says ' inputs in '
-shown 2 trace_path --search
-says 'trace_path has no search'
+
+# A promise that is broken is named with its place. The reference keeps all of them.
+shown 0 hit_sphere --submission "$work/right"
+says 'yours breaks the promise of the bonus at '
+! grep -q 'yours breaks the promise at' <<<"$said" || complain "a textbook's sphere breaks a promise:" "$said"
+cp grader/tasks/hit_sphere/wrong/float_arithmetic.cpp "$work/right/1_rays/hit_sphere.cpp"
+shown 0 hit_sphere --submission "$work/right"
+says 'yours breaks the promise at '
+"$stability" --no-methods --coarse --effort .3 >"$work/reference"
+! grep 'reference breaks the promise at' "$work/reference" || complain "the reference breaks a promise"
+grep -qF '  promised: ' "$work/reference" && grep -qF '  promised by a bonus: ' "$work/reference" ||
+  complain "no promise is shown:" "$(cat "$work/reference")"
 
 echo 'int' >"$work/mine/1_rays/hit_sphere.cpp"
 shown 1 hit_sphere --submission "$work/mine"

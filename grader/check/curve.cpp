@@ -3,6 +3,7 @@
 #include "grader/check/fail.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -22,16 +23,32 @@ constexpr int kWithoutAny = 20;
 
 constexpr std::size_t kCoarse = 3;
 
+constexpr const char* kNoTimeLeft = "not tried: calls before it took all the time of a curve";
+
+double mean_of(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double number : numbers) sum += number;
+  return sum / static_cast<double>(numbers.size());
+}
+
+// The standard error of the mean of at least two numbers.
+double noise_of(const std::vector<double>& numbers) {
+  const double mean = mean_of(numbers);
+  double sum = 0;
+  for (const double number : numbers) sum += (number - mean) * (number - mean);
+  const auto n = static_cast<double>(numbers.size());
+  return n > 1 ? std::sqrt(sum / (n - 1) / n) : 0;
+}
+
 double statistic_of(Statistic statistic, std::vector<double>& errors) {
   if (errors.empty()) return std::numeric_limits<double>::quiet_NaN();
   switch (statistic) {
     case Statistic::largest:
       return *std::max_element(errors.begin(), errors.end());
-    case Statistic::mean: {
-      double sum = 0;
-      for (const double error : errors) sum += error;
-      return sum / static_cast<double>(errors.size());
-    }
+    case Statistic::mean:
+      return mean_of(errors);
+    case Statistic::bias:
+      return std::abs(mean_of(errors));
     case Statistic::median:
       break;
   }
@@ -65,6 +82,7 @@ MeasuredPlace measure_place(const Curve& curve, double place, rc::Random& random
       nothing(failed.failure.got);
     }
   }
+  if (curve.statistic == Statistic::bias && !errors.empty()) measured.noise = noise_of(errors);
   measured.error = statistic_of(curve.statistic, errors);
   return measured;
 }
@@ -74,11 +92,17 @@ MeasuredPlace measure_place(const Curve& curve, double place, rc::Random& random
 std::vector<MeasuredPlace> measure(const Curve& curve, const CurveSettings& settings,
                                    const std::function<void()>& begin) {
   const int cases = std::max(1, static_cast<int>(std::lround(curve.cases * settings.effort)));
+  const auto start = std::chrono::steady_clock::now();
   rc::Random random(settings.seed);
   std::vector<MeasuredPlace> all;
   for (std::size_t i = 0; i < curve.places.size(); ++i) {
     rc::Random of_place = random.split();  // the same whatever happened at other places
     if (settings.coarse && i % kCoarse != 0) continue;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    if (passed.count() > settings.seconds) {
+      all.push_back({.place = curve.places[i], .error = std::nan(""), .reason = kNoTimeLeft});
+      continue;
+    }
     begin();
     all.push_back(measure_place(curve, curve.places[i], of_place, cases));
   }
@@ -90,6 +114,10 @@ const std::vector<NamedCurve>& curves() { return kept_curves(); }
 bool keep_curve(const char* task, const char* name, Curve (*make)()) {
   kept_curves().push_back({task, name, make()});
   return true;
+}
+
+std::function<double(double)> at_most(double limit) {
+  return [limit](double) { return limit; };
 }
 
 std::vector<double> by_factors(double first, double last, int count) {

@@ -22,6 +22,7 @@ enum class Statistic {
   largest,  // of an error
   mean,     // of 0 and 1: the share of the cases that went wrong
   median,   // of numbers that are themselves made of many calls
+  bias,     // of numbers with a sign: the size of their mean, with its standard error
 };
 
 // Another way to solve the task, drawn beside the reference. It is a file in the folder of the task:
@@ -32,10 +33,14 @@ struct Method {
   bool single = false;  // REAL is float
 };
 
-// The promise of the contract: an error of at most `limit` at places from `first` to `last`.
+// A limit that is the same at every place.
+std::function<double(double place)> at_most(double limit);
+
+// What the contract promises: an error of at most `limit` at places from `first` to `last`.
 struct Promised {
-  double first = 0, last = 0;  // both 0: nothing is promised
-  double limit = 0;
+  double first = 0, last = 0;  // in any order; they may be the same
+  std::function<double(double place)> limit = at_most(0);
+  bool bonus = false;  // it is a bonus, which not every right solution has
 };
 
 struct Curve {
@@ -44,7 +49,7 @@ struct Curve {
   std::string error;           // what is measured, with its unit
   std::string source;          // who described it, or why it is so
   std::vector<double> places;  // from easy to hard, above 0
-  Promised promised;
+  std::vector<Promised> promised;
   std::vector<Method> methods;
   Statistic statistic = Statistic::largest;
   int cases = 200;                                  // at each place
@@ -58,6 +63,7 @@ struct Curve {
 struct MeasuredPlace {
   double place = 0;
   double error = 0;    // NaN if no case has given a number
+  double noise = 0;    // the standard error of a bias; 0 for other statistics
   int cases = 0;       // that were tried
   int without = 0;     // and that gave no finite number: no hit, NaN, a crash, a time-out
   std::string reason;  // of the first of those
@@ -65,8 +71,9 @@ struct MeasuredPlace {
 
 struct CurveSettings {
   std::uint64_t seed = 1;
-  double effort = 1;    // times the usual number of cases
-  bool coarse = false;  // only every third place
+  double effort = 1;     // times the usual number of cases
+  bool coarse = false;   // only every third place
+  double seconds = 1e9;  // at most, for the whole curve; the places after that have no case
 };
 
 // `begin` is called before each place.

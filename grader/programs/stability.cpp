@@ -18,15 +18,16 @@ struct Options {
   double effort = 1;    // times the usual number of cases
   bool coarse = false;  // every third place
   std::string search;   // the file for the worst inputs
-  double seconds = 60;  // of the search
+  double seconds = 60;  // of the search, or at most of a curve
 };
 
 int run_curves(const Options& options) {
   grader::wire::SessionSettings session = options.ask.session;
-  session.total_limit = std::chrono::minutes(5);
-  grader::programs::write_curves(options.curves, options.curve,
-                                 {options.ask.seed, options.effort, options.coarse},
-                                 [&] { grader::wire::open_session(session); });
+  session.total_limit = std::chrono::minutes(1);
+  grader::programs::write_curves(
+      options.curves, options.curve,
+      {options.ask.seed, options.effort, options.coarse, options.seconds},
+      [&] { grader::wire::open_session(session); });
   return 0;
 }
 
@@ -53,7 +54,8 @@ int main(int argc, char** argv) {
   app.add_flag("--coarse", options.coarse, "of the curves: every third place only");
   app.add_option("--search", options.search,
                  "search for bad inputs instead: where to keep the worst");
-  app.add_option("--seconds", options.seconds, "of the search")->check(CLI::PositiveNumber);
+  app.add_option("--seconds", options.seconds, "of the search, or at most of each curve")
+      ->check(CLI::PositiveNumber);
   return grader::programs::run_asking(app, argc, argv, options.ask, [&] {
     if (!options.curves.empty()) return run_curves(options);
     if (!options.search.empty()) return run_search(options);

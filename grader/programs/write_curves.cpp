@@ -3,6 +3,8 @@
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 namespace grader::programs {
@@ -13,22 +15,30 @@ using nlohmann::json;
 
 // NaN becomes null.
 json to_json(const check::MeasuredPlace& at) {
-  return {{"place", at.place},
-          {"error", at.error},
-          {"cases", at.cases},
-          {"without", at.without},
-          {"reason", at.reason}};
+  return {{"place", at.place}, {"error", at.error},     {"noise", at.noise},
+          {"cases", at.cases}, {"without", at.without}, {"reason", at.reason}};
+}
+
+// Its corners from left to right: [place, limit], at the places of the curve and at its own ends.
+json to_json(const check::Promised& promised, const std::vector<double>& places) {
+  const auto [least, most] = std::minmax(promised.first, promised.last);
+  std::vector<double> at{least, most};
+  for (const double place : places) {
+    if (place > least && place < most) at.push_back(place);
+  }
+  std::ranges::sort(at);
+  json corners = json::array();
+  for (const double place : at) corners.push_back({place, promised.limit(place)});
+  return {{"bonus", promised.bonus}, {"corners", corners}};
 }
 
 json to_json(const check::NamedCurve& named, const std::vector<check::MeasuredPlace>& measured) {
   const check::Curve& curve = named.curve;
-  json all{{"name", named.name},     {"title", curve.title},   {"input", curve.input},
-           {"error", curve.error},   {"source", curve.source}, {"methods", json::array()},
-           {"places", json::array()}};
-  if (curve.promised.last > 0) {
-    all["promised"] = {{"first", curve.promised.first},
-                       {"last", curve.promised.last},
-                       {"limit", curve.promised.limit}};
+  json all{{"name", named.name},      {"title", curve.title},     {"input", curve.input},
+           {"error", curve.error},    {"source", curve.source},   {"methods", json::array()},
+           {"places", json::array()}, {"promised", json::array()}};
+  for (const check::Promised& promised : curve.promised) {
+    all["promised"].push_back(to_json(promised, curve.places));
   }
   for (const check::Method& method : curve.methods) {
     all["methods"].push_back(

@@ -4,8 +4,10 @@
 #include "grader/check/generators.h"
 #include "grader/check/property.h"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +41,42 @@ TEST(curve, statistics_of_known_numbers) {
       EXPECT_EQ(at.cases, 9);
       EXPECT_EQ(at.without, 0);
     }
+  }
+}
+
+// -1, 1, 3 and 5 times the place: their mean is 2, their variance 20 / 3.
+TEST(curve, a_bias_has_the_size_of_a_mean_and_its_standard_error) {
+  for (const double sign : {1.0, -1.0}) {
+    const auto measured = measure(curve_of(Statistic::bias, 4,
+                                           [n = 0, sign](double place) mutable {
+                                             return sign * place * (2 * (n++ % 4) - 1);
+                                           }),
+                                  {}, nothing);
+    for (const MeasuredPlace& at : measured) {
+      EXPECT_DOUBLE_EQ(at.error, 2 * at.place);
+      EXPECT_DOUBLE_EQ(at.noise, at.place * std::sqrt(20.0 / 3 / 4));
+    }
+  }
+  EXPECT_EQ(measure(curve_of(Statistic::mean, 4, counted(4)), {}, nothing)[0].noise, 0);
+}
+
+TEST(curve, places_after_the_time_are_not_tried) {
+  int tried = 0;
+  const auto measured =
+      measure(curve_of(Statistic::mean, 1,
+                       [&](double) {
+                         ++tried;
+                         std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                         return 0.0;
+                       }),
+              {.seconds = 1e-3}, nothing);
+  EXPECT_EQ(tried, 1);
+  ASSERT_EQ(measured.size(), 3U);
+  EXPECT_EQ(measured[0].cases, 1);
+  for (const int late : {1, 2}) {
+    EXPECT_EQ(measured[late].cases, 0);
+    EXPECT_TRUE(std::isnan(measured[late].error));
+    EXPECT_NE(measured[late].reason, "");
   }
 }
 

@@ -26,7 +26,8 @@ struct BsdfSample {
 //      zero on the other side. The sampler is the only source of random numbers.
 //
 // Precision: f and the albedo that it reflects to 1e-5 of their size; the pdf (per steradian) and
-// the length of wi to 1e-5. Single precision keeps that, and so does pi to six digits.
+// the length of wi to 1e-5. Single precision keeps that, and so does pi to six digits. Where a cosine
+// is below 1e-100, f may be zero: the product of two such cosines is.
 //
 // Noise: f cos(wi) / pdf of a sample has a standard deviation of at most the albedo. It is 0.58
 // times the albedo for uniform directions, and zero for cosine-weighted ones.

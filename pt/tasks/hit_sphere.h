@@ -10,8 +10,8 @@ namespace pt {
 
 // Finds where a ray first meets a sphere, from outside or from inside.
 //
-// In:  world space, the sphere up to a million radii from the world's origin. The direction may have
-//      any length but zero; t counts in that length.
+// In:  world space, no coordinate of the centre above a million radii. The direction may have any
+//      length but zero; t counts in that length.
 // Out: nothing, or the smallest t with t_min <= t <= t_max on the sphere, and the unit normal
 //      there, pointing outwards.
 //

@@ -8,7 +8,8 @@ namespace pt {
 
 namespace {
 
-bool same_side(Vec3 wo, Vec3 wi) { return wo.z * wi.z > 0; }
+// The product of two tiny cosines would be 0.
+bool same_side(Vec3 wo, Vec3 wi) { return (wo.z > 0 && wi.z > 0) || (wo.z < 0 && wi.z < 0); }
 
 }  // namespace
 

@@ -24,22 +24,29 @@ std::string quoted(std::string text) {
   return '"' + text + '"';
 }
 
-Range range_of(const Chart& chart) {
+Range range_of(const Charts& charts, const Chart& chart) {
   double least = 1e300, most = 0;
   bool has_zeros = false;
-  for (const auto& points : chart.points) {
-    for (const Point& point : points) {
+  for (std::size_t i = 0; i < charts.lines.size(); ++i) {
+    if (!is_shown(charts, chart, i)) continue;
+    for (const Point& point : chart.points[i]) {
       has_zeros = has_zeros || point.error == 0;
-      if (!(point.error > 0)) continue;
+      if (!(point.error > 0)) continue;  // NaN too
       least = std::min(least, point.error);
       most = std::max(most, point.error);
     }
   }
-  for (const double error : chart.theory) most = std::max(most, error);
+  const auto grow = [&](double error) {
+    if (!(error > 0)) return;
+    least = std::min(least, error);
+    most = std::max(most, error);
+  };
+  std::ranges::for_each(chart.theory, grow);
   if (most == 0) return {};
-  if (chart.limit > 0) {
-    least = std::min(least, chart.limit);
-    most = std::max(most, chart.limit);
+  // The edge of a promise is seen where lines are; a limit far above all of them is a full column.
+  const double above = 100 * most;
+  for (const Promised& promised : chart.promised) {
+    for (const auto& corner : promised.corners) grow(std::min(corner.limit, above));
   }
   // A part of the height, whatever that spans.
   const double part = std::pow(3 * most / least, 0.08);
@@ -47,16 +54,17 @@ Range range_of(const Chart& chart) {
 }
 
 std::string data(const Charts& charts, const Chart& chart) {
-  std::string csv = "line,place,error,cases,without,reason\n";
+  std::string csv = "line,place,error,cases,without,reason,noise\n";
   for (std::size_t i = 0; i < charts.lines.size(); ++i) {
     if (i > 0) csv += "\n\n";
     // gnuplot counts blocks that have lines.
     if (chart.points[i].empty())
-      csv += grader::report::csv_field(charts.lines[i].title) + ",,,,,\n";
+      csv += grader::report::csv_field(charts.lines[i].title) + ",,,,,,\n";
     for (const Point& p : chart.points[i]) {
-      csv += fmt::format("{},{:g},{},{},{},{}\n", grader::report::csv_field(charts.lines[i].title),
-                         p.place, std::isnan(p.error) ? "" : fmt::format("{:.4g}", p.error),
-                         p.cases, p.without, grader::report::csv_field(p.reason));
+      csv += fmt::format("{},{:g},{},{},{},{},{:.2g}\n",
+                         grader::report::csv_field(charts.lines[i].title), p.place,
+                         std::isnan(p.error) ? "" : fmt::format("{:.4g}", p.error), p.cases,
+                         p.without, grader::report::csv_field(p.reason), p.noise);
     }
   }
   return csv;
@@ -66,7 +74,7 @@ std::string data(const Charts& charts, const Chart& chart) {
 std::string theory_data(const Chart& chart) {
   std::string csv = "\n\n";
   for (std::size_t i = 0; i < chart.theory.size(); ++i) {
-    csv += fmt::format("theory,{:g},{:.4g},,,\n", chart.points[0][i].place, chart.theory[i]);
+    csv += fmt::format("theory,{:g},{:.4g},,,,\n", chart.points[0][i].place, chart.theory[i]);
   }
   return csv;
 }
@@ -89,6 +97,28 @@ Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line) {
   return {color(kHues[method % 3], 2 + method / 3), 2, 2 + method, true};
 }
 
+const char* color_of(const Promised& promised) { return promised.bonus ? "#fde8c8" : "#d9f0d3"; }
+
+// What the contract allows, as a filled area down to the axis. A limit of 0 reaches to the tic 0, and
+// the promise of a single place has some width.
+std::string area_of(const Promised& promised, const Range& range) {
+  constexpr double kHalfWidth = 1.12;
+  const double zero = std::sqrt(range.zero * range.zero * range.zero / range.bottom);
+  auto corners = promised.corners;
+  if (corners.size() == 2 && corners[0].place == corners[1].place) {
+    corners[0].place /= kHalfWidth;
+    corners[1].place *= kHalfWidth;
+  }
+  std::string area =
+      fmt::format("set object polygon from {:g},{:g}", corners.front().place, range.bottom);
+  for (const auto& [place, limit] : corners) {
+    area += fmt::format(" to {:g},{:g}", place, std::clamp(limit, zero, range.top));
+  }
+  area += fmt::format(" to {:g},{:g} to {:g},{:g}", corners.back().place, range.bottom,
+                      corners.front().place, range.bottom);
+  return area + fmt::format(" fc rgb \"{}\" fs solid noborder clip behind\n", color_of(promised));
+}
+
 std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
   const auto& places = chart.points[0];
   const std::size_t rows = (keys + 1) / 2;
@@ -98,8 +128,9 @@ std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
       "set terminal svg size 760,{} font \"sans-serif,13\"\nset bmargin {}\nset rmargin 3\n"
       "set key at screen 0.09,screen 0.01 left bottom vertical Left reverse maxrows {} samplen 3 "
       "width -2\n",
-      places.front().place, places.back().place, range.bottom, range.top, quoted(chart.input),
-      chart.title, chart.error, 400 + 20 * rows, 4 + 1.25 * static_cast<double>(rows), rows);
+      places.front().place, places.back().place, range.bottom, range.top,
+      quoted(chart.input + "\\n{/*0.8 " + chart.source + "}"), chart.title, chart.error,
+      420 + 20 * rows, 5.5 + 1.25 * static_cast<double>(rows), rows);
   if (range.has_zeros) commands += fmt::format("set ytics add (\"0\" {:g})\n", range.zero);
   // A short axis needs every number that it has.
   const auto is_short = [](double low, double high) {
@@ -107,29 +138,30 @@ std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
   };
   if (is_short(places.front().place, places.back().place)) commands += "set format x \"%g\"\n";
   if (is_short(range.zero, range.top)) commands += "set format y \"%g\"\n";
-  if (chart.promised_last > 0) {
-    // The corner that the contract allows.
-    commands += fmt::format(
-        "set object rectangle from {:g},{:g} to {:g},{:g} fc rgb \"#d9f0d3\" fs solid noborder "
-        "behind\n",
-        chart.promised_first, range.bottom, chart.promised_last,
-        std::max(chart.limit, std::sqrt(range.zero * range.zero * range.zero / range.bottom)));
+  for (const bool bonus : {true, false}) {
+    for (const Promised& promised : chart.promised) {
+      if (promised.bonus == bonus) commands += area_of(promised, range);
+    }
   }
   return commands;
+}
+
+bool has_noise(const std::vector<Point>& points) {
+  return std::ranges::any_of(points, [](const Point& point) { return point.noise > 0; });
 }
 
 void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem::path& folder) {
   const std::string name = chart.slug + "." + chart.name;
   pt::write_file(folder / (name + ".csv"),
                  data(charts, chart) + (chart.theory.empty() ? "" : theory_data(chart)));
-  const Range range = range_of(chart);
+  const Range range = range_of(charts, chart);
   std::string plot = "plot ";
   std::size_t keys = 0;
   // The thin ones first, so that the others lie above them; above all what has no number.
   for (const bool named : {false, true}) {
     for (std::size_t i = 0; i < charts.lines.size(); ++i) {
       const Pen pen = pen_of(charts, chart, i);
-      if (pen.named != named) continue;
+      if (pen.named != named || !is_shown(charts, chart, i)) continue;
       keys += named ? 1 : 0;
       plot += fmt::format(
           "\"{0}.csv\" index {1} using 2:($3 > {2:g} ? $3 : {2:g}) skip {3} with lines lc rgb "
@@ -138,6 +170,13 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem:
           name, i, range.zero, i == 0 ? 1 : 0, pen.color, pen.width, pen.dashes,
           pen.named ? "title " + quoted(charts.lines[i].title) + " noenhanced" : "notitle",
           range.top / 1.3);
+      if (named && has_noise(chart.points[i])) {
+        plot += fmt::format(
+            "\"{0}.csv\" index {1} using 2:3:($3 > $7 + {2:g} ? $3 - $7 : {2:g}):($3 + $7) skip "
+            "{3} "
+            "with yerrorbars pt 7 ps .3 lc rgb \"{4}\" notitle, ",
+            name, i, range.bottom, i == 0 ? 1 : 0, pen.color);
+      }
     }
   }
   if (!chart.theory.empty()) {
@@ -147,10 +186,11 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem:
         "\"#6a3d9a\" title \"theory\", ",
         name, charts.lines.size(), range.bottom);
   }
-  // The corner has an entry in the key too.
-  if (chart.promised_last > 0) {
+  // The areas have entries in the key too.
+  for (const Promised& promised : chart.promised) {
     ++keys;
-    plot += "NaN with boxes fs solid lc rgb \"#a6dba0\" title \"promised by the contract\", ";
+    plot += fmt::format("NaN with boxes fs solid lc rgb \"{}\" title \"{}\", ", color_of(promised),
+                        promised.bonus ? "promised by a bonus" : "promised by the contract");
   }
   draw(folder, name, axes(chart, range, keys) + plot.substr(0, plot.size() - 2) + "\n");
 }

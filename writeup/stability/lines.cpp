@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <limits>
 #include <mutex>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -80,6 +81,9 @@ judge::Built worker_of(const judge::Config& config, const judge::Builder& builde
   return worker;
 }
 
+// Code of a submission that is slow at every call has so many seconds for a curve.
+constexpr double kSecondsOfCurve = 60;
+
 // The curves of one line as JSON; or why there are none, in `line`.
 json curves_of(const judge::Config& config, const judge::Builder& builder,
                const judge::TaskConfig& task, const Request& request, CurveLine& line) {
@@ -89,11 +93,19 @@ json curves_of(const judge::Config& config, const judge::Builder& builder,
   std::vector<std::string> words{"--seed", std::to_string(request.judge.seed), "--effort",
                                  std::to_string(request.effort)};
   if (request.coarse) words.push_back("--coarse");
+  if (line.kind == CurveLine::Kind::submission) {
+    const double seconds = kSecondsOfCurve * std::max(1.0, request.effort);
+    words.insert(words.end(), {"--seconds", std::to_string(seconds)});
+  }
   words.push_back("--curves");
   const judge::Written written =
       judge::ask_program(builder, program_of(task), trial, words, kMaxTime);
-  if (written.path.empty()) throw pt::Error("the curves of " + task.slug + ": " + written.error);
-  return json::parse(base::read_file(written.path));
+  if (!written.path.empty()) return json::parse(base::read_file(written.path));
+  if (line.kind == CurveLine::Kind::reference) {
+    throw pt::Error("the curves of " + task.slug + ": " + written.error);
+  }
+  line.unusable = written.error;  // the other lines go on
+  return json::array();
 }
 
 std::vector<Point> points_of(const json& curve) {
@@ -103,7 +115,7 @@ std::vector<Point> points_of(const json& curve) {
     points.push_back(
         {at.at("place"),
          error.is_null() ? std::numeric_limits<double>::quiet_NaN() : error.get<double>(),
-         at.at("cases"), at.at("without"), at.at("reason")});
+         at.at("noise"), at.at("cases"), at.at("without"), at.at("reason")});
   }
   return points;
 }
@@ -119,11 +131,12 @@ Chart chart_of(const judge::TaskConfig& task, const json& curve) {
   for (const json& at : curve.at("places")) {
     if (at.contains("theory")) chart.theory.push_back(at.at("theory"));
   }
-  if (curve.contains("promised")) {
-    const json& promised = curve.at("promised");
-    chart.promised_first = promised.at("first");
-    chart.promised_last = promised.at("last");
-    chart.limit = promised.at("limit");
+  for (const json& from : curve.at("promised")) {
+    Promised& promised = chart.promised.emplace_back();
+    from.at("bonus").get_to(promised.bonus);
+    for (const json& corner : from.at("corners")) {
+      promised.corners.push_back({corner.at(0), corner.at(1)});
+    }
   }
   return chart;
 }
@@ -183,6 +196,46 @@ bool is_named(const Charts& charts, const Chart& chart, std::size_t line) {
   const CurveLine::Kind kind = charts.lines[line].kind;
   return kind == CurveLine::Kind::reference || kind == CurveLine::Kind::submission ||
          std::ranges::count(chart.methods, line) > 0;
+}
+
+namespace {
+
+// The limit at a place of the curve, or nothing where nothing is promised.
+std::optional<double> limit_at(const Promised& promised, double place) {
+  constexpr double kRounding = 1e-9;  // of a number that was written and read again
+  for (const auto& [at, limit] : promised.corners) {
+    if (std::abs(place / at - 1) < kRounding) return limit;
+  }
+  return {};
+}
+
+// A right mean is so many standard errors off once in fifteen thousand places.
+constexpr double kErrors = 4;
+
+bool is_broken(const Promised& promised, const Point& point) {
+  const std::optional<double> limit = limit_at(promised, point.place);
+  if (!limit || point.cases == 0) return false;
+  return point.without > 0 || !(point.error <= *limit + kErrors * point.noise);
+}
+
+}  // namespace
+
+std::vector<BrokenPromise> broken_promises(const Charts& charts, const Chart& chart) {
+  std::vector<BrokenPromise> all;
+  for (std::size_t i = 0; i < charts.lines.size(); ++i) {
+    if (!is_shown(charts, chart, i)) continue;
+    for (const Promised& promised : chart.promised) {
+      if (promised.bonus && !is_named(charts, chart, i)) continue;
+      const auto at = std::ranges::find_if(
+          chart.points[i], [&](const Point& point) { return is_broken(promised, point); });
+      if (at != chart.points[i].end()) all.push_back({i, promised.bonus, at->place});
+    }
+  }
+  return all;
+}
+
+bool is_shown(const Charts& charts, const Chart& chart, std::size_t line) {
+  return is_named(charts, chart, line) || charts.lines[line].file.starts_with("right/");
 }
 
 json search_task(const judge::Config& config, const judge::TaskConfig& task, const Request& request,

@@ -32,20 +32,31 @@ struct Request {
   grader::judge::GradeRequest judge;
 };
 
-// A place of a curve, as a line has it. `error` is NaN without a number.
+// A place of a curve, as a line has it. `error` is NaN without a number; `noise` is the standard error
+// of a mean, 0 for other errors.
 struct Point {
-  double place = 0, error = 0;
+  double place = 0, error = 0, noise = 0;
   int cases = 0, without = 0;
   std::string reason;
+};
+
+// A promise of the contract as the corners of its upper edge, from left to right. All places of the
+// curve between the first corner and the last are among them.
+struct Promised {
+  struct Corner {
+    double place = 0, limit = 0;
+  };
+  std::vector<Corner> corners;
+  bool bonus = false;
 };
 
 // A curve of a task, with the points of each line: none for lines that could not be measured.
 struct Chart {
   std::string slug, name, title, input, error, source;
-  double promised_first = 0, promised_last = 0, limit = 0;  // nothing is promised: last is 0
-  std::vector<double> theory;                               // by place; none: empty
-  std::vector<std::vector<Point>> points;                   // by line
-  std::vector<std::size_t> methods;                         // the lines that it is about
+  std::vector<Promised> promised;
+  std::vector<double> theory;              // by place; none: empty
+  std::vector<std::vector<Point>> points;  // by line
+  std::vector<std::size_t> methods;        // the lines that it is about
 };
 
 // All charts of a task.
@@ -59,6 +70,20 @@ std::string id_of(const CurveLine& line);
 
 // Returns whether the chart is about this line: then it has a colour and a name there.
 bool is_named(const Charts& charts, const Chart& chart, std::size_t line);
+
+// Returns whether it is in the chart, with a name or as one of the other right solutions. Methods of
+// other charts are not.
+bool is_shown(const Charts& charts, const Chart& chart, std::size_t line);
+
+// The first place at which a line breaks a promise, by a larger error or a case without a number.
+struct BrokenPromise {
+  std::size_t line = 0;
+  bool bonus = false;
+  double place = 0;
+};
+
+// Broken promises of the lines of the chart. Those without a name may lack a bonus. The mean of random numbers may be some standard errors above the limit by chance.
+std::vector<BrokenPromise> broken_promises(const Charts& charts, const Chart& chart);
 
 // A search for bad inputs of a task (grader/check/bad_inputs.h), by the reference or the submission.
 struct Search {

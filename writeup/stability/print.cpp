@@ -24,7 +24,7 @@ std::string why_none(const Charts& charts, const Chart& chart) {
   for (std::size_t i = 0; i < charts.lines.size(); ++i) {
     if (!is_named(charts, chart, i)) continue;
     const auto at =
-        std::ranges::find_if(chart.points[i], [](const Point& p) { return p.without > 0; });
+        std::ranges::find_if(chart.points[i], [](const Point& p) { return !p.reason.empty(); });
     if (at == chart.points[i].end()) continue;
     text += fmt::format("  * {}: {} in {} of {} cases at {:.3g}\n", charts.lines[i].title,
                         at->reason, at->without, at->cases, at->place);
@@ -32,13 +32,28 @@ std::string why_none(const Charts& charts, const Chart& chart) {
   return text;
 }
 
+// "  promised: at most 1e-06 from 1 to 1000".
+std::string sentence_of(const Promised& promised) {
+  const auto [first, low] = promised.corners.front();
+  const auto [last, high] = promised.corners.back();
+  return fmt::format("  promised{}: at most {:.3g}{} from {:.3g} to {:.3g}\n",
+                     promised.bonus ? " by a bonus" : "", low,
+                     low == high ? "" : fmt::format(" to {:.3g}", high), first, last);
+}
+
+std::string list_of_broken(const Charts& charts, const Chart& chart) {
+  std::string text;
+  for (const BrokenPromise& broken : broken_promises(charts, chart)) {
+    text += fmt::format("  {} breaks the promise{} at {:.3g}\n", charts.lines[broken.line].title,
+                        broken.bonus ? " of the bonus" : "", broken.place);
+  }
+  return text;
+}
+
 std::string table(const Charts& charts, const Chart& chart) {
   std::string text =
       fmt::format("{}: {}\n  {}\n  by {}\n", chart.slug, chart.title, chart.error, chart.input);
-  if (chart.promised_last > 0) {
-    text += fmt::format("  promised: at most {:g} from {:g} to {:g}\n", chart.limit,
-                        chart.promised_first, chart.promised_last);
-  }
+  for (const Promised& promised : chart.promised) text += sentence_of(promised);
   std::string head = fmt::format("{:>10}", "");
   char letter = 'a';
   for (std::size_t i = 0; i < charts.lines.size(); ++i) {
@@ -57,7 +72,8 @@ std::string table(const Charts& charts, const Chart& chart) {
     if (!chart.theory.empty()) text += fmt::format("{:>{}.2g}", chart.theory[place], kColumn);
     text += "\n";
   }
-  return text + why_none(charts, chart) + "  source: " + chart.source + "\n";
+  return text + why_none(charts, chart) + list_of_broken(charts, chart) +
+         "  source: " + chart.source + "\n";
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "grader/tasks/build_bvh/walk.h"
 #include "pt/geometry/ray.h"
 
+#include <cmath>
+
 namespace grader::check {
 namespace {
 
@@ -25,8 +27,8 @@ CURVE(build_bvh, halving) {
           .input = "boxes",
           .error = "levels of the tree",
           .source = "a plane in the middle cuts off one box",
-          .places = {10, 20, 40, 80, 160, 320, 640, 1000},
-          .promised = {},
+          .places = {10, 20, 40, 70, 100, 140, 200, 300, 550, 1000},
+          .promised = {{100, 300, [](double n) { return std::floor(4 * std::log2(n)); }, true}},
           .methods = splits(),
           .cases = 3,
           .measure = [](double boxes) { return depth_of(Kind::halving, boxes); }};
@@ -39,7 +41,10 @@ CURVE(build_bvh, identical) {
           .source = "no plane separates them: a split that does not notice never ends",
           .places = {10, 30, 100, 300, 1000, 3000},
           .promised = {},
-          .methods = splits(),
+          .methods = {{"right/median", "median"},
+                      {"right/swept_surface_area", "surface area heuristic"},
+                      {"wrong/no_fallback", "middle, again and again"},
+                      {"wrong/tries_for_ever", "the same plane, for ever"}},
           .cases = 3,
           .measure = [](double boxes) { return depth_of(Kind::identical, boxes); }};
 }

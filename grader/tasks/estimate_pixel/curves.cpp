@@ -1,6 +1,8 @@
 #include "grader/check/curve.h"
+#include "grader/check/property.h"
 #include "grader/tasks/estimate_pixel/cases.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace grader::check {
@@ -14,7 +16,7 @@ CURVE(estimate_pixel, many_samples) {
           .error = "relative error of the mean",
           .source = "each addition to a large sum is rounded (Higham 2002, chapter 4)",
           .places = by_factors(10, 1e5, 9),
-          .promised = {10, 100, 1e-5},
+          .promised = {{10, 1e5, [](double n) { return std::max(kColorPrecision, n * 1e-7); }}},
           .methods = {{"right/float_sum", "single precision"}},
           .cases = 1,
           .measure = [](double samples) {

@@ -23,7 +23,7 @@ CURVE(hit_bvh, deep_tree) {
               "a stack of a fixed size overflows; a function that calls itself needs a frame "
               "for each level",
           .places = {10, 20, 40, 63, 80, 150, 256, 400, 600, 1000, 2000},
-          .promised = {10, 1000, 0},
+          .promised = {{10, 1000}},
           .methods = {{"wrong/stack_of_64", "a stack of 64 nodes"},
                       {"wrong/stack_of_256", "a stack of 256 nodes"},
                       {"right/recursive_unordered", "a function that calls itself"}},

@@ -29,7 +29,7 @@ CURVE(hit_sphere, far_away) {
           .error = "distance of the point from the sphere, in radii",
           .source = "Haines, Guenther and Akenine-Moeller 2019, Ray Tracing Gems, chapter 7",
           .places = by_factors(1, 1e9, 19),
-          .promised = {1, 1e3, kPrecision},
+          .promised = {{1, 1e3, at_most(kPrecision)}, {1, 1e7, at_most(kPrecision), true}},
           .methods = methods(),
           .measure = [](double distance) {
             const Aimed aimed = *aimed_from(distance, distance);
@@ -38,17 +38,20 @@ CURVE(hit_sphere, far_away) {
 }
 
 CURVE(hit_sphere, huge) {
-  return {.title = "A ground that is a huge sphere, seen from one unit above it",
-          .input = "radius, in heights of the origin",
-          .error = "relative error of t",
-          .source = "Haines, Guenther and Akenine-Moeller 2019, Ray Tracing Gems, chapter 7",
-          .places = by_factors(1e3, 1e12, 19),
-          .promised = {},
-          .methods = methods(),
-          .measure = [](double radius) {
-            const Ground c = *ground(radius);
-            return std::abs(t_of_hit(c.sphere, c.ray) / c.t - 1);
-          }};
+  return {
+      .title = "A ground that is a huge sphere, seen from one unit above it",
+      .input = "radius, in heights of the origin",
+      .error = "relative error of t",
+      .source = "Haines, Guenther and Akenine-Moeller 2019, Ray Tracing Gems, chapter 7",
+      .places = by_factors(1e3, 1e12, 19),
+      // A height of the point of a millionth of the radius. Along the ray it is as many times longer
+      // as t is longer than the height of the origin.
+      .promised = {{1e3, 1e6, [](double radius) { return kPrecision * radius; }}},
+      .methods = methods(),
+      .measure = [](double radius) {
+        const Ground c = *ground(radius);
+        return std::abs(t_of_hit(c.sphere, c.ray) / c.t - 1);
+      }};
 }
 
 }  // namespace

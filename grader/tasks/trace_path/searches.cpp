@@ -1,0 +1,59 @@
+#include "grader/check/bad_inputs.h"
+#include "grader/check/property.h"
+#include "grader/check/rooms.h"
+#include "pt/tasks/trace_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grader::check {
+namespace {
+
+// One bounce has no noise where all lights are points. Further bounces have: they are judged by
+// statistics, and the worst of many random numbers says nothing.
+SEARCH(trace_path, one_bounce) {
+  return {.title = "one bounce inside a ball with point lights, of any size and brightness",
+          .measure = "1 is what the contract allows",
+          .badness = [] {
+            const Room room = *round_room(color(0.01, 1), extreme());
+            pt::PathSettings settings;
+            settings.from = *whole(0, 1);
+            settings.to = 1;
+            settings.direct = room.direct;
+            settings.light_samples = *whole(1, 5);
+            settings.survival = *magnitude(1e-3, 1);
+            show_case(room);
+            pt::Sampler sampler(*sampler_seed());
+            const pt::Rgb got = pt::trace_path(room.scene, room.point, settings, sampler);
+            const pt::Rgb right = room.sum(1, 1);
+            double worst = 0;
+            for (int channel = 0; channel < 3; ++channel) {
+              worst = std::max(worst, std::abs(got[channel] - right[channel]));
+            }
+            return worst / room.precision(1, 1);
+          }};
+}
+
+// Where nothing is asked for, and where every path leaves the scene, there is nothing to see.
+SEARCH(trace_path, no_light) {
+  return {.title = "no bounce asked for, or only bounces that no path of the scene has",
+          .measure = "any light is broken",
+          .badness = [] {
+            const bool none = *whole(0, 1) == 0;
+            const Room room =
+                none ? *round_room(color(0.01, 1), extreme()) : *sunny_wall(color(0.01, 1));
+            pt::PathSettings settings;
+            settings.from = *whole(3, 100);
+            settings.to = *whole(0, 1) == 0 ? settings.from - 1 : 100;
+            if (none) settings.to = *whole(0, settings.from - 1);
+            settings.direct = room.direct;
+            settings.survival = *magnitude(1e-3, 1);
+            show_case(room);
+            pt::Sampler sampler(*sampler_seed());
+            const pt::Rgb got = pt::trace_path(room.scene, room.point, settings, sampler);
+            return got.r == 0 && got.g == 0 && got.b == 0 ? 0 : kBroken;
+          }};
+}
+
+}  // namespace
+}  // namespace grader::check
