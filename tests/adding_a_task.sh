@@ -80,8 +80,11 @@ done < <(sed -n 's/^`\(ninja .* sphere_area\)`\.$/\1/p' "$page")
 # The tests that read the table of tasks, or all tasks.
 ninja -C build/check all >"$1/said" 2>&1 || fail "the project is not built: $(tail -n 30 "$1/said")"
 tests='tasks_test|layers_test|hostile_test|four_bugs_test|wrong_and_right_test|right_work|known_mistakes_up_to_date|naming|test_hints|'
-tests+='test_recipes|test_goldens|test_points|test_report|test_intake|test_writeup|test_measure|handbook|help_pages|measure|writeup|'
+tests+='test_recipes|test_goldens|test_naming|test_report|test_intake|test_writeup|test_measure|handbook|help_pages|measure|writeup|'
 tests+='grade_class|sample_tables|compiled_once|link_lists|check[.]sphere_area|graded[.]sphere_area'
+for name in ${tests//|/ }; do # a name of no test would be left out without a word
+  [[ $(ctest --test-dir build/check -N -R "^$name\$") == *'Total Tests: 1' ]] || fail "'$name' in this list is not the name of one test"
+done
 ctest --test-dir build/check -j "$(nproc)" --output-on-failure --no-tests=error -R "^($tests)\$" >"$1/said" 2>&1 ||
   fail "the tests that read the table of tasks: $(tail -n 60 "$1/said")"
 echo "one task more by $steps steps: graded"
