@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds kMostToMake{60};
+constexpr std::chrono::seconds kMaxTimeToMake{60};
 
 // "#include <cmath>" of a line, without the blanks; empty if it is not a directive.
 std::string directive_in(const std::string& line) {
@@ -107,7 +107,7 @@ bool PrecompiledHeaders::compiled(const std::string& path, const std::string& fo
   for (const char* word : {"-I.", "-x", "c++-header", path.c_str(), "-o", output.c_str()}) {
     words.emplace_back(word);
   }
-  return process::run_command(child, kMostToMake).ok();
+  return process::run_command(child, kMaxTimeToMake).ok();
 }
 
 }  // namespace grader::judge

@@ -14,9 +14,9 @@ constexpr std::size_t kStatus = sizeof(int);
 }  // namespace
 
 void LauncherMessages::listen(const base::Descriptor& launcher) {
-  constexpr std::size_t kMost = 2 + kStatus;
-  char bytes[kMost];
-  const ssize_t count = read(launcher.number(), bytes, kMost);
+  constexpr std::size_t kMaxBytes = 2 + kStatus;
+  char bytes[kMaxBytes];
+  const ssize_t count = read(launcher.number(), bytes, kMaxBytes);
   if (count > 0) bytes_.append(bytes, static_cast<std::size_t>(count));
 }
 

@@ -17,7 +17,7 @@ using Direct = pt::PathSettings::Direct;
 // Shares of the time. Programs have to load the scene, too.
 constexpr double kOfLights = 0.05, kOfEngines = 0.15, kOfPictures = 0.35;
 
-constexpr int kAdaptiveMost = 16;  // times the samples of the other rungs
+constexpr int kMaxAdaptive = 16;  // times the samples of the other rungs
 
 // The model of light sampling with `survival`, from short renders.
 SampleModel model_with(Study& study, int bounces, double survival, const std::vector<int>& l) {
@@ -100,7 +100,7 @@ void choose_lights(Chosen& chosen, Starter& starter, const Turning& turning) {
 
 // Adaptive sampling that is as accurate as the same number of samples everywhere.
 pt::AdaptiveSettings adaptive_like(Study& study, const Rung& rung, int samples) {
-  pt::AdaptiveSettings settings{kAdaptiveMost * samples, std::clamp(samples / 8, 4, 32), 0.05};
+  pt::AdaptiveSettings settings{kMaxAdaptive * samples, std::clamp(samples / 8, 4, 32), 0.05};
   const std::vector<Study::PixelNoise> noise = study.pixel_noise(rung.way, rung.light_samples);
   double error2 = 0;
   for (const Study::PixelNoise& pixel : noise) error2 += pixel.relative / samples;
