@@ -151,7 +151,7 @@ def settings(described):
     # With the default pattern of Blender 3.4 a wall came out 0.2 % darker than with this one.
     cycles.sampling_pattern = "SOBOL"
     cycles.pixel_filter_type = "BOX"  # the pixel's own square
-    # Direct light is no bounce there.
+    # Blender does not count direct light as a bounce.
     cycles.max_bounces = cycles.diffuse_bounces = described["bounces"] - 1
     cycles.min_light_bounces = 0  # Russian roulette as it comes
     # Radiance as it is, in floats.

@@ -3,7 +3,7 @@
 
 Learners are some way through the course. What they have done is the reference, a right variant or a known mistake; what
 they have not is a stub. One in twenty is hostile or broken: endless loops, crashes, calls of the system, files that do not
-compile, archives that are no archives, nothing at all. One in ten hands in what another one has. Every other file differs
+compile, archives that are damaged, nothing at all. One in ten hands in what another one has. Every other file differs
 from all others, as in a class, so that it has to be compiled. The same seed gives the same class.
 """
 import argparse

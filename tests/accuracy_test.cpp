@@ -341,8 +341,8 @@ TEST(Rows, of_some_pixels_are_those_of_the_picture) {
   }
 }
 
-// With four samples per pixel there is much noise. It is no light that few bounces would miss, and
-// no error of another picture.
+// With four samples per pixel there is much noise. It is neither light that few bounces would miss
+// nor an error of another picture.
 TEST(Study, its_own_noise_is_left_out) {
   const pt::Scene scene = furnace();
   Study study(view_of(scene), 2, 8, {1, 4}, {});

@@ -139,7 +139,7 @@ grades golden
 ! grep -q 'as before' "$folder/said" || complain 'a golden is overwritten, and nobody is judged again'
 cp golden/rays_spheres.exr "$folder/root/golden"
 
-# A file that changes while it is judged: that is no outcome, and the same chunk judges it.
+# A file that changes while it is judged: that is not an outcome, and the same chunk judges it.
 cat >"$folder/make_plan" <<END
 exec '$grader/grade_class' plan '$folder/class' --out '$folder/chunks' --seed 7 --not-isolated --config '$folder/programs/grade.json' \
   -- hit_sphere hit_triangle --no-pictures >'$folder/planned' 2>&1

@@ -26,7 +26,7 @@ errors "$wrong" | grep -q no_such_name || { echo "clangd finds no mistake at all
 
 if command -v python3 >/dev/null; then
   for file in .vscode/*.json .devcontainer/*.json; do
-    [ ! -e "$file" ] || python3 -m json.tool "$file" >/dev/null || { echo "$file is no JSON"; failures=$((failures + 1)); }
+    [ ! -e "$file" ] || python3 -m json.tool "$file" >/dev/null || { echo "$file is not JSON"; failures=$((failures + 1)); }
   done
 fi
 echo "$failures complaints"

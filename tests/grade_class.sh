@@ -230,7 +230,7 @@ says 2 "sheet.csv:2: Moodle's maximum is '100.00', and there are $most points"
 echo 'Kennung,Bewertung' >"$folder/sheet.csv"
 before=$(cat "$folder/class-graded/plan.json")
 says 2 "sheet.csv:1: it has no column 'Identifier'; download the grading worksheet with Moodle in English"
-[ "$before" = "$(cat "$folder/class-graded/plan.json")" ] || complain 'a plan is made with what is no worksheet'
+[ "$before" = "$(cat "$folder/class-graded/plan.json")" ] || complain 'a plan is made with a file that is not a worksheet'
 worksheet "$most"
 class=$folder/class
 mkdir -p "$class/ada"

@@ -36,7 +36,7 @@ done
 
 # A repository with one commit that has nothing of ours, and ignores what ./run makes.
 [ "$(git -C "$folder" rev-list --count HEAD)" = 1 ] && [ -z "$(git -C "$folder" status --porcelain)" ] ||
-  complain "it is no repository with one commit"
+  complain "it is not a repository with one commit"
 missing=$(comm -3 <(cd "$folder" && find . -path ./.git -prune -o -type f -printf '%P\n' | sort) <(git -C "$folder" ls-files | sort))
 [ -z "$missing" ] || complain "a clone of it lacks what .gitignore keeps out of the first commit:" "$missing"
 if grep -raF "$root" "$folder"; then complain "it tells where it was made"; fi

@@ -82,7 +82,7 @@ TEST(measure, the_front_is_what_nobody_beats_in_both) {
   EXPECT_EQ(pareto_fronts(about, tables)[0], front);
 }
 
-// 5.1 against 5.0 +- .2 is no difference; leaves of all sizes have one front, other inputs have fronts of their own.
+// 5.1 against 5.0 +- .2 is not a difference; leaves of all sizes have one front, other inputs have fronts of their own.
 TEST(measure, fronts_keep_what_is_not_clearly_worse) {
   Row even = row("even", 5.1, 1e-9);
   const Row reference = row("reference", 5.0, 1.3e-9);

@@ -197,7 +197,7 @@ TEST(sleep_watch, takes_no_wait_for_a_processor_for_sleep) {
   EXPECT_EQ(sleep.slept(), nanoseconds(0));
 }
 
-// The time that it ran, and the time that others took from it, is no sleep.
+// The time that it ran, and the time that others took from it, is not sleep.
 TEST(sleep_watch, counts_no_more_than_is_left_of_the_time) {
   Crowd crowd;
   for (int i = 0; i < 3; ++i) crowd.add(spin);

@@ -33,7 +33,7 @@ struct Row {
 // The number of whole rows in the file; 0 if it is not there.
 int rows_in(const std::filesystem::path& file, int pixels);
 
-// Cuts off what is no whole row. Throws pt::Error if it cannot.
+// Cuts off a row that is incomplete. Throws pt::Error if it cannot.
 void cut_to_rows(const std::filesystem::path& file, int pixels, int rows);
 
 void append_row(const std::filesystem::path& file, const Row& row);
