@@ -178,7 +178,7 @@ std::vector<Contest> contests_of(const Materials& materials, const Options& opti
   std::vector<Contest> contests;
   for (const About& about : tasks()) {
     if (!asked.contains(about.slug)) continue;
-    Contest contest{about.slug, {{"reference", false, "", "", ""}}};
+    Contest contest{&about, {{"reference", false, "", "", ""}}};
     for (const std::string& name : asked.at(about.slug)) {
       contest.candidates.push_back({name, false, "", "", ""});
     }
@@ -209,14 +209,15 @@ std::vector<Contest> find_contests(const Materials& materials, const Options& op
   grader::base::for_each(jobs.size(), threads, [&](std::size_t i) {
     const Contest& contest = *jobs[i].contest;
     Candidate& candidate = *jobs[i].candidate;
-    const TaskConfig& task = config_of(materials.config, contest.slug);
+    const About& about = *contest.about;
+    const TaskConfig& task = config_of(materials.config, about.slug);
     const Judged judged = [&] {
-      if (candidate.is_own) return workshop.own(task, own_folder(options, contest.slug));
+      if (candidate.is_own) return workshop.own(task, own_folder(options, about.slug));
       if (&candidate == contest.candidates.data()) return workshop.compiled(task, task.reference);
-      if (candidate.name == kFast) return workshop.compiled(task, materials.fast.at(contest.slug));
+      if (candidate.name == kFast) return workshop.compiled(task, materials.fast.at(about.slug));
       return workshop.right(task, candidate.name);
     }();
-    workshop.finish(judged, contest.slug == "build_bvh" || contest.slug == "hit_bvh", candidate);
+    workshop.finish(judged, about.kind == Kind::tree, candidate);
     const std::lock_guard lock(mutex);
     progress(static_cast<double>(++done) / static_cast<double>(jobs.size()));
   });

@@ -2,6 +2,7 @@
 
 #include "grader/judge/builder.h"
 #include "writeup/measure/options.h"
+#include "writeup/measure/tasks.h"
 
 #include <functional>
 #include <map>
@@ -21,7 +22,7 @@ struct Candidate {
 
 // A task, the reference first.
 struct Contest {
-  std::string slug;
+  const About* about = nullptr;  // of tasks()
   std::vector<Candidate> candidates;
 };
 

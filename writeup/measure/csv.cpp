@@ -34,7 +34,7 @@ std::string line(const About& about, const Table& table, const Row& row, bool be
   const auto known = [](bool is, double value) { return is ? fmt::format("{:.6g}", value) : ""; };
   text += known(noisy, row.found.rays) + ',' + known(tree, row.found.boxes) + ',' +
           known(tree, row.found.primitives) + ',' +
-          known(about.slug == "adaptive_pixel", row.found.samples) + ',';
+          known(about.chooses_samples, row.found.samples) + ',';
   return text + quoted(mistake(about, row)) + '\n';
 }
 

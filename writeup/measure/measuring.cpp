@@ -25,11 +25,6 @@ constexpr int kFewestChunks = 8;    // of an estimator's noise
 constexpr int kMaxChunks = 2000;
 constexpr std::uint32_t kMaxPasses = 1U << 20;
 
-const About& about_of(const std::string& slug) {
-  return *std::find_if(tasks().begin(), tasks().end(),
-                       [&](const About& about) { return about.slug == slug; });
-}
-
 std::uint32_t index_of(const About& about) {
   return static_cast<std::uint32_t>(&about - tasks().data());
 }
@@ -85,7 +80,7 @@ class Measuring {
  public:
   Measuring(const Contest& contest, grader::sandbox::Tier tier, double seconds,
             const std::function<void(double)>& progress)
-      : about_(about_of(contest.slug)), seconds_(seconds), progress_(progress) {
+      : about_(*contest.about), seconds_(seconds), progress_(progress) {
     for (const Candidate& candidate : contest.candidates) {
       Player player{Conversation(candidate.plain, tier), {}, {}};
       if (!candidate.counted.empty()) player.counted.emplace(candidate.counted, tier);

@@ -48,7 +48,7 @@ std::string mistake(const About& about, const Row& row) {
   if (about.kind != Kind::estimator) return "";
   // Five standard errors, and the rounding errors that contracts allow.
   const double half = 2.5 * (row.mean.high - row.mean.low) + 1e-4;
-  const double allowed = half + (about.slug == "adaptive_pixel" ? kAdaptiveBias : 0);
+  const double allowed = half + (about.chooses_samples ? kAdaptiveBias : 0);
   if (std::abs(row.mean.value - 1) <= allowed) return "";
   return fmt::format("its mean is {:.3g} of the right one", row.mean.value);
 }

@@ -27,7 +27,7 @@ Cells headings(const Results& results, const Unit& unit, bool has_rays) {
   if (about.kind == Kind::estimator) {
     cells.insert(cells.end(), {"noise", "time x variance"});
     if (has_rays) cells.emplace_back("rays");
-    if (about.slug == "adaptive_pixel") cells.emplace_back("samples");
+    if (about.chooses_samples) cells.emplace_back("samples");
   } else if (about.kind == Kind::tree) {
     cells.insert(cells.end(), {"boxes", "triangles"});
   }
@@ -42,7 +42,7 @@ Cells numbers(const About& about, const Row& row, const Row& reference, const Un
     cells.push_back(fmt::format("{:.3g} %", 100 * accuracy(about, row).value));
     cells.push_back(ranged(work(row, reference)));
     if (has_rays) cells.push_back(fmt::format("{:.3g}", row.found.rays));
-    if (about.slug == "adaptive_pixel") cells.push_back(fmt::format("{:.4g}", row.found.samples));
+    if (about.chooses_samples) cells.push_back(fmt::format("{:.4g}", row.found.samples));
   } else if (about.kind == Kind::tree) {
     cells.push_back(fmt::format("{:.2f}", row.found.boxes));
     cells.push_back(fmt::format("{:.2f}", row.found.primitives));

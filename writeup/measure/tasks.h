@@ -20,6 +20,7 @@ struct About {
   Kind kind = Kind::exact;
   std::vector<std::string> cases;   // "leaf 4"; one without a name where there is only one
   bool one_front = false;           // the cases are settings to choose from, not other inputs
+  bool chooses_samples = false;     // it says itself how many samples it takes
   std::vector<std::string> errors;  // kinds of error, at most kMaxErrors; the first one is charted
   std::string inputs;               // a sentence
 };
