@@ -82,9 +82,10 @@ std::vector<std::string> row_of(const json& curve, const std::string& fastest) {
   return row;
 }
 
-void draw_converge(const Plan& plan, const Figure& figure, const fs::path& folder, Drawn& drawn) {
+Drawn draw_converge(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  Drawn drawn;
   const Measurement measurement = plan.measurements(figure).at(0);
-  if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return;
+  if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return drawn;
   take_files(plan, measurement, figure.id, {"samples.svg", "seconds.svg", "rays.svg"},
              {"converge.csv", "factors.csv"}, folder, drawn);
   const json all = plan.measured().load(measurement);
@@ -105,6 +106,7 @@ void draw_converge(const Plan& plan, const Figure& figure, const fs::path& folde
   for (const json& curve : all.at("curves")) {
     if (curve.at("id") == all.at("fastest")) drawn.numbers["fastest"] = curve.at("title");
   }
+  return drawn;
 }
 
 std::string method_of(const json& best) {
@@ -190,7 +192,8 @@ void write_table(const Drawn& drawn, const fs::path& file) {
   pt::write_file(file, csv + "\n");
 }
 
-void draw_table(const Plan& plan, const Figure& figure, const fs::path& folder, Drawn& drawn) {
+Drawn draw_table(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  Drawn drawn;
   const bool needs = figure.kind == "needs";
   const std::vector<std::string> settings{"scene",
                                           "surfaces",
@@ -224,12 +227,13 @@ void draw_table(const Plan& plan, const Figure& figure, const fs::path& folder, 
   }
   drawn.tables = {figure.id + ".csv"};
   write_table(drawn, folder / drawn.tables[0]);
+  return drawn;
 }
 
-void draw_scene_needs(const Plan& plan, const Figure& figure, const fs::path& folder,
-                      Drawn& drawn) {
+Drawn draw_scene_needs(const Plan& plan, const Figure& figure, const fs::path& folder) {
+  Drawn drawn;
   const Measurement measurement = plan.measurements(figure).at(0);
-  if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return;
+  if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return drawn;
   take_files(plan, measurement, figure.id, {"options.svg", "noise.svg", "bounces.svg"},
              {"options.csv", "noise.csv", "bounces.csv"}, folder, drawn);
   const json answer = plan.measured().load(measurement);
@@ -249,18 +253,16 @@ void draw_scene_needs(const Plan& plan, const Figure& figure, const fs::path& fo
     if (m > 0 && bias[m - 1] < answer.at("error").get<double>() / 10) continue;
     drawn.rows.push_back({std::to_string(m), percent(part)});
   }
+  return drawn;
 }
 
 }  // namespace
 
 Drawn draw_measured(const Plan& plan, const Figure& figure, const fs::path& folder) {
-  Drawn drawn;
-  if (figure.kind == "converge") draw_converge(plan, figure, folder, drawn);
-  if (figure.kind == "scene_needs") draw_scene_needs(plan, figure, folder, drawn);
-  if (figure.kind == "needs" || figure.kind == "left_out") {
-    draw_table(plan, figure, folder, drawn);
-  }
-  return drawn;
+  if (figure.kind == "converge") return draw_converge(plan, figure, folder);
+  if (figure.kind == "scene_needs") return draw_scene_needs(plan, figure, folder);
+  const bool of_several = figure.kind == "needs" || figure.kind == "left_out";
+  return of_several ? draw_table(plan, figure, folder) : Drawn{};
 }
 
 }  // namespace writeup

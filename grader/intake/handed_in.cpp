@@ -167,24 +167,25 @@ class Intake {
       result_.everybody.push_back(by);
     } else if (is_folder(entry)) {
       by.folder = entry.path();
-      if (by.problem.empty()) prepare_submission(by, tools_);
-      result_.everybody.push_back(by);
+      add_prepared(by);
     } else if (is_file(entry) && (is_packed(name) || !by.problem.empty())) {
       by.name = is_packed(name) ? without_ending(name) : name;
-      if (by.problem.empty()) add_archive(by, entry.path());
+      if (by.problem.empty()) by = with(by, prepared_archive(by.name, entry.path()));
       result_.everybody.push_back(by);
     } else {
       result_.unclaimed.push_back(name);  // or a pipe, or a device: no platform exports one
     }
   }
 
-  void add_archive(HandedIn& by, const fs::path& file) const {
-    if (is_archive(file.filename())) {
-      prepare_archive(by, file, tools_);
-    } else {
-      by.problem =
-          fmt::format("'{}' cannot be unpacked here; hand in a zip", as_file_name(file.filename()));
-    }
+  void add_prepared(const HandedIn& by) {
+    result_.everybody.push_back(
+        by.problem.empty() ? with(by, prepare_submission(by.name, by.folder, tools_)) : by);
+  }
+
+  Prepared prepared_archive(const std::string& name, const fs::path& file) const {
+    if (is_archive(file.filename())) return prepare_archive(name, file, tools_);
+    return {"", fmt::format("'{}' cannot be unpacked here; hand in a zip",
+                            as_file_name(file.filename()))};
   }
 
   void add_piece(const Piece& piece) {
@@ -219,8 +220,7 @@ class Intake {
         by.folder = place->second;
         by.problem = fault_of(place->second);
       }
-      if (by.problem.empty()) prepare_submission(by, tools_);
-      result_.everybody.push_back(by);
+      add_prepared(by);
       count();
     }
   }

@@ -67,9 +67,10 @@ HandedIn one_submission(Pieces pieces, const IntakeTools& tools) {
   }
   if (!by.problem.empty()) return by;
   by.folder = last_folder(all);
-  if (by.folder.empty()) note_problem(by, [&] { by.folder = copied(all, tools); });
-  if (by.problem.empty()) prepare_submission(by, tools);
-  return by;
+  if (by.folder.empty()) {
+    by = with(by, read_handed_in(by.name, "", [&] { return Prepared{copied(all, tools), ""}; }));
+  }
+  return by.problem.empty() ? with(by, prepare_submission(by.name, by.folder, tools)) : by;
 }
 
 }  // namespace grader::intake

@@ -52,8 +52,8 @@ std::string nothing_found(const Tree& tree, const std::vector<TaskFile>& tasks) 
 }
 
 // To the names under which the judge reads them.
-void copy_tasks(HandedIn& by, const Tree& tree, const IntakeTools& tools) {
-  by.folder = tools.next_folder();
+Prepared copy_tasks(const Tree& tree, const IntakeTools& tools) {
+  const fs::path to = tools.next_folder();
   for (const TaskFile& task : tools.tasks) {
     const auto file = tree.files.find(task.slug);
     if (file == tree.files.end()) continue;
@@ -63,74 +63,82 @@ void copy_tasks(HandedIn& by, const Tree& tree, const IntakeTools& tools) {
     const base::Submitted read =
         base::read_plain_file(folder.number(), from.filename(), base::kMaxFile);
     if (!read.present || !read.rejected.empty()) {
-      by.problem = fmt::format("'{}': {}", as_file_name(from.filename()),
-                               read.present ? read.rejected : "it cannot be read");
-      return;
+      return {to, fmt::format("'{}': {}", as_file_name(from.filename()),
+                              read.present ? read.rejected : "it cannot be read")};
     }
-    fs::create_directories(fs::path(by.folder) / task.part);
-    pt::write_file(fs::path(by.folder) / task.part / (task.slug + ".cpp"), read.text);
+    fs::create_directories(to / task.part);
+    pt::write_file(to / task.part / (task.slug + ".cpp"), read.text);
   }
+  return {to, ""};
 }
 
-void settle_at(HandedIn& by, const IntakeTools& tools, int depth);
+Prepared settle_at(const fs::path& folder, const IntakeTools& tools, int depth);
 
-void unpack_at(HandedIn& by, const fs::path& archive, const IntakeTools& tools, int depth) {
+Prepared unpack_at(const fs::path& archive, const IntakeTools& tools, int depth) {
+  const fs::path folder = tools.next_folder();
+  const std::string problem = tools.unpack(archive, folder, Extent::one);
+  if (problem.empty()) return settle_at(folder, tools, depth + 1);
+  fs::remove_all(folder);  // half of it
+  return {folder, problem};
+}
+
+// Of a folder without a task file.
+Prepared settle_archive(const fs::path& folder, const Tree& tree, const IntakeTools& tools,
+                        int depth) {
+  if (tree.archives.size() > 1) {
+    return {folder, fmt::format("it holds {} archives, '{}' and '{}' among them; keep one",
+                                tree.archives.size(), as_file_name(tree.archives[0].filename()),
+                                as_file_name(tree.archives[1].filename()))};
+  }
   if (depth > kMaxInside) {
-    by.problem = fmt::format("it has archives in archives, more than {} deep", kMaxInside);
-    return;
+    return {folder, fmt::format("it has archives in archives, more than {} deep", kMaxInside)};
   }
-  by.folder = tools.next_folder();
-  by.problem = tools.unpack(archive, by.folder, Extent::one);
-  if (by.problem.empty()) {
-    settle_at(by, tools, depth + 1);
-  } else {
-    fs::remove_all(by.folder);  // half of it
-  }
+  return unpack_at(tree.archives[0], tools, depth);
 }
 
-void settle_at(HandedIn& by, const IntakeTools& tools, int depth) {
-  const Tree tree = look_inside(by.folder, tools.tasks);
-  by.problem = tree.problem;
-  if (!tree.problem.empty()) return;
-  if (!tree.root.empty()) {
-    by.folder = tree.root;
-  } else if (!tree.files.empty()) {
-    copy_tasks(by, tree, tools);
-  } else if (tree.archives.size() == 1) {
-    unpack_at(by, tree.archives[0], tools, depth);
-  } else if (tree.archives.size() > 1) {
-    by.problem = fmt::format("it holds {} archives, '{}' and '{}' among them; keep one",
-                             tree.archives.size(), as_file_name(tree.archives[0].filename()),
-                             as_file_name(tree.archives[1].filename()));
-  } else if (is_bare_repository(base::submission_root(by.folder))) {
-    by.problem =
-        "it is a git repository without its files (a bare one); clone it, and hand in that";
-  } else {
-    by.problem = nothing_found(tree, tools.tasks);
+Prepared settle_at(const fs::path& folder, const IntakeTools& tools, int depth) {
+  const Tree tree = look_inside(folder, tools.tasks);
+  if (!tree.problem.empty()) return {folder, tree.problem};
+  if (!tree.root.empty()) return {tree.root, ""};
+  if (!tree.files.empty()) return copy_tasks(tree, tools);
+  if (!tree.archives.empty()) return settle_archive(folder, tree, tools, depth);
+  if (is_bare_repository(base::submission_root(folder))) {
+    return {folder,
+            "it is a git repository without its files (a bare one); clone it, and hand in that"};
   }
+  return {folder, nothing_found(tree, tools.tasks)};
 }
 
 }  // namespace
 
-void note_problem(HandedIn& by, const std::function<void()>& read) {
+HandedIn with(HandedIn by, const Prepared& prepared) {
+  by.folder = prepared.folder;
+  by.problem = prepared.problem;
+  return by;
+}
+
+Prepared read_handed_in(const std::string& name, const fs::path& folder,
+                        const std::function<Prepared()>& read) {
   try {
-    read();
+    return read();
   } catch (const fs::filesystem_error& error) {
     const std::string file = as_file_name(error.path1().filename());
     if (is_of_machine(error.code())) {
-      throw pt::Error(fmt::format("'{}' cannot be taken in: {}: {}; run this again", by.name, file,
+      throw pt::Error(fmt::format("'{}' cannot be taken in: {}: {}; run this again", name, file,
                                   error.code().message()));
     }
-    by.problem = fmt::format("'{}' cannot be read: {}", file, error.code().message());
+    return {folder, fmt::format("'{}' cannot be read: {}", file, error.code().message())};
   }
 }
 
-void prepare_submission(HandedIn& by, const IntakeTools& tools) {
-  note_problem(by, [&] { settle_at(by, tools, 0); });
+Prepared prepare_submission(const std::string& name, const fs::path& folder,
+                            const IntakeTools& tools) {
+  return read_handed_in(name, folder, [&] { return settle_at(folder, tools, 0); });
 }
 
-void prepare_archive(HandedIn& by, const fs::path& archive, const IntakeTools& tools) {
-  note_problem(by, [&] { unpack_at(by, archive, tools, 0); });
+Prepared prepare_archive(const std::string& name, const fs::path& archive,
+                         const IntakeTools& tools) {
+  return read_handed_in(name, "", [&] { return unpack_at(archive, tools, 0); });
 }
 
 }  // namespace grader::intake

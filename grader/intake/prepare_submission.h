@@ -16,15 +16,27 @@ struct IntakeTools {
   std::function<std::filesystem::path()> next_folder;  // a path below `work` that is not there yet
 };
 
-// Makes by.folder the one where the judge finds all task files, from one in which they may lie anywhere, be packed, or
-// be nearly named right; else says the problem.
-void prepare_submission(HandedIn& by, const IntakeTools& tools);
+// A submission as the judge reads it.
+struct Prepared {
+  std::string folder;   // of the task files; with a problem, the one that the problem is in
+  std::string problem;  // the reason why it cannot be judged, in one sentence; else empty
+};
 
-// The same of an archive.
-void prepare_archive(HandedIn& by, const std::filesystem::path& archive, const IntakeTools& tools);
+// The submission with this folder and this problem.
+HandedIn with(HandedIn by, const Prepared& prepared);
 
-// Calls `read`, which reads what a learner has handed in: what cannot be read is the submission's problem. Throws pt::Error where
-// the machine is at fault.
-void note_problem(HandedIn& by, const std::function<void()>& read);
+// Looks for the task files in a folder, where they may lie anywhere, be packed, or be nearly named right. `name` is that of the
+// submission, for messages.
+Prepared prepare_submission(const std::string& name, const std::filesystem::path& folder,
+                            const IntakeTools& tools);
+
+// The same for an archive.
+Prepared prepare_archive(const std::string& name, const std::filesystem::path& archive,
+                         const IntakeTools& tools);
+
+// Calls `read`, which reads files in the folder of the submission `name`, and returns its result. A file that cannot be read is
+// the submission's problem. Throws pt::Error where the machine is at fault.
+Prepared read_handed_in(const std::string& name, const std::filesystem::path& folder,
+                        const std::function<Prepared()>& read);
 
 }  // namespace grader::intake

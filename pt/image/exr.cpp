@@ -35,12 +35,16 @@ constexpr std::array<const char*, kChannels> kNames{
 // The place of each of our channels in the file, or -1.
 using ChannelPlaces = std::array<int, kChannels>;
 
-// Frees the memory of tinyexr whichever way a function is left.
-struct ReadHeader : EXRHeader {
-  ReadHeader() { InitEXRHeader(this); }
+// They free the memory of tinyexr whichever way a function is left.
+class ReadHeader : public EXRHeader {
+ public:
+  ReadHeader(const std::string& bytes, const std::string& file);
   ~ReadHeader() { FreeEXRHeader(this); }
   ReadHeader(const ReadHeader&) = delete;
   ReadHeader& operator=(const ReadHeader&) = delete;
+
+ private:
+  ReadHeader() { InitEXRHeader(this); }
 };
 struct ReadPixels : EXRImage {
   ReadPixels() { InitEXRImage(this); }
@@ -76,39 +80,41 @@ std::array<std::vector<float>, kChannels> planes(const Film& film) {
   return out;
 }
 
-void parse_header(ReadHeader& header, const std::string& bytes, const std::string& name) {
+// The destructor runs even if this throws: the other constructor has made the object.
+ReadHeader::ReadHeader(const std::string& bytes, const std::string& file) : ReadHeader() {
   EXRVersion version;
   if (ParseEXRVersionFromMemory(&version, data(bytes), bytes.size()) != TINYEXR_SUCCESS) {
-    fail(name, "it is not an EXR picture");
+    fail(file, "it is not an EXR picture");
   }
   if (version.tiled || version.multipart || version.non_image) {
-    fail(name, "EXR files with tiles, several parts or deep data are not read; save scanlines");
+    fail(file, "EXR files with tiles, several parts or deep data are not read; save scanlines");
   }
   const char* message = nullptr;
-  if (ParseEXRHeaderFromMemory(&header, &version, data(bytes), bytes.size(), &message) !=
+  if (ParseEXRHeaderFromMemory(this, &version, data(bytes), bytes.size(), &message) !=
       TINYEXR_SUCCESS) {
-    fail(name, "its EXR header is broken (" + take_message(message) + ")");
+    fail(file, "its EXR header is broken (" + take_message(message) + ")");
   }
-  const EXRBox2i& window = header.data_window;
-  const long width = 1L + window.max_x - window.min_x;
-  const long height = 1L + window.max_y - window.min_y;
+  const long width = 1L + data_window.max_x - data_window.min_x;
+  const long height = 1L + data_window.max_y - data_window.min_y;
   if (!is_image_size(width, height)) {
-    fail(name, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+    fail(file, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                    " pixels is not accepted");
+  }
+  // Of half too, tinyexr is to make float.
+  for (int i = 0; i < num_channels; ++i) {
+    if (channels[i].pixel_type == TINYEXR_PIXELTYPE_HALF) {
+      requested_pixel_types[i] = TINYEXR_PIXELTYPE_FLOAT;
+    }
   }
 }
 
-// Also asks tinyexr for float where the file has half.
-ChannelPlaces find_channels(ReadHeader& header, const std::string& name) {
+ChannelPlaces find_channels(const ReadHeader& header, const std::string& name) {
   ChannelPlaces places;
   places.fill(-1);
   for (int i = 0; i < header.num_channels; ++i) {
     const EXRChannelInfo& channel = header.channels[i];
     if (channel.x_sampling != 1 || channel.y_sampling != 1) {
       fail(name, std::string("its channel ") + channel.name + " is subsampled; save it in full");
-    }
-    if (channel.pixel_type == TINYEXR_PIXELTYPE_HALF) {
-      header.requested_pixel_types[i] = TINYEXR_PIXELTYPE_FLOAT;
     }
     const bool whole = channel.pixel_type == TINYEXR_PIXELTYPE_UINT;
     for (int c = 0; c < kChannels; ++c) {
@@ -215,8 +221,7 @@ std::string encode_exr(const Film& film) {
 }
 
 Film decode_exr(const std::string& bytes, const std::string& name) {
-  ReadHeader header;
-  parse_header(header, bytes, name);
+  const ReadHeader header(bytes, name);
   const ChannelPlaces places = find_channels(header, name);
   check_blocks(header, bytes, name);
   ReadPixels image;

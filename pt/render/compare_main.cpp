@@ -40,15 +40,21 @@ void print_means(const std::optional<pt::MeanTest>& test) {
               test->z, test->difference, test->standard_error);
 }
 
+// A picture of any format; the film too where the file has one.
+struct Read {
+  pt::Image image;
+  std::optional<pt::Film> film;
+};
+
+Read read(const std::string& path) {
+  if (!pt::is_exr(path)) return {pt::read_image(path), std::nullopt};
+  const pt::Film film = pt::read_exr(path);
+  return {mean(film), film};
+}
+
 void run(const std::string& path_a, const std::string& path_b, const std::string& output) {
-  std::optional<pt::Film> film_a, film_b;
-  const auto read = [](const std::string& path, std::optional<pt::Film>& film) {
-    if (!pt::is_exr(path)) return pt::read_image(path);
-    film = pt::read_exr(path);
-    return mean(*film);
-  };
-  const pt::Image a = read(path_a, film_a);
-  const pt::Image b = read(path_b, film_b);
+  const auto [a, film_a] = read(path_a);
+  const auto [b, film_b] = read(path_b);
   print(pt::compare(a, b));
   if (film_a && film_b) print_means(pt::compare_means(*film_a, *film_b));
   if (output.empty()) return;
