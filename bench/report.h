@@ -15,7 +15,7 @@ double median(std::vector<double> values);
 std::vector<std::vector<double>> interleave(const std::vector<std::function<void()>>& contenders,
                                             int rounds);
 
-// How many times faster b was than a, over the rounds.
+// The speed of b as a multiple of that of a, over the rounds.
 struct Ratio {
   double median;
   double least;

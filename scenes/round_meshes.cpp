@@ -33,7 +33,7 @@ CubeGrid cube_grid(int triangles) {
   return grid;
 }
 
-// Where line i of n lies on the cube [-1, 1]^3; the tangent makes the angles from its centre equal.
+// The coordinate of line i of n on the cube [-1, 1]^3; the tangent makes the angles from its centre equal.
 double line(int i, int n) {
   if (i == 0 || i == n) return i == 0 ? -1 : 1;
   return std::tan(pt::kPi / 4 * (2.0 * i / n - 1));

@@ -1,4 +1,4 @@
-// How commands start and end: their limit of time, whatever they print meanwhile, and their descriptors.
+// Commands, from start to end: their limit of time, whatever they print meanwhile, and their descriptors.
 #include "grader/process/run_command.h"
 
 #include "grader/base/descriptor.h"

@@ -112,7 +112,7 @@ TEST(words, mean_a_task_an_exercise_or_a_part) {
   }
 }
 
-// Who has a name handed in the folder of a learner, which is the one that the command takes by itself.
+// Somebody with a name has handed in the folder of a learner, which the command takes by itself.
 TEST(words, judge_a_task_again) {
   GradeRequest request;
   request.seed = 7;

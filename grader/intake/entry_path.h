@@ -15,7 +15,7 @@ std::vector<std::string> parts_before_hidden(const std::string& path);
 // Returns whether an entry's path is absolute or leads out of the folder.
 bool leads_out(const std::string& path);
 
-// How many folders stand around all of the paths.
+// The number of folders that stand around all of the paths.
 std::size_t folders_around(const std::vector<std::vector<std::string>>& paths);
 
 // The first parts of a path, joined by /.

@@ -18,7 +18,7 @@ bool is_ascii(const std::string& text) {
                      [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-// How often something that is an owner's begins in an archive.
+// The number of times that something of an owner's begins in an archive.
 struct Begun {
   int files = 0, folders = 0;
   int rows = 0;  // of entries in the folder, one after the other

@@ -9,7 +9,7 @@ namespace grader::intake {
 // The last part of a path that is a folder's own entry.
 inline constexpr const char* kFolderItself = "";
 
-// That of a file which is hidden, or in a hidden folder.
+// The owner of a file which is hidden, or in a hidden folder.
 inline constexpr const char* kHidden = ".";
 
 // Finds the owner of each entry in an archive of a whole class, from the paths of all entries.
@@ -18,7 +18,7 @@ class Owners {
   Owners() = default;
   explicit Owners(const std::vector<std::vector<std::string>>& paths);
 
-  // How many folders stand around everything.
+  // The number of folders that stand around everything.
   std::size_t depth() const { return depth_; }
 
   // The same for all entries of one owner.

@@ -18,7 +18,7 @@ bool is_archive(const std::string& name);
 // Returns whether the name is that of an archive or packed file, whether it can be unpacked here or not.
 bool is_packed(const std::string& name);
 
-// Whether an archive holds the work of one learner or of the class.
+// An archive holds the work of one learner or of the class.
 enum class Extent { one, everybody };
 
 struct Bounds {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMaxErrorLines = 12;
 constexpr std::size_t kMaxWarningLines = 40;
 
-// Where an error begins that a compiler or linker found in a line; npos: there is none.
+// The place where an error of a compiler or linker begins in a line; npos: there is none.
 std::size_t error_in(const std::string& line) {
   std::size_t first = std::string::npos;
   for (const char* sign :

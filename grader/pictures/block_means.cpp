@@ -82,7 +82,7 @@ double chi_square_above(double count, double probability) {
   return count * root * root * root;
 }
 
-// How many standard deviations values are off, beyond the margin.
+// Distances of values from the right ones beyond the margin, in standard deviations.
 struct Deviations {
   double largest = 0;
   double squares = 0;

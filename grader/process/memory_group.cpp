@@ -30,7 +30,7 @@ bool write_to(const char* path, std::string_view text) {
   return written;
 }
 
-// Where the tree of version 2 is mounted: "... / /sys/fs/cgroup rw - cgroup2 cgroup2 rw".
+// The folder where the tree of version 2 is mounted: "... / /sys/fs/cgroup rw - cgroup2 cgroup2 rw".
 std::string mount_point(const std::string& mounts) {
   std::istringstream lines(mounts);
   for (std::string line; std::getline(lines, line);) {

@@ -18,7 +18,7 @@ struct CommandResult {
   bool ok() const { return !timed_out && status == 0; }
 };
 
-// Why a program of our own did not do what it was started for: its last line, or how it ended.
+// The reason why a program of our own did not do its work: its last line, or how it ended.
 std::string fault_of(const CommandResult& result);
 
 inline constexpr std::size_t kMaxOutput = std::size_t{1} << 18;

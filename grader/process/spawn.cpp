@@ -62,7 +62,7 @@ void set_score(const std::string& score) {
   [[maybe_unused]] const ssize_t written = write(file, score.data(), score.size());
 }
 
-// Where the child goes to; empty: it stays in ours.
+// The group that the child goes to; empty: it stays in ours.
 std::string group_of(const Child& child) {
   const auto text_of = [](const char* path) {
     std::ifstream file(path);

@@ -53,7 +53,7 @@ void expect_processor(std::chrono::nanoseconds running, std::chrono::nanoseconds
 // One wait of this thread, from the constructor on. Takes some 20 microseconds.
 class Wait {
  public:
-  // How long it lasted, minus the time in which this thread was ready but had no processor; `longest`
+  // The time that it lasted, minus the time in which this thread was ready but had no processor; `longest`
   // is what it was to last at most: a machine that stood still meanwhile makes it longer.
   std::chrono::nanoseconds net(std::chrono::nanoseconds longest) const;
 

@@ -35,7 +35,7 @@ class Submission {
 
   std::filesystem::path operator/(const std::string& path) const { return folder_ / path; }
 
-  // Where the file of a task is.
+  // The path of a task's file.
   std::filesystem::path file_of(const std::string& slug) const;
   // Puts the solution, a file, in the place of the task's.
   void replace(const std::string& slug, const std::filesystem::path& solution) const;

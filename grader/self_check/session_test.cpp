@@ -75,7 +75,7 @@ TEST(session, ends_after_as_many_bytes_as_are_allowed) {
   EXPECT_EQ(next.cause, Cause::bad_reply);
 }
 
-// Whether a smaller input still fails was not tried, so it says nothing about the submission.
+// The session ends before a smaller input is tried, so its end says nothing about the submission.
 TEST(session, of_smaller_inputs_ends_without_a_cause) {
   SessionSettings smaller = settings();
   smaller.max_failures = 1;

@@ -168,7 +168,7 @@ PT_INLINE void set_direction(const WideView& view, FloatRay& r, Floats4 directio
   store<4>(r.last, rows + (3 - down));
 }
 
-// Whether a direction is of usual length, from the sizes of its components.
+// Returns whether a direction is of usual length, from the sizes of its components.
 PT_INLINE bool is_usual(Floats4 length) {
   const std::uint32_t not_too_long = less_equal<4>(length, splat<4>(kLong)) & 7;
   const std::uint32_t long_enough = less_equal<4>(splat<4>(kShort), length) & 7;
