@@ -140,19 +140,40 @@ struct Result {
   std::vector<Line> lines;
 };
 
+// The costs of a tree.
+struct TreeCosts {
+  double seconds;
+  double bytes;  // per primitive
+};
+
+// On the screen and in the file.
+void report(const TestScene& test, const Line& line, double million, const TreeCosts& ours,
+            const TreeCosts& embree, Csv& csv) {
+  std::printf("  %-10s %6.2f M/s   Embree %6.2f M/s   ratio %.2f (%.2f to %.2f)\n", line.kind,
+              million / line.ours, million / line.embree, line.ratio.median, line.ratio.least,
+              line.ratio.most);
+  char row[300];
+  std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,%.4g,%.4g,%.1f,%.1f,%.3f,%.3f",
+                test.name.c_str(), test.scene.primitives.size(), line.kind,
+                1e3 * line.ours / million, 1e3 * line.embree / million, line.ratio.median,
+                1e3 * ours.seconds, 1e3 * embree.seconds, ours.bytes, embree.bytes,
+                line.ratio.least, line.ratio.most);
+  csv.row(row);
+}
+
 Result compare(TestScene& test, const BenchSettings& settings, Csv& csv) {
   const Primitives& primitives = test.scene.primitives;
   double start = thread_cpu_seconds();
   const WideBvh bvh = WideBvh::build(primitives);
-  const double build_ours = thread_cpu_seconds() - start;
+  const TreeCosts costs{thread_cpu_seconds() - start,
+                        static_cast<double>(bvh.bytes()) / primitives.size()};
   start = thread_cpu_seconds();
   const EmbreeScene embree(primitives);
-  const double build_embree = thread_cpu_seconds() - start;
-  const double bytes = static_cast<double>(bvh.bytes()) / primitives.size();
-  const double bytes_embree = static_cast<double>(embree.bytes()) / primitives.size();
+  const TreeCosts costs_embree{thread_cpu_seconds() - start,
+                               static_cast<double>(embree.bytes()) / primitives.size()};
   std::printf("%s: %d primitives; build %.1f ms, Embree %.1f; bytes each %.0f, Embree %.0f\n",
-              test.name.c_str(), primitives.size(), 1e3 * build_ours, 1e3 * build_embree, bytes,
-              bytes_embree);
+              test.name.c_str(), primitives.size(), 1e3 * costs.seconds, 1e3 * costs_embree.seconds,
+              costs.bytes, costs_embree.bytes);
 
   test.scene.tracer = Tracer(Engine::wide, primitives);
   const RaySets rays = make_rays(test, settings.rays);
@@ -170,20 +191,13 @@ Result compare(TestScene& test, const BenchSettings& settings, Csv& csv) {
   const Line lines[] = {
       line("camera", seconds[0], seconds[1]), line("bounce", seconds[2], seconds[3]),
       line("shadow", seconds[4], seconds[5]), line("shadow x8", seconds[6], seconds[5])};
-  Result result{test.name, primitives.size(), bytes, {}};
+  Result result{test.name, primitives.size(), costs.bytes, {}};
   for (int i = 0; i < 4; ++i) {
     const Line& l = lines[i];
     const double million = 1e-6 * static_cast<double>(counts[i]);
     if (counts[i] == 0) continue;
     result.lines.push_back({l.kind, 1e3 * l.ours / million, l.ratio.median});
-    std::printf("  %-10s %6.2f M/s   Embree %6.2f M/s   ratio %.2f (%.2f to %.2f)\n", l.kind,
-                million / l.ours, million / l.embree, l.ratio.median, l.ratio.least, l.ratio.most);
-    char row[300];
-    std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,%.4g,%.4g,%.1f,%.1f,%.3f,%.3f",
-                  test.name.c_str(), primitives.size(), l.kind, 1e3 * l.ours / million,
-                  1e3 * l.embree / million, l.ratio.median, 1e3 * build_ours, 1e3 * build_embree,
-                  bytes, bytes_embree, l.ratio.least, l.ratio.most);
-    csv.row(row);
+    report(test, l, million, costs, costs_embree, csv);
   }
   compare_precisions(test, rays, settings.rounds, csv);
   return result;

@@ -152,52 +152,61 @@ void fail_promise(TaskResult& task, Cause cause) {
   task.promises[1].failures = {failure};
 }
 
+// Every member of these has a value of its own.
+PictureResult full_picture() {
+  return {"w",
+          "x1",
+          State::too_noisy,
+          "x",
+          true,
+          64,
+          3,
+          1.25,
+          2.5,
+          6,
+          7,
+          "x2",
+          96,
+          72,
+          "x3",
+          "x4",
+          "x5",
+          "x6",
+          "x7",
+          {{1, 2, 3, 4, "G", -0.5, 1.5}},
+          "x8",
+          {"x9"},
+          {"x10"}};
+}
+
+TaskResult full_task() {
+  const Failure failure{{"a", "b"}, "c", "d", "e", "f", Cause::bad_reply, 1, 1ULL << 63, true, "h"};
+  const PictureResult picture = full_picture();
+  return {.part = "i",
+          .number = "j",
+          .slug = "k",
+          .state = State::crash,
+          .reason = "l",
+          .points = 2,
+          .max_points = 3,
+          .bonus_points = 4,
+          .spared = 1,
+          .mistake = {"absolute_epsilon", "It is an epsilon.", "battery", "", false},
+          .blocked_by = {"m"},
+          .blamed = {"n", "o"},
+          .compiler_output = "p\nq\n",
+          .warnings = "w\n",
+          .keeps_state = true,
+          .printed = "\x1b\"r",
+          .promises = {{"s", "t", true, true, 5, 0.1, {}},
+                       {"u", "v", false, false, 6, 0.2, {failure, failure}}},
+          .pictures = {picture, picture}};
+}
+
 }  // namespace
 
 Results full_results() {
-  const Failure failure{{"a", "b"}, "c", "d", "e", "f", Cause::bad_reply, 1, 1ULL << 63, true, "h"};
-  const PictureResult picture{"w",
-                              "x1",
-                              State::too_noisy,
-                              "x",
-                              true,
-                              64,
-                              3,
-                              1.25,
-                              2.5,
-                              6,
-                              7,
-                              "x2",
-                              96,
-                              72,
-                              "x3",
-                              "x4",
-                              "x5",
-                              "x6",
-                              "x7",
-                              {{1, 2, 3, 4, "G", -0.5, 1.5}},
-                              "x8",
-                              {"x9"},
-                              {"x10"}};
-  TaskResult task{.part = "i",
-                  .number = "j",
-                  .slug = "k",
-                  .state = State::crash,
-                  .reason = "l",
-                  .points = 2,
-                  .max_points = 3,
-                  .bonus_points = 4,
-                  .spared = 1,
-                  .mistake = {"absolute_epsilon", "It is an epsilon.", "battery", "", false},
-                  .blocked_by = {"m"},
-                  .blamed = {"n", "o"},
-                  .compiler_output = "p\nq\n",
-                  .warnings = "w\n",
-                  .keeps_state = true,
-                  .printed = "\x1b\"r",
-                  .promises = {{"s", "t", true, true, 5, 0.1, {}},
-                               {"u", "v", false, false, 6, 0.2, {failure, failure}}},
-                  .pictures = {picture, picture}};
+  const TaskResult task = full_task();
   TaskResult other = task;
   other.slug = "k2";
   return {"y",

@@ -83,6 +83,31 @@ function reader(viewer) {
   };
 }
 
+const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+// `follow` gets the events of the pointer, and `move` the pixels to the right and down that an arrow key asks for.
+function listen(stage, follow, move) {
+  stage.tabIndex = 0;
+  stage.setAttribute("role", "group");
+  stage.setAttribute("aria-label", "Picture; arrow keys move the pixel that is read");
+  stage.addEventListener("pointermove", follow);
+  stage.addEventListener("pointerdown", follow);
+  stage.addEventListener("keydown", (event) => {
+    const step = steps[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const length = event.shiftKey ? 8 : 1;
+    move(length * step[0], length * step[1]);
+  });
+}
+
+// The slider moves the line between render and golden.
+function split_by_slider(compare, slider) {
+  const move = () => compare.style.setProperty("--split", `${slider.value}%`);
+  slider.addEventListener("input", move);
+  move();
+}
+
 function bring_to_life(viewer) {
   const width = Number(viewer.dataset.width);
   const height = Number(viewer.dataset.height);
@@ -90,7 +115,6 @@ function bring_to_life(viewer) {
   const readout = viewer.querySelector(".readout");
   const crosses = viewer.querySelectorAll(".cross");
   const compare = viewer.querySelector(".compare");
-  const split = viewer.querySelector(".split");
   let [x, y] = [width >> 1, height >> 1];
 
   function point_at(new_x, new_y) {
@@ -114,20 +138,8 @@ function bring_to_life(viewer) {
       Math.floor(((event.clientY - box.top) / box.height) * height));
   }
 
-  const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
   for (const stage of viewer.querySelectorAll(".stage")) {
-    stage.tabIndex = 0;
-    stage.setAttribute("role", "group");
-    stage.setAttribute("aria-label", "Picture; arrow keys move the pixel that is read");
-    stage.addEventListener("pointermove", follow);
-    stage.addEventListener("pointerdown", follow);
-    stage.addEventListener("keydown", (event) => {
-      const step = steps[event.key];
-      if (!step) return;
-      event.preventDefault();
-      const length = event.shiftKey ? 8 : 1;
-      point_at(x + length * step[0], y + length * step[1]);
-    });
+    listen(stage, follow, (right, down) => point_at(x + right, y + down));
   }
   for (const button of viewer.querySelectorAll(".cells button")) {
     button.addEventListener("click", () => {
@@ -135,9 +147,7 @@ function bring_to_life(viewer) {
       compare.scrollIntoView({ block: "nearest" });
     });
   }
-  const move = () => compare.style.setProperty("--split", `${split.value}%`);
-  split.addEventListener("input", move);
-  move();
+  split_by_slider(compare, viewer.querySelector(".split"));
   compare.classList.add("live");
 }
 

@@ -15,6 +15,35 @@ double area(const Box& b) {
 struct Work {
   int node, first, last;
 };
+struct Split {
+  int axis = 0, at;
+};
+// of the boxes of `range`; halves where all costs are infinite
+Split best_split(std::span<const Box> boxes, std::span<const int> range) {
+  int n = int(range.size());
+  double best = kInfinity;
+  Split found{0, n / 2};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<int> order(range.begin(), range.end());
+    std::ranges::stable_sort(order, {}, [&](int i) { return boxes[i].center()[axis]; });
+    std::vector<double> right(n);
+    Box b;
+    for (int i = n - 1; i > 0; --i) {
+      b.grow(boxes[order[i]]);
+      right[i] = area(b);
+    }
+    Box l;
+    for (int i = 1; i < n; ++i) {
+      l.grow(boxes[order[i - 1]]);
+      double cost = area(l) * i + right[i] * (n - i);
+      if (cost < best) {
+        best = cost;
+        found = {axis, i};
+      }
+    }
+  }
+  return found;
+}
 }  // namespace
 Bvh build_bvh(std::span<const Box> boxes, int max_leaf) {
   Bvh bvh;
@@ -35,38 +64,17 @@ Bvh build_bvh(std::span<const Box> boxes, int max_leaf) {
       bvh.nodes[node].count = n;
       continue;
     }
-    double best = kInfinity;
-    int best_axis = 0, best_split = n / 2;
-    for (int axis = 0; axis < 3; ++axis) {
-      std::vector<int> order(bvh.order.begin() + first, bvh.order.begin() + last);
-      std::ranges::stable_sort(order, {}, [&](int i) { return boxes[i].center()[axis]; });
-      std::vector<double> right(n);
-      Box b;
-      for (int i = n - 1; i > 0; --i) {
-        b.grow(boxes[order[i]]);
-        right[i] = area(b);
-      }
-      Box l;
-      for (int i = 1; i < n; ++i) {
-        l.grow(boxes[order[i - 1]]);
-        double cost = area(l) * i + right[i] * (n - i);
-        if (cost < best) {
-          best = cost;
-          best_axis = axis;
-          best_split = i;
-        }
-      }
-    }
+    auto split = best_split(boxes, std::span(bvh.order).subspan(first, n));
     // equal costs everywhere (identical or flat boxes): halves
     std::stable_sort(bvh.order.begin() + first, bvh.order.begin() + last, [&](int a, int c) {
-      return boxes[a].center()[best_axis] < boxes[c].center()[best_axis];
+      return boxes[a].center()[split.axis] < boxes[c].center()[split.axis];
     });
     int left = int(bvh.nodes.size());
     bvh.nodes.resize(left + 2);
     bvh.nodes[node].left = left;
     bvh.nodes[node].right = left + 1;
-    queue.push_back({left, first, first + best_split});
-    queue.push_back({left + 1, first + best_split, last});
+    queue.push_back({left, first, first + split.at});
+    queue.push_back({left + 1, first + split.at, last});
   }
   return bvh;
 }
