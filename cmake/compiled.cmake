@@ -11,7 +11,7 @@ set(compiled_archives pt_base pt_scene pt_image pt_loader pt_test_count pt_film 
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_test_count pt_film pt_render pt_rows scene_meshes
   grader_closed_forms)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
-  grader_worker grader_serve grader_recording)
+  grader_worker grader_connection grader_serve grader_recording)
 set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/graded_picture pt/compare
   scenes/generate)
 foreach(slug IN LISTS FIRSTLIGHT_COUNTED)
