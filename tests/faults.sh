@@ -164,7 +164,7 @@ killed_compiler() {
 full() { echo "/usr/bin/ld: final link failed: No space left on device" >&2; exit 1; }
 case "$name \$*" in
   killed*) kill -9 \$\$ ;;
-  once*hit_box.cpp*) [ -e "$folder/killed" ] || { touch "$folder/killed"; kill -9 \$\$; } ;;
+  once*hit_box.cpp*) [ -e "$folder/has_killed" ] || { touch "$folder/has_killed"; kill -9 \$\$; } ;;
   part*-wrapper*) \${2//,/ } sh -c 'kill -9 \$\$'; exit 1 ;;
   watcher*-wrapper*) \${2//,/ } sh -c 'kill -9 \$PPID; sleep 1'; exit 1 ;;
   nothing*-wrapper*) \${2//,/ } true; exit 1 ;;
@@ -185,7 +185,7 @@ END
   done
   # Beside others, it may have been chosen though another one took the memory: it runs once more, alone.
   grades once 0 "${asked[@]}" --isolation C
-  [ -e "$folder/killed" ] || complain "no compiler was killed"
+  [ -e "$folder/has_killed" ] || complain "no compiler was killed"
   grades linker 2 "${asked[@]}" --isolation C
   says 'final link failed'
   leaves linker
