@@ -1,5 +1,5 @@
 // breaks: takes_the_samples_asked_for
-// One draw a light, whatever was asked for.
+// One draw per light, whatever was asked for.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

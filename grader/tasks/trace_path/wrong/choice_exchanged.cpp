@@ -1,5 +1,5 @@
 // breaks: starts_with_direct_light
-// The two ways of looking for direct light are exchanged.
+// Hemisphere sampling and light sampling are exchanged.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
