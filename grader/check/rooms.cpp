@@ -174,9 +174,9 @@ rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direc
 rc::Gen<Room> glowing_room(const rc::Gen<Rgb>& albedo) {
   return rc::gen::exec([=] {
     const Rgb of_walls = *albedo, radiance = *color(0.25, 4);
-    Stage stage(*pose());
-    for (const Rectangle& wall : cube()) stage.surface(wall, of_walls, radiance);
-    const Situation made = stage.patch(of_walls, *direction_above(), false, radiance).done();
+    SceneMaker maker(*pose());
+    for (const Rectangle& wall : cube()) maker.surface(wall, of_walls, radiance);
+    const Situation made = maker.patch(of_walls, *direction_above(), false, radiance).done();
     const Rgb direct = of_walls * radiance;
     return Room{made.scene,
                 made.point,
@@ -194,10 +194,10 @@ struct Wall {
   Pose around;
   Rectangle shape;
   Rgb albedo;
-  Stage stage;
+  SceneMaker maker;
 
   Room seen_from(Rgb of_point, Direct direct, Rgb here, Rgb from_wall, Rgb variance) const {
-    const Situation made = stage.done();
+    const Situation made = maker.done();
     const Vec3 n = around.direction({0, 0, 1});
     const double seen = cosine_of_polygon(shape.corners(), {}, {0, 0, 1}) / pt::kPi;
     return {made.scene,
@@ -212,9 +212,9 @@ Wall wall_above(const rc::Gen<Rgb>& albedo, double tilt) {
   const Pose around = *pose();
   const Rectangle shape = *rectangle_above(tilt, 0.8, 2);
   const Rgb of_wall = *albedo;
-  Stage stage(around);
-  stage.surface(shape, of_wall);
-  return {around, shape, of_wall, stage};
+  SceneMaker maker(around);
+  maker.surface(shape, of_wall);
+  return {around, shape, of_wall, maker};
 }
 
 }  // namespace
@@ -244,7 +244,7 @@ rc::Gen<Room> sunny_wall(const rc::Gen<Rgb>& albedo, double tilt) {
     Rgb here, on_wall;
     const auto add_sun = [&](Vec3 towards) {
       const Rgb irradiance = *color(0.25, 4);
-      wall.stage.directional_light(towards, irradiance);
+      wall.maker.directional_light(towards, irradiance);
       here += irradiance * std::max(0.0, towards.z);
       on_wall += irradiance * std::max(0.0, dot(towards, n));
     };
@@ -262,7 +262,7 @@ rc::Gen<Room> wall_under_the_sky(const rc::Gen<Rgb>& albedo, const rc::Gen<Direc
   return rc::gen::exec([=] {
     Wall wall = wall_above(albedo, 0.9);
     const Rgb of_point = *albedo, radiance = *color(0.25, 4);
-    wall.stage.sky(radiance);
+    wall.maker.sky(radiance);
     const Vec3 n = wall.around.direction(wall.shape.n());
     const Rgb most = 2 * wall.albedo * radiance;
     const Rgb mean = most * (cosine_of_half_space({0, 1, 0}, n) / (2 * pt::kPi));

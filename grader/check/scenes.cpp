@@ -112,9 +112,9 @@ double coordinate_size(const pt::Primitives& primitives) {
   return size;
 }
 
-Stage::Stage(const Pose& pose) : pose_(pose) {}
+SceneMaker::SceneMaker(const Pose& pose) : pose_(pose) {}
 
-Stage& Stage::patch(Rgb albedo, Vec3 wo, bool from_behind, Rgb emission) {
+SceneMaker& SceneMaker::patch(Rgb albedo, Vec3 wo, bool from_behind, Rgb emission) {
   const Rectangle front{kOrigin, {0.125, 0, 0}, {0, 0.125, 0}};
   surface(from_behind ? front.flipped() : front, albedo, emission);
   point(albedo, wo);
@@ -123,7 +123,7 @@ Stage& Stage::patch(Rgb albedo, Vec3 wo, bool from_behind, Rgb emission) {
   return *this;
 }
 
-Stage& Stage::point(Rgb albedo, Vec3 wo) {
+SceneMaker& SceneMaker::point(Rgb albedo, Vec3 wo) {
   point_.p = pose_.point(kOrigin);
   point_.n = pose_.direction(kUp);
   point_.geometric_normal = point_.n;
@@ -133,8 +133,8 @@ Stage& Stage::point(Rgb albedo, Vec3 wo) {
   return *this;
 }
 
-Stage& Stage::rectangle(const Rectangle& shape, Rgb radiance, Body body, double hidden,
-                        double way) {
+SceneMaker& SceneMaker::rectangle(const Rectangle& shape, Rgb radiance, Body body, double hidden,
+                                  double way) {
   scene_.lights.emplace_back(pt::RectangleLight{
       pose_.point(shape.center), pose_.size * pose_.direction(shape.u),
       pose_.size * pose_.direction(shape.v), pose_.direction(shape.n()), radiance});
@@ -145,7 +145,8 @@ Stage& Stage::rectangle(const Rectangle& shape, Rgb radiance, Body body, double 
   return *this;
 }
 
-Stage& Stage::mesh(const Rectangle& shape, Rgb radiance, Body body, double hidden, double way) {
+SceneMaker& SceneMaker::mesh(const Rectangle& shape, Rgb radiance, Body body, double hidden,
+                             double way) {
   const std::vector<Vec3> c = shape.corners();
   std::vector<Vec3> q;
   q.reserve(c.size());
@@ -160,7 +161,8 @@ Stage& Stage::mesh(const Rectangle& shape, Rgb radiance, Body body, double hidde
 }
 
 // The surface of a flat light, what hides it, and its irradiance.
-void Stage::shines(const Rectangle& shape, Rgb radiance, Body body, double hidden, double way) {
+void SceneMaker::shines(const Rectangle& shape, Rgb radiance, Body body, double hidden,
+                        double way) {
   if (body == Body::surface) surface(shape, pt::gray(0.5), radiance);
   if (hidden > 0) {
     const Rectangle shade =
@@ -173,7 +175,7 @@ void Stage::shines(const Rectangle& shape, Rgb radiance, Body body, double hidde
   }
 }
 
-Stage& Stage::ball(Vec3 center, double radius, Rgb radiance, Body body) {
+SceneMaker& SceneMaker::ball(Vec3 center, double radius, Rgb radiance, Body body) {
   const pt::Sphere sphere{pose_.point(center), pose_.size * radius};
   scene_.lights.emplace_back(pt::SphereLight{sphere.center, sphere.radius, radiance});
   lights_.push_back(fmt::format("sphere light around {}, radius {}, radiance {}", brief(center),
@@ -191,7 +193,7 @@ Stage& Stage::ball(Vec3 center, double radius, Rgb radiance, Body body) {
   return *this;
 }
 
-Stage& Stage::point_light(Vec3 position, Rgb intensity, bool hidden, double way) {
+SceneMaker& SceneMaker::point_light(Vec3 position, Rgb intensity, bool hidden, double way) {
   scene_.lights.emplace_back(
       pt::PointLight{pose_.point(position), pose_.size * pose_.size * intensity});
   lights_.push_back(
@@ -204,7 +206,7 @@ Stage& Stage::point_light(Vec3 position, Rgb intensity, bool hidden, double way)
   return *this;
 }
 
-Stage& Stage::directional_light(Vec3 towards, Rgb irradiance, bool hidden) {
+SceneMaker& SceneMaker::directional_light(Vec3 towards, Rgb irradiance, bool hidden) {
   scene_.lights.emplace_back(pt::DirectionalLight{-pose_.direction(towards), irradiance});
   lights_.push_back(
       fmt::format("directional light along {}, irradiance {}", brief(-towards), brief(irradiance)));
@@ -213,7 +215,7 @@ Stage& Stage::directional_light(Vec3 towards, Rgb irradiance, bool hidden) {
   return *this;
 }
 
-Stage& Stage::sky(Rgb radiance) {
+SceneMaker& SceneMaker::sky(Rgb radiance) {
   scene_.lights.emplace_back(pt::AmbientLight{radiance});
   const Vec3 up{0, 1, 0};
   lights_.push_back(fmt::format("sky of radiance {} on the side of {}", brief(radiance),
@@ -223,26 +225,26 @@ Stage& Stage::sky(Rgb radiance) {
   return *this;
 }
 
-void Stage::arrives(Rgb radiance, double cosine, double facing) {
+void SceneMaker::arrives(Rgb radiance, double cosine, double facing) {
   irradiance_ += radiance * cosine;
   facing_ += radiance * facing;
 }
 
 // Rays meet a surface of this emission.
-void Stage::is_met(Rgb emission) {
+void SceneMaker::is_met(Rgb emission) {
   for (int channel = 0; channel < 3; ++channel) {
     brightest_[channel] = std::max(brightest_[channel], emission[channel]);
   }
 }
 
 // A dark square around a position, facing the origin.
-void Stage::shade(Vec3 position) {
+void SceneMaker::shade(Vec3 position) {
   const pt::Frame frame = pt::frame_from_normal(normalize(position));
   const double width = 0.4 * length(position);
   surface({position, width * frame.x, width * frame.y}, any_albedo_of_a_shade());
 }
 
-Stage& Stage::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
+SceneMaker& SceneMaker::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
   const int index = material(albedo, emission);
   const Vec3 p00 = pose_.point(shape.at(0, 0)), p10 = pose_.point(shape.at(1, 0));
   const Vec3 p11 = pose_.point(shape.at(1, 1)), p01 = pose_.point(shape.at(0, 1));
@@ -258,20 +260,20 @@ Stage& Stage::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
   return *this;
 }
 
-Stage& Stage::dark_ball(Vec3 center, double radius) {
+SceneMaker& SceneMaker::dark_ball(Vec3 center, double radius) {
   scene_.primitives.spheres.push_back({pose_.point(center), pose_.size * radius});
   ball_materials_.push_back(material(any_albedo_of_a_shade(), {}));
   surfaces_.push_back(fmt::format("dark ball around {}, radius {}", brief(center), brief(radius)));
   return *this;
 }
 
-int Stage::material(Rgb albedo, Rgb emission) {
+int SceneMaker::material(Rgb albedo, Rgb emission) {
   scene_.materials.push_back({"", albedo, emission, ""});
   return static_cast<int>(scene_.materials.size()) - 1;
 }
 
 // Only the first few of many lights or surfaces are listed.
-std::string Stage::text() const {
+std::string SceneMaker::text() const {
   std::string text = fmt::format(
       "told with the point at (0, 0, 0) and its normal along z; in the world turned, {} times as "
       "large and moved by {}\n",
@@ -287,7 +289,7 @@ std::string Stage::text() const {
   return text;
 }
 
-Situation Stage::done() const {
+Situation SceneMaker::done() const {
   Situation all{scene_, point_, point_.albedo * irradiance_ / pt::kPi, text(), facing_, brightest_};
   all.scene.material_of.insert(all.scene.material_of.end(), ball_materials_.begin(),
                                ball_materials_.end());

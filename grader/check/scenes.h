@@ -89,37 +89,38 @@ enum class Body { none, surface };
 
 // A shaded patch, and the lights and surfaces around it. All arguments are in local coordinates:
 // the shaded point is the origin, and its normal, on the side of the viewer, is along +z. The pose
-// takes them to the world. The stage adds up the irradiance by closed forms and knows only the
+// takes them to the world. It adds up the irradiance by closed forms and knows only the
 // shades that `hidden` makes. So the caller has to place other surfaces where they hide no light,
 // or has to set the right answer itself.
-class Stage {
+class SceneMaker {
  public:
-  explicit Stage(const Pose& pose);
+  explicit SceneMaker(const Pose& pose);
 
   // The patch itself: a square surface of side 1/8 around the origin, seen along -wo (local, wo.z
   // >= 0). With `from_behind`, its geometric normal points to -z.
-  Stage& patch(pt::Rgb albedo, pt::Vec3 wo, bool from_behind = false, pt::Rgb emission = {});
+  SceneMaker& patch(pt::Rgb albedo, pt::Vec3 wo, bool from_behind = false, pt::Rgb emission = {});
 
   // The same point, seen along -wo, without a surface of its own that could hide it.
-  Stage& point(pt::Rgb albedo, pt::Vec3 wo);
+  SceneMaker& point(pt::Rgb albedo, pt::Vec3 wo);
 
   // Lights, with their irradiance. A dark surface hides the part of the rectangle with a in [0,
   // hidden]. It is at the fraction `way` of the way to the light. A mesh and a
   // point light are hidden in the same way.
-  Stage& rectangle(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
+  SceneMaker& rectangle(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
+                        double way = 0.5);
+  SceneMaker& mesh(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
                    double way = 0.5);
-  Stage& mesh(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
-              double way = 0.5);
-  Stage& ball(pt::Vec3 center, double radius, pt::Rgb radiance, Body body);
-  Stage& point_light(pt::Vec3 position, pt::Rgb intensity, bool hidden = false, double way = 0.5);
-  Stage& directional_light(pt::Vec3 towards, pt::Rgb irradiance, bool hidden = false);
-  Stage& sky(pt::Rgb radiance);
+  SceneMaker& ball(pt::Vec3 center, double radius, pt::Rgb radiance, Body body);
+  SceneMaker& point_light(pt::Vec3 position, pt::Rgb intensity, bool hidden = false,
+                          double way = 0.5);
+  SceneMaker& directional_light(pt::Vec3 towards, pt::Rgb irradiance, bool hidden = false);
+  SceneMaker& sky(pt::Rgb radiance);
 
   // A surface that is not in the list of lights and does not change the irradiance.
-  Stage& surface(const Rectangle& shape, pt::Rgb albedo, pt::Rgb emission = {});
+  SceneMaker& surface(const Rectangle& shape, pt::Rgb albedo, pt::Rgb emission = {});
 
   // A ball without emission. Around the point, it hides everything outside of it.
-  Stage& dark_ball(pt::Vec3 center, double radius);
+  SceneMaker& dark_ball(pt::Vec3 center, double radius);
 
   Situation done() const;
 

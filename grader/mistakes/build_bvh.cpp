@@ -1,6 +1,6 @@
 #include "pt/tasks/build_bvh.h"
 
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/mistakes/battery.h"
 #include "grader/tasks/build_bvh/below.h"
 #include "grader/tasks/build_bvh/cases.h"
@@ -126,14 +126,14 @@ void ask(Battery& battery, const Boxes& boxes, int max_leaf, int across = -1) {
   });
 }
 
-Boxes scattered(Many& make, int n) {
+Boxes scattered(RandomNumbers& make, int n) {
   Boxes boxes;
   for (int i = 0; i < n; ++i) boxes.push_back(around(make.vector(-9, 9), make.vector(0.01, 1)));
   return boxes;
 }
 
 // A grid of boxes in random order. `step` is their distance on each axis.
-Boxes grid(Many& make, std::array<int, 3> count, Vec3 step, Vec3 corner, double half) {
+Boxes grid(RandomNumbers& make, std::array<int, 3> count, Vec3 step, Vec3 corner, double half) {
   Boxes boxes;
   for (int i = 0; i < count[0]; ++i) {
     for (int j = 0; j < count[1]; ++j) {
@@ -149,7 +149,7 @@ Boxes grid(Many& make, std::array<int, 3> count, Vec3 step, Vec3 corner, double 
 
 // Boxes in one row along an axis. They are a little out of line: on the axis that is
 // `thinner` axes further by a thousandth of that on the third one.
-Boxes row(Many& make, double scale, int axis, int thinner) {
+Boxes row(RandomNumbers& make, double scale, int axis, int thinner) {
   Boxes boxes;
   for (int i = 0; i < 64; ++i) {
     Vec3 p = 0.2 * scale * make.vector(-1, 1);
@@ -162,7 +162,7 @@ Boxes row(Many& make, double scale, int axis, int thinner) {
 }
 
 // One row along each axis, at several places and scales.
-void rows(Battery& battery, Many& make) {
+void rows(Battery& battery, RandomNumbers& make) {
   for (const double scale : {1e-4, 1.0, 1e3}) {
     for (int axis = 0; axis < 3; ++axis) {
       for (const int thinner : {1, 2}) {
@@ -184,7 +184,7 @@ void rows(Battery& battery, Many& make) {
 }
 
 // Rows of rows: the longest axis of all boxes is not the longest axis of one row.
-void rows_of_rows(Battery& battery, Many& make) {
+void rows_of_rows(Battery& battery, RandomNumbers& make) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const int other : {1, 2}) {
       const int across = (axis + other) % 3;
@@ -199,7 +199,7 @@ void rows_of_rows(Battery& battery, Many& make) {
   }
 }
 
-void sizes(Battery& battery, Many& make) {
+void sizes(Battery& battery, RandomNumbers& make) {
   for (const int max_leaf : {1, 2, 3, 4, 7, 8, 9}) {
     for (const int n : {max_leaf - 1, max_leaf, max_leaf + 1, 40}) {
       ask(battery, scattered(make, n), max_leaf);
@@ -208,7 +208,7 @@ void sizes(Battery& battery, Many& make) {
   for (const int n : {1, 2, 3, 5, 64, 200}) ask(battery, scattered(make, n), 1);
 }
 
-void alike(Battery& battery, Many& make) {
+void alike(Battery& battery, RandomNumbers& make) {
   for (const int max_leaf : {1, 4}) {
     for (const int n : {2, 5, 16, 40}) {
       ask(battery, Boxes(n, around({1, 2, 3}, {1, 1, 1})), max_leaf);
@@ -228,7 +228,7 @@ void alike(Battery& battery, Many& make) {
 
 // By how much boxes are larger than what is below them, as parts of the largest coordinate: more than
 // rounding errors of double, more than those of single precision, and far more.
-void too_wide(Battery& battery, Many& make) {
+void too_wide(Battery& battery, RandomNumbers& make) {
   const Input input{scattered(make, 40), 2, ""};
   battery.ask([&]() -> Battery::Numbers {
     const Bvh bvh = pt::build_bvh(input.boxes, input.max_leaf);
@@ -244,7 +244,7 @@ void too_wide(Battery& battery, Many& make) {
 
 // Thousands of boxes, and points in a tree of hundreds of levels, for leaves of one. Then a diagonal, on
 // which all axes are equally long at every level.
-void many(Battery& battery, Many& make) {
+void many(Battery& battery, RandomNumbers& make) {
   ask(battery, scattered(make, 2500), 1);
   Boxes halving, diagonal;
   for (int i = 0; i < 1000; ++i) halving.push_back(around({std::pow(2, -i), 0, 0}, {0, 0, 0}));
@@ -266,7 +266,7 @@ void large_numbers(Battery& battery) {
 }  // namespace
 
 void run_battery(Battery& battery) {
-  Many make(5);
+  RandomNumbers make(5);
   ask(battery, {}, 1);
   ask(battery, {}, 4);
   sizes(battery, make);

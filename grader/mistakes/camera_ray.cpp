@@ -1,6 +1,6 @@
 #include "pt/tasks/camera_ray.h"
 
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/mistakes/battery.h"
 
 #include <array>
@@ -14,7 +14,7 @@ using pt::Camera;
 using pt::Vec3;
 
 std::vector<Camera> cameras() {
-  Many make(2);
+  RandomNumbers make(2);
   std::vector<Camera> all;
   constexpr std::array<double, 2> kAngles[] = {{50, 38}, {90, 30}, {20, 70}, {100, 100}};
   for (const auto& [horizontal, vertical] : kAngles) {

@@ -2,7 +2,7 @@
 
 #include "grader/check/repeat.h"
 #include "grader/mistakes/battery.h"
-#include "grader/mistakes/stages.h"
+#include "grader/mistakes/patches.h"
 #include "grader/tasks/direct_hemisphere/surroundings.h"
 
 #include <cmath>
@@ -20,43 +20,50 @@ void ask(Battery& battery, const Situation& s, int samples = 1, int draws = 4000
   });
 }
 
-void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 4000) {
-  ask(battery, stage.done(), samples, draws);
+void ask(Battery& battery, const SceneMaker& maker, int samples = 1, int draws = 4000) {
+  ask(battery, maker.done(), samples, draws);
 }
 
 void skies(Battery& battery) {
   for (const Vec3 n : {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{1, -0.5, 1}}) {
-    ask(battery, Stage(turned(n)).sky(kRadiance).patch(kAlbedo, kTilted));
+    ask(battery, SceneMaker(turned(n)).sky(kRadiance).patch(kAlbedo, kTilted));
   }
-  ask(battery, Stage(turned({0, 1, 0})).sky(kRadiance).patch(kAlbedo, kTilted, true));
+  ask(battery, SceneMaker(turned({0, 1, 0})).sky(kRadiance).patch(kAlbedo, kTilted, true));
 }
 
 void lights(Battery& battery) {
-  ask(battery, Stage(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted));
   ask(battery,
-      Stage(turned({1, 2, 3})).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted));
-  ask(battery, Stage(turned({-1, 0.2, 0.1}))
+      SceneMaker(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted));
+  ask(battery, SceneMaker(turned({1, 2, 3}))
+                   .rectangle(kAbove, kRadiance, Body::surface)
+                   .patch(kAlbedo, kTilted));
+  ask(battery, SceneMaker(turned({-1, 0.2, 0.1}))
                    .rectangle(kAside, kRadiance, Body::surface)
                    .patch(kAlbedo, kTilted, true));
-  ask(battery, Stage(here()).surface(kAbove, {0.2, 0.7, 0.4}, kRadiance).patch(kAlbedo, kTilted));
-  ask(battery, Stage(here()).surface(kAbove, {0.2, 0.7, 0.4}).patch(kAlbedo, kTilted));
-  ask(battery, Stage(here()).rectangle(kAbove, kRadiance, Body::none).patch(kAlbedo, kTilted));
   ask(battery,
-      Stage(here()).surface(kAbove.flipped(), {.4, .4, .4}, kRadiance).patch(kAlbedo, kTilted));
+      SceneMaker(here()).surface(kAbove, {0.2, 0.7, 0.4}, kRadiance).patch(kAlbedo, kTilted));
+  ask(battery, SceneMaker(here()).surface(kAbove, {0.2, 0.7, 0.4}).patch(kAlbedo, kTilted));
+  ask(battery, SceneMaker(here()).rectangle(kAbove, kRadiance, Body::none).patch(kAlbedo, kTilted));
+  ask(battery, SceneMaker(here())
+                   .surface(kAbove.flipped(), {.4, .4, .4}, kRadiance)
+                   .patch(kAlbedo, kTilted));
   ask(battery,
-      Stage(here()).rectangle(kAbove, kRadiance, Body::surface, 0.4).patch(kAlbedo, kTilted));
+      SceneMaker(here()).rectangle(kAbove, kRadiance, Body::surface, 0.4).patch(kAlbedo, kTilted));
   // The point itself glows, with and without other light.
   const pt::Rgb glow{5, 4, 3};
-  ask(battery, Stage(here()).patch(kAlbedo, kTilted, false, glow));
-  ask(battery, Stage(here()).surface(kAbove, {.2, .2, .2}).patch(kAlbedo, kTilted, false, glow));
+  ask(battery, SceneMaker(here()).patch(kAlbedo, kTilted, false, glow));
   ask(battery,
-      Stage(here()).surface(kAbove, {.2, .2, .2}, kRadiance).patch(kAlbedo, kTilted, false, glow));
-  ask(battery, Stage(here()).point_light({0, 0, 2}, kRadiance).patch(kAlbedo, kTilted));
+      SceneMaker(here()).surface(kAbove, {.2, .2, .2}).patch(kAlbedo, kTilted, false, glow));
+  ask(battery, SceneMaker(here())
+                   .surface(kAbove, {.2, .2, .2}, kRadiance)
+                   .patch(kAlbedo, kTilted, false, glow));
+  ask(battery, SceneMaker(here()).point_light({0, 0, 2}, kRadiance).patch(kAlbedo, kTilted));
 }
 
 void samples(Battery& battery) {
   for (const int each : {2, 4, 16, 40}) {
-    ask(battery, Stage(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted),
+    ask(battery,
+        SceneMaker(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted),
         each, 2000);
   }
 }
@@ -65,15 +72,15 @@ void samples(Battery& battery) {
 void scales(Battery& battery) {
   for (const double size : {1e-4, 1e-2, 1e2, 1e4}) {
     for (const Vec3 shift : {Vec3{}, Vec3{100, -70, 50}}) {
-      Stage stage(here(size, shift));
+      SceneMaker maker(here(size, shift));
       for (const Rectangle& wall : cube()) {
         const bool floor = wall.center.z == 0;
-        stage.surface(wall, {.3, .3, .3}, floor ? pt::Rgb{} : kRadiance);
+        maker.surface(wall, {.3, .3, .3}, floor ? pt::Rgb{} : kRadiance);
       }
-      ask(battery, stage.patch(kAlbedo, kTilted), 1, 1000);
+      ask(battery, maker.patch(kAlbedo, kTilted), 1, 1000);
     }
     for (const Pose& pose : {here(size), far_away(size)}) {
-      Stage lit(pose), hidden(pose);
+      SceneMaker lit(pose), hidden(pose);
       lit.rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted);
       hidden.rectangle(kAbove, kRadiance, Body::surface).surface(kPlate, {.5, .5, .5});
       ask(battery, lit, 1, 1000);
@@ -86,28 +93,32 @@ void scales(Battery& battery) {
 void brightness(Battery& battery) {
   for (const pt::Rgb radiance :
        {pt::Rgb{3e5, 2e5, 1e5}, pt::Rgb{30, 20, 40}, pt::Rgb{3e-3, 2e-3, 1e-3}, pt::Rgb{2, 0, 3}}) {
-    ask(battery, Stage(here()).rectangle(kAbove, radiance, Body::surface).patch(kAlbedo, kTilted),
-        1, 1000);
+    ask(battery,
+        SceneMaker(here()).rectangle(kAbove, radiance, Body::surface).patch(kAlbedo, kTilted), 1,
+        1000);
   }
   // The sky above a floor, where the mean has so little noise that one sample of 64 counts.
-  ask(battery, Stage(turned({0, 1, 0})).sky(kRadiance).patch(kAlbedo, kTilted), 64, 2000);
-  ask(battery, Stage(here()).sky(kRadiance).patch(kAlbedo, kTilted), 3000, 60);
+  ask(battery, SceneMaker(turned({0, 1, 0})).sky(kRadiance).patch(kAlbedo, kTilted), 64, 2000);
+  ask(battery, SceneMaker(here()).sky(kRadiance).patch(kAlbedo, kTilted), 3000, 60);
 }
 
 // Seen from behind, a point that glows on its front. A ray that starts on the wrong side meets it; a
 // direction on the wrong side brings nothing.
 void glowing_front(Battery& battery) {
-  ask(battery, Stage(here()).patch(kAlbedo, kTilted, true, {5, 4, 3}));
+  ask(battery, SceneMaker(here()).patch(kAlbedo, kTilted, true, {5, 4, 3}));
 }
 
 // A sky that is not the first light, and one beside a light without a surface.
 void skies_beside_lights(Battery& battery) {
   const Pose floor = turned({0, 1, 0});
   ask(battery,
-      Stage(floor).point_light({0, 0, 2}, kRadiance).sky(kRadiance).patch(kAlbedo, kTilted), 1,
+      SceneMaker(floor).point_light({0, 0, 2}, kRadiance).sky(kRadiance).patch(kAlbedo, kTilted), 1,
       500);
   ask(battery,
-      Stage(floor).sky(kRadiance).rectangle(kAbove, kRadiance, Body::none).patch(kAlbedo, kTilted),
+      SceneMaker(floor)
+          .sky(kRadiance)
+          .rectangle(kAbove, kRadiance, Body::none)
+          .patch(kAlbedo, kTilted),
       1, 500);
 }
 
@@ -116,14 +127,16 @@ void skies_beside_lights(Battery& battery) {
 void backs(Battery& battery) {
   const Rectangle shade = kAbove.scaled(0.5).part(-0.5, 1.5, -0.5, 1.5).flipped();
   ask(battery,
-      Stage(here())
+      SceneMaker(here())
           .rectangle(kAbove, kRadiance, Body::surface)
           .surface(shade, {.5, .5, .5})
           .patch(kAlbedo, kTilted),
       1, 500);
   for (const Rectangle& light : {kAbove, kAbove.flipped()}) {
-    const Situation s =
-        Stage(here()).rectangle(light, kRadiance, Body::surface).patch(kAlbedo, kTilted).done();
+    const Situation s = SceneMaker(here())
+                            .rectangle(light, kRadiance, Body::surface)
+                            .patch(kAlbedo, kTilted)
+                            .done();
     ask(battery, direct_hemisphere_cases::with_corner_normals_turned_round(s), 1, 500);
   }
 }
@@ -131,7 +144,7 @@ void backs(Battery& battery) {
 // The normal of the true surface is not the shading normal.
 void smooth_shading(Battery& battery) {
   Situation s =
-      Stage(here()).rectangle(kAside, kRadiance, Body::surface).point(kAlbedo, kTilted).done();
+      SceneMaker(here()).rectangle(kAside, kRadiance, Body::surface).point(kAlbedo, kTilted).done();
   s.point.geometric_normal = normalize(Vec3{-0.3, -0.1, 0.9});
   ask(battery, s);
 }
@@ -139,57 +152,59 @@ void smooth_shading(Battery& battery) {
 // A light a million units away, a ball, and a lamp that fills a hundred-and-fiftieth of the
 // hemisphere, so that a hundred directions may miss it.
 void sizes_and_shapes(Battery& battery) {
-  ask(battery, Stage(here(1e6)).rectangle(kAbove, kRadiance, Body::surface).point(kAlbedo, kTilted),
-      1, 500);
-  ask(battery, Stage(here()).ball({0, 0, 2}, 1, kRadiance, Body::surface).patch(kAlbedo, kTilted),
-      1, 500);
+  ask(battery,
+      SceneMaker(here(1e6)).rectangle(kAbove, kRadiance, Body::surface).point(kAlbedo, kTilted), 1,
+      500);
+  ask(battery,
+      SceneMaker(here()).ball({0, 0, 2}, 1, kRadiance, Body::surface).patch(kAlbedo, kTilted), 1,
+      500);
   const Rectangle lamp{{0, 0, 1}, {0, 0.2, 0}, {0.2, 0, 0}};
-  ask(battery, Stage(here()).rectangle(lamp, kRadiance, Body::surface).patch(kAlbedo, kTilted), 400,
-      80);
+  ask(battery, SceneMaker(here()).rectangle(lamp, kRadiance, Body::surface).patch(kAlbedo, kTilted),
+      400, 80);
 }
 
 // Glowing strips that stand upright between the whole degrees of the azimuth.
 void strips_between_degrees(Battery& battery) {
   constexpr int kStrips = 40;
-  Stage stage(here());
+  SceneMaker maker(here());
   for (int i = 0; i < kStrips; ++i) {
     const double degree = pt::kPi / 180, width = 0.8 * degree;
     const double azimuth = (360 / kStrips * i + 0.5) * degree;
     const double x = std::cos(azimuth), y = std::sin(azimuth);
-    stage.surface({{x, y, 0.5}, {width * y, -width * x, 0}, {0, 0, 1}}, {.5, .5, .5}, kRadiance);
+    maker.surface({{x, y, 0.5}, {width * y, -width * x, 0}, {0, 0, 1}}, {.5, .5, .5}, kRadiance);
   }
-  ask(battery, stage.patch(kAlbedo, kTilted), 1, 1500);
+  ask(battery, maker.patch(kAlbedo, kTilted), 1, 1500);
 }
 
 // Four walls that glow in red up to 0.05 degrees above the horizon, and in green from 0.06 to 0.16
 // degrees.
 void lit_at_the_horizon(Battery& battery) {
-  Stage stage(here());
+  SceneMaker maker(here());
   for (const Rectangle& wall : cube()) {
     if (wall.center.z != 0.5) continue;
     const auto strip = [&](double low, double high) {
       return wall.u.z > 0 ? wall.part(low, high, 0, 1) : wall.part(0, 1, low, high);
     };
-    stage.surface(strip(0, 9e-4), {.5, .5, .5}, {1e6, 0, 0});
-    stage.surface(strip(1.5e-3, 2.8e-3), {.5, .5, .5}, {0, 1e6, 0});
+    maker.surface(strip(0, 9e-4), {.5, .5, .5}, {1e6, 0, 0});
+    maker.surface(strip(1.5e-3, 2.8e-3), {.5, .5, .5}, {0, 1e6, 0});
   }
-  ask(battery, stage.patch(pt::gray(0.5), kTilted), 50, 1000);
+  ask(battery, maker.patch(pt::gray(0.5), kTilted), 50, 1000);
 }
 
 // A patch in a large room that glows. A ray must not meet the patch again.
 void far_from_the_origin(Battery& battery) {
   for (const Pose& pose : farthest(1e6)) {
-    Stage stage(pose);
+    SceneMaker maker(pose);
     for (const Rectangle& wall : direct_hemisphere_cases::dome(1)) {
-      stage.surface(wall, {.5, .5, .5}, kRadiance);
+      maker.surface(wall, {.5, .5, .5}, kRadiance);
     }
-    ask(battery, stage.patch(kAlbedo, kTilted), 1, 200);
+    ask(battery, maker.patch(kAlbedo, kTilted), 1, 200);
   }
 }
 
 // Light is never negative.
 void signs(Battery& battery) {
-  const Situation s = Stage(here()).sky(kRadiance).patch(kAlbedo, kTilted).done();
+  const Situation s = SceneMaker(here()).sky(kRadiance).patch(kAlbedo, kTilted).done();
   battery.mean(200, [&](int n, std::uint64_t seed) {
     std::vector<Battery::Numbers> negative;
     for (const pt::Rgb each : repeat<pt::direct_hemisphere>(n, seed, s.scene, s.point, 1)) {
@@ -201,7 +216,7 @@ void signs(Battery& battery) {
 
 void sampler(Battery& battery) {
   const Situation s =
-      Stage(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted).done();
+      SceneMaker(here()).rectangle(kAbove, kRadiance, Body::surface).patch(kAlbedo, kTilted).done();
   battery.ask([&] {
     return use_of_sampler([&](pt::Sampler& sampler) {
       return numbers(pt::direct_hemisphere(s.scene, s.point, 4, sampler));

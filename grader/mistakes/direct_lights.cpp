@@ -2,7 +2,7 @@
 
 #include "grader/check/repeat.h"
 #include "grader/mistakes/battery.h"
-#include "grader/mistakes/stages.h"
+#include "grader/mistakes/patches.h"
 
 namespace grader::mistakes {
 namespace {
@@ -17,27 +17,27 @@ void ask(Battery& battery, const Situation& s, int samples = 1, int draws = 3000
   });
 }
 
-void ask(Battery& battery, const Stage& stage, int samples = 1, int draws = 3000) {
-  ask(battery, stage.done(), samples, draws);
+void ask(Battery& battery, const SceneMaker& maker, int samples = 1, int draws = 3000) {
+  ask(battery, maker.done(), samples, draws);
 }
 
 // For scenes without randomness: eight draws are enough.
-void ask_exactly(Battery& battery, const Stage& stage, int samples = 1) {
-  ask(battery, stage, samples, 8);
+void ask_exactly(Battery& battery, const SceneMaker& maker, int samples = 1) {
+  ask(battery, maker, samples, 8);
 }
 
 // Whether the point is black: where nothing else counts, and where light is so weak that right
 // answers differ in it.
-void ask_if_black(Battery& battery, const Stage& stage) {
-  const Situation s = stage.done();
+void ask_if_black(Battery& battery, const SceneMaker& maker) {
+  const Situation s = maker.done();
   battery.ask([&]() -> Battery::Numbers {
     pt::Sampler sampler(7);
     return {flag(is_black(pt::direct_lights(s.scene, s.point, 1, sampler)))};
   });
 }
 
-Stage patch(const Pose& pose = here(), bool from_behind = false) {
-  return Stage(pose).patch(kAlbedo, kTilted, from_behind);
+SceneMaker patch(const Pose& pose = here(), bool from_behind = false) {
+  return SceneMaker(pose).patch(kAlbedo, kTilted, from_behind);
 }
 
 void delta_lights(Battery& battery) {
@@ -84,7 +84,7 @@ void area_lights(Battery& battery) {
       patch(turned({0.2, -1, 0.4}), true).ball({0.5, 0.3, 1.4}, 0.5, kRadiance, Body::none));
   // Half of the light is below the horizon.
   ask(battery, patch().rectangle({{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, kRadiance, Body::none));
-  ask(battery, Stage(here())
+  ask(battery, SceneMaker(here())
                    .rectangle(kAbove, kRadiance, Body::surface)
                    .patch(kAlbedo, kTilted, false, {5, 4, 3}));
 }
@@ -99,11 +99,11 @@ void skies(Battery& battery) {
 void several(Battery& battery) {
   const pt::Rgb colors[] = {{3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {1, 2, 0}, {0, 1, 2}, {2, 0, 1}};
   for (const int each : {1, 2, 3, 4, 6, 12}) {
-    Stage stage = patch();
+    SceneMaker maker = patch();
     for (int i = 0; i < each; ++i) {
-      stage.point_light({0.3 * i - 0.5, 0.2, 1.0 + 0.1 * i}, colors[i % 6]);
+      maker.point_light({0.3 * i - 0.5, 0.2, 1.0 + 0.1 * i}, colors[i % 6]);
     }
-    ask_exactly(battery, stage);
+    ask_exactly(battery, maker);
   }
   for (const int samples : {1, 4}) {
     ask(battery,
@@ -124,7 +124,7 @@ void several(Battery& battery) {
 // The normal of the true surface is not the shading normal.
 void smooth_shading(Battery& battery) {
   Situation s =
-      Stage(here()).point(kAlbedo, kTilted).point_light({0.8, 0.6, 0.9}, kRadiance).done();
+      SceneMaker(here()).point(kAlbedo, kTilted).point_light({0.8, 0.6, 0.9}, kRadiance).done();
   s.point.geometric_normal = normalize(Vec3{0.3, -0.1, 0.9});
   ask(battery, s, 1, 8);
 }
@@ -160,7 +160,7 @@ void extremes(Battery& battery) {
   }
   ask_exactly(battery, patch().directional_light({1, 0, 0.005}, kRadiance));
   ask_exactly(battery, patch().point_light({0.01, 0, 0.02}, 1e6 * kRadiance));
-  Stage many = patch();
+  SceneMaker many = patch();
   for (int i = 0; i < 40; ++i) many.point_light({0.1 * i - 2, 0.3, 1 + 0.02 * i}, kRadiance);
   ask_exactly(battery, many);
   for (const double way : {0.98, 0.995}) {
@@ -183,7 +183,7 @@ void after_dark_lights(Battery& battery) {
 // A hundred lights, all of which give light. Then a hundred of which only a half hidden lamp does:
 // its noise shows how many samples it gets.
 void hundred_lights(Battery& battery) {
-  Stage all = patch(), one = patch().rectangle(kAside, kRadiance, Body::none, 0.5);
+  SceneMaker all = patch(), one = patch().rectangle(kAside, kRadiance, Body::none, 0.5);
   for (int i = 0; i < 100; ++i) all.point_light({0.04 * i - 2, 0.3, 1 + 0.01 * i}, kRadiance);
   for (int i = 1; i < 100; ++i) one.point_light({0, 0.1, -1}, kRadiance);
   ask_exactly(battery, all);
@@ -218,7 +218,7 @@ void shadows(Battery& battery) {
 // Lights, and surfaces that hide lights, a million units away.
 void far_ways(Battery& battery) {
   const Vec3 side = normalize(Vec3{0.8, 0.6, 0.9});
-  ask_if_black(battery, Stage(here(1e6)).point(kAlbedo, kTilted).point_light(side, kRadiance));
+  ask_if_black(battery, SceneMaker(here(1e6)).point(kAlbedo, kTilted).point_light(side, kRadiance));
   ask_if_black(battery, patch(here(1e6)).directional_light(side, kRadiance, true));
   ask(battery, patch(here(1e6)).dark_ball({0, 0, 1.2}, 1.5).sky(kRadiance), 1, 500);
 }

@@ -1,6 +1,6 @@
 #include "pt/tasks/hit_box.h"
 
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/mistakes/battery.h"
 
 #include <algorithm>
@@ -25,16 +25,16 @@ void ask(Battery& battery, const Box& box, const Ray& ray) {
   });
 }
 
-Box some_box(Many& make, double size) {
+Box some_box(RandomNumbers& make, double size) {
   const Vec3 center = size * make.vector(-3, 3), half = size * make.vector(0.3, 1.5);
   return {center - half, center + half};
 }
 
-Vec3 inside(const Box& box, Many& make) {
+Vec3 inside(const Box& box, RandomNumbers& make) {
   return box.center() + 0.4 * make.between(-1, 1) * box.extent();
 }
 
-void anywhere(Battery& battery, Many& make) {
+void anywhere(Battery& battery, RandomNumbers& make) {
   for (int i = 0; i < 24; ++i) {
     const Box box = some_box(make, i < 16 ? 1 : i < 20 ? 1e-5 : 1e5);
     const double size = max_abs(box.extent());
@@ -47,7 +47,7 @@ void anywhere(Battery& battery, Many& make) {
 
 // Rays beside the box, on each side of each axis. Each of them is inside the other two slabs for
 // some t.
-void beside(Battery& battery, Many& make) {
+void beside(Battery& battery, RandomNumbers& make) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {1.0, -1.0}) {
       const Box box = some_box(make, 1);
@@ -65,7 +65,7 @@ void beside(Battery& battery, Many& make) {
 }
 
 // The ranges count in units of the box: 1 is where the ray enters it, 2 where it leaves it.
-void ranges(Battery& battery, Many& make) {
+void ranges(Battery& battery, RandomNumbers& make) {
   constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5},  {1.2, 1.8}, {1.5, 9},
                                                {2.5, 9},  {0, 9},     {-9, -1},   {1.2, 9},
                                                {.5, 2.5}, {2.2, 2.5}, {.2, .7}};
@@ -97,7 +97,7 @@ void ranges(Battery& battery, Many& make) {
   }
 }
 
-void along_the_axes(Battery& battery, Many& make) {
+void along_the_axes(Battery& battery, RandomNumbers& make) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {
       for (const double zero : {0.0, -0.0}) {
@@ -122,7 +122,7 @@ void along_the_axes(Battery& battery, Many& make) {
   }
 }
 
-void flat(Battery& battery, Many& make) {
+void flat(Battery& battery, RandomNumbers& make) {
   for (int axis = 0; axis < 3; ++axis) {
     Box box = some_box(make, 1);
     box.max[axis] = box.min[axis];
@@ -138,7 +138,7 @@ void flat(Battery& battery, Many& make) {
 }
 
 // Directions of any length, boxes of any size, and rays that run nearly along a side.
-void extremes(Battery& battery, Many& make) {
+void extremes(Battery& battery, RandomNumbers& make) {
   const Vec3 along{0.6, -0.5, 0.7};
   for (const double longer : {1e-9, 3e-8, 4e-7, 1e10}) {
     const Box box = some_box(make, 1);
@@ -163,7 +163,7 @@ void extremes(Battery& battery, Many& make) {
 }
 
 // Whether the interval is as precise as a double can be.
-void precisely(Battery& battery, Many& make) {
+void precisely(Battery& battery, RandomNumbers& make) {
   for (int i = 0; i < 3; ++i) {
     const Box box = some_box(make, 1);
     const double t = make.between(2, 5);
@@ -180,7 +180,7 @@ void precisely(Battery& battery, Many& make) {
 }
 
 // A billion of its sizes away, rays at the box and past an edge of it.
-void far_away(Battery& battery, Many& make) {
+void far_away(Battery& battery, RandomNumbers& make) {
   constexpr double kFar = 1e9;
   for (int i = 0; i < 8; ++i) {
     const Box box = some_box(make, 1);
@@ -201,7 +201,7 @@ void far_away(Battery& battery, Many& make) {
 
 // A ray that is almost parallel to a side. Half way to the box it crosses the plane of this side, so
 // that a component counts which is small beside the direction, or as a number.
-void almost_parallel(Battery& battery, Many& make) {
+void almost_parallel(Battery& battery, RandomNumbers& make) {
   constexpr double kWay = 1e4;
   for (const auto& [slope, longer] : {std::pair{5e-10, 1.0}, {5e-11, 1.0}, {1e-7, 1e-9}}) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -215,7 +215,7 @@ void almost_parallel(Battery& battery, Many& make) {
 }
 
 // A range of a single point inside the box, and a flat box close to the origin of the ray.
-void points(Battery& battery, Many& make) {
+void points(Battery& battery, RandomNumbers& make) {
   Box box = some_box(make, 1);
   const Vec3 along{0.6, -0.5, 0.7}, near{0.04, 0.05, 0.06};
   Ray ray{inside(box, make) - 5 * along, along};
@@ -231,7 +231,7 @@ void points(Battery& battery, Many& make) {
 }  // namespace
 
 void run_battery(Battery& battery) {
-  Many make(6);
+  RandomNumbers make(6);
   anywhere(battery, make);
   beside(battery, make);
   ranges(battery, make);

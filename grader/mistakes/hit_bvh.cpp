@@ -1,6 +1,6 @@
 #include "pt/tasks/hit_bvh.h"
 
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/mistakes/battery.h"
 #include "grader/mistakes/hit_bvh_looks.h"
 #include "grader/tasks/hit_bvh/ends_of_range.h"
@@ -25,13 +25,14 @@ double share(std::size_t tested, double all) {
 
 // A ray towards the middle of a primitive or close past it. It starts outside the primitives or
 // between them.
-pt::Ray some_ray(const pt::Primitives& primitives, Many& make) {
+pt::Ray some_ray(const pt::Primitives& primitives, RandomNumbers& make) {
   const pt::Box box = bounds(primitives, make.whole(0, primitives.size() - 1));
   const pt::Vec3 origin = make.vector(-9, 9);
   return {origin, box.center() + make.vector(-0.3, 0.3) - origin};
 }
 
-Case some_case(Many& make, Shape shape, int n, double padding, int max_leaf, bool spheres) {
+Case some_case(RandomNumbers& make, Shape shape, int n, double padding, int max_leaf,
+               bool spheres) {
   Case c;
   for (int i = 0; i < n; ++i) {
     if (spheres && make.whole(0, 2) == 0) {
@@ -50,7 +51,7 @@ void ask(Battery& battery, const Case& c, bool with_cost) {
   battery.ask([&] { return look_for_any(c, with_cost); });
 }
 
-void trees(Battery& battery, Many& make) {
+void trees(Battery& battery, RandomNumbers& make) {
   for (const Shape shape : {Shape::balanced, Shape::random, Shape::chain}) {
     for (const int n : {2, 5, 12, 24, 40}) {
       for (const bool spheres : {false, true}) {
@@ -64,7 +65,7 @@ void trees(Battery& battery, Many& make) {
 }
 
 // Many hits along one ray, with every kind of range.
-void ranges(Battery& battery, Many& make) {
+void ranges(Battery& battery, RandomNumbers& make) {
   Case c = some_case(make, Shape::random, 30, 0.5, 2, true);
   for (int i = 0; i < 6; ++i) c.primitives.spheres.push_back({{0, 0, 4.0 * i}, 1});
   c.bvh = tree_of(c.primitives, Shape::random, 2, 0.1, make);
@@ -78,7 +79,7 @@ void ranges(Battery& battery, Many& make) {
   }
 }
 
-void walls(Battery& battery, Many& make) {
+void walls(Battery& battery, RandomNumbers& make) {
   constexpr int kWalls = 64;
   Case c;
   for (int i = 0; i < kWalls; ++i) {
@@ -100,7 +101,7 @@ void walls(Battery& battery, Many& make) {
   }
 }
 
-void deep(Battery& battery, Many& make) {
+void deep(Battery& battery, RandomNumbers& make) {
   for (const int n : {40, 70}) {
     Case c = some_case(make, Shape::chain, n, 20, 1, true);
     c.ray.t_min = 0;
@@ -110,7 +111,7 @@ void deep(Battery& battery, Many& make) {
 }
 
 // Six primitives in a row. The ray meets all of them, so boxes and primitives have to be asked for.
-Case row(Many& make, bool spheres) {
+Case row(RandomNumbers& make, bool spheres) {
   Case c;
   for (int i = 0; i < 6; ++i) {
     const double z = 4.0 * i;
@@ -126,7 +127,7 @@ Case row(Many& make, bool spheres) {
 }
 
 // Whether others are asked: hit_box, and hit_primitive for each kind.
-void others(Battery& battery, Many& make) {
+void others(Battery& battery, RandomNumbers& make) {
   for (const bool spheres : {false, true}) {
     const Case c = row(make, spheres);
     battery.ask([&]() -> Battery::Numbers {
@@ -150,7 +151,7 @@ void ask_exactly(Battery& battery, const Case& c, double t) {
 }
 
 // Leaves with many primitives, and hits at a small and at a large t.
-void extremes(Battery& battery, Many& make) {
+void extremes(Battery& battery, RandomNumbers& make) {
   for (int i = 0; i < 3; ++i) ask(battery, some_case(make, Shape::leaf, 200, 0, 1, true), false);
   const Case spheres = row(make, true), walls = row(make, false);
   Case fast = spheres, slow = walls;
@@ -162,7 +163,7 @@ void extremes(Battery& battery, Many& make) {
 
 // A range that ends, begins, or does both at a wall. The ray enters the box of a wall where it meets
 // the wall, but that of the last wall before.
-void ends(Battery& battery, Many& make) {
+void ends(Battery& battery, RandomNumbers& make) {
   for (const int walls : {1, 3}) {
     for (const auto& [end, wall] :
          {std::pair{End::last, 0}, std::pair{End::first, walls - 1}, std::pair{End::both, 0}}) {
@@ -177,7 +178,7 @@ void ends(Battery& battery, Many& make) {
 
 // Two walls that all but touch, by distances that are parts of t. The query knows the farther one first.
 // t is not a float: the nearest one is beyond both walls, unless they are a ten-thousandth apart.
-void touching(Battery& battery, Many& make) {
+void touching(Battery& battery, RandomNumbers& make) {
   constexpr double kNear = 7.3;
   for (const Shape shape : {Shape::random, Shape::leaf}) {
     for (const double apart : {2e-10, 1e-8, 1e-4}) {
@@ -206,7 +207,7 @@ void large_numbers(Battery& battery) {
 }  // namespace
 
 void run_battery(Battery& battery) {
-  Many make(7);
+  RandomNumbers make(7);
   Case empty;
   empty.ray = {{0, 0, 0}, {0, 0, 1}};
   ask(battery, empty, false);

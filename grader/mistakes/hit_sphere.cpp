@@ -1,6 +1,6 @@
 #include "pt/tasks/hit_sphere.h"
 
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/mistakes/battery.h"
 
 #include <array>
@@ -15,7 +15,7 @@ using pt::Ray;
 using pt::Sphere;
 using pt::Vec3;
 
-Vec3 unit(Many& make) { return normalize(make.vector(-1, 1) + Vec3{0.1, 0.2, 0.3}); }
+Vec3 unit(RandomNumbers& make) { return normalize(make.vector(-1, 1) + Vec3{0.1, 0.2, 0.3}); }
 
 void ask(Battery& battery, const Sphere& sphere, const Ray& ray, double t) {
   battery.ask([&]() -> Battery::Numbers {
@@ -34,7 +34,7 @@ struct Line {
   Ray ray;
   double near = 0, far = 0;  // values of t
 
-  Line(Many& make, double radius, double offset, double before, double direction_length)
+  Line(RandomNumbers& make, double radius, double offset, double before, double direction_length)
       : sphere{3 * radius * make.vector(-1, 1), radius} {
     const Vec3 along = unit(make), beside = normalize(cross(along, unit(make)));
     const double half = std::sqrt(std::max(0.0, 1 - offset * offset));
@@ -51,7 +51,7 @@ void ask(Battery& battery, Line line, double t_min, double t_max) {
   ask(battery, line.sphere, line.ray, line.far);
 }
 
-void plain(Battery& battery, Many& make) {
+void plain(Battery& battery, RandomNumbers& make) {
   for (const double offset : {0.0, 0.2, 0.5, 0.9, 0.99, 1.01, 1.1, 1.3, 1.5, 2.0, 5.0}) {
     for (const double longer : {1.0, 0.4, 3.0}) {
       const Line line(make, make.between(0.3, 3.0), offset, 4, longer);
@@ -67,7 +67,7 @@ void plain(Battery& battery, Many& make) {
 }
 
 // The ranges count in units of the chord: 1 is the near point, 2 the far point.
-void ranges(Battery& battery, Many& make) {
+void ranges(Battery& battery, RandomNumbers& make) {
   constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5}, {0, 1.5}, {1.2, 1.8},
                                                {1.5, 9},  {2.5, 9},  {.2, .7}, {1.5, 2.5},
                                                {.5, 2.5}, {0, 2.5}};
@@ -87,7 +87,7 @@ void ranges(Battery& battery, Many& make) {
   }
 }
 
-void scales(Battery& battery, Many& make) {
+void scales(Battery& battery, RandomNumbers& make) {
   for (const double radius : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e2, 1e4, 1e6}) {
     ask(battery, Line(make, radius, 0.4, 3, 1), 0, pt::kInfinity);
     ask(battery, Line(make, radius, 0.4, 3, radius), 0, pt::kInfinity);
@@ -105,7 +105,7 @@ void scales(Battery& battery, Many& make) {
 }
 
 // Directions of any length, the very end of the range, and rays that hardly touch.
-void extremes(Battery& battery, Many& make) {
+void extremes(Battery& battery, RandomNumbers& make) {
   for (const double longer : {1e-9, 3e-8, 1e12}) {
     ask(battery, Line(make, 1, 0.3, 3, longer), 0, pt::kInfinity);
   }
@@ -131,7 +131,7 @@ void ask_point(Battery& battery, const Line& line) {
 
 // From 950 radii away, with two points on the sphere that are closer and closer together. And past a
 // sphere so closely that a radius which is rounded up to single precision is large enough for a hit.
-void tangents(Battery& battery, Many& make) {
+void tangents(Battery& battery, RandomNumbers& make) {
   for (const double half : {2.7e-3, 2.2e-3, 1.75e-3}) {
     ask_point(battery, Line(make, 1, std::sqrt(1 - half * half), 950, 1));
   }
@@ -140,7 +140,7 @@ void tangents(Battery& battery, Many& make) {
 
 // From exactly the centre, a million radii from the world's origin, the smallest sphere with the
 // shortest direction, and a range that ends inside the sphere for a direction shorter than 1.
-void lengths(Battery& battery, Many& make) {
+void lengths(Battery& battery, RandomNumbers& make) {
   ask(battery, Line(make, 1, 0, 0, 1), 0, pt::kInfinity);
   Line away(make, 1, 0.3, 3, 1);
   const Vec3 shift{1e6, -7e5, 4e5};
@@ -155,7 +155,7 @@ void lengths(Battery& battery, Many& make) {
 }  // namespace
 
 void run_battery(Battery& battery) {
-  Many make(4);
+  RandomNumbers make(4);
   plain(battery, make);
   ranges(battery, make);
   scales(battery, make);

@@ -1,6 +1,6 @@
 #include "pt/tasks/hit_triangle.h"
 
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/mistakes/battery.h"
 #include "pt/math/frame.h"
 
@@ -23,11 +23,11 @@ struct Aim {
   double t = 1;
 };
 
-Vec3 unit(Many& make) { return normalize(make.vector(-1, 1) + Vec3{0.1, 0.2, 0.3}); }
+Vec3 unit(RandomNumbers& make) { return normalize(make.vector(-1, 1) + Vec3{0.1, 0.2, 0.3}); }
 
 // A triangle with three different normals. All are on one side of the face or, if `back` is true,
 // on the other.
-Triangle some_triangle(Many& make, double size, bool back) {
+Triangle some_triangle(RandomNumbers& make, double size, bool back) {
   Triangle t;
   const Vec3 center = size * make.vector(-2, 2);
   const Vec3 u = unit(make), v = normalize(cross(u, unit(make)));
@@ -41,7 +41,7 @@ Triangle some_triangle(Many& make, double size, bool back) {
   return t;
 }
 
-Aim aim(const Triangle& triangle, std::array<double, 3> b, Many& make, double distance,
+Aim aim(const Triangle& triangle, std::array<double, 3> b, RandomNumbers& make, double distance,
         double direction_length, double side) {
   const Vec3 p = b[0] * triangle.p0 + b[1] * triangle.p1 + b[2] * triangle.p2;
   const Vec3 face = normalize(geometric_normal(triangle));
@@ -62,7 +62,7 @@ void ask(Battery& battery, const Aim& a) {
   });
 }
 
-void shapes(Battery& battery, Many& make) {
+void shapes(Battery& battery, RandomNumbers& make) {
   constexpr std::array<double, 3> kInside[] = {{.2, .3, .5}, {.6, .1, .3}, {.1, .8, .1}};
   for (const bool back : {false, true}) {
     for (const double side : {1.0, -1.0}) {
@@ -80,7 +80,7 @@ void shapes(Battery& battery, Many& make) {
   }
 }
 
-void ranges(Battery& battery, Many& make) {
+void ranges(Battery& battery, RandomNumbers& make) {
   constexpr double kInfinity = pt::kInfinity;
   constexpr std::array<double, 2> kRanges[] = {{1.1, kInfinity}, {0, .9},   {.9, 1.1},
                                                {1.1, 2},         {.5, 0.9}, {.2, kInfinity}};
@@ -98,7 +98,7 @@ void ranges(Battery& battery, Many& make) {
   }
 }
 
-void scales(Battery& battery, Many& make) {
+void scales(Battery& battery, RandomNumbers& make) {
   for (const double size : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 10.0, 1e3, 1e6}) {
     ask(battery, aim(some_triangle(make, size, false), {.3, .3, .4}, make, 3 * size, 1, 1));
     ask(battery, aim(some_triangle(make, size, false), {.3, .3, .4}, make, 3 * size, size, -1));
@@ -110,7 +110,7 @@ void scales(Battery& battery, Many& make) {
 
 // Triangles in or nearly in the planes of the axes, triangles without area, and rays in the plane
 // of their triangle.
-void special(Battery& battery, Many& make) {
+void special(Battery& battery, RandomNumbers& make) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double tilt : {0.0, 1e-12, 1e-9}) {
       Triangle t;
@@ -149,7 +149,7 @@ Aim grazing(const Triangle& triangle, double distance, double sine) {
 
 // Directions of any length, the very end of the range, flat angles, slivers, and points close to an
 // edge or a corner.
-void extremes(Battery& battery, Many& make) {
+void extremes(Battery& battery, RandomNumbers& make) {
   constexpr std::array<double, 3> kMiddle{.3, .3, .4};
   for (const double longer : {1e-9, 3e-8, 1e12}) {
     ask(battery, aim(some_triangle(make, 1, false), kMiddle, make, 3, longer, 1));
@@ -184,7 +184,7 @@ void ask_hit(Battery& battery, const Triangle& triangle, const Ray& ray) {
 
 // A flat triangle close to the world's origin, with a first edge of length 1. The third corner is at
 // `along` on it, and `height` away from it.
-Triangle near_the_origin(Many& make, double along, double height) {
+Triangle near_the_origin(RandomNumbers& make, double along, double height) {
   const Vec3 u = unit(make), v = normalize(cross(u, unit(make)));
   const Vec3 p = 0.3 * make.vector(-1, 1);
   return pt::flat_triangle(p, p + u, p + along * u + height * v);
@@ -198,7 +198,7 @@ Aim straight(const Triangle& triangle, std::array<double, 3> b, double distance)
 }
 
 // Points so close to an edge that only double precision distinguishes inside from outside.
-void by_a_hair(Battery& battery, Many& make) {
+void by_a_hair(Battery& battery, RandomNumbers& make) {
   for (const double over : {1.2e-8, -1.2e-8}) {
     for (int corner = 0; corner < 3; ++corner) {
       std::array<double, 3> b{0.4, 0.4, 0.4};
@@ -212,7 +212,7 @@ void by_a_hair(Battery& battery, Many& make) {
 
 // Grazing rays at triangles ten times as long as high: with one long edge from the first corner, and
 // with two. Then the smallest needles, and directions of length 1 and the shortest.
-void needles(Battery& battery, Many& make) {
+void needles(Battery& battery, RandomNumbers& make) {
   for (const double along : {0.1, 0.9}) {
     const Aim a = grazing(near_the_origin(make, along, 0.1), 0.5, 1.2e-6);
     ask_hit(battery, a.triangle, a.ray);
@@ -227,7 +227,7 @@ void needles(Battery& battery, Many& make) {
 }
 
 // Corner normals at this distance from an axis, on three sides of it.
-Triangle with_normals(Many& make, double distance) {
+Triangle with_normals(RandomNumbers& make, double distance) {
   Triangle t = near_the_origin(make, 0.5, 0.9);
   const pt::Frame around = pt::frame_from_normal(normalize(t.n0 + 0.5 * make.vector(-1, 1)));
   t.n0 = normalize(around.to_world({distance, 0, 1}));
@@ -238,7 +238,7 @@ Triangle with_normals(Many& make, double distance) {
 
 // Corner normals that all but agree, and that disagree: so that their mean is short, or by more than a
 // right angle where their mean is long, and where one of them hardly counts.
-void normals(Battery& battery, Many& make) {
+void normals(Battery& battery, RandomNumbers& make) {
   ask(battery, straight(with_normals(make, 5e-5), {.2, .3, .5}, 1));
   ask(battery, straight(with_normals(make, std::tan(1.2)), {.3, .3, .4}, 1));
   ask(battery, straight(with_normals(make, std::tan(1.4)), {.8, .1, .1}, 1));
@@ -248,7 +248,7 @@ void normals(Battery& battery, Many& make) {
 }  // namespace
 
 void run_battery(Battery& battery) {
-  Many make(3);
+  RandomNumbers make(3);
   shapes(battery, make);
   ranges(battery, make);
   scales(battery, make);

@@ -3,7 +3,7 @@
 #include "grader/check/repeat.h"
 #include "grader/check/rooms.h"
 #include "grader/mistakes/battery.h"
-#include "grader/mistakes/stages.h"
+#include "grader/mistakes/patches.h"
 
 #include <algorithm>
 #include <array>
@@ -56,15 +56,15 @@ void walls(Battery& battery, bool open, PathSettings::Direct direct) {
   using namespace mistakes;
   constexpr pt::Rgb kColors[] = {
       {.9, .3, .3}, {.2, .8, .3}, {.3, .4, .9}, {.8, .8, .1}, {.1, .7, .9}};
-  Stage stage(here());
-  stage.patch(kAlbedo, kTilted);
+  SceneMaker maker(here());
+  maker.patch(kAlbedo, kTilted);
   const std::vector<Rectangle> sides = cube();
   for (std::size_t i = open ? 2 : 0; i < std::size(kColors); ++i) {
-    stage.surface(sides[i], kColors[i], open ? pt::Rgb{} : pt::Rgb{0.1, 0.2, 0.1});
+    maker.surface(sides[i], kColors[i], open ? pt::Rgb{} : pt::Rgb{0.1, 0.2, 0.1});
   }
-  if (open) stage.sky(kRadiance);
-  stage.point_light({0.4, 0.3, 0.5}, kRadiance);
-  const Situation s = stage.done();
+  if (open) maker.sky(kRadiance);
+  maker.point_light({0.4, 0.3, 0.5}, kRadiance);
+  const Situation s = maker.done();
   for (const auto& [from, to] : {std::pair(2, 2), std::pair(3, 3), std::pair(1, 5)}) {
     const PathSettings settings = bounces(from, to, direct);
     battery.estimate(2000, [&](int n, std::uint64_t seed) {
@@ -76,10 +76,10 @@ void walls(Battery& battery, bool open, PathSettings::Direct direct) {
 // Light of any brightness from one bounce and two, and bounces of which there are none.
 void extremes(Battery& battery) {
   for (const pt::Rgb radiance : {pt::Rgb{3e5, 2e5, 1e5}, pt::Rgb{60, 40, 50}}) {
-    Stage stage(here());
-    stage.patch(kAlbedo, kTilted).point_light({0.4, 0.3, 0.5}, radiance);
-    for (const Rectangle& side : cube()) stage.surface(side, {.5, .6, .4});
-    const Situation s = stage.done();
+    SceneMaker maker(here());
+    maker.patch(kAlbedo, kTilted).point_light({0.4, 0.3, 0.5}, radiance);
+    for (const Rectangle& side : cube()) maker.surface(side, {.5, .6, .4});
+    const Situation s = maker.done();
     for (const auto& [from, to] : {std::pair(1, 1), std::pair(2, 2), std::pair(3, 1)}) {
       const PathSettings settings = bounces(from, to);
       battery.estimate(1000, [&](int n, std::uint64_t seed) {
@@ -150,11 +150,11 @@ void views(Battery& battery) {
 // the shading normal, leans towards it.
 void low_walls(Battery& battery) {
   for (const bool glows : {false, true}) {
-    Stage stage(here());
-    stage.point(kAlbedo, kTilted).directional_light({-0.6, 0, 0.8}, kRadiance);
-    stage.directional_light({-0.8, 0, 0.6}, kRadiance);
-    stage.surface({{0.6, 0, 0.2}, {0, 0, 0.4}, {0, 2.4, 0}}, kAlbedo, pt::gray(glows ? 3 : 0));
-    Situation s = stage.done();
+    SceneMaker maker(here());
+    maker.point(kAlbedo, kTilted).directional_light({-0.6, 0, 0.8}, kRadiance);
+    maker.directional_light({-0.8, 0, 0.6}, kRadiance);
+    maker.surface({{0.6, 0, 0.2}, {0, 0, 0.4}, {0, 2.4, 0}}, kAlbedo, pt::gray(glows ? 3 : 0));
+    Situation s = maker.done();
     if (!glows) s.point.geometric_normal = normalize(pt::Vec3{0.4, 0, 1});
     battery.estimate(800, [&](int n, std::uint64_t seed) {
       return repeat<pt::trace_path>(n, seed, s.scene, s.point, bounces(2, 2));
@@ -171,10 +171,10 @@ void no_red(Battery& battery) {
 // first bounce, beside lights that bring nothing, and at the second one, where the lamp is small.
 void many_light_samples(Battery& battery) {
   constexpr auto kHemisphere = PathSettings::Direct::hemisphere;
-  Stage stage(here());
-  stage.patch(kAlbedo, kTilted).surface(kAbove, {}, kRadiance);
-  for (int i = 0; i < 5; ++i) stage.directional_light({0, 0, -1}, kRadiance);
-  const Situation s = stage.done();
+  SceneMaker maker(here());
+  maker.patch(kAlbedo, kTilted).surface(kAbove, {}, kRadiance);
+  for (int i = 0; i < 5; ++i) maker.directional_light({0, 0, -1}, kRadiance);
+  const Situation s = maker.done();
   PathSettings settings = bounces(1, 1, kHemisphere);
   settings.light_samples = 12;
   battery.estimate(500, [&](int n, std::uint64_t seed) {

@@ -202,7 +202,7 @@ MeasuredSolution measure(const judge::Config& shared, const judge::GradeRequest&
 std::string battery_hash(const std::string& root, const std::string& slug) {
   const fs::path folder = fs::path(root) / "grader/mistakes";
   std::vector<fs::path> files{folder / "battery.cpp", folder / "battery.h", folder / "pixels.h",
-                              folder / "stages.h"};
+                              folder / "patches.h"};
   for (const fs::path& file : sources_of(folder)) {
     if (file.filename().string().starts_with(slug)) files.push_back(file);
   }

@@ -1,5 +1,5 @@
 #include "grader/check/bad_inputs.h"
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/tasks/adaptive_pixel/cases.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ Case any_pixel() {
   const double level = *magnitude(1e-4, 1e6), noise = *magnitude(1e-9, 2), rare = *real(0, 1);
   const double bright = *magnitude(1, 1e4);
   c.settings.tolerance = *magnitude(0.1, 10) * noise / std::sqrt(c.settings.max_samples);
-  Many make(c.seed);
+  RandomNumbers make(c.seed);
   for (int i = 0; i < c.settings.max_samples; ++i) {
     const double factor = make.between(0, 1) < 0.02 * rare ? bright : 1;
     c.seen.push_back(pt::gray(level * factor * (1 + noise * make.between(0, 1))));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grader/check/generators.h"
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/check/show.h"
 #include "pt/geometry/box.h"
 
@@ -105,7 +105,7 @@ inline pt::Vec3 on_axis(int axis, double at) {
 }
 
 // Returns the place of one box of a usual kind.
-inline Place usual_place(Kind kind, int axis, Many& make) {
+inline Place usual_place(Kind kind, int axis, RandomNumbers& make) {
   const pt::Vec3 p = make.vector(-10, 10);
   switch (kind) {
     case Kind::clustered: {
@@ -128,7 +128,7 @@ inline Place usual_place(Kind kind, int axis, Many& make) {
   }
 }
 
-inline Place place(Kind kind, int i, int n, int axis, Many& make) {
+inline Place place(Kind kind, int i, int n, int axis, RandomNumbers& make) {
   const int side = static_cast<int>(std::round(std::cbrt(n)));
   const double pile = 3 * make.whole(0, 3);
   switch (kind) {
@@ -166,7 +166,7 @@ inline rc::Gen<Input> boxes_of(const std::vector<Kind>& kinds, int least, int mo
   return rc::gen::exec([=] {
     const int wanted = *whole(least, most);
     Input input{{}, *rc::gen::element(1, 2, 3, 4, 7, 16, 1000), ""};
-    Many make(*sampler_seed());
+    RandomNumbers make(*sampler_seed());
     const Kind kind = *rc::gen::elementOf(kinds);
     const int n = kind == Kind::lattice ? full_cube(wanted) : wanted;
     const int axis = *whole(0, 2);
@@ -197,7 +197,7 @@ inline rc::Gen<Input> a_thousand_halvings() {
     constexpr int kPoints = 1000;
     Input input{{}, 1, words(Kind::halving)};
     const int axis = *whole(0, 2);
-    Many make(*sampler_seed());
+    RandomNumbers make(*sampler_seed());
     for (int i = 0; i < kPoints; ++i) {
       const auto [center, half] = place(Kind::halving, i, kPoints, axis, make);
       input.boxes.push_back(around(center, half));
@@ -251,7 +251,7 @@ inline rc::Gen<Rows> in_rows(int along, int count, int each) {
     jitter[(along + 1) % 3] = *rc::gen::element(1e-6, 1e-2) * scale;
     jitter[(along + 2) % 3] = 1e-8 * scale * scale / jitter[(along + 1) % 3];
     half[along] = 0.4 * scale / each;
-    Many make(*sampler_seed());
+    RandomNumbers make(*sampler_seed());
     for (int row = 0; row < count; ++row) {
       for (int i = 0; i < each; ++i) {
         pt::Vec3 p = rows.corner;

@@ -78,7 +78,7 @@ double tests_of_a_line(const std::vector<pt::Box>& boxes) {
   constexpr int kLines = 200;
   const pt::Bvh bvh = pt::build_bvh(boxes, 1);
   walk_from_root(bvh);  // it is a tree
-  Many make(*sampler_seed());
+  RandomNumbers make(*sampler_seed());
   double sum = 0;
   for (int i = 0; i < kLines; ++i) {
     const pt::Vec3 p = make.vector(-1, 1), q = make.vector(-1, 1);
@@ -89,7 +89,7 @@ double tests_of_a_line(const std::vector<pt::Box>& boxes) {
 
 // Small boxes all over a sphere, as those of its triangles, and the six walls of a room around it.
 std::vector<pt::Box> sphere_in_a_room(int n) {
-  Many make(*sampler_seed());
+  RandomNumbers make(*sampler_seed());
   std::vector<pt::Box> boxes;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
@@ -141,7 +141,7 @@ CURVE(build_bvh, slivers) {
           .statistic = Statistic::median,
           .cases = 3,
           .measure = [](double side) {
-            Many make(*sampler_seed());
+            RandomNumbers make(*sampler_seed());
             std::vector<pt::Box> boxes;
             for (int i = 0; i < 1000; ++i) {
               boxes.push_back(around((1 - side) * make.vector(-1, 1), {side, side, side}));

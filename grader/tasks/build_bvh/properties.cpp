@@ -202,7 +202,7 @@ PROMISE(build_bvh, takes_no_boxes_and_one) {
 // mean over many rays through centres of boxes, the same rays for every tree.
 double boxes_entered(const Rows& rows, const pt::Bvh& bvh) {
   constexpr int kPoints = 200;
-  Many make(1);
+  RandomNumbers make(1);
   long long entered = 0;
   for (int i = 0; i < kPoints; ++i) {
     const pt::Box& box =

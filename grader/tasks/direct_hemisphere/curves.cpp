@@ -36,9 +36,9 @@ CURVE(direct_hemisphere, small_light) {
           .cases = 3,
           .theory = deviation_below_a_ball,
           .measure = [](double radius) {
-            Stage stage(*unturned_pose());
-            stage.ball({0, 0, 1}, radius, pt::gray(1), Body::surface);
-            const Situation s = stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+            SceneMaker maker(*unturned_pose());
+            maker.ball({0, 0, 1}, radius, pt::gray(1), Body::surface);
+            const Situation s = maker.patch(pt::gray(0.5), {0, 0, 1}).done();
             // Some hundred of them meet the light.
             const int draws = static_cast<int>(400 / (radius * radius));
             const Mean mean =
@@ -50,9 +50,9 @@ CURVE(direct_hemisphere, small_light) {
 // A disk of light around the normal, seen with the same random numbers.
 double mean_below_a_disk(pt::Vec3 n, std::uint64_t seed) {
   constexpr int kDraws = 4000;
-  Stage stage({pt::frame_from_normal(n), {}, 1});
-  stage.ball({0, 0, 1}, 0.7, pt::gray(1), Body::surface);
-  const Situation s = stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+  SceneMaker maker({pt::frame_from_normal(n), {}, 1});
+  maker.ball({0, 0, 1}, 0.7, pt::gray(1), Body::surface);
+  const Situation s = maker.patch(pt::gray(0.5), {0, 0, 1}).done();
   return mean_of(repeat<pt::direct_hemisphere>(kDraws, seed, s.scene, s.point, 1)).value.r;
 }
 

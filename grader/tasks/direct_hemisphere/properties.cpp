@@ -68,11 +68,11 @@ PROMISE(direct_hemisphere, sees_lights_of_any_brightness) {
       for_all(
           [&] {
             const Situation s = *rc::gen::exec([&] {
-              Stage stage(*unturned_pose());
+              SceneMaker maker(*unturned_pose());
               const Rgb radiance = *bright * any_radiance();
-              sky ? stage.sky(radiance)
-                  : stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), radiance, Body::surface);
-              return stage.patch(*color(0.1, 1), *direction_above()).done();
+              sky ? maker.sky(radiance)
+                  : maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), radiance, Body::surface);
+              return maker.patch(*color(0.1, 1), *direction_above()).done();
             });
             expect_estimate(s);
           },
@@ -91,9 +91,9 @@ PROMISE(direct_hemisphere, adds_no_emission_of_its_own) {
   for_all(
       [] {
         const Situation dark = *rc::gen::exec([] {
-          Stage stage(*pose());
-          stage.surface(*rectangle_above(1, 0.5, 2), *color());
-          return stage.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
+          SceneMaker maker(*pose());
+          maker.surface(*rectangle_above(1, 0.5, 2), *color());
+          return maker.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
         });
         expect_dark(dark);
       },
@@ -101,9 +101,9 @@ PROMISE(direct_hemisphere, adds_no_emission_of_its_own) {
   for_all(
       [] {
         const Situation lit = *rc::gen::exec([] {
-          Stage stage(*pose());
-          stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
-          return stage.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
+          SceneMaker maker(*pose());
+          maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
+          return maker.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
         });
         expect_estimate(lit);
       },
@@ -137,9 +137,9 @@ PROMISE(direct_hemisphere, looks_from_the_side_it_is_seen_on) {
   for_all(
       [] {
         const Situation s = *rc::gen::exec([] {
-          Stage stage(*unturned_pose());
-          stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
-          return stage.patch(*color(0.1, 1), *direction_above(), true).done();
+          SceneMaker maker(*unturned_pose());
+          maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
+          return maker.patch(*color(0.1, 1), *direction_above(), true).done();
         });
         expect_estimate(s);
       },
@@ -150,9 +150,9 @@ PROMISE(direct_hemisphere, reflects_the_albedo) {
   for_all(
       [] {
         Situation s = *rc::gen::exec([] {
-          Stage stage(*unturned_pose());
-          stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), *hue() * any_radiance(), Body::surface);
-          return stage.patch(*color(0.1, 1), *direction_above()).done();
+          SceneMaker maker(*unturned_pose());
+          maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), *hue() * any_radiance(), Body::surface);
+          return maker.patch(*color(0.1, 1), *direction_above()).done();
         });
         for (int channel = 0; channel < 3; ++channel) {
           s.expected[channel] /= s.point.albedo[channel];

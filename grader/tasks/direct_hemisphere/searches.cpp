@@ -11,12 +11,12 @@ SEARCH(direct_hemisphere, closed_room) {
   return {.title = "a patch in a closed room of light, at any scale and far from the origin",
           .measure = "a black estimate is broken: the ray met its own surface, or left the room",
           .badness = [] {
-            Stage stage(*pose(1e6, 1e4));
+            SceneMaker maker(*pose(1e6, 1e4));
             std::vector<Rectangle> walls = cube();
             walls.pop_back();  // the floor is the patch
-            for (const Rectangle& wall : walls) stage.surface(wall, pt::gray(0.5), pt::gray(1));
-            stage.patch(pt::gray(0.5), *direction_above_at(magnitude(1e-3, 1)), *whole(0, 1) == 1);
-            const Situation s = stage.done();
+            for (const Rectangle& wall : walls) maker.surface(wall, pt::gray(0.5), pt::gray(1));
+            maker.patch(pt::gray(0.5), *direction_above_at(magnitude(1e-3, 1)), *whole(0, 1) == 1);
+            const Situation s = maker.done();
             show_case(s);
             pt::Sampler sampler(*sampler_seed());
             const double got = pt::direct_hemisphere(s.scene, s.point, 1, sampler).r;

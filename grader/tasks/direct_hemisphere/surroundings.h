@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-// Scenes around a shaded point for direct_hemisphere. The point is the origin of the stage, and its
+// Scenes around a shaded point for direct_hemisphere. The point is the origin of the maker, and its
 // normal is along z.
 
 namespace grader::check::direct_hemisphere_cases {
@@ -35,10 +35,10 @@ inline std::vector<Rectangle> dome(int pieces) {
 // radiance.
 inline rc::Gen<Situation> in_a_glowing_room(const rc::Gen<Pose>& poses) {
   return rc::gen::exec([poses] {
-    Stage stage(*poses);
+    SceneMaker maker(*poses);
     const pt::Rgb radiance = any_radiance(), albedo = *color(0.1, 1);
-    for (const Rectangle& wall : dome(1)) stage.surface(wall, pt::gray(0.5), radiance);
-    Situation s = stage.patch(albedo, *direction_above(), *rc::gen::arbitrary<bool>()).done();
+    for (const Rectangle& wall : dome(1)) maker.surface(wall, pt::gray(0.5), radiance);
+    Situation s = maker.patch(albedo, *direction_above(), *rc::gen::arbitrary<bool>()).done();
     s.expected = albedo * radiance;
     return s;
   });
@@ -50,10 +50,10 @@ inline rc::Gen<Situation> in_a_glowing_room(const rc::Gen<Pose>& poses) {
 inline rc::Gen<Situation> under_a_rectangle(const rc::Gen<Pose>& poses,
                                             const rc::Gen<double>& hidden) {
   return rc::gen::exec([=] {
-    Stage stage(*poses);
+    SceneMaker maker(*poses);
     const double way = *rc::gen::element(0.5, 0.2, 0.999);
-    stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface, *hidden, way);
-    return stage.patch(*color(0.1, 1), *direction_above()).done();
+    maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface, *hidden, way);
+    return maker.patch(*color(0.1, 1), *direction_above()).done();
   });
 }
 
@@ -61,20 +61,20 @@ inline rc::Gen<Situation> under_a_rectangle(const rc::Gen<Pose>& poses,
 // how far the light is away.
 inline rc::Gen<Situation> far_below_a_rectangle(double size) {
   return rc::gen::exec([=] {
-    Stage stage({{}, {}, size});
-    stage.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
-    return stage.point(*color(0.1, 1), *direction_above()).done();
+    SceneMaker maker({{}, {}, size});
+    maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
+    return maker.point(*color(0.1, 1), *direction_above()).done();
   });
 }
 
 // A light behind a dark surface that turns its back to the patch.
 inline rc::Gen<Situation> behind_the_back_of_a_surface() {
   return rc::gen::exec([] {
-    Stage stage(*unturned_pose());
+    SceneMaker maker(*unturned_pose());
     const Rectangle shape = *rectangle_above(0.9, 1.6, 2.5);
-    stage.rectangle(shape, any_radiance(), Body::surface);
-    stage.surface(shape.part(-0.5, 1.5, -0.5, 1.5).scaled(0.5).flipped(), *color());
-    return stage.patch(*color(0.1, 1), *direction_above()).done();
+    maker.rectangle(shape, any_radiance(), Body::surface);
+    maker.surface(shape.part(-0.5, 1.5, -0.5, 1.5).scaled(0.5).flipped(), *color());
+    return maker.patch(*color(0.1, 1), *direction_above()).done();
   });
 }
 
@@ -83,10 +83,10 @@ enum class Side { bright, dark };
 // A patch that sees one side of a light.
 inline rc::Gen<Situation> under_one_side_of_a_light(Side side) {
   return rc::gen::exec([side] {
-    Stage stage({});
+    SceneMaker maker({});
     const Rectangle shape = *rectangle_above(0.9, 1.6, 2.5);
-    stage.rectangle(side == Side::bright ? shape : shape.flipped(), any_radiance(), Body::surface);
-    return stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+    maker.rectangle(side == Side::bright ? shape : shape.flipped(), any_radiance(), Body::surface);
+    return maker.patch(pt::gray(0.5), {0, 0, 1}).done();
   });
 }
 
@@ -106,29 +106,29 @@ inline Situation with_corner_normals_turned_round(Situation s) {
 // A wall just behind the light hides nothing of it.
 inline rc::Gen<Situation> before_a_wall() {
   return rc::gen::exec([] {
-    Stage stage(*unturned_pose());
+    SceneMaker maker(*unturned_pose());
     const Rectangle shape = *rectangle_above(0.9, 1.6, 2.5);
-    stage.rectangle(shape, any_radiance(), Body::surface);
-    stage.surface(shape.part(-0.5, 1.5, -0.5, 1.5).scaled(1.001), *color());
-    return stage.patch(*color(0.1, 1), *direction_above()).done();
+    maker.rectangle(shape, any_radiance(), Body::surface);
+    maker.surface(shape.part(-0.5, 1.5, -0.5, 1.5).scaled(1.001), *color());
+    return maker.patch(*color(0.1, 1), *direction_above()).done();
   });
 }
 
 // A glowing ball, which is a light of the list too.
 inline rc::Gen<Situation> under_a_ball() {
   return rc::gen::exec([] {
-    Stage stage(*unturned_pose());
-    stage.ball(2 * *direction_above(0.8), *real(0.7, 1), any_radiance(), Body::surface);
-    return stage.patch(*color(0.1, 1), *direction_above()).done();
+    SceneMaker maker(*unturned_pose());
+    maker.ball(2 * *direction_above(0.8), *real(0.7, 1), any_radiance(), Body::surface);
+    return maker.patch(*color(0.1, 1), *direction_above()).done();
   });
 }
 
 // A lamp that fills less than a hundredth of the hemisphere.
 inline rc::Gen<Situation> under_a_small_lamp() {
   return rc::gen::exec([] {
-    Stage stage(*unturned_pose());
-    stage.rectangle(*rectangle_above(0.5, 0.18, 0.2), any_radiance(), Body::surface);
-    return stage.patch(*color(0.1, 1), *direction_above()).done();
+    SceneMaker maker(*unturned_pose());
+    maker.rectangle(*rectangle_above(0.5, 0.18, 0.2), any_radiance(), Body::surface);
+    return maker.patch(*color(0.1, 1), *direction_above()).done();
   });
 }
 
@@ -136,11 +136,11 @@ inline rc::Gen<Situation> under_a_small_lamp() {
 // that of its true surface.
 inline rc::Gen<Situation> smoothly_shaded_under_a_lamp() {
   return rc::gen::exec([] {
-    Stage stage(*pose());
+    SceneMaker maker(*pose());
     const pt::Vec3 towards = *direction_above_at(real(0.8, 0.9));
     const pt::Frame facing = pt::frame_from_normal(-towards);
-    stage.rectangle({towards, 0.8 * facing.x, 0.8 * facing.y}, any_radiance(), Body::surface);
-    return smoothly_shaded(stage.point(*color(0.1, 1), {0, 0, 1}).done());
+    maker.rectangle({towards, 0.8 * facing.x, 0.8 * facing.y}, any_radiance(), Body::surface);
+    return smoothly_shaded(maker.point(*color(0.1, 1), {0, 0, 1}).done());
   });
 }
 
@@ -151,15 +151,15 @@ inline rc::Gen<Situation> under_the_sky() {
     const Pose tilted{pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)};
     const bool more_lights = *rc::gen::arbitrary<bool>();
     pt::Rgb sky;
-    Stage stage(tilted);
-    if (more_lights) stage.point_light(2 * *direction_above(), any_radiance());
+    SceneMaker maker(tilted);
+    if (more_lights) maker.point_light(2 * *direction_above(), any_radiance());
     for (int skies = *whole(1, 2); skies > 0; --skies) {
       const pt::Rgb radiance = any_radiance();
-      stage.sky(radiance);
+      maker.sky(radiance);
       sky += radiance;
     }
-    if (more_lights) stage.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
-    Situation s = stage.patch(*color(0.1, 1), *direction_above()).done();
+    if (more_lights) maker.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
+    Situation s = maker.patch(*color(0.1, 1), *direction_above()).done();
     s.expected = s.point.albedo * sky / pt::kPi * cosine_of_half_space({0, 1, 0}, n);
     return s;
   });
@@ -167,16 +167,16 @@ inline rc::Gen<Situation> under_the_sky() {
 
 inline rc::Gen<Situation> beside_lights_without_surfaces() {
   return rc::gen::exec([] {
-    Stage stage(*unturned_pose());
+    SceneMaker maker(*unturned_pose());
     for (int lights = *rc::gen::element(0, 1, 5, 40); lights > 0; --lights) {
       *rc::gen::arbitrary<bool>()
-          ? stage.point_light(2 * *direction_above(), any_radiance())
-          : stage.ball(2 * *direction_above(1.0), 0.2, any_radiance(), Body::none);
+          ? maker.point_light(2 * *direction_above(), any_radiance())
+          : maker.ball(2 * *direction_above(1.0), 0.2, any_radiance(), Body::none);
     }
     const Rectangle shape = *rectangle_above(0.5, 1.6, 2.5);
     const pt::Rgb radiance = any_radiance();
-    stage.surface(shape, *color(), radiance);
-    Situation made = stage.patch(*color(0.1, 1), *direction_above()).done();
+    maker.surface(shape, *color(), radiance);
+    Situation made = maker.patch(*color(0.1, 1), *direction_above()).done();
     made.expected =
         made.point.albedo * radiance / pt::kPi * cosine_of_polygon(shape.corners(), {}, {0, 0, 1});
     return made;
@@ -186,10 +186,10 @@ inline rc::Gen<Situation> beside_lights_without_surfaces() {
 // A dark lid close above the patch. Only directions within 0.01 radians of the surface pass it.
 inline rc::Gen<Situation> under_a_lid(const rc::Gen<Pose>& poses) {
   return rc::gen::exec([poses] {
-    Stage stage(*poses);
-    for (const Rectangle& wall : dome(1)) stage.surface(wall, pt::gray(0.5), pt::gray(1));
-    stage.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
-    return stage.patch(pt::gray(0.5), *direction_above()).done();
+    SceneMaker maker(*poses);
+    for (const Rectangle& wall : dome(1)) maker.surface(wall, pt::gray(0.5), pt::gray(1));
+    maker.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
+    return maker.patch(pt::gray(0.5), *direction_above()).done();
   });
 }
 
@@ -210,11 +210,11 @@ inline std::vector<Rectangle> narrow_strips() {
 // Piece i of the room glows in the hue (1, i + 1, 0).
 inline rc::Gen<Situation> in_a_colored_room(const std::vector<Rectangle>& pieces) {
   return rc::gen::exec([pieces] {
-    Stage stage(*pose());
+    SceneMaker maker(*pose());
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      stage.surface(pieces[i], pt::gray(0.5), {1, static_cast<double>(i + 1), 0});
+      maker.surface(pieces[i], pt::gray(0.5), {1, static_cast<double>(i + 1), 0});
     }
-    return stage.patch(pt::gray(0.5), *direction_above()).done();
+    return maker.patch(pt::gray(0.5), *direction_above()).done();
   });
 }
 
@@ -222,16 +222,16 @@ inline rc::Gen<Situation> in_a_colored_room(const std::vector<Rectangle>& pieces
 // directions meet them.
 inline rc::Gen<Situation> in_a_room_lit_at_the_horizon() {
   return rc::gen::exec([] {
-    Stage stage(*pose());
+    SceneMaker maker(*pose());
     double cosine = 0;
     for (const Rectangle& wall : dome(1)) {
       if (wall.center.z == 1) continue;
       const bool upwards_is_u = wall.u.z > 0;
       const Rectangle strip = upwards_is_u ? wall.part(0, 1e-3, 0, 1) : wall.part(0, 1, 0, 1e-3);
-      stage.surface(strip, {}, pt::gray(100));
+      maker.surface(strip, {}, pt::gray(100));
       cosine += cosine_of_polygon(strip.corners(), {}, {0, 0, 1});
     }
-    Situation s = stage.patch(pt::gray(0.5), *direction_above()).done();
+    Situation s = maker.patch(pt::gray(0.5), *direction_above()).done();
     s.expected = s.point.albedo * pt::gray(100 * cosine / pt::kPi);
     return s;
   });

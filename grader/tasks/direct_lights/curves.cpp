@@ -24,9 +24,9 @@ pt::Rgb one_estimate(const Situation& s) {
 
 // A patch that nothing hides from a sun. Estimates have no noise.
 Situation in_the_sun(const Pose& pose) {
-  Stage stage(pose);
-  stage.directional_light(*direction_above(1.4), pt::gray(1));
-  return stage.patch(pt::gray(0.5), *direction_above(1.4)).done();
+  SceneMaker maker(pose);
+  maker.directional_light(*direction_above(1.4), pt::gray(1));
+  return maker.patch(pt::gray(0.5), *direction_above(1.4)).done();
 }
 
 double wrong_in_the_sun(const Pose& pose) {
@@ -82,9 +82,9 @@ CURVE(direct_lights, close_to_a_light) {
           .cases = 3,
           .theory = deviation_below_a_square,
           .measure = [](double distance) {
-            Stage stage(*unturned_pose());
-            stage.rectangle({{0, 0, distance}, {1, 0, 0}, {0, -1, 0}}, pt::gray(1), Body::none);
-            return relative_deviation(stage.patch(pt::gray(0.5), {0, 0, 1}).done(), 4000);
+            SceneMaker maker(*unturned_pose());
+            maker.rectangle({{0, 0, distance}, {1, 0, 0}, {0, -1, 0}}, pt::gray(1), Body::none);
+            return relative_deviation(maker.patch(pt::gray(0.5), {0, 0, 1}).done(), 4000);
           }};
 }
 
@@ -130,9 +130,9 @@ CURVE(direct_lights, light_is_a_surface) {
                       {"methods/fixed_lengths", "fixed lengths, single precision", true}},
           .statistic = Statistic::mean,
           .measure = [](double size) {
-            Stage stage({*rotation(), size * *point(), size});
-            stage.rectangle(*rectangle_above(0.5, 0.3, 1), pt::gray(1), Body::surface);
-            const Situation s = stage.patch(pt::gray(0.5), *direction_above(1.4)).done();
+            SceneMaker maker({*rotation(), size * *point(), size});
+            maker.rectangle(*rectangle_above(0.5, 0.3, 1), pt::gray(1), Body::surface);
+            const Situation s = maker.patch(pt::gray(0.5), *direction_above(1.4)).done();
             return one_estimate(s).r > 0 ? 0 : 1;
           }};
 }
@@ -148,11 +148,11 @@ CURVE(direct_lights, many_lights) {
                       {"right/in_float", "single precision"}},
           .cases = 5,
           .measure = [](double lights) {
-            Stage stage(*unturned_pose());
+            SceneMaker maker(*unturned_pose());
             for (int i = 0; i < static_cast<int>(lights); ++i) {
-              stage.point_light(*real(0.5, 5) * *direction_above(1.4), pt::gray(1));
+              maker.point_light(*real(0.5, 5) * *direction_above(1.4), pt::gray(1));
             }
-            const Situation s = stage.patch(pt::gray(0.5), {0, 0, 1}).done();
+            const Situation s = maker.patch(pt::gray(0.5), {0, 0, 1}).done();
             return std::abs(one_estimate(s).r / s.expected.r - 1);
           }};
 }

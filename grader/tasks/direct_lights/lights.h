@@ -4,8 +4,8 @@
 #include "grader/check/scenes.h"
 #include "grader/check/smooth_shading.h"
 
-// Lights for direct_lights. Each function puts one light of random size and position on a stage.
-// The shaded point is the origin of the stage, and its normal is along z.
+// Lights for direct_lights. Each function puts one light of random size and position on a maker.
+// The shaded point is the origin of the maker, and its normal is along z.
 
 namespace grader::check::direct_lights_cases {
 
@@ -16,14 +16,14 @@ inline pt::Vec3 any_position() { return *real(0.5, 4) * *direction_above(); }
 // A direction between a ten-thousandth of a degree and six degrees above the surface.
 inline pt::Vec3 grazing_direction() { return *direction_above_at(magnitude(2e-6, 0.1)); }
 
-// A patch and the lights that `light` puts on the stage.
+// A patch and the lights that `light` puts on the maker.
 template <class Light>
 rc::Gen<Situation> lit_by(Light light, const rc::Gen<Pose>& poses = unturned_pose(),
                           const rc::Gen<bool>& from_behind = rc::gen::just(false)) {
   return rc::gen::exec([=] {
-    Stage stage(*poses);
-    light(stage);
-    return stage.patch(*color(0.1, 1), *direction_above(), *from_behind).done();
+    SceneMaker maker(*poses);
+    light(maker);
+    return maker.patch(*color(0.1, 1), *direction_above(), *from_behind).done();
   });
 }
 
@@ -32,70 +32,70 @@ rc::Gen<Situation> lit_by(Light light, const rc::Gen<Pose>& poses = unturned_pos
 template <class Light>
 rc::Gen<Situation> lit_without_surfaces(Light light, double size) {
   return rc::gen::exec([=] {
-    Stage stage({{}, {}, size});
-    light(stage);
-    return stage.point(*color(0.1, 1), *direction_above()).done();
+    SceneMaker maker({{}, {}, size});
+    light(maker);
+    return maker.point(*color(0.1, 1), *direction_above()).done();
   });
 }
 
-inline void rectangle(Stage& stage) {
-  stage.rectangle(*rectangle_above(1.2, 0.1, 1.5), any_radiance(), Body::none);
+inline void rectangle(SceneMaker& maker) {
+  maker.rectangle(*rectangle_above(1.2, 0.1, 1.5), any_radiance(), Body::none);
 }
 
 // A rectangle with sides down to a ten-thousandth of its distance, up to a thousand units away.
-inline void small_rectangle(Stage& stage) {
+inline void small_rectangle(SceneMaker& maker) {
   const Rectangle shape = (*rectangle_above(1.2, 0.5, 1.5)).scaled(*magnitude(1e-1, 1e3));
   const double half = *magnitude(1e-4, 0.5);
-  stage.rectangle(shape.part(0.5 - half, 0.5 + half, 0.5 - half, 0.5 + half), any_radiance(),
+  maker.rectangle(shape.part(0.5 - half, 0.5 + half, 0.5 - half, 0.5 + half), any_radiance(),
                   Body::none);
 }
 
-inline void ball(Stage& stage) {
+inline void ball(SceneMaker& maker) {
   const pt::Vec3 towards = *direction_above(1.0);
   const double distance = *real(0.5, 3);
-  stage.ball(distance * towards, distance * *real(0.05, 0.5), any_radiance(), Body::none);
+  maker.ball(distance * towards, distance * *real(0.05, 0.5), any_radiance(), Body::none);
 }
 
 // A ball close above the horizon. Its lowest point is one radius above the horizon.
-inline void grazing_ball(Stage& stage) {
+inline void grazing_ball(SceneMaker& maker) {
   const pt::Vec3 towards = grazing_direction();
   const double distance = *magnitude(0.1, 1e3);
-  stage.ball(distance * towards, distance * towards.z / 2, any_radiance(), Body::none);
+  maker.ball(distance * towards, distance * towards.z / 2, any_radiance(), Body::none);
 }
 
-inline void point_light(Stage& stage) { stage.point_light(any_position(), any_radiance()); }
+inline void point_light(SceneMaker& maker) { maker.point_light(any_position(), any_radiance()); }
 
-inline void grazing_point_light(Stage& stage) {
+inline void grazing_point_light(SceneMaker& maker) {
   const double distance = *magnitude(0.1, 1e3);
-  stage.point_light(distance * grazing_direction(), distance * distance * any_radiance());
+  maker.point_light(distance * grazing_direction(), distance * distance * any_radiance());
 }
 
 // So close that little intensity gives much light.
-inline void close_point_light(Stage& stage, pt::Rgb intensity) {
-  stage.point_light(*magnitude(0.01, 0.1) * *direction_above(), intensity);
+inline void close_point_light(SceneMaker& maker, pt::Rgb intensity) {
+  maker.point_light(*magnitude(0.01, 0.1) * *direction_above(), intensity);
 }
 
-inline void directional_light(Stage& stage) {
-  stage.directional_light(*direction_above(), any_radiance());
+inline void directional_light(SceneMaker& maker) {
+  maker.directional_light(*direction_above(), any_radiance());
 }
 
-inline void grazing_directional_light(Stage& stage) {
-  stage.directional_light(grazing_direction(), any_radiance());
+inline void grazing_directional_light(SceneMaker& maker) {
+  maker.directional_light(grazing_direction(), any_radiance());
 }
 
-inline void any_delta_light(Stage& stage) {
-  *rc::gen::arbitrary<bool>() ? point_light(stage) : directional_light(stage);
+inline void any_delta_light(SceneMaker& maker) {
+  *rc::gen::arbitrary<bool>() ? point_light(maker) : directional_light(maker);
 }
 
 // A point that is shaded smoothly, under a point or directional light that is above its shading
 // normal's horizon and above that of its true surface.
 inline rc::Gen<Situation> lit_and_smoothly_shaded() {
   return rc::gen::exec([] {
-    Stage stage(*pose());
+    SceneMaker maker(*pose());
     const pt::Vec3 towards = *direction_above(1.0);
-    *rc::gen::arbitrary<bool>() ? stage.point_light(*real(0.5, 4) * towards, any_radiance())
-                                : stage.directional_light(towards, any_radiance());
-    return smoothly_shaded(stage.point(*color(0.1, 1), {0, 0, 1}).done());
+    *rc::gen::arbitrary<bool>() ? maker.point_light(*real(0.5, 4) * towards, any_radiance())
+                                : maker.directional_light(towards, any_radiance());
+    return smoothly_shaded(maker.point(*color(0.1, 1), {0, 0, 1}).done());
   });
 }
 
@@ -103,82 +103,82 @@ inline rc::Gen<Situation> lit_and_smoothly_shaded() {
 inline rc::Gen<Situation> under_the_sky(double tilt) {
   return rc::gen::exec([tilt] {
     const pt::Vec3 n = pt::frame_from_normal({0, 1, 0}).to_world(*direction_above(tilt));
-    Stage stage({pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)});
-    return stage.sky(any_radiance()).patch(*color(0.1, 1), *direction_above()).done();
+    SceneMaker maker({pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)});
+    return maker.sky(any_radiance()).patch(*color(0.1, 1), *direction_above()).done();
   });
 }
 
 inline constexpr int kKinds = 6;
 
-inline void light_of_kind(Stage& stage, int kind) {
+inline void light_of_kind(SceneMaker& maker, int kind) {
   const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
-  if (kind == 0) point_light(stage);
-  if (kind == 1) directional_light(stage);
-  if (kind == 2) stage.rectangle(shape, any_radiance(), Body::none);
-  if (kind == 3) stage.mesh(shape, any_radiance(), Body::none);
-  if (kind == 4) stage.ball(2 * *direction_above(1.0), 0.5, any_radiance(), Body::none);
-  if (kind == 5) stage.sky(0.2 * any_radiance());
+  if (kind == 0) point_light(maker);
+  if (kind == 1) directional_light(maker);
+  if (kind == 2) maker.rectangle(shape, any_radiance(), Body::none);
+  if (kind == 3) maker.mesh(shape, any_radiance(), Body::none);
+  if (kind == 4) maker.ball(2 * *direction_above(1.0), 0.5, any_radiance(), Body::none);
+  if (kind == 5) maker.sky(0.2 * any_radiance());
 }
 
-inline void any_light(Stage& stage) { light_of_kind(stage, *whole(0, kKinds - 1)); }
+inline void any_light(SceneMaker& maker) { light_of_kind(maker, *whole(0, kKinds - 1)); }
 
-inline void lamp(Stage& stage) {
-  stage.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
+inline void lamp(SceneMaker& maker) {
+  maker.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
 }
 
 // Three lamps in the same place, half hidden.
-inline void red_green_and_blue_lamps(Stage& stage) {
+inline void red_green_and_blue_lamps(SceneMaker& maker) {
   const Rectangle shape = *rectangle_above(0.8, 0.3, 1.5);
   for (const pt::Rgb radiance : {pt::Rgb{1, 0, 0}, pt::Rgb{0, 1, 0}, pt::Rgb{0, 0, 1}}) {
-    stage.rectangle(shape, radiance, Body::none, 0.5);
+    maker.rectangle(shape, radiance, Body::none, 0.5);
   }
 }
 
 // A rectangle or mesh light with its own surface, and often a wall behind it: in the plane of the
 // light, just behind it or far away.
-inline void lamp_with_a_body(Stage& stage) {
+inline void lamp_with_a_body(SceneMaker& maker) {
   const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
   const bool is_mesh = *rc::gen::arbitrary<bool>();
-  is_mesh ? stage.mesh(shape, any_radiance(), Body::surface)
-          : stage.rectangle(shape, any_radiance(), Body::surface);
+  is_mesh ? maker.mesh(shape, any_radiance(), Body::surface)
+          : maker.rectangle(shape, any_radiance(), Body::surface);
   if (*rc::gen::arbitrary<bool>()) {
     const double way = *rc::gen::element(1.0, 1.001, 1.01, 1.5);
-    stage.surface(shape.part(-1, 2, -1, 2).scaled(way), *color());
+    maker.surface(shape.part(-1, 2, -1, 2).scaled(way), *color());
   }
 }
 
-inline void point_light_before_a_wall(Stage& stage) {
+inline void point_light_before_a_wall(SceneMaker& maker) {
   const pt::Vec3 at = any_position();
   const pt::Frame around = pt::frame_from_normal(normalize(at));
-  stage.point_light(at, any_radiance());
+  maker.point_light(at, any_radiance());
   const double way = *rc::gen::element(1.001, 1.01, 1.5);
-  stage.surface({way * at, 9 * around.x, 9 * around.y}, *color());
+  maker.surface({way * at, 9 * around.x, 9 * around.y}, *color());
 }
 
-inline void ball_with_a_body(Stage& stage) {
+inline void ball_with_a_body(SceneMaker& maker) {
   const double distance = *real(0.5, 3);
-  stage.ball(distance * *direction_above(1.0), distance * *real(0.01, 0.4), any_radiance(),
+  maker.ball(distance * *direction_above(1.0), distance * *real(0.01, 0.4), any_radiance(),
              Body::surface);
 }
 
-inline void light_below(Stage& stage) {
+inline void light_below(SceneMaker& maker) {
   const pt::Vec3 above = *real(0.5, 4) * *direction_above(1.0);
   const pt::Vec3 at{above.x, above.y, -above.z};
   const int kind = *whole(0, 2);
-  if (kind == 0) stage.point_light(at, any_radiance());
-  if (kind == 1) stage.directional_light(normalize(at), any_radiance());
-  if (kind == 2) stage.ball(at, 0.2, any_radiance(), Body::none);
+  if (kind == 0) maker.point_light(at, any_radiance());
+  if (kind == 1) maker.directional_light(normalize(at), any_radiance());
+  if (kind == 2) maker.ball(at, 0.2, any_radiance(), Body::none);
 }
 
 // A light above the patch that emits away from it.
-inline void light_turned_away(Stage& stage) {
-  stage.rectangle((*rectangle_above(0.8, 0.2, 1)).flipped(), any_radiance(), Body::none);
+inline void light_turned_away(SceneMaker& maker) {
+  maker.rectangle((*rectangle_above(0.8, 0.2, 1)).flipped(), any_radiance(), Body::none);
 }
 
 // An upright rectangle that continues below the horizon.
-inline void light_across_the_horizon(Stage& stage) {
+inline void light_across_the_horizon(SceneMaker& maker) {
   const double tall = *real(1, 2);
-  stage.rectangle({{-1, 0, tall * *real(-0.2, 0.2)}, {0, 1, 0}, {0, 0, tall}}, any_radiance(),
+  maker.rectangle({{-1, 0, tall * *real(-0.2, 0.2)}, {0, 1, 0}, {0, 0, tall}}, any_radiance(),
                   Body::none);
 }
 

@@ -59,8 +59,8 @@ PROMISE(direct_lights, matches_the_sky) {
 // The patch is the only surface, so that no light hides another.
 PROMISE(direct_lights, adds_the_lights_up) {
   const auto expect_lights = [](int lights, int samples) {
-    const Situation s = *lit_by([lights](Stage& stage) {
-      for (int k = 0; k < lights; ++k) any_light(stage);
+    const Situation s = *lit_by([lights](SceneMaker& maker) {
+      for (int k = 0; k < lights; ++k) any_light(maker);
     });
     expect_estimate(s, samples);
   };
@@ -73,8 +73,8 @@ PROMISE(direct_lights, adds_the_lights_up) {
   for_all([&] { expect_lights(100, 1); }, 1);
   for_all([&] {
     const int lights = draw("lights", rc::gen::element(0, 1, 2, 3, 5, 17, 40, 100));
-    const Situation s = *lit_by([lights](Stage& stage) {
-      for (int k = 0; k < lights; ++k) any_delta_light(stage);
+    const Situation s = *lit_by([lights](SceneMaker& maker) {
+      for (int k = 0; k < lights; ++k) any_delta_light(maker);
     });
     expect_always(s, any_samples());
   });
@@ -96,18 +96,18 @@ PROMISE(direct_lights, adds_the_lights_up) {
       2);
 }
 
-void put_light(Stage& stage, int kind, Rgb radiance) {
+void put_light(SceneMaker& maker, int kind, Rgb radiance) {
   switch (kind) {
     case 0:
-      return void(stage.point_light(any_position(), radiance));
+      return void(maker.point_light(any_position(), radiance));
     case 1:
-      return void(stage.directional_light(*direction_above(), radiance));
+      return void(maker.directional_light(*direction_above(), radiance));
     case 2:
-      return void(stage.ball(2 * *direction_above(1.0), 0.5, radiance, Body::none));
+      return void(maker.ball(2 * *direction_above(1.0), 0.5, radiance, Body::none));
     case 3:
-      return void(stage.mesh(*rectangle_above(0.8, 0.2, 1), radiance, Body::none));
+      return void(maker.mesh(*rectangle_above(0.8, 0.2, 1), radiance, Body::none));
     default:
-      return void(stage.rectangle(*rectangle_above(0.8, 0.2, 1), radiance, Body::none));
+      return void(maker.rectangle(*rectangle_above(0.8, 0.2, 1), radiance, Body::none));
   }
 }
 
@@ -116,8 +116,8 @@ PROMISE(direct_lights, takes_lights_of_any_brightness) {
     for (const auto& bright : {rc::gen::just(1e-4), rc::gen::just(1e6), brightness()}) {
       for_all(
           [&] {
-            const Situation s =
-                *lit_by([&](Stage& stage) { put_light(stage, kind, *bright * any_radiance()); });
+            const Situation s = *lit_by(
+                [&](SceneMaker& maker) { put_light(maker, kind, *bright * any_radiance()); });
             expect_estimate(s, any_samples());
           },
           2);
@@ -126,7 +126,9 @@ PROMISE(direct_lights, takes_lights_of_any_brightness) {
   }
   for_all(
       [] {
-        const auto bright = [](Stage& stage) { close_point_light(stage, 1e6 * any_radiance()); };
+        const auto bright = [](SceneMaker& maker) {
+          close_point_light(maker, 1e6 * any_radiance());
+        };
         expect_always(*lit_by(bright), 1);
       },
       10);
@@ -165,8 +167,8 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
   // The samples are for each light, however many lights there are.
   for_all(
       [] {
-        const Situation s = *lit_by([](Stage& stage) {
-          for (int k = 0; k < 40; ++k) lamp(stage);
+        const Situation s = *lit_by([](SceneMaker& maker) {
+          for (int k = 0; k < 40; ++k) lamp(maker);
         });
         expect_less_noise(s, estimates(s, 1000, 1), 200, 50);
       },
@@ -175,8 +177,8 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
 
 PROMISE(direct_lights, is_exact_for_delta_lights) {
   for_all([] {
-    const Situation s = *lit_by([](Stage& stage) {
-      for (int k = *whole(1, 3); k > 0; --k) any_delta_light(stage);
+    const Situation s = *lit_by([](SceneMaker& maker) {
+      for (int k = *whole(1, 3); k > 0; --k) any_delta_light(maker);
     });
     expect_always(s, draw("samples per call", rc::gen::element(1, 2, 3, 16, 17, 100, 1000)));
   });
@@ -220,7 +222,7 @@ PROMISE(direct_lights, keeps_light_on_its_side) {
       kCases);
   // Light from above, of each kind, on the back of the surface.
   for (int kind = 0; kind < kKinds; ++kind) {
-    const auto light = [kind](Stage& stage) { light_of_kind(stage, kind); };
+    const auto light = [kind](SceneMaker& maker) { light_of_kind(maker, kind); };
     for_all([&] { expect_estimate(*lit_by(light, unturned_pose(), rc::gen::just(true)), 2); }, 2);
   }
 }
@@ -229,12 +231,12 @@ PROMISE(direct_lights, reflects_the_albedo) {
   for_all([] {
     const bool glows = *rc::gen::arbitrary<bool>();
     Situation s = *rc::gen::exec([glows] {
-      Stage stage(*unturned_pose());
+      SceneMaker maker(*unturned_pose());
       const Rgb light = *hue() * any_radiance();
-      *rc::gen::arbitrary<bool>() ? stage.point_light(any_position(), light)
-                                  : stage.directional_light(*direction_above(), light);
+      *rc::gen::arbitrary<bool>() ? maker.point_light(any_position(), light)
+                                  : maker.directional_light(*direction_above(), light);
       const Rgb own = glows ? any_radiance() : Rgb{};
-      return stage.patch(pt::gray(1), *direction_above(), false, own).done();
+      return maker.patch(pt::gray(1), *direction_above(), false, own).done();
     });
     for (int channel = 0; channel < 3; ++channel) {
       s.point.albedo[channel] = *rc::gen::element(0.0, 0.001, 0.5, 0.999, 1.0);

@@ -13,19 +13,19 @@ SEARCH(direct_lights, without_noise) {
   return {.title = "point lights and suns above a patch, at any scale and far from the origin",
           .measure = "1 is what the contract allows",
           .badness = [] {
-            Stage stage(*pose(1e6, 1e4));
+            SceneMaker maker(*pose(1e6, 1e4));
             const int lights = *whole(1, 6);
             for (int i = 0; i < lights; ++i) {
               const pt::Vec3 towards = *direction_above_at(magnitude(1e-3, 1));
               if (*whole(0, 1) == 0) {
-                stage.directional_light(towards, pt::gray(*brightness()));
+                maker.directional_light(towards, pt::gray(*brightness()));
               } else {
-                stage.point_light(*magnitude(1e-1, 1e2) * towards, pt::gray(*brightness()));
+                maker.point_light(*magnitude(1e-1, 1e2) * towards, pt::gray(*brightness()));
               }
             }
             const bool behind = *whole(0, 1) == 1;
-            stage.patch(pt::gray(*real(0.01, 1)), *direction_above_at(magnitude(1e-3, 1)), behind);
-            const Situation s = stage.done();
+            maker.patch(pt::gray(*real(0.01, 1)), *direction_above_at(magnitude(1e-3, 1)), behind);
+            const Situation s = maker.done();
             show_case(s);
             pt::Sampler sampler(*sampler_seed());
             const double got = pt::direct_lights(s.scene, s.point, 1, sampler).r;

@@ -9,7 +9,7 @@
 namespace grader::check::direct_lights_cases {
 
 // The same scene with black as the right answer. It is for a surface that hides all light and that
-// the stage did not take into account.
+// the maker did not take into account.
 inline Situation dark(Situation s) {
   s.expected = {};
   s.facing = {};
@@ -20,13 +20,13 @@ inline Situation dark(Situation s) {
 // point or just in front of the light.
 inline double any_way() { return *rc::gen::element(0.5, 0.01, 0.99, 0.999); }
 
-inline void half_hidden_lamp(Stage& stage) {
-  stage.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, *real(0.25, 0.75),
+inline void half_hidden_lamp(SceneMaker& maker) {
+  maker.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, *real(0.25, 0.75),
                   any_way());
 }
 
-inline void half_hidden_mesh(Stage& stage) {
-  stage.mesh(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, *real(0.25, 0.75),
+inline void half_hidden_mesh(SceneMaker& maker) {
+  maker.mesh(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, *real(0.25, 0.75),
              any_way());
 }
 
@@ -34,16 +34,16 @@ inline void half_hidden_mesh(Stage& stage) {
 // halves give the same.
 inline rc::Gen<Situation> half_hidden_ball() {
   return rc::gen::exec([] {
-    Stage stage(*unturned_pose());
+    SceneMaker maker(*unturned_pose());
     const double tilt = *real(0, 1), azimuth = *real(-pt::kPi, pt::kPi);
     const double x = std::cos(azimuth), y = std::sin(azimuth), distance = *real(0.5, 3);
     const pt::Vec3 towards{std::sin(tilt) * x, std::sin(tilt) * y, std::cos(tilt)};
-    stage.ball(distance * towards, distance * *real(0.1, 0.4), any_radiance(), Body::none);
+    maker.ball(distance * towards, distance * *real(0.1, 0.4), any_radiance(), Body::none);
     const pt::Vec3 aside{-y, x, 0};
     const double at = 0.5 * distance, side = distance * *rc::gen::element(-1, 1);
-    stage.surface({at * towards + side / 2 * aside, side * aside, at * 2 * cross(towards, aside)},
+    maker.surface({at * towards + side / 2 * aside, side * aside, at * 2 * cross(towards, aside)},
                   *color());
-    Situation s = stage.patch(*color(0.1, 1), *direction_above()).done();
+    Situation s = maker.patch(*color(0.1, 1), *direction_above()).done();
     s.expected *= 0.5;
     return s;
   });
@@ -66,12 +66,12 @@ rc::Gen<Situation> glowing_or_not(Light light) {
   });
 }
 
-inline void hidden_light(Stage& stage) {
+inline void hidden_light(SceneMaker& maker) {
   const int kind = *whole(0, 2);
-  if (kind == 0) stage.point_light(any_position(), any_radiance(), true, any_way());
-  if (kind == 1) stage.directional_light(*direction_above(), any_radiance(), true);
+  if (kind == 0) maker.point_light(any_position(), any_radiance(), true, any_way());
+  if (kind == 1) maker.directional_light(*direction_above(), any_radiance(), true);
   if (kind == 2) {
-    stage.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, 1, any_way());
+    maker.rectangle(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, 1, any_way());
   }
 }
 
@@ -80,7 +80,7 @@ enum class Dark { hidden, below, no };
 // Four lights in four directions, so far from one another that what hides one of them hides no
 // other. The first gives nothing, as it is hidden or below the horizon, and the last gives light.
 // Those that give light are point and directional lights.
-inline void some_hidden_or_below(Stage& stage) {
+inline void some_hidden_or_below(SceneMaker& maker) {
   constexpr int kLights = 4;
   for (int k = 0; k < kLights; ++k) {
     const double azimuth = 2 * pt::kPi * k / kLights + *real(-0.2, 0.2), tilt = *real(0.6, 1.1);
@@ -92,13 +92,13 @@ inline void some_hidden_or_below(Stage& stage) {
     const pt::Vec3 towards{r * std::cos(azimuth), r * std::sin(azimuth), z};
     const double distance = *real(2, 4);
     const int kind = *whole(0, dark == Dark::no ? 1 : 3);
-    if (kind == 0) stage.point_light(distance * towards, any_radiance(), hidden);
-    if (kind == 1) stage.directional_light(towards, any_radiance(), hidden);
+    if (kind == 0) maker.point_light(distance * towards, any_radiance(), hidden);
+    if (kind == 1) maker.directional_light(towards, any_radiance(), hidden);
     if (kind < 2) continue;
     const pt::Frame around = pt::frame_from_normal(-towards);
     const Rectangle shape{distance * towards, 0.3 * around.x, 0.3 * around.y};
-    kind == 2 ? stage.rectangle(shape, any_radiance(), Body::none, hidden ? 1 : 0)
-              : stage.mesh(shape, any_radiance(), Body::none, hidden ? 1 : 0);
+    kind == 2 ? maker.rectangle(shape, any_radiance(), Body::none, hidden ? 1 : 0)
+              : maker.mesh(shape, any_radiance(), Body::none, hidden ? 1 : 0);
   }
 }
 
@@ -110,29 +110,29 @@ inline rc::Gen<Situation> hidden_by_a_ball(int kind, double size) {
     const bool far = kind == 1 || kind == 5;
     const double radius = far ? 1.5 : 0.25;
     const pt::Vec3 center{0, 0, far ? 0.9 * radius : 0};
-    Stage stage({{}, -size * center, size});
-    stage.dark_ball(center, radius);
-    kind == 1 ? void(stage.directional_light(*direction_above(1.0), any_radiance()))
-              : light_of_kind(stage, kind);
-    return dark(stage.patch(*color(0.1, 1), *direction_above()).done());
+    SceneMaker maker({{}, -size * center, size});
+    maker.dark_ball(center, radius);
+    kind == 1 ? void(maker.directional_light(*direction_above(1.0), any_radiance()))
+              : light_of_kind(maker, kind);
+    return dark(maker.patch(*color(0.1, 1), *direction_above()).done());
   });
 }
 
 // An upright wall on the patch, close behind the point as seen from the light. It touches the
 // surface and hides nothing.
-inline void beside_a_wall(Stage& stage) {
+inline void beside_a_wall(SceneMaker& maker) {
   const pt::Vec3 at = any_position();
   const pt::Vec3 away = normalize(pt::Vec3{-at.x, -at.y, 0} + pt::Vec3{-1e-9, 0, 0});
   const pt::Vec3 along{-away.y, away.x, 0};
-  stage.point_light(at, any_radiance());
+  maker.point_light(at, any_radiance());
   const double beside = *magnitude(1e-3, 0.05), height = *real(0.1, 2);
-  stage.surface({beside * away + pt::Vec3{0, 0, height / 2}, along, {0, 0, height}}, *color());
+  maker.surface({beside * away + pt::Vec3{0, 0, height / 2}, along, {0, 0, height}}, *color());
 }
 
-inline void under_a_lid(Stage& stage) {
+inline void under_a_lid(SceneMaker& maker) {
   const pt::Vec3 towards = *direction_above(1.4);
-  stage.point_light(*real(0.5, 4) * towards, any_radiance());
-  stage.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
+  maker.point_light(*real(0.5, 4) * towards, any_radiance());
+  maker.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
 }
 
 }  // namespace grader::check::direct_lights_cases

@@ -1,6 +1,6 @@
 #include "grader/check/bad_inputs.h"
-#include "grader/check/many.h"
 #include "grader/check/property.h"
+#include "grader/check/random_numbers.h"
 #include "grader/tasks/estimate_pixel/cases.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ SEARCH(estimate_pixel, mean) {
               return std::to_string(samples) + " samples, " + show(level) + " times 10 to the " +
                      show(spread) + " xi, seed " + std::to_string(seed);
             });
-            Many make(seed);
+            RandomNumbers make(seed);
             long double sum = 0;
             const Estimate got = estimate(
                 {pt::Camera{}, 8, 5, 3, 2}, samples, pt::Sampler(seed), [&](int, const pt::Ray&) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grader/check/generators.h"
-#include "grader/check/many.h"
+#include "grader/check/random_numbers.h"
 #include "grader/check/show.h"
 #include "pt/geometry/bvh.h"
 #include "pt/geometry/primitives.h"
@@ -70,7 +70,7 @@ inline void showValue(const Case& c, std::ostream& out) {
   out << "\n" << show(c.ray);
 }
 
-inline pt::Triangle some_triangle(double size, Many& make) {
+inline pt::Triangle some_triangle(double size, RandomNumbers& make) {
   const pt::Vec3 p = make.vector(-5, 5);
   const pt::Vec3 q = p + make.vector(-size, size), r = p + make.vector(-size, size);
   pt::Triangle made = flat_triangle(p, q, r);
@@ -84,7 +84,7 @@ struct TreeMaker {
   Shape shape;
   int max_leaf;
   double padding;  // how much larger than necessary boxes may be
-  Many& make;
+  RandomNumbers& make;
   pt::Bvh bvh{};
 
   int divide(int first, int last) {
@@ -125,7 +125,7 @@ struct TreeMaker {
 };
 
 inline pt::Bvh tree_of(const pt::Primitives& primitives, Shape shape, int max_leaf, double padding,
-                       Many& make) {
+                       RandomNumbers& make) {
   TreeMaker maker{primitives, shape, max_leaf, padding, make};
   maker.bvh.order.resize(primitives.size());
   std::iota(maker.bvh.order.begin(), maker.bvh.order.end(), 0);
@@ -135,7 +135,7 @@ inline pt::Bvh tree_of(const pt::Primitives& primitives, Shape shape, int max_le
 }
 
 // A tree that keeps the order of the primitives, with one of them in each leaf.
-inline pt::Bvh tree_in_order(const pt::Primitives& primitives, Shape shape, Many& make) {
+inline pt::Bvh tree_in_order(const pt::Primitives& primitives, Shape shape, RandomNumbers& make) {
   TreeMaker maker{primitives, shape, 1, 0, make};
   maker.bvh.order.resize(primitives.size());
   std::iota(maker.bvh.order.begin(), maker.bvh.order.end(), 0);

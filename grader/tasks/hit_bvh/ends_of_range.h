@@ -20,7 +20,8 @@ inline const char* words(End end) {
 
 // Walls across an axis, one behind the other, in no order of the tree. All numbers are whole multiples
 // of powers of two, so that the judge's hit_box and hit_triangle compute the same t, without rounding.
-inline Case walls_and_range(int axis, int walls, int wall, End end, double speed, Many& make) {
+inline Case walls_and_range(int axis, int walls, int wall, End end, double speed,
+                            RandomNumbers& make) {
   const auto turned = [axis](double x, double y, double z) {
     pt::Vec3 p;
     p[(axis + 1) % 3] = x;
@@ -51,7 +52,7 @@ inline rc::Gen<Case> range_with_a_wall_at_its_end() {
     const End end{*whole(0, 2)};
     const int wall = end == End::last ? 0 : end == End::first ? n - 1 : *whole(0, n - 1);
     const double speed = std::pow(2, *whole(-9, 9));
-    Many make(*sampler_seed());
+    RandomNumbers make(*sampler_seed());
     return walls_and_range(axis, n, wall, end, speed, make);
   });
 }

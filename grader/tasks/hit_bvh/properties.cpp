@@ -164,7 +164,7 @@ PROMISE(hit_bvh, finds_any_hit) {
 PROMISE(hit_bvh, asks_hit_box_and_hit_primitive) {
   for_queries([] {
     const Case c = *some_tree();
-    Many make(draw("seed of the other ray", sampler_seed()));
+    RandomNumbers make(draw("seed of the other ray", sampler_seed()));
     const pt::Ray other = some_clear_ray(c.primitives, {.all_of_ray = true}, make);
     if (!judge_answers) return;  // the submission's tasks answer, for the right ray only
     const Truth truth =
@@ -210,7 +210,7 @@ PROMISE(hit_bvh, skips_what_lies_behind_a_hit) {
   constexpr int kWalls = 64, kTrees = 20;
   for_queries(
       [] {
-        Many make(draw("seed", sampler_seed()));
+        RandomNumbers make(draw("seed", sampler_seed()));
         Case c;
         for (int i = 0; i < kWalls; ++i) {
           const double z = i;

@@ -24,7 +24,7 @@ struct Wanted {
 
 // A ray in any direction from the first surface on `ray`. Its range begins a little away from
 // there.
-inline pt::Ray from_a_surface(const pt::Primitives& primitives, pt::Ray ray, Many& make) {
+inline pt::Ray from_a_surface(const pt::Primitives& primitives, pt::Ray ray, RandomNumbers& make) {
   ray.t_min = 0;
   ray.t_max = pt::kInfinity;
   const Truth truth = truth_of(primitives, ray);
@@ -34,7 +34,8 @@ inline pt::Ray from_a_surface(const pt::Primitives& primitives, pt::Ray ray, Man
 }
 
 // A ray close to the middle of a primitive, or anywhere. Its range may have limits.
-inline pt::Ray some_ray(const pt::Primitives& primitives, const Wanted& wanted, Many& make) {
+inline pt::Ray some_ray(const pt::Primitives& primitives, const Wanted& wanted,
+                        RandomNumbers& make) {
   const pt::Vec3 origin = make.vector(-12, 12);
   const pt::Box aim = bounds(primitives, make.whole(0, primitives.size() - 1));
   const bool at_one = make.whole(0, 3) > 0;
@@ -49,7 +50,8 @@ inline pt::Ray some_ray(const pt::Primitives& primitives, const Wanted& wanted, 
 
 // A ray that meets no primitive at an edge or as a tangent. In the largest scenes one ray of three
 // is clear in this way, so that the attempts are always enough.
-inline pt::Ray some_clear_ray(const pt::Primitives& primitives, const Wanted& wanted, Many& make) {
+inline pt::Ray some_clear_ray(const pt::Primitives& primitives, const Wanted& wanted,
+                              RandomNumbers& make) {
   constexpr int kAttempts = 200;
   pt::Ray ray;
   for (int i = 0; i < kAttempts; ++i) {
@@ -59,7 +61,7 @@ inline pt::Ray some_clear_ray(const pt::Primitives& primitives, const Wanted& wa
   return ray;
 }
 
-inline pt::Primitives some_primitives(int n, const Wanted& wanted, Many& make) {
+inline pt::Primitives some_primitives(int n, const Wanted& wanted, RandomNumbers& make) {
   pt::Primitives primitives;
   for (int i = 0; i < n; ++i) {
     const bool sphere = wanted.spheres && make.whole(0, 2) == 0;
@@ -122,7 +124,7 @@ inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted =
   return rc::gen::exec([=] {
     const auto [n, seed] = *some_lot(wanted.least, wanted.most);
     const Shape shape = *rc::gen::elementOf(shapes);
-    Many make(seed);
+    RandomNumbers make(seed);
     const int max_leaf = make.whole(wanted.min_leaf, wanted.max_leaf);
     const double scale = wanted.any_scale ? std::pow(10, make.whole(-6, 6)) : 1;
     Case c;
@@ -151,7 +153,7 @@ inline rc::Gen<Case> large_tree() {
 inline rc::Gen<Case> close_walls() {
   return rc::gen::exec([] {
     const auto [n, seed] = *some_lot(2, 30);
-    Many make(seed);
+    RandomNumbers make(seed);
     Case c;
     c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
     for (int i = 0; i < n; ++i) {
@@ -188,7 +190,7 @@ inline Case flat_wall_before_a_slanting_one(double near, double far, double slop
 // The points on the ray are 2e-11 to 1e-6 of their distance apart.
 inline rc::Gen<Case> walls_that_all_but_touch() {
   return rc::gen::exec([] {
-    Many make(*sampler_seed());
+    RandomNumbers make(*sampler_seed());
     const double near = make.between(2, 12),
                  far = near * (1 + std::pow(10, make.between(-10.7, -6)));
     Case c = flat_wall_before_a_slanting_one(near, far, make.between(0.1, 0.5));
@@ -202,7 +204,7 @@ inline rc::Gen<Case> walls_that_all_but_touch() {
 // Walls, one behind the other. At each level a leaf holds the farthest wall, so that a query which
 // takes the nearer child first has as many leaves waiting as there are walls.
 inline Case pile(int walls, bool to_the_left) {
-  Many make(1);
+  RandomNumbers make(1);
   Case c;
   for (int i = 0; i < walls; ++i) {
     const double z = to_the_left ? i : walls - i;

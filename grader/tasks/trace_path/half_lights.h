@@ -31,17 +31,17 @@ inline void showValue(const HalfLights& c, std::ostream& out) {
 
 inline rc::Gen<HalfLights> under_half_lights() {
   return rc::gen::exec([] {
-    Stage stage({});
+    SceneMaker maker({});
     const Rectangle left{{-1, 0, 1}, {0, 1, 0}, {1, 0, 0}}, right{{1, 0, 1}, {0, 1, 0}, {1, 0, 0}};
     const Rgb of_left = *color(1, 4), of_right = *color(5, 9);
-    stage.rectangle(left, of_left, Body::none).surface(right, {}, of_right);
+    maker.rectangle(left, of_left, Body::none).surface(right, {}, of_right);
     // The samples are for each light, however many are in the list. These bring nothing: they are
     // below the horizon.
     const Direct direct = *either_way();
     for (int below = direct == Direct::hemisphere ? 39 : 4; below > 0; --below) {
-      stage.directional_light({0, 0, -1}, pt::gray(1));
+      maker.directional_light({0, 0, -1}, pt::gray(1));
     }
-    HalfLights c{stage.patch(*color(0.1, 1), *direction_above()).done(), {}, {}, *sampler_seed()};
+    HalfLights c{maker.patch(*color(0.1, 1), *direction_above()).done(), {}, {}, *sampler_seed()};
     c.settings.from = *whole(0, 1);
     c.settings.direct = direct;
     c.settings.light_samples = *rc::gen::element(1, 2, 8, 40);

@@ -11,9 +11,9 @@ namespace grader::check {
 
 // Hundreds of random numbers from one seed that a property draws. This is faster than one value of
 // RapidCheck per number. It is enough if only the number of objects has to shrink, not each value.
-class Many {
+class RandomNumbers {
  public:
-  explicit Many(std::uint64_t seed) : sampler_(seed) {}
+  explicit RandomNumbers(std::uint64_t seed) : sampler_(seed) {}
 
   double between(double low, double high) { return low + (high - low) * sampler_.next_1d(); }
 
