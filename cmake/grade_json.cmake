@@ -39,7 +39,8 @@ function(firstlight_write_grade_json)
   firstlight_wrap("" flags ${FIRSTLIGHT_JUDGE_ANSWERS_hit_bvh})
   firstlight_json_list(recording_flags ${flags})
   # The parts of every program that runs tasks, besides the tasks.
-  firstlight_json_objects(grade framework grader_worker grader_connection grader_serve pt_base pt_scene pt_rows)
+  firstlight_ours_handed_on(libraries grader_worker grader_connection grader_serve pt_rows)
+  firstlight_json_objects(grade framework ${libraries})
   firstlight_json_objects(grade recording grader_recording)
   firstlight_json_objects(grade radiance radiance.path)
 
