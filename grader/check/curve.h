@@ -36,7 +36,7 @@ struct Method {
 // A limit that is the same at every place.
 std::function<double(double place)> at_most(double limit);
 
-// What the contract promises: an error of at most `limit` at places from `first` to `last`.
+// A promise of the contract: an error of at most `limit` at places from `first` to `last`.
 struct Promised {
   double first = 0, last = 0;  // in any order; they may be the same
   std::function<double(double place)> limit = at_most(0);

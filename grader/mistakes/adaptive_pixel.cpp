@@ -210,7 +210,8 @@ Battery::Numbers special_points(const Pixel& p) {
   return shares;
 }
 
-// How many points are in such places; and whether they are in their pixel, in a picture of many rows.
+// Asks how many points are in such places, and whether they are in their pixel, in a picture of many
+// rows.
 void special_places(Battery& battery) {
   const Script noise_of_gray = [](int i) { return noisy(i, {1, 1, 1}, 1); };
   battery.mean(20, [&](int n, std::uint64_t seed) {

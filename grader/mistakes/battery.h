@@ -25,8 +25,8 @@ struct CallEnded {
   results::Cause cause;
 };
 
-// How a battery is run: with the usual number of draws for a submission, and with more draws for
-// the answers that are kept.
+// A battery is run with the usual number of draws for a submission, and with more draws for the answers
+// that are kept.
 struct BatterySettings {
   std::uint64_t seed = 1;  // of all draws
   int draws = 1;           // a multiple of the usual number
@@ -70,8 +70,8 @@ Battery::Numbers numbers(pt::Vec3 v);
 Battery::Numbers numbers(pt::Rgb c);
 inline double flag(bool condition) { return condition ? 1 : 0; }
 
-// What two calls do with the same sampler: how far the first one moves it (0: not at all, 1: by one
-// number, 2: further), and whether both return the same, as all calls must.
+// Asks two calls with the same sampler: how far the first one moves it (0: not at all, 1: by one number,
+// 2: further), and whether both return the same, as all calls must.
 Battery::Numbers use_of_sampler(const std::function<Battery::Numbers(pt::Sampler& sampler)>& call);
 
 }  // namespace grader::mistakes

@@ -57,7 +57,7 @@ void density(Battery& battery) {
   }
 }
 
-// Whether the pdf sums to one in steps that are so small that some of them are below one degree.
+// Asks whether the pdf sums to one in steps that are so small that some of them are below one degree.
 void density_of_low_directions(Battery& battery) {
   constexpr int kSteps = 64;
   battery.ask([]() -> Battery::Numbers {
@@ -69,7 +69,7 @@ void density_of_low_directions(Battery& battery) {
   });
 }
 
-// Whether two samples of a black surface are the same.
+// Asks whether two samples of a black surface are the same.
 void black_samples(Battery& battery) {
   battery.ask([]() -> Battery::Numbers {
     pt::Sampler sampler(5);

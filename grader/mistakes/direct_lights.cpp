@@ -26,7 +26,7 @@ void ask_exactly(Battery& battery, const SceneMaker& maker, int samples = 1) {
   ask(battery, maker, samples, 8);
 }
 
-// Whether the point is black: where nothing else counts, and where light is so weak that right
+// Asks whether the point is black: where nothing else counts, and where light is so weak that right
 // answers differ in it.
 void ask_if_black(Battery& battery, const SceneMaker& maker) {
   const Situation s = maker.done();

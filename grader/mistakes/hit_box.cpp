@@ -162,7 +162,7 @@ void extremes(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// Whether the interval is as precise as a double can be.
+// Asks whether the interval is as precise as a double can be.
 void precisely(Battery& battery, RandomNumbers& make) {
   for (int i = 0; i < 3; ++i) {
     const Box box = some_box(make, 1);

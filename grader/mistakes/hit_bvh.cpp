@@ -126,7 +126,7 @@ Case row(RandomNumbers& make, bool spheres) {
   return c;
 }
 
-// Whether others are asked: hit_box, and hit_primitive for each kind.
+// Asks whether other tasks are called: hit_box, and hit_primitive for each kind.
 void others(Battery& battery, RandomNumbers& make) {
   for (const bool spheres : {false, true}) {
     const Case c = row(make, spheres);
@@ -139,8 +139,8 @@ void others(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// Whether anything is in the way, which primitive is the nearest, and whether its t is as precise as a
-// double can be.
+// Asks whether anything is in the way, which primitive is the nearest, and whether its t is as precise
+// as a double can be.
 void ask_exactly(Battery& battery, const Case& c, double t) {
   battery.ask([&]() -> Battery::Numbers {
     const double occluded = flag(pt::occluded_bvh(c.bvh, c.primitives, c.ray));

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-// What a query found, and which rules on the cost it broke. The order in which a tree is walked is
+// The answers of queries: the hit, and which rules on the cost were broken. The order in which a tree is walked is
 // free, so the number of tests is not part of an answer.
 
 namespace grader::mistakes {

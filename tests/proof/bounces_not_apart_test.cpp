@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-// A trace_path that adds what the path runs into: that is no bounce's direct light, so its pictures
+// A trace_path that adds what the path runs into: that is not the direct light of a bounce, so its pictures
 // cannot come from one walk, and it says so.
 
 namespace pt::proof {

@@ -99,8 +99,8 @@ Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line) {
 
 const char* color_of(const Promised& promised) { return promised.bonus ? "#fde8c8" : "#d9f0d3"; }
 
-// What the contract allows, as a filled area down to the axis. A limit of 0 reaches to the tic 0, and
-// the promise of a single place has some width.
+// A filled area down to the axis: all errors that the contract allows. A limit of 0 reaches to the tic
+// 0, and the promise of a single place has some width.
 std::string area_of(const Promised& promised, const Range& range) {
   constexpr double kHalfWidth = 1.12;
   const double zero = std::sqrt(range.zero * range.zero * range.zero / range.bottom);

@@ -45,7 +45,7 @@ std::string search_program_of(const judge::TaskConfig& task) {
   return fs::path(task.graded).replace_filename("search." + task.slug);
 }
 
-// The compiled object of the line; or a reason in `error`.
+// The line's code, compiled; its object has an error, or says why it is rejected, where it cannot be used.
 judge::Judged compiled(const judge::Config& config, const judge::Builder& builder,
                        const judge::TaskConfig& task, const Request& request,
                        const CurveLine& line) {
@@ -70,25 +70,28 @@ judge::Judged compiled(const judge::Config& config, const judge::Builder& builde
   return judged;
 }
 
-// A worker of one line; or why there is none, in `line`.
+// A worker of one line; its error says why there is none.
 judge::Built worker_of(const judge::Config& config, const judge::Builder& builder,
-                       const judge::TaskConfig& task, const Request& request, CurveLine& line) {
+                       const judge::TaskConfig& task, const Request& request,
+                       const CurveLine& line) {
   const judge::Judged judged = compiled(config, builder, task, request, line);
-  line.unusable = judged.object.rejected.empty() ? judged.object.error : judged.object.rejected;
-  if (!line.unusable.empty()) return {};
-  judge::Built worker = judge::link_alone(config, builder, judged, judge::Elsewhere::answers);
-  line.unusable = worker.error;
-  return worker;
+  const judge::Built& object = judged.object;
+  if (!object.ok() || !object.rejected.empty()) {
+    judge::Built none;
+    none.error = object.rejected.empty() ? object.error : object.rejected;
+    return none;
+  }
+  return judge::link_alone(config, builder, judged, judge::Elsewhere::answers);
 }
 
 // Code of a submission that is slow at every call has so many seconds for a curve.
 constexpr double kSecondsOfCurve = 60;
 
-// The curves of one line as JSON; or why there are none, in `line`.
-json curves_of(const judge::Config& config, const judge::Builder& builder,
-               const judge::TaskConfig& task, const Request& request, CurveLine& line) {
+// The curves of one line as JSON; or why there are none.
+Answered curves_of(const judge::Config& config, const judge::Builder& builder,
+                   const judge::TaskConfig& task, const Request& request, const CurveLine& line) {
   const judge::Built worker = worker_of(config, builder, task, request, line);
-  if (!line.unusable.empty()) return json::array();
+  if (!worker.error.empty()) return {json::array(), worker.error};
   const judge::Trial trial{task, worker, false, request.judge, {}};
   std::vector<std::string> words{"--seed", std::to_string(request.judge.seed), "--effort",
                                  std::to_string(request.effort)};
@@ -100,12 +103,11 @@ json curves_of(const judge::Config& config, const judge::Builder& builder,
   words.push_back("--curves");
   const judge::Written written =
       judge::ask_program(builder, program_of(task), trial, words, kMaxTime);
-  if (!written.path.empty()) return json::parse(base::read_file(written.path));
+  if (!written.path.empty()) return {json::parse(base::read_file(written.path)), ""};
   if (line.kind == CurveLine::Kind::reference) {
     throw pt::Error("the curves of " + task.slug + ": " + written.error);
   }
-  line.unusable = written.error;  // the other lines go on
-  return json::array();
+  return {json::array(), written.error};  // the other lines go on
 }
 
 std::vector<Point> points_of(const json& curve) {
@@ -238,15 +240,15 @@ bool is_shown(const Charts& charts, const Chart& chart, std::size_t line) {
   return is_named(charts, chart, line) || charts.lines[line].file.starts_with("right/");
 }
 
-json search_task(const judge::Config& config, const judge::TaskConfig& task, const Request& request,
-                 const Search& search, CurveLine& line) {
+Answered search_task(const judge::Config& config, const judge::TaskConfig& task,
+                     const Request& request, const Search& search, const CurveLine& line) {
   if (!config.no_reference.empty()) throw pt::Error(config.no_reference);
   const double seconds = 60 * search.minutes;
   std::vector<std::string> words{search_program_of(task)};
   if (line.kind != CurveLine::Kind::reference || !fs::exists(words[0])) {
     const judge::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
     const judge::Built worker = worker_of(config, builder, task, request, line);
-    if (!line.unusable.empty()) return json::array();
+    if (!worker.error.empty()) return {json::array(), worker.error};
     words = {program_of(task), "--worker", worker.path, "--isolation",
              std::string(1, grader::sandbox::letter(request.judge.isolation.tier))};
   }
@@ -257,7 +259,7 @@ json search_task(const judge::Config& config, const judge::TaskConfig& task, con
   const auto most = std::chrono::seconds(static_cast<long long>(60 + 4 * seconds));
   const auto result = grader::process::run_command(child, most);
   if (!result.ok()) throw pt::Error("the search of " + task.slug + ": " + result.output);
-  return json::parse(base::read_file(search.file));
+  return {json::parse(base::read_file(search.file)), ""};
 }
 
 std::string charts_hash(const judge::Config& config, const judge::TaskConfig& task,
@@ -285,7 +287,7 @@ Charts measure_task(const judge::Config& config, const judge::TaskConfig& task,
     charts.lines.push_back({CurveLine::Kind::submission, "yours", "", false, ""});
   }
   // The reference tells which methods there are.
-  std::vector<json> found{curves_of(config, builder, task, request, charts.lines[0])};
+  std::vector<json> found{curves_of(config, builder, task, request, charts.lines[0]).answer};
   for (CurveLine& line : kept_solutions(config, task, found[0], request)) {
     charts.lines.push_back(std::move(line));
   }
@@ -297,7 +299,10 @@ Charts measure_task(const judge::Config& config, const judge::TaskConfig& task,
   std::mutex mutex;
   std::size_t done = 1;
   base::for_each(charts.lines.size() - 1, request.judge.threads, [&](std::size_t i) {
-    found[i + 1] = curves_of(config, builder, task, request, charts.lines[i + 1]);
+    CurveLine& line = charts.lines[i + 1];
+    Answered curves = curves_of(config, builder, task, request, line);
+    found[i + 1] = std::move(curves.answer);
+    line.unusable = std::move(curves.unusable);
     const std::lock_guard lock(mutex);
     progress(static_cast<double>(++done) / static_cast<double>(charts.lines.size()));
   });

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 namespace writeup::stability {
 
@@ -91,11 +91,15 @@ struct Search {
   std::string file;  // keeps what was found; the next search goes on from there
 };
 
-// Searches, and returns what was found as the program wrote it; or why nothing could be tried, in
-// `line`. Throws pt::Error where nothing can be measured.
-nlohmann::json search_task(const grader::judge::Config& config,
-                           const grader::judge::TaskConfig& task, const Request& request,
-                           const Search& search, CurveLine& line);
+// The answer of a task's program about one line as JSON, an empty array where it has none.
+struct Answered {
+  nlohmann::json answer;
+  std::string unusable;  // the reason why the line cannot be used; else empty
+};
+
+// Searches, and returns what was found. Throws pt::Error where nothing can be measured.
+Answered search_task(const grader::judge::Config& config, const grader::judge::TaskConfig& task,
+                     const Request& request, const Search& search, const CurveLine& line);
 
 // A hash of all that the charts of a task depend on, besides the request's numbers.
 std::string charts_hash(const grader::judge::Config& config, const grader::judge::TaskConfig& task,

@@ -51,13 +51,13 @@ bool search_all(const judge::Config& config, const judge::TaskConfig& task, cons
     line.kind = CurveLine::Kind::submission;
     name += "." + grader::base::sha256(fs::absolute(request.submission).string()).substr(0, 8);
   }
-  const json found =
+  const Answered found =
       search_task(config, task, request, {minutes, folder + "/" + name + ".json"}, line);
-  if (!line.unusable.empty()) {
-    fmt::print("{} is not searched: {}\n", task.slug, line.unusable);
+  if (!found.unusable.empty()) {
+    fmt::print("{} is not searched: {}\n", task.slug, found.unusable);
     return false;
   }
-  for (const json& search : found) fmt::print("{}\n", text_of(task.slug, search));
+  for (const json& search : found.answer) fmt::print("{}\n", text_of(task.slug, search));
   return true;
 }
 

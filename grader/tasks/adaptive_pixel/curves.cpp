@@ -44,8 +44,8 @@ Pixel pixel_of(double chance, double rare, double usual, const AdaptiveSettings&
 
 constexpr double kRounding = 1e-12;  // of two sums of the same numbers
 
-// How far one pixel is above or below what it would have been with all samples, as a part of the right
-// mean. The mean of all samples has no bias, and most of its noise is that of the pixel too.
+// Returns by how much one pixel differs from what it would have been with all samples, as a part of the
+// right mean. The mean of all samples has no bias, and most of its noise is that of the pixel too.
 double too_bright(double chance, double rare, double usual, const AdaptiveSettings& settings) {
   const Pixel pixel = pixel_of(chance, rare, usual, settings);
   const double expected = chance * rare + (1 - chance) * usual;

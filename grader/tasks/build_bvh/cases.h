@@ -191,6 +191,15 @@ inline rc::Gen<Input> some_boxes() {
 inline rc::Gen<Input> thousands_of_boxes() { return boxes_of(kUsual, 2000, 3000); }
 inline rc::Gen<Input> deep_boxes() { return boxes_of(kDeep, 30, 400); }
 
+// Points at 2^-i for i = 0, 1, ..., and leaves of one.
+inline Input halving_points(int axis, int n) {
+  Input input{{}, 1, ""};
+  for (int i = 0; i < n; ++i) {
+    input.boxes.push_back(around(on_axis(axis, std::pow(2, -i)), {0, 0, 0}));
+  }
+  return input;
+}
+
 // A thousand points, each half as far from the first corner as the one before, and leaves of one.
 inline rc::Gen<Input> a_thousand_halvings() {
   return rc::gen::exec([] {

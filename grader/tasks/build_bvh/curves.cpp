@@ -15,12 +15,7 @@ std::vector<Method> splits() {
           {"right/swept_surface_area", "surface area heuristic"}};
 }
 
-double depth_of(Kind kind, double boxes) {
-  const int n = static_cast<int>(boxes);
-  Input input = *boxes_of({kind}, n, n);
-  input.max_leaf = 1;
-  return depth(pt::build_bvh(input.boxes, input.max_leaf));
-}
+double depth_of(const Input& input) { return depth(pt::build_bvh(input.boxes, 1)); }
 
 CURVE(build_bvh, halving) {
   return {.title = "Points, each half as far from the first corner as the one before",
@@ -31,7 +26,9 @@ CURVE(build_bvh, halving) {
           .promised = {{100, 300, [](double n) { return std::floor(4 * std::log2(n)); }, true}},
           .methods = splits(),
           .cases = 3,
-          .measure = [](double boxes) { return depth_of(Kind::halving, boxes); }};
+          .measure = [](double boxes) {
+            return depth_of(halving_points(*whole(0, 2), static_cast<int>(boxes)));
+          }};
 }
 
 CURVE(build_bvh, identical) {
@@ -46,10 +43,13 @@ CURVE(build_bvh, identical) {
                       {"wrong/no_fallback", "middle, again and again"},
                       {"wrong/tries_for_ever", "the same plane, for ever"}},
           .cases = 3,
-          .measure = [](double boxes) { return depth_of(Kind::identical, boxes); }};
+          .measure = [](double boxes) {
+            const int n = static_cast<int>(boxes);
+            return depth_of(*boxes_of({Kind::identical}, n, n));
+          }};
 }
 
-// Whether a line through the point meets the box, a little enlarged.
+// Returns whether a line through the point meets the box, a little enlarged.
 bool meets(const pt::Box& box, pt::Vec3 p, pt::Vec3 d) {
   double enter = -pt::kInfinity, leave = pt::kInfinity;
   for (int axis = 0; axis < 3; ++axis) {

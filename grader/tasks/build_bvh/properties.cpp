@@ -247,11 +247,7 @@ PROMISE(build_bvh, stays_shallow_on_clustered_centroids_bonus) {
   once(expect_a_tree_at_all);
   for_all([] {
     const int axis = draw("axis", whole(0, 2)), n = draw("boxes", whole(100, 300));
-    Input input{{}, 1, ""};
-    for (int i = 0; i < n; ++i) {
-      input.boxes.push_back(around(on_axis(axis, std::pow(2, -i)), {0, 0, 0}));
-    }
-    const pt::Bvh bvh = build(input);
+    const pt::Bvh bvh = build(halving_points(axis, n));
     expect_nodes(bvh);
     const int most = static_cast<int>(4 * std::log2(n));
     expect(depth(bvh) <= most, "a depth of at most " + std::to_string(most),

@@ -10,8 +10,8 @@ namespace {
 
 using namespace camera_ray_cases;
 
-// How far the ray through a random point of the picture meets the window from there, in widths of
-// the window, which is from -half to half. The tangent of the angle that the task is given is taken
+// The distance from a random point of the picture to where its ray meets the window, in widths of the
+// window, which is from -half to half. The tangent of the angle that the task is given is taken
 // in extended precision.
 double off_the_window(double half, const pt::Frame& turn) {
   constexpr long double kHalfDegree = 3.14159265358979323846264338327950288L / 360;

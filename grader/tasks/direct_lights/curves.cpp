@@ -3,6 +3,7 @@
 #include "grader/check/property.h"
 #include "grader/check/repeat.h"
 #include "grader/check/scenes.h"
+#include "grader/tasks/direct_lights/lights.h"
 #include "pt/tasks/direct_lights.h"
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 
 namespace grader::check {
 namespace {
+
+using namespace direct_lights_cases;
 
 // The standard deviation of one estimate over its mean.
 double relative_deviation(const Situation& s, int draws) {
@@ -22,15 +25,9 @@ pt::Rgb one_estimate(const Situation& s) {
   return pt::direct_lights(s.scene, s.point, 1, sampler);
 }
 
-// A patch that nothing hides from a sun. Estimates have no noise.
-Situation in_the_sun(const Pose& pose) {
-  SceneMaker maker(pose);
-  maker.directional_light(*direction_above(1.4), pt::gray(1));
-  return maker.patch(pt::gray(0.5), *direction_above(1.4)).done();
-}
-
-double wrong_in_the_sun(const Pose& pose) {
-  const Situation s = in_the_sun(pose);
+// A patch that nothing hides from a point light, as the promise has it. Estimates have no noise.
+double wrong_under_a_lamp(const Pose& pose) {
+  const Situation s = *lit_by(point_light, rc::gen::just(pose));
   return std::abs(one_estimate(s).r / s.expected.r - 1) < 1e-3 ? 0 : 1;
 }
 
@@ -89,7 +86,7 @@ CURVE(direct_lights, close_to_a_light) {
 }
 
 CURVE(direct_lights, scale) {
-  return {.title = "A surface in the sun, in scenes of any size",
+  return {.title = "A surface under a point light, in scenes of any size",
           .input = "size of the scene",
           .error = "share of points that are not right to a thousandth",
           .source = "Waechter and Binder 2019, Ray Tracing Gems, chapter 6",
@@ -98,12 +95,12 @@ CURVE(direct_lights, scale) {
           .methods = offsets(),
           .statistic = Statistic::mean,
           .measure = [](double size) {
-            return wrong_in_the_sun({*rotation(), size * *point(), size});
+            return wrong_under_a_lamp({*rotation(), size * *point(), size});
           }};
 }
 
 CURVE(direct_lights, far_from_the_origin) {
-  return {.title = "A surface in the sun, far from the world's origin",
+  return {.title = "A surface under a point light, far from the world's origin",
           .input = "distance from the world's origin, in sizes of the scene",
           .error = "share of points that are not right to a thousandth",
           .source = "Waechter and Binder 2019, Ray Tracing Gems, chapter 6",
@@ -112,7 +109,7 @@ CURVE(direct_lights, far_from_the_origin) {
           .methods = offsets(),
           .statistic = Statistic::mean,
           .measure = [](double away) {
-            return wrong_in_the_sun({*rotation(), *point(away), 1});
+            return wrong_under_a_lamp({*rotation(), *point(away), 1});
           }};
 }
 
@@ -130,16 +127,15 @@ CURVE(direct_lights, light_is_a_surface) {
                       {"methods/fixed_lengths", "fixed lengths, single precision", true}},
           .statistic = Statistic::mean,
           .measure = [](double size) {
-            SceneMaker maker({*rotation(), size * *point(), size});
-            maker.rectangle(*rectangle_above(0.5, 0.3, 1), pt::gray(1), Body::surface);
-            const Situation s = maker.patch(pt::gray(0.5), *direction_above(1.4)).done();
+            const Pose pose{*rotation(), size * *point(), size};
+            const Situation s = *lit_by(lamp_with_a_body, rc::gen::just(pose));
             return one_estimate(s).r > 0 ? 0 : 1;
           }};
 }
 
 CURVE(direct_lights, many_lights) {
   return {.title = "Many lights",
-          .input = "point lights",
+          .input = "point lights and directional lights",
           .error = "relative error of the sum",
           .source = "a limit for the number of lights, and errors of a long sum",
           .places = {1, 2, 4, 5, 8, 16, 17, 40, 100, 300, 1000},
@@ -150,7 +146,7 @@ CURVE(direct_lights, many_lights) {
           .measure = [](double lights) {
             SceneMaker maker(*unturned_pose());
             for (int i = 0; i < static_cast<int>(lights); ++i) {
-              maker.point_light(*real(0.5, 5) * *direction_above(1.4), pt::gray(1));
+              any_delta_light(maker);
             }
             const Situation s = maker.patch(pt::gray(0.5), {0, 0, 1}).done();
             return std::abs(one_estimate(s).r / s.expected.r - 1);

@@ -4,8 +4,8 @@
 #include "grader/check/scenes.h"
 #include "grader/check/smooth_shading.h"
 
-// Lights for direct_lights. Each function puts one light of random size and position on a maker.
-// The shaded point is the origin of the maker, and its normal is along z.
+// Lights for direct_lights. Each function adds one light of random size and position to a scene. The
+// shaded point is the origin, and its normal is along z.
 
 namespace grader::check::direct_lights_cases {
 
@@ -16,7 +16,7 @@ inline pt::Vec3 any_position() { return *real(0.5, 4) * *direction_above(); }
 // A direction between a ten-thousandth of a degree and six degrees above the surface.
 inline pt::Vec3 grazing_direction() { return *direction_above_at(magnitude(2e-6, 0.1)); }
 
-// A patch and the lights that `light` puts on the maker.
+// A patch and the lights that `light` adds.
 template <class Light>
 rc::Gen<Situation> lit_by(Light light, const rc::Gen<Pose>& poses = unturned_pose(),
                           const rc::Gen<bool>& from_behind = rc::gen::just(false)) {

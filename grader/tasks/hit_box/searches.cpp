@@ -26,7 +26,7 @@ Inside exactly(const Case& c) {
   return inside;
 }
 
-// How far an end is from the right one, where 1 is what the contract allows on that side.
+// The error of an end, where 1 is what the contract allows on that side.
 double off(double got, Exact right, const Ends& allowed) {
   const double error = rounded(Exact(got) - right);
   if (error == 0) return 0;

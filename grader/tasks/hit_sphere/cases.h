@@ -174,7 +174,7 @@ inline double distance_from_centre(const pt::Sphere& sphere, const pt::Ray& ray,
   return pt::length(ray.at(t) - sphere.center) / sphere.radius;
 }
 
-// How far the point at t is from the surface, in radii.
+// The distance of the point at t from the surface, in radii.
 inline double off_the_sphere(const Aimed& aimed, double t) {
   return std::abs(distance_from_centre(aimed.sphere, aimed.ray, t) - 1);
 }

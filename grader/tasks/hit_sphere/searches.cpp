@@ -9,7 +9,7 @@ namespace {
 
 using namespace hit_sphere_cases;
 
-// How far the point at t is from the sphere, in radii: r^2 - R^2 is exact, and so small that its root
+// The distance of the point at t from the sphere, in radii: r^2 - R^2 is exact, and so small that its root
 // can be had from it.
 double off_exactly(const pt::Sphere& sphere, const pt::Ray& ray, double t) {
   const Exact3 p = Exact3(ray.origin) + Exact(t) * Exact3(ray.direction) - Exact3(sphere.center);

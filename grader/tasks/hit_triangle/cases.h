@@ -4,6 +4,7 @@
 #include "grader/check/show.h"
 #include "pt/geometry/ray.h"
 #include "pt/geometry/triangle.h"
+#include "pt/tasks/hit_triangle.h"
 
 #include <algorithm>
 #include <array>
@@ -229,6 +230,12 @@ struct Fan {
 inline void showValue(const Fan& fan, std::ostream& out) {
   for (const pt::Triangle& triangle : fan.triangles) out << show(triangle) << "\n";
   out << show(fan.ray);
+}
+
+inline bool is_hit(const Fan& fan) {
+  return std::ranges::any_of(fan.triangles, [&](const pt::Triangle& triangle) {
+    return pt::hit_triangle(triangle, fan.ray).has_value();
+  });
 }
 
 // `away`: the largest coordinate of the corner.

@@ -279,10 +279,7 @@ PROMISE(hit_triangle, leaves_no_gap_at_shared_edges_bonus) {
   for_all(
       [] {
         const Fan fan = *aimed_between();
-        const bool hit = std::ranges::any_of(fan.triangles, [&](const pt::Triangle& triangle) {
-          return pt::hit_triangle(triangle, fan.ray).has_value();
-        });
-        expect(hit, "a hit of at least one of the triangles", "none");
+        expect(is_hit(fan), "a hit of at least one of the triangles", "none");
         const pt::Ray away{fan.ray.origin, -fan.ray.direction};
         for (const pt::Triangle& triangle : fan.triangles) {
           expect_miss(triangle, away, "the ray goes the other way");
