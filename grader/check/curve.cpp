@@ -25,15 +25,15 @@ constexpr std::size_t kCoarse = 3;
 
 constexpr const char* kNoTimeLeft = "not tried: calls before it took all the time of a curve";
 
-double mean_of(const std::vector<double>& numbers) {
+double average(const std::vector<double>& numbers) {
   double sum = 0;
   for (const double number : numbers) sum += number;
   return sum / static_cast<double>(numbers.size());
 }
 
 // The standard error of the mean of at least two numbers.
-double noise_of(const std::vector<double>& numbers) {
-  const double mean = mean_of(numbers);
+double standard_error(const std::vector<double>& numbers) {
+  const double mean = average(numbers);
   double sum = 0;
   for (const double number : numbers) sum += (number - mean) * (number - mean);
   const auto n = static_cast<double>(numbers.size());
@@ -46,9 +46,9 @@ double statistic_of(Statistic statistic, std::vector<double>& errors) {
     case Statistic::largest:
       return *std::max_element(errors.begin(), errors.end());
     case Statistic::mean:
-      return mean_of(errors);
+      return average(errors);
     case Statistic::bias:
-      return std::abs(mean_of(errors));
+      return std::abs(average(errors));
     case Statistic::median:
       break;
   }
@@ -82,7 +82,8 @@ MeasuredPlace measure_place(const Curve& curve, double place, rc::Random& random
       nothing(failed.failure.got);
     }
   }
-  if (curve.statistic == Statistic::bias && !errors.empty()) measured.noise = noise_of(errors);
+  if (curve.statistic == Statistic::bias && !errors.empty())
+    measured.noise = standard_error(errors);
   measured.error = statistic_of(curve.statistic, errors);
   return measured;
 }
