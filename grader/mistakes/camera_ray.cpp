@@ -11,7 +11,6 @@ namespace {
 using namespace check;
 
 using pt::Camera;
-using pt::Vec3;
 
 std::vector<Camera> cameras() {
   RandomNumbers make(2);

@@ -169,7 +169,7 @@ void strips_between_degrees(Battery& battery) {
   SceneMaker maker(here());
   for (int i = 0; i < kStrips; ++i) {
     const double degree = pt::kPi / 180, width = 0.8 * degree;
-    const double azimuth = (360 / kStrips * i + 0.5) * degree;
+    const double azimuth = (360.0 / kStrips * i + 0.5) * degree;
     const double x = std::cos(azimuth), y = std::sin(azimuth);
     maker.surface({{x, y, 0.5}, {width * y, -width * x, 0}, {0, 0, 1}}, {.5, .5, .5}, kRadiance);
   }

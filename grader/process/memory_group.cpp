@@ -106,7 +106,7 @@ void MemoryGroups::remove_empty() {
 std::string MemoryGroups::make(std::uint64_t bytes) {
   if (place_.empty()) return "";
   remove_empty();
-  const std::string group = fmt::format("{}/{}{}.{}", place_, kName, getpid(), ++serial_);
+  std::string group = fmt::format("{}/{}{}.{}", place_, kName, getpid(), ++serial_);
   if (mkdir(group.c_str(), 0700) != 0) return "";
   if (!write_to((group + "/memory.max").c_str(), std::to_string(bytes))) {
     rmdir(group.c_str());

@@ -143,6 +143,7 @@ CURVE(build_bvh, slivers) {
           .measure = [](double side) {
             RandomNumbers make(*sampler_seed());
             std::vector<pt::Box> boxes;
+            boxes.reserve(1000);
             for (int i = 0; i < 1000; ++i) {
               boxes.push_back(around((1 - side) * make.vector(-1, 1), {side, side, side}));
             }

@@ -14,7 +14,6 @@ namespace {
 
 using namespace direct_lights_cases;
 using pt::Rgb;
-using pt::Vec3;
 
 constexpr int kCases = 20;
 

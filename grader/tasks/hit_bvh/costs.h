@@ -43,7 +43,7 @@ inline bool is_missed(pt::Box box, const pt::Ray& ray) {
 }
 
 inline void expect_few_tests(const Case& c, const Tested& log) {
-  const auto asked = static_cast<long long>(log.triangles.size() + log.spheres.size());
+  const std::size_t asked = log.triangles.size() + log.spheres.size();
   expect(2 * asked < c.primitives.size(),
          "tests of fewer than half of the " + std::to_string(c.primitives.size()) +
              " primitives: the ray enters the boxes of few",

@@ -84,7 +84,7 @@ inline void expect_that_it_walks() {
     const Case c = plain_case(aim);
     forget_tests();
     const auto hit = ask(c);
-    const Tested log = tested();
+    const Tested& log = tested();
     expect(hit && hit->primitive == aim, plain + "a hit of primitive " + std::to_string(aim),
            shown(hit));
     expect(came_by_its_leaf(c, aim, log),
