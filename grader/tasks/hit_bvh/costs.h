@@ -43,7 +43,7 @@ inline bool is_missed(pt::Box box, const pt::Ray& ray) {
 }
 
 inline void expect_few_tests(const Case& c, const Tested& log) {
-  const std::size_t asked = log.triangles.size() + log.spheres.size();
+  const auto asked = std::ssize(log.triangles) + std::ssize(log.spheres);
   expect(2 * asked < c.primitives.size(),
          "tests of fewer than half of the " + std::to_string(c.primitives.size()) +
              " primitives: the ray enters the boxes of few",
