@@ -40,13 +40,15 @@ results::State state_of(results::Cause cause) {
   return results::State::fail;
 }
 
-void enter(const ImageVerdict& verdict, results::PictureResult& result) {
-  result.state = state_of(verdict.outcome);
-  result.text = verdict.sentence;
-  result.samples = verdict.samples;
-  result.rounds = verdict.rounds;
-  result.noise = verdict.noise;
-  result.cells = verdict.cells;
+// The result before anything is judged.
+results::PictureResult unjudged(const Recipe& recipe, const PictureFiles& files) {
+  results::PictureResult result;
+  result.recipe = recipe.name;
+  result.title = recipe.title;
+  result.width = recipe.width;
+  result.height = recipe.height;
+  result.golden = files.golden;
+  return result;
 }
 
 // A film of one value per pixel, as an EXR holds it.
@@ -56,12 +58,22 @@ pt::Film film_of(const pt::Image& image) {
   return film;
 }
 
-void keep(const ImageVerdict& verdict, const PictureFiles& files, results::PictureResult& result) {
-  if (verdict.render.width == 0 || files.render.empty()) return;
+// The result of a verdict. The judged render and its evidence are written into their files.
+results::PictureResult judged(const Recipe& recipe, const PictureFiles& files,
+                              const ImageVerdict& verdict) {
+  results::PictureResult result = unjudged(recipe, files);
+  result.state = state_of(verdict.outcome);
+  result.text = verdict.sentence;
+  result.samples = verdict.samples;
+  result.rounds = verdict.rounds;
+  result.noise = verdict.noise;
+  result.cells = verdict.cells;
+  if (verdict.render.width == 0 || files.render.empty()) return result;
   pt::write_image(files.render, verdict.render);
   pt::write_image(files.evidence, film_of(verdict.evidence));
   result.render = files.render;
   result.evidence = files.evidence;
+  return result;
 }
 
 // Blackens each pixel whose first batch may be all zero: a right program may stop there or go on,
@@ -79,17 +91,11 @@ void blacken(const std::vector<char>& where, pt::Film& film) {
 }
 
 // First how many samples a run takes where; then its picture, runs as samples.
-void judge_adaptive(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
-                    const PictureFiles& files, results::PictureResult& result) {
+results::PictureResult judge_adaptive(const Recipe& recipe, const pt::View& view,
+                                      const Rendering& rendering, const PictureFiles& files) {
   const SampleMapReference reference = read_reference(files.rates);
   const Rendered run =
       render(recipe, view, rendering.rows, 1, batch_seed(rendering.source, recipe, 0, 0));
-  if (!files.counts.empty()) {
-    pt::write_counts(files.counts, run.counts);
-    pt::write_counts(files.golden_counts, usual_counts(reference));
-    result.golden_counts = files.golden_counts;
-    result.counts = files.counts;
-  }
   const SampleMapVerdict map = judge_sample_map(reference, run.counts);
   const pt::Film whole = read_golden(files.golden, recipe);
   pt::Film golden = whole;
@@ -103,22 +109,26 @@ void judge_adaptive(const Recipe& recipe, const pt::View& view, const Rendering&
         return all;
       },
       rendering.max_rounds, kAdaptiveRounds);
-  enter(verdict, result);
   for (std::size_t i = 0; i < verdict.render.pixels.size(); ++i) {
     if (reference.dark_start[i] != 0) verdict.render.pixels[i] = whole.pixels[i];
   }
-  keep(verdict, files, result);
+  results::PictureResult result = judged(recipe, files, verdict);
+  if (!files.counts.empty()) {
+    pt::write_counts(files.counts, run.counts);
+    pt::write_counts(files.golden_counts, usual_counts(reference));
+    result.golden_counts = files.golden_counts;
+    result.counts = files.counts;
+  }
   if (!map.pass) {
     result.state = results::State::fail;
     result.text = map.sentence;
   }
+  return result;
 }
 
-void judge(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
-           const PictureFiles& files, results::PictureResult& result) {
-  if (recipe.adaptive) {
-    return judge_adaptive(recipe, view, rendering, files, result);
-  }
+results::PictureResult judge(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
+                             const PictureFiles& files) {
+  if (recipe.adaptive) return judge_adaptive(recipe, view, rendering, files);
   const ImageVerdict verdict = judge_image(
       read_golden(files.golden, recipe), recipe.noisy ? NoiseClass::noisy : NoiseClass::ordinary,
       [&](int round, int batches, int samples) {
@@ -126,8 +136,16 @@ void judge(const Recipe& recipe, const pt::View& view, const Rendering& renderin
                             samples);
       },
       rendering.max_rounds, recipe.most_noise);
-  enter(verdict, result);
-  keep(verdict, files, result);
+  return judged(recipe, files, verdict);
+}
+
+// A picture of which the worker could not render all.
+results::PictureResult without_picture(const Recipe& recipe, const PictureFiles& files,
+                                       const NoPicture& none) {
+  results::PictureResult result = unjudged(recipe, files);
+  result.state = state_of(none.cause);
+  result.text = none.text;
+  return result;
 }
 
 }  // namespace
@@ -135,19 +153,14 @@ void judge(const Recipe& recipe, const pt::View& view, const Rendering& renderin
 results::PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
                                     const PictureFiles& files) {
   const auto start = std::chrono::steady_clock::now();
-  results::PictureResult result;
-  result.recipe = recipe.name;
-  result.title = recipe.title;
-  result.width = recipe.width;
-  result.height = recipe.height;
-  result.golden = files.golden;
   const RecipeScene scene = load_scene(recipe, rendering.engine);
-  try {
-    judge(recipe, view(recipe, scene), rendering, files, result);
-  } catch (const NoPicture& none) {
-    result.state = state_of(none.cause);
-    result.text = none.text;
-  }
+  results::PictureResult result = [&] {
+    try {
+      return judge(recipe, view(recipe, scene), rendering, files);
+    } catch (const NoPicture& none) {
+      return without_picture(recipe, files, none);
+    }
+  }();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -40,16 +40,14 @@ std::string recipe_hash(const std::filesystem::path& golden) {
   }
 }
 
-void enter_likeness(const std::vector<KnownMistake>& mistakes, results::PictureResult& result) {
-  if (result.integrated && result.state != results::State::pass) return;
-  if (mistakes.empty()) return;
+Likeness likeness_of(const results::PictureResult& result,
+                     const std::vector<KnownMistake>& mistakes) {
+  if (result.integrated && result.state != results::State::pass) return {};
+  if (mistakes.empty()) return {};
   const JudgedPicture picture = judged_picture(result);
   const BlockMeans golden =
       picture.outcome == JudgedPicture::Outcome::wrong ? golden_means(result) : BlockMeans{};
-  const Likeness found =
-      compare(result.recipe, recipe_hash(result.golden), picture, golden, mistakes);
-  result.like = found.like;
-  result.unlike = found.unlike;
+  return compare(result.recipe, recipe_hash(result.golden), picture, golden, mistakes);
 }
 
 }  // namespace grader::pictures

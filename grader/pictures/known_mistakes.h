@@ -16,8 +16,9 @@ BlockMeans golden_means(const results::PictureResult& result);
 // The beginning of the hash in the provenance of a golden, GOLDEN.json beside GOLDEN.exr.
 std::string recipe_hash(const std::filesystem::path& golden);
 
-// Enters into `result` which of the known mistakes of its task make such a picture, and which do
-// not. Only for a picture with the reference elsewhere, or for one that passes.
-void enter_likeness(const std::vector<KnownMistake>& mistakes, results::PictureResult& result);
+// Which of the known mistakes of its task make such a picture, and which do not. Nothing is known
+// of a picture that fails without the reference elsewhere.
+Likeness likeness_of(const results::PictureResult& result,
+                     const std::vector<KnownMistake>& mistakes);
 
 }  // namespace grader::pictures

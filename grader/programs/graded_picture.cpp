@@ -54,7 +54,10 @@ int run(const Options& options) {
       {golden + ".exr", golden + "_rates.json", beside + ".exr", beside + ".evidence.exr",
        beside + ".csv", beside + ".usual.csv"});
   result.integrated = options.session.integrated;
-  pictures::enter_likeness(pictures::read_mistakes(options.mistakes, options.session.task), result);
+  const pictures::Likeness likeness = pictures::likeness_of(
+      result, pictures::read_mistakes(options.mistakes, options.session.task));
+  result.like = likeness.like;
+  result.unlike = likeness.unlike;
   results::Results results;
   results.complete = true;
   results.tasks.emplace_back().slug = options.session.task;
