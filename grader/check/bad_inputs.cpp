@@ -21,6 +21,7 @@ using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kKept = 12;  // the worst inputs of a search
+constexpr int kOfAFamily = 2;      // of these, at most so many that come from the same first input
 constexpr std::size_t kMaxFile = std::size_t{1} << 26;
 constexpr double kTurn = 1;  // seconds of one search before the next
 
@@ -35,20 +36,20 @@ std::string* shown = nullptr;
 struct Input {
   std::uint64_t seed = 0;
   std::vector<double> numbers;
+  long long family = 0;  // which new input it was changed from, in any number of steps
   double badness = -1;
   std::string reason;  // why it is broken, where a case failed
 };
 
 void to_json(json& out, const Input& input) {
-  out = {{"seed", input.seed},
-         {"numbers", input.numbers},
-         {"badness", input.badness},
-         {"broken", input.badness >= kBroken},
-         {"reason", input.reason}};
+  out = {
+      {"seed", input.seed},       {"numbers", input.numbers},           {"family", input.family},
+      {"badness", input.badness}, {"broken", input.badness >= kBroken}, {"reason", input.reason}};
 }
 void from_json(const json& in, Input& input) {
   in.at("seed").get_to(input.seed);
   in.at("numbers").get_to(input.numbers);
+  input.family = in.value("family", -1LL);  // an older file has none
 }
 
 // Ends the use of a list of choices, however a case ends.
@@ -136,7 +137,7 @@ class Searching {
 
   // A quarter of all inputs is new; the others are changed from one of the worst.
   Input next() {
-    if (worst_.empty() || random_.next_1d() < 0.25) return {new_seed(), {}, -1, ""};
+    if (worst_.empty() || random_.next_1d() < 0.25) return {new_seed(), {}, tried_, -1, ""};
     const auto any = [&](std::size_t size) {
       return std::min(static_cast<std::size_t>(random_.next_1d() * static_cast<double>(size)),
                       size - 1);
@@ -151,13 +152,18 @@ class Searching {
     return input;
   }
 
-  // Only one of those that are equally bad, so that not all are copies.
+  // Only one of those that are equally bad, and few of a family, so that not all are copies of the
+  // worst one with other last digits.
   void keep(Input& input) {
     try_input(named_.search, input);
     const auto same = [&](const Input& other) { return other.badness == input.badness; };
     if (std::ranges::any_of(worst_, same)) return;
     worst_.push_back(input);
     std::ranges::sort(worst_, [](const Input& a, const Input& b) { return a.badness > b.badness; });
+    const auto related = [&](const Input& other) { return other.family == input.family; };
+    if (std::ranges::count_if(worst_, related) > kOfAFamily) {
+      worst_.erase(std::find_if(worst_.rbegin(), worst_.rend(), related).base() - 1);
+    }
     if (worst_.size() > kKept) worst_.pop_back();
   }
 

@@ -7,6 +7,7 @@
 #include "tests/temporary_folder.h"
 
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -68,6 +69,17 @@ TEST(search, climbs_shows_and_goes_on) {
   for (std::size_t i = 1; i < worst.size(); ++i) {
     EXPECT_LT(worst[i].at("badness"), worst[i - 1].at("badness"));
   }
+}
+
+// The worst input with other last digits would soon be all that is kept, and a second peak never found.
+TEST(search, keeps_inputs_of_several_families) {
+  const TemporaryFolder folder;
+  int begun = 0;
+  const json all = searched(folder.path() + "/search.json", 5000, begun);
+  std::map<long long, int> of_a_family;
+  for (const json& input : all[0].at("worst")) ++of_a_family[input.at("family").get<long long>()];
+  EXPECT_GE(of_a_family.size(), 6U);
+  for (const auto& [family, inputs] : of_a_family) EXPECT_LE(inputs, 2) << family;
 }
 
 TEST(search, what_fails_or_is_not_a_number_is_broken) {

@@ -10,17 +10,19 @@
 namespace grader::check {
 namespace {
 
-// The ball's own closed form: the cosine hardly changes over a small light.
+// The relative deviation of one estimate below a ball of light that fills a cone around the normal, whose
+// half angle has the sine `radius` and the cosine c: uniform directions have a mean cosine of radius^2 / 2
+// over the hemisphere, and a mean squared cosine of (1 - c^3) / 3.
 double deviation_below_a_ball(double radius) {
-  const double solid_angle = 2 * pt::kPi * (1 - std::sqrt((1 - radius) * (1 + radius)));
-  return std::sqrt(2 * pt::kPi / solid_angle);
+  const double c = std::sqrt((1 - radius) * (1 + radius));
+  return std::sqrt(4 * (1 - c * c * c) / (3 * std::pow(radius, 4)) - 1);
 }
 
 // The deviation is measured with some hundred directions that meet the light.
 constexpr double kSlack = 1.15;
 
-// The chance of a direction to meet the light is its solid angle over 2 pi, so that the deviation
-// is about sqrt(2 pi / solid angle).
+// The chance of a direction to meet the light is its solid angle over 2 pi. For a small light the
+// deviation is about sqrt(2 pi / solid angle).
 CURVE(direct_hemisphere, small_light) {
   return {.title = "A light that is small or far away",
           .input = "radius of the light over its distance",

@@ -105,6 +105,16 @@ CURVE(trace_path, long_paths) {
           }};
 }
 
+// The median of the absolute error of a mean of so many estimates, for paths that survive by their
+// throughput: 0.674 deviations of a normal distribution. Such a path carries 1 + a + B (1 + G) in units of
+// its first bounce, where B is 1 with the chance a^2 and G bounces follow with the chance a each.
+double usual_error_by_throughput(double albedo, double estimates) {
+  const double deviation = albedo * std::sqrt(1 + albedo - albedo * albedo);
+  return 0.674 * deviation / std::sqrt(estimates);
+}
+
+const double kBrightAlbedo = std::sqrt(1.8 * kSurvival);
+
 // Where the variance is finite, a hundred times the samples are a tenth of the error. Where it has no
 // limit, most means are too low, and now and then one is far too high.
 CURVE(trace_path, more_samples) {
@@ -118,12 +128,12 @@ CURVE(trace_path, more_samples) {
                       {"right/survival_by_albedo", "survives by the albedo"}},
           .statistic = Statistic::median,
           .cases = 9,
-          .theory = [](double estimates) { return 1 / std::sqrt(estimates); },
+          .theory =
+              [](double estimates) { return usual_error_by_throughput(kBrightAlbedo, estimates); },
           .measure =
               [](double estimated) {
                 constexpr int kBounces = 100;
-                const Room room =
-                    *glowing_room(rc::gen::just(pt::gray(std::sqrt(1.8 * kSurvival))));
+                const Room room = *glowing_room(rc::gen::just(pt::gray(kBrightAlbedo)));
                 const Mean mean = estimates(room, static_cast<int>(estimated), kBounces, kSurvival);
                 return std::abs(mean.value.r / room.sum(1, kBounces).r - 1);
               }};
