@@ -159,8 +159,8 @@ double off_the_normal(const AtSphere& at, const SurfaceHit& hit) {
   return length(hit.n - normalize(rounded(p)));
 }
 
-// Spheres at most a thousand radii away. The last one is the worst for its normal: it is so small that
-// an ulp of its place is a part of 1e-10 of its radius.
+// Spheres at most a thousand radii away. The last two are the worst for their normals: their centres have
+// coordinates of a million radii, so that an ulp of a coordinate is a part of 1e-10 of the radius.
 const AtSphere kSpheres[] = {
     {{{-6565417.690410527, 11951187.386336766, -5682787.735812953}, 12009.695186021176},
      {{-18555048.959142637, 11558373.889895052, -5506672.828470255},
@@ -171,15 +171,23 @@ const AtSphere kSpheres[] = {
     {{{-9.303604266543777, 8.339243187461584, 9.342006448847359}, 1e-05},
      {{-9.310749426669078, 8.341108287168776, 9.335278349681321},
       {17989520.655907698, -4696515.243395497, 16942680.86860133}}},
+    {{{-4565047694.623078, 4566666239.380042, -4566665556.714742}, 4566.666239380052},
+     {{-4565030654.460373, 4566668870.527577, -4566670658.415979},
+      {-25.686394501115885, -10.970109659491378, 11.441938257955204}}},
 };
+
+// Whether an ulp of the centre's coordinates is a larger part of the radius than 1e-11.
+bool is_far_from_the_origin(const Sphere& sphere) {
+  return max_abs(sphere.center) > 1e5 * sphere.radius;
+}
 
 TEST(WorstInputs, spheres_keep_far_more_digits_than_promised) {
   for (const AtSphere& at : kSpheres) {
     const auto hit = hit_sphere(at.sphere, at.ray);
     ASSERT_TRUE(hit);
-    const bool small = at.sphere.radius < 1;
-    EXPECT_LE(off_the_sphere(at, hit->t), small ? 1e-9 : 1e-11);
-    EXPECT_LE(off_the_normal(at, *hit), small ? 1e-9 : 1e-11);
+    const double limit = is_far_from_the_origin(at.sphere) ? 1e-9 : 1e-11;
+    EXPECT_LE(off_the_sphere(at, hit->t), limit);
+    EXPECT_LE(off_the_normal(at, *hit), limit);
   }
 }
 
