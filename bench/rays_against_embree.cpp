@@ -146,7 +146,7 @@ struct TreeCosts {
   double bytes;  // per primitive
 };
 
-// On the screen and in the file.
+// Prints the line, and adds it to the file.
 void report(const TestScene& test, const Line& line, double million, const TreeCosts& ours,
             const TreeCosts& embree, Csv& csv) {
   std::printf("  %-10s %6.2f M/s   Embree %6.2f M/s   ratio %.2f (%.2f to %.2f)\n", line.kind,

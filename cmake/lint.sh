@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# `./run lint`: what needs no program to run. `./run` includes this file.
+# `./run lint` checks the sources, and runs none of our programs. `./run` includes this file.
 # shellcheck disable=SC2154 # root and build are those of ./run
 
 # missing TOOL: says that the tool proves nothing, since it is missing. That is a failure only where a warning is one.

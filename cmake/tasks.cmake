@@ -1,9 +1,9 @@
-# The tasks of the course, in the order in which they are written, and the seam.
+# The seam: reads the table of the tasks, grader/tasks.json, and links one implementation of each task into a program.
 #
 # A task is one slug: the same in file, header, function, library, test suite and report. An
 # implementation is a tree of files <part>/<slug>.cpp that define the functions of the contract
 # pt/tasks/<slug>.h. Each file becomes an object library <slug>.<implementation>; a program links
-# exactly one library for each task. Exercise numbers (1.3) follow from the order here.
+# exactly one library for each task. Exercise numbers (1.3) follow from the order in the table.
 #
 # grader/tasks.json is the table of the tasks. From it come, for each slug,
 #   FIRSTLIGHT_JUDGE_ANSWERS_<slug>  the calls that the judge answers while the task is judged alone

@@ -314,7 +314,7 @@ TEST(Study, its_golden_may_have_fewer_bounces) {
               kErrors * fewer.error + kOfWeights * missing * missing);
 }
 
-// As a worker renders them for a submission: some pixels are those of the picture.
+// Renders as a worker does for a submission: the pixels of some rows are those of the picture.
 TEST(Rows, of_some_pixels_are_those_of_the_picture) {
   const pt::Scene scene = furnace();
   pt::View view = view_of(scene);

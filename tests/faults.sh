@@ -117,7 +117,7 @@ full_help() {
   [ "$count" -ge 3 ] || complain "only $count programs have --help"
 }
 
-# The name of a file is no command to a terminal: no control character, no other direction of writing, valid UTF-8.
+# The name of a file cannot act as a command to a terminal: no control character, no other direction of writing, valid UTF-8.
 plain_names() {
   local name=$'a\e[31m\xe2\x80\xae\xff.png'
   "$build/pt/render" scenes/star.dae -f "$folder/$name" -s 1 -r 8 6 >"$folder/said" 2>&1
@@ -154,8 +154,8 @@ named_programs() {
   done
 }
 
-# A compiler that is killed, each time or once, or of which a part is, or who watches the part, or that fails though no part of it does; and a linker with its disk full, or for a moment, or that refuses
-# the submission's objects (1.o, ...) alone.
+# Faults of the compiler: it is killed, every time or once; a part of it is killed; the program that watches the part is killed; it fails
+# although no part failed. Faults of the linker: its disk is full, always or for a moment; it refuses the submission's objects (1.o, ...).
 killed_compiler() {
   local name
   for name in killed once part watcher nothing linker moment undefined; do

@@ -64,7 +64,8 @@ double make_rows(const pt::View& view, const Spec& spec, const Band& band, int y
       pictures::worker_rows(view, {y, rows, spec.samples, spec.adaptive, spec.seed, spec.ranges});
   const pt::RowsMeasured& measured = answer.measured;
   if (!measured.apart) {
-    throw pt::Error(std::string(kNotApart) + ": they do not add up to what trace_path returned");
+    throw pt::Error(std::string(kRangesNotApart) +
+                    ": they do not add up to what trace_path returned");
   }
   const double seconds = worker_seconds() - before;
   append(band, spec, answer, rows,

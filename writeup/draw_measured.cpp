@@ -177,7 +177,7 @@ void enter_needs(const json& answer, const std::string& scene, Drawn& drawn) {
   enter("smooth", digits(100 * answer.at("smooth").get<double>()));
 }
 
-// Without the signs for a reader: of "1.5 %" and "2×" the number.
+// Returns the number in a cell, without the signs for a reader: "1.5" of "1.5 %".
 std::string bare(const std::string& cell) {
   return cell == kDash ? "" : cell.substr(0, cell.find_first_of(" \xc3"));
 }

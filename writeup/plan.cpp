@@ -109,7 +109,7 @@ std::vector<Unit> Plan::in_bounces(const Unit& whole, const std::string& scene) 
     walk.spec.path.to = std::max(walk.spec.path.to, range.to);
     if (range == wanted) walk.range = static_cast<int>(&range - ranges.data());
   }
-  if (!store_.failure(walk).starts_with(kNotApart)) return {walk};
+  if (!store_.failure(walk).starts_with(kRangesNotApart)) return {walk};
   std::set<int> cuts;
   for (const pt::BounceRange& range : ranges) cuts.insert({range.from, range.to + 1});
   std::vector<Unit> layers;

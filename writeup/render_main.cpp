@@ -47,7 +47,8 @@ void render_ranges(const pt::View& view, int y, const pt::RenderSettings& settin
   for (int x = 0; x < view.width; ++x) {
     const pt::PixelApart apart = render_pixel_apart(view, x, y, settings, ranges);
     if (!apart.complete) {
-      throw pt::Error(std::string(kNotApart) + ": they do not add up to what trace_path returned");
+      throw pt::Error(std::string(kRangesNotApart) +
+                      ": they do not add up to what trace_path returned");
     }
     row.head.not_finite += apart.not_finite;
     for (std::size_t i = 0; i < ranges.size(); ++i) {

@@ -14,7 +14,7 @@ using Direct = pt::PathSettings::Direct;
 
 namespace {
 
-// As the options of ./run render have them.
+// The names of the engines, as the options of ./run render have them.
 const std::map<pt::Engine, std::string> kEngineNames{
     {pt::Engine::linear, "linear"}, {pt::Engine::task, "task"}, {pt::Engine::wide, "wide"}};
 

@@ -39,7 +39,7 @@ nlohmann::json to_json(const Spec& spec);
 Spec spec_from_json(const nlohmann::json& json);
 
 // The first words of a program that cannot render all ranges at once.
-inline constexpr const char* kNotApart = "bounces cannot be taken apart";
+inline constexpr const char* kRangesNotApart = "bounces cannot be taken apart";
 
 // The tasks whose code the pixels depend on.
 std::set<std::string> tasks_used(const Spec& spec);

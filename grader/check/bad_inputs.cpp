@@ -21,9 +21,9 @@ using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kKept = 12;  // the worst inputs of a search
-constexpr int kOfAFamily = 2;      // of these, at most so many that come from the same first input
+constexpr int kMaxPerFamily = 2;   // of these, at most so many that are changed from one new input
 constexpr std::size_t kMaxFile = std::size_t{1} << 26;
-constexpr double kTurn = 1;  // seconds of one search before the next
+constexpr double kSearchSlice = 1;  // seconds of one search before the next
 
 std::vector<NamedSearch>& kept_searches() {
   static std::vector<NamedSearch> all;
@@ -36,9 +36,10 @@ std::string* shown = nullptr;
 struct Input {
   std::uint64_t seed = 0;
   std::vector<double> numbers;
-  long long family = 0;  // which new input it was changed from, in any number of steps
+  long long family =
+      0;  // the number of the new input from which it was changed, in one step or many
   double badness = -1;
-  std::string reason;  // why it is broken, where a case failed
+  std::string reason;  // the message of a case that failed; else empty
 };
 
 void to_json(json& out, const Input& input) {
@@ -161,7 +162,7 @@ class Searching {
     worst_.push_back(input);
     std::ranges::sort(worst_, [](const Input& a, const Input& b) { return a.badness > b.badness; });
     const auto related = [&](const Input& other) { return other.family == input.family; };
-    if (std::ranges::count_if(worst_, related) > kOfAFamily) {
+    if (std::ranges::count_if(worst_, related) > kMaxPerFamily) {
       worst_.erase(std::find_if(worst_.rbegin(), worst_.rend(), related).base() - 1);
     }
     if (worst_.size() > kKept) worst_.pop_back();
@@ -203,7 +204,7 @@ void run_searches(const SearchSettings& settings) {
     all.emplace_back(named, settings.seed, before_of(settings.file, named.name));
   }
   const double each = settings.seconds / static_cast<double>(all.size());
-  const int turns = std::max(1, static_cast<int>(std::lround(each / kTurn)));
+  const int turns = std::max(1, static_cast<int>(std::lround(each / kSearchSlice)));
   for (int turn = 0; turn < turns; ++turn) {
     json out = json::array();
     for (Searching& searching : all) {

@@ -50,7 +50,7 @@ void for_all(const std::function<void()>& property, int cases = 100);
 // that only need to know which promises hold.
 void never_shrink();
 
-// For a property without random inputs.
+// The same for a property without random inputs.
 inline void once(const std::function<void()>& property) { for_all(property, 1); }
 
 // The failures of this process so far, in the order in which they happened.

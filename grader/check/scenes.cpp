@@ -272,7 +272,7 @@ int SceneMaker::material(Rgb albedo, Rgb emission) {
   return static_cast<int>(scene_.materials.size()) - 1;
 }
 
-// Only the first few of many lights or surfaces are listed.
+// Of many lights or surfaces, only the first few are listed.
 std::string SceneMaker::text() const {
   std::string text = fmt::format(
       "told with the point at (0, 0, 0) and its normal along z; in the world turned, {} times as "

@@ -19,7 +19,7 @@ constexpr int kMaxReopened = 200;
 
 void ArchiveReader::Closed::operator()(archive* reader) const { archive_read_free(reader); }
 
-// Without those filters for which the library starts programs.
+// Leaves out the filters for which the library starts programs.
 ArchiveReader::Reader ArchiveReader::new_reader() {
   Reader reader(archive_read_new());
   archive_read_support_filter_gzip(reader.get());

@@ -51,7 +51,7 @@ std::string nothing_found(const Tree& tree, const std::vector<TaskFile>& tasks) 
                      more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
-// To the names under which the judge reads them.
+// Copies the task files, under the names that the judge reads.
 Prepared copy_tasks(const Tree& tree, const IntakeTools& tools) {
   const fs::path to = tools.next_folder();
   for (const TaskFile& task : tools.tasks) {
@@ -82,7 +82,7 @@ Prepared unpack_at(const fs::path& archive, const IntakeTools& tools, int depth)
   return {folder, problem};
 }
 
-// Of a folder without a task file.
+// Prepares a folder without a task file: there may be one archive in it.
 Prepared settle_archive(const fs::path& folder, const Tree& tree, const IntakeTools& tools,
                         int depth) {
   if (tree.archives.size() > 1) {

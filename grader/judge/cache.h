@@ -14,8 +14,8 @@ namespace grader::judge {
 inline constexpr std::uintmax_t kMaxCached = std::uintmax_t{1} << 30;
 inline constexpr std::chrono::minutes kTrimPause{10};
 
-// For so long after its last use another judge may still count on an entry. Longer than any run
-// takes.
+// An entry that was used within this time is not removed, because another judge may still need it. It
+// is longer than any run.
 inline constexpr std::chrono::hours kInUse{1};
 
 // Marks an entry's file as used now. Does nothing if the file is not there.
@@ -37,7 +37,7 @@ void remove_left_overs_of(const std::string& file);
 // holds less than half. Nothing that was used within kInUse goes.
 void trim_cache(const std::string& folder, std::uintmax_t most = kMaxCached);
 
-// The same where the last look was not within kTrimPause.
+// Does the same, unless the cache was looked at within kTrimPause.
 void trim_cache_now_and_then(const std::string& folder, std::uintmax_t most = kMaxCached);
 
 }  // namespace grader::judge

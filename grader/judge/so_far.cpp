@@ -4,7 +4,7 @@ namespace grader::judge {
 
 namespace {
 
-// As before anything was judged: what is known by now may still turn out otherwise.
+// The state before anything was judged, because what is known by now may still turn out otherwise.
 results::TaskResult without_verdict(const Judged& judged) {
   results::TaskResult result;
   result.part = judged.result.part;

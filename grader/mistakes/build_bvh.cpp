@@ -226,7 +226,7 @@ void alike(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// By how much boxes are larger than what is below them, as parts of the largest coordinate: more than
+// Asks by how much boxes are larger than what is below them, as parts of the largest coordinate: more than
 // rounding errors of double, more than those of single precision, and far more.
 void too_wide(Battery& battery, RandomNumbers& make) {
   const Input input{scattered(make, 40), 2, ""};

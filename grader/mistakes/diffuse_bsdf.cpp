@@ -78,8 +78,8 @@ void black_samples(Battery& battery) {
   });
 }
 
-// Which of some small parts of the hemisphere a sample is in. With the weight cos(wi) / pdf, the
-// means are the same for all densities.
+// Returns, for each of some small parts of the hemisphere, cos(wi) / pdf if the sample is in it, else
+// 0. With this weight, the means are the same for all densities.
 Battery::Numbers places(const pt::BsdfSample& s) {
   const double z = s.wi.z, weight = s.pdf > 0 ? z / s.pdf : 0;
   const double degrees = std::atan2(s.wi.y, s.wi.x) * 180 / pt::kPi;

@@ -118,7 +118,7 @@ void extremes(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// Only whether the point is on the sphere to the contract's precision. Where the ray all but touches,
+// Asks only whether the point is on the sphere to the contract's precision. Where the ray all but touches,
 // right solutions differ in t and n.
 void ask_point(Battery& battery, const Line& line) {
   battery.ask([&]() -> Battery::Numbers {
@@ -129,7 +129,7 @@ void ask_point(Battery& battery, const Line& line) {
   });
 }
 
-// From 950 radii away, with two points on the sphere that are closer and closer together. And past a
+// Asks from 950 radii away, with two points on the sphere that are closer and closer together. And past a
 // sphere so closely that a radius which is rounded up to single precision is large enough for a hit.
 void tangents(Battery& battery, RandomNumbers& make) {
   for (const double half : {2.7e-3, 2.2e-3, 1.75e-3}) {
@@ -138,7 +138,7 @@ void tangents(Battery& battery, RandomNumbers& make) {
   ask_point(battery, Line(make, std::sqrt(1 + 6.5e-8), 1 + 2.2e-8, 3, 1));
 }
 
-// From exactly the centre, a million radii from the world's origin, the smallest sphere with the
+// Asks from exactly the centre, a million radii from the world's origin, the smallest sphere with the
 // shortest direction, and a range that ends inside the sphere for a direction shorter than 1.
 void lengths(Battery& battery, RandomNumbers& make) {
   ask(battery, Line(make, 1, 0, 0, 1), 0, pt::kInfinity);

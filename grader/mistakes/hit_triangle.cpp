@@ -174,7 +174,7 @@ void extremes(Battery& battery, RandomNumbers& make) {
   ask(battery, aim(some_triangle(make, 1, false), {.0003, .9994, .0003}, make, 3, 1, 1));
 }
 
-// Only whether there is a hit, where right solutions differ in t.
+// Asks only whether there is a hit: right solutions differ in t here.
 void ask_hit(Battery& battery, const Triangle& triangle, const Ray& ray) {
   battery.ask([&]() -> Battery::Numbers {
     if (!pt::hit_triangle(triangle, ray)) return {};

@@ -16,8 +16,8 @@ BlockMeans golden_means(const results::PictureResult& result);
 // The beginning of the hash in the provenance of a golden, GOLDEN.json beside GOLDEN.exr.
 std::string recipe_hash(const std::filesystem::path& golden);
 
-// Which of the known mistakes of its task make such a picture, and which do not. Nothing is known
-// of a picture that fails without the reference elsewhere.
+// Returns which known mistakes of the task make such a picture, and which do not; none of either for a
+// picture that fails without the reference elsewhere.
 Likeness likeness_of(const results::PictureResult& result,
                      const std::vector<KnownMistake>& mistakes);
 

@@ -24,9 +24,9 @@ class OneProcessor {
   OneProcessor(const OneProcessor&) = delete;
   OneProcessor& operator=(const OneProcessor&) = delete;
 
-  // Before this thread asks `other` something. A process of one thread; -1: not known yet.
+  // Call this before this thread sends `other` a message. `other` is a process with one thread; -1: it is not known yet.
   void hold(pid_t other);
-  // The answer takes long: both may run where they like until the next question.
+  // The answer takes long: both may run where they like until the next message.
   void let_go();
 
  private:

@@ -26,7 +26,7 @@ struct Stat {
   long long of_children = 0;  // ticks of those that have ended and were waited for
 };
 
-// After the name, which stands in parentheses and may hold anything.
+// Reads the fields after the name; the name stands in parentheses and may hold anything.
 Stat read_stat(pid_t pid) {
   std::ifstream file(fmt::format("/proc/{}/stat", pid));
   std::string text;

@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-// For as long as a poll may wait until somebody looks whether the limit is over.
+// Returns how long a poll may wait until somebody looks whether the limit is over.
 int milliseconds_until_look(const TimeLimit& limit) {
   const auto left = std::chrono::ceil<milliseconds>(limit.next_look() - Clock::now()).count();
   return static_cast<int>(std::clamp<long long>(left, 0, 1000));

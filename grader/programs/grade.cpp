@@ -171,7 +171,7 @@ judge::GradeRequest request_for(const judge::Config& config, const GradeOptions&
   return request;
 }
 
-// For ./run submit: the last run of a learner, in one sentence.
+// Keeps the last run of a learner in one sentence, for ./run submit.
 void remember_run(const judge::Config& config, const results::Results& results,
                   const GradeOptions& options) {
   if (options.submission != GradeOptions().submission) return;

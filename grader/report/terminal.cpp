@@ -149,7 +149,7 @@ std::string reason_text(const results::TaskResult& task, const TerminalStyle& st
   return text;
 }
 
-// Beside the first failure: often they name the line.
+// The warnings stand beside the first failure, because they often name the line.
 std::string warnings_text(const results::TaskResult& task) {
   std::string text = "\n  The compiler warns\n";
   for (const std::string& line : base::lines_of(task.warnings)) text += "    " + line + "\n";

@@ -138,7 +138,8 @@ struct TaskResult {
   int points = 0;      // for promises kept and pictures that are right
   int max_points = 0;  // of the pictures, and of all promises but bonus ones
   int bonus_points = 0;
-  int spared = 0;  // of `points`: for broken promises, as one cause takes no more than its share
+  int spared =
+      0;  // the part of `points` that is given back, as one cause takes no more than its share
   Mistake mistake;
   std::vector<std::string> blocked_by;  // slugs: why it was not judged with the submission's others
   std::vector<std::string> blamed;      // slugs: with the reference in their place it would pass

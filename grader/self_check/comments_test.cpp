@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 // The first line of a comment that begins with half a sentence, if there is one.
 std::optional<std::string> half_a_sentence(const std::string& text) {
-  static const std::regex begins(R"(\s*// (What|Whether|How|Why) .*)");
+  static const std::regex begins(R"(\s*// (What|Whether|How|Why|Which|Who) .*)");
   static const std::regex comment(R"(\s*//.*)");
   std::istringstream lines(text);
   bool inside = false;

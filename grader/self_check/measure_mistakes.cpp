@@ -53,7 +53,7 @@ std::string text_of(const judge::Config& config, const Variation& variation) {
   return text.replace(at, variation.from.size(), variation.to);
 }
 
-// For the name of each promise: whether it holds at the seed.
+// Returns, for the name of each promise, whether it holds at the seed.
 std::map<std::string, bool> promises_at(const judge::Trial& trial, const std::string& report,
                                         std::uint64_t seed) {
   const std::vector<std::string> command{
@@ -77,24 +77,37 @@ std::map<std::string, bool> promises_at(const judge::Trial& trial, const std::st
   return held;
 }
 
-void measure_promises(const judge::Trial& trial, const std::string& report,
-                      std::span<const std::uint64_t> seeds, MeasuredSolution& measured) {
+struct Promises {
+  std::set<std::string> broken_at_first, kept_at_first;  // at the first seed
+  std::vector<std::string> broken, unsure;               // at all seeds, and at some
+};
+
+Promises promises_of(const judge::Trial& trial, const std::string& report,
+                     std::span<const std::uint64_t> seeds) {
+  Promises promises;
   std::map<std::string, int> broken;
-  measured.trial.broken.clear();
-  measured.trial.kept.clear();
   for (const std::uint64_t seed : seeds) {
     for (const auto& [name, held] : promises_at(trial, report, seed)) {
       broken[name] += held ? 0 : 1;
-      if (seed == seeds.front()) (held ? measured.trial.kept : measured.trial.broken).insert(name);
+      if (seed == seeds.front())
+        (held ? promises.kept_at_first : promises.broken_at_first).insert(name);
     }
   }
-  measured.broken.clear();
-  measured.unsure.clear();
   for (const auto& [name, times] : broken) {
     const bool always = times == static_cast<int>(seeds.size());
-    if (always) measured.broken.push_back(name);
-    if (times > 0 && !always) measured.unsure.push_back(name);
+    if (always) promises.broken.push_back(name);
+    if (times > 0 && !always) promises.unsure.push_back(name);
   }
+  return promises;
+}
+
+// The measurement with these promises.
+MeasuredSolution with_promises(MeasuredSolution measured, const Promises& promises) {
+  measured.trial.broken = promises.broken_at_first;
+  measured.trial.kept = promises.kept_at_first;
+  measured.broken = promises.broken;
+  measured.unsure = promises.unsure;
+  return measured;
 }
 
 MeasuredSolution read_stored(const std::string& path) {
@@ -187,11 +200,11 @@ MeasuredSolution measure(const judge::Config& shared, const judge::GradeRequest&
   const std::span seeds(kPromiseSeeds);
   if (!answered) measured.trial.answers = ask(builder, trial, kSeedOfTrial, 1);
   if (extent == Extent::trial) {
-    if (!judged) measure_promises(trial, path + ".report", seeds.first(1), measured);
-    return measured;
+    if (judged) return measured;
+    return with_promises(measured, promises_of(trial, path + ".report", seeds.first(1)));
   }
   if (!answered) measured.answers = ask(builder, trial, kSeedOfAnswers, kDraws);
-  if (!judged) measure_promises(trial, path + ".report", seeds, measured);
+  if (!judged) measured = with_promises(measured, promises_of(trial, path + ".report", seeds));
   measured.source = source;
   measured.battery = battery;
   measured.properties = properties;

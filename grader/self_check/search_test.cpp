@@ -35,25 +35,29 @@ SEARCH(test, breaks) {
           }};
 }
 
-// Tries at least so many inputs, in as many pieces as it takes.
-json searched(const std::string& file, long long inputs, int& begun) {
+struct Searched {
   json all;
+  int begun = 0;  // how often a piece began
+};
+
+// Tries at least so many inputs, in as many pieces as it takes.
+Searched search_until(const std::string& file, long long inputs) {
+  Searched searched;
   do {
-    run_searches({3, 0.05, file, [&] { ++begun; }});
-    all = json::parse(pt::read_file(file, 1 << 22));
-  } while (all[0].at("tried") < inputs);
-  return all;
+    run_searches({3, 0.05, file, [&] { ++searched.begun; }});
+    searched.all = json::parse(pt::read_file(file, 1 << 22));
+  } while (searched.all[0].at("tried") < inputs);
+  return searched;
 }
 
 TEST(search, climbs_shows_and_goes_on) {
   const TemporaryFolder folder;
   const std::string file = folder.path() + "/search.json";
-  int begun = 0;
-  const json first = searched(file, 100, begun);
+  const auto [first, begun] = search_until(file, 100);
   // Some thousand inputs are usually enough; chance would need a million times a million.
-  json last = searched(file, 100, begun);
+  json last = search_until(file, 100).all;
   while (last[0].at("worst")[0].at("badness") < 1e6 && last[0].at("tried") < 300000) {
-    last = searched(file, 100, begun);
+    last = search_until(file, 100).all;
   }
   EXPECT_GT(begun, 0);
   // The shortest piece is a hundred inputs.
@@ -74,8 +78,7 @@ TEST(search, climbs_shows_and_goes_on) {
 // The worst input with other last digits would soon be all that is kept, and a second peak never found.
 TEST(search, keeps_inputs_of_several_families) {
   const TemporaryFolder folder;
-  int begun = 0;
-  const json all = searched(folder.path() + "/search.json", 5000, begun);
+  const json all = search_until(folder.path() + "/search.json", 5000).all;
   std::map<long long, int> of_a_family;
   for (const json& input : all[0].at("worst")) ++of_a_family[input.at("family").get<long long>()];
   EXPECT_GE(of_a_family.size(), 6U);
@@ -84,8 +87,7 @@ TEST(search, keeps_inputs_of_several_families) {
 
 TEST(search, what_fails_or_is_not_a_number_is_broken) {
   const TemporaryFolder folder;
-  int begun = 0;
-  const json all = searched(folder.path() + "/search.json", 100, begun);
+  const json all = search_until(folder.path() + "/search.json", 100).all;
   const json& worst = all[1].at("worst");
   ASSERT_EQ(worst.size(), 2U);
   EXPECT_EQ(worst[0].at("badness"), kBroken);
@@ -100,8 +102,7 @@ TEST(search, leaves_the_generators_as_they_were) {
   };
   const double before = drawn();
   const TemporaryFolder folder;
-  int begun = 0;
-  searched(folder.path() + "/search.json", 100, begun);
+  search_until(folder.path() + "/search.json", 100);
   EXPECT_EQ(drawn(), before);
 }
 

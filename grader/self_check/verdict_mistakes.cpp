@@ -156,7 +156,7 @@ MistakeRow row_of(const Job& job, const pictures::Recipe& recipe,
   return row;
 }
 
-// In a folder of its own, which goes: three hundred workers fill a disk.
+// Judges in a folder of its own and removes it, because three hundred workers fill a disk.
 void judge(judge::Config config, const judge::GradeRequest& request, const Options& options,
            const Job& job, Book& book) {
   config.work += "/mistakes/" + job.task->slug + "." + job.kind + "." + job.file.stem().string();

@@ -143,7 +143,7 @@ Rgb direct_by_tape(DirectTask& task, const Scene& scene, const SurfacePoint& poi
     return is_in(tape.only, entry.bounce) ? entry.light : Rgb{};
   }
   HitTape* const hits = hit_tape;
-  hit_tape = nullptr;  // its own rays are no part of the path
+  hit_tape = nullptr;  // its own rays do not belong to the path
   const Rgb light = task(scene, point, samples, sampler);
   hit_tape = hits;
   if (tape.mode == DirectTape::Mode::record) {

@@ -176,7 +176,7 @@ const AtSphere kSpheres[] = {
       {-25.686394501115885, -10.970109659491378, 11.441938257955204}}},
 };
 
-// Whether an ulp of the centre's coordinates is a larger part of the radius than 1e-11.
+// Returns whether an ulp of the centre's coordinates is a larger part of the radius than 1e-11.
 bool is_far_from_the_origin(const Sphere& sphere) {
   return max_abs(sphere.center) > 1e5 * sphere.radius;
 }

@@ -18,32 +18,35 @@ struct End {
   long double speed = 0;
 };
 
+struct Ends {
+  End enter, leave;
+};
+
 struct Input {
   pt::Box box;
   pt::Ray ray;
-  End enter, leave;
+  Ends ends;
   long double largest = 0;  // coordinate
 
-  bool hits() const { return enter.t <= leave.t; }
+  bool hits() const { return ends.enter.t <= ends.leave.t; }
 };
 
-// Finds where the ray enters and leaves, by slabs (Kay and Kajiya 1986), in long double. False if the ray runs beside the box.
-bool find_ends(Input& input) {
-  const long double step = length(Precise3(input.ray.direction));
-  input.enter = {input.ray.t_min, step};
-  input.leave = {input.ray.t_max, step};
+// Returns where the ray enters and leaves, by slabs (Kay and Kajiya 1986), in long double; nothing if the ray runs beside the box.
+std::optional<Ends> find_ends(const pt::Box& box, const pt::Ray& ray) {
+  const long double step = length(Precise3(ray.direction));
+  Ends ends{{ray.t_min, step}, {ray.t_max, step}};
   for (int axis = 0; axis < 3; ++axis) {
-    const long double o = input.ray.origin[axis], d = input.ray.direction[axis];
-    const long double low = input.box.min[axis], high = input.box.max[axis];
+    const long double o = ray.origin[axis], d = ray.direction[axis];
+    const long double low = box.min[axis], high = box.max[axis];
     if (d == 0) {
-      if (o < low || o > high) return false;
+      if (o < low || o > high) return {};
       continue;
     }
     const long double t0 = ((d > 0 ? low : high) - o) / d, t1 = ((d > 0 ? high : low) - o) / d;
-    if (t0 > input.enter.t) input.enter = {t0, std::abs(d)};
-    if (t1 < input.leave.t) input.leave = {t1, std::abs(d)};
+    if (t0 > ends.enter.t) ends.enter = {t0, std::abs(d)};
+    if (t1 < ends.leave.t) ends.leave = {t1, std::abs(d)};
   }
-  return true;
+  return ends;
 }
 
 // Along an axis now and then.
@@ -77,12 +80,14 @@ std::optional<Input> make_input(pt::Sampler& sampler) {
   input.largest =
       std::max({max_abs(input.box.min), max_abs(input.box.max), max_abs(input.ray.origin)});
   if (!(length(input.ray.direction) > 0)) return {};
-  if (!find_ends(input)) {
-    input.leave.t = -1;
+  const std::optional<Ends> ends = find_ends(input.box, input.ray);
+  if (!ends) {
+    input.ends.leave.t = -1;
     return input;
   }
+  input.ends = *ends;
   const long double step = length(input.ray.direction);
-  const long double inside = (input.leave.t - input.enter.t) * step;
+  const long double inside = (ends->leave.t - ends->enter.t) * step;
   if (is_flat ? std::abs(inside) > 0 && inside > -kMargin * input.largest
               : std::abs(inside) < kMargin * input.largest) {
     return {};
@@ -96,8 +101,8 @@ void look(const Input& input, const std::optional<pt::Interval>& answer, Found& 
   const auto error = [&](double t, const End& end) {
     return (t - end.t) * end.speed / input.largest;
   };
-  keep_largest(found.errors[0], error(answer->min, input.enter));
-  keep_largest(found.errors[0], error(answer->max, input.leave));
+  keep_largest(found.errors[0], error(answer->min, input.ends.enter));
+  keep_largest(found.errors[0], error(answer->max, input.ends.leave));
 }
 
 }  // namespace

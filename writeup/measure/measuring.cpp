@@ -106,8 +106,8 @@ class Measuring {
       throw pt::Error("the reference of " + about_.slug +
                       " cannot be measured: " + players_[0].runners[0].row.problem);
     }
-    for (int round = 0; part() < 1 || round < kFewestBatches; ++round) {
-      for (std::size_t i = 0; i < about_.cases.size(); ++i) play_round(i);
+    for (int times = 0; part() < 1 || times < kFewestBatches; ++times) {
+      for (std::size_t i = 0; i < about_.cases.size(); ++i) play_once(i);
       progress_(part());
     }
     return results();
@@ -159,7 +159,7 @@ class Measuring {
 
   // Times each candidate once, in a new random order. Every two of them run between two batches of the reference, and
   // are compared with the geometric mean of these batches.
-  void play_round(std::size_t i) {
+  void play_once(std::size_t i) {
     const std::vector<std::size_t> order = new_order();
     std::optional<double> before = play(players_[0], i);
     for (std::size_t k = 0; k < order.size(); k += 2) {

@@ -54,7 +54,7 @@ Subject pixels(bool adaptive, int of_cases) {
 
 }  // namespace writeup::measure
 
-// With bounces it is noisy: uniform from 0 to twice the mean.
+// With bounces, the radiance is noisy: uniform from 0 to twice the mean.
 pt::Rgb pt::radiance(const Scene&, const Ray& ray, const PathSettings& settings, Sampler& sampler) {
   using namespace writeup::measure;
   const double x = in_pixel(ray.direction.x, -ray.direction.z);

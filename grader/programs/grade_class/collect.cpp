@@ -55,7 +55,7 @@ std::vector<results::TaskResult> tasks_of(const results::Results& results,
   return tasks;
 }
 
-// With its bonus points; nothing of tasks that were not asked.
+// Returns the points with the bonus points, or an empty text if no task is given.
 std::string points_of(const std::vector<results::TaskResult>& tasks) {
   const results::Totals sums = results::totals(tasks);
   return tasks.empty() ? "" : std::to_string(sums.points + sums.bonus_points);

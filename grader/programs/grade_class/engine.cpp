@@ -32,7 +32,7 @@ constexpr std::size_t kMaxSaid = 400;
 constexpr const char* kNotSeen = "not looked at yet";
 constexpr std::size_t kMaxSlurmChunk = 1000;  // MaxArraySize is 1001, if nobody has set it
 
-// For a shell: in apostrophes.
+// Returns the word in apostrophes, for a shell.
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -115,7 +115,7 @@ class Watch {
   std::map<std::size_t, std::string> waiting_;
 };
 
-// With all that is in our environment: keys of ssh, settings of the cluster.
+// Runs it with all that is in our environment: keys of ssh, settings of the cluster.
 pid_t start(const std::vector<std::string>& command, const std::string& log) {
   const base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   const base::Descriptor file(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));

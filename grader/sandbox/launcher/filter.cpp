@@ -84,7 +84,7 @@ constexpr int kSignalCommands[] = {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE, 
 constexpr std::uint64_t kDeviceAttacks[] = {FIOASYNC,  FIOSETOWN, SIOCSPGRP, TIOCSTI,
                                             TIOCLINUX, TIOCSETD,  TIOCCONS,  TIOCSCTTY};
 
-// To open a file for writing; a worker has none to write.
+// The flags that open a file for writing; a worker has none to write.
 constexpr std::uint64_t kToWrite =
     O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | (O_TMPFILE & ~O_DIRECTORY);
 // Flags that no program needs.

@@ -121,7 +121,7 @@ CURVE(adaptive_pixel, stops_by_batch) {
 
 CURVE(adaptive_pixel, stops_by_tolerance) {
   return {
-      .title = "Pixels that are done before they meet a light; batches of 32",
+      .title = "Pixels that are done before they meet a light, by the tolerance; batches of 32",
       .input = "tolerance",
       .error = "share of the pixels that stop too early, where one sample of a hundred meets it",
       .source = "a pixel that has seen no noise is done, whatever the tolerance",

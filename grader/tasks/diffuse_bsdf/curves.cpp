@@ -14,7 +14,7 @@ pt::Vec3 above_the_surface(double height) {
   return {r * std::cos(phi), r * std::sin(phi), height};
 }
 
-// The contract's.
+// Below this cosine the contract promises nothing.
 constexpr double kSmallestCosine = 1e-100;
 
 CURVE(diffuse_bsdf, grazing) {

@@ -52,7 +52,7 @@ CURVE(hit_bvh, tests_per_ray) {
           .cases = 60,
           .measure = [](double triangles) {
             const int n = static_cast<int>(triangles);
-            // As much surface, whatever the number.
+            // The surface is as large, whatever the number.
             const Case c = *with_tree({Shape::balanced}, {.least = n,
                                                           .most = n,
                                                           .spheres = false,

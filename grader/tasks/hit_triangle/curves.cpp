@@ -17,7 +17,7 @@ double missed(const Aimed& aimed) {
   return pt::hit_triangle(aimed.triangle, aimed.ray).has_value() ? 0 : 1;
 }
 
-// As a length.
+// Returns the error of t as a length.
 double error_of_t(const Aimed& aimed) {
   const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
   expect(hit.has_value(), "a hit", "no hit");

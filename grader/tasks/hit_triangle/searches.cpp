@@ -8,7 +8,7 @@ namespace {
 
 using namespace hit_triangle_cases;
 
-// Where the ray meets the triangle's plane.
+// The point in which the ray meets the triangle's plane.
 struct Meeting {
   Exact t = 0, b0 = 0, b1 = 0, b2 = 0;
 

@@ -108,7 +108,7 @@ inline Ranges brightest() {
 }
 
 // A wall that glows and reflects the light of one or two suns. It is not in the list
-// of lights, so that its own light is no part of what is asked for.
+// of lights, so that its own light does not count.
 inline rc::Gen<Room> glowing_wall_in_the_sun() {
   return rc::gen::map(sunny_wall(gray(0.2, 1)), [](Room room) {
     for (pt::Material& material : room.scene.materials) material.emission = pt::gray(3);

@@ -48,7 +48,7 @@ double allowed_deviation(double albedo, int bounces) {
   return 2 * deviation_of(albedo, bounces, 0.3);
 }
 
-// As it is measured.
+// Returns the deviation as it is measured.
 double deviation_in_a_furnace(double albedo, int bounces, int draws) {
   const Room room = *glowing_room(rc::gen::just(pt::gray(albedo)));
   const Mean mean = estimates(room, draws, bounces, kSurvival);

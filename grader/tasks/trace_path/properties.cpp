@@ -79,8 +79,8 @@ PROMISE(trace_path, matches_the_furnace) {
         });
         const Case c = *asked_of(glowing_room(gray(0.7, 1)), far);
         const std::vector<Rgb> found = estimates(c, 2000);
-        constexpr double kMostVariance = 15;
-        if (lit_among(found) > 1000 && relative_variance_far_along(c) < kMostVariance) {
+        constexpr double kMaxVariance = 15;
+        if (lit_among(found) > 1000 && relative_variance_far_along(c) < kMaxVariance) {
           expect_mean_of(c, found);
         }
       },
