@@ -157,10 +157,11 @@ done
 [ -z "$("$grader/grade" --programs --from-results "$folder/whole.json")" ] || complain 'a report needs programs'
 
 # The last run of a learner is kept for ./run submit; one of somebody else's code is none.
-[ ! -e "$folder/whole/work/last" ] || complain 'the run of a submission is taken for one of the learner'
+kept=$folder/whole/work
+[ ! -e "$kept/last" ] || complain 'the run of a submission is taken for one of the learner'
 grades whole 1 camera_ray --no-pictures --seed 3
 grep -qE '^Graded last: [0-9-]{10} [0-9:]{5}, \./run grade camera_ray --no-pictures --seed 3: 0 of 1 tasks pass\.' \
-  "$folder/whole/work/last" || complain "the last run is not kept: $(cat "$folder/whole/work/last")"
+  "$kept/last" || complain "the last run is not kept: $(cat "$kept/last")"
 
 # Another project with the same cache: a change of a contract's code touches the tasks that may include it, a change of
 # its words none.

@@ -36,8 +36,8 @@ std::string* shown = nullptr;
 struct Input {
   std::uint64_t seed = 0;
   std::vector<double> numbers;
-  long long family =
-      0;  // the number of the new input from which it was changed, in one step or many
+  // The number of the new input from which it was changed, in one step or many.
+  long long family = 0;
   double badness = -1;
   std::string reason;  // the message of a case that failed; else empty
 };

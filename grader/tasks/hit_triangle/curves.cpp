@@ -152,20 +152,6 @@ CURVE(hit_triangle, without_area) {
           }};
 }
 
-CURVE(hit_triangle, shared_edge) {
-  return {.title = "Rays at edges and corners that triangles share",
-          .input = "distance from the world's origin, in lengths of an edge",
-          .error = "share of rays that pass between the triangles",
-          .source = "Woop, Benthin and Wald 2013, Watertight Ray/Triangle Intersection",
-          .places = by_factors(1, 1e9, 10),
-          .promised = {{.first = 1, .last = 1e9, .bonus = true}},
-          .methods = {{"methods/determinants", "determinants"},
-                      {"right/watertight", "in the frame of the ray"}},
-          .statistic = Statistic::mean,
-          .cases = 1000,
-          .measure = [](double away) { return is_hit(*aimed_between(away)) ? 0 : 1; }};
-}
-
 // A fan of four triangles as aimed_between() makes, with a ray exactly at their corner or an edge: all
 // numbers are multiples of 2^-18, which single precision has too, up to ten edges from the origin.
 // Farther away it rounds the corners, and at last it cannot tell them apart. The rays of the promise
@@ -187,19 +173,34 @@ Fan exactly_between(double away) {
   return fan;
 }
 
-CURVE(hit_triangle, shared_edge_of_short_numbers) {
-  return {.title = "Rays at shared edges, with numbers that single precision has too",
+// The share of rays that pass between the triangles of a fan; `fan` draws one at a distance.
+Curve between_triangles(const std::string& title, const std::vector<Method>& methods,
+                        Fan (*fan)(double away)) {
+  return {.title = title,
           .input = "distance from the world's origin, in lengths of an edge",
           .error = "share of rays that pass between the triangles",
           .source = "Woop, Benthin and Wald 2013, Watertight Ray/Triangle Intersection",
           .places = by_factors(1, 1e9, 10),
           .promised = {{.first = 1, .last = 1e9, .bonus = true}},
-          .methods = {{"methods/determinants", "determinants"},
-                      {"right/watertight", "in the frame of the ray"},
-                      {"methods/determinants", "determinants, single precision", true}},
+          .methods = methods,
           .statistic = Statistic::mean,
           .cases = 1000,
-          .measure = [](double away) { return is_hit(exactly_between(away)) ? 0 : 1; }};
+          .measure = [fan](double away) { return is_hit(fan(away)) ? 0 : 1; }};
+}
+
+CURVE(hit_triangle, shared_edge) {
+  return between_triangles(
+      "Rays at edges and corners that triangles share",
+      {{"methods/determinants", "determinants"}, {"right/watertight", "in the frame of the ray"}},
+      [](double away) { return *aimed_between(away); });
+}
+
+CURVE(hit_triangle, shared_edge_of_short_numbers) {
+  return between_triangles("Rays at shared edges, with numbers that single precision has too",
+                           {{"methods/determinants", "determinants"},
+                            {"right/watertight", "in the frame of the ray"},
+                            {"methods/determinants", "determinants, single precision", true}},
+                           exactly_between);
 }
 
 }  // namespace
