@@ -14,13 +14,18 @@ import shutil
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TASKS = [(task["slug"], task["part"]) for task in json.loads((ROOT / "grader/tasks.json").read_text())["tasks"]]
+TASKS = [(path.parent.name, part) for _, part, path in sorted(
+    (task["number"], task["part"], path) for path in (ROOT / "grader/tasks").glob("*/task.json")
+    for task in [json.loads(path.read_text())])]
 BROKEN = 1 / 20
 COPIED = 1 / 10
 WRONG, VARIANT = 0.25, 0.2  # of the files that are written
 
 
 def solutions(slug, kind):
+    """Right variants, or the mistakes that the build has made of grader/tasks/<slug>/mistakes.txt."""
+    if kind == "wrong":
+        return sorted((ROOT / "build/mistakes" / slug).glob("*/*.cpp"))
     return sorted((ROOT / "grader/tasks" / slug / kind).glob("*.cpp"))
 
 

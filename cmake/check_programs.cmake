@@ -34,10 +34,10 @@ function(firstlight_add_check_programs)
   endforeach()
 endfunction()
 
-# The target graded is all programs that judge a task, and stability_programs are those that measure its curves and search: adds the
+# The target graded is all programs that judge a task and what is known of its mistakes, and stability_programs are those that measure its curves and search: adds the
 # program to its target, if it has one.
 function(firstlight_gather program)
-  if(program MATCHES "^graded[._]")
+  if(program MATCHES "^(graded|known)[._]")
     set(all graded)
   elseif(program MATCHES "^(stability|search)[.]")
     set(all stability_programs)

@@ -9,7 +9,7 @@ set(compiled_archives pt_base pt_scene pt_image pt_loader pt_test_count pt_film 
   grader_worker_rows grader_report grader_judge grader_mistakes grader_closed_forms grader_check grader_counting
   grader_wire)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_test_count pt_film pt_render pt_rows scene_meshes
-  grader_closed_forms)
+  grader_tasks grader_closed_forms)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
   grader_worker grader_connection grader_serve grader_recording)
 set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/graded_picture pt/compare
@@ -145,6 +145,9 @@ function(firstlight_add_compiled)
       add_dependencies(grade ${program})
     endif()
     firstlight_gather(${program})
+  endforeach()
+  foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+    firstlight_add_known(${slug})
   endforeach()
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/pt)
   firstlight_add_render_programs()

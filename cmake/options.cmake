@@ -4,7 +4,8 @@
 find_package(Threads REQUIRED)
 
 add_library(firstlight_options INTERFACE)
-target_include_directories(firstlight_options INTERFACE ${PROJECT_SOURCE_DIR})
+# What the build generates stands in generated/ as it would in the tree.
+target_include_directories(firstlight_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
 # No contraction: a multiply-add rounds once where a multiply and an add round twice, and machines
 # with and without it would disagree. Nothing here reads errno.
 target_compile_options(firstlight_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)

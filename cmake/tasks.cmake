@@ -1,18 +1,50 @@
-# The seam: reads the table of the tasks, grader/tasks.json, and links one implementation of each task into a program.
+# The seam: reads what grader/tasks/ says of each task, and links one implementation of each task into a program.
 #
 # A task is one slug: the same in file, header, function, library, test suite and report. An
 # implementation is a tree of files <part>/<slug>.cpp that define the functions of the contract
 # pt/tasks/<slug>.h. Each file becomes an object library <slug>.<implementation>; a program links
-# exactly one library for each task. Exercise numbers (1.3) follow from the order in the table.
+# exactly one library for each task.
 #
-# grader/tasks.json is the table of the tasks. From it come, for each slug,
+# grader/tasks/<slug>/task.json says what has to be known of a task (grader/tasks.h has its words), and its `number` (1.3) the
+# place in the course. All of them together are the table, generated/tasks.json of the build. From it come, for each slug,
 #   FIRSTLIGHT_JUDGE_ANSWERS_<slug>  the calls that the judge answers while the task is judged alone
 #   FIRSTLIGHT_MOCKS_<slug>          the tasks that a mock replaces then
+#   FIRSTLIGHT_FUNCTIONS_<slug>      the functions of the contract
 #   FIRSTLIGHT_COUNTED_<slug>        if its calls can be counted: the types of result and shape, and the counter
 # and the lists FIRSTLIGHT_COUNTED (calls can be counted), FIRSTLIGHT_TAPED (the write-up can keep the answers on a
 # tape), FIRSTLIGHT_MOCKED (there is a mock) and FIRSTLIGHT_ANSWERED (the judge answers; also the slot radiance).
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/grader/tasks.json)
-file(READ ${PROJECT_SOURCE_DIR}/grader/tasks.json table)
+set(FIRSTLIGHT_GENERATED ${PROJECT_BINARY_DIR}/generated)
+
+# Sets `table` to the table, in the order of the course.
+function(firstlight_read_tasks)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/grader/tasks/*/task.json)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  foreach(file IN LISTS files)
+    get_filename_component(folder ${file} DIRECTORY)
+    get_filename_component(slug ${folder} NAME)
+    file(READ ${file} task)
+    string(JSON number ERROR_VARIABLE problem GET "${task}" number)
+    if(problem)
+      message(FATAL_ERROR "${file}: it has no \"number\", or is not JSON (${problem}); write \"number\": \"1.3\"")
+    endif()
+    if(DEFINED task_${number})
+      message(FATAL_ERROR "${file}: another task has the number ${number}; give each task its own")
+    endif()
+    string(JSON task_${number} SET "${task}" slug "\"${slug}\"")
+    list(APPEND numbers ${number})
+  endforeach()
+  list(SORT numbers COMPARE NATURAL)
+  set(all "[]")
+  set(i 0)
+  foreach(number IN LISTS numbers)
+    string(JSON all SET "${all}" ${i} "${task_${number}}")
+    math(EXPR i "${i} + 1")
+  endforeach()
+  string(JSON table SET "{}" tasks "${all}")
+  file(CONFIGURE OUTPUT ${FIRSTLIGHT_GENERATED}/tasks.json CONTENT "${table}" @ONLY)
+  set(table "${table}" PARENT_SCOPE)
+endfunction()
+firstlight_read_tasks()
 # firstlight_names(<variable> <words of the path in the table>...): an array of names as a list; empty
 # where there is none.
 function(firstlight_names variable)
@@ -36,6 +68,10 @@ foreach(i RANGE ${last})
   list(APPEND FIRSTLIGHT_TASKS ${part}/${slug})
   firstlight_names(FIRSTLIGHT_JUDGE_ANSWERS_${slug} tasks ${i} judge_answers)
   firstlight_names(FIRSTLIGHT_MOCKS_${slug} tasks ${i} mocks)
+  firstlight_names(FIRSTLIGHT_FUNCTIONS_${slug} tasks ${i} functions)
+  if(NOT FIRSTLIGHT_FUNCTIONS_${slug})
+    set(FIRSTLIGHT_FUNCTIONS_${slug} ${slug})
+  endif()
   foreach(word result shape counter)
     string(JSON value ERROR_VARIABLE missing GET "${table}" tasks ${i} counted ${word})
     if(NOT missing)
@@ -54,6 +90,39 @@ foreach(i RANGE ${last})
 endforeach()
 list(REMOVE_DUPLICATES FIRSTLIGHT_ANSWERED)
 list(REMOVE_DUPLICATES FIRSTLIGHT_MOCKED)
+
+# firstlight_write_calls(): generated/grader/task_calls.h, the functions of all tasks with their types, as the contracts declare
+# them (grader/calls.h). CALL is a pure function, DRAW one that also takes a Sampler& (last).
+function(firstlight_write_calls)
+  set(TASK_INCLUDES)
+  set(TASK_CALLS)
+  set(TASK_LIST)
+  foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+    set(contract ${PROJECT_SOURCE_DIR}/pt/tasks/${slug}.h)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${contract})
+    file(READ ${contract} text)
+    string(APPEND TASK_INCLUDES "#include \"pt/tasks/${slug}.h\"\n")
+    string(APPEND TASK_LIST " \\\n  TASK(${slug}, CALL, DRAW)")
+    string(APPEND TASK_CALLS "#define FIRSTLIGHT_CALLS_${slug}(CALL, DRAW)")
+    foreach(function IN LISTS FIRSTLIGHT_FUNCTIONS_${slug})
+      if(NOT text MATCHES "\n([A-Za-z_:<>]+) ${function}\\(([^()]*)\\);")
+        message(FATAL_ERROR "${contract} does not declare the function ${function}; declare it at the beginning of a line, its type before it")
+      endif()
+      set(result ${CMAKE_MATCH_1})
+      string(REGEX REPLACE "[ \n]+" " " parameters "${CMAKE_MATCH_2}")
+      string(REGEX REPLACE "[^,]*[ &]([a-z_]+)(,|$)" "\\1\\2" names "${parameters}")
+      string(REPLACE "," ", " names "${names}")
+      set(kind CALL)
+      if(parameters MATCHES "Sampler& sampler$")
+        set(kind DRAW)
+      endif()
+      string(APPEND TASK_CALLS " \\\n  ${kind}(${result}, ${function}, (${parameters}), (${names}))")
+    endforeach()
+    string(APPEND TASK_CALLS "\n")
+  endforeach()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/task_calls.h.in ${FIRSTLIGHT_GENERATED}/grader/task_calls.h @ONLY)
+endfunction()
+firstlight_write_calls()
 
 # Sets `result`, `shape` and `counter` to the words of a counted task.
 macro(firstlight_counted_by slug)
@@ -102,15 +171,18 @@ function(firstlight_add_implementation name root)
   endforeach()
 endfunction()
 
-# firstlight_add_solution(<slug> <name>): the library <slug>.<name> of the solution grader/tasks/<slug>/*/<name>.cpp, a
-# wrong one or a right variant. Once, wherever it is asked for.
+# firstlight_add_solution(<slug> <name>): the library <slug>.<name> of the mistake of that name, or of the right variant
+# grader/tasks/<slug>/right/<name>.cpp. Once, wherever it is asked for.
 function(firstlight_add_solution slug name)
   if(TARGET ${slug}.${name})
     return()
   endif()
-  file(GLOB source ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/*/${name}.cpp)
-  if(NOT source)
-    message(FATAL_ERROR "there is no solution ${name}.cpp in grader/tasks/${slug}")
+  set(source ${FIRSTLIGHT_MISTAKES}/${slug}/${name}/${slug}.cpp)
+  if(NOT EXISTS ${source})
+    set(source ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/right/${name}.cpp)
+  endif()
+  if(NOT EXISTS ${source})
+    message(FATAL_ERROR "grader/tasks/${slug} has neither a mistake nor a right solution named ${name}")
   endif()
   add_library(${slug}.${name} OBJECT EXCLUDE_FROM_ALL ${source})
   target_link_libraries(${slug}.${name} PRIVATE firstlight_options)
@@ -192,7 +264,7 @@ function(firstlight_symbol slug variable)
   elseif(slug IN_LIST FIRSTLIGHT_TAPED)
     set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
   else()
-    message(FATAL_ERROR "grader/tasks.json does not say that ${slug} is counted or taped")
+    message(FATAL_ERROR "grader/tasks/${slug}/task.json does not say that it is counted or taped")
   endif()
   set(${variable} _ZN2pt${length}${slug}E${arguments} PARENT_SCOPE)
 endfunction()

@@ -18,25 +18,30 @@ using nlohmann::json;
 using Names = std::vector<std::string>;
 
 // A word that nobody reads would do nothing, so it is an error.
-constexpr std::array kWords{"slug",  "part",    "functions", "calls", "judge_answers",
-                            "mocks", "counted", "taped",     "traces"};
+constexpr std::array kWords{"slug",  "number",  "part",  "functions", "calls",  "judge_answers",
+                            "mocks", "counted", "taped", "traces",    "tracer", "measured"};
 
-Task read_task(const json& from, const Names& scene) {
+// Functions of the renderer that every task may call that traces.
+constexpr std::array kScene{"pt::Scene::closest", "pt::Scene::occluded", "pt::surface_point",
+                            "pt::background",     "pt::sample_light",    "pt::kind_name"};
+
+Task read_task(const json& from) {
   Task task;
   for (const auto& [word, value] : from.items()) {
     if (std::ranges::find(kWords, word) == kWords.end()) {
-      throw pt::Error("grader/tasks.json has the word '" + word +
-                      "', which grader/tasks.h does not know");
+      throw pt::Error("grader/tasks/" + from.at("slug").get<std::string>() +
+                      "/task.json has the word '" + word + "', which grader/tasks.h does not know");
     }
   }
   from.at("slug").get_to(task.slug);
+  from.at("number").get_to(task.number);
   from.at("part").get_to(task.part);
   task.functions = from.value("functions", Names{task.slug});
   task.calls = from.value("calls", Names{});
   task.judge_answers = from.value("judge_answers", Names{});
   task.mocks = from.value("mocks", Names{});
   task.traces = from.value("traces", false);
-  if (task.traces) task.framework = scene;
+  if (task.traces) task.framework.assign(kScene.begin(), kScene.end());
   if (std::ranges::count(task.judge_answers, "radiance") > 0) {
     task.framework.push_back("pt::radiance");
   }
@@ -45,21 +50,21 @@ Task read_task(const json& from, const Names& scene) {
 
 std::vector<Task> read_tasks() {
   const json all = json::parse(tasks_json);
-  const Names scene = all.at("scene");
   std::vector<Task> tasks;
-  std::map<std::string, int> number;
-  for (const json& each : all.at("tasks")) {
-    tasks.push_back(read_task(each, scene));
-    Task& task = tasks.back();
-    task.number =
-        task.part.substr(0, task.part.find('_')) + "." + std::to_string(++number[task.part]);
-  }
+  for (const json& each : all.at("tasks")) tasks.push_back(read_task(each));
   return tasks;
 }
 
 // Through these a scene is traced.
 const Names& tracers() {
-  static const Names all = json::parse(tasks_json).at("tracers");
+  static const Names all = [] {
+    Names slugs;
+    const json table = json::parse(tasks_json);
+    for (const json& each : table.at("tasks")) {
+      if (each.value("tracer", false)) slugs.push_back(each.at("slug"));
+    }
+    return slugs;
+  }();
   return all;
 }
 
@@ -103,7 +108,7 @@ const std::vector<Task>& tasks() {
 const Task& task_of(std::string_view slug) {
   const auto found = std::ranges::find(tasks(), slug, &Task::slug);
   if (found == tasks().end()) {
-    throw pt::Error("'" + std::string(slug) + "' is not a task: see grader/tasks.json");
+    throw pt::Error("'" + std::string(slug) + "' is not a task: see grader/tasks/");
   }
   return *found;
 }

@@ -6,13 +6,13 @@
 
 namespace grader {
 
-// The facts about one task of the course: a line of grader/tasks.json, which the build and the
-// script ./run read too. The functions with their types are in grader/calls.h, their promises in
+// The facts about one task of the course: grader/tasks/<slug>/task.json, which the build and the
+// script ./run read too. Its functions have the types of the contract (grader/calls.h), its promises are in
 // pt/tasks/, the points for these in grader/points.json.
 struct Task {
   std::string slug;                      // "hit_triangle"
   std::string part;                      // "1_rays"
-  std::string number;                    // "1.3": the third line of its part
+  std::string number;                    // "1.3": the third task of the first part
   std::vector<std::string> functions{};  // of the contract, in namespace pt; by default the slug
   std::vector<std::string> calls{};      // the other tasks that it may call: slugs
   std::vector<std::string>
@@ -20,11 +20,10 @@ struct Task {
   std::vector<std::string> mocks{};      // tasks that a mock replaces then
   std::vector<std::string> framework{};  // functions of the renderer: "pt::Scene::closest"
   bool traces = false;                   // it sends rays through a scene, and so through a tree
-  // The table has four more fields. Two stand above the tasks: `scene`, the `framework` of all that
-  // trace, and `tracers`, the tasks that pt/scene/tracer.cpp calls. Two are for CMake
+  // Four more words are not read here. `tracer`: pt/scene/tracer.cpp calls it. Two are for CMake
   // (cmake/tasks.cmake): `counted`, the types of the result and the shape of a task whose calls can
   // be counted, and the name of the counter; and `taped`: whether the write-up can keep its answers
-  // on a tape (cmake/taped.cpp.in).
+  // on a tape (cmake/taped.cpp.in). `measured` is for ./run measure (writeup/measure/tasks.h).
 
   std::string file() const { return part + "/" + slug + ".cpp"; }
 };
@@ -43,7 +42,7 @@ const std::vector<std::string>& needs(std::string_view slug);
 // what they need.
 const std::vector<std::string>& tracing_tasks();
 
-// The text of grader/tasks.json.
+// The table of all tasks, {"tasks": [...]} in the order of the course: what the task.json of each says, and its slug.
 extern const std::string_view tasks_json;
 
 }  // namespace grader

@@ -15,36 +15,28 @@ fail() {
 . tests/copy_tree.sh
 update_copy "$PWD" "$1"
 
-# The steps: a line "New file `F`:" or "In `F`, above `TEXT`:", and the block after it.
-steps=0 action='' file='' above='' inside=0 block=''
-do_step() {
-  steps=$((steps + 1))
-  if [ "$action" = new ]; then
-    mkdir -p "$tree/$(dirname "$file")"
-    printf '%s' "$block" | cmp -s - "$tree/$file" || printf '%s' "$block" >"$tree/$file"
-  else
-    [ "$(grep -cF -- "$above" "$tree/$file")" -ge 1 ] || fail "$file has no line with '$above'"
-    block=$block above=$above awk '{ lines[NR] = $0; if (index($0, ENVIRON["above"])) last = NR }
-      END { for (i = 1; i <= NR; ++i) { if (i == last) printf "%s", ENVIRON["block"]; print lines[i] } }' \
-      "$tree/$file" >"$tree/$file.new"
-    mv "$tree/$file.new" "$tree/$file"
-  fi
+# The files: a line "New file `F`:", and the block after it.
+files=0 file='' inside=0 block=''
+write_file() {
+  files=$((files + 1))
+  mkdir -p "$tree/$(dirname "$file")"
+  printf '%s' "$block" | cmp -s - "$tree/$file" || printf '%s' "$block" >"$tree/$file"
 }
 while IFS= read -r line; do
   if [ "$inside" = 1 ]; then
     case $line in
-      '```') inside=0; [ -z "$action" ] || do_step; action='' ;;
+      '```') inside=0; [ -z "$file" ] || write_file; file='' ;;
       *) block+=$line$'\n' ;;
     esac
     continue
   fi
   case $line in
-    'New file `'*'`:') action=new file=${line#*\`} file=${file%%\`*} ;;
-    'In `'*'`, above `'*'`:') action=insert file=${line#*\`} above=${line%\`:} above=${above##*\`} file=${file%%\`*} ;;
+    'New file `'*'`:') file=${line#*\`} file=${file%%\`*} ;;
     '```'*) inside=1 block='' ;;
   esac
 done <"$page"
-[ "$steps" -ge 21 ] || fail "the page has $steps steps"
+[ "$files" -eq 13 ] || fail "the page has $files files"
+[ "$(grep -c '^## [0-9]' "$page")" -eq 4 ] || fail "the page has not four steps"
 
 # The new task, graded by the copy's own ./run.
 cd "$tree"
@@ -52,15 +44,17 @@ grade() { ./run grade sphere_area --no-pictures "$@" 2>&1 || true; }
 said=$(grade --submission reference)
 grep -qE 'sphere_area +pass' <<<"$said" || fail "the reference does not pass: $said"
 mkdir -p "$1/solution/6_extra"
-for file in grader/tasks/sphere_area/wrong/*.cpp; do
+for file in build/mistakes/sphere_area/*/sphere_area.cpp; do
   cp "$file" "$1/solution/6_extra/sphere_area.cpp"
   promise=$(sed -n '1s/^\/\/ breaks: //p' "$file")
   said=$(grade --submission "$1/solution")
   grep -qE 'sphere_area +fail' <<<"$said" || fail "$file does not fail: $said"
   grep -qF "${promise//_/ }" <<<"$said" || fail "$file does not fail its promise '$promise': $said"
+  sentence=$(sed -n '2s/^\/\/ //p' "$file")
+  tr '\n' ' ' <<<"$said" | grep -qF "This is a known mistake: $sentence" || fail "$file is not named '$sentence': $said"
 done
 while read -r promise; do
-  grep -qxF "// breaks: $promise" grader/tasks/sphere_area/wrong/*.cpp || fail "no wrong solution breaks $promise"
+  grep -qxF "breaks  $promise" grader/tasks/sphere_area/mistakes.txt || fail "no mistake breaks $promise"
 done < <(sed -n 's/^PROMISE(sphere_area, \(.*\)) {$/\1/p' grader/tasks/sphere_area/properties.cpp)
 for file in grader/tasks/sphere_area/right/*.cpp; do
   cp "$file" "$1/solution/6_extra/sphere_area.cpp"
@@ -70,16 +64,9 @@ done
 said=$(grade --submission student)
 grep -qE 'sphere_area +not attempted' <<<"$said" || fail "the stub is not 'not attempted': $said"
 
-# The commands of the page.
-while read -r command; do
-  bash -c "$command" >"$1/said" 2>&1 || fail "$command: $(tail -n 30 "$1/said")"
-  commands=$((${commands:-0} + 1))
-done < <(sed -n 's/^`\(ninja .* sphere_area\)`\.$/\1/p' "$page")
-[ "${commands:-0}" -ge 1 ] || fail "the page makes known.json nowhere"
-
 # The tests that read the table of tasks, or all tasks.
 ninja -C build/check all >"$1/said" 2>&1 || fail "the project is not built: $(tail -n 30 "$1/said")"
-tests='tasks_test|layers_test|hostile_test|four_bugs_test|wrong_and_right_test|right_work|known_mistakes_up_to_date|naming|test_hints|'
+tests='tasks_test|layers_test|hostile_test|four_bugs_test|wrong_and_right_test|right_work|naming|test_hints|'
 tests+='test_recipes|test_goldens|test_naming|test_report|test_intake|test_writeup|test_measure|handbook|help_pages|measure|writeup|'
 tests+='grade_class|sample_tables|compiled_once|link_lists|check[.]sphere_area|graded[.]sphere_area'
 for name in ${tests//|/ }; do # a name of no test would be left out without a word
@@ -87,4 +74,4 @@ for name in ${tests//|/ }; do # a name of no test would be left out without a wo
 done
 ctest --test-dir build/check -j "$(nproc)" --output-on-failure --no-tests=error -R "^($tests)\$" >"$1/said" 2>&1 ||
   fail "the tests that read the table of tasks: $(tail -n 60 "$1/said")"
-echo "one task more by $steps steps: graded"
+echo "one task more by $files files: graded"

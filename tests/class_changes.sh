@@ -46,8 +46,8 @@ for learner in right wrong other unwritten; do
   cp reference/1_rays/hit_triangle.cpp "$folder/class/$learner"
 done
 cp reference/1_rays/hit_sphere.cpp "$folder/class/right"
-cp grader/tasks/hit_sphere/wrong/near_root_only.cpp "$folder/class/wrong/hit_sphere.cpp"
-cp grader/tasks/hit_sphere/wrong/assumes_unit_direction.cpp "$folder/class/other/hit_sphere.cpp"
+cp build/mistakes/hit_sphere/near_root_only/hit_sphere.cpp "$folder/class/wrong/hit_sphere.cpp"
+cp build/mistakes/hit_sphere/assumes_unit_direction/hit_sphere.cpp "$folder/class/other/hit_sphere.cpp"
 cp student/1_rays/hit_sphere.cpp "$folder/class/unwritten"
 
 # grades OUT WORDS...: the tasks are hit_sphere and hit_triangle.

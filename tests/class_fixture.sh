@@ -26,7 +26,7 @@ pack_learner() (
 # make_class N: submissions in $folder/class, of hit_sphere alone: right, wrong, stubs, equal ones, and one that cannot be read.
 # Every fourth is an archive.
 make_class() {
-  local i from wrong=(grader/tasks/hit_sphere/wrong/*.cpp)
+  local i from wrong=(build/mistakes/hit_sphere/*/hit_sphere.cpp)
   for i in $(seq -w "$1"); do
     mkdir -p "$folder/class/learner $i"
     case $((10#$i % 5)) in

@@ -46,11 +46,12 @@ in_gdb() {
 
 stops_in() {
   local wrong=$1 promise triangle corners
-  solution "grader/tasks/hit_triangle/wrong/$wrong.cpp"
-  promise=$(sed -n 's|^// breaks: ||p' "grader/tasks/hit_triangle/wrong/$wrong.cpp" | tr _ ' ')
+  local file=build/mistakes/hit_triangle/$wrong/hit_triangle.cpp
+  solution "$file"
+  promise=$(sed -n 's|^// breaks: ||p' "$file" | tr _ ' ')
   "$folder/check" --gtest_brief=1 "--gtest_filter=*.${promise// /_}" >"$folder/report" || true
   grader/check/debug.sh --batch "$folder/check" hit_triangle "$promise" >"$folder/gdb" 2>&1
-  grep -qE "^Breakpoint 2, pt::hit_triangle .* at .*/$wrong\.cpp:" "$folder/gdb" ||
+  grep -qE "^Breakpoint 2, pt::hit_triangle .* at .*/$wrong/hit_triangle\.cpp:" "$folder/gdb" ||
     complain "$wrong: it does not stop in pt::hit_triangle"
   grep -qx 'This is your function, called with the smallest input that fails.' "$folder/gdb" ||
     complain "$wrong: it does not say where it is"

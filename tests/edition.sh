@@ -45,7 +45,7 @@ END
 edition() {
   mkdir -p "$folder/$1/grader/old"
   cp -r run cmake student "$folder/$1"
-  cp grader/tasks.json "$folder/$1/grader"
+  mkdir -p "$folder/$1/grader/tasks" && cp -r --parents grader/tasks/*/task.json "$folder/$1"
   for file in grader/judge.txt "grader/with blank.txt" scenes.txt; do echo "$1" >"$folder/$1/$file"; done
 }
 edition first

@@ -173,10 +173,7 @@ PictureResult full_picture() {
           "x5",
           "x6",
           "x7",
-          {{1, 2, 3, 4, "G", -0.5, 1.5}},
-          "x8",
-          {"x9"},
-          {"x10"}};
+          {{1, 2, 3, 4, "G", -0.5, 1.5}}};
 }
 
 TaskResult full_task() {

@@ -1,6 +1,4 @@
-#include "grader/base/sha256.h"
 #include "grader/pictures/check_golden.h"
-#include "grader/pictures/name_mistake.h"
 #include "grader/pictures/provenance.h"
 #include "pt/file.h"
 #include "pt/image/image_io.h"
@@ -38,27 +36,6 @@ TEST(Goldens, have_a_row_and_a_title_in_the_handbook_of_recipes) {
   for (const Recipe& recipe : recipes()) {
     EXPECT_NE(page.find("| " + recipe.name), std::string::npos) << recipe.name;
     EXPECT_NE(page.find(recipe.title), std::string::npos) << recipe.name;
-  }
-}
-
-// Known pictures of a solution that has changed since would give it a wrong name. To correct it:
-// build/check/grader/verdict_mistakes --rounds 1 --pictures
-TEST(KnownMistakes, are_of_the_solutions_and_recipes_that_we_keep) {
-  const std::vector<Recipe> all = recipes();
-  const std::vector<KnownMistake> known = read_mistakes(kRoot / "golden/known_mistakes.jsonl", "");
-  EXPECT_FALSE(known.empty());
-  for (const KnownMistake& mistake : known) {
-    const std::string name = mistake.task + "/wrong/" + mistake.name;
-    const fs::path file = kRoot / "grader/tasks" / (name + ".cpp");
-    ASSERT_TRUE(fs::exists(file)) << name;
-    EXPECT_TRUE(base::sha256(pt::read_file(file, 1 << 20)).starts_with(mistake.content)) << name;
-    EXPECT_THAT(mistake.sentence, testing::EndsWith(".")) << name;
-    for (const auto& [recipe, picture] : mistake.pictures) {
-      const std::vector<std::string>& judged = find(all, recipe).tasks;
-      EXPECT_THAT(judged, testing::Contains(mistake.task)) << name;
-      const Provenance golden = read_provenance(golden_files(kRoot / "golden", recipe).provenance);
-      EXPECT_TRUE(golden.sha256.starts_with(picture.recipe_hash)) << name << ", " << recipe;
-    }
   }
 }
 

@@ -41,7 +41,7 @@ cp -r student "$folder/class/nested/unpacked"
 cp reference/1_rays/hit_sphere.cpp "$folder/class/nested/unpacked/student/1_rays"
 { echo '#include "pt/render/radiance.h"'; cat student/1_rays/hit_sphere.cpp; } >"$folder/forbidden.cpp"
 mkdir "$folder/class/wrong/1_rays"
-cp grader/tasks/hit_triangle/wrong/absolute_offset.cpp "$folder/class/wrong/1_rays/hit_triangle.cpp"
+cp build/mistakes/hit_triangle/absolute_offset/hit_triangle.cpp "$folder/class/wrong/1_rays/hit_triangle.cpp"
 ln -s "$PWD/reference/1_rays/hit_sphere.cpp" "$folder/class/wrong/1_rays/hit_sphere.cpp"
 
 [ ! -e "$folder/class-graded/seed" ] || complain 'there is a seed before anything is graded'

@@ -33,7 +33,7 @@ END
 
 rm -rf "$autograder"
 mkdir -p "$autograder/source" "$autograder/submission"
-grader/editions/gradescope_zip.sh "$autograder/autograder.zip"
+grader/editions/gradescope_zip.sh "$1" "$autograder/autograder.zip"
 (cd "$autograder/source" && cmake -E tar xf ../autograder.zip)
 bash "$autograder/source/setup.sh" >"$autograder/log" 2>&1 ||
   complain "setup.sh failed:" "$(cat "$autograder/log")"
@@ -53,7 +53,7 @@ for tier in A B; do
 done
 mkdir "$autograder/submission/handed_in"
 cp -r student "$autograder/submission/handed_in"
-tasks=$(grep -c '"slug"' grader/tasks.json)
+tasks=$(printf '%s\n' grader/tasks/*/task.json | wc -l)
 judges "r['score'] == 0 and len(task) == $tasks" --no-pictures
 cp -r reference/1_rays "$autograder/submission/handed_in/student"
 judges 'task["hit_triangle"]["status"] == "passed"' --no-pictures

@@ -31,10 +31,10 @@ check_page() {
   while read -r file; do
     [ -e "$file" ] || complain "$page: no scene '$file'"
   done < <(grep -oE 'render scenes/[a-z_]+\.dae' "$page" | cut -d' ' -f2)
-  # Below the picture of a mistake stands which wrong solution made it.
+  # Below the picture of a mistake stands which mistake made it.
   while read -r _ task wrong _; do
-    file=grader/tasks/${task%:}/wrong/$wrong.cpp
-    [ -e "$file" ] || complain "$page: no wrong solution '$file'"
+    file=grader/tasks/${task%:}/mistakes.txt
+    grep -qxF "name    $wrong" "$file" || complain "$page: $file has no mistake '$wrong'"
   done < <(grep -E '^<!-- [a-z_]+: [a-z0-9_]+ -->$' "$page")
 }
 

@@ -2,7 +2,6 @@
 #include "grader/report/hints.h"
 
 #include "grader/base/files.h"
-#include "grader/judge/name_mistakes.h"
 #include "grader/process/run_command.h"
 #include "grader/report/hint_memory.h"
 #include "grader/results/promises.h"
@@ -46,39 +45,6 @@ TEST(hints, every_task_has_three_tiers_about_its_own_promises) {
     ++count;
   }
   EXPECT_EQ(count, tasks().size());
-}
-
-// A task that breaks these promises, the most telling first.
-results::TaskResult breaks(const std::string& slug, const std::vector<std::string>& promises) {
-  results::TaskResult task;
-  task.slug = slug;
-  for (const std::string& name : promises) task.promises.emplace_back().name = name;
-  return task;
-}
-
-// The usual mistakes below a promise may be others than the one that was named: with the running
-// total as the sample, nothing is missing "below the square root".
-TEST(hints, for_a_named_mistake_say_what_to_do_and_name_no_other_mistake) {
-  judge::Config config;
-  config.root = FIRSTLIGHT_SOURCE_DIR;
-  const auto hint = [&](const std::string& slug, const std::vector<std::string>& promises) {
-    return judge::hint_for(config, breaks(slug, promises));
-  };
-  EXPECT_THAT(hint("adaptive_pixel", {"stops_where_the_interval_is_narrow", "checks_once_a_batch"}),
-              testing::StartsWith("Keep three things: the sum of the colours"));
-  EXPECT_EQ(hint("adaptive_pixel", {"checks_once_a_batch", "covers_the_whole_pixel"}),
-            "n % batch == 0 says when.");
-  for (const auto& folder : std::filesystem::directory_iterator(kTasks)) {
-    const std::string slug = folder.path().filename();
-    for (const results::Promise& promise :
-         results::promises_of(base::read_file(FIRSTLIGHT_SOURCE_DIR "/pt/tasks/" + slug + ".h"))) {
-      const std::string path = folder.path() / "hints.md";
-      std::string direction = about(parse_hints(base::read_file(path), path)[1], promise.name);
-      std::ranges::replace(direction, '\n', ' ');
-      EXPECT_EQ(hint(slug, {promise.name}), direction) << slug << ' ' << promise.name;
-    }
-  }
-  EXPECT_EQ(hint("no_such_task", {}), "");
 }
 
 TEST(hints, are_read_tier_by_tier) {

@@ -98,18 +98,14 @@ TEST(answers, that_are_means_agree_unless_chance_does_not_explain_it) {
   }
 }
 
-Fingerprint mistake(const std::string& name, double value, std::vector<std::string> broken) {
-  return {name, "Says " + name + ".", "hash", std::move(broken), {}, {exact({value}), exact({5})}};
+Fingerprint mistake(const std::string& name, double value, const std::string& breaks) {
+  return {name, breaks, "Says " + name + ".", "Look.", {exact({value}), exact({5})}};
 }
 
 KnownTask known() {
-  KnownTask task;
-  task.battery = "hash";
-  task.right = {exact({1}), exact({5})};
-  task.mistakes = {mistake("two", 2, {"a", "b"}), mistake("three", 3, {"a"}),
-                   mistake("also_three", 3, {"a"}), mistake("four", 4, {"b"})};
-  task.mistakes[3].unsure = {"a"};
-  return task;
+  return {{exact({1}), exact({5})},
+          {mistake("two", 2, "a"), mistake("three", 3, "a"), mistake("also_three", 3, "a"),
+           mistake("four", 4, "b")}};
 }
 
 std::string names(const KnownTask& task, const Evidence& evidence) {
@@ -120,28 +116,26 @@ std::string names(const KnownTask& task, const Evidence& evidence) {
   return all;
 }
 
-Evidence evidence(double value, std::set<std::string> broken, std::set<std::string> kept) {
-  return {{exact({value}), exact({5})}, std::move(broken), std::move(kept)};
+Evidence evidence(double value, std::set<std::string> broken) {
+  return {{exact({value}), exact({5})}, std::move(broken)};
 }
 
 TEST(naming, takes_all_evidence_together) {
   const KnownTask task = known();
-  EXPECT_EQ(names(task, evidence(2, {"a", "b"}, {"c"})), "two");
-  EXPECT_EQ(names(task, evidence(2, {"a"}, {"b", "c"})), "");      // it should break b
-  EXPECT_EQ(names(task, evidence(2, {"a", "b", "c"}, {})), "");    // and not c
-  EXPECT_EQ(names(task, evidence(2.5, {"a", "b"}, {"c"})), "");    // other answers
-  EXPECT_EQ(names(task, evidence(4, {"b"}, {"a", "c"})), "four");  // a is broken at times
-  EXPECT_EQ(names(task, evidence(4, {"a", "b"}, {"c"})), "four");
-  Evidence crashed = evidence(2, {"a", "b"}, {"c"});
+  EXPECT_EQ(names(task, evidence(2, {"a", "b"})), "two");
+  EXPECT_EQ(names(task, evidence(2, {"b"})), "");         // it should break a
+  EXPECT_EQ(names(task, evidence(2.5, {"a", "b"})), "");  // other answers
+  EXPECT_EQ(names(task, evidence(4, {"b"})), "four");
+  Evidence crashed = evidence(2, {"a", "b"});
   crashed.answers[1] = ended("crash");
   EXPECT_EQ(names(task, crashed), "");
 }
 
 TEST(naming, gives_one_name_to_what_shows_alike) {
-  EXPECT_EQ(names(known(), evidence(3, {"a"}, {"b"})), "three also_three");
+  EXPECT_EQ(names(known(), evidence(3, {"a"})), "three also_three");
   KnownTask task = known();
-  for (const char* more : {"again", "and_again"}) task.mistakes.push_back(mistake(more, 3, {"a"}));
-  EXPECT_EQ(names(task, evidence(3, {"a"}, {"b"})), "");  // four sentences help nobody
+  for (const char* more : {"again", "and_again"}) task.mistakes.push_back(mistake(more, 3, "a"));
+  EXPECT_EQ(names(task, evidence(3, {"a"})), "");  // four sentences help nobody
 }
 
 // The submission's noise is too large to tell two mistakes apart that are known to differ.
@@ -149,8 +143,7 @@ TEST(naming, says_nothing_where_different_mistakes_explain_it) {
   KnownTask task = known();
   task.mistakes[0].answers[0] = {"", {2}, {0.001}};
   task.mistakes[1].answers[0] = {"", {2.1}, {0.001}};
-  task.mistakes[1].broken = {"a", "b"};
-  Evidence noisy = evidence(2, {"a", "b"}, {});
+  Evidence noisy = evidence(2, {"a", "b"});
   noisy.answers[0] = {"", {2.05}, {0.03}};
   EXPECT_EQ(names(task, noisy), "");
   task.mistakes.erase(task.mistakes.begin() + 1);
@@ -159,9 +152,9 @@ TEST(naming, says_nothing_where_different_mistakes_explain_it) {
 
 TEST(naming, never_names_what_answers_as_the_reference_or_passes) {
   KnownTask task = known();
-  task.mistakes.push_back(mistake("unseen", 1, {"a"}));
-  EXPECT_EQ(names(task, evidence(1, {"a"}, {"b"})), "");
-  EXPECT_EQ(names(task, evidence(2, {}, {"a", "b"})), "");
+  task.mistakes.push_back(mistake("unseen", 1, "a"));
+  EXPECT_EQ(names(task, evidence(1, {"a"})), "");
+  EXPECT_EQ(names(task, evidence(2, {})), "");
 }
 
 TEST(answers, are_always_the_same_where_the_questions_do_not_matter) {
@@ -202,14 +195,22 @@ TEST(known_mistakes, come_back_from_their_file) {
   for (Fingerprint& each : task.mistakes) each.answers.push_back({"", {9, 2}, {0.5, 0.25}});
   task.mistakes[1].answers[0] = ended("timeout");
   task.mistakes[2].answers[0] = exact({});
-  const KnownMistakes all{{"hit_box", task}, {"hit_sphere", known()}};
-  EXPECT_EQ(known_from_json(to_json(all), "x"), all);
+  EXPECT_EQ(known_from_json(to_json(task), "x"), task);
 }
 
 TEST(known_mistakes, are_refused_where_the_file_holds_something_else) {
-  for (const char* text : {"", "[]", "{}", R"({"tasks": {"hit_box": {}}})"}) {
+  for (const char* text : {"", "[]", "{}", R"({"right": [], "mistakes": [{}]})"}) {
     EXPECT_THROW(known_from_json(text, "x"), pt::Error) << text;
   }
+}
+
+TEST(known_mistakes, are_described_above_their_code) {
+  const Fingerprint print = described("m",
+                                      "// breaks: a\n// Says what\n// is wrong.\n"
+                                      "// hint: Look here,\n// and there.\n#include <a>\n// no\n");
+  EXPECT_EQ(print.breaks, "a");
+  EXPECT_EQ(print.sentence, "Says what is wrong.");
+  EXPECT_EQ(print.hint, "Look here, and there.");
 }
 
 }  // namespace

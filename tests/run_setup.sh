@@ -28,7 +28,7 @@ begin() {
   rm -rf "$tree" "$bin"
   mkdir -p "$tree/docs" "$tree/grader" "$bin"
   cp -r run cmake CMakePresets.json "$tree"
-  cp grader/tasks.json "$tree/grader"
+  cp --parents grader/tasks/*/task.json "$tree"
   cp -r docs/help "$tree/docs"
   ln -s /usr/bin/* "$bin"
   rm -f "$bin"/{apt-get,apk,brew,dnf,dpkg-query,pacman,rpm,sudo,cmake,ninja}

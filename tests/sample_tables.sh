@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # The tables that pages show are those that grade prints. A page says above a table where it comes from:
-#   <!-- grade OPTIONS; BASE [TASK/KIND/NAME ...] -->
-# that is, grade with these options, seed 1, on the files of BASE (student or reference) with these solutions of grader/tasks/ in
-# place of some. The indented lines below it have to stand in what grade prints, in this order and without others between them.
+#   <!-- grade OPTIONS; BASE [TASK/NAME ...] -->
+# that is, grade with these options, seed 1, on the files of BASE (student or reference) with these mistakes in place of some. The indented lines below it have to stand in what grade prints, in this order and without others between them.
 # sample_tables.sh GRADE: the program.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -18,7 +17,7 @@ submission() {
   cp -r "$base" "$folder/submission"
   for solution in "$@"; do
     task=${solution%%/*}
-    cp "grader/tasks/$solution.cpp" "$folder"/submission/*/"$task.cpp"
+    cp "build/mistakes/$solution/$task.cpp" "$folder"/submission/*/"$task.cpp"
   done
 }
 

@@ -69,7 +69,7 @@ says ' inputs in '
 shown 0 hit_sphere --submission "$work/right"
 says 'yours breaks the promise of the bonus at '
 ! grep -q 'yours breaks the promise at' <<<"$said" || complain "a textbook's sphere breaks a promise:" "$said"
-cp grader/tasks/hit_sphere/wrong/float_arithmetic.cpp "$work/right/1_rays/hit_sphere.cpp"
+cp build/mistakes/hit_sphere/float_arithmetic/hit_sphere.cpp "$work/right/1_rays/hit_sphere.cpp"
 shown 0 hit_sphere --submission "$work/right"
 says 'yours breaks the promise at '
 "$stability" --no-methods --coarse --effort .3 >"$work/reference"

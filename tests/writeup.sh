@@ -24,7 +24,7 @@ code() {
   mkdir -p "$folder/writeup" "$folder/objects"
   printf '#!/bin/sh\nexec "%s" "$@"\n' "$program" >"$folder/writeup/$name"
   chmod +x "$folder/writeup/$name"
-  for task in framework $(sed -n 's|^{"slug": "\([a-z_]*\)".*|\1|p' grader/tasks.json); do
+  for task in framework $(for each in grader/tasks/*/task.json; do basename "$(dirname "$each")"; done); do
     echo "$name $task" >"$folder/objects/$name.$task"
     echo "$task objects/$name.$task"
   done >"$folder/writeup/$name.objects"

@@ -23,7 +23,7 @@ def submission(folder):
     shutil.copytree(os.path.join(ROOT, "student"), folder)
     for name in ("camera_ray", "estimate_pixel", "hit_sphere"):
         shutil.copy(os.path.join(ROOT, f"reference/1_rays/{name}.cpp"), os.path.join(folder, "1_rays"))
-    shutil.copy(os.path.join(ROOT, "grader/tasks/hit_triangle/wrong/sum_of_weights_unchecked.cpp"),
+    shutil.copy(os.path.join(ROOT, "build/mistakes/hit_triangle/sum_of_weights_unchecked/hit_triangle.cpp"),
                 os.path.join(folder, "1_rays/hit_triangle.cpp"))
 
 

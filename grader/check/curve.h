@@ -26,9 +26,9 @@ enum class Statistic {
 };
 
 // Another way to solve the task, drawn beside the reference. It is a file in the folder of the task:
-// a solution, right or wrong, or in methods/ a form of it whose arithmetic type is REAL.
+// a right solution, or in methods/ a form of it whose arithmetic type is REAL.
 struct Method {
-  std::string file;     // "methods/quadratic"
+  std::string file;     // "methods/quadratic"; "wrong/midpoint" is a mistake of mistakes.txt
   std::string title;    // "quadratic formula"
   bool single = false;  // REAL is float
 };

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# gradescope_zip.sh FILE: the archive that Gradescope makes an autograder from. It holds the sources of the
+# gradescope_zip.sh BUILD FILE: the archive that Gradescope makes an autograder from. It holds the sources of the
 # reference: it is for instructors only. Runs in the root of the project; `./run gradescope-zip` calls it.
 set -euo pipefail
 # shellcheck source=grader/editions/files.sh
 . grader/editions/files.sh
-file=$(realpath -m "$1")
+file=$(realpath -m "$2")
 mkdir -p "$(dirname "$file")"
 half=$(mktemp -d)
 trap 'rm -rf "$half" "$file.half"' EXIT
-edition_files '^grader/(editions|intake|self_check)/|^grader/programs/(bless[.]|unpack[.]|grade_class/)|^cmake/packages-class[.]|^grader/tasks/[a-z_]+/(wrong|right|noisy)/|\.png$|^writeup/' |
-  copy_files "$half"
+edition_files "$only_for_us"'|\.png$|^writeup/' | copy_files "$half"
+copy_known "$1" "$half"
 { git ls-files reference fast 2>/dev/null | grep . || find reference fast -type f; } | copy_files "$half"
 cp grader/editions/gradescope/setup.sh grader/editions/gradescope/run_autograder "$half"
 chmod 755 "$half/setup.sh" "$half/run_autograder"

@@ -28,6 +28,7 @@ half=$(mktemp -d "$folder.XXXXXX")
 trap 'rm -rf "$half"' EXIT
 chmod 755 "$half"
 edition_files "$not_for_learners" | copy_files "$half"
+copy_known "$build" "$half"
 cp grader/editions/handout_README.md "$half/README.md"
 headers() { (cd "$1" && find pt -name '*.h' | sort); }
 diff <(headers .) <(headers "$half") >/dev/null ||

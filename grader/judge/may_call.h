@@ -8,7 +8,7 @@
 namespace grader::judge {
 
 // Returns whether a task may call the function, "pt::Scene::closest", which is not in its own file:
-// the tasks and functions of its line in grader/tasks.json. Functions that are whole in a header
+// the tasks and functions in its grader/tasks/<slug>/task.json. Functions that are whole in a header
 // are the task's own once it includes them. The contract of the task says the same, in the sentence
 // "May call: ...".
 bool may_call(const Task& task, std::string_view function);

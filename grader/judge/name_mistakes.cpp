@@ -4,8 +4,6 @@
 #include "grader/base/parallel.h"
 #include "grader/judge/ask_battery.h"
 #include "grader/mistakes/naming.h"
-#include "grader/report/hints.h"
-#include "grader/results/order.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -33,10 +31,9 @@ std::optional<mistakes::Evidence> evidence_of(const Config& config, const Builde
   const Trial trial{*judged.config, worker, false, request, {}};
   const auto answers = ask_battery(builder, trial, kSeed, 1);
   if (!answers) return std::nullopt;
-  mistakes::Evidence evidence{*answers, {}, {}};
+  mistakes::Evidence evidence{*answers, {}};
   for (const results::PromiseResult& promise : judged.result.promises) {
-    if (promise.bonus) continue;
-    (promise.held ? evidence.kept : evidence.broken).insert(promise.name);
+    if (!promise.bonus && !promise.held) evidence.broken.insert(promise.name);
   }
   return evidence;
 }
@@ -45,22 +42,20 @@ results::Mistake described(const std::vector<const mistakes::Fingerprint*>& foun
   results::Mistake mistake;
   for (const mistakes::Fingerprint* each : found) {
     mistake.name += (mistake.name.empty() ? "" : ", ") + each->name;
+    if (mistake.sentence.find(each->sentence) != std::string::npos) continue;
     mistake.sentence += (mistake.sentence.empty() ? "" : " Or: ") + each->sentence;
   }
-  if (!mistake.empty()) mistake.found_by = "battery";
+  if (mistake.empty()) return mistake;
+  mistake.hint = found[0]->hint;
+  mistake.found_by = "battery";
   return mistake;
 }
 
 }  // namespace
 
-std::string hint_for(const Config& config, const results::TaskResult& task) {
-  const std::string path = config.root + "/grader/tasks/" + task.slug + "/hints.md";
-  if (!std::filesystem::exists(path)) return "";
-  const report::Hints hints = report::parse_hints(base::read_file(path), path);
-  const std::vector<const results::PromiseResult*> broken = results::by_importance(task);
-  std::string text = report::about(hints[1], broken.empty() ? "" : broken[0]->name);
-  std::ranges::replace(text, '\n', ' ');
-  return text.substr(0, text.find_last_not_of(' ') + 1);
+std::string known_path(const TaskConfig& task) {
+  const std::string name = "known." + task.slug + ".json";
+  return std::filesystem::path(task.graded).replace_filename(name);
 }
 
 void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,
@@ -69,19 +64,16 @@ void name_mistakes(const Config& config, const Builder& builder, const GradeRequ
   for (Judged& each : judged) {
     if (fails_by_its_promises(each)) failing.push_back(&each);
   }
-  const std::string path = config.root + "/grader/mistakes/known.json";
-  if (failing.empty() || !std::filesystem::exists(path)) return;
-  const mistakes::KnownMistakes known = mistakes::known_from_json(base::read_file(path), path);
   std::mutex mutex;
   base::for_each(failing.size(), request.threads, [&](std::size_t i) {
-    const auto task = known.find(failing[i]->config->slug);
-    if (task == known.end()) return;
+    const std::string path = known_path(*failing[i]->config);
+    if (!std::filesystem::exists(path)) return;
+    const mistakes::KnownTask known = mistakes::known_from_json(base::read_file(path), path);
     const auto evidence = evidence_of(config, builder, request, *failing[i]);
     if (!evidence) return;
-    results::Mistake mistake = described(mistakes::name_by_battery(task->second, *evidence));
+    results::Mistake mistake = described(mistakes::name_by_battery(known, *evidence));
     if (mistake.empty()) return;
     mistake.always_the_same = mistakes::always_the_same(evidence->answers);
-    mistake.hint = hint_for(config, failing[i]->result);
     const std::lock_guard lock(mutex);
     failing[i]->result.mistake = mistake;
     progress();

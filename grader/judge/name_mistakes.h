@@ -7,15 +7,13 @@
 
 namespace grader::judge {
 
+// The file of the known mistakes of a task, beside the program that runs its battery.
+std::string known_path(const TaskConfig& task);
+
 // Names the mistake of each task that is not right by itself, where one known mistake alone
 // explains what its promises and its battery found (grader/mistakes/naming.h). To be called after
 // judge_alone; `progress` is called after every task that is named, by one thread at a time.
 void name_mistakes(const Config& config, const Builder& builder, const GradeRequest& request,
                    std::vector<Judged>& judged, const std::function<void()>& progress);
-
-// The hint for the named mistake of a task, in one line: the second one (a direction) for its most
-// telling broken promise. The third ones name usual mistakes, which may be others than this. Empty
-// where the task has no hints.
-std::string hint_for(const Config& config, const results::TaskResult& task);
 
 }  // namespace grader::judge

@@ -18,10 +18,6 @@
 
 namespace grader::judge {
 
-std::string known_mistakes(const Config& config) {
-  return config.root + "/golden/known_mistakes.jsonl";
-}
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,8 +35,6 @@ std::vector<std::string> command(const Config& config, const GradeRequest& reque
                                  config.root + "/golden",
                                  "--recipe",
                                  trial.recipe.name,
-                                 "--mistakes",
-                                 known_mistakes(config),
                                  "--content",
                                  base::sha256(trial.content),
                                  "--seed",
@@ -61,7 +55,6 @@ std::string key_of(const Config& config, const std::string& cache,
   std::string key = content_stamp(config.picture, cache) + trial.worker.key +
                     content_stamp(trial.recipe.scene, cache) +
                     content_stamp(config.root + "/scenes/recipes.json", cache);
-  if (fs::exists(known_mistakes(config))) key += content_stamp(known_mistakes(config), cache);
   const std::string golden = config.root + "/golden/" + trial.recipe.name;
   for (const char* ending : {".exr", "_rates.json"}) {
     if (fs::exists(golden + ending)) key += content_stamp(golden + ending, cache);

@@ -9,9 +9,6 @@ namespace grader::judge {
 // A few rows of a picture may take so many times the limit of a call.
 inline constexpr int kPatience = 5;
 
-// The file of the pictures of known mistakes (grader/pictures/name_mistake.h).
-std::string known_mistakes(const Config& config);
-
 // One recipe on one worker.
 struct PictureTrial {
   const pictures::Recipe& recipe;

@@ -1,7 +1,6 @@
 #include "grader/judge/pictures.h"
 
 #include "grader/base/parallel.h"
-#include "grader/judge/name_by_pictures.h"
 #include "grader/judge/no_reference.h"
 #include "grader/judge/picture_trial.h"
 #include "grader/judge/together.h"
@@ -80,7 +79,6 @@ class Gallery {
       const std::lock_guard lock(mutex_);
       progress();
     });
-    for (Judged& each : judged_) name_by_pictures(each.result, known_mistakes(config_));
   }
 
  private:

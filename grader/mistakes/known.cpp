@@ -3,6 +3,8 @@
 #include "grader/mistakes/compare.h"
 #include "pt/error.h"
 
+#include <sstream>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -13,10 +15,6 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr const char* kAbout =
-    "How each known mistake shows: its answers to the battery of its task where they differ from "
-    "the right ones. Made by the program known_mistakes; see CONTRIBUTING.md.";
-
 ordered_json describe(const Fingerprint& print, const Answers& right) {
   ordered_json differs = ordered_json::object();
   for (std::size_t i = 0; i < print.answers.size(); ++i) {
@@ -24,21 +22,16 @@ ordered_json describe(const Fingerprint& print, const Answers& right) {
       differs[std::to_string(i)] = describe(print.answers[i]);
     }
   }
-  ordered_json all{{"name", print.name}, {"sentence", print.sentence}, {"source", print.source}};
-  all["broken"] = print.broken;
-  all["unsure"] = print.unsure;
-  all["differs"] = differs;
-  return all;
+  return {{"name", print.name},
+          {"breaks", print.breaks},
+          {"sentence", print.sentence},
+          {"hint", print.hint},
+          {"differs", differs}};
 }
 
 Fingerprint read_fingerprint(const json& from, const Answers& right) {
-  Fingerprint print;
-  from.at("name").get_to(print.name);
-  from.at("sentence").get_to(print.sentence);
-  from.at("source").get_to(print.source);
-  from.at("broken").get_to(print.broken);
-  from.at("unsure").get_to(print.unsure);
-  print.answers = right;
+  Fingerprint print{from.at("name"), from.at("breaks"), from.at("sentence"), from.at("hint"),
+                    right};
   for (const auto& [index, answer] : from.at("differs").items()) {
     print.answers.at(std::stoul(index)) = read_answer(answer);
   }
@@ -47,35 +40,42 @@ Fingerprint read_fingerprint(const json& from, const Answers& right) {
 
 }  // namespace
 
-std::string to_json(const KnownMistakes& known) {
-  // One line per mistake, so that a diff shows which mistakes changed.
-  std::string text = fmt::format("{{\n\"about\": {},\n\"tasks\": {{", json(kAbout).dump());
-  const char* before = "\n";
-  for (const auto& [slug, task] : known) {
-    text += fmt::format("{}\"{}\": {{\n\"battery\": {},\n\"right\": {},\n\"mistakes\": [", before,
-                        slug, json(task.battery).dump(), to_json(task.right));
-    const char* first = "\n";
-    for (const Fingerprint& print : task.mistakes) {
-      text += first + describe(print, task.right).dump();
-      first = ",\n";
+Fingerprint described(const std::string& name, const std::string& code) {
+  const std::string breaks = "// breaks: ", hint = "// hint: ";
+  Fingerprint print;
+  print.name = name;
+  std::string* field = &print.sentence;
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line) && line.starts_with("// ");) {
+    if (line.starts_with(breaks)) {
+      print.breaks = line.substr(breaks.size());
+      continue;
     }
-    text += "]}";
-    before = ",\n";
+    const bool begins = line.starts_with(hint);
+    if (begins) field = &print.hint;
+    *field += (field->empty() ? "" : " ") + line.substr(begins ? hint.size() : 3);
   }
-  return text + "}\n}\n";
+  return print;
 }
 
-KnownMistakes known_from_json(const std::string& text, const std::string& path) {
+std::string to_json(const KnownTask& known) {
+  // One line per mistake, for whoever compares two of these files.
+  std::string text = fmt::format("{{\n\"right\": {},\n\"mistakes\": [", to_json(known.right));
+  const char* before = "\n";
+  for (const Fingerprint& print : known.mistakes) {
+    text += before + describe(print, known.right).dump();
+    before = ",\n";
+  }
+  return text + "]\n}\n";
+}
+
+KnownTask known_from_json(const std::string& text, const std::string& path) {
   try {
-    KnownMistakes known;
     const json all = json::parse(text);
-    for (const auto& [slug, from] : all.at("tasks").items()) {
-      KnownTask& task = known[slug];
-      from.at("battery").get_to(task.battery);
-      for (const json& answer : from.at("right")) task.right.push_back(read_answer(answer));
-      for (const json& each : from.at("mistakes")) {
-        task.mistakes.push_back(read_fingerprint(each, task.right));
-      }
+    KnownTask known;
+    for (const json& answer : all.at("right")) known.right.push_back(read_answer(answer));
+    for (const json& each : all.at("mistakes")) {
+      known.mistakes.push_back(read_fingerprint(each, known.right));
     }
     return known;
   } catch (const std::exception& error) {

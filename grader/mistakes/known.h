@@ -2,41 +2,37 @@
 
 #include "grader/mistakes/answers.h"
 
-#include <map>
 #include <string>
 #include <vector>
 
-// The known mistakes: the answers and broken promises of each wrong solution
-// (grader/tasks/*/wrong). They are kept in one file, grader/mistakes/known.json, which the program
-// known_mistakes makes. The file does not contain the solutions themselves.
+// The known mistakes of a task (grader/tasks/<slug>/mistakes.txt), by their answers to its battery. The build asks them
+// (grader/programs/know.cpp) and keeps the answers in known.<slug>.json, which has no code of any of them.
 
 namespace grader::mistakes {
 
-// The answers and broken promises of one wrong solution.
 struct Fingerprint {
-  std::string name;                 // the name of its file: "absolute_epsilon"
-  std::string sentence;             // describes the mistake
-  std::string source;               // a hash of the file
-  std::vector<std::string> broken;  // promises that fail at every seed that was tried; no bonus
-  std::vector<std::string> unsure;  // promises that fail at some of these seeds
+  std::string name;      // "absolute_epsilon"
+  std::string breaks;    // the promise that it breaks
+  std::string sentence;  // says what is wrong
+  std::string hint;      // leads to the line
   Answers answers;
 
   bool operator==(const Fingerprint&) const = default;
 };
 
 struct KnownTask {
-  std::string battery;  // a hash of the files of the battery
-  Answers right;        // the reference's answers
+  Answers right;  // the reference's answers
   std::vector<Fingerprint> mistakes;
 
   bool operator==(const KnownTask&) const = default;
 };
 
-using KnownMistakes = std::map<std::string, KnownTask>;  // by slug
+// Reads what the comment above a mistake's code says of it (cmake/edits.awk); it has no answers.
+Fingerprint described(const std::string& name, const std::string& code);
 
 // Answers that cannot be distinguished from the right ones are left out of the text.
-std::string to_json(const KnownMistakes& known);
+std::string to_json(const KnownTask& known);
 // Reads this text. Throws pt::Error, with the name `path`, for any other text.
-KnownMistakes known_from_json(const std::string& text, const std::string& path);
+KnownTask known_from_json(const std::string& text, const std::string& path);
 
 }  // namespace grader::mistakes

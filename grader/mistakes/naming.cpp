@@ -2,28 +2,16 @@
 
 #include "grader/mistakes/compare.h"
 
-#include <algorithm>
-
 namespace grader::mistakes {
 
 namespace {
 
 constexpr std::size_t kMaxNames = 3;
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 }  // namespace
 
 bool explains(const Fingerprint& mistake, const Evidence& evidence) {
-  for (const std::string& promise : evidence.broken) {
-    if (!contains(mistake.broken, promise) && !contains(mistake.unsure, promise)) return false;
-  }
-  for (const std::string& promise : evidence.kept) {
-    if (contains(mistake.broken, promise)) return false;
-  }
-  return agree(evidence.answers, mistake.answers);
+  return evidence.broken.contains(mistake.breaks) && agree(evidence.answers, mistake.answers);
 }
 
 std::vector<const Fingerprint*> name_by_battery(const KnownTask& known, const Evidence& evidence) {

@@ -12,11 +12,10 @@ namespace grader::mistakes {
 struct Evidence {
   Answers answers;               // the answers to the battery
   std::set<std::string> broken;  // promises, without bonus promises
-  std::set<std::string> kept;
 };
 
-// Returns whether the mistake alone explains all of the evidence: its answers agree everywhere, it
-// can break every promise that is broken, and it breaks no promise that is kept.
+// Returns whether the mistake explains the evidence: its answers agree to every call, and the promise that it breaks is
+// broken.
 bool explains(const Fingerprint& mistake, const Evidence& evidence);
 
 // Returns the mistake that alone explains the evidence, or several that no battery can distinguish:

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-// Code that the batteries of direct_hemisphere and direct_lights share.
+// The batteries of the tasks of light share these inputs: a patch, poses, and lights.
 
 namespace grader::mistakes {
 
@@ -37,6 +37,12 @@ inline std::vector<check::Pose> farthest(double size) {
     poses.back().shift = size * pt::Vec3{9000, -7000, 5000};
   }
   return poses;
+}
+
+// Returns the shaded patch, to which lights and surfaces are added.
+inline check::SceneMaker patch(const check::Pose& pose = here(), bool from_behind = false,
+                               pt::Rgb emission = {}) {
+  return check::SceneMaker(pose).patch(kAlbedo, kTilted, from_behind, emission);
 }
 
 // A plate close above the point.

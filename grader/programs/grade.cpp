@@ -147,7 +147,7 @@ bool may_be_rendered(const std::vector<std::string>& asked, const std::string& s
 int name_programs(const judge::Config& config, const GradeOptions& options) {
   const std::vector<std::string> asked = asked_for(config, options);
   for (const std::string& slug : judge::tasks_judged(config, asked)) {
-    fmt::print("graded.{}\n", slug);
+    fmt::print("graded.{0}\nknown.{0}\n", slug);
   }
   const bool pictures = !options.no_pictures;
   if (pictures && may_be_rendered(asked, base::submission_root(options.submission))) {

@@ -2,7 +2,6 @@
 // here. Writes what it found as a results.json with this one picture, and the picture next to it.
 // The exit status is 0 if the picture is right, 1 if not, 2 if nothing could be judged.
 #include "grader/pictures/judge_recipe.h"
-#include "grader/pictures/known_mistakes.h"
 #include "grader/pictures/worker_rows.h"
 #include "grader/process/spawn.h"
 #include "grader/results/json.h"
@@ -25,7 +24,6 @@ struct Options {
   wire::SessionSettings session;
   pictures::SeedSource source;
   std::string recipes, goldens, recipe;
-  std::string mistakes;
   std::string report;
   int rounds = 3;
   int call_limit = 10000;
@@ -54,10 +52,6 @@ int run(const Options& options) {
       {golden + ".exr", golden + "_rates.json", beside + ".exr", beside + ".evidence.exr",
        beside + ".csv", beside + ".usual.csv"});
   result.integrated = options.session.integrated;
-  const pictures::Likeness likeness = pictures::likeness_of(
-      result, pictures::read_mistakes(options.mistakes, options.session.task));
-  result.like = likeness.like;
-  result.unlike = likeness.unlike;
   results::Results results;
   results.complete = true;
   results.tasks.emplace_back().slug = options.session.task;
@@ -76,7 +70,6 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--recipes", options.recipes, "recipes.json")->required();
   app.add_option("--goldens", options.goldens, "the folder of the goldens")->required();
   app.add_option("--recipe", options.recipe, "its name")->required();
-  app.add_option("--mistakes", options.mistakes, "what is known of pictures with mistakes");
   app.add_option("--report", options.report, "where to write the findings")->required();
   app.add_option("--content", options.source.content, "stands for what is judged: a hash");
   app.add_option("--seed", options.source.seed, "of the run");

@@ -67,9 +67,6 @@ void members(Is<PictureResult> auto& picture, auto&& each) {
   each("golden_counts", picture.golden_counts);
   each("counts", picture.counts);
   each("cells", picture.cells);
-  each("mistake", picture.mistake);
-  each("like", picture.like);
-  each("unlike", picture.unlike);
 }
 
 void members(Is<Mistake> auto& mistake, auto&& each) {

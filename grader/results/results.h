@@ -108,10 +108,6 @@ struct PictureResult {
   std::string golden_counts;  // of an adaptive recipe: samples per pixel, written by write_counts
   std::string counts;         // and the submission's
   std::vector<FailingCell> cells;  // the smallest that fail
-  std::string mistake;             // of those kept in grader/tasks, the one that made it; or empty
-  // Known mistakes of the task that make this picture, and that do not: for the judge, and empty in
-  // the end.
-  std::vector<std::string> like, unlike;
 
   bool operator==(const PictureResult&) const = default;
 };
@@ -119,10 +115,10 @@ struct PictureResult {
 // A mistake that alone explains all that is wrong with a task. If nothing is certain, there is
 // none.
 struct Mistake {
-  std::string name;      // as the file of a wrong solution is called; several are joined by ", "
+  std::string name;      // of grader/tasks/<slug>/mistakes.txt; several are joined by ", "
   std::string sentence;  // that says it
-  std::string found_by;  // "battery": by the task's answers; "picture"
-  std::string hint{};    // the hint of the promise that tells most
+  std::string found_by;  // "battery": by the task's answers
+  std::string hint{};    // leads to the line
   bool always_the_same = false;  // the answer to every question: nothing of its own is computed
 
   bool empty() const { return name.empty(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/self_check/hostile_submission.h"
+#include "grader/self_check/task_folder.h"
 
 #include <array>
 #include <string>
@@ -13,7 +14,7 @@ namespace grader::self_check {
 struct Bug {
   const char* title;
   const char* task;
-  const char* solution;  // in grader/tasks/<task>/wrong
+  const char* mistake;   // in grader/tasks/<task>/mistakes.txt
   const char* promise;   // that it breaks
   const char* recipe;    // that shows it well
 };
@@ -31,8 +32,7 @@ inline constexpr std::array<Bug, 4> kFourBugs{{
 
 // The reference with the bug in it.
 inline void put(const Bug& bug, const Submission& submission) {
-  const auto folder = std::filesystem::path(FIRSTLIGHT_ROOT "/grader/tasks") / bug.task / "wrong";
-  submission.replace(bug.task, folder / (std::string(bug.solution) + ".cpp"));
+  submission.replace(bug.task, kept_solution(FIRSTLIGHT_ROOT, bug.task, "wrong", bug.mistake).file);
 }
 
 }  // namespace grader::self_check

@@ -60,7 +60,7 @@ TEST_P(FourBugs, is_seen_in_its_picture) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FourBugs, testing::ValuesIn(kFourBugs),
-                         [](const auto& bug) { return std::string(bug.param.solution); });
+                         [](const auto& bug) { return std::string(bug.param.mistake); });
 
 }  // namespace
 }  // namespace grader::self_check

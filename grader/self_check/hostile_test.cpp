@@ -107,7 +107,9 @@ TEST(hostile, cannot_keep_the_judge_busy) {
   EXPECT_NE(outcome.task("hit_sphere").dump().find("all calls so far took"), std::string::npos);
   // Sleep in the middle of an answer counts, in whatever pieces.
   EXPECT_EQ(outcome.state("hit_box"), "timeout");
-  EXPECT_EQ(outcome.state("build_bvh"), "fail");
+  // Half a million nodes for each tree: on a slow processor the short limit comes first.
+  const std::string state = outcome.state("build_bvh");
+  EXPECT_TRUE(state == "fail" || state == "timeout") << state;
   for (const json& promise : outcome.task("build_bvh").at("promises")) {
     EXPECT_FALSE(promise.at("held").get<bool>()) << promise.at("name");
   }

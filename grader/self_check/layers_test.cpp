@@ -20,15 +20,17 @@ namespace fs = std::filesystem;
 
 // From the bottom up. The same word is the folder, the namespace (of tasks: check) and, with grader_,
 // the library.
-const std::vector<std::string> kFolders{"base",  "process", "sandbox",  "results",   "check",
-                                        "tasks", "wire",    "mistakes", "pictures",  "report",
-                                        "judge", "intake",  "programs", "self_check"};
+const std::vector<std::string> kFolders{"base",     "process", "sandbox",  "results",   "check",
+                                        "mistakes", "tasks",   "wire",     "pictures",  "report",
+                                        "judge",    "intake",  "programs", "self_check"};
 
 // Folders for which the order alone would allow too much, each with all that it may include.
-const std::map<std::string, std::set<std::string>> kOnly{
-    {"results", {"base"}}, {"check", {"results"}},
-    {"tasks", {"check"}},  {"mistakes", {"results", "check"}},
-    {"intake", {"base"}},  {"report", {"base", "results"}}};
+const std::map<std::string, std::set<std::string>> kOnly{{"results", {"base"}},
+                                                         {"check", {"results"}},
+                                                         {"tasks", {"check", "mistakes"}},
+                                                         {"mistakes", {"results", "check"}},
+                                                         {"intake", {"base"}},
+                                                         {"report", {"base", "results"}}};
 
 // The folders of pt/, likewise.
 const std::vector<std::string> kRenderer{"math",  "sampling", "geometry", "accel",
@@ -39,11 +41,10 @@ const std::map<std::string, std::set<std::string>> kCallsOfTasks{
     {"geometry/primitives.h", {"hit_sphere.h", "hit_triangle.h"}},
     {"scene/tracer.cpp", {"build_bvh.h", "hit_bvh.h"}}};
 
-// Code that is linked in the place of a task or of the slot radiance is in namespace pt, as they are.
-const std::set<std::string> kInPlaceOfTasks{
-    "check/counting_hit_box.cpp",         "check/counting_hit_sphere.cpp",
-    "check/counting_hit_triangle.cpp",    "check/mock_diffuse_bsdf.cpp",
-    "self_check/obedient_hit_sphere.cpp", "wire/implementation.cpp"};
+// Code that is linked in the place of a task or of the slot radiance is in namespace pt, as they are; so are counting versions
+// and mocks of tasks.
+const std::set<std::string> kInPlaceOfTasks{"self_check/obedient_hit_sphere.cpp",
+                                            "wire/implementation.cpp"};
 
 // Files that have a part in the namespace of another folder: Repeated of check/repeat.h, for tasks
 // in a worker.
@@ -92,8 +93,7 @@ std::map<std::string, std::string> included(const std::string& text) {
 bool may_include(const std::string& folder, const std::string& other) {
   if (folder == other) return true;
   if (folder.empty()) return false;
-  // A battery also uses headers of the properties.
-  if (other == "tasks") return folder == "mistakes";
+  if (other == "tasks") return false;
   const auto only = kOnly.find(folder);
   if (only != kOnly.end() && !only->second.contains(other)) return false;
   return std::ranges::find(kFolders, other) < std::ranges::find(kFolders, folder);
@@ -144,6 +144,9 @@ std::set<std::string> namespaces(const std::string& text) {
 std::string namespace_of(const Source& source) {
   if (source.path == "calls.h") return "grader::wire";
   if (source.folder.empty()) return "grader";
+  const bool battery =
+      source.text.find("#include \"grader/mistakes/battery.h\"") != std::string::npos;
+  if (battery && source.folder == "tasks") return "grader::mistakes";
   return "grader::" + (source.folder == "tasks" ? "check" : source.folder);
 }
 
@@ -158,9 +161,12 @@ bool may_open(const Source& source, const std::string& name) {
          (specialised != kSpecialised.end() && specialised->second == name);
 }
 
-// Programs have main() in no namespace, and the rest of them in one without a name.
+// Programs have main() in no namespace, and the rest of them in one without a name. What ./run measure calls in is in the
+// namespace of that.
 bool may_do_without(const Source& source) {
-  return kInPlaceOfTasks.contains(source.path) ||
+  const std::string name = source.path.filename();
+  const bool of_a_task = name == "counting.cpp" || name == "mock.cpp" || name == "measure.cpp";
+  return kInPlaceOfTasks.contains(source.path) || (source.folder == "tasks" && of_a_task) ||
          source.text.find("int main(") != std::string::npos ||
          (source.path.extension() == ".h" && source.text.find("namespace ") == std::string::npos);
 }

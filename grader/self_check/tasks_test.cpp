@@ -1,4 +1,4 @@
-// The table of tasks (grader/tasks.json) against what the compiled reference really does (which
+// The table of tasks (grader/tasks/<slug>/task.json) against what the compiled reference really does (which
 // functions it defines, which other tasks it calls, whether it traces rays) and against the contracts.
 #include "grader/tasks.h"
 
@@ -232,7 +232,7 @@ TEST(tasks, may_call_what_their_contracts_say) {
     std::ranges::set_intersection(words, slugs, std::inserter(named, named.end()));
     named.erase(slug);
     EXPECT_EQ(named, Names(task.calls.begin(), task.calls.end()))
-        << "pt/tasks/" << slug << ".h and grader/tasks.json";
+        << "pt/tasks/" << slug << ".h and its task.json";
     for (const std::string& function : task.framework) {
       const std::string name = function.substr(function.rfind(':') + 1);
       // Names of kinds are for messages: a header's functions use them.

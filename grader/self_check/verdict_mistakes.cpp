@@ -1,18 +1,15 @@
-// Finds the pictures that see each mistake: judges each solution in
-// grader/tasks/*/{wrong,right,noisy}/, alone among the reference's tasks, built and judged as a
-// submission is, on the recipes that judge its task. Each verdict is a line of a CSV, and a pair
+// Finds the pictures that see each mistake: judges each mistake of grader/tasks/*/mistakes.txt, and
+// each solution in grader/tasks/*/{right,noisy}/, alone among the reference's tasks, built and judged
+// as a submission is, on the recipes that judge its task. Each verdict is a line of a CSV, and a pair
 // that has its line is not judged again, so that it may be stopped and started at any time. The
-// block means of the wrong pictures are kept in golden/known_mistakes.jsonl, from samples of their
-// own; then it is tried how many of the mistakes the judged pictures name. The reference with other
-// chances to survive is added on an adaptive recipe: right, and drawn with another variance.
+// reference with other chances to survive is added on an adaptive recipe: right, and drawn with
+// another variance.
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
-#include "grader/base/sources_in.h"
 #include "grader/judge/alone.h"
 #include "grader/judge/picture_trial.h"
 #include "grader/pictures/recipes.h"
-#include "grader/self_check/mistake_pictures.h"
 #include "grader/self_check/mistake_rows.h"
 #include "grader/self_check/task_folder.h"
 #include "pt/command_line.h"
@@ -41,10 +38,6 @@ struct Options {
   std::vector<std::string> recipes;  // empty: all
   int threads = 2;
   int rounds = kRounds;
-  // A mistake that depends on the number of samples per call looks different in each round, and a
-  // task that breaks promises is judged by the first round alone.
-  int known_rounds = 1;
-  bool pictures = false;
   bool tables_only = false;
 };
 
@@ -52,7 +45,7 @@ struct Options {
 struct Job {
   const judge::TaskConfig* task;
   std::string kind;
-  fs::path file;
+  std::string name;
   std::string text;
   std::vector<const pictures::Recipe*> recipes;
 };
@@ -61,8 +54,8 @@ MistakeRow empty_row(const Job& job, const pictures::Recipe& recipe) {
   MistakeRow row;
   row.task = job.task->slug;
   row.kind = job.kind;
-  row.solution = job.file.stem();
-  row.content = content_of(job.text);
+  row.solution = job.name;
+  row.content = base::sha256(job.text).substr(0, 12);
   row.recipe = recipe.name;
   return row;
 }
@@ -83,9 +76,8 @@ std::vector<Job> find_jobs(const judge::Config& config, const Options& options,
   for (const judge::TaskConfig& task : config.tasks) {
     if (!options.tasks.empty() && !contains(options.tasks, task.slug)) continue;
     for (const char* kind : {"wrong", "right", "noisy"}) {
-      const fs::path folder = fs::path(config.root) / "grader/tasks" / task.slug / kind;
-      for (const fs::path& file : base::sources_in(folder)) {
-        Job job{&task, kind, file, base::read_file(file), {}};
+      for (const KeptSolution& kept : kept_solutions(config.root, task.slug, kind)) {
+        Job job{&task, kind, kept.name, base::read_file(kept.file), {}};
         for (const pictures::Recipe& recipe : recipes) {
           const auto& judged = recipe.tasks;
           const bool wanted = options.recipes.empty() || contains(options.recipes, recipe.name);
@@ -104,32 +96,13 @@ std::vector<Job> find_jobs(const judge::Config& config, const Options& options,
 // The CSV, which several threads add to.
 class Book {
  public:
-  explicit Book(const std::string& path)
-      : file_(path, std::ios::app),
-        known_(known_path(path), std::ios::app),
-        seen_(seen_path(path), std::ios::app) {
-    if (!file_ || !known_ || !seen_)
-      throw pt::Error(path + ": cannot be written; choose another --out");
+  explicit Book(const std::string& path) : file_(path, std::ios::app) {
+    if (!file_) throw pt::Error(path + ": cannot be written; choose another --out");
   }
 
   void add(const MistakeRow& row) {
     const std::lock_guard lock(mutex_);
     file_ << to_line(row) + '\n' << std::flush;
-  }
-
-  // Keeps the picture as it was judged, and as it is to be known: from other samples.
-  void add(const Job& job, const pictures::Recipe& recipe,
-           const pictures::KnownMistake::Picture& seen,
-           const pictures::KnownMistake::Picture& known) {
-    pictures::KnownMistake mistake{job.task->slug,
-                                   job.file.stem(),
-                                   content_of(job.text),
-                                   sentence_of(job.text),
-                                   {{recipe.name, seen}}};
-    const std::lock_guard lock(mutex_);
-    seen_ << to_line(mistake) << std::flush;
-    mistake.pictures[recipe.name] = known;
-    known_ << to_line(mistake) << std::flush;
   }
 
   void ended(std::size_t all) {
@@ -138,7 +111,7 @@ class Book {
   }
 
  private:
-  std::ofstream file_, known_, seen_;
+  std::ofstream file_;
   std::mutex mutex_;
   std::size_t ended_ = 0;
 };
@@ -159,30 +132,22 @@ MistakeRow row_of(const Job& job, const pictures::Recipe& recipe,
 // Judges in a folder of its own and removes it, because three hundred workers fill a disk.
 void judge(judge::Config config, const judge::GradeRequest& request, const Options& options,
            const Job& job, Book& book) {
-  config.work += "/mistakes/" + job.task->slug + "." + job.kind + "." + job.file.stem().string();
+  config.work += "/mistakes/" + job.task->slug + "." + job.kind + "." + job.name;
   const judge::Builder builder(config, request.isolation.tier, request.compile_limit);
   judge::Judged judged;
   judged.config = job.task;
   judged.object = builder.compile(*job.task, job.text);
   if (!judged.object.ok()) {
-    throw pt::Error(job.file.string() + " does not compile: " + judged.object.error +
+    throw pt::Error(job.name + " does not compile: " + judged.object.error +
                     judged.object.rejected);
   }
   const judge::Built worker =
       judge::link_alone(config, builder, judged, judge::Elsewhere::reference);
-  if (!worker.ok()) throw pt::Error(job.file.string() + " does not link: " + worker.error);
-  const auto trial = [&](const pictures::Recipe& recipe, const std::string& content, int rounds) {
-    return judge::try_picture(config, builder, request,
-                              {recipe, *job.task, worker, base::sha256(content), false, rounds});
-  };
+  if (!worker.ok()) throw pt::Error(job.name + " does not link: " + worker.error);
   for (const pictures::Recipe* recipe : job.recipes) {
-    const results::PictureResult result = trial(*recipe, job.text, options.rounds);
-    if (options.pictures && job.kind == "wrong") {
-      book.add(job, *recipe, picture_of(result),
-               result.state == results::State::pass
-                   ? picture_of(result)
-                   : known_picture(trial(*recipe, "known " + job.text, options.known_rounds)));
-    }
+    const results::PictureResult result = judge::try_picture(
+        config, builder, request,
+        {*recipe, *job.task, worker, base::sha256(job.text), false, options.rounds});
     book.add(row_of(job, *recipe, result, options.rounds, config));
   }
   fs::remove_all(config.work);
@@ -244,10 +209,6 @@ int run(const Options& options) {
     if (options.tasks.empty()) judge_survivals(recipes, known, book);
     std::fprintf(stderr, "\n");
   }
-  if (options.pictures) {
-    write_known(config, options.out);
-    fmt::print("{}\n", table_of_names(config, recipes, options.out));
-  }
   print_tables(options, recipes);
   return 0;
 }
@@ -267,11 +228,6 @@ int main(int argc, char** argv) {
       "of a sample map whether it passes, ratio, a, b, correlation; text");
   app.add_option("--rounds", options.rounds,
                  "At most; a later call with more goes on with pictures that had a failing cell")
-      ->check(CLI::Range(1, kRounds));
-  app.add_flag("--pictures", options.pictures,
-               "Keep what the pictures look like, and try which mistakes they name");
-  app.add_option("--known-rounds", options.known_rounds,
-                 "From how many rounds what is kept of a picture comes")
       ->check(CLI::Range(1, kRounds));
   app.add_flag("--tables", options.tables_only, "Judge nothing: print the tables of what is known");
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });

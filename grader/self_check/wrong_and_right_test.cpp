@@ -68,16 +68,14 @@ std::vector<Task> find_tasks() {
 std::vector<Submission> find_submissions(const std::vector<Task>& tasks) {
   std::vector<Submission> all;
   for (const Task& task : tasks) {
-    const fs::path folder = kRoot / "grader/tasks" / task.slug;
-    for (const fs::path& file : base::sources_in(folder / "wrong")) {
-      all.push_back({task.slug, Kind::wrong, file, first_line(file, "// breaks: "), {}});
-    }
-    for (const fs::path& file : base::sources_in(folder / "right")) {
-      all.push_back({task.slug, Kind::right, file, first_line(file, "// right: "), {}});
-    }
-    for (const fs::path& file : base::sources_in(folder / "noisy")) {
-      all.push_back({task.slug, Kind::noisy, file, first_line(file, "// noisy: "), {}});
-    }
+    const auto add = [&](Kind kind, const char* folder, const char* label) {
+      for (const KeptSolution& each : kept_solutions(kRoot, task.slug, folder)) {
+        all.push_back({task.slug, kind, each.file, first_line(each.file, label), {}});
+      }
+    };
+    add(Kind::wrong, "wrong", "// breaks: ");
+    add(Kind::right, "right", "// right: ");
+    add(Kind::noisy, "noisy", "// noisy: ");
     for (const auto& part : fs::directory_iterator(kRoot / "student")) {
       const fs::path file = part.path() / (task.slug + ".cpp");
       if (fs::exists(file)) all.push_back({task.slug, Kind::stub, file, "", {}});

@@ -47,7 +47,7 @@ Writer answer(std::string_view task, std::string_view question, const Session& s
     case Function::hit_sphere:
       return answer_with<&pt::hit_sphere>(in, head.code, session);
     default:
-      throw pt::Error("grader/tasks.json says that the judge answers " +
+      throw pt::Error("the task.json of a task says that the judge answers " +
                       std::string(kFunctionNames[head.function]) +
                       ", and grader/wire/answers.cpp has no case for it; write it there");
   }

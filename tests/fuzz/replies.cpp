@@ -28,7 +28,7 @@ void read_reply(std::string_view bytes) {
   in.expect_end();
   look_at(result);
   if constexpr (std::is_same_v<std::decay_t<decltype(result)>, pt::Bvh>) {
-    check::build_bvh_cases::walk_from_root(result);
+    check::build_bvh_inputs::walk_from_root(result);
   }
 }
 

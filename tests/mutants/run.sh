@@ -21,73 +21,18 @@ fail() {
   exit 2
 }
 
-# The table, into arrays. An entry is a paragraph of lines "field: value".
-names=() files=() olds=() news=() targets=() tests=() whys=()
+# edits WHAT: what cmake/edits.awk says of the table.
+edits() { awk -v "root=$root" -v needed="says base old target test" "$@" -f "$root/cmake/edits.awk" "$table"; }
+
+# The table, into arrays.
+names=() files=() targets=() tests=() whys=()
 read_table() {
-  local line number=0 label value i=-1 inside=0
-  while IFS= read -r line || [ -n "$line" ]; do
-    number=$((number + 1))
-    case $line in
-      '#'*) continue ;;
-      '') inside=0; continue ;;
-    esac
-    label=${line%%:*} value=${line#*:}
-    value=${value# }
-    if [ "$inside" = 0 ]; then
-      [ "$label" = name ] || fail "$table:$number: an entry begins with its name; write 'name: ...'"
-      inside=1
-      i=$((i + 1))
-      olds[i]= news[i]= files[i]= targets[i]= tests[i]= whys[i]=
-    fi
-    case $label in
-      name) names[i]=$value ;;
-      file) files[i]=$value ;;
-      old) olds[i]=$value ;;
-      new) news[i]=$value ;;
-      target) targets[i]=$value ;;
-      test) tests[i]=$value ;;
-      why) whys[i]=$value ;;
-      *) fail "$table:$number: '$label' means nothing; write name, file, old, new, target, test or why" ;;
-    esac
-  done <"$table"
-}
-
-text_of() {
-  text=$(cat "$1" && printf x)
-  text=${text%x}
-}
-
-# occurrences FILE OLD: sets `count` to the number of places.
-occurrences() {
-  text_of "$1"
-  local rest=${text//"$2"/}
-  count=$(((${#text} - ${#rest}) / ${#2}))
-}
-
-check_table() {
-  local i problems=0 seen=' '
-  complain() {
-    echo "$table: ${names[i]}: $*" >&2
-    problems=$((problems + 1))
-  }
-  for i in "${!names[@]}"; do
-    case $seen in *" ${names[i]} "*) complain "there are two of this name; choose another" ;; esac
-    seen="$seen${names[i]} "
-    if [ -z "${files[i]}" ] || [ -z "${olds[i]}" ] || [ -z "${targets[i]}" ] || [ -z "${tests[i]}" ] || [ -z "${whys[i]}" ]; then
-      complain "file, old, target, test or why is missing; write it"
-      continue
-    fi
-    [ "${olds[i]}" != "${news[i]}" ] || complain "old and new are the same; change something"
-    [ -f "$root/${files[i]}" ] || { complain "there is no ${files[i]}; say where the code is now"; continue; }
-    occurrences "$root/${files[i]}" "${olds[i]}"
-    [ "$count" -eq 1 ] ||
-      complain "'${olds[i]}' is $count times in ${files[i]}; write a text that is there once"
-  done
-  [ "${#names[@]}" -ge "$least" ] || {
-    echo "$table: ${#names[@]} mistakes are fewer than $least; keep more" >&2
-    problems=$((problems + 1))
-  }
-  [ "$problems" -eq 0 ] || exit 2
+  local rows name file target test why
+  rows=$(edits -v list="name base target test says") || exit 2
+  while IFS=$'\t' read -r name file target test why; do
+    names+=("$name") files+=("$file") targets+=("$target") tests+=("$test") whys+=("$why")
+  done <<<"$rows"
+  [ "${#names[@]}" -ge "$least" ] || fail "$table: ${#names[@]} mistakes are fewer than $least; keep more"
 }
 
 build() { ninja -C "$folder/tree/build/check" "$@" >"$folder/build.log" 2>&1; }
@@ -124,8 +69,7 @@ check_without_mistakes() {
 # Sets `outcome` to the result of the test on the mistake.
 try() {
   local i=$1 path=$folder/tree/${files[$1]} targets_of
-  text_of "$path"
-  printf '%s' "${text/"${olds[i]}"/"${news[i]}"}" >"$path"
+  edits -v only="${names[i]}" >"$folder/changed" && cp "$folder/changed" "$path"
   # shellcheck disable=SC2206
   targets_of=(${targets[i]})
   if ! build "${targets_of[@]}"; then
@@ -140,7 +84,6 @@ try() {
 
 read_table
 if [ "${1:-}" = --check ]; then
-  check_table
   echo "${#names[@]} mistakes fit their files"
   exit
 fi
@@ -153,7 +96,6 @@ while [ $# -gt 0 ]; do
   only+=("$2")
   shift 2
 done
-check_table
 declare -A wanted=()
 for i in "${!names[@]}"; do
   [ ${#only[@]} -gt 0 ] || wanted[$i]=1
@@ -170,7 +112,7 @@ update_copy "$root" "$folder"
 known=$folder/known.$(cd "$root" && grep -v ^tests/mutants/ "$folder/files" | tr '\n' '\0' |
   { xargs -0 cat 2>/dev/null || true; } | cksum | tr ' ' .) # a file that was removed is still in git's list
 touch "$known"
-entry() { echo "${names[$1]} ${files[$1]} ${olds[$1]} ${news[$1]} ${targets[$1]} ${tests[$1]}"; }
+entry() { echo "${names[$1]} ${targets[$1]} ${tests[$1]} $(edits -v only="${names[$1]}" | cksum)"; }
 for i in "${!wanted[@]}"; do
   ! grep -qxF -- "$(entry "$i")" "$known" || [ ${#only[@]} -gt 0 ] || unset "wanted[$i]"
 done

@@ -1,22 +1,14 @@
-// A picture that everybody knows: the slot radiance of the workers, and the two tasks that average it.
+// A picture that everybody knows: the slot radiance of the workers, and the pixels in it.
+#include "writeup/measure/pixels.h"
+
 #include "pt/render/radiance.h"
-#include "pt/tasks/adaptive_pixel.h"
-#include "pt/tasks/estimate_pixel.h"
-#include "writeup/measure/estimates.h"
 
 namespace writeup::measure {
 
 namespace {
 
 constexpr int kSide = 8;  // of the picture, in pixels
-constexpr int kSamples = 16;
-constexpr pt::AdaptiveSettings kAdaptive{4096, 16, 0.05};
 constexpr double kDark = 0.1;
-
-struct Pixel {
-  int x = 0, y = 0;
-  double truth = 0;
-};
 
 // The place on the window at distance 1 in front of the camera, which is a right angle wide and high.
 double in_pixel(double along, double ahead) {
@@ -30,26 +22,22 @@ constexpr double kLean = 0.37, kBright = 0.43;
 
 }  // namespace
 
-Subject pixels(bool adaptive, int of_cases) {
+pt::View view_of_pixels(int of_case) {
   static const pt::Scene nothing;
-  pt::Camera camera;
+  static pt::Camera camera;
   camera.hfov_deg = camera.vfov_deg = 90;
   pt::PathSettings settings;
-  settings.to = of_cases;  // for radiance() below
+  settings.to = of_case;  // for radiance() below
+  return {nothing, camera, settings, kSide, kSide};
+}
+
+std::vector<Pixel> pixels() {
   std::vector<Pixel> all;
   all.reserve(kPlaces);
   for (int i = 0; i < kPlaces; ++i) {
     all.push_back({i % kSide, i / kSide, kBright + kDark * (1 - kBright)});
   }
-  const pt::View view{nothing, camera, settings, kSide, kSide};
-  return estimator_subject(all, [view, adaptive](const Pixel& pixel, pt::Sampler& sampler) {
-    if (!adaptive) {
-      return Estimate{luminance(estimate_pixel(view, pixel.x, pixel.y, kSamples, sampler)),
-                      kSamples};
-    }
-    const pt::PixelEstimate estimate = adaptive_pixel(view, pixel.x, pixel.y, kAdaptive, sampler);
-    return Estimate{luminance(estimate.mean), static_cast<double>(estimate.samples)};
-  });
+  return all;
 }
 
 }  // namespace writeup::measure

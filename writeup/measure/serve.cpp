@@ -16,19 +16,11 @@ namespace {
 
 constexpr double kWarmUp = 0.0005;  // seconds: longer passes need none
 
-Subject make_subject(const std::string& slug, int of_cases) {
-  if (slug == "estimate_pixel") return pixels(false, of_cases);
-  if (slug == "camera_ray") return camera_rays();
-  if (slug == "hit_triangle") return triangles();
-  if (slug == "hit_sphere") return spheres();
-  if (slug == "build_bvh") return tree_builds(of_cases);
-  if (slug == "hit_box") return boxes();
-  if (slug == "hit_bvh") return tree_queries(of_cases);
-  if (slug == "diffuse_bsdf") return diffuse_samples();
-  if (slug == "direct_hemisphere") return direct_light(false, of_cases);
-  if (slug == "direct_lights") return direct_light(true, of_cases);
-  if (slug == "trace_path") return paths();
-  if (slug == "adaptive_pixel") return pixels(true, of_cases);
+Subject make_subject(const std::string& slug, int of_case) {
+#define FIRSTLIGHT_MAKE(name, CALL, DRAW) \
+  if (slug == #name) return measure_##name(of_case);
+  FIRSTLIGHT_TASKS(FIRSTLIGHT_MAKE, , )
+#undef FIRSTLIGHT_MAKE
   throw grader::wire::BadMessage("there is no such task");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/calls.h"
 #include "writeup/measure/message.h"
 
 #include <cstdint>
@@ -16,16 +17,9 @@ struct Subject {
   std::function<Found(std::uint64_t seed)> find;
 };
 
-// The subjects, in the order of the cases in tasks.h.
-Subject camera_rays();
-Subject triangles();
-Subject spheres();
-Subject boxes();
-Subject tree_builds(int of_cases);
-Subject tree_queries(int of_cases);
-Subject diffuse_samples();
-Subject direct_light(bool by_lights, int of_cases);
-Subject paths();
-Subject pixels(bool adaptive, int of_cases);
+// measure_<slug>(case) for each task: defined in grader/tasks/<slug>/measure.cpp. The cases are those of its task.json.
+#define FIRSTLIGHT_DECLARE(slug, CALL, DRAW) Subject measure_##slug(int of_case);
+FIRSTLIGHT_TASKS(FIRSTLIGHT_DECLARE, , )
+#undef FIRSTLIGHT_DECLARE
 
 }  // namespace writeup::measure

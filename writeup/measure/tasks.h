@@ -14,7 +14,7 @@ enum class Kind {
   tree,       // the boxes and primitives that a ray tests
 };
 
-// The measurements of one task.
+// The measurements of one task: the word "measured" of its task.json.
 struct About {
   std::string slug;
   Kind kind = Kind::exact;

@@ -1,12 +1,10 @@
+#include "writeup/measure/trees.h"
+
 #include "pt/render/test_count.h"
-#include "pt/tasks/build_bvh.h"
-#include "pt/tasks/hit_bvh.h"
 #include "scenes/meshes.h"
 #include "writeup/measure/draw.h"
-#include "writeup/measure/exact.h"
 
 #include <algorithm>
-#include <array>
 
 namespace writeup::measure {
 
@@ -16,19 +14,7 @@ using pt::Hit;
 using pt::Ray;
 using pt::Vec3;
 
-constexpr int kRays = 512;
-constexpr int kLeaf = 4;  // of hit_bvh's tree, as ./run render has it
-constexpr std::array kLeaves{1, 2, 4, 8, 16};
 constexpr std::uint64_t kSeed = 21;
-
-struct TreeInputs {
-  pt::Primitives primitives;
-  std::vector<pt::Box> boxes;
-  std::vector<Ray> rays;                       // half from a camera, half from anywhere
-  std::vector<Ray> shadow_rays;                // from the same places, each to a point
-  std::vector<std::optional<double>> nearest;  // t, by testing every primitive
-  std::vector<bool> occluded;
-};
 
 void add(pt::Primitives& primitives, const scenes::Mesh& mesh, Vec3 shift) {
   for (pt::Triangle triangle : scenes::to_primitives(mesh).triangles) {
@@ -72,14 +58,15 @@ TreeInputs make_inputs() {
   return inputs;
 }
 
-const TreeInputs& inputs() {
+}  // namespace
+
+const TreeInputs& tree_inputs() {
   static const TreeInputs all = make_inputs();
   return all;
 }
 
-// Sends the rays through the tree; `any`: the shadow rays, of which any hit will do.
 Found query(const pt::Bvh& bvh, bool any) {
-  const TreeInputs& all = inputs();
+  const TreeInputs& all = tree_inputs();
   Found found;
   const pt::TestCount before = pt::test_count;
   for (std::size_t i = 0; i < kRays; ++i) {
@@ -99,30 +86,6 @@ Found query(const pt::Bvh& bvh, bool any) {
       static_cast<double>(after.triangles - before.triangles + after.spheres - before.spheres) /
       kRays;
   return found;
-}
-
-}  // namespace
-
-Subject tree_builds(int of_cases) {
-  const int leaf = kLeaves.at(of_cases);
-  return {1,
-          [leaf] { sink = static_cast<double>(pt::build_bvh(inputs().boxes, leaf).nodes.size()); },
-          [leaf](std::uint64_t) { return query(pt::build_bvh(inputs().boxes, leaf), false); }};
-}
-
-Subject tree_queries(int of_cases) {
-  const bool any = of_cases == 1;
-  const auto bvh = std::make_shared<const pt::Bvh>(pt::build_bvh(inputs().boxes, kLeaf));
-  const auto pass = [bvh, any] {
-    const TreeInputs& all = inputs();
-    double sum = 0;
-    for (std::size_t i = 0; i < kRays; ++i) {
-      sum += any ? occluded_bvh(*bvh, all.primitives, all.shadow_rays[i])
-                 : hit_bvh(*bvh, all.primitives, all.rays[i]).has_value();
-    }
-    sink = sum;
-  };
-  return {kRays, pass, [bvh, any](std::uint64_t) { return query(*bvh, any); }};
 }
 
 }  // namespace writeup::measure

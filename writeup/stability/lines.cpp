@@ -34,6 +34,15 @@ std::string folder_of(const judge::Config& config, const judge::TaskConfig& task
   return config.root + "/grader/tasks/" + task.slug + "/";
 }
 
+// The file of a line. Mistakes are made by the build (cmake/mistakes.cmake).
+std::string file_of(const judge::Config& config, const judge::TaskConfig& task,
+                    const CurveLine& line) {
+  const std::string wrong = "wrong/";
+  if (!line.file.starts_with(wrong)) return folder_of(config, task) + line.file + ".cpp";
+  return config.root + "/build/mistakes/" + task.slug + "/" + line.file.substr(wrong.size()) + "/" +
+         task.slug + ".cpp";
+}
+
 // It measures the curves of the task, and searches (grader/programs/stability.cpp).
 std::string program_of(const judge::TaskConfig& task) {
   return fs::path(task.graded).replace_filename("stability." + task.slug);
@@ -65,7 +74,7 @@ judge::Judged compiled(const judge::Config& config, const judge::Builder& builde
     }
     return one[0];
   }
-  const std::string text = base::read_file(folder_of(config, task) + line.file + ".cpp");
+  const std::string text = base::read_file(file_of(config, task, line));
   judged.object = builder.compile(task, line.single ? "#define REAL float\n" + text : text);
   return judged;
 }
@@ -170,7 +179,7 @@ std::vector<CurveLine> kept_solutions(const judge::Config& config, const judge::
   const auto add = [&](const CurveLine& line) {
     const bool known =
         std::ranges::any_of(lines, [&](const CurveLine& l) { return same(l, line); });
-    if (!known && fs::exists(folder + line.file + ".cpp")) lines.push_back(line);
+    if (!known && fs::exists(file_of(config, task, line))) lines.push_back(line);
   };
   for (const json& curve : curves) {
     if (!request.methods) break;
@@ -266,10 +275,10 @@ std::string charts_hash(const judge::Config& config, const judge::TaskConfig& ta
                         const Request& request) {
   std::string text = base::stamp("/proc/self/exe") + base::stamp(program_of(task));
   for (const std::string& object : task.reference) text += base::stamp(object);
-  for (const char* kind : {"methods", "right", "wrong"}) {
-    for (const fs::path& file : base::sources_in(folder_of(config, task) + kind)) {
-      text += base::stamp(file.string());
-    }
+  for (const char* kind : {"methods/", "right/", "wrong/", "mistakes.txt"}) {
+    const std::string path = folder_of(config, task) + kind;
+    if (fs::is_regular_file(path)) text += base::stamp(path);
+    for (const fs::path& file : base::sources_in(path)) text += base::stamp(file.string());
   }
   if (!request.submission.empty()) {
     text += base::read_submitted(request.submission, task.part, task.slug).text;

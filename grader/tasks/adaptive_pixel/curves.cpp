@@ -1,5 +1,5 @@
 #include "grader/check/curve.h"
-#include "grader/tasks/adaptive_pixel/cases.h"
+#include "grader/tasks/adaptive_pixel/inputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,12 @@
 namespace grader::check {
 namespace {
 
-using namespace adaptive;
+using namespace adaptive_pixel_inputs;
 
 constexpr AdaptiveSettings kUsual{.max_samples = 256, .batch = 32, .tolerance = 0.1};
 
-// A pixel whose samples are `rare` with the chance, else `usual`, and whether it has met a rare one.
+// A pixel whose samples are `rare` with the chance, else `usual`, and whether it has met a rare
+// one.
 struct Pixel {
   PixelEstimate estimate;
   bool has_met = false;    // among the samples that it took
@@ -44,8 +45,9 @@ Pixel pixel_of(double chance, double rare, double usual, const AdaptiveSettings&
 
 constexpr double kRounding = 1e-12;  // of two sums of the same numbers
 
-// Returns by how much one pixel differs from what it would have been with all samples, as a part of the
-// right mean. The mean of all samples has no bias, and most of its noise is that of the pixel too.
+// Returns by how much one pixel differs from what it would have been with all samples, as a part of
+// the right mean. The mean of all samples has no bias, and most of its noise is that of the pixel
+// too.
 double too_bright(double chance, double rare, double usual, const AdaptiveSettings& settings) {
   const Pixel pixel = pixel_of(chance, rare, usual, settings);
   const double expected = chance * rare + (1 - chance) * usual;
@@ -55,15 +57,15 @@ double too_bright(double chance, double rare, double usual, const AdaptiveSettin
 
 constexpr int kPixels = 150;
 
-// The loss of a pixel that is done after a first batch without the rare light, by the chance that it
-// is. A pixel that has met it sees so much noise that it goes on to the end.
+// The loss of a pixel that is done after a first batch without the rare light, by the chance that
+// it is. A pixel that has met it sees so much noise that it goes on to the end.
 double lost(double chance, double rare, double usual, int batch) {
   const double expected = chance * rare + (1 - chance) * usual;
   return std::pow(1 - chance, batch) * (1 - usual / expected);
 }
 
-// The interval of 95 % assumes that the variance is known. A batch in which the rare light is missing
-// knows nothing of it.
+// The interval of 95 % assumes that the variance is known. A batch in which the rare light is
+// missing knows nothing of it.
 CURVE(adaptive_pixel, rare_light) {
   return {.title = "Light that a sample rarely meets; batches of 32, at most 256 samples",
           .input = "chance of a sample to meet it",
@@ -78,8 +80,8 @@ CURVE(adaptive_pixel, rare_light) {
           .measure = [](double chance) { return too_bright(chance, 1 / chance, 0.1, kUsual); }};
 }
 
-// Returns 1 if a pixel is done before it has met the rare light, else 0. If not after the first batch,
-// then never: one more batch shows it.
+// Returns 1 if a pixel is done before it has met the rare light, else 0. If not after the first
+// batch, then never: one more batch shows it.
 double done_before_it_is_met(double chance, AdaptiveSettings settings) {
   settings.max_samples = 2 * settings.batch;
   const Pixel pixel = pixel_of(chance, 1 / chance, 0.1, settings);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/tasks/adaptive_pixel/cases.h"
+#include "grader/tasks/adaptive_pixel/inputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 // Pixels whose right number of samples does not depend on the details of sigma.
 
-namespace grader::check::adaptive {
+namespace grader::check::adaptive_pixel_inputs {
 
 // A pixel and its right number of samples, if this number does not depend on the details of sigma;
 // else 0.
@@ -41,7 +41,7 @@ inline rc::Gen<Known> maybe_known() {
 // Two values around 1, in turn.
 inline Case in_turn(double spread, const AdaptiveSettings& settings) {
   return pixel(fmt::format("{:.6g} and {:.6g} in turn", 1 - spread, 1 + spread), settings,
-               [=](int i, double) { return pt::gray(i % 2 == 0 ? 1 - spread : 1 + spread); });
+               below_and_above_1(spread));
 }
 
 // Two values around 1, in turn. The condition holds after `batches` batches, and clearly not after
@@ -72,4 +72,4 @@ inline rc::Gen<Known> far_from_the_threshold() {
   });
 }
 
-}  // namespace grader::check::adaptive
+}  // namespace grader::check::adaptive_pixel_inputs

@@ -1,6 +1,7 @@
 #include "grader/check/cameras.h"
 #include "grader/check/points_in_pixel.h"
-#include "grader/tasks/adaptive_pixel/cases.h"
+#include "grader/tasks/adaptive_pixel/counts.h"
+#include "grader/tasks/adaptive_pixel/inputs.h"
 #include "grader/tasks/adaptive_pixel/known.h"
 #include "grader/tasks/adaptive_pixel/threshold.h"
 
@@ -12,7 +13,7 @@
 namespace grader::check {
 namespace {
 
-using namespace adaptive;
+using namespace adaptive_pixel_inputs;
 
 constexpr int kCases = 60;
 constexpr int kLongCases = 4;  // each has thousands of samples
@@ -199,8 +200,7 @@ Points points_inside(const Case& c) {
   const pt::Vec2 slack = ray_slack(c.camera, c.width, c.height);
   Points points;
   for (const RadianceCall& call : answer.calls) {
-    const pt::Vec2 on = on_picture(c.camera, call.ray.direction);
-    const pt::Vec2 at{on.x * c.width - c.x, on.y * c.height - c.y};
+    const pt::Vec2 at = in_pixel(c, call.ray);
     expect(at.x > -slack.x && at.x < 1 + slack.x && at.y > -slack.y && at.y < 1 + slack.y,
            "rays through the pixel, from (0, 0) to (1, 1)",
            fmt::format("one through ({:.4g}, {:.4g})", at.x, at.y));

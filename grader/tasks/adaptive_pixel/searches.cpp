@@ -1,16 +1,17 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/random_numbers.h"
-#include "grader/tasks/adaptive_pixel/cases.h"
+#include "grader/tasks/adaptive_pixel/counts.h"
+#include "grader/tasks/adaptive_pixel/inputs.h"
 
 #include <cmath>
 
 namespace grader::check {
 namespace {
 
-using namespace adaptive;
+using namespace adaptive_pixel_inputs;
 
-// Samples of any noise, all of one level or a few much brighter, and a tolerance that lets most pixels
-// end somewhere between the first batch and the last.
+// Samples of any noise, all of one level or a few much brighter, and a tolerance that lets most
+// pixels end somewhere between the first batch and the last.
 Case any_pixel() {
   Case c;
   c.settings = {.max_samples = *whole(1, 200), .batch = *whole(1, 40), .tolerance = 0};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/tasks/adaptive_pixel/cases.h"
+#include "grader/tasks/adaptive_pixel/inputs.h"
 
 #include <cmath>
 
@@ -8,17 +8,17 @@
 
 // Pixels whose interval is almost as wide as the limit.
 
-namespace grader::check::adaptive {
+namespace grader::check::adaptive_pixel_inputs {
 
 enum class Side { narrow, wide };
 
 // The half interval is 3e-5 of the limit narrower or wider than the limit, where the contract
-// allows 2e-5. This is after the first batch if sigma divides by n, and after the second one if
-// it divides by n - 1: there the first batch is done for the former and not for the latter.
+// allows 2e-5. This is after the first batch if sigma divides by n, and after the second one if it
+// divides by n - 1: there the first batch is done for the former and not for the latter.
 //
-// Both batches have values mean (1 - s) and mean (1 + s) in turn, so that n sigma^2 is a sum of s^2.
-// The third batch is constant, and ends the pixel. All numbers are so large that the difference is
-// clear in absolute terms, too.
+// Both batches have values mean (1 - s) and mean (1 + s) in turn, so that n sigma^2 is a sum of
+// s^2. The third batch is constant, and ends the pixel. All numbers are so large that the
+// difference is clear in absolute terms, too.
 inline rc::Gen<Case> at_the_threshold(int batch, bool divides_by_n, Side side) {
   return rc::gen::exec([=] {
     const double mean = *magnitude(1e3, 1e6), first = *real(0.2, 0.4);
@@ -39,4 +39,4 @@ inline rc::Gen<Case> at_the_threshold(int batch, bool divides_by_n, Side side) {
   });
 }
 
-}  // namespace grader::check::adaptive
+}  // namespace grader::check::adaptive_pixel_inputs

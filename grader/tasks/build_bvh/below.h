@@ -7,10 +7,10 @@
 
 // The boxes that a node's box has to contain, and by how much it may be larger than they are.
 
-namespace grader::check::build_bvh_cases {
+namespace grader::check::build_bvh_inputs {
 
-// The box around all primitives below each node. Wrong entries of leaves are skipped: the promise keeps_every_primitive_once
-// judges them.
+// The box around all primitives below each node. Wrong entries of leaves are skipped: the promise
+// keeps_every_primitive_once judges them.
 struct Below {
   std::vector<pt::Box> boxes;  // by node; empty where nothing is below
   bool all = true;             // each box of the input is below the root once
@@ -58,4 +58,4 @@ inline double allowed_excess(const Input& input) {
   return 1e-9 * largest + 1e-300;
 }
 
-}  // namespace grader::check::build_bvh_cases
+}  // namespace grader::check::build_bvh_inputs

@@ -7,7 +7,7 @@
 namespace grader::check {
 namespace {
 
-using namespace build_bvh_cases;
+using namespace build_bvh_inputs;
 
 std::vector<Method> splits() {
   return {{"wrong/midpoint", "middle of the longest axis"},

@@ -1,6 +1,6 @@
 #include "grader/check/property.h"
 #include "grader/tasks/build_bvh/below.h"
-#include "grader/tasks/build_bvh/cases.h"
+#include "grader/tasks/build_bvh/inputs.h"
 #include "grader/tasks/build_bvh/walk.h"
 #include "pt/tasks/build_bvh.h"
 
@@ -10,7 +10,7 @@
 namespace grader::check {
 namespace {
 
-using namespace build_bvh_cases;
+using namespace build_bvh_inputs;
 
 // Far more nodes or entries than any tree needs would only cost time.
 pt::Bvh build(const Input& input) {
@@ -147,8 +147,8 @@ void check_boxes_of(const std::vector<Kind>& kinds, int most) {
       150);
 }
 
-// More boxes than 16 bits can count, and more nodes, since no leaf may hold more than two. The boxes are
-// in a line, so that every method has little to do.
+// More boxes than 16 bits can count, and more nodes, since no leaf may hold more than two. The
+// boxes are in a line, so that every method has little to do.
 void check_more_than_16_bits_count() {
   if (testing::Test::HasFailure()) return;
   for_all(
@@ -200,13 +200,13 @@ PROMISE(build_bvh, takes_no_boxes_and_one) {
 
 // Returns how many boxes of the tree a ray enters if it crosses the plane of the rows. It is the
 // mean over many rays through centres of boxes, the same rays for every tree.
-double boxes_entered(const Rows& rows, const pt::Bvh& bvh) {
+double boxes_entered(const InRows& made, const pt::Bvh& bvh) {
   constexpr int kPoints = 200;
+  const auto& [rows, input] = made;
   RandomNumbers make(1);
   long long entered = 0;
   for (int i = 0; i < kPoints; ++i) {
-    const pt::Box& box =
-        rows.input.boxes[make.whole(0, static_cast<int>(rows.input.boxes.size()) - 1)];
+    const pt::Box& box = input.boxes[make.whole(0, static_cast<int>(input.boxes.size()) - 1)];
     for (const pt::BvhNode& node : bvh.nodes) {
       bool inside = true;
       for (const int axis : {rows.along, rows.across}) {
@@ -227,10 +227,10 @@ PROMISE(build_bvh, separates_along_the_longest_axis) {
     if (testing::Test::HasFailure()) return;
     for_all(
         [count = count, each = each] {
-          const Rows rows =
+          const InRows made =
               *rc::gen::mapcat(whole(0, 2), [=](int along) { return in_rows(along, count, each); });
           const double limit = 5 * std::log2(2 * count * each);
-          const double entered = boxes_entered(rows, build(rows.input));
+          const double entered = boxes_entered(made, build(made.input));
           expect(entered >= 1, "a root whose box holds the middles of all boxes",
                  "a ray across the row enters " + show(entered) +
                      " boxes of the tree on average: most rays miss even the root");

@@ -6,7 +6,7 @@
 namespace grader::check {
 namespace {
 
-using namespace build_bvh_cases;
+using namespace build_bvh_inputs;
 
 const std::vector<Kind> kAll{Kind::scattered, Kind::clustered,   Kind::points,   Kind::flat,
                              Kind::nested,    Kind::line,        Kind::halving,  Kind::both_ends,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grader/check/property.h"
-#include "grader/tasks/build_bvh/cases.h"
+#include "grader/tasks/build_bvh/inputs.h"
 #include "pt/geometry/bvh.h"
 #include "pt/tasks/build_bvh.h"
 
@@ -12,7 +12,7 @@
 // Walks an answer that may not be a tree. Every index is checked before it is used, and every node
 // is visited once, so that the walk ends for any answer of a submission.
 
-namespace grader::check::build_bvh_cases {
+namespace grader::check::build_bvh_inputs {
 
 inline std::string name_of(int number) { return std::to_string(number); }
 inline std::string node_name(int index) { return "node " + name_of(index); }
@@ -101,4 +101,4 @@ inline void expect_a_tree_at_all() {
          "every leaf with the box of the root");
 }
 
-}  // namespace grader::check::build_bvh_cases
+}  // namespace grader::check::build_bvh_inputs

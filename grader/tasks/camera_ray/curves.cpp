@@ -1,6 +1,6 @@
 #include "grader/check/curve.h"
 #include "grader/check/property.h"
-#include "grader/tasks/camera_ray/cases.h"
+#include "grader/tasks/camera_ray/inputs.h"
 #include "pt/tasks/camera_ray.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace grader::check {
 namespace {
 
-using namespace camera_ray_cases;
+using namespace camera_ray_inputs;
 
 // The distance from a random point of the picture to where its ray meets the window, in widths of the
 // window, which is from -half to half. The tangent of the angle that the task is given is taken

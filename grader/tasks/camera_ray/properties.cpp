@@ -1,5 +1,5 @@
 #include "grader/check/property.h"
-#include "grader/tasks/camera_ray/cases.h"
+#include "grader/tasks/camera_ray/inputs.h"
 #include "pt/tasks/camera_ray.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace grader::check {
 namespace {
 
-using namespace camera_ray_cases;
+using namespace camera_ray_inputs;
 
 pt::Ray some_ray(const pt::Camera& camera) {
   const double x = part_of_picture("x"), y = part_of_picture("y");

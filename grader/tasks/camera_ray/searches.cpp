@@ -1,12 +1,12 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/exact.h"
-#include "grader/tasks/camera_ray/cases.h"
+#include "grader/tasks/camera_ray/inputs.h"
 #include "pt/tasks/camera_ray.h"
 
 namespace grader::check {
 namespace {
 
-using namespace camera_ray_cases;
+using namespace camera_ray_inputs;
 
 // The tangent of half an angle in degrees, in extended precision.
 long double half_size(double degrees) {

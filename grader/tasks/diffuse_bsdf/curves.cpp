@@ -1,18 +1,17 @@
 #include "grader/check/curve.h"
 #include "grader/check/generators.h"
 #include "grader/check/property.h"
+#include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace grader::check {
 namespace {
 
-pt::Vec3 above_the_surface(double height) {
-  const double phi = *real(-pt::kPi, pt::kPi), r = std::sqrt((1 - height) * (1 + height));
-  return {r * std::cos(phi), r * std::sin(phi), height};
-}
+using namespace diffuse_bsdf_inputs;
+
+Vec3 at_any_azimuth(double height) { return at(height, *real(-pt::kPi, pt::kPi)); }
 
 // Below this cosine the contract promises nothing.
 constexpr double kSmallestCosine = 1e-100;
@@ -28,8 +27,8 @@ CURVE(diffuse_bsdf, grazing) {
                       {"wrong/grazing_eye_dropped", "cosines below a millionth dropped"}},
           .measure = [](double cosine) {
             const double albedo = *real(0.1, 1);
-            const pt::Vec3 wo = above_the_surface(cosine), wi = above_the_surface(cosine);
-            const pt::Rgb f = pt::diffuse_f(pt::gray(albedo), wo, wi);
+            const Vec3 wo = at_any_azimuth(cosine), wi = at_any_azimuth(cosine);
+            const Rgb f = pt::diffuse_f(pt::gray(albedo), wo, wi);
             return std::abs(f.r * pt::kPi / albedo - 1);
           }};
 }

@@ -4,7 +4,7 @@
 #include "grader/check/property.h"
 #include "grader/check/repeat.h"
 #include "grader/check/repetition.h"
-#include "grader/tasks/diffuse_bsdf/cases.h"
+#include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 // Compares many samples of diffuse_sample with the density that diffuse_pdf gives.
 
-namespace grader::check::diffuse {
+namespace grader::check::diffuse_bsdf_inputs {
 
 // A histogram over the hemisphere. It has kHeights times kSectors cells of equal solid angle.
 inline constexpr int kHeights = 16, kSectors = 8, kSamples = 20000;
@@ -101,4 +101,4 @@ inline void expect_samples_close_to_the_horizon(Vec3 wo, std::uint64_t seed) {
   }
 }
 
-}  // namespace grader::check::diffuse
+}  // namespace grader::check::diffuse_bsdf_inputs

@@ -2,8 +2,8 @@
 #include "grader/check/in_a_row.h"
 #include "grader/check/property.h"
 #include "grader/check/repeat.h"
-#include "grader/tasks/diffuse_bsdf/cases.h"
 #include "grader/tasks/diffuse_bsdf/density.h"
+#include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
 #include <algorithm>
@@ -14,7 +14,10 @@
 namespace grader::check {
 namespace {
 
-using namespace diffuse;
+using namespace diffuse_bsdf_inputs;
+
+// The error that the contract allows for a value of this size.
+double tolerance(Rgb size) { return kColorPrecision * max_channel(size); }
 
 PROMISE(diffuse_bsdf, f_reflects_the_albedo) {
   for_all(

@@ -1,6 +1,7 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/generators.h"
 #include "grader/check/property.h"
+#include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 
 namespace grader::check {
 namespace {
+
+using namespace diffuse_bsdf_inputs;
 
 double off(double got, double right) {
   return std::abs(got - right) / (kColorPrecision * std::abs(right));
@@ -18,8 +21,8 @@ SEARCH(diffuse_bsdf, samples) {
           .measure = "1 is what the contract allows",
           .badness = [] {
             const double z = *magnitude(1e-9, 1), phi = *real(-pt::kPi, pt::kPi);
-            const double r = std::sqrt((1 - z) * (1 + z)), albedo = *real(1e-6, 1);
-            const pt::Vec3 wo{r * std::cos(phi), r * std::sin(phi), z};
+            const double albedo = *real(1e-6, 1);
+            const Vec3 wo = at(z, phi);
             const std::uint64_t seed = *sampler_seed();
             show_input([&] { return "wo " + show(wo) + ", seed " + std::to_string(seed); });
             pt::Sampler sampler(seed);

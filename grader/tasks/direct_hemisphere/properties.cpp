@@ -6,7 +6,7 @@
 #include "grader/check/repeat.h"
 #include "grader/check/scenes.h"
 #include "grader/check/textbook.h"
-#include "grader/tasks/direct_hemisphere/surroundings.h"
+#include "grader/tasks/direct_hemisphere/inputs.h"
 #include "pt/tasks/direct_hemisphere.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace grader::check {
 namespace {
 
-using namespace direct_hemisphere_cases;
+using namespace direct_hemisphere_inputs;
 using pt::Rgb;
 using pt::Vec3;
 
@@ -67,14 +67,11 @@ PROMISE(direct_hemisphere, sees_lights_of_any_brightness) {
     for (const auto& bright : {rc::gen::just(1e-4), rc::gen::just(1e6), brightness()}) {
       for_all(
           [&] {
-            const Situation s = *rc::gen::exec([&] {
-              SceneMaker maker(*unturned_pose());
+            expect_estimate(*patch_with([&](SceneMaker& maker) {
               const Rgb radiance = *bright * any_radiance();
               sky ? maker.sky(radiance)
                   : maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), radiance, Body::surface);
-              return maker.patch(*color(0.1, 1), *direction_above()).done();
-            });
-            expect_estimate(s);
+            }));
           },
           2);
       if (testing::Test::HasFailure()) return;
@@ -90,24 +87,11 @@ PROMISE(direct_hemisphere, takes_the_emission_of_what_is_hit) {
 PROMISE(direct_hemisphere, adds_no_emission_of_its_own) {
   for_all(
       [] {
-        const Situation dark = *rc::gen::exec([] {
-          SceneMaker maker(*pose());
-          maker.surface(*rectangle_above(1, 0.5, 2), *color());
-          return maker.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
-        });
-        expect_dark(dark);
+        expect_dark(*glowing_patch_with(
+            [](SceneMaker& maker) { maker.surface(*rectangle_above(1, 0.5, 2), *color()); }));
       },
       5);
-  for_all(
-      [] {
-        const Situation lit = *rc::gen::exec([] {
-          SceneMaker maker(*pose());
-          maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
-          return maker.patch(*color(0.1, 1), *direction_above(), false, any_radiance()).done();
-        });
-        expect_estimate(lit);
-      },
-      5);
+  for_all([] { expect_estimate(*glowing_patch_with(lamp)); }, 5);
 }
 
 PROMISE(direct_hemisphere, sees_what_is_in_the_way) {
@@ -134,25 +118,14 @@ PROMISE(direct_hemisphere, turns_with_the_surface) {
 }
 
 PROMISE(direct_hemisphere, looks_from_the_side_it_is_seen_on) {
-  for_all(
-      [] {
-        const Situation s = *rc::gen::exec([] {
-          SceneMaker maker(*unturned_pose());
-          maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), any_radiance(), Body::surface);
-          return maker.patch(*color(0.1, 1), *direction_above(), true).done();
-        });
-        expect_estimate(s);
-      },
-      kCases);
+  for_all([] { expect_estimate(*patch_with(lamp, unturned_pose(), true)); }, kCases);
 }
 
 PROMISE(direct_hemisphere, reflects_the_albedo) {
   for_all(
       [] {
-        Situation s = *rc::gen::exec([] {
-          SceneMaker maker(*unturned_pose());
+        Situation s = *patch_with([](SceneMaker& maker) {
           maker.rectangle(*rectangle_above(0.9, 1.6, 2.5), *hue() * any_radiance(), Body::surface);
-          return maker.patch(*color(0.1, 1), *direction_above()).done();
         });
         for (int channel = 0; channel < 3; ++channel) {
           s.expected[channel] /= s.point.albedo[channel];

@@ -1,7 +1,7 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/generators.h"
 #include "grader/check/property.h"
-#include "grader/check/scenes.h"
+#include "grader/tasks/direct_hemisphere/inputs.h"
 #include "pt/tasks/direct_hemisphere.h"
 
 namespace grader::check {
@@ -12,9 +12,7 @@ SEARCH(direct_hemisphere, closed_room) {
           .measure = "a black estimate is broken: the ray met its own surface, or left the room",
           .badness = [] {
             SceneMaker maker(*pose(1e6, 1e4));
-            std::vector<Rectangle> walls = cube();
-            walls.pop_back();  // the floor is the patch
-            for (const Rectangle& wall : walls) maker.surface(wall, pt::gray(0.5), pt::gray(1));
+            direct_hemisphere_inputs::glowing_walls(maker, pt::gray(1));  // the floor is the patch
             maker.patch(pt::gray(0.5), *direction_above_at(magnitude(1e-3, 1)), *whole(0, 1) == 1);
             const Situation s = maker.done();
             show_case(s);

@@ -3,7 +3,7 @@
 #include "grader/check/property.h"
 #include "grader/check/repeat.h"
 #include "grader/check/scenes.h"
-#include "grader/tasks/direct_lights/lights.h"
+#include "grader/tasks/direct_lights/inputs.h"
 #include "pt/tasks/direct_lights.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace grader::check {
 namespace {
 
-using namespace direct_lights_cases;
+using namespace direct_lights_inputs;
 
 // The standard deviation of one estimate over its mean.
 double relative_deviation(const Situation& s, int draws) {

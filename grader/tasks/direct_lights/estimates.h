@@ -15,7 +15,7 @@
 
 // Estimates of direct light, and whether they are right.
 
-namespace grader::check::direct_lights_cases {
+namespace grader::check::direct_lights_inputs {
 
 using pt::Rgb;
 
@@ -69,4 +69,4 @@ inline void expect_less_noise(const Situation& s, const std::vector<Rgb>& of_one
                mean_of(estimates(s, calls, samples)), most);
 }
 
-}  // namespace grader::check::direct_lights_cases
+}  // namespace grader::check::direct_lights_inputs

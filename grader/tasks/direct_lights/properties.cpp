@@ -1,6 +1,6 @@
 #include "grader/check/in_a_row.h"
 #include "grader/tasks/direct_lights/estimates.h"
-#include "grader/tasks/direct_lights/lights.h"
+#include "grader/tasks/direct_lights/inputs.h"
 #include "grader/tasks/direct_lights/shadows.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace grader::check {
 namespace {
 
-using namespace direct_lights_cases;
+using namespace direct_lights_inputs;
 using pt::Rgb;
 
 constexpr int kCases = 20;
@@ -95,28 +95,14 @@ PROMISE(direct_lights, adds_the_lights_up) {
       2);
 }
 
-void put_light(SceneMaker& maker, int kind, Rgb radiance) {
-  switch (kind) {
-    case 0:
-      return void(maker.point_light(any_position(), radiance));
-    case 1:
-      return void(maker.directional_light(*direction_above(), radiance));
-    case 2:
-      return void(maker.ball(2 * *direction_above(1.0), 0.5, radiance, Body::none));
-    case 3:
-      return void(maker.mesh(*rectangle_above(0.8, 0.2, 1), radiance, Body::none));
-    default:
-      return void(maker.rectangle(*rectangle_above(0.8, 0.2, 1), radiance, Body::none));
-  }
-}
-
 PROMISE(direct_lights, takes_lights_of_any_brightness) {
   for (int kind = 0; kind < 5; ++kind) {
     for (const auto& bright : {rc::gen::just(1e-4), rc::gen::just(1e6), brightness()}) {
       for_all(
           [&] {
-            const Situation s = *lit_by(
-                [&](SceneMaker& maker) { put_light(maker, kind, *bright * any_radiance()); });
+            const Situation s = *lit_by([&](SceneMaker& maker) {
+              light_of_radiance(maker, kind, *bright * any_radiance());
+            });
             expect_estimate(s, any_samples());
           },
           2);
@@ -229,14 +215,7 @@ PROMISE(direct_lights, keeps_light_on_its_side) {
 PROMISE(direct_lights, reflects_the_albedo) {
   for_all([] {
     const bool glows = *rc::gen::arbitrary<bool>();
-    Situation s = *rc::gen::exec([glows] {
-      SceneMaker maker(*unturned_pose());
-      const Rgb light = *hue() * any_radiance();
-      *rc::gen::arbitrary<bool>() ? maker.point_light(any_position(), light)
-                                  : maker.directional_light(*direction_above(), light);
-      const Rgb own = glows ? any_radiance() : Rgb{};
-      return maker.patch(pt::gray(1), *direction_above(), false, own).done();
-    });
+    Situation s = *white_patch(glows);
     for (int channel = 0; channel < 3; ++channel) {
       s.point.albedo[channel] = *rc::gen::element(0.0, 0.001, 0.5, 0.999, 1.0);
       s.expected[channel] *= s.point.albedo[channel];

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "grader/tasks/direct_lights/lights.h"
+#include "grader/tasks/direct_lights/inputs.h"
 
 #include <cmath>
 
 // Surfaces that hide lights from the shaded point, in whole or in part.
 
-namespace grader::check::direct_lights_cases {
+namespace grader::check::direct_lights_inputs {
 
 // The same scene with black as the right answer. It is for a surface that hides all light and that
 // the maker did not take into account.
@@ -135,4 +135,4 @@ inline void under_a_lid(SceneMaker& maker) {
   maker.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
 }
 
-}  // namespace grader::check::direct_lights_cases
+}  // namespace grader::check::direct_lights_inputs

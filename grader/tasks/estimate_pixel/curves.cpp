@@ -1,6 +1,6 @@
 #include "grader/check/curve.h"
 #include "grader/check/property.h"
-#include "grader/tasks/estimate_pixel/cases.h"
+#include "grader/tasks/estimate_pixel/inputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace grader::check {
 namespace {
 
-using namespace estimate_pixel_cases;
+using namespace estimate_pixel_inputs;
 
 CURVE(estimate_pixel, many_samples) {
   return {.title = "The mean of many equal samples",

@@ -1,6 +1,6 @@
 #include "grader/check/points_in_pixel.h"
 #include "grader/check/property.h"
-#include "grader/tasks/estimate_pixel/cases.h"
+#include "grader/tasks/estimate_pixel/inputs.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 namespace grader::check {
 namespace {
 
-using namespace estimate_pixel_cases;
+using namespace estimate_pixel_inputs;
 
 // Numbers of samples that reveal a hidden maximum or a counter of one byte. All of them are tested.
 constexpr std::array kMany{64, 100, 255, 256, 257, 1000, 1024, 4097};
@@ -33,8 +33,7 @@ void expect_average(int samples) {
   const Pixel p = *pixel();
   const Seen seen = *any_radiances();
   const pt::Sampler sampler(draw("seed", sampler_seed()));
-  const Estimate e =
-      estimate(p, samples, sampler, [&](int call, const pt::Ray&) { return seen.at(call); });
+  const Estimate e = estimate(p, samples, sampler, script_of(seen));
   expect_a_call(e);
   const int calls = static_cast<int>(e.calls.size());
   pt::Rgb sum;
@@ -106,8 +105,8 @@ PROMISE(estimate_pixel, stays_inside_the_pixel) {
   for_all([] { expect_inside(*whole_picture(), 4000); }, 1);
 }
 
-// The points of some calls. The promise stays_inside_the_pixel judges which pixel the rays go through:
-// here it does not matter.
+// The points of some calls. The promise stays_inside_the_pixel judges which pixel the rays go
+// through: here it does not matter.
 Points points_of_calls(const Pixel& p, int samples, int calls, std::uint64_t seed) {
   Points points;
   for (int i = 0; i < calls; ++i) {
@@ -121,8 +120,8 @@ Points points_of_calls(const Pixel& p, int samples, int calls, std::uint64_t see
   return points;
 }
 
-// The points of three calls are different, whatever the number of samples: all small numbers, squares
-// and powers of two.
+// The points of three calls are different, whatever the number of samples: all small numbers,
+// squares and powers of two.
 void expect_random_points(const Pixel& p, std::uint64_t seed) {
   std::vector<int> numbers(19);
   std::iota(numbers.begin(), numbers.end(), 2);
@@ -157,10 +156,8 @@ PROMISE(estimate_pixel, covers_the_whole_pixel) {
         const auto seed = draw("seed", sampler_seed());
         Points points;
         for (int i = 0; i < 2; ++i) {
-          for (const RadianceCall& call :
-               estimate(p, 8000, pt::Sampler::for_pixel(seed, i, 0)).calls) {
-            points.push_back(in_pixel(p, call.ray));
-          }
+          const Estimate e = estimate(p, 8000, pt::Sampler::for_pixel(seed, i, 0));
+          for (const pt::Vec2 at : points_of(p, e)) points.push_back(at);
         }
         expect(!points.empty(), "a call of radiance()", "none");
         expect_points_at_the_edges(points);

@@ -1,7 +1,7 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/property.h"
 #include "grader/check/random_numbers.h"
-#include "grader/tasks/estimate_pixel/cases.h"
+#include "grader/tasks/estimate_pixel/inputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace grader::check {
 namespace {
 
-using namespace estimate_pixel_cases;
+using namespace estimate_pixel_inputs;
 
 SEARCH(estimate_pixel, mean) {
   return {.title = "the mean of samples of very different sizes",

@@ -1,6 +1,6 @@
 #include "grader/check/curve.h"
 #include "grader/check/property.h"
-#include "grader/tasks/hit_box/cases.h"
+#include "grader/tasks/hit_box/inputs.h"
 #include "pt/tasks/hit_box.h"
 
 #include <limits>
@@ -8,7 +8,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_box_cases;
+using namespace hit_box_inputs;
 
 double missed(const Case& c) { return pt::hit_box(c.box, c.ray).has_value() ? 0 : 1; }
 

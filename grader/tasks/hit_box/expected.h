@@ -8,7 +8,7 @@
 
 // The right answer for any box and ray, with what the contract's precision leaves open.
 
-namespace grader::check::hit_box_cases {
+namespace grader::check::hit_box_inputs {
 
 // Returns the largest coordinate. The contract's precision is relative to it.
 inline double size_of(const pt::Box& box, const pt::Ray& ray) {
@@ -64,4 +64,4 @@ inline Part expected(const pt::Box& box, const pt::Ray& ray) {
   return part;
 }
 
-}  // namespace grader::check::hit_box_cases
+}  // namespace grader::check::hit_box_inputs

@@ -1,5 +1,5 @@
 #include "grader/check/property.h"
-#include "grader/tasks/hit_box/cases.h"
+#include "grader/tasks/hit_box/inputs.h"
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_box_cases;
+using namespace hit_box_inputs;
 
 std::string show(const std::optional<pt::Interval>& interval) {
   return interval ? "t from " + check::show(interval->min) + " to " + check::show(interval->max)

@@ -1,12 +1,12 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/exact.h"
-#include "grader/tasks/hit_box/cases.h"
+#include "grader/tasks/hit_box/inputs.h"
 #include "pt/tasks/hit_box.h"
 
 namespace grader::check {
 namespace {
 
-using namespace hit_box_cases;
+using namespace hit_box_inputs;
 
 // The interval by arithmetic of 113 bits; the directions of these cases have no parallel slabs
 // outside the box.

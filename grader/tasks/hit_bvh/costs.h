@@ -10,7 +10,7 @@
 
 // Compares the tests that a query made with the tree.
 
-namespace grader::check::hit_bvh_cases {
+namespace grader::check::hit_bvh_inputs {
 
 inline bool same(const pt::Box& a, const pt::Box& b) { return a.min == b.min && a.max == b.max; }
 inline bool same(const pt::Sphere& a, const pt::Sphere& b) { return a.center == b.center; }
@@ -100,4 +100,4 @@ inline void expect_no_test_twice(const Case& c, bool any) {
   }
 }
 
-}  // namespace grader::check::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_inputs

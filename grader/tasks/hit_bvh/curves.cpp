@@ -6,7 +6,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_bvh_cases;
+using namespace hit_bvh_inputs;
 
 // A tree with one triangle more than it has levels.
 Case chain_of(int levels) {

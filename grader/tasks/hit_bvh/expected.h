@@ -7,7 +7,7 @@
 
 // Compares the answers of queries with those of testing every primitive in turn.
 
-namespace grader::check::hit_bvh_cases {
+namespace grader::check::hit_bvh_inputs {
 
 // Judges t of the nearest hit, in a case with a hit.
 inline void expect_nearest(const Case& c) {
@@ -35,8 +35,8 @@ inline void expect_occluded_as_all(const Case& c) {
          occluded ? "something in the way" : "nothing in the way");
 }
 
-// A wall at which the ray's range begins or ends is a hit, if the judge's hit_triangle answers. By the
-// precision of its contract, the submission's own may answer otherwise.
+// A wall at which the ray's range begins or ends is a hit, if the judge's hit_triangle answers. By
+// the precision of its contract, the submission's own may answer otherwise.
 inline void expect_nearest_at_an_end(const Case& c) {
   if (!judge_answers) return;
   const Truth truth = truth_of(c);
@@ -51,4 +51,4 @@ inline void expect_occluded_at_an_end(const Case& c) {
          "in the way: " + shown(truth_of(c)) + ": a range has both its ends", "nothing in the way");
 }
 
-}  // namespace grader::check::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_inputs

@@ -1,25 +1,24 @@
 #pragma once
 
-#include "grader/check/counting.h"
-#include "grader/tasks/hit_bvh/cases.h"
-#include "pt/tasks/hit_bvh.h"
+#include "grader/check/show.h"
+#include "grader/tasks/hit_bvh/trees.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 
-// A scene with more primitives and more nodes than 16 bits can count. A ray enters little of its tree,
-// so that a query costs as much as in a small scene.
+// A scene with more primitives and more nodes than 16 bits can count. A ray enters little of its
+// tree, so that a query costs as much as in a small scene.
 
-namespace grader::check::hit_bvh_cases {
+namespace grader::check::hit_bvh_inputs {
 
 struct Grid {
   pt::Primitives primitives;
   pt::Bvh bvh;
 };
 
-// A tree that halves the order at each level, with two primitives in a leaf; their number is even. The
-// order is the reverse of the primitives, so that primitives of large numbers are at small places.
+// A tree that halves the order at each level, with two primitives in a leaf; their number is even.
+// The order is the reverse of the primitives, so that primitives of large numbers are at small
+// places.
 inline pt::Bvh reversed_halves(const pt::Primitives& primitives) {
   pt::Bvh bvh;
   const int n = primitives.size();
@@ -95,23 +94,4 @@ inline std::string aim_of(const AimedInGrid& aimed) {
 // A large number of the primitive at a small place of the order, and a large place in a late node.
 inline constexpr int kFirstInGrid = 9, kLastInGrid = 65990;
 
-inline std::optional<pt::Hit> ask(const AimedInGrid& aimed) {
-  return pt::hit_bvh(aimed.grid->bvh, aimed.grid->primitives, aimed.ray());
-}
-
-inline bool is_occluded(const AimedInGrid& aimed) {
-  return pt::occluded_bvh(aimed.grid->bvh, aimed.grid->primitives, aimed.ray());
-}
-
-// Returns whether a query enters only a few of the thousand leaves that a ray may enter. Other promises
-// judge queries that do not, and the large grid would take them seconds.
-inline bool is_quick_in_a_grid() {
-  constexpr std::size_t kFew = 200;
-  forget_tests();
-  const AimedInGrid aimed{&small_grid(), kFirstInGrid};
-  ask(aimed);
-  is_occluded(aimed);
-  return tested().boxes.size() + tested().spheres.size() < kFew;
-}
-
-}  // namespace grader::check::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_inputs

@@ -1,11 +1,9 @@
 #include "grader/check/counting.h"
 #include "grader/check/property.h"
 #include "grader/tasks/hit_bvh/costs.h"
-#include "grader/tasks/hit_bvh/ends_of_range.h"
 #include "grader/tasks/hit_bvh/expected.h"
-#include "grader/tasks/hit_bvh/large_grid.h"
+#include "grader/tasks/hit_bvh/inputs.h"
 #include "grader/tasks/hit_bvh/queries.h"
-#include "grader/tasks/hit_bvh/scenes.h"
 #include "grader/tasks/hit_bvh/truth.h"
 #include "pt/tasks/hit_bvh.h"
 
@@ -14,7 +12,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_bvh_cases;
+using namespace hit_bvh_inputs;
 
 constexpr int kCases = 150;
 const Wanted kAny{.copies = true, .any_scale = true};
@@ -211,12 +209,7 @@ PROMISE(hit_bvh, skips_what_lies_behind_a_hit) {
   for_queries(
       [] {
         RandomNumbers make(draw("seed", sampler_seed()));
-        Case c;
-        for (int i = 0; i < kWalls; ++i) {
-          const double z = i;
-          c.primitives.triangles.push_back(pt::flat_triangle({-9, -9, z}, {9, -9, z}, {0, 18, z}));
-        }
-        c.ray = {{0.3, 0.2, -5}, {0.01, -0.02, 1}};
+        Case c = walls_in_a_row(kWalls);
         long long walls = 0;
         for (int tree = 0; tree < kTrees; ++tree) {
           c.bvh = tree_in_order(c.primitives, Shape::random, make);

@@ -2,7 +2,7 @@
 
 #include "grader/check/counting.h"
 #include "grader/check/property.h"
-#include "grader/tasks/hit_bvh/scenes.h"
+#include "grader/tasks/hit_bvh/inputs.h"
 #include "grader/tasks/hit_bvh/truth.h"
 #include "pt/tasks/hit_bvh.h"
 
@@ -12,9 +12,28 @@
 
 // Queries of the task under test, and the calls of other tasks that they made.
 
-namespace grader::check::hit_bvh_cases {
+namespace grader::check::hit_bvh_inputs {
 
 inline std::optional<pt::Hit> ask(const Case& c) { return pt::hit_bvh(c.bvh, c.primitives, c.ray); }
+
+inline std::optional<pt::Hit> ask(const AimedInGrid& aimed) {
+  return pt::hit_bvh(aimed.grid->bvh, aimed.grid->primitives, aimed.ray());
+}
+
+inline bool is_occluded(const AimedInGrid& aimed) {
+  return pt::occluded_bvh(aimed.grid->bvh, aimed.grid->primitives, aimed.ray());
+}
+
+// Returns whether a query enters only a few of the thousand leaves that a ray may enter. Other
+// promises judge queries that do not, and the large grid would take them seconds.
+inline bool is_quick_in_a_grid() {
+  constexpr std::size_t kFew = 200;
+  forget_tests();
+  const AimedInGrid aimed{&small_grid(), kFirstInGrid};
+  ask(aimed);
+  is_occluded(aimed);
+  return tested().boxes.size() + tested().spheres.size() < kFew;
+}
 
 // While this object lives, the judge's tasks answer for another ray. The destructor also resets
 // this if a query ends the case.
@@ -131,4 +150,4 @@ inline double t_error(const Truth& truth) {
   return error;
 }
 
-}  // namespace grader::check::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_inputs

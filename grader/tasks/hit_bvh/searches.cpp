@@ -7,7 +7,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_bvh_cases;
+using namespace hit_bvh_inputs;
 
 SEARCH(hit_bvh, nearest) {
   return {.title = "the nearest hit in trees of any shape, against every primitive in turn",

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grader/check/show.h"
-#include "grader/tasks/hit_bvh/cases.h"
+#include "grader/tasks/hit_bvh/trees.h"
 #include "pt/geometry/primitives.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 // precision of their contracts. If hit_bvh is judged alone, the judge's tasks answer, and hit_bvh
 // has to return their answers unchanged.
 
-namespace grader::check::hit_bvh_cases {
+namespace grader::check::hit_bvh_inputs {
 
 // The result for one primitive and one ray.
 struct Meeting {
@@ -121,4 +121,4 @@ inline std::string shown(const std::optional<pt::Hit>& hit) {
   return hit ? "t " + show(hit->t) + " of primitive " + std::to_string(hit->primitive) : "no hit";
 }
 
-}  // namespace grader::check::hit_bvh_cases
+}  // namespace grader::check::hit_bvh_inputs

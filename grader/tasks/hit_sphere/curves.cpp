@@ -1,6 +1,6 @@
 #include "grader/check/curve.h"
 #include "grader/check/property.h"
-#include "grader/tasks/hit_sphere/cases.h"
+#include "grader/tasks/hit_sphere/inputs.h"
 #include "pt/tasks/hit_sphere.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_sphere_cases;
+using namespace hit_sphere_inputs;
 
 double t_of_hit(const pt::Sphere& sphere, const pt::Ray& ray) {
   const auto hit = pt::hit_sphere(sphere, ray);

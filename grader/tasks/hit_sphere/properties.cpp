@@ -1,5 +1,5 @@
 #include "grader/check/property.h"
-#include "grader/tasks/hit_sphere/cases.h"
+#include "grader/tasks/hit_sphere/inputs.h"
 #include "pt/tasks/hit_sphere.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_sphere_cases;
+using namespace hit_sphere_inputs;
 
 // The case after `change`. It is drawn as one value, so that a failure shows the ray that failed.
 template <class Case, class Change>

@@ -1,13 +1,13 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/exact.h"
 #include "grader/check/property.h"
-#include "grader/tasks/hit_sphere/cases.h"
+#include "grader/tasks/hit_sphere/inputs.h"
 #include "pt/tasks/hit_sphere.h"
 
 namespace grader::check {
 namespace {
 
-using namespace hit_sphere_cases;
+using namespace hit_sphere_inputs;
 
 // The distance of the point at t from the sphere, in radii: r^2 - R^2 is exact, and so small that its root
 // can be had from it.

@@ -1,7 +1,6 @@
 #include "grader/check/curve.h"
 #include "grader/check/property.h"
-#include "grader/tasks/hit_triangle/cases.h"
-#include "grader/tasks/hit_triangle/degenerate.h"
+#include "grader/tasks/hit_triangle/inputs.h"
 #include "pt/geometry/box.h"
 #include "pt/tasks/hit_triangle.h"
 
@@ -11,7 +10,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_triangle_cases;
+using namespace hit_triangle_inputs;
 
 double missed(const Aimed& aimed) {
   return pt::hit_triangle(aimed.triangle, aimed.ray).has_value() ? 0 : 1;

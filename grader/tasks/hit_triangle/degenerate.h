@@ -7,10 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 // Triangles without area, and rays in the plane of a triangle.
 
-namespace grader::check::hit_triangle_cases {
+namespace grader::check::hit_triangle_inputs {
 
 inline double small_whole() { return *whole(-2, 2); }
 
@@ -66,4 +67,16 @@ inline rc::Gen<Degenerate> in_the_plane() {
   });
 }
 
-}  // namespace grader::check::hit_triangle_cases
+// Rays at and close beside a line and a point, and rays in a triangle's plane or parallel to it.
+inline std::vector<Degenerate> fixed_degenerates() {
+  constexpr pt::Vec3 kZ{0, 0, 1}, kDown{0, 0, -1}, kAlong{1, 0, 0};
+  constexpr pt::Triangle kLine{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, kZ, kZ, kZ};
+  constexpr pt::Triangle kDot{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}, kZ, kZ, kZ};
+  constexpr pt::Triangle kFlat{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, kZ, kZ, kZ};
+  return {{kLine, {{1, 1, 3}, kDown}},     {kLine, {{1.2, 0.8, 3}, kDown}},
+          {kDot, {{1, 1, 3}, kDown}},      {kDot, {{1.1, 1, 3}, kDown}},
+          {kFlat, {{-3, 0.5, 0}, kAlong}}, {kFlat, {{0.5, 0.5, 0}, kAlong}},
+          {kFlat, {{0.5, 0.5, 1}, kAlong}}};
+}
+
+}  // namespace grader::check::hit_triangle_inputs

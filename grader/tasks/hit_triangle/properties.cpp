@@ -1,6 +1,5 @@
 #include "grader/check/property.h"
-#include "grader/tasks/hit_triangle/cases.h"
-#include "grader/tasks/hit_triangle/degenerate.h"
+#include "grader/tasks/hit_triangle/inputs.h"
 #include "pt/tasks/hit_triangle.h"
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 namespace grader::check {
 namespace {
 
-using namespace hit_triangle_cases;
+using namespace hit_triangle_inputs;
 
 // The case after `change`. It is drawn as one value, so that a failure shows the ray that failed.
 template <class Case, class Change>

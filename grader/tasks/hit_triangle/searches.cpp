@@ -1,12 +1,12 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/exact.h"
-#include "grader/tasks/hit_triangle/cases.h"
+#include "grader/tasks/hit_triangle/inputs.h"
 #include "pt/tasks/hit_triangle.h"
 
 namespace grader::check {
 namespace {
 
-using namespace hit_triangle_cases;
+using namespace hit_triangle_inputs;
 
 // The point in which the ray meets the triangle's plane.
 struct Meeting {

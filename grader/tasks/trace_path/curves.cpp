@@ -2,7 +2,7 @@
 #include "grader/check/generators.h"
 #include "grader/check/property.h"
 #include "grader/check/repeat.h"
-#include "grader/check/rooms.h"
+#include "grader/tasks/trace_path/inputs.h"
 #include "pt/tasks/trace_path.h"
 
 #include <cmath>
@@ -10,12 +10,11 @@
 namespace grader::check {
 namespace {
 
+using trace_path_inputs::settings_of;
+
 Mean estimates(const Room& room, int draws, int bounces, double survival) {
-  pt::PathSettings settings;
-  settings.direct = room.direct;
+  pt::PathSettings settings = settings_of({1, bounces}, room.direct);
   settings.survival = survival;
-  settings.from = 1;
-  settings.to = bounces;
   return mean_of(repeat<pt::trace_path>(draws, *sampler_seed(), room.scene, room.point, settings));
 }
 
@@ -34,11 +33,8 @@ Room furnace_of(double albedo) {
 // The standard deviation of one estimate over its mean, by the formula of grader/check/rooms.h.
 double deviation_of(double albedo, int bounces, double survival) {
   const Room room = furnace_of(albedo);
-  pt::PathSettings settings;
-  settings.from = 1;
-  settings.to = bounces;
-  settings.light_samples = 1;
-  return deviation(room, settings, {.survival = survival}).r / room.sum(1, bounces).r;
+  return deviation(room, settings_of({1, bounces}), {.survival = survival}).r /
+         room.sum(1, bounces).r;
 }
 
 constexpr double kSurvival = 0.35;

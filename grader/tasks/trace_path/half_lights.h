@@ -1,7 +1,6 @@
 #pragma once
 
-#include "grader/check/closed_forms.h"
-#include "grader/tasks/trace_path/cases.h"
+#include "grader/tasks/trace_path/estimates.h"
 
 #include <cmath>
 #include <vector>
@@ -10,49 +9,7 @@
 
 // Direct light that light sampling and hemisphere sampling find in different places.
 
-namespace grader::check::paths {
-
-// A patch under two rectangles. One is only in the list of lights, the other is only a surface.
-// Light sampling finds the first and hemisphere sampling the second, and their right answers
-// differ.
-struct HalfLights {
-  Situation situation;
-  PathSettings settings;
-  Rgb expected;
-  std::uint64_t seed = 0;
-};
-
-inline void showValue(const HalfLights& c, std::ostream& out) {
-  showValue(c.situation, out);
-  out << fmt::format("\nbounces {} to 1; direct light by {}, samples {}", c.settings.from,
-                     c.settings.direct == Direct::lights ? "lights" : "hemisphere",
-                     c.settings.light_samples);
-}
-
-inline rc::Gen<HalfLights> under_half_lights() {
-  return rc::gen::exec([] {
-    SceneMaker maker({});
-    const Rectangle left{{-1, 0, 1}, {0, 1, 0}, {1, 0, 0}}, right{{1, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-    const Rgb of_left = *color(1, 4), of_right = *color(5, 9);
-    maker.rectangle(left, of_left, Body::none).surface(right, {}, of_right);
-    // The samples are for each light, however many are in the list. These bring nothing: they are
-    // below the horizon.
-    const Direct direct = *either_way();
-    for (int below = direct == Direct::hemisphere ? 39 : 4; below > 0; --below) {
-      maker.directional_light({0, 0, -1}, pt::gray(1));
-    }
-    HalfLights c{maker.patch(*color(0.1, 1), *direction_above()).done(), {}, {}, *sampler_seed()};
-    c.settings.from = *whole(0, 1);
-    c.settings.direct = direct;
-    c.settings.light_samples = *rc::gen::element(1, 2, 8, 40);
-    c.expected = c.situation.expected;
-    if (c.settings.direct == Direct::hemisphere) {
-      c.expected = c.situation.point.albedo * of_right / pt::kPi *
-                   cosine_of_polygon(right.corners(), {}, {0, 0, 1});
-    }
-    return c;
-  });
-}
+namespace grader::check::trace_path_inputs {
 
 inline std::vector<Rgb> estimates(const HalfLights& c, int light_samples) {
   PathSettings settings = c.settings;
@@ -86,4 +43,4 @@ inline void expect_a_tenth_of_the_noise(const HalfLights& c) {
          fmt::format("{:.2g} of the noise", ratio));
 }
 
-}  // namespace grader::check::paths
+}  // namespace grader::check::trace_path_inputs

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/tasks/trace_path/cases.h"
+#include "grader/tasks/trace_path/estimates.h"
 
 #include <cmath>
 #include <numeric>
@@ -10,7 +10,7 @@
 
 // Pairs of estimates from one sampler.
 
-namespace grader::check::paths {
+namespace grader::check::trace_path_inputs {
 
 inline double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   const double n = static_cast<double>(a.size());
@@ -53,4 +53,4 @@ inline void expect_independent_pairs(const Case& c, const Case& before) {
          fmt::format("a correlation of {:.2g}", found));
 }
 
-}  // namespace grader::check::paths
+}  // namespace grader::check::trace_path_inputs

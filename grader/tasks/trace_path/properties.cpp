@@ -1,5 +1,6 @@
-#include "grader/tasks/trace_path/cases.h"
+#include "grader/tasks/trace_path/estimates.h"
 #include "grader/tasks/trace_path/half_lights.h"
+#include "grader/tasks/trace_path/inputs.h"
 #include "grader/tasks/trace_path/pairs.h"
 #include "grader/tasks/trace_path/reach.h"
 
@@ -10,7 +11,7 @@
 namespace grader::check {
 namespace {
 
-using namespace paths;
+using namespace trace_path_inputs;
 
 constexpr int kCases = 12;
 

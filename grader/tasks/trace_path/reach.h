@@ -1,29 +1,15 @@
 #pragma once
 
-#include "grader/tasks/trace_path/cases.h"
-
-#include <algorithm>
-#include <cmath>
+#include "grader/tasks/trace_path/estimates.h"
 
 // The bounces that paths reach.
 
-namespace grader::check::paths {
+namespace grader::check::trace_path_inputs {
 
 // If a sixth of all paths reach a bounce, some of them reach the next one, for any survival. For
 // example, a path goes on with a chance of .04 (roulette by the throughput, from bounce 2 on in a
 // room of albedo .2). Then 24 of 600 paths go on, and the probability that none does is 4e-11.
 inline constexpr int kPaths = 600, kMany = 100;
-
-// One bounce far along the path, of which a float can show the light: 1e-25 of it is left.
-inline rc::Gen<Case> far_along() {
-  return rc::gen::exec([] {
-    const double albedo = *rc::gen::oneOf(real(0.2, 1), rc::gen::just(1.0));
-    const double most = albedo < 1 ? -57 / std::log(albedo) : 100;
-    const int to = std::clamp(static_cast<int>(most), 10, 100);
-    return *asked_of(round_room(gray(albedo, albedo)), rc::gen::just(Bounces{to, to}),
-                     rc::gen::element(1.0, 1.0, 1.0, 0.8));
-  });
-}
 
 // Many of kPaths paths reach the bounce `last`. Fewer reach the next one, `beyond`.
 struct Reach {
@@ -40,4 +26,4 @@ inline Reach reach_of(const Case& c) {
   return reach;
 }
 
-}  // namespace grader::check::paths
+}  // namespace grader::check::trace_path_inputs

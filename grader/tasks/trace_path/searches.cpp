@@ -1,6 +1,6 @@
 #include "grader/check/bad_inputs.h"
 #include "grader/check/property.h"
-#include "grader/check/rooms.h"
+#include "grader/tasks/trace_path/inputs.h"
 #include "pt/tasks/trace_path.h"
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 namespace grader::check {
 namespace {
 
+using trace_path_inputs::settings_of;
+
 // One bounce has no noise where all lights are points. Further bounces have: they are judged by
 // statistics, and the worst of many random numbers says nothing.
 SEARCH(trace_path, one_bounce) {
@@ -16,10 +18,7 @@ SEARCH(trace_path, one_bounce) {
           .measure = "1 is what the contract allows",
           .badness = [] {
             const Room room = *round_room(color(0.01, 1), extreme());
-            pt::PathSettings settings;
-            settings.from = *whole(0, 1);
-            settings.to = 1;
-            settings.direct = room.direct;
+            pt::PathSettings settings = settings_of({*whole(0, 1), 1}, room.direct);
             settings.light_samples = *whole(1, 5);
             settings.survival = *magnitude(1e-3, 1);
             show_case(room);
@@ -42,11 +41,10 @@ SEARCH(trace_path, no_light) {
             const bool none = *whole(0, 1) == 0;
             const Room room =
                 none ? *round_room(color(0.01, 1), extreme()) : *sunny_wall(color(0.01, 1));
-            pt::PathSettings settings;
-            settings.from = *whole(3, 100);
-            settings.to = *whole(0, 1) == 0 ? settings.from - 1 : 100;
-            if (none) settings.to = *whole(0, settings.from - 1);
-            settings.direct = room.direct;
+            const int from = *whole(3, 100);
+            int to = *whole(0, 1) == 0 ? from - 1 : 100;
+            if (none) to = *whole(0, from - 1);
+            pt::PathSettings settings = settings_of({from, to}, room.direct);
             settings.survival = *magnitude(1e-3, 1);
             show_case(room);
             pt::Sampler sampler(*sampler_seed());

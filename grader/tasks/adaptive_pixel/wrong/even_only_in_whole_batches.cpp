@@ -1,6 +1,3 @@
-// breaks: covers_the_whole_pixel
-// Each batch goes through rows of the pixel from the bottom to the top. A batch that is cut short
-// leaves out the top.
 #include "pt/render/radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 #include "pt/tasks/camera_ray.h"

@@ -1,5 +1,3 @@
-// breaks: forgets_the_pixel_before
-// The sums are static, and only reset where the pixel took the maximum.
 #include "pt/render/radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 #include "pt/tasks/camera_ray.h"

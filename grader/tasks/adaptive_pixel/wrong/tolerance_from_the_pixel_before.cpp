@@ -1,5 +1,3 @@
-// breaks: forgets_the_pixel_before
-// A pixel next to a done one is taken to be as easy: a looser check.
 #include "pt/render/radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 #include "pt/tasks/camera_ray.h"

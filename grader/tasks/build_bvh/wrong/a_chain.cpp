@@ -1,5 +1,3 @@
-// breaks: keeps_leaves_small
-// Builds a chain: every node has one leaf and the rest.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// breaks: covers_its_primitives
-// Makes every box a thousandth of its size wider, in fear of rounding errors.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// breaks: is_one_tree
-// Appends a node after its children, so that the root is the last.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

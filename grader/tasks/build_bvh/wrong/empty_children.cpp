@@ -1,5 +1,3 @@
-// breaks: ends_on_identical_centroids
-// Keeps empty children and stops at a fixed depth.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

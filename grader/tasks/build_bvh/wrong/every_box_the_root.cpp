@@ -1,5 +1,3 @@
-// breaks: separates_along_the_longest_axis
-// Halves the list as it comes and gives every node the box of all.
 #include "pt/tasks/build_bvh.h"
 namespace pt {
 namespace {

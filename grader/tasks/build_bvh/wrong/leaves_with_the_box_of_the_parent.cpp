@@ -1,5 +1,3 @@
-// breaks: covers_its_primitives
-// Gives every leaf below an inner node the box of that node.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

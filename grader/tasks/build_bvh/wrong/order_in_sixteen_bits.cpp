@@ -1,5 +1,3 @@
-// breaks: keeps_every_primitive_once
-// Indices are stored in 16 bits: beyond 65,536 primitives they repeat.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// breaks: separates_along_the_longest_axis
-// Declares the axis again inside the comparison, so that it stays the first one.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

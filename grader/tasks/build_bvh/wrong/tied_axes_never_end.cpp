@@ -1,5 +1,3 @@
-// breaks: ends_where_axes_are_equally_long
-// Finds no longest axis where two are equally long, and tries the same boxes again for ever.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

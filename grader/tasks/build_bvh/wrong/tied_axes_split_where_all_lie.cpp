@@ -1,5 +1,3 @@
-// breaks: ends_where_axes_are_equally_long
-// Where axes are equally long, the plane is put at the end of the row, and one side stays empty.
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>

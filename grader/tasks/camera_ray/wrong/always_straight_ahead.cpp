@@ -1,5 +1,3 @@
-// breaks: keeps_the_picture_flat
-// Returns the ray through the centre for every point.
 #include "pt/tasks/camera_ray.h"
 
 #include <algorithm>

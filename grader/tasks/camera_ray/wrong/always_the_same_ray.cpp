@@ -1,5 +1,3 @@
-// breaks: starts_at_the_camera
-// Returns an empty ray, whatever the camera.
 #include "pt/tasks/camera_ray.h"
 
 namespace pt {

@@ -1,5 +1,3 @@
-// breaks: turns_with_the_camera
-// Gives a camera that looks straight up a frame of its own.
 #include "pt/tasks/camera_ray.h"
 
 #include <cmath>

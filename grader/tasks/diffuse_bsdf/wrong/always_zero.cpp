@@ -1,5 +1,3 @@
-// breaks: f_is_zero_across_the_surface
-// Computes nothing: f, the samples and the pdf are zero.
 #include "pt/tasks/diffuse_bsdf.h"
 
 namespace pt {

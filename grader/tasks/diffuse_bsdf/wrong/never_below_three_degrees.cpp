@@ -1,5 +1,3 @@
-// breaks: pdf_is_the_density_of_the_samples
-// Never chooses a direction less than three degrees above the surface.
 #include "pt/sampling/directions.h"
 #include "pt/tasks/diffuse_bsdf.h"
 

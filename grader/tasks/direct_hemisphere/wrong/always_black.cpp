@@ -1,5 +1,3 @@
-// breaks: sees_only_the_bright_side
-// Computes nothing: every point is black.
 #include "pt/tasks/direct_hemisphere.h"
 
 namespace pt {

@@ -1,5 +1,3 @@
-// breaks: spreads_evenly_over_the_hemisphere
-// The azimuth is cut to whole degrees.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/sampling/directions.h"
 #include "pt/tasks/diffuse_bsdf.h"

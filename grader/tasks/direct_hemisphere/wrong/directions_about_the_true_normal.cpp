@@ -1,5 +1,3 @@
-// breaks: turns_with_the_surface
-// Directions are chosen about the normal of the true surface, not about the shading normal.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/sampling/directions.h"
 #include "pt/tasks/diffuse_bsdf.h"

@@ -1,5 +1,3 @@
-// breaks: takes_the_samples_asked_for
-// Leaves out the last sample of 64 or more.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/sampling/directions.h"
 #include "pt/tasks/diffuse_bsdf.h"

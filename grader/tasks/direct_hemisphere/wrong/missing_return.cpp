@@ -1,5 +1,3 @@
-// breaks: takes_the_emission_of_what_is_hit
-// The function that finds what arrives returns nothing where a surface is hit.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/sampling/directions.h"
 #include "pt/tasks/diffuse_bsdf.h"

@@ -1,5 +1,3 @@
-// breaks: keeps_light_on_its_side
-// Computes nothing: every point is black.
 #include "pt/tasks/direct_lights.h"
 
 namespace pt {

@@ -1,5 +1,3 @@
-// breaks: casts_shadows
-// Computes nothing: every point shows its albedo.
 #include "pt/tasks/direct_lights.h"
 
 namespace pt {

@@ -1,5 +1,3 @@
-// breaks: keeps_light_on_its_side
-// The cosine to the geometric normal: dark when seen from behind.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

@@ -1,5 +1,3 @@
-// breaks: turns_with_the_surface
-// The cosine is that to the normal of the true surface, not to the shading normal.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

@@ -1,5 +1,3 @@
-// breaks: keeps_light_on_its_side
-// Keeps delta lights on the side of the geometric normal, so that a surface seen from behind has none.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

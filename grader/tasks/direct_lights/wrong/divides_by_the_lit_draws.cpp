@@ -1,5 +1,3 @@
-// breaks: keeps_light_on_its_side
-// Divides by the draws that brought something, and leaves out the others.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

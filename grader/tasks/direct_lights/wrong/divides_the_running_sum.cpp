@@ -1,5 +1,3 @@
-// breaks: adds_the_lights_up
-// The sum over all lights so far is divided after each light.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

@@ -1,5 +1,3 @@
-// breaks: matches_a_point_light
-// The function that computes one draw returns nothing where the light is seen.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

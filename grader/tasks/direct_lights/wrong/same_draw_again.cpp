@@ -1,5 +1,3 @@
-// breaks: takes_the_samples_asked_for
-// The sample is drawn once, before the loop.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

@@ -1,5 +1,3 @@
-// breaks: adds_the_lights_up
-// Gives every light the same random numbers.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"

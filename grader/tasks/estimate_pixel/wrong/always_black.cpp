@@ -1,5 +1,3 @@
-// breaks: takes_the_samples_asked_for
-// Returns black, whatever the pixel.
 #include "pt/tasks/estimate_pixel.h"
 
 namespace pt {

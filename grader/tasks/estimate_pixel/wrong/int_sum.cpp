@@ -1,5 +1,3 @@
-// breaks: averages_the_radiance
-// Keeps the sum in ints, which cuts the fractions off.
 #include "pt/render/radiance.h"
 #include "pt/tasks/camera_ray.h"
 #include "pt/tasks/estimate_pixel.h"

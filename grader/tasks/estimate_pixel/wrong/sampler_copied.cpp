@@ -1,5 +1,3 @@
-// breaks: draws_from_the_callers_sampler
-// Works on copies of the sampler, so that every pixel and sample sees the same numbers.
 #include "pt/render/radiance.h"
 #include "pt/tasks/camera_ray.h"
 #include "pt/tasks/estimate_pixel.h"

@@ -1,5 +1,3 @@
-// breaks: forgets_the_pixel_before
-// Does not reset the sum.
 #include "pt/render/radiance.h"
 #include "pt/tasks/camera_ray.h"
 #include "pt/tasks/estimate_pixel.h"

@@ -1,5 +1,3 @@
-// breaks: misses_beside_the_box
-// Requires the ray to be inside one slab at a time, instead of all at once.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// breaks: works_at_every_scale
-// Rejects by the cosine of the angle to the centre, which is 1 for everything at a great distance.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

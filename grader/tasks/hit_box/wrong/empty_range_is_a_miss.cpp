@@ -1,5 +1,3 @@
-// breaks: keeps_to_the_rays_range
-// Takes a range of a single point for an empty one.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

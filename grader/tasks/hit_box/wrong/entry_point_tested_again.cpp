@@ -1,5 +1,3 @@
-// breaks: works_at_every_scale
-// Tests the point of entry once more, with a tolerance that a far ray exceeds.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

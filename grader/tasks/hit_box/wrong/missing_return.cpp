@@ -1,5 +1,3 @@
-// breaks: gives_the_right_interval
-// The helper that chooses the larger of two numbers returns nothing where the second is larger.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

@@ -1,6 +1,3 @@
-// breaks: takes_rays_along_the_axes
-// Takes numeric_limits::min for minus infinity, and an axis without movement for a slab without
-// end.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

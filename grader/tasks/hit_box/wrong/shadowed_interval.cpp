@@ -1,5 +1,3 @@
-// breaks: gives_the_right_interval
-// Declares enter and leave again inside the loop, so that each axis forgets the others.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// breaks: takes_directions_of_any_length
-// Takes a component below 1e-7 for zero, whatever the length of the direction.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

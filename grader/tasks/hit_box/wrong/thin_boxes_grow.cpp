@@ -1,5 +1,3 @@
-// breaks: takes_flat_boxes
-// Makes boxes thicker that are thinner than a millionth of their longest edge.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// breaks: gives_the_right_interval
-// Written out for three axes, with an x left in the line for z.
 #include "pt/tasks/hit_box.h"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// breaks: takes_a_tree_of_any_shape
-// Looks at no more than 64 primitives of a leaf.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,3 @@
-// breaks: finds_the_nearest_hit
-// Tests every primitive in turn, and never looks at the tree.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,3 @@
-// breaks: tests_few_primitives
-// Tests every primitive in turn if the ray enters the root and one of its children.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

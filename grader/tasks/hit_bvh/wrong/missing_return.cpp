@@ -1,5 +1,3 @@
-// breaks: finds_the_nearest_hit
-// The function that compares two hits returns nothing where the second is farther.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,3 @@
-// breaks: finds_the_nearest_hit
-// Visits only the child whose box the ray enters first.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,3 @@
-// breaks: asks_hit_box_and_hit_primitive
-// Tests boxes itself, and never calls hit_box.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,3 @@
-// breaks: asks_hit_box_and_hit_primitive
-// Computes where spheres are hit itself, and never calls hit_primitive for them.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

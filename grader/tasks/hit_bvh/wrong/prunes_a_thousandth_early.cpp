@@ -1,5 +1,3 @@
-// breaks: finds_the_nearest_hit
-// Skips boxes that the ray enters within the last thousandth of the way to the nearest hit so far.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

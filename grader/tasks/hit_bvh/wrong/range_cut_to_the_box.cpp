@@ -1,5 +1,3 @@
-// breaks: finds_the_nearest_hit
-// Cuts the range of the ray to the box, for all that is visited afterwards.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,6 +1,3 @@
-// breaks: finds_the_nearest_hit
-// The box test writes into the range of the ray itself: what is visited after a box is looked for
-// inside that box only.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

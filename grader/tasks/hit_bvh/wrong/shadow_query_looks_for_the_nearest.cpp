@@ -1,5 +1,3 @@
-// breaks: stops_at_any_hit
-// Answers the shadow query by the nearest hit.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,3 @@
-// breaks: takes_a_tree_of_any_shape
-// Walks with a stack of 256 entries, which a deep tree overflows.
 #include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
 

@@ -1,5 +1,3 @@
-// breaks: hits_where_it_is_aimed
-// Returns nothing, whatever the ray.
 #include "pt/tasks/hit_sphere.h"
 
 namespace pt {

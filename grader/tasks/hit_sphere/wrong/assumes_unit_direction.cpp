@@ -1,5 +1,3 @@
-// breaks: counts_t_in_the_directions_length
-// Leaves out the direction's length, as for unit directions.
 #include "pt/tasks/hit_sphere.h"
 
 #include <cmath>

@@ -1,5 +1,3 @@
-// breaks: stays_accurate_at_a_distance
-// Computes in single precision.
 #include "pt/tasks/hit_sphere.h"
 
 #include <cmath>

@@ -1,5 +1,3 @@
-// breaks: keeps_t_inside_the_ray
-// Never compares t with the range of the ray.
 #include "pt/tasks/hit_sphere.h"
 
 #include <cmath>

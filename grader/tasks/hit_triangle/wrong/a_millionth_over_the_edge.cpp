@@ -1,5 +1,3 @@
-// breaks: misses_outside
-// Points up to a millionth of the triangle outside count.
 #include "pt/tasks/hit_triangle.h"
 
 #include <algorithm>

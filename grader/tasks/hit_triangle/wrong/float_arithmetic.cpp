@@ -1,5 +1,3 @@
-// breaks: keeps_double_precision
-// Computes in single precision.
 #include "pt/tasks/hit_triangle.h"
 
 #include <cmath>

@@ -1,5 +1,3 @@
-// breaks: interpolates_the_corner_normals
-// Projects along the first axis in which the face's normal is not zero, however small it is.
 #include "pt/tasks/hit_triangle.h"
 
 #include <cmath>

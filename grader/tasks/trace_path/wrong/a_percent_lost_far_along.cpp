@@ -1,5 +1,3 @@
-// breaks: matches_the_furnace
-// From the eighth bounce on, each bounce loses one percent.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"

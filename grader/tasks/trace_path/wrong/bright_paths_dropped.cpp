@@ -1,5 +1,3 @@
-// breaks: does_not_depend_on_survival
-// Paths with a throughput above fifteen are dropped, against bright dots.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"

@@ -1,5 +1,3 @@
-// breaks: goes_on_up_to_the_cap
-// No path is traced: direct light alone, whatever bounces are asked for.
 #include "pt/tasks/direct_hemisphere.h"
 #include "pt/tasks/direct_lights.h"
 #include "pt/tasks/trace_path.h"

@@ -1,5 +1,3 @@
-// breaks: weighs_by_the_cosine
-// Directions are chosen about the normal of the true surface, not about the shading normal.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"

@@ -1,5 +1,3 @@
-// breaks: takes_the_light_samples_asked_for
-// After the first bounce, all samples of direct light are the same one.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"

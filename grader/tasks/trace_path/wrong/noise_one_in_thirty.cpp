@@ -1,5 +1,3 @@
-// breaks: adds_up_the_bounces_asked_for
-// No path is traced: one estimate of thirty is thirty times a guess, the others black.
 #include "pt/tasks/direct_hemisphere.h"
 #include "pt/tasks/direct_lights.h"
 #include "pt/tasks/trace_path.h"

@@ -1,5 +1,3 @@
-// breaks: starts_with_direct_light
-// Returns black, and draws nothing.
 #include "pt/tasks/trace_path.h"
 
 namespace pt {

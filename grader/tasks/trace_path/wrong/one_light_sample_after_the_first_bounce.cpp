@@ -1,5 +1,3 @@
-// breaks: takes_the_light_samples_asked_for
-// One sample of direct light at each bounce but the first, whatever was asked for.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"

@@ -1,0 +1,113 @@
+# Learners' mistakes, kept as edits of right solutions in grader/tasks/<slug>/mistakes.txt (cmake/edits.awk has the form).
+#
+# When the tree is configured each becomes a file build/mistakes/<slug>/<name>/<slug>.cpp, for an editor and for
+# `./run grade <slug> --submission build/mistakes/<slug>/<name>`. An edit that does not fit its base is an error.
+set(FIRSTLIGHT_MISTAKES ${PROJECT_SOURCE_DIR}/build/mistakes)
+
+# Relatives of these (grader/tasks/<slug>/relatives.txt), by which the names of mistakes are tested, are made in
+# build/relatives in the same way.
+
+# firstlight_make_edits(<table> <folder> <task> <needed> <result>): makes the files of a table, whose entries all have the
+# `needed` fields, removes others, and sets `result` to the names; nothing where there is no table.
+function(firstlight_make_edits table folder task needed result)
+  set(${result} "" PARENT_SCOPE)
+  get_filename_component(root ${table} DIRECTORY)
+  get_filename_component(file ${task} NAME)
+  set(reference ${PROJECT_SOURCE_DIR}/reference/${task}.cpp)
+  if(NOT EXISTS ${table} OR NOT EXISTS ${reference})
+    return()
+  endif()
+  file(GLOB bases CONFIGURE_DEPENDS ${root}/right/*.cpp ${root}/wrong/*.cpp ${root}/noisy/*.cpp)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table} ${reference} ${bases})
+  execute_process(COMMAND awk -v root=${root} -v reference=${reference} -v needed=${needed}
+    -v out=${folder} -v file=${file}.cpp -f ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table}
+    OUTPUT_VARIABLE names ERROR_VARIABLE why RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${why}")
+  endif()
+  string(REGEX MATCHALL "[^\n]+" names "${names}")
+  file(GLOB made RELATIVE ${folder} ${folder}/*)
+  list(REMOVE_ITEM made ${names})
+  list(TRANSFORM made PREPEND ${folder}/)
+  if(made)
+    file(REMOVE_RECURSE ${made})
+  endif()
+  set(${result} ${names} PARENT_SCOPE)
+endfunction()
+
+# Sets FIRSTLIGHT_MISTAKES_<slug>, the names of the mistakes of each task; empty where there is no table, as in a handout.
+function(firstlight_make_mistakes)
+  foreach(task IN LISTS FIRSTLIGHT_TASKS)
+    get_filename_component(slug ${task} NAME)
+    set(tables ${PROJECT_SOURCE_DIR}/grader/tasks/${slug})
+    firstlight_make_edits(${tables}/mistakes.txt ${FIRSTLIGHT_MISTAKES}/${slug} ${task} "breaks says hint base" names)
+    set(FIRSTLIGHT_MISTAKES_${slug} ${names} PARENT_SCOPE)
+    firstlight_make_edits(${tables}/relatives.txt ${PROJECT_SOURCE_DIR}/build/relatives/${slug} ${task} "breaks says base" relatives)
+  endforeach()
+endfunction()
+
+# known.<slug>: the file known.<slug>.json beside the programs of the grader, by which mistakes are named. An edition brings it
+# along in grader/known/, as it has no mistakes. The target `graded` has all of them.
+function(firstlight_add_known slug)
+  set(brought ${PROJECT_SOURCE_DIR}/grader/known/known.${slug}.json)
+  if(FIRSTLIGHT_MISTAKES_${slug})
+    firstlight_add_fingerprints(${slug})
+  else()
+    add_custom_target(known.${slug})
+    if(EXISTS ${brought})
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${brought})
+      file(COPY ${brought} DESTINATION ${PROJECT_BINARY_DIR}/grader)
+    endif()
+  endif()
+  firstlight_gather(known.${slug})
+endfunction()
+
+# mistakes.<slug>: a worker with all mistakes and right solutions of a task in it, which is the one by whose name it is called.
+# The mistakes' answers to the battery of the task are their fingerprints, in known.<slug>.json beside the programs of the
+# grader. A mistake that answers as a right solution does is left out.
+function(firstlight_add_fingerprints slug)
+  set(includes)
+  set(code)
+  set(spaces)
+  file(GLOB rights RELATIVE ${PROJECT_SOURCE_DIR}/grader/tasks/${slug} ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/right/*.cpp)
+  foreach(name IN LISTS FIRSTLIGHT_MISTAKES_${slug} rights)
+    set(path ${FIRSTLIGHT_MISTAKES}/${slug}/${name}/${slug}.cpp)
+    if(name IN_LIST rights)
+      set(path ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/${name})
+      string(REGEX REPLACE "right/(.*)[.]cpp" "right.\\1" name ${name})
+    endif()
+    file(STRINGS ${path} lines REGEX "^#include ")
+    list(APPEND includes ${lines})
+    string(MAKE_C_IDENTIFIER "in_${name}" space)
+    string(APPEND code "namespace ${space} {\nusing namespace ::pt;\nFIRSTLIGHT_CALLS_${slug}(DECLARE, DECLARE)\n}\n#define pt ${space}\n#include \"${path}\"\n#undef pt\n")
+    string(APPEND spaces " \\\n  MISTAKE(\"${name}\", ${space}, WORD)")
+  endforeach()
+  list(REMOVE_DUPLICATES includes)
+  list(SORT includes)
+  list(JOIN includes "\n" INCLUDES)
+  # In a namespace of its own, each mistake defines the functions of the contract by other names.
+  set(RENAMED)
+  set(RENAMED_BACK)
+  foreach(function IN LISTS FIRSTLIGHT_FUNCTIONS_${slug})
+    string(APPEND RENAMED "#define ${function} mistaken_${function}\n")
+    string(APPEND RENAMED_BACK "#undef ${function}\n")
+  endforeach()
+  set(SLUG ${slug})
+  set(MISTAKES "${code}")
+  set(SPACES "${spaces}")
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/mistakes.${slug}.cpp)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/mistakes.cpp.in ${source} @ONLY)
+  add_library(${slug}.mistakes OBJECT EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(${slug}.mistakes PRIVATE firstlight_options)
+  # As the judge compiles a function that may end without a result (grader/judge/submission_flags.h).
+  target_compile_options(${slug}.mistakes PRIVATE -w -fsanitize=return -fsanitize-undefined-trap-on-error)
+  firstlight_worker(mistakes.${slug} ${slug} mistakes)
+  set(known ${PROJECT_BINARY_DIR}/grader/known.${slug}.json)
+  add_custom_command(OUTPUT ${known} VERBATIM
+    COMMAND know --graded $<TARGET_FILE:graded.${slug}> --reference $<TARGET_FILE:worker.${slug}>
+      --all $<TARGET_FILE:mistakes.${slug}> --right-solutions ${rights} --made ${FIRSTLIGHT_MISTAKES}/${slug} --out ${known}
+    DEPENDS know graded.${slug} worker.${slug} mistakes.${slug}
+    COMMENT "Asking the known mistakes of ${slug}")
+  add_custom_target(known.${slug} DEPENDS ${known})
+endfunction()

@@ -1,0 +1,16 @@
+#include "pt/tasks/adaptive_pixel.h"
+#include "writeup/measure/pixels.h"
+
+namespace writeup::measure {
+
+Subject measure_adaptive_pixel(int of_case) {
+  const auto draw = [view = view_of_pixels(of_case)](const Pixel& pixel, pt::Sampler& sampler) {
+    constexpr pt::AdaptiveSettings kSettings{4096, 16, 0.05};
+    const pt::PixelEstimate estimate =
+        pt::adaptive_pixel(view, pixel.x, pixel.y, kSettings, sampler);
+    return Estimate{luminance(estimate.mean), static_cast<double>(estimate.samples)};
+  };
+  return estimator_subject(pixels(), draw);
+}
+
+}  // namespace writeup::measure

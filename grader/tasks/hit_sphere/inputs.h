@@ -1,0 +1,233 @@
+#pragma once
+
+#include "grader/check/generators.h"
+#include "grader/check/random_numbers.h"
+#include "grader/check/show.h"
+#include "pt/geometry/ray.h"
+#include "pt/geometry/sphere.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// Spheres, and rays along lines whose two points on the sphere are known. Lengths are in radii if
+// nothing else is said.
+
+namespace grader::check::hit_sphere_inputs {
+
+// The contract's precision of a point and of a normal. A ray that is closer to touching the sphere
+// than kTouching may be a hit or a miss.
+inline constexpr double kPrecision = 1e-6;
+inline constexpr double kTouching = 1e-8;
+
+// Returns how far along the ray a point may be from the right one and still be within the precision
+// of the surface. `half` is half the length of the chord. The flatter the ray, the larger the
+// result.
+inline double slack_along(double half) {
+  const double thick = 2 * kPrecision + kPrecision * kPrecision;
+  return half * half > thick ? half - std::sqrt(half * half - thick) : half + std::sqrt(thick);
+}
+
+// Half of the flattest chord whose two points can be distinguished, with a margin of about ten.
+inline constexpr double kFlat = 5e-3;
+
+// The largest distance from the origin to the near point: at most a thousand radii to the centre.
+inline constexpr double kFar = 998;
+
+struct Chord {
+  pt::Sphere sphere;
+  pt::Ray ray;
+  double half = 1;       // half of its length: 1 through the centre, 0 where it only touches
+  double t_near, t_far;  // where the line meets the sphere, in the ray's range or not
+  double slack;          // slack_along, as a difference of t
+  double length() const { return t_far - t_near; }
+  // Returns the t of a place that counts in chords: 1 is the near point, 2 the far point.
+  double t_at(double place) const { return t_near + (place - 1) * length(); }
+};
+
+inline void showValue(const Chord& chord, std::ostream& out) {
+  show_lines(out, chord.sphere, chord.ray);
+}
+
+enum class From { outside, inside, behind };
+
+// The ranges of a chord's numbers. The defaults are ordinary, so that a mistake with extreme
+// numbers breaks only the promises about extreme numbers.
+struct Domain {
+  double radius = 10;  // from 1 / radius to radius
+  double speed = 1;    // the direction's length, likewise
+  double flat = 0.1;   // the shortest half chord
+  double round = 1;    // the longest
+  double near = 1e-5;  // the smallest distance
+  double far = 30;     // the largest distance
+};
+
+// Any rotation, or one along the axes with components that are exactly zero.
+inline pt::Frame turned() {
+  if (*whole(0, 3) > 0) return *rotation();
+  const double sign = *rc::gen::element(1.0, -1.0);
+  std::array<pt::Vec3, 3> axes{pt::Vec3{sign, 0, 0}, {0, 1, 0}, {0, 0, sign}};
+  std::rotate(axes.begin(), axes.begin() + *whole(0, 2), axes.end());
+  return {axes[0], axes[1], axes[2]};
+}
+
+// A number from 1 / range to range. In a large range it is often one of the ends.
+inline double within(double range) {
+  if (range > 10 && *whole(0, 2) > 0) return *rc::gen::element(1 / range, range);
+  return *magnitude(1 / range, range);
+}
+
+// A sphere around the world's origin, beside it, or up to a million radii away.
+inline pt::Sphere any_sphere(double range) {
+  const double radius = within(range);
+  if (*whole(0, 4) == 0) return {{}, radius};
+  return {radius * *magnitude(1e-1, 1e6) * *point(1), radius};
+}
+
+// Returns the distance from the ray's origin to the near point. It is negative if the origin is
+// behind the near point.
+inline double start_of(From from, double half, const Domain& domain) {
+  const double apart = 3 * slack_along(half), least = std::max(apart, domain.near);
+  if (from == From::outside) return *magnitude(least, domain.far);
+  if (from == From::behind) return -2 * half - *magnitude(least, domain.far);
+  const double part = *whole(0, 3) == 0 ? *rc::gen::element(0.0, 0.5, 1.0) : *real(0, 1);
+  return -apart - part * (2 * half - 2 * apart);
+}
+
+// A line along the frame's z that passes the centre at `offset` radii. `half` is half of its chord,
+// or 0 if it passes beside the sphere. `start` is the distance from the origin to the near point.
+inline Chord line_at(const pt::Sphere& sphere, const pt::Frame& frame, double offset, double half,
+                     double start, double speed) {
+  const pt::Vec3 middle = sphere.center + sphere.radius * offset * frame.x;
+  const double unit = sphere.radius / speed;  // one radius as a difference of t
+  return {sphere,
+          {middle - sphere.radius * (start + half) * frame.z, speed * frame.z},
+          half,
+          unit * start,
+          unit * (start + 2 * half),
+          unit * slack_along(half)};
+}
+
+inline Chord chord_at(const pt::Sphere& sphere, const pt::Frame& frame, double half, double start,
+                      double speed) {
+  return line_at(sphere, frame, std::sqrt((1 - half) * (1 + half)), half, start, speed);
+}
+
+inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
+  return rc::gen::exec([=] {
+    const pt::Sphere sphere = any_sphere(domain.radius);
+    const pt::Frame frame = turned();
+    const double half =
+        domain.round == 1 && *whole(0, 4) == 0 ? 1 : *magnitude(domain.flat, domain.round);
+    const double start = start_of(from, half, domain);
+    return chord_at(sphere, frame, half, start, within(domain.speed));
+  });
+}
+
+// A ray from exactly the centre.
+inline rc::Gen<Chord> from_the_centre() {
+  return rc::gen::exec([] {
+    const pt::Sphere sphere = any_sphere(10);
+    return chord_at(sphere, turned(), 1, -1, 1);
+  });
+}
+
+// A line of a fixed stream of random numbers. It passes the centre at `offset` radii, which may be
+// more than 1, and the ray starts `before` radii in front of the centre.
+inline Chord some_line(RandomNumbers& make, double radius, double offset, double before,
+                       double speed) {
+  const pt::Sphere sphere{3 * radius * make.vector(-1, 1), radius};
+  const pt::Vec3 along = normalize(make.vector(-1, 1) + pt::Vec3{0.1, 0.2, 0.3});
+  const double half = std::sqrt(std::max(0.0, 1 - offset * offset));
+  return line_at(sphere, pt::frame_from_normal(along), offset, half, before - half, speed);
+}
+
+inline Chord moved(Chord line, pt::Vec3 by) {
+  line.sphere.center += by;
+  line.ray.origin += by;
+  return line;
+}
+
+// Ranges of a ray that starts outside the sphere, as places of Chord::t_at.
+inline constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5}, {0, 1.5}, {1.2, 1.8},
+                                                    {1.5, 9},  {2.5, 9},  {.2, .7}, {1.5, 2.5},
+                                                    {.5, 2.5}, {0, 2.5}};
+
+// A ray whose line passes beside the sphere, and a ray from the same origin through the sphere's
+// centre.
+struct Passing {
+  pt::Sphere sphere;
+  pt::Ray ray;
+  pt::Ray through;
+};
+
+inline void showValue(const Passing& passing, std::ostream& out) {
+  show_lines(out, passing.sphere, passing.ray);
+}
+
+// The line passes the sphere at a distance of `low` to `high` from its surface. The ray starts up
+// to `far` before or behind the sphere.
+inline rc::Gen<Passing> passing(double low, double high, double far) {
+  return rc::gen::exec([=] {
+    const pt::Sphere sphere = any_sphere(10);
+    const pt::Frame frame = turned();
+    const double beside = 1 + *magnitude(low, high), along = *real(-far, far);
+    const pt::Vec3 origin = sphere.center + sphere.radius * (beside * frame.x - along * frame.z);
+    return Passing{sphere, {origin, frame.z}, {origin, pt::normalize(sphere.center - origin)}};
+  });
+}
+
+// A sphere, and a ray from outside at a point of its visible half.
+struct Aimed {
+  pt::Sphere sphere;
+  pt::Ray ray;
+};
+
+inline void showValue(const Aimed& aimed, std::ostream& out) {
+  show_lines(out, aimed.sphere, aimed.ray);
+}
+
+inline rc::Gen<Aimed> aimed_from(double least, double most) {
+  return rc::gen::exec([=] {
+    const double radius = *magnitude(1e-3, 1e5);
+    const pt::Sphere sphere{radius * *point(), radius};
+    const pt::Vec3 n = *direction();
+    const double tilt = *real(-1, 1);
+    const pt::Vec3 towards = -std::cos(tilt) * n + std::sin(tilt) * pt::frame_from_normal(n).x;
+    const double distance = *magnitude(least, most);
+    return Aimed{sphere, {sphere.center + radius * (n - distance * towards), towards}};
+  });
+}
+
+// The distance of the point at t from the centre, in radii.
+inline double distance_from_centre(const pt::Sphere& sphere, const pt::Ray& ray, double t) {
+  return pt::length(ray.at(t) - sphere.center) / sphere.radius;
+}
+
+// The distance of the point at t from the surface, in radii.
+inline double off_the_sphere(const Aimed& aimed, double t) {
+  return std::abs(distance_from_centre(aimed.sphere, aimed.ray, t) - 1);
+}
+
+// A ground that is a sphere: from `radius` down to a hundredth of it in height are nothing special.
+// The ray starts one unit above the ground and meets it at an angle of at least 3 degrees.
+struct Ground {
+  pt::Sphere sphere;
+  pt::Ray ray;
+  double t = 0;  // where it meets the ground
+};
+
+inline rc::Gen<Ground> ground(double radius) {
+  return rc::gen::exec([=] {
+    const pt::Frame frame = turned();
+    const double slope = *real(0.05, 0.5 * pt::kPi), side = std::cos(slope), down = std::sin(slope);
+    const pt::Vec3 direction = frame.to_world({side, 0, -down});
+    // The nearer root of t^2 - 2 (radius + 1) down t + 2 radius + 1, without a difference of large
+    // numbers.
+    const long double b = (radius + 1.0L) * down, c = 2.0L * radius + 1;
+    const auto t = static_cast<double>(c / (b + std::sqrt(b * b - c)));
+    return Ground{{-radius * frame.z, radius}, {frame.z, direction}, t};
+  });
+}
+
+}  // namespace grader::check::hit_sphere_inputs

@@ -1,0 +1,161 @@
+#include "grader/mistakes/battery.h"
+
+#include "grader/tasks/hit_triangle/inputs.h"
+#include "pt/tasks/hit_triangle.h"
+
+#include <cmath>
+
+namespace grader::mistakes {
+namespace {
+
+using namespace check;
+
+using namespace hit_triangle_inputs;
+
+void ask(Battery& battery, const pt::Triangle& triangle, const pt::Ray& ray, double t) {
+  battery.ask([&]() -> Battery::Numbers {
+    const auto hit = pt::hit_triangle(triangle, ray);
+    if (!hit) return {};
+    // The answer has only a flag that says whether t is precise enough. The error itself depends on
+    // the method.
+    return {hit->t / t, hit->n.x, hit->n.y, hit->n.z,
+            flag(std::abs(hit->t - t) < 1e-9 * t + 1e-14)};
+  });
+}
+
+void ask(Battery& battery, const Aimed& a) { ask(battery, a.triangle, a.ray, a.t); }
+
+void shapes(Battery& battery, RandomNumbers& make) {
+  for (const bool back : {false, true}) {
+    for (const double side : {1.0, -1.0}) {
+      for (const Weights& w : kInside) {
+        const double longer = make.between(0.3, 4.0);
+        ask(battery, some_aim(make, some_triangle(make, 1, back), w, 3, longer, side));
+      }
+    }
+  }
+  for (const double side : {1.0, -1.0}) {
+    for (const Weights& w : kOutside) {
+      ask(battery, some_aim(make, some_triangle(make, 1), w, 3, 1, side));
+    }
+  }
+}
+
+void ranges(Battery& battery, RandomNumbers& make) {
+  for (const auto& [low, high] : kRanges) {
+    const double longer = make.between(0.5, 2);
+    Aimed a = some_aim(make, some_triangle(make, 1), kMiddle, 2, longer);
+    a.ray.t_min = low * a.t;
+    a.ray.t_max = high * a.t;
+    ask(battery, a);
+  }
+  Aimed behind = some_aim(make, some_triangle(make, 1), kMiddle, 2);
+  behind.ray.direction = -behind.ray.direction;
+  ask(battery, behind);
+  for (const double near : {1e-2, 1e-3, 1e-5, 1e-7}) {
+    ask(battery, some_aim(make, some_triangle(make, 1), kMiddle, near));
+  }
+}
+
+void scales(Battery& battery, RandomNumbers& make) {
+  for (const double size : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 10.0, 1e3, 1e6}) {
+    ask(battery, some_aim(make, some_triangle(make, size), kMiddle, 3 * size));
+    ask(battery, some_aim(make, some_triangle(make, size), kMiddle, 3 * size, size, -1));
+  }
+  for (const double longer : {1e-6, 1e-3, 1e3, 1e6}) {
+    ask(battery, some_aim(make, some_triangle(make, 1), kMiddle, 3, longer));
+  }
+}
+
+// Triangles in or nearly in the planes of the axes, triangles without area, and rays in the plane
+// of their triangle.
+void special(Battery& battery, RandomNumbers& make) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double tilt : {0.0, 1e-12, 1e-9}) {
+      ask(battery, some_aim(make, nearly_in_a_plane(make, axis, tilt), kMiddle, 3));
+    }
+  }
+  // No t is right for them: most of the rays start 3 away from their point.
+  for (const auto& [triangle, ray] : fixed_degenerates()) ask(battery, triangle, ray, 3);
+}
+
+// Directions of any length, the very end of the range, flat angles, slivers, and points close to an
+// edge or a corner.
+void extremes(Battery& battery, RandomNumbers& make) {
+  for (const double longer : {1e-9, 3e-8, 1e12}) {
+    ask(battery, some_aim(make, some_triangle(make, 1), kMiddle, 3, longer));
+  }
+  for (const double beyond : {1.0005, 1.00005}) {
+    Aimed a = some_aim(make, some_triangle(make, 1), kMiddle, 2);
+    a.ray.t_max = beyond * a.t;
+    ask(battery, a);
+  }
+  for (const double sine : {5e-2, 5e-4, 5e-6}) {
+    ask(battery, along_the_edge(some_triangle(make, 1), 3, sine));
+  }
+  for (const double height : {3e-2, 3e-3}) {
+    ask(battery, some_aim(make, some_sliver(make, height), kMiddle, 3));
+  }
+  for (const double over : {5e-4, 5e-7}) {
+    ask(battery, some_aim(make, some_triangle(make, 1), {-over, .4, .6 + over}, 3));
+    ask(battery, some_aim(make, some_triangle(make, 1), {.4, .6 + over, -over}, 3));
+  }
+  ask(battery, some_aim(make, some_triangle(make, 1), {.9994, .0003, .0003}, 3));
+  ask(battery, some_aim(make, some_triangle(make, 1), {.0003, .9994, .0003}, 3));
+}
+
+// Asks only whether there is a hit: right solutions differ in t here.
+void ask_hit(Battery& battery, const Aimed& a) {
+  battery.ask([&]() -> Battery::Numbers {
+    if (!pt::hit_triangle(a.triangle, a.ray)) return {};
+    return {1};
+  });
+}
+
+// Points so close to an edge that only double precision distinguishes inside from outside.
+void by_a_hair(Battery& battery, RandomNumbers& make) {
+  for (const double over : {1.2e-8, -1.2e-8}) {
+    for (const int first : {0, 2, 1}) {
+      const Weights w = weights_of(-over, 0.6 + over, first);
+      ask_hit(battery, straight(near_the_origin(make, 0.5, 0.9), w, 0.8));
+    }
+  }
+}
+
+// Grazing rays at triangles ten times as long as high, with one long edge from the first corner and
+// with two. Then the smallest needles, and directions of length 1 and the shortest.
+void needles(Battery& battery, RandomNumbers& make) {
+  for (const double along : {0.1, 0.9}) {
+    ask_hit(battery, along_the_edge(near_the_origin(make, along, 0.1), 0.5, 1.2e-6));
+  }
+  for (const double longer : {1.0, 1e-9}) {
+    Aimed a = resized(straight(near_the_origin(make, 0.5, 1e-3), kMiddle, 1), 1e-6);
+    a.ray.direction *= longer;
+    ask_hit(battery, a);
+  }
+}
+
+// Corner normals that all but agree, and that disagree: so that their mean is short, or by more
+// than a right angle where their mean is long, and where one of them hardly counts.
+void normals(Battery& battery, RandomNumbers& make) {
+  ask(battery, straight(with_normals(make, 5e-5), {.2, .3, .5}, 1));
+  ask(battery, straight(with_normals(make, std::tan(1.2)), kMiddle, 1));
+  ask(battery, straight(with_normals(make, std::tan(1.4)), {.8, .1, .1}, 1));
+  ask(battery, straight(with_normals(make, std::tan(1.2)), {8e-6, .4, .6 - 8e-6}, 1));
+}
+
+}  // namespace
+
+void run_battery(Battery& battery) {
+  RandomNumbers make(3);
+  shapes(battery, make);
+  ranges(battery, make);
+  scales(battery, make);
+  special(battery, make);
+  extremes(battery, make);
+  by_a_hair(battery, make);
+  needles(battery, make);
+  normals(battery, make);
+}
+
+}  // namespace grader::mistakes

@@ -1,0 +1,318 @@
+#pragma once
+
+#include "grader/check/generators.h"
+#include "grader/check/random_numbers.h"
+#include "grader/check/show.h"
+#include "grader/tasks/hit_triangle/degenerate.h"
+#include "grader/tasks/hit_triangle/weights.h"
+#include "pt/geometry/ray.h"
+#include "pt/geometry/triangle.h"
+#include "pt/tasks/hit_triangle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// Triangles, and rays that are aimed at known points of their planes.
+
+namespace grader::check::hit_triangle_inputs {
+
+// The contract's precision of t, relative to the largest length in the case, and of n.
+inline constexpr double kPrecision = 1e-9;
+inline constexpr double kNormalPrecision = 1e-6;
+
+// A triangle, and a ray that is aimed at a known point of its plane.
+struct Aimed {
+  pt::Triangle triangle;
+  pt::Ray ray;
+  double t;
+  pt::Vec3 n;          // the interpolated normal there
+  double tolerance;    // of t, by the contract
+  double n_tolerance;  // of n, by the contract
+};
+
+inline void showValue(const Aimed& aimed, std::ostream& out) {
+  show_lines(out, aimed.triangle, aimed.ray);
+}
+
+// The ranges of the generator's numbers. The defaults are ordinary, so that a mistake with extreme
+// numbers breaks only the promises about extreme numbers.
+struct Range {
+  double size = 10;              // the first edge is from 1 / size to size long
+  double speed = 1;              // the direction's length, likewise
+  double thin = 0.5, thick = 1;  // the smallest and the largest height over length
+  double away = 10;              // the largest coordinate, in sizes
+  double near = 1e-2, far = 30;  // the distance, in sizes
+  double flat = 0.17;            // the smallest angle between ray and plane, radians
+  double steep = 0.5 * pt::kPi;  // the largest angle
+  double tilt = 0;  // of the corner normals from a common axis, radians; 0: within a radian
+};
+
+// A unit vector towards the point (x, y, 1) of the frame.
+inline pt::Vec3 normal_at(const pt::Frame& around, double x, double y) {
+  return normalize(around.to_world({x, y, 1}));
+}
+
+// Unit vectors within a radian of a common axis, which may be on either side of the triangle. Some
+// are much closer to each other, as in a fine mesh. With a tilt, they are half of it to all of it
+// away from the axis, to any side. Their sum is never close to zero.
+inline std::array<pt::Vec3, 3> corner_normals(double tilt = 0) {
+  const pt::Frame around = *rotation();
+  const double spread = *whole(0, 2) == 0 ? *magnitude(1e-5, 1) : 1;
+  std::array<pt::Vec3, 3> normals;
+  for (pt::Vec3& n : normals) {
+    const double x = *real(-1, 1), y = *real(-1, 1);
+    n = normal_at(around, spread * x, spread * y);
+    if (tilt == 0) continue;
+    const double angle = tilt * (0.75 + 0.25 * x), azimuth = pt::kPi * y;
+    n = around.to_world({std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth),
+                         std::cos(angle)});
+  }
+  return normals;
+}
+
+// Any rotation, or one whose z is an axis, or so close to an axis that the other components are
+// nearly zero.
+inline pt::Frame orientation() {
+  const int kind = *whole(0, 3);
+  if (kind < 2) return *rotation();
+  pt::Vec3 z;
+  z[*whole(0, 2)] = *rc::gen::element(1.0, -1.0);
+  if (kind == 2) return pt::frame_from_normal(z);
+  return pt::frame_from_normal(normalize(z + *magnitude(1e-14, 1e-3) * *point(1)));
+}
+
+// The first edge has the length `size` and the direction of the frame's x. The third corner is
+// `along` sizes along this edge and `height` sizes away from it.
+inline pt::Triangle triangle_at(pt::Vec3 p0, const pt::Frame& frame, double size, double along,
+                                double height, const std::array<pt::Vec3, 3>& normals) {
+  const auto& [n0, n1, n2] = normals;
+  return {p0, p0 + size * frame.x, p0 + size * (along * frame.x + height * frame.y), n0, n1, n2};
+}
+
+// The third corner is at most one size along the first edge and at least `thin` sizes away from it.
+inline pt::Triangle triangle_of(const Range& range) {
+  const double size = *magnitude(1 / range.size, range.size);
+  const pt::Frame frame = orientation();
+  const pt::Vec3 p0 = size * *point(range.away);
+  const double along = *real(0, 1), height = *magnitude(range.thin, range.thick);
+  return triangle_at(p0, frame, size, along, height, corner_normals(range.tilt));
+}
+
+// A frame whose z is the normal of the triangle's plane.
+inline pt::Frame plane_of(const pt::Triangle& triangle) {
+  return pt::frame_from_normal(normalize(geometric_normal(triangle)));
+}
+
+// `local` is the ray's unit direction in the frame of the triangle's plane.
+inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, pt::Vec3 local, double distance,
+                      double speed) {
+  const pt::Vec3 target = w.b0 * triangle.p0 + w.b1 * triangle.p1 + w.b2 * triangle.p2;
+  const pt::Vec3 towards = plane_of(triangle).to_world(local);
+  const double size = length(triangle.p1 - triangle.p0);
+  const double height = length(geometric_normal(triangle)) / size;
+  const double error = kPrecision * std::max({max_abs(target), distance, size}) *
+                       std::max(1.0, size / height) / std::abs(local.z);
+  const pt::Vec3 mean = w.b0 * triangle.n0 + w.b1 * triangle.n1 + w.b2 * triangle.n2;
+  // Normalising a short mean magnifies its errors.
+  const double n_error = (kNormalPrecision + 10 * error / height) / std::min(1.0, 2 * length(mean));
+  return {triangle,         {target - distance * towards, speed * towards},
+          distance / speed, normalize(mean),
+          error / speed,    n_error};
+}
+
+inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, const Range& range) {
+  const double side = *rc::gen::element(1.0, -1.0);
+  const double angle = *magnitude(range.flat, range.steep), roll = *real(-pt::kPi, pt::kPi);
+  const double across = std::cos(angle);
+  const pt::Vec3 local{across * std::cos(roll), across * std::sin(roll), side * std::sin(angle)};
+  const double size = length(triangle.p1 - triangle.p0);
+  const double distance = size * *magnitude(range.near, range.far);
+  const double speed = *magnitude(1 / range.speed, range.speed);
+  return aimed_at(triangle, w, local, distance, speed);
+}
+
+// Triangles ten times as long as high, met at little more than a millionth of a radian. Close to
+// the origin and to the world's, the contract's precision is a seventh of the height.
+inline constexpr Range kFlatNeedle{.thin = 0.1,
+                                   .thick = 0.1,
+                                   .away = 0.3,
+                                   .near = 0.2,
+                                   .far = 1,
+                                   .flat = 1.05e-6,
+                                   .steep = 1.5e-6};
+
+// For points so close to an edge that only double precision sees on which side they are: cases in
+// which the contract's precision is a hundred-millionth of the triangle.
+inline constexpr Range kPrecise{.away = 1, .near = 0.5, .far = 2, .flat = 0.57};
+// The same with corner normals that disagree by up to 160 degrees.
+inline constexpr Range kDisagreeing{.away = 1, .near = 0.5, .far = 2, .flat = 0.57, .tilt = 1.4};
+
+// The best-shaped triangles, met steeply and from close by. The precision is 2.2e-9 of the size.
+inline constexpr Range kMostPrecise{.thin = 0.8, .away = 0.3, .near = 0.5, .far = 1, .flat = 1.2};
+
+// Needles as thin as the contract's example, for the smallest and the largest scale. The precision
+// is an eighth of the distance from the edges.
+inline constexpr Range kNeedle{
+    .size = 1, .thin = 1e-3, .thick = 1e-3, .away = 1, .near = 0.5, .far = 2, .flat = 0.57};
+
+inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
+  return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
+}
+
+// The same case, with all lengths multiplied. The direction keeps its length.
+inline Aimed resized(Aimed aimed, double factor) {
+  for (pt::Vec3* p :
+       {&aimed.triangle.p0, &aimed.triangle.p1, &aimed.triangle.p2, &aimed.ray.origin}) {
+    *p = factor * *p;
+  }
+  aimed.t *= factor;
+  aimed.tolerance *= factor;
+  return aimed;
+}
+
+// The same case with a longer or shorter direction. The range ends a little behind the point, and
+// may begin a little before it.
+inline Aimed scaled(Aimed aimed, double factor) {
+  aimed.ray.direction *= factor;
+  aimed.t /= factor;
+  aimed.tolerance /= factor;
+  aimed.ray.t_min = *rc::gen::element(0.0, 0.75) * aimed.t;
+  aimed.ray.t_max = 1.5 * aimed.t;
+  return aimed;
+}
+
+// The following triangles and rays are of a fixed stream of random numbers.
+
+inline pt::Frame some_frame(RandomNumbers& make) {
+  return pt::frame_from_normal(normalize(make.vector(-1, 1) + pt::Vec3{0.1, 0.2, 0.3}));
+}
+
+// A triangle with three different normals. All are on one side of the face or, if `back` is true,
+// on the other.
+inline pt::Triangle some_triangle(RandomNumbers& make, double size, bool back = false) {
+  const pt::Vec3 p0 = size * make.vector(-2, 2);
+  const pt::Frame frame = some_frame(make);
+  const double edge = size * make.between(0.7, 1.3);
+  const double along = make.between(-0.3, 0.6), height = make.between(0.7, 1.3);
+  std::array<pt::Vec3, 3> normals;
+  for (pt::Vec3& n : normals) n = normalize((back ? -1 : 1) * frame.z + make.vector(-0.7, 0.7));
+  return triangle_at(p0, frame, edge, along, height, normals);
+}
+
+// A triangle whose third corner is close to the first edge.
+inline pt::Triangle some_sliver(RandomNumbers& make, double height) {
+  pt::Triangle sliver = some_triangle(make, 1);
+  sliver.p2 = 0.4 * sliver.p0 + 0.6 * sliver.p1 + height * (sliver.p2 - sliver.p0);
+  return sliver;
+}
+
+// A triangle in the plane of two axes, or at a small tilt to it.
+inline pt::Triangle nearly_in_a_plane(RandomNumbers& make, int axis, double tilt) {
+  pt::Triangle t;
+  t.p0[(axis + 1) % 3] = 1;
+  t.p1[(axis + 2) % 3] = 1;
+  t.p2 = {-1, -1, -1};
+  t.p2[axis] = tilt;
+  t.p0[(axis + 2) % 3] = tilt;
+  t.n1 = t.n2 = normalize(geometric_normal(t));
+  t.n0 = normalize(t.n1 + 0.4 * make.vector(-1, 1));
+  return t;
+}
+
+// A flat triangle close to the world's origin, with a first edge of length 1.
+inline pt::Triangle near_the_origin(RandomNumbers& make, double along, double height) {
+  const pt::Frame frame = some_frame(make);
+  return triangle_at(0.3 * make.vector(-1, 1), frame, 1, along, height,
+                     {frame.z, frame.z, frame.z});
+}
+
+// A triangle with corner normals at this distance from an axis, on three sides of it.
+inline pt::Triangle with_normals(RandomNumbers& make, double distance) {
+  pt::Triangle t = near_the_origin(make, 0.5, 0.9);
+  const pt::Frame around = pt::frame_from_normal(normalize(t.n0 + 0.5 * make.vector(-1, 1)));
+  t.n0 = normal_at(around, distance, 0);
+  t.n1 = normal_at(around, -0.5 * distance, std::sqrt(0.75) * distance);
+  t.n2 = normal_at(around, -0.5 * distance, -std::sqrt(0.75) * distance);
+  return t;
+}
+
+// A ray from the front (`side` is 1) or from the back (-1) of a triangle, at a steep angle.
+inline Aimed some_aim(RandomNumbers& make, const pt::Triangle& triangle, Weights w, double distance,
+                      double speed = 1, double side = 1) {
+  const pt::Vec3 away = normalize(pt::Vec3{0, 0, side} + 0.5 * make.vector(-1, 1));
+  return aimed_at(triangle, w, -away, distance, speed);
+}
+
+// A ray that meets the plane at a right angle.
+inline Aimed straight(const pt::Triangle& triangle, Weights w, double distance) {
+  return aimed_at(triangle, w, {0, 0, -1}, distance, 1);
+}
+
+// A ray along the first edge, which meets the plane in the middle at an angle of this sine.
+inline Aimed along_the_edge(const pt::Triangle& triangle, double distance, double sine) {
+  const pt::Vec3 edge = plane_of(triangle).to_local(triangle.p0 - triangle.p1);
+  const pt::Vec3 local = std::sqrt(1 - sine * sine) * normalize(edge) - pt::Vec3{0, 0, sine};
+  return aimed_at(triangle, kMiddle, local, distance, 1);
+}
+
+// Ranges of a ray, in units of the t at the triangle.
+inline constexpr std::array<double, 2> kRanges[] = {
+    {1.1, pt::kInfinity}, {0, .9}, {.9, 1.1}, {1.1, 2}, {.5, 0.9}, {.2, pt::kInfinity}};
+
+// Two rays at the plane of one triangle: one is aimed at a point outside the triangle, one at a
+// point inside.
+struct InAndOut {
+  Aimed out, in;
+};
+
+inline void showValue(const InAndOut& both, std::ostream& out) { showValue(both.out, out); }
+
+inline rc::Gen<InAndOut> aimed_outside(Range range = {}, Weights (*where)() = outside) {
+  return rc::gen::exec([=] {
+    const pt::Triangle triangle = triangle_of(range);
+    const Aimed out = aimed_at(triangle, where(), range);
+    return InAndOut{out, aimed_at(triangle, inside(), range)};
+  });
+}
+
+// A fan of four triangles around a common corner, and a ray from the front. It is aimed at the
+// corner or at an edge that two of the triangles share.
+struct Fan {
+  std::array<pt::Triangle, 4> triangles;
+  pt::Ray ray;
+};
+
+inline void showValue(const Fan& fan, std::ostream& out) {
+  for (const pt::Triangle& triangle : fan.triangles) out << show(triangle) << "\n";
+  out << show(fan.ray);
+}
+
+inline bool is_hit(const Fan& fan) {
+  return std::ranges::any_of(fan.triangles, [&](const pt::Triangle& triangle) {
+    return pt::hit_triangle(triangle, fan.ray).has_value();
+  });
+}
+
+// `away`: the largest coordinate of the corner.
+inline rc::Gen<Fan> aimed_between(double away = 10) {
+  return rc::gen::exec([=] {
+    const pt::Vec3 middle = *point(away);
+    const pt::Frame frame = *rotation();
+    std::array<pt::Vec3, 4> rim;
+    for (int i = 0; i < 4; ++i) {
+      const double angle = 0.5 * pt::kPi * i + *real(-0.5, 0.5), radius = *magnitude(0.3, 3);
+      rim[i] = middle + frame.to_world(
+                            {radius * std::cos(angle), radius * std::sin(angle), *real(-0.2, 0.2)});
+    }
+    Fan fan;
+    for (int i = 0; i < 4; ++i) fan.triangles[i] = flat_triangle(middle, rim[i], rim[(i + 1) % 4]);
+    const double part = *rc::gen::element(0.0, 1.0) * *real(0, 0.9);
+    const pt::Vec3 target = middle + part * (rim[0] - middle);
+    const pt::Vec3 origin = target + frame.to_world({*real(-3, 3), *real(-3, 3), *real(5, 10)});
+    fan.ray = {origin, target - origin};
+    return fan;
+  });
+}
+
+}  // namespace grader::check::hit_triangle_inputs

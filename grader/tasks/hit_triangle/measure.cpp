@@ -1,0 +1,88 @@
+#include "pt/tasks/hit_triangle.h"
+#include "writeup/measure/aimed.h"
+#include "writeup/measure/subject.h"
+
+#include <array>
+
+namespace writeup::measure {
+
+namespace {
+
+using pt::Ray;
+using pt::SurfaceHit;
+using pt::Vec3;
+
+constexpr std::uint64_t kSeed = 13;
+
+struct Meeting {
+  long double t = 0;
+  std::array<long double, 3> weights{};  // of the corners; they sum to 1
+};
+
+// The point where the ray meets the triangle's plane.
+Meeting meet(const pt::Triangle& triangle, const Ray& ray) {
+  const Precise3 p0 = triangle.p0;
+  const Precise3 n = cross(Precise3(triangle.p1) - p0, Precise3(triangle.p2) - p0);
+  const long double t = dot(p0 - ray.origin, n) / dot(ray.direction, n);
+  const Precise3 p = Precise3(ray.origin) + t * Precise3(ray.direction);
+  const auto weight = [&](Vec3 a, Vec3 b) {
+    return dot(cross(Precise3(a) - p, Precise3(b) - p), n) / dot(n, n);
+  };
+  return {t,
+          {weight(triangle.p1, triangle.p2), weight(triangle.p2, triangle.p0),
+           weight(triangle.p0, triangle.p1)}};
+}
+
+std::optional<Aimed<pt::Triangle>> make_triangle(pt::Sampler& sampler) {
+  const double size = size_between(-6, 6, sampler);
+  const Vec3 along = any_direction(sampler);
+  const Vec3 across = normalize(cross(along, any_direction(sampler)));
+  const Vec3 p0 = in_cube(size * size_between(-2, 3, sampler), sampler);
+  const Vec3 p1 = p0 + size * along;
+  const Vec3 p2 = p0 + size * (sampler.next_1d() * along + size_between(-3, 0, sampler) * across);
+  Aimed<pt::Triangle> aimed;
+  const Vec3 n = normalize(cross(along, across));
+  const auto corner_normal = [&] { return normalize(n + 0.5 * any_direction(sampler)); };
+  aimed.shape = {p0, p1, p2, corner_normal(), corner_normal(), corner_normal()};
+  // Inside, or beyond an edge.
+  const double a = between(-0.5, 1.2, sampler), b = between(-0.5, 1.2, sampler);
+  const Vec3 target = p0 + a * (p1 - p0) + b * (p2 - p0);
+  const double height = size_between(-3, 0, sampler) * (sampler.next_1d() < 0.5 ? -1 : 1);
+  const double turn = between(0, 2 * pt::kPi, sampler);
+  const Vec3 flat = std::cos(turn) * along + std::sin(turn) * across;
+  const Vec3 from = height * n + std::sqrt(1 - height * height) * flat;
+  aimed.ray = ray_towards(target + size * size_between(-1, 3, sampler) * from, target, sampler);
+  const Meeting meeting = meet(aimed.shape, aimed.ray);
+  const long double least = *std::min_element(meeting.weights.begin(), meeting.weights.end());
+  aimed.hits = least > 0;
+  if (!(std::abs(least) > kMargin) || !(meeting.t > 0)) return {};
+  return aimed;
+}
+
+void look_at_triangle(const Aimed<pt::Triangle>& aimed, const std::optional<SurfaceHit>& hit,
+                      Found& found) {
+  if (hit.has_value() != aimed.hits) ++found.wrong;
+  if (!hit || !aimed.hits) return;
+  const pt::Triangle& triangle = aimed.shape;
+  const Meeting meeting = meet(triangle, aimed.ray);
+  const long double step = length(aimed.ray.direction);
+  const long double largest = std::max<long double>(
+      {max_abs(triangle.p0), max_abs(triangle.p1), max_abs(triangle.p2), max_abs(aimed.ray.origin),
+       length(triangle.p1 - triangle.p0), length(triangle.p2 - triangle.p0), meeting.t * step});
+  keep_largest(found.errors[0], (hit->t - meeting.t) * step / largest);
+  const Precise3 n = normalize(meeting.weights[0] * Precise3(triangle.n0) +
+                               meeting.weights[1] * Precise3(triangle.n1) +
+                               meeting.weights[2] * Precise3(triangle.n2));
+  keep_largest(found.errors[1], length(Precise3(hit->n) - n));
+}
+
+}  // namespace
+
+Subject measure_hit_triangle(int) {
+  return exact_subject(
+      make_inputs(kSeed, make_triangle),
+      [](const Aimed<pt::Triangle>& aimed) { return pt::hit_triangle(aimed.shape, aimed.ray); },
+      look_at_triangle);
+}
+
+}  // namespace writeup::measure
