@@ -33,6 +33,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::vector<std::string> tasks;
+  std::vector<std::string> kinds{"wrong", "relative", "right", "noisy"};
   int threads = 2;
   int each = 0;  // of a kind and task, at most; 0: all
   bool verbose = false;
@@ -58,12 +59,14 @@ void keep_some(std::vector<KeptSolution>& all, int each) {
 }
 
 std::vector<Submission> submissions_of(const judge::Config& config, const judge::TaskConfig& task,
-                                       int each) {
-  const fs::path reference = fs::path(config.root) / "reference" / task.file();
-  std::vector<Submission> all{{&task, {task.slug, "right", "reference", reference}, {}}};
-  for (const char* kind : {"wrong", "relative", "right", "noisy"}) {
+                                       const Options& options) {
+  std::vector<Submission> all;
+  for (const std::string& kind : options.kinds) {
     std::vector<KeptSolution> kept = kept_solutions(config.root, task.slug, kind);
-    keep_some(kept, each);
+    keep_some(kept, options.each);
+    if (kind == "right") {
+      kept.push_back({task.slug, kind, "reference", config.root + "/reference/" + task.file()});
+    }
     for (KeptSolution& one : kept) all.push_back({&task, std::move(one), {}});
   }
   return all;
@@ -228,8 +231,7 @@ int run(const Options& options) {
     if (!options.tasks.empty() && std::ranges::count(options.tasks, task.slug) == 0) continue;
     const std::string path = judge::known_path(task);
     known[task.slug] = mistakes::known_from_json(base::read_file(path), path);
-    for (Submission& one : submissions_of(config, task, options.each))
-      all.push_back(std::move(one));
+    for (Submission& one : submissions_of(config, task, options)) all.push_back(std::move(one));
   }
   const judge::Builder builder(config, request.isolation.tier, request.compile_limit);
   std::atomic<int> ended = 0;
@@ -253,6 +255,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Tests what known mistakes, their relatives and right solutions are named"};
   app.add_option("task", options.tasks, "Tasks; default: all");
   app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
+  app.add_option("--kind", options.kinds, "Only these")
+      ->check(CLI::IsMember({"wrong", "relative", "right", "noisy"}));
   app.add_option("--each", options.each, "Of each task and kind, only so many");
   app.add_flag("--verbose", options.verbose, "Say what each solution is named");
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });

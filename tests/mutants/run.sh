@@ -13,7 +13,7 @@ root=$(cd "$here/../.." && pwd)
 # shellcheck source=tests/copy_tree.sh
 . "$root/tests/copy_tree.sh"
 table=$here/mutants.txt
-least=409
+least=411
 limit=300 # seconds that a test may take
 
 fail() {

@@ -9,7 +9,6 @@ namespace pt {
 
 namespace {
 
-#pragma GCC diagnostic ignored "-Wreturn-type"
 double larger(double a, double b) {
   if (a >= b) return a;
 }

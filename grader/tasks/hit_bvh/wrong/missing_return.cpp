@@ -8,13 +8,10 @@ namespace pt {
 
 namespace {
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wreturn-type"
 bool is_nearer(const SurfaceHit& hit, const std::optional<Hit>& best) {
   if (!best) return true;
   if (hit.t < best->t) return true;
 }
-#pragma GCC diagnostic pop
 
 void visit(const Bvh& bvh, const Primitives& primitives, int index, Ray& ray,
            std::optional<Hit>& best) {
