@@ -8,7 +8,7 @@ set -euo pipefail
 root=$1 build=$2 compiler=$3
 # Together these hold every folder of the grader, and the write-up's programs that start submissions. They are not run, and so
 # built without what they start: the programs of all tasks.
-programs=(watch hint grade grade_class bless stability graded.hit_bvh graded_picture wrong_and_right_test known_mistakes
+programs=(watch hint grade grade_class bless stability graded.hit_bvh graded_picture wrong_and_right_test naming know
   writeup_boxed measure)
 mkdir -p "$build"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -flto=auto" -DFIRSTLIGHT_PCH=OFF -DFIRSTLIGHT_LINK_ONLY=ON -DFIRSTLIGHT_BENCH=ON \

@@ -115,10 +115,10 @@ struct PictureResult {
 // A mistake that alone explains all that is wrong with a task. If nothing is certain, there is
 // none.
 struct Mistake {
-  std::string name;      // of grader/tasks/<slug>/mistakes.txt; several are joined by ", "
-  std::string sentence;  // that says it
-  std::string found_by;  // "battery": by the task's answers
-  std::string hint{};    // leads to the line
+  std::string name;              // of grader/tasks/<slug>/mistakes.txt; several are joined by ", "
+  std::string sentence;          // that says it
+  std::string found_by;          // "battery": by the task's answers
+  std::string hint{};            // leads to the line
   bool always_the_same = false;  // the answer to every question: nothing of its own is computed
 
   bool empty() const { return name.empty(); }

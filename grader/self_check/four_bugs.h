@@ -14,9 +14,9 @@ namespace grader::self_check {
 struct Bug {
   const char* title;
   const char* task;
-  const char* mistake;   // in grader/tasks/<task>/mistakes.txt
-  const char* promise;   // that it breaks
-  const char* recipe;    // that shows it well
+  const char* mistake;  // in grader/tasks/<task>/mistakes.txt
+  const char* promise;  // that it breaks
+  const char* recipe;   // that shows it well
 };
 
 inline constexpr std::array<Bug, 4> kFourBugs{{
