@@ -5,7 +5,6 @@
 #include "grader/judge/ask_battery.h"
 #include "grader/mistakes/naming.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <mutex>
 #include <optional>

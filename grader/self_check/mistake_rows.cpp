@@ -110,7 +110,7 @@ std::string table_of_mistakes(const std::vector<MistakeRow>& rows) {
     for (const auto& [name, what] : wrong) {
       if (what.by.empty()) (what.slow.empty() ? missed : slow).push_back(name);
       if (!what.by.empty() || what.at_first.empty()) continue;
-      others += fmt::format("- {}/wrong/{}: {} had a failing cell in the first round only\n", task,
+      others += fmt::format("- {}/{}: {} had a failing cell in the first round only\n", task,
                             name, fmt::join(what.at_first, ", "));
     }
     tried += wrong.size();

@@ -12,6 +12,7 @@
 #include "grader/mistakes/compare.h"
 #include "grader/process/run_command.h"
 #include "grader/results/read_json.h"
+#include "grader/sandbox/box.h"
 #include "grader/self_check/task_folder.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
@@ -86,7 +87,7 @@ std::set<std::string> broken_promises(const judge::Trial& trial, const std::stri
       std::string(1, sandbox::letter(trial.request.isolation.tier)),
       "--no-shrinking"};
   fs::remove(report);
-  process::run_command({command, {"PATH=/usr/bin", "LANG=C.UTF-8"}, {}, "", {}}, kPromiseTime);
+  process::run_command({command, sandbox::judges_environment(), {}, "", {}}, kPromiseTime);
   std::set<std::string> broken;
   const results::Results found = results::read_results(report);
   for (const results::PromiseResult& promise : found.tasks.at(0).promises) {

@@ -4,6 +4,7 @@
 #include "grader/base/sha256.h"
 #include "grader/judge/cache.h"
 #include "grader/judge/kept.h"
+#include "grader/judge/name_mistakes.h"
 #include "grader/process/run_command.h"
 #include "grader/programs/grade_class/claim.h"
 #include "grader/programs/grade_class/identity.h"
@@ -72,6 +73,8 @@ Key key_of(const Judging& judging, const std::string& submission) {
     const base::Submitted file = base::read_submitted(root, task.part, task.slug);
     key += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
     if (!task.graded.empty()) key += stamp(task.graded);
+    const std::string known = judge::known_path(task);
+    if (fs::exists(known)) key += stamp(known);
   }
   return {base::sha256(key), base::sha256(base::read_file(points_file(judging)))};
 }
