@@ -60,7 +60,7 @@ double squared_error(const std::vector<double>& picture, const LongRender& golde
   return sum / static_cast<double>(picture.size());
 }
 
-// The square root of the mean of `squares`; nothing is known of one whose mean is not positive.
+// The square root of the mean of `squares`. It is unknown if the mean is not positive.
 Mean root_of(const std::vector<double>& squares) {
   const Mean square = mean_of(squares);
   if (!(square.value > 0)) return {0, std::sqrt(square.error)};
@@ -68,7 +68,7 @@ Mean root_of(const std::vector<double>& squares) {
   return {root, 0.5 * square.error / root};
 }
 
-// The renders of one number of samples.
+// All renders with the same number of samples.
 struct Repeats {
   std::vector<double> seconds;
   std::vector<std::vector<double>> squares;  // relMSE, by golden
@@ -86,7 +86,7 @@ class Renders {
         seed_(effort.seed) {}
 
   std::vector<LongRender> goldens(const std::vector<int>& of);
-  // [contender][number of samples]; the first have one sample: they show the time that does not depend on samples.
+  // Indexed by contender and number of samples. The first renders have one sample: they show the fixed time.
   std::vector<std::vector<Repeats>> repeats(const std::vector<LongRender>& goldens,
                                             const std::vector<int>& samples);
   void count_renders(std::size_t goldens, int samples_of_repeats) {
@@ -107,7 +107,7 @@ class Renders {
   const Effort& effort_;
   const std::function<void(double)>& progress_;
   double done_ = 0, all_ = 1;  // samples per pixel
-  std::uint32_t seed_;         // of the next render
+  std::uint32_t seed_;         // for the next render
 };
 
 std::vector<LongRender> Renders::goldens(const std::vector<int>& of) {
@@ -144,8 +144,7 @@ std::vector<std::vector<Repeats>> Renders::repeats(const std::vector<LongRender>
   return all;
 }
 
-// Seconds are a + b s. a, the part that does not depend on samples, is that of the line through the shortest and the
-// longest.
+// A render of s samples takes a + b s seconds. The line through the shortest and the longest render gives a.
 ErrorCurve curve_of(const std::vector<Repeats>& all, const std::vector<int>& samples) {
   const double shortest = median(all.front().seconds), longest = median(all.back().seconds);
   const double slope = (longest - shortest) / (samples.back() - samples.front());

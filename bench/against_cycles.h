@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// A view rendered by several renderers: whether their pictures agree, and the error of each after so many seconds.
+// Compares several renderers on one view: their pictures, and the error of each against time.
 
 namespace pt {
 
@@ -17,8 +17,8 @@ struct Effort {
   int golden_renders = 16;  // even; each with a seed of its own
   int golden_samples = 64;
   std::vector<int> samples{4, 16, 64, 256};
-  int repeats = 2;         // renders of each number of samples
-  std::uint32_t seed = 1;  // of the first render; the others take the seeds after it
+  int repeats = 2;         // renders per number of samples
+  std::uint32_t seed = 1;  // for the first render; the others use the seeds after it
 };
 
 // One renderer with its settings.
@@ -34,33 +34,33 @@ struct Mean {
 };
 Mean mean_of(const std::vector<double>& values);
 
-// A renderer's long render: the mean of many, the two means of half of them each, and the mean luminance of each region.
+// A renderer's long render: the mean of many renders, the mean of each half of them, and each region's mean luminance.
 struct LongRender {
   Image picture;
   std::vector<double> halves[2];  // luminance, by pixel
   std::vector<Mean> regions;
 };
 
-// The error of a picture of `samples` samples. Errors are roots of relMSE, the mean over the pixels of
-// (x - g)^2 / (g + .01)^2 of luminance, without the part that is the noise of g.
+// The error of a picture of `samples` samples: the root of relMSE, the mean over the pixels of (x -
+// g)^2 / (g + .01)^2 in luminance, without the noise of g.
 struct ErrorAfter {
   int samples = 0;
-  double cpu_seconds = 0;    // the median of the repeats, without what does not depend on samples
+  double cpu_seconds = 0;    // the median of the repeats, without the fixed time
   std::vector<Mean> errors;  // against each golden
 };
 
 struct ErrorCurve {
   std::vector<ErrorAfter> points;
-  double fixed_seconds = 0;  // of a render, besides its samples
+  double fixed_seconds = 0;  // per render, without its samples
 };
 
 struct RendererComparison {
   std::vector<LongRender> goldens;
-  std::vector<ErrorCurve> curves;  // of each contender
+  std::vector<ErrorCurve> curves;  // one per contender
 };
 
-// All contenders by turns; seeds differ everywhere. `golden_of`: the contenders whose goldens are made. `progress`
-// is called with the part that is done.
+// The contenders take turns, and no two renders have the same seed. `golden_of` lists the contenders whose goldens
+// are made. `progress` is called with the part that is done.
 RendererComparison compare(const std::vector<Contender>& contenders,
                            const std::vector<int>& golden_of, const std::vector<Region>& regions,
                            const Effort& effort, const std::function<void(double)>& progress);

@@ -1,5 +1,5 @@
-// Our renderer beside an independent one, Blender's Cycles: the radiance of each part of a picture, and error against
-// time. See docs/cycles.md.
+// Compares our renderer with an independent one, Blender's Cycles: the radiance of each part of a picture, and error
+// against time. See docs/cycles.md.
 #include "bench/against_cycles.h"
 #include "bench/cycles_report.h"
 #include "bench/cycles_scene.h"
@@ -10,7 +10,7 @@
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/frame_camera.h"
-#include "tests/temporary_folder.h"
+#include "tests/fixtures/temporary_folder.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -25,15 +25,15 @@ namespace fs = std::filesystem;
 // The course's framing shows a window of 480 x 360 pixels; our pictures show the same window.
 constexpr int kFramedWidth = 480, kFramedHeight = 360;
 constexpr int kWidth = 240, kQuickWidth = 160;  // of our pictures
-constexpr int kMaxLeaf = 4;                     // as ./run render has it
+constexpr int kMaxLeaf = 4;                     // the default of ./run render
 
 struct Options {
   std::vector<std::string> scenes;
   std::string blender = "/usr/bin/blender";
   fs::path out = FIRSTLIGHT_ROOT "/build/cycles";
-  int width = 0;  // of the pictures; the height is three quarters of it; 0: by default
+  int width = 0;  // 0: the default; a picture is three quarters as high
   std::vector<int> light_samples{1, 4};
-  double survival = 0.7;
+  double survival = pt::PathSettings{}.survival;
   int bounces = 5;
   int sphere_level = 7;
   int threads = 1;
@@ -61,7 +61,7 @@ Loaded load(const fs::path& file) {
   return loaded;
 }
 
-// One for each number of light samples.
+// One contender for each number of light samples.
 std::vector<pt::Contender> ours(const pt::View& picture, const Options& options) {
   std::vector<pt::Contender> all;
   for (const int l : options.light_samples) {
@@ -76,7 +76,7 @@ std::vector<pt::Contender> ours(const pt::View& picture, const Options& options)
   return all;
 }
 
-// Blender with the scene in it.
+// A running Blender that has the scene.
 struct Theirs {
   Theirs(const Options& options, const Loaded& loaded, const fs::path& file)
       : cycles(options.blender, folder.path(),
@@ -92,7 +92,7 @@ struct Theirs {
 
   TemporaryFolder folder;
   pt::Cycles cycles;
-  double first_seconds;  // of a render of one sample that has to build the tree
+  double first_seconds;  // for a render of one sample, which has to build the tree
 };
 
 pt::SceneReport compare_scene(const fs::path& file, const Options& options,
@@ -145,38 +145,37 @@ int run(Options options) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // each line when it is known, also into a pipe
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // prints each line at once, also into a pipe
   CLI::App app(
-      "Our renderer beside Blender's Cycles: the radiance of each part of a picture, and error\n"
-      "against processor time. Writes regions.csv, and of each scene a chart and two "
-      "long\nrenders.",
+      "Compares our renderer with Blender's Cycles: the radiance of each part of a picture, and\n"
+      "error against processor time. Writes regions.csv, and for each scene a chart and two\n"
+      "long renders.",
       "./run bench cycles");
   Options options;
   app.add_option("scene", options.scenes, "scene files; default: box_spheres and box_gems")
       ->check(CLI::ExistingFile);
-  app.add_flag("--quick", options.quick, "a look in a minute: small pictures, fewer samples");
-  app.add_option("--out", options.out, "folder of what is written")->capture_default_str();
-  app.add_option("-m,--bounces", options.bounces, "the same for both: 1 is direct light")
+  app.add_flag("--quick", options.quick, "takes only a minute: small pictures, fewer samples");
+  app.add_option("--out", options.out, "folder for the files")->capture_default_str();
+  app.add_option("-m,--bounces", options.bounces, "for both renderers; 1 is direct light")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  app.add_option("-l,--light-samples", options.light_samples, "ours: a curve for each number")
+  app.add_option("-l,--light-samples", options.light_samples, "for ours; each number gives a curve")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  app.add_option("--survival", options.survival, "ours: of Russian roulette")
+  app.add_option("--survival", options.survival, "for ours: Russian roulette")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  app.add_option(
-         "--width", options.width,
-         "of the pictures, default 240, with --quick 160; the height is three quarters of it")
+  app.add_option("--width", options.width,
+                 "in pixels, default 240, with --quick 160; a picture is three quarters as high")
       ->check(CLI::Range(16, 4096));
   app.add_option("--sphere-level", options.sphere_level,
-                 "Cycles has no spheres: 20 x 4^(level - 1) triangles stand for one")
+                 "Cycles has no spheres: 20 x 4^(level - 1) triangles replace each")
       ->check(CLI::Range(1, 9))
       ->capture_default_str();
-  app.add_option("-t,--threads", options.threads, "of both")
+  app.add_option("-t,--threads", options.threads, "for both renderers")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "of the first render; each of the others has the next one")
+  app.add_option("--seed", options.seed, "for the first render; each other render uses the next")
       ->check(CLI::Range(0, 1 << 30))
       ->capture_default_str();
   app.add_option("--blender", options.blender, "the program")->capture_default_str();

@@ -1,5 +1,5 @@
-// The wide engine against Embree 3 in one run: rays, whole pictures, threads, and what of the goals
-// was reached. See docs/performance.md.
+// Compares the wide engine with Embree 3 in one run: rays, whole pictures, threads, and which goals
+// were reached. See docs/performance.md.
 #include "bench/against_embree.h"
 #include "pt/accel/kernel.h"
 #include "pt/command_line.h"
@@ -23,7 +23,7 @@ std::vector<std::string> scene_files(const fs::path& folder) {
     if (fs::exists(file)) {
       files.push_back(file.string());
     } else {
-      std::printf("%s is not here (--scenes FOLDER says where)\n", file.string().c_str());
+      std::printf("%s was not found (--scenes FOLDER says where)\n", file.string().c_str());
     }
   }
   return files;
@@ -55,7 +55,7 @@ int run(pt::BenchSettings settings, const std::string& scenes, bool quick) {
   std::error_code failed;
   fs::create_directories(settings.folder, failed);
   if (failed) throw pt::Error(settings.folder + " cannot be made: " + failed.message());
-  std::printf("kernel %s; times are CPU time, ratios medians of rounds\n", pt::best_kernel().name);
+  std::printf("kernel %s; CPU times; ratios are medians of rounds\n", pt::best_kernel().name);
 
   const std::vector<std::string> files = scene_files(scenes);
   std::vector<pt::Goal> goals = pt::compare_rays(settings, blobs, files);
@@ -72,17 +72,17 @@ int run(pt::BenchSettings settings, const std::string& scenes, bool quick) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // each line when it is known, also into a pipe
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // prints each line at once, also into a pipe
   CLI::App app(
-      "The wide engine against Embree 3: rays, whole pictures, threads, memory.\n"
+      "Compares the wide engine with Embree 3: rays, whole pictures, threads, memory.\n"
       "Writes rays.csv, rays.svg, renders.csv and goals.csv. About five minutes.");
   pt::BenchSettings settings;
   std::string scenes = default_scenes();
   bool quick = false;
-  app.add_option("--out", settings.folder, "folder of what is written, made if it is not there")
+  app.add_option("--out", settings.folder, "folder for the files, made if it is missing")
       ->capture_default_str();
   app.add_option("--scenes", scenes, "folder of the course's scenes (sky/CBbunny.dae, ...)")
       ->capture_default_str();
-  app.add_flag("--quick", quick, "a look in half a minute: fewer rounds and rays, small pictures");
+  app.add_flag("--quick", quick, "takes only half a minute: fewer rounds and rays, small pictures");
   return pt::run_command_line(app, count, arguments, [&] { return run(settings, scenes, quick); });
 }

@@ -1,4 +1,4 @@
-# gnuplot -e "folder='docs/performance'" bench/chart.gp: the time of a ray against the number of
+# gnuplot -e "folder='docs/performance'" bench/chart.gp: draws the time of a ray against the number of
 # triangles, from folder/rays.csv to folder/rays.svg.
 set datafile separator ","
 set datafile missing NaN

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""class_cost.py GRADER CLASS [--jobs N] [-- OPTIONS of grade]: what it costs to grade a class from nothing.
+"""class_cost.py GRADER CLASS [--jobs N] [-- OPTIONS of grade]: measures what it costs to grade a class from nothing.
 
-Prints processor seconds per submission by phase, submissions an hour on so many processors if nothing else runs on them,
-and bytes. GRADER is the folder with grade_class and its grade.json (build/check/grader). Processor time and not time is
-measured, so that a machine that is busy with other work gives nearly the same.
+Prints processor seconds per submission by phase, submissions per hour on N processors if nothing else runs on them,
+and bytes. GRADER is the folder with grade_class and its grade.json (build/check/grader). Processor time and not wall time is
+measured, so a busy machine gives nearly the same result.
 """
 import argparse
 import csv
@@ -96,7 +96,7 @@ def main():
         print(f"{n} submissions, {counts.get('all', 0)} of them graded, {sum(row['problem'] != '' for row in rows)} with a problem; exit status {status}")
         for name, value in sorted(phases.items(), key=lambda each: -each[1]):
             print(f"  {name:28} {value:8.1f} s   {value / n:7.3f} s each   {counts.get(name, '')}")
-        print(f"  {3600 * options.jobs * n / phases['all']:.0f} submissions an hour on {options.jobs} processors")
+        print(f"  {3600 * options.jobs * n / phases['all']:.0f} submissions per hour on {options.jobs} processors")
         cache = here / "work/cache"
         kinds = {}
         for path in cache.iterdir():

@@ -1,6 +1,6 @@
 #include "bench/cycles.h"
 
-#include "grader/process/spawn.h"
+#include "grader/service/process/spawn.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/image_io.h"
@@ -20,7 +20,7 @@ using grader::base::Descriptor;
 
 namespace {
 
-// The last line that says what went wrong; Blender prints others after it.
+// The last line that says what went wrong. Blender prints more lines after it.
 std::string last_words(const fs::path& log) {
   std::ifstream file(log);
   std::string line, last;
@@ -42,7 +42,7 @@ grader::process::Child blender_with(const fs::path& blender, const fs::path& fol
                    FIRSTLIGHT_ROOT "/bench/cycles.py",
                    "--",
                    (folder / "scene.json").string()};
-  // All files that it keeps for itself stay in the folder.
+  // Blender's own files stay in the folder, too.
   child.environment = {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "HOME=" + folder.string()};
   return child;
 }
@@ -59,7 +59,7 @@ Cycles::Cycles(const fs::path& blender, const fs::path& folder, const std::strin
   grader::process::Child child = blender_with(blender, folder);
   child.descriptors = {jobs.read_end.number(), log.number(), log.number(),
                        answers.write_end.number()};
-  std::signal(SIGPIPE, SIG_IGN);  // if it is gone, reading its answer says so
+  std::signal(SIGPIPE, SIG_IGN);  // if Blender is gone, reading its answer fails
   process_ = grader::process::spawn(child);
   jobs_ = std::move(jobs.write_end);
   answers_.reset(fdopen(dup(answers.read_end.number()), "r"));

@@ -14,30 +14,30 @@
 
 namespace pt {
 
-// A picture, and the processor time of all threads that it took.
+// A picture, and the processor time that it took on all threads.
 struct TimedImage {
   Image image;
   double cpu_seconds = 0;
 };
 
-// Blender with one scene in it, which renders when it is asked to. Throws Error, with Blender's own last words, if
-// it ends before it has answered.
+// A running Blender that has one scene, and renders it on request. Throws Error with Blender's last message if
+// Blender ends before it has answered.
 class Cycles {
  public:
-  // `blender` is a program. `scene` is what cycles_scene returns. `folder` takes the scene, pictures, and a log.
+  // `blender` is a program. cycles_scene makes `scene`. `folder` receives the scene, pictures, and a log.
   Cycles(const std::filesystem::path& blender, const std::filesystem::path& folder,
          const std::string& scene);
   ~Cycles();
   Cycles(const Cycles&) = delete;
   Cycles& operator=(const Cycles&) = delete;
 
-  // The time does not include that of writing and reading the file.
+  // The time does not include writing and reading the file.
   TimedImage render(int samples, std::uint32_t seed);
 
   const std::string& version() const { return version_; }
   double start_cpu_seconds() const {
     return start_seconds_;
-  }  // until the scene was there, without its tree
+  }  // until the scene was loaded, without its tree
 
  private:
   nlohmann::json answer();

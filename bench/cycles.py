@@ -1,8 +1,8 @@
-# Renders a scene by Blender's Cycles, for bench_cycles:
+# Renders a scene with Blender's Cycles, for bench_cycles:
 #     blender --background --factory-startup --python cycles.py -- scene.json
-# Reads jobs from standard input, a line of JSON each: {"samples": 16, "seed": 1, "picture": "1.exr"}, and answers each
-# on descriptor 3 by a line of JSON with the processor time that the render took. scene.json is what bench/cycles_scene.cpp writes. World
-# coordinates are taken as they are, y up: nothing here knows which way Blender calls up.
+# Reads jobs from standard input, a line of JSON per job: {"samples": 16, "seed": 1, "picture": "1.exr"}, and answers on descriptor
+# 3 with a line of JSON: the processor time of the render. bench/cycles_scene.cpp writes scene.json. World coordinates are used as
+# they are, with y up: nothing here depends on Blender's own up direction.
 import array
 import json
 import math
@@ -56,7 +56,7 @@ def add_object(mesh, material):
 
 
 def add_triangles(group, material):
-    """Triangles that share no corner, so that each has the normals of its own."""
+    """Triangles that share no corner, so that each has its own normals."""
     corners = array.array("f", group["corners"])
     count = len(corners) // 3
     mesh = bpy.data.meshes.new("triangles")
@@ -90,7 +90,7 @@ def add_sphere(sphere, level, material):
 
 
 def turned(z, y):
-    """Of a lamp, which shines along its -z: a matrix whose z and y axes are these, as far as they are at right angles."""
+    """The matrix of a lamp, which shines along its -z: its z axis is z, and its y axis is y made perpendicular to z."""
     z = Vector(z).normalized()
     x = Vector(y).cross(z).normalized()
     return Matrix((x, z.cross(x), z)).transposed().to_4x4()
@@ -138,7 +138,7 @@ def settings(described):
     scene.render.engine = "CYCLES"
     scene.render.threads_mode = "FIXED"
     scene.render.threads = described["threads"]
-    scene.render.use_persistent_data = True  # the tree is built once
+    scene.render.use_persistent_data = True  # builds the tree once
     cycles = scene.cycles
     cycles.device = "CPU"
     cycles.use_denoising = False
@@ -153,7 +153,7 @@ def settings(described):
     cycles.pixel_filter_type = "BOX"  # the pixel's own square
     # Blender does not count direct light as a bounce.
     cycles.max_bounces = cycles.diffuse_bounces = described["bounces"] - 1
-    cycles.min_light_bounces = 0  # Russian roulette as it comes
+    cycles.min_light_bounces = 0  # Russian roulette from the first bounce on
     # Radiance as it is, in floats.
     scene.view_settings.view_transform = "Standard"
     scene.render.image_settings.file_format = "OPEN_EXR"
@@ -188,7 +188,7 @@ def render(job):
     scene = bpy.context.scene
     scene.cycles.samples = job["samples"]
     scene.cycles.seed = job["seed"]
-    scene.update_tag()  # or the data that persists hides the new settings
+    scene.update_tag()  # otherwise the data that persists hides the new settings
     before = processor_seconds()
     bpy.ops.render.render()
     seconds = processor_seconds() - before

@@ -1,8 +1,8 @@
 #include "bench/cycles_report.h"
 
+#include "measure/charts/gnuplot.h"
 #include "pt/file.h"
 #include "pt/image/image_io.h"
-#include "writeup/gnuplot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace pt {
 namespace {
 
-// Ours beside theirs, of one region.
+// Our mean luminance in one region, and theirs.
 struct Agreement {
   Mean ours, theirs;
   double relative = 0;        // theirs / ours - 1
@@ -27,7 +27,7 @@ Agreement agreement(const Mean& ours, const Mean& theirs) {
     result.relative = theirs.value / ours.value - 1;
     result.relative_error = error / ours.value;
   }
-  // A light's own pixels are the same in each render, but for rounding.
+  // Pixels that show a light are the same in each render, except for rounding.
   if (error > 1e-6 * ours.value) result.sigmas = (theirs.value - ours.value) / error;
   return result;
 }
@@ -53,7 +53,7 @@ std::string region_table(const SceneReport& report) {
   return text;
 }
 
-// Both beside a formula without noise.
+// Compares both with a formula that has no noise.
 std::string formula_table(const SceneReport& report) {
   if (!report.by_formula) return "";
   std::string text = fmt::format("\n  {:<32}{:>12}{:>22}{:>8}{:>22}{:>8}\n", "region", "by formula",
@@ -73,7 +73,7 @@ std::string formula_table(const SceneReport& report) {
   return text;
 }
 
-// The mean of error^2 x seconds. The ratio of two costs is that of the times for the same error.
+// The mean of error^2 x seconds. The ratio of two costs is the ratio of the times for the same error.
 double cost(const ErrorCurve& curve) {
   double sum = 0;
   for (const ErrorAfter& point : curve.points) {
@@ -108,7 +108,7 @@ set ylabel "error (root of relMSE)"
 set key top right
 plot )gp";
 
-// Ours blue, theirs red.
+// Our curves are blue, theirs are red.
 void draw_errors(const SceneReport& report, const std::filesystem::path& folder) {
   const std::string file = report.scene + "_error.csv";
   std::string csv = "renderer,samples,seconds,error,error_of_it\n", plot = kChart;
@@ -125,14 +125,14 @@ void draw_errors(const SceneReport& report, const std::filesystem::path& folder)
         "{}\"{}\" index {} using 3:4:5 with yerrorlines lc rgb \"{}\" lw 1.5 pt {} ps .6 title "
         "\"{}\"",
         i > 0 ? ", " : "", file, i,
-        writeup::color(ours ? writeup::Hue::blue : writeup::Hue::red, 3 * used[ours]++ + 1),
+        measure::color(ours ? measure::Hue::blue : measure::Hue::red, 3 * used[ours]++ + 1),
         ours ? 7 : 5, title);
   }
   write_file(folder / file, csv);
-  writeup::draw(folder, report.scene, plot + "\n");
+  measure::draw(folder, report.scene, plot + "\n");
 }
 
-// Writes the pictures of the long renders, which ./run compare lays side by side.
+// Writes the pictures of the long renders, so that ./run compare can compare them.
 void write_pictures(const SceneReport& report, const std::filesystem::path& folder) {
   const char* const names[] = {"ours", "cycles"};
   for (int i = 0; i < 2; ++i) {
@@ -149,7 +149,7 @@ std::string to_text(const SceneReport& report) {
   std::string text = report.scene + "\n" + region_table(report) + formula_table(report) + "\n" +
                      error_table(report) + "\n";
   for (const StartTimes& start : report.times) {
-    text += fmt::format("  {}: {:.2f} s until the scene is there, {:.3f} s for the tree\n",
+    text += fmt::format("  {}: {:.2f} s until the scene is loaded, {:.3f} s for the tree\n",
                         start.title, start.scene, start.tree);
   }
   return text;

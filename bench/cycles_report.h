@@ -12,8 +12,8 @@ namespace pt {
 // The work before the first sample, in seconds of processor time.
 struct StartTimes {
   std::string title;
-  double scene = 0;  // until the scene was in memory; for Blender, its own start too
-  double tree = 0;   // and ready to be traced
+  double scene = 0;  // until the scene was loaded, with Blender's own start
+  double tree = 0;   // from then on, until rays could be traced
 };
 
 struct SceneReport {
@@ -29,8 +29,8 @@ struct SceneReport {
 // Tables for the terminal.
 std::string to_text(const SceneReport& report);
 
-// Writes regions.csv and, for each scene, <scene>_error.csv, a chart <scene>.svg where there is gnuplot, and the two
-// long renders as <scene>_ours.exr and <scene>_cycles.exr. Throws Error if a file cannot be written.
+// Writes regions.csv and, for each scene, <scene>_error.csv, a chart <scene>.svg if gnuplot is installed, and the
+// two long renders as <scene>_ours.exr and <scene>_cycles.exr. Throws Error if a file cannot be written.
 void write_reports(const std::vector<SceneReport>& reports, const std::filesystem::path& folder);
 
 }  // namespace pt

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 // The tolerance for the power of a light, compared with that of the surfaces that emit.
 constexpr double kSamePower = 1e-6;
-// The distance of a corner's normal from the face's below which the triangle counts as flat.
+// A triangle counts as flat if the normals of its corners are closer to the face's than this.
 constexpr double kFlat = 1e-9;
 
 Json numbers(Vec3 v) { return {v.x, v.y, v.z}; }
@@ -74,7 +74,7 @@ Json material_list(const Scene& scene) {
 
 double area(const Triangle& triangle) { return 0.5 * length(geometric_normal(triangle)); }
 
-// Area times luminance, which is power but for a factor of pi.
+// Area times luminance: the power without its factor pi.
 double power_of_surfaces(const Scene& scene) {
   double power = 0;
   for (int i = 0; i < scene.primitives.size(); ++i) {
@@ -86,7 +86,7 @@ double power_of_surfaces(const Scene& scene) {
   return power;
 }
 
-// The lights that have no surface, and the power of all that have an area.
+// The lights that have no surface, and the power of all lights that have an area.
 struct Lamps {
   Json list = Json::array();
   double power = 0;
@@ -118,11 +118,11 @@ Json lamp_list(const Scene& scene, const std::filesystem::path& file) {
   for (const Light& light : scene.lights) add_light(lamps, light);
   const double power = power_of_surfaces(scene);
   if (lamps.sky) {
-    throw Error(file.string() + ": the sky is not handed to Cycles; take a scene without one");
+    throw Error(file.string() + ": Cycles does not get the sky; use a scene without a sky");
   }
   if (std::abs(lamps.power - power) > kSamePower * power) {
     throw Error(file.string() +
-                ": an area light has no surface that emits; Cycles would show it otherwise");
+                ": an area light has no surface that emits; Cycles would show it differently");
   }
   return lamps.list;
 }

@@ -16,8 +16,8 @@ struct CyclesSettings {
   int sphere_level = 6;  // of each sphere's mesh: 20 x 4^(level - 1) triangles
 };
 
-// The scene as the loader reads it and as the camera sees it, in JSON for bench/cycles.py. Throws Error, naming
-// `file`, for a light that Cycles is not told of: the sky, and an area light without a surface.
+// Returns the loaded scene and its camera in JSON for bench/cycles.py. Throws Error, naming `file`, for a light
+// that Cycles does not get: the sky, and an area light without a surface.
 std::string cycles_scene(const LoadedScene& loaded, const std::filesystem::path& file,
                          const Camera& camera, const CyclesSettings& settings);
 

@@ -1,6 +1,6 @@
 #include "bench/direct_formula.h"
 
-#include "grader/check/closed_forms.h"
+#include "grader/check/scenes/closed_forms.h"
 #include "pt/geometry/spawn_ray.h"
 #include "pt/geometry/surface_point.h"
 #include "pt/tasks/camera_ray.h"
@@ -11,9 +11,9 @@
 namespace pt {
 namespace {
 
-// Points of a pixel, along each side. The formula is smooth inside a region.
+// Points per pixel along each side. Inside a region, where the formula is smooth, few are enough.
 constexpr int kSmooth = 4, kEdge = 64;
-constexpr double kNearCorner = 0.49;  // of a side, from the centre
+constexpr double kNearCorner = 0.49;  // distance from the centre, in sides
 
 Vec3 at(const RectangleLight& light, double a, double b) {
   return light.center + a * light.u + b * light.v;
@@ -30,7 +30,7 @@ bool sees(const Scene& scene, const SurfacePoint& point, const RectangleLight& l
   });
 }
 
-// The luminance along a ray through x, y of the picture; nothing where the formula does not tell.
+// The luminance along a ray through x, y of the picture; nothing where the formula does not apply.
 std::optional<double> luminance_at(const View& view, double x, double y) {
   const Ray ray = camera_ray(view.camera, x, y);
   const std::optional<Hit> hit = view.scene.closest(ray);
@@ -70,7 +70,7 @@ std::optional<std::vector<double>> direct_by_formula(const View& view,
                                                      const std::vector<Region>& regions) {
   if (view.settings.to != 1) return std::nullopt;
   std::vector<double> pixels(static_cast<std::size_t>(view.width) * view.height);
-  // The last two regions are the pixels that show an edge, and all.
+  // The last two regions are the pixels that show an edge, and all pixels.
   for (std::size_t i = 0; i + 1 < regions.size(); ++i) {
     const int points = i + 2 == regions.size() ? kEdge : kSmooth;
     for (const int pixel : regions[i].pixels) {

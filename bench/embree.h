@@ -12,8 +12,8 @@
 
 namespace pt {
 
-// The triangles and spheres of a scene in Embree 3, built with its defaults on one thread. Single
-// precision throughout, as Embree has it.
+// The triangles and spheres of a scene in Embree 3, built with its defaults on one thread. All
+// numbers are in single precision, as in Embree.
 class EmbreeScene {
  public:
   explicit EmbreeScene(const Primitives& primitives);
@@ -21,7 +21,7 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  // One ray, by rtcIntersect1 and rtcOccluded1. The normal is interpolated like ours.
+  // Queries for one ray, with rtcIntersect1 and rtcOccluded1. The normal is interpolated like ours.
   std::optional<Hit> closest(const Primitives& primitives, const Ray& ray) const;
   bool occluded(const Ray& ray) const;
 
@@ -29,15 +29,15 @@ class EmbreeScene {
   std::optional<Hit> hit_of(const Primitives& primitives, const Ray& ray,
                             const RTCRayHit& query) const;
 
-  // Up to 8 rays, by rtcOccluded8: bit i says whether ray i is blocked.
+  // A query for up to 8 rays, with rtcOccluded8: bit i says whether ray i is blocked.
   std::uint32_t occluded8(std::span<const Ray> rays) const;
 
   std::size_t bytes() const { return static_cast<std::size_t>(bytes_); }
 
   RTCScene handle() const { return scene_; }
 
-  // The ray in single precision. It begins and ends a little later and earlier, by 2^-16 of the
-  // scene's size: in single precision, the surface on which it starts is not far enough away.
+  // Returns the ray in single precision, shortened at both ends by 2^-16 of the scene's size:
+  // otherwise it could hit the surface on which it starts.
   RTCRay convert(const Ray& ray) const;
 
  private:
@@ -47,7 +47,7 @@ class EmbreeScene {
   RTCScene scene_;
   std::uint32_t triangle_count_;
   double margin_ = 0;
-  long long bytes_ = 0;  // of memory, by Embree's own count
+  long long bytes_ = 0;  // of memory, as Embree counts them
 };
 
 }  // namespace pt

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""make_class.py FOLDER [--submissions N] [--seed S]: a class as it may be handed in, of any size.
+"""make_class.py FOLDER [--submissions N] [--seed S]: makes a class of any size, as it could be handed in.
 
-Learners are some way through the course. What they have done is the reference, a right variant or a known mistake; what
-they have not is a stub. One in twenty is hostile or broken: endless loops, crashes, calls of the system, files that do not
-compile, archives that are damaged, nothing at all. One in ten hands in what another one has. Every other file differs
+Each learner has written some of the tasks. A task that is written is the reference, a right variant or a known mistake; a
+task that is not is a stub. One learner in twenty is hostile or broken: endless loops, crashes, system calls, files that do not
+compile, damaged archives, nothing at all. One in ten hands in the work of another. Every other file differs
 from all others, as in a class, so that it has to be compiled. The same seed gives the same class.
 """
 import argparse
@@ -40,7 +40,7 @@ def written(rng, slug, part):
 
 
 def learner(rng, name):
-    """The files of one learner, by path. They have begun so many tasks."""
+    """The files of one learner, by path, with some tasks begun."""
     begun = rng.choice([2, 4, 4, 7, 10, 12, 12, 12])
     files = {}
     for number, (slug, part) in enumerate(TASKS):
@@ -53,9 +53,9 @@ def learner(rng, name):
 
 
 def hostile(rng, files):
-    """One folder of files that attack, over what is there. Some need to be told where to look: they find nothing."""
-    folder = rng.choice(sorted(p for p in (ROOT / "grader/self_check/hostile").iterdir() if p.is_dir()))
-    raw = (ROOT / "grader/self_check/hostile/raw.h").read_text()
+    """Writes one folder of hostile files over the learner's. Some would need to know where to look: they find nothing."""
+    folder = rng.choice(sorted(p for p in (ROOT / "tests/fixtures/hostile").iterdir() if p.is_dir()))
+    raw = (ROOT / "tests/fixtures/hostile/raw.h").read_text()
     for path in folder.rglob("*.cpp"):
         text = path.read_text()
         for sign, value in (("@RAW@", raw), ("@ROOT@", "/nowhere"), ("@SUBMISSION@", "/nowhere"), ("@WORK@", "/nowhere")):

@@ -12,8 +12,8 @@ namespace pt {
 
 // Measures the gain of single precision in a binary tree such as learners write: the tree of the
 // task build_bvh, its boxes and triangles in Real, one ray against one box or triangle at a time,
-// the nearer child first. No errors are bounded: in float it is neither tight nor exact, only as
-// fast as that. Triangles only.
+// the nearer child first. It bounds no errors: in float it is neither tight nor exact, and shows
+// only the speed. Triangles only.
 template <class Real>
 class PrecisionTree {
  public:
@@ -37,7 +37,7 @@ class PrecisionTree {
     }
   }
 
-  // The ray begins `margin` later: in float it would meet what it starts on.
+  // The ray begins `margin` later: in float it would hit the surface on which it starts.
   static Line convert(const Ray& ray, double margin) {
     return {vec(ray.origin), vec(ray.direction), static_cast<Real>(ray.t_min + margin),
             static_cast<Real>(ray.t_max)};
@@ -81,7 +81,7 @@ class PrecisionTree {
   }
   static Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-  // The t at which the line enters the node's box; infinite if it does not up to t_max.
+  // The t at which the line enters the node's box; infinite if it does not enter the box up to t_max.
   static Real entry(const Node& node, const Line& line, Vec inverse, Real t_max) {
     Real begin = line.t_min, end = t_max;
     const auto cut = [&](Real low, Real high, Real o, Real d) {

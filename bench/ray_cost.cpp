@@ -1,5 +1,5 @@
-// The time of a ray by its parts: nanoseconds of each step of a query, on the same rays in one run,
-// for each kernel. Decision 10 has the table.
+// Measures each step of a query in nanoseconds, on the same rays in one run, for each kernel.
+// Decision 10 has the table.
 #include "bench/ray_cost.h"
 
 #include "bench/ray_sets.h"
@@ -28,7 +28,7 @@ const RaySteps* find_ray_steps(const char* name) {
 
 namespace {
 
-volatile double sink;  // keeps what is timed from being optimised away
+volatile double sink;  // keeps the timed code from being optimised away
 
 struct Step {
   const char* name;
@@ -133,15 +133,15 @@ int run(const std::vector<std::string>& scenes, const std::vector<std::string>& 
 }  // namespace pt
 
 int main(int count, char** arguments) {
-  CLI::App app("Where the time of a ray goes, step by step, for each kernel.");
+  CLI::App app("Measures the time of each step of a ray query, for each kernel.");
   std::vector<std::string> scenes, kernels{"v4", "v3", "plain"};
   int rays = 100000, rounds = 7;
   app.add_option("scenes", scenes, "scene files, or numbers: blobs of so many triangles")
       ->required();
-  app.add_option("--kernels", kernels, "one alone, where its instructions are counted")
+  app.add_option("--kernels", kernels, "only these, for example to count their instructions")
       ->check(CLI::IsMember({"v4", "v3", "plain"}))
       ->allow_extra_args(false);
-  app.add_option("--rays", rays, "of each kind")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--rays", rays, "per kind")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--rounds", rounds)->check(CLI::PositiveNumber)->capture_default_str();
   return pt::run_command_line(app, count, arguments,
                               [&] { return pt::run(scenes, kernels, rays, rounds); });

@@ -1,6 +1,5 @@
 // The steps of a query, each a contender of its own. Included once for each instruction set, by
-// ray_cost_<name>.cpp, like pt/accel/traverse.h: nothing here has external linkage but the object
-// at the end.
+// ray_cost_<name>.cpp, like pt/accel/traverse.h: only the object at the end has external linkage.
 #include "bench/ray_cost.h"
 #include "pt/accel/any_hit.h"
 #include "pt/accel/closest_hit.h"
@@ -27,7 +26,7 @@ WideHit prepared(const WideQuery& query, const Ray& ray) {
   return {{any, r.enter[0] + r.leave[1] + r.t_max, 0, 0, 0}, 0};
 }
 
-// The whole search in single precision, with those decisions that it cannot do without.
+// The whole search in single precision, with only the decisions that it needs.
 WideHit found(const WideQuery& query, const Ray& ray) {
   Nearest nearest;
   FloatRay r;

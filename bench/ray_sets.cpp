@@ -11,7 +11,7 @@ namespace {
 constexpr int kWidth = 480;
 constexpr int kHeight = 360;
 
-// Towards random lights, those from which something arrives.
+// Adds rays towards random lights, if light from them arrives.
 void add_shadow_rays(const Scene& scene, const SurfacePoint& point, Sampler& sampler,
                      std::vector<Ray>& rays) {
   if (scene.lights.empty()) return;

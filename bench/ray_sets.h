@@ -16,9 +16,9 @@ struct RaySets {
   std::vector<Ray> shadow;
 };
 
-// About `count` rays of each kind. The scene's tracer is used. Primary rays are jittered through
-// the pixels of a 480 x 360 picture in order; the others start from points met by those or after
-// one bounce, by turns.
+// Makes about `count` rays of each kind with the scene's tracer. Primary rays go through random
+// points of the pixels of a 480 x 360 picture, in order. The others start in turn at the hits of
+// primary rays, and after one bounce.
 RaySets make_rays(const TestScene& test, int count);
 
 }  // namespace pt

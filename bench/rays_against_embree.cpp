@@ -13,7 +13,7 @@
 namespace pt {
 namespace {
 
-volatile long long sink;  // keeps what is timed from being optimised away
+volatile long long sink;  // keeps the timed code from being optimised away
 
 // Embree's rays are converted beforehand, and copied because a query writes into them.
 struct EmbreeRays {
@@ -25,7 +25,7 @@ struct EmbreeRays {
       : scene(embree), from(these) {
     for (const Ray& ray : from) rays.push_back(scene.convert(ray));
   }
-  // Like ours, with the normal at the hit.
+  // Like our query, it computes the normal at the hit.
   void closest(const Primitives& primitives) const {
     long long hits = 0;
     RTCIntersectContext context;
@@ -75,7 +75,7 @@ struct Ours {
   }
 };
 
-// Float against double, in a binary tree: the bounce rays.
+// Compares float with double in a binary tree, on the bounce rays.
 template <class Real>
 struct BinaryRays {
   PrecisionTree<Real> tree;
@@ -127,7 +127,7 @@ Line line(const char* kind, const std::vector<double>& ours, const std::vector<d
   return {kind, median(ours), median(embree), ratio(embree, ours)};
 }
 
-// The results of one scene that goals are set for.
+// The results of one scene for which there are goals.
 struct Result {
   struct Line {
     std::string kind;
@@ -203,7 +203,7 @@ Result compare(TestScene& test, const BenchSettings& settings, Csv& csv) {
   return result;
 }
 
-// The speed that we want for rays of this kind, at least, as a multiple of Embree's. Rays in groups of
+// The lowest speed that we want for rays of this kind, as a multiple of Embree's. Rays in groups of
 // eight share some of their cost.
 double wanted_of(const std::string& kind, double primitives) {
   if (kind == "camera") return 1;
@@ -220,8 +220,7 @@ void add_goals(const Result& result, std::vector<Goal>& goals) {
   goals.push_back({result.scene + ", bytes per triangle", 100, result.bytes, true});
 }
 
-// From the first blob to the last: by how much more a bounce ray's time grew than the logarithm of
-// the size.
+// The growth of a bounce ray's time from the first blob to the last, over the growth of log(size).
 Goal growth(const Result& first, const Result& last) {
   const double of_time = last.lines[1].nanoseconds / first.lines[1].nanoseconds;
   const double of_log = std::log(last.primitives) / std::log(first.primitives);

@@ -13,8 +13,8 @@
 namespace pt {
 namespace {
 
-constexpr double kMinPart = 0.01;  // of the picture, to be a region of its own
-constexpr double kUnits = 1e6;     // planes that differ by less than a millionth are one
+constexpr double kMinPart = 0.01;  // of the picture; smaller surfaces are not regions
+constexpr double kUnits = 1e6;     // planes that differ by less than a millionth are the same
 
 // The kind of surface at a point of the picture: a sphere, a plane, or anything else of a material.
 struct Surface {
@@ -44,14 +44,14 @@ Surface surface_of(const Scene& scene, const Hit& hit) {
   return surface;
 }
 
-// x and y in pixels from the bottom left, at the picture's corners too.
+// x and y are in pixels from the bottom left; the picture's corners are valid points.
 Surface seen_at(const View& view, double x, double y) {
   const Ray ray = camera_ray(view.camera, x / view.width, y / view.height);
   const std::optional<Hit> hit = view.scene.closest(ray);
   return hit ? surface_of(view.scene, *hit) : Surface{};
 }
 
-// The one surface that a pixel shows, by its centre, its corners and the middles of its sides.
+// The surface that a pixel shows at its centre, its corners and the middles of its sides, if it is the same.
 std::optional<Surface> only_surface(const View& view, int x, int y) {
   constexpr double kInside = 1e-6;  // the last column's right edge is not the next one's left
   const double at[] = {kInside, 0.5, 1 - kInside};

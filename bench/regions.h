@@ -15,8 +15,8 @@ struct Region {
   std::vector<int> pixels;
 };
 
-// The regions of a view, planes and spheres of their own from a hundredth of the picture on, the rest by material.
-// The last two are "edges", the pixels that show more than one of them, and "picture", all.
+// The regions of a view. A plane or sphere is a region if it covers a hundredth of the picture; the rest is
+// grouped by material. The last two are "edges", pixels that show several surfaces, and "picture".
 std::vector<Region> find_regions(const View& view);
 
 // Mean luminance.

@@ -1,4 +1,4 @@
-// The same path tracer with the same samples, its rays traced by us and by Embree. Then ours with
+// Runs the same path tracer with the same samples on our rays and on Embree's, then on ours with
 // more threads.
 #include "bench/against_embree.h"
 #include "bench/embree.h"
@@ -19,7 +19,7 @@ namespace {
 
 struct Picture {
   Rgb mean;
-  double seconds = 0;      // of the wall clock
+  double seconds = 0;      // wall clock
   double cpu_seconds = 0;  // of all threads
   double rays = 0;
 };
@@ -28,7 +28,7 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Rows are handed out one at a time.
+// Each thread takes one row at a time.
 Picture render(const View& view, int samples, int threads) {
   std::vector<Rgb> rows(static_cast<std::size_t>(view.height));
   std::atomic<int> next{0};
@@ -57,8 +57,8 @@ Picture render(const View& view, int samples, int threads) {
   return picture;
 }
 
-// Compares by the wall clock, and by the CPU time of all threads together: the second shows what they
-// cost each other also where other programs keep the processors busy.
+// Compares wall clock time, and the CPU time of all threads together. CPU time shows what the threads
+// cost each other even if other programs keep the processors busy.
 void compare_threads(const std::string& name, const View& view, const BenchSettings& settings,
                      Csv& csv, std::vector<Goal>& goals) {
   render_tracing = {nullptr, true};
@@ -82,7 +82,7 @@ void compare_threads(const std::string& name, const View& view, const BenchSetti
   }
 }
 
-// One engine's line on the terminal, and its row.
+// Prints one engine's line, and adds its row to the CSV.
 void report(const std::string& name, const char* engine, double rays, double seconds, double mean,
             const Ratio& single, const Ratio& packets, Csv& csv) {
   std::printf(

@@ -9,13 +9,13 @@ namespace pt {
 
 double median(std::vector<double> values);
 
-// Runs all contenders by turns, `rounds` times after once to warm up, and returns the seconds of
-// each round: [contender][round]. Two that are compared ran within moments of each other, so what
-// else the machine does weighs on both.
+// Runs all contenders in turn, once to warm up and then `rounds` times. Returns the seconds of each
+// round: [contender][round]. Contenders run within moments of each other, so other load on the
+// machine affects all of them.
 std::vector<std::vector<double>> interleave(const std::vector<std::function<void()>>& contenders,
                                             int rounds);
 
-// The speed of b as a multiple of that of a, over the rounds.
+// The speed of b as a multiple of the speed of a, over the rounds.
 struct Ratio {
   double median;
   double least;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""same_alone.py GRADER CLASS GRADED [--submissions N] [--draw SEED] [-- OPTIONS of grade]: whether a class is graded as one by one.
+"""same_alone.py GRADER CLASS GRADED [--submissions N] [--draw SEED] [-- OPTIONS of grade]: tests whether a class gets the same verdicts as its submissions one by one.
 
-CLASS was graded into GRADED by ./run grade-class. So many of its submissions, drawn at random, are graded again by ./run grade, each with
+CLASS was graded into GRADED by ./run grade-class. N of its submissions, drawn at random, are graded again by ./run grade, each with
 nothing known before, and every state, point, promise and picture is compared. GRADER is the folder with grade (build/check/grader).
 Exit code 1 if anything differs.
 """
@@ -15,7 +15,7 @@ import tempfile
 
 
 def verdicts(results):
-    """All that a verdict is, by task."""
+    """Everything that makes a verdict, by task."""
     return {
         task["slug"]: {
             "state": task["state"],
@@ -28,7 +28,7 @@ def verdicts(results):
 
 
 def folder_of(submission):
-    """Where its files are: a class may nest them."""
+    """Finds the folder of its files: an archive may nest them."""
     inner = list(submission.rglob("1_rays"))
     return inner[0].parent if inner else None
 
@@ -64,7 +64,7 @@ def main():
             different += 1
             tasks = [slug for slug in alone if alone[slug] != in_class.get(slug)]
             print(f"{name}: {', '.join(tasks)}: alone {alone[tasks[0]]}, in the class {in_class.get(tasks[0])}")
-    print(f"{len(drawn)} submissions graded alone: {different} otherwise than in the class")
+    print(f"{len(drawn)} submissions graded alone: {different} differ from the class")
     return 1 if different or not drawn else 0
 
 

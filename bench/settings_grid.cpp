@@ -1,24 +1,25 @@
-// settings_grid SCENE [options of cheapest]: are the settings that `cheapest` finds the cheapest? Measures a grid of
-// sixty others, each by itself, and says by how much the best of them is faster. All times are measured in turns.
-#include "writeup/accuracy/answer.h"
-#include "writeup/accuracy/begin.h"
+// settings_grid SCENE [options of cheapest]: tests whether `cheapest` finds the cheapest settings. Measures sixty
+// other settings one by one, and says how much faster the best of them is. All are measured in turns.
+#include "measure/scene/answer.h"
+#include "measure/scene/begin.h"
+#include "pt/end_of_program.h"
 
 #include <fmt/format.h>
 
-namespace writeup::accuracy {
+namespace measure::scene {
 namespace {
 
 constexpr int kLightSamples[] = {1, 2, 4, 8};
 constexpr double kSurvivals[] = {0.3, 0.5, 0.7, 0.85, 1.0};
-constexpr int kBounces = 3;  // numbers of them: what was found, and beside
+constexpr int kBounces = 3;  // how many: the number found, and its neighbours
 
 struct Setting {
   Way way;
   int light_samples = 1;
 };
 
-// Processor time per pixel until the error is reached, of this setting alone, without the model of the
-// others; 0 if it cannot be reached.
+// Processor time per pixel until this setting reaches the error, measured without the model of the
+// others; 0 if it cannot reach it.
 double seconds_to(Study& study, const Setting& setting, double error) {
   const Tried tried = study.try_out(setting.way, {setting.light_samples})[0];
   const double left = error * error - study.bias2_at(setting.way.bounces);
@@ -27,7 +28,7 @@ double seconds_to(Study& study, const Setting& setting, double error) {
 
 int run(int argc, const char* const* argv) {
   const Options options = parse_cheapest(argc, argv);
-  Measuring scene(load_scene(options), {Command::cheapest, options}, kAllBounces);
+  Measuring scene(load_scene(options), options, kAllBounces);
   Study& study = scene.study;
   const Answer answer = find_cheapest(study, scene.view, options);
   const int bounces = answer.best.way.bounces;
@@ -54,8 +55,8 @@ int run(int argc, const char* const* argv) {
 }
 
 }  // namespace
-}  // namespace writeup::accuracy
+}  // namespace measure::scene
 
 int main(int argc, char** argv) {
-  return writeup::accuracy::run_program(writeup::accuracy::run, argc, argv);
+  return pt::run_program([&] { return measure::scene::run(argc, argv); });
 }

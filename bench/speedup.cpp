@@ -14,9 +14,9 @@
 
 #include <fmt/format.h>
 
-// The speed-up table of part 2, tracing without a tree against tracing with the tree of the linked
-// tasks, and the rate of a whole render of CBbunny. One thread, CPU time, medians; the two engines
-// take turns, so that a machine that slows down slows both.
+// Prints the speed-up table of part 2 (tracing with the tree of the linked tasks, and without a
+// tree) and the rate of a whole render of CBbunny. One thread, CPU time, medians. The engines take
+// turns, so that a machine that slows down slows both.
 
 namespace {
 
@@ -105,7 +105,7 @@ void print_whole_render(const std::filesystem::path& file) {
   std::fflush(stdout);
 }
 
-// The folder of the course's scenes, or where it is looked for.
+// The folder of the course's scenes; it need not exist.
 std::filesystem::path course_scenes() {
   const char* folder = std::getenv("FIRSTLIGHT_COURSE_SCENES");
   return folder != nullptr ? std::filesystem::path(folder)
@@ -120,7 +120,7 @@ int main() {
     if (std::filesystem::exists(bunny)) {
       print_whole_render(bunny);
     } else {
-      fmt::print("the course's CBbunny.dae is not here (set FIRSTLIGHT_COURSE_SCENES)\n");
+      fmt::print("the course's CBbunny.dae was not found (set FIRSTLIGHT_COURSE_SCENES)\n");
     }
     print_whole_render(std::filesystem::path(FIRSTLIGHT_ROOT) / "scenes/box_blob.dae");
     print_speedups();

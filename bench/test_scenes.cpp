@@ -2,7 +2,7 @@
 
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
-#include "tests/generated_meshes.h"
+#include "tests/pt/accel/generated_meshes.h"
 
 #include <filesystem>
 

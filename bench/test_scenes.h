@@ -18,7 +18,7 @@ struct TestScene {
 // A bumpy blob of about `triangles` triangles in a Cornell box, under a rectangular light.
 TestScene blob_scene(int triangles);
 
-// A scene file, seen as the course does. Materials outside the model become diffuse.
+// A scene file with the course's framing. Materials outside the model become diffuse.
 TestScene file_scene(const std::string& file, int width, int height);
 
 }  // namespace pt

@@ -1,12 +1,11 @@
-// The rates at which the verdict on a picture fails right pictures and finds known mistakes,
-// against the samples spent: on pictures drawn from known distributions
-// (tests/synthetic_pictures.h), 96 x 72. Writes verdict_power.csv, which verdict_power.gp draws,
-// and prints docs/verdicts.md's tables.
+// Measures how often the verdict on a picture fails right pictures and finds known mistakes, against the samples
+// spent. The pictures are 96 x 72, from known distributions (tests/grader/pictures/synthetic_pictures.h). Writes
+// verdict_power.csv for verdict_power.gp, and prints the tables of docs/verdicts.md.
 #include "bench/report.h"
-#include "grader/pictures/cells.h"
+#include "grader/pictures/statistics/cells.h"
 #include "pt/command_line.h"
-#include "tests/synthetic_maps.h"
-#include "tests/synthetic_pictures.h"
+#include "tests/grader/pictures/synthetic_maps.h"
+#include "tests/grader/pictures/synthetic_pictures.h"
 
 #include <algorithm>
 #include <array>
@@ -71,7 +70,7 @@ Tally judge_many(const SyntheticScene& right, const SyntheticScene& submitted,
 }
 
 void print_false_failures(int pictures) {
-  fmt::print("Right pictures: of {}, how many fail each round\n", pictures);
+  fmt::print("Right pictures: how many of {} fail each round\n", pictures);
   fmt::print("{:<34}{:>9}{:>9}{:>9}{:>11}{:>16}\n", "", "round 1", "round 2", "round 3",
              "too noisy", "largest noise");
   for (const auto& [spread, name] : kSpreads) {
@@ -91,7 +90,7 @@ void print_false_failures(int pictures) {
   }
 }
 
-// The later rounds by themselves: 16 cells chosen at random, each with a sign.
+// Prints the later rounds by themselves: 16 cells chosen at random, each with a sign.
 void print_later_rounds(int pictures) {
   fmt::print("\nRound 2 on 16 random cells: of {} right pictures, level 0.002\n", pictures);
   for (const auto& [spread, name] : kSpreads) {
@@ -144,7 +143,7 @@ void measure_power(const std::string& folder, int pictures) {
   }
 }
 
-// Right sample maps: the figures that are judged, and how far the limits are.
+// Prints the figures of right sample maps that are judged, and how far away the limits are.
 void print_sample_maps(int maps) {
   const AdaptiveScene scene = adaptive_scene(kWidth, kHeight);
   fmt::print("\n{} right sample maps: mean and deviation of each figure, failures\n", maps);
@@ -177,7 +176,7 @@ void print_sample_maps(int maps) {
 }  // namespace grader::pictures
 
 int main(int count, char** arguments) {
-  CLI::App app("How often the verdict on a picture is wrong", "verdict_power");
+  CLI::App app("Measures how often the verdict on a picture is wrong", "verdict_power");
   std::string folder = ".";
   int pictures = 200, wrong = 20;
   app.add_option("--out", folder, "folder of verdict_power.csv")->check(CLI::ExistingDirectory);

@@ -1,6 +1,6 @@
-# gnuplot -e "folder='.'; type='svg'" bench/verdict_power.gp: how many wrong pictures are found against
-# the samples per pixel of the first round, from folder/verdict_power.csv to folder/verdict_power.svg
-# (type 'png': .png).
+# gnuplot -e "folder='.'; type='svg'" bench/verdict_power.gp: draws how many wrong pictures are found against
+# the samples per pixel of the first round, from folder/verdict_power.csv to folder/verdict_power.svg (type
+# 'png': .png).
 set datafile separator ","
 if (type eq 'svg') { set terminal svg size 1240,380 background 'white' } else { set terminal pngcairo size 1240,380 }
 set output folder."/verdict_power.".type

@@ -1,8 +1,8 @@
-// Judges the reference's own pictures, with one seed after the other: the rate at which a right
-// submission fails. Each verdict is a line of a CSV, and what is there already is not judged again,
-// so that it may be stopped and started at any time. Exit status 1 if a picture failed.
+// Judges the reference's own pictures with one seed after the other, to find how often a right
+// submission fails. Each verdict is a line of a CSV and is not made again, so the program can be
+// stopped and started at any time. Exit status 1 if a picture failed.
 #include "grader/base/parallel.h"
-#include "grader/pictures/judge_recipe.h"
+#include "grader/pictures/recipes/judge_recipe.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 
@@ -33,7 +33,7 @@ struct Job {
   int seed;
 };
 
-// "recipe,seed" of every line that ends.
+// "recipe,seed" of every complete line.
 std::set<std::string> done(const std::string& path) {
   std::set<std::string> all;
   std::ifstream file(path);
@@ -83,7 +83,7 @@ int run(const Options& options) {
     std::fprintf(stderr, "\r%zu of %zu, %zu needed a second round, %zu failed", ++ended,
                  jobs.size(), later, failed);
   });
-  fmt::print("\n{} verdicts new, {} known before: {} failed, {} needed a second round\n",
+  fmt::print("\n{} new verdicts, {} from earlier runs: {} failed, {} needed a second round\n",
              jobs.size(), known.size(), failed, later);
   return failed == 0 ? 0 : 1;
 }
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Judges the reference's pictures with many seeds"};
   app.add_option("recipe", options.names, "Recipes; default: all");
   app.add_option("--seeds", options.seeds, "Seeds 1 to this")->check(CLI::PositiveNumber);
-  app.add_option("--threads", options.threads, "At a time")->check(CLI::Range(1, 256));
+  app.add_option("--threads", options.threads, "Pictures at a time")->check(CLI::Range(1, 256));
   app.add_option("--out", options.out,
                  "The CSV: recipe, seed, state, rounds, noise, seconds, text");
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });

@@ -1,5 +1,5 @@
-# The programs that check one task: the task as asked for, counting versions and mocks of the tasks that it calls, the reference for all
-# others.
+# The programs that check one task. They link the chosen implementation of the task, counting versions and mocks of the tasks that
+# it calls, and the reference for all others.
 function(firstlight_link_asked program slug implementation)
   firstlight_inner_choices(${slug} counting scripted)
   target_link_libraries(${program} PRIVATE firstlight_warnings)
@@ -7,7 +7,7 @@ function(firstlight_link_asked program slug implementation)
     CHOICES ${slug}=${implementation} ${INNER_CHOICES})
 endfunction()
 
-# The same with the properties of the task.
+# Also links the properties of the task.
 function(firstlight_link_properties program slug implementation)
   target_link_libraries(${program} PRIVATE properties.${slug})
   firstlight_link_asked(${program} ${slug} ${implementation})
@@ -27,25 +27,25 @@ function(firstlight_add_check_programs)
         firstlight_link_properties(${program} ${slug} ${implementation})
       endif()
     endforeach()
-    # A bonus promise may ask for more than the plain method that the reference shows.
-    if(TARGET check.${slug}.reference)
-      add_test(NAME check.${slug} COMMAND check.${slug}.reference --gtest_filter=-*_bonus)
-    endif()
   endforeach()
 endfunction()
 
-# The target graded is all programs that judge a task and what is known of its mistakes, and stability_programs are those that measure its curves and search: adds the
-# program to its target, if it has one.
+# firstlight_gather(<program>): adds it to the target of its kind, if it has one. graded_programs judge tasks and pictures; graded is these
+# and what is known of mistakes; stability_programs measure the curves of tasks, and search.
 function(firstlight_gather program)
-  if(program MATCHES "^(graded|known)[._]")
+  if(program MATCHES "^graded[._]")
+    set(all graded_programs)
+  elseif(program MATCHES "^known[.]")
     set(all graded)
   elseif(program MATCHES "^(stability|search)[.]")
     set(all stability_programs)
   else()
     return()
   endif()
-  if(NOT TARGET ${all})
-    add_custom_target(${all})
+  if(NOT TARGET graded)
+    add_custom_target(graded_programs)
+    add_custom_target(graded DEPENDS graded_programs)
+    add_custom_target(stability_programs)
   endif()
   add_dependencies(${all} ${program})
 endfunction()

@@ -1,17 +1,17 @@
-# Compiled copies of everything but the learner's files. The full tree says what that is (firstlight_describe_compiled), and
-# grader/editions/handout.sh copies it to compiled/ of the learners' edition. Where it fits, targets of the same names are made
-# of it (firstlight_add_compiled), and only the learner's files are left to compile; where it does not, all is built from
-# its sources, as in the full tree.
+# Compiled copies of everything but the learner's files. The full tree lists them (firstlight_describe_compiled), and
+# scripts/editions/handout.sh copies them to compiled/ of the learners' edition. If they fit there, they become targets of the
+# same names (firstlight_add_compiled), and only the learner's files have to be compiled. If not, everything is built from its
+# sources, as in the full tree.
 
 # The archives that the programs link; the objects of some are listed in grade.json and by the write-up.
-set(compiled_archives pt_base pt_scene pt_image pt_loader pt_test_count pt_film pt_render pt_rows pt_progress scene_meshes
+set(compiled_archives pt_base pt_scene pt_image pt_loader pt_film pt_render pt_rows pt_progress scene_meshes
   grader_tasks grader_base grader_process grader_users grader_sandbox grader_results grader_pictures grader_recipe_scenes
-  grader_worker_rows grader_report grader_judge grader_mistakes grader_closed_forms grader_check grader_counting
+  grader_worker_rows grader_report grader_audit grader_build grader_judging grader_mistakes grader_closed_forms grader_check grader_counting
   grader_wire)
-set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_test_count pt_film pt_render pt_rows scene_meshes
+set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_film pt_render pt_rows scene_meshes
   grader_tasks grader_closed_forms)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
-  grader_worker grader_connection grader_serve grader_recording)
+  grader_worker grader_connection grader_serve recorder_calls)
 set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/graded_picture pt/compare
   scenes/generate)
 foreach(slug IN LISTS FIRSTLIGHT_COUNTED)
@@ -27,11 +27,11 @@ foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
   list(APPEND compiled_objects properties.${slug} ${slug}.repeat)
   list(APPEND compiled_programs grader/graded.${slug})
   if(EXISTS ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/curves.cpp)
-    list(APPEND compiled_programs grader/stability.${slug})
+    list(APPEND compiled_programs measure/stability.${slug})
   endif()
 endforeach()
 
-# firstlight_objects_of(<library> <separator> <result>): the paths of its objects, built here or compiled elsewhere.
+# firstlight_objects_of(<library> <separator> <result>): sets the paths of its objects, built here or elsewhere.
 function(firstlight_objects_of library separator result)
   set(joined "$<JOIN:$<TARGET_OBJECTS:${library}>,${separator}>")
   if(FIRSTLIGHT_COMPILED AND library IN_LIST compiled_archives_and_objects)
@@ -49,19 +49,20 @@ function(firstlight_expect_compiled library linked)
       get_target_property(imported ${name} IMPORTED)
       get_target_property(type ${name} TYPE)
       if(NOT imported AND NOT type STREQUAL INTERFACE_LIBRARY)
-        message(FATAL_ERROR "${library} links ${name}, which no handout gets: add ${name} to the lists of cmake/compiled.cmake")
+        message(FATAL_ERROR "${library} links ${name}, which is not in handouts: add ${name} to the lists of cmake/compiled.cmake")
       endif()
     endif()
   endforeach()
 endfunction()
 
-# The target `compiled` builds it all; compiled/files of the build lists it, a line each:
+# The target `compiled` builds all copies; compiled/files of the build lists them, a line each:
 #   archive <library> <file>
 #   object <library> <file>
 #   program <place> <file>
-# and compiled/links.cmake says what the libraries link.
+# and compiled/links.cmake lists the links of the libraries.
 function(firstlight_describe_compiled)
-  if(FIRSTLIGHT_LTO OR FIRSTLIGHT_SANITIZE OR NOT FIRSTLIGHT_TESTS OR NOT FIRSTLIGHT_REFERENCE STREQUAL sources)
+  if(FIRSTLIGHT_LTO OR FIRSTLIGHT_SANITIZE OR NOT FIRSTLIGHT_TESTS OR NOT FIRSTLIGHT_SERVICE OR NOT FIRSTLIGHT_MEASURE
+      OR NOT FIRSTLIGHT_REFERENCE STREQUAL sources)
     return()
   endif()
   set(text)
@@ -87,8 +88,8 @@ function(firstlight_describe_compiled)
   file(WRITE ${PROJECT_BINARY_DIR}/compiled/links.cmake "${links}")
 endfunction()
 
-# Sets `result` to the reason why it cannot be used here; empty if it can. It starts the programs to see whether the
-# libraries of the system fit them.
+# Sets `result` to the reason why the copies cannot be used here; empty if they can. Starts the programs to test
+# whether they fit the libraries of the system.
 function(firstlight_compiled_misfit folder result)
   firstlight_misfit(${folder} why)
   firstlight_source_hash(${PROJECT_SOURCE_DIR} here)

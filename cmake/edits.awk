@@ -17,7 +17,7 @@
 #     list="LABEL ..."        prints these fields of each entry, with a tab between them
 #     only=NAME               prints the changed file of this entry
 #
-# An entry that does not fit is named in one sentence with file and line, and the exit status is 2.
+# If an entry does not fit, one sentence names it with file and line, and the exit status is 2.
 
 BEGIN { split("name breaks says hint base include old new target test", labels); for (i in labels) known[labels[i]] = 1 }
 
@@ -68,7 +68,7 @@ function occurrences(text, part,    n, at) {
   return n + 0
 }
 
-# The file of an entry after its edits.
+# Returns the file of an entry after its edits.
 function changed(i,    path, text, before, k, at) {
   path = base_of(i)
   if (!(path in kept)) kept[path] = contents(path)
@@ -89,7 +89,7 @@ function changed(i,    path, text, before, k, at) {
   return text
 }
 
-# What is known of a mistake stands above its code, for whoever opens the file.
+# Returns the file with the description of its mistake above the code.
 function commented(i,    text) {
   text = changed(i)
   while (text ~ /^\/\//) text = substr(text, index(text, "\n") + 1)

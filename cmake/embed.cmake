@@ -1,4 +1,4 @@
-# Makes text files string constants: cmake -DOUTPUT=FILE.cpp -DHEADER=... -DNAMESPACE=... -DINPUTS=a;b -P this
+# Turns text files into string constants: cmake -DOUTPUT=FILE.cpp -DHEADER=... -DNAMESPACE=... -DINPUTS=a;b -P this
 set(text "#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n")
 foreach(input IN LISTS INPUTS)
   get_filename_component(name ${input} NAME)

@@ -1,8 +1,8 @@
-# grade.json: all that `grade` needs to build and judge a submission without CMake. It stands beside the programs of the
-# grader, where they look for each other. The target `grade` is the one that judges, with all but the programs of single tasks;
-# the target `graded` is those (grader/programs/CMakeLists.txt).
+# grade.json: all that `grade` needs to build and judge a submission without CMake. It is next to the programs of the grader,
+# where they look for each other. The target `grade` is the judge with everything except the programs of single tasks, which
+# are the target `graded` (grader/programs/CMakeLists.txt).
 
-# A list of words as the inside of a JSON array, and the objects of libraries likewise, which `target` is built after.
+# Sets words as the inside of a JSON array; also the objects of libraries, which are built before `target`.
 function(firstlight_json_list result)
   list(TRANSFORM ARGN REPLACE "\\\\" "\\\\\\\\" OUTPUT_VARIABLE words)
   list(TRANSFORM words REPLACE "\"" "\\\\\"")
@@ -36,12 +36,11 @@ function(firstlight_write_grade_json)
     set(options)
   endif()
   firstlight_json_list(link_flags ${flags} ${FIRSTLIGHT_FAST_LINKER} ${options} -pthread)
-  firstlight_wrap("" flags ${FIRSTLIGHT_JUDGE_ANSWERS_hit_bvh})
-  firstlight_json_list(recording_flags ${flags})
+  firstlight_json_list(recording_flags ${FIRSTLIGHT_RECORDER_FLAGS})
   # The parts of every program that runs tasks, besides the tasks.
   firstlight_ours_handed_on(libraries grader_worker grader_connection grader_serve pt_rows)
   firstlight_json_objects(grade framework ${libraries})
-  firstlight_json_objects(grade recording grader_recording)
+  firstlight_json_objects(grade recording recorder_calls)
   firstlight_json_objects(grade radiance radiance.path)
 
   set(callbacks)

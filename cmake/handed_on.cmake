@@ -1,6 +1,6 @@
-# firstlight_handed_on(<result> <library>... [EXCEPT <library>...]): these libraries and all that they hand on to whoever links them,
-# each before those that it calls; so a list names only what its program calls itself. Left out are those EXCEPT and what only they
-# hand on, libraries that have nothing but flags and headers, and what a library does not hand on.
+# firstlight_handed_on(<result> <library>... [EXCEPT <library>...]): these libraries, and all libraries that they hand on to their
+# users, each before those that it calls. So a list has only what its program itself calls. It leaves out the libraries after EXCEPT
+# and what only they hand on, libraries of only flags and headers, and what a library does not hand on.
 function(firstlight_handed_on result)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "EXCEPT")
   set(waiting ${ARG_UNPARSED_ARGUMENTS})

@@ -1,11 +1,11 @@
-# The libraries that are used in more than one place. Those that few programs use are looked for there.
+# The libraries that are used in several places. Other libraries are found where they are used.
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 
-# Debian and Ubuntu package tinyxml2 with a CMake config; pkg-config is for others.
+# Debian and Ubuntu package tinyxml2 with a CMake config; pkg-config is for other systems.
 find_package(tinyxml2 CONFIG QUIET)
 if(TARGET tinyxml2::tinyxml2)
   set_target_properties(tinyxml2::tinyxml2 PROPERTIES IMPORTED_GLOBAL TRUE)

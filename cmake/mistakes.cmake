@@ -4,11 +4,11 @@
 # `./run grade <slug> --submission build/mistakes/<slug>/<name>`. An edit that does not fit its base is an error.
 set(FIRSTLIGHT_MISTAKES ${PROJECT_SOURCE_DIR}/build/mistakes)
 
-# Relatives of these (grader/tasks/<slug>/relatives.txt), by which the names of mistakes are tested, are made in
+# Relatives of the mistakes (grader/tasks/<slug>/relatives.txt), which test their names, are made in
 # build/relatives in the same way.
 
 # firstlight_make_edits(<table> <folder> <task> <needed> <result>): makes the files of a table, whose entries all have the
-# `needed` fields, removes others, and sets `result` to the names; nothing where there is no table.
+# `needed` fields, removes other files, and sets `result` to the names; empty if there is no table.
 function(firstlight_make_edits table folder task needed result)
   set(${result} "" PARENT_SCOPE)
   get_filename_component(root ${table} DIRECTORY)
@@ -17,9 +17,11 @@ function(firstlight_make_edits table folder task needed result)
   if(NOT EXISTS ${table} OR NOT EXISTS ${reference})
     return()
   endif()
-  file(GLOB bases CONFIGURE_DEPENDS ${root}/right/*.cpp ${root}/wrong/*.cpp ${root}/noisy/*.cpp)
+  file(GLOB bases ${root}/right/*.cpp ${root}/wrong/*.cpp ${root}/noisy/*.cpp)
+  # A folder is newer where a file has come or gone.
+  file(GLOB folders LIST_DIRECTORIES true ${root}/right ${root}/wrong ${root}/noisy)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-    ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table} ${reference} ${bases})
+    ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table} ${reference} ${bases} ${folders})
   execute_process(COMMAND awk -v root=${root} -v reference=${reference} -v needed=${needed}
     -v out=${folder} -v file=${file}.cpp -f ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table}
     OUTPUT_VARIABLE names ERROR_VARIABLE why RESULT_VARIABLE status)
@@ -36,7 +38,7 @@ function(firstlight_make_edits table folder task needed result)
   set(${result} ${names} PARENT_SCOPE)
 endfunction()
 
-# Sets FIRSTLIGHT_MISTAKES_<slug>, the names of the mistakes of each task; empty where there is no table, as in a handout.
+# Sets FIRSTLIGHT_MISTAKES_<slug>, the names of the mistakes of each task; empty if there is no table, as in a handout.
 function(firstlight_make_mistakes)
   foreach(task IN LISTS FIRSTLIGHT_TASKS)
     get_filename_component(slug ${task} NAME)
@@ -47,8 +49,8 @@ function(firstlight_make_mistakes)
   endforeach()
 endfunction()
 
-# known.<slug>: the file known.<slug>.json beside the programs of the grader, by which mistakes are named. An edition brings it
-# along in grader/known/, as it has no mistakes. The target `graded` has all of them.
+# known.<slug>: the file known.<slug>.json next to the programs of the grader, with which mistakes are named. An edition has no
+# mistakes, but this file in grader/known/. The target `graded` has the files of all tasks.
 function(firstlight_add_known slug)
   set(brought ${PROJECT_SOURCE_DIR}/grader/known/known.${slug}.json)
   if(FIRSTLIGHT_MISTAKES_${slug})
@@ -63,9 +65,9 @@ function(firstlight_add_known slug)
   firstlight_gather(known.${slug})
 endfunction()
 
-# mistakes.<slug>: a worker with all mistakes and right solutions of a task in it, which is the one by whose name it is called.
-# The mistakes' answers to the battery of the task are their fingerprints, in known.<slug>.json beside the programs of the
-# grader. A mistake that answers as a right solution does is left out.
+# mistakes.<slug>: a worker that contains all mistakes and right solutions of a task, and acts as the one by whose name it is
+# called. The mistakes' answers to the battery of the task are their fingerprints, in known.<slug>.json next to the programs
+# of the grader. A mistake that answers like a right solution is left out.
 function(firstlight_add_fingerprints slug)
   set(includes)
   set(code)
@@ -100,7 +102,7 @@ function(firstlight_add_fingerprints slug)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/mistakes.cpp.in ${source} @ONLY)
   add_library(${slug}.mistakes OBJECT EXCLUDE_FROM_ALL ${source})
   target_link_libraries(${slug}.mistakes PRIVATE firstlight_options)
-  # As the judge compiles a function that may end without a result (grader/judge/submission_flags.h).
+  # The judge compiles a function that may end without a result in this way (grader/service/build/submission_flags.h).
   target_compile_options(${slug}.mistakes PRIVATE -w -fsanitize=return -fsanitize-undefined-trap-on-error)
   firstlight_worker(mistakes.${slug} ${slug} mistakes)
   set(known ${PROJECT_BINARY_DIR}/grader/known.${slug}.json)

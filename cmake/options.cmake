@@ -1,10 +1,9 @@
-# The flags of all code. Target `firstlight_options` carries what all code shares;
-# `firstlight_warnings` what our own code is held to (a learner's file is not: a warning there must
-# not stop the program).
+# The flags of all code. The target `firstlight_options` has the flags of all code; `firstlight_warnings` has
+# the warnings for our own code (in a learner's file a warning must not stop the program).
 find_package(Threads REQUIRED)
 
 add_library(firstlight_options INTERFACE)
-# What the build generates stands in generated/ as it would in the tree.
+# Generated files have the same places in generated/ as in the tree.
 target_include_directories(firstlight_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
 # No contraction: a multiply-add rounds once where a multiply and an add round twice, and machines
 # with and without it would disagree. Nothing here reads errno.
@@ -14,7 +13,7 @@ target_link_libraries(firstlight_options INTERFACE Threads::Threads)
 add_library(firstlight_warnings INTERFACE)
 target_compile_options(firstlight_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
-# A warning of a newer compiler stops nobody's own build; .ci/run lets none pass.
+# A warning of a newer compiler does not stop a user's build; .ci/run stops at all warnings.
 option(FIRSTLIGHT_WERROR "Warnings are errors" OFF)
 if(FIRSTLIGHT_WERROR)
   target_compile_options(firstlight_warnings INTERFACE -Werror)
@@ -26,16 +25,16 @@ function(firstlight_library name)
   target_link_libraries(${name} PRIVATE firstlight_warnings PUBLIC firstlight_options)
 endfunction()
 
-# The same in objects, for the seam and for what registers itself: two definitions of one function are
-# then an error of the linker, where in an archive one of them would silently win.
+# The same as objects, for tasks and for code that registers itself: two definitions of a function are then an
+# error of the linker, while in an archive one of them would silently win.
 function(firstlight_objects name)
   add_library(${name} OBJECT ${ARGN})
   target_link_libraries(${name} PRIVATE firstlight_warnings PUBLIC firstlight_options)
 endfunction()
 
-# firstlight_starts(<program> <target>...): the program starts these, and so they are built with it; but not where it is only to be
-# linked (tests/one_definition.sh).
-option(FIRSTLIGHT_LINK_ONLY "Build programs without those that they start" OFF)
+# firstlight_starts(<program> <target>...): the program starts these targets, so they are built with it; but not if it is only
+# linked (tests/rules/one_definition.sh).
+option(FIRSTLIGHT_LINK_ONLY "Build programs without the programs that they start" OFF)
 function(firstlight_starts program)
   if(NOT FIRSTLIGHT_LINK_ONLY)
     add_dependencies(${program} ${ARGN})
@@ -49,7 +48,7 @@ set(FIRSTLIGHT_FAST_LINKER)
 if(FIRSTLIGHT_GOLD)
   set(FIRSTLIGHT_FAST_LINKER -fuse-ld=gold)
 endif()
-# gold does not find what libgcc has for code that is optimised at the link.
+# gold does not find libgcc's functions for code that is optimised at link time.
 if(NOT FIRSTLIGHT_LTO AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-flto" AND NOT FIRSTLIGHT_SANITIZE)
   add_link_options(${FIRSTLIGHT_FAST_LINKER})
 endif()
@@ -72,13 +71,13 @@ if(FIRSTLIGHT_LTO)
   check_ipo_supported()
   set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # A box test is a little longer than what the compiler inlines by itself, and is called in two
-    # places of one loop.
+    # A box test is a little too long for the compiler to inline it by itself, and is called in two places of
+    # one loop.
     set(inline_more --param=max-inline-insns-auto=200 --param=inline-min-speedup=2)
     add_compile_options(${inline_more})
     add_link_options(-flto=auto ${inline_more})
-    # The same source gives the same object, bit for bit: the write-up makes a figure again when the
-    # objects that it comes from change.
+    # The same source gives the same object, bit for bit: the write-up makes a figure again if its objects have
+    # changed.
     string(REPLACE "<FLAGS>" "<FLAGS> -frandom-seed=<OBJECT>" CMAKE_CXX_COMPILE_OBJECT
       "${CMAKE_CXX_COMPILE_OBJECT}")
   endif()

@@ -1,12 +1,12 @@
 # The headers of the standard library, and of the libraries that take the compiler longest, are read once and kept compiled.
 #
-# Every file still includes all that it needs; this is tested where nothing is precompiled (./run lint, ./run tidy, and wherever
-# there is a compiler cache). Not used with link-time optimisation, where each file has flags of its own. Not used for pt/, the
-# tasks, and what a worker links with them: their objects must depend on their own files only.
+# Every file still includes all that it needs; builds without precompiled headers test this (./run lint, ./run tidy, and all
+# builds with a compiler cache). Not used with link-time optimisation, where each file has its own flags, nor for pt/, the
+# tasks, and what a worker links with them: their objects must depend only on their own files.
 #
 # Measured with g++ 12 (CPU seconds per file, without and with): tests of the renderer 2.8 and 1.6, properties 6.1 and 5.1, the
-# rest of the grader and of the write-up 2.3 and 1.2. CLI11 gains nothing: its time goes into what a file makes
-# of it. A compiler cache serves files without better, and so this is for machines that have none.
+# rest of the grader and of the write-up 2.3 and 1.2. CLI11 gains nothing: its time goes into its templates. A compiler cache
+# works better without precompiled headers, so these are for machines without a cache.
 set(default OFF)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT FIRSTLIGHT_SANITIZE)
   set(default ON)
@@ -16,16 +16,16 @@ option(FIRSTLIGHT_PCH "Precompiled headers in the grader, its tests and the writ
 set(FIRSTLIGHT_PRECOMPILED_STANDARD <algorithm> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <set> <span>
   <sstream> <string> <vector>)
 
-# g++ 12 treats precompiled code as code of the file itself, and then warns of std::string in it. It collects garbage from 512 MB on
-# instead of 128 MB, which saves a tenth of the time of large files.
+# g++ 12 treats precompiled code as code of the file itself, and then warns about std::string in it. It collects garbage above 512
+# MB instead of 128 MB, which saves a tenth of the time of large files.
 set(FIRSTLIGHT_PRECOMPILED_FLAGS -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
   --param=ggc-min-heapsize=524288)
 
-# firstlight_precompiled(<name> HEADERS <header>... LIBRARIES <library>...): these and the usual ones of the standard
-# library, as they are where the libraries are linked.
+# firstlight_precompiled(<name> HEADERS <header>... LIBRARIES <library>...): precompiles these and the usual headers
+# of the standard library, with the flags of the libraries.
 function(firstlight_precompiled name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "HEADERS;LIBRARIES")
-  # Where a handout brings the objects of our own code, there is next to nothing to compile.
+  # If a handout has the objects of our own code, almost nothing is left to compile.
   if(NOT FIRSTLIGHT_PCH OR FIRSTLIGHT_LTO OR FIRSTLIGHT_COMPILED)
     return()
   endif()
@@ -38,9 +38,9 @@ function(firstlight_precompiled name)
   target_precompile_headers(${name} PRIVATE ${FIRSTLIGHT_PRECOMPILED_STANDARD} ${ARG_HEADERS})
 endfunction()
 
-# firstlight_compile_together(<target>...): where headers are precompiled, all files of the target are one file for the
-# compiler, in a third of the time (eight at a time: in half of it). So two of its files cannot have one name for two things,
-# even in a namespace without a name.
+# firstlight_compile_together(<target>...): with precompiled headers, all files of the target are one file for the compiler,
+# which takes a third of the time (eight at a time: half). So two files of a target cannot use one name for two things, even
+# in a namespace without a name.
 function(firstlight_compile_together)
   foreach(target IN LISTS ARGN)
     if(FIRSTLIGHT_PCH AND NOT FIRSTLIGHT_LTO AND NOT FIRSTLIGHT_COMPILED)
@@ -50,7 +50,7 @@ function(firstlight_compile_together)
   endforeach()
 endfunction()
 
-# firstlight_use_precompiled(<name> <target>...): for those of the targets that there are.
+# firstlight_use_precompiled(<name> <target>...): for those targets that exist.
 function(firstlight_use_precompiled name)
   if(NOT TARGET ${name})
     return()
@@ -63,8 +63,8 @@ function(firstlight_use_precompiled name)
   endforeach()
 endfunction()
 
-# firstlight_use_precompiled_here(<name> [EXCEPT <target>...]): all programs and libraries of this folder. Not those that are
-# objects: solutions of tasks are. tests/precompiled_fits.py says which target lacks what the header was compiled with.
+# firstlight_use_precompiled_here(<name> [EXCEPT <target>...]): for all programs and libraries of this folder, but not for
+# object libraries, such as solutions of tasks. tests/rules/precompiled_fits.py finds targets without a flag of the header.
 function(firstlight_use_precompiled_here name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "EXCEPT")
   get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)

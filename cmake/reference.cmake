@@ -1,10 +1,9 @@
-# The implementation `reference`, and `fast` for some of its tasks, come from their sources; in the
-# learners' edition, from objects that were compiled elsewhere, if they fit here; and where they do not, untouched
-# stubs, so that all programs link. Sets FIRSTLIGHT_REFERENCE to sources, objects or stubs, and FIRSTLIGHT_NO_REFERENCE to why there
-# are only stubs, in words that end a sentence.
+# The implementation `reference`, and `fast` for some of its tasks, come from their sources. In the learners' edition they come from
+# objects that were compiled elsewhere; if these do not fit here, from untouched stubs, so that all programs link. Sets
+# FIRSTLIGHT_REFERENCE to sources, objects or stubs, and FIRSTLIGHT_NO_REFERENCE to the reason for stubs, as the end of a sentence.
 
 # The facts with which an object must agree to be linked here, one per line. A newer compiler of the same make
-# links what an older one has made: the version is compared apart.
+# can link objects of an older version, so the version is compared separately.
 function(firstlight_stamp result)
   file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/pt/*.h)
   firstlight_hash_of(${PROJECT_SOURCE_DIR} hash ${headers})
@@ -50,8 +49,8 @@ function(firstlight_add_reference)
     foreach(task IN LISTS FIRSTLIGHT_TASKS)
       get_filename_component(slug ${task} NAME)
       add_dependencies(reference_objects ${slug}.reference)
-      if(TARGET ${slug}.reference.counted)
-        add_dependencies(reference_objects ${slug}.reference.counted)
+      if(TARGET ${slug}.reference.recorded)
+        add_dependencies(reference_objects ${slug}.reference.recorded)
       endif()
       if(TARGET ${slug}.fast)
         add_dependencies(reference_objects ${slug}.fast)
@@ -73,10 +72,10 @@ function(firstlight_add_reference)
         get_filename_component(slug ${task} NAME)
         add_library(${slug}.reference OBJECT IMPORTED)
         set_target_properties(${slug}.reference PROPERTIES IMPORTED_OBJECTS ${folder}/${slug}.o)
-        if(EXISTS ${folder}/${slug}.counted.o)
-          add_library(${slug}.reference.counted OBJECT IMPORTED)
-          set_target_properties(${slug}.reference.counted PROPERTIES
-            IMPORTED_OBJECTS ${folder}/${slug}.counted.o)
+        if(EXISTS ${folder}/${slug}.recorded.o)
+          add_library(${slug}.reference.recorded OBJECT IMPORTED)
+          set_target_properties(${slug}.reference.recorded PROPERTIES
+            IMPORTED_OBJECTS ${folder}/${slug}.recorded.o)
         endif()
         if(EXISTS ${folder}/${slug}.fast.o)
           add_library(${slug}.fast OBJECT IMPORTED)

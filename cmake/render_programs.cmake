@@ -10,10 +10,10 @@ function(firstlight_render_program name mixture)
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX) # where all of it is compiled already
   target_link_libraries(${name} PRIVATE pt_render_main pt_render pt_loader pt_progress)
   firstlight_link_tasks(${name} FROM ${MIXTURE_FROM} RADIANCE recorded CHOICES ${MIXTURE_CHOICES}
-    FAST COUNTED)
+    FAST RECORDED)
 endfunction()
 
-# One that renders with all of one implementation, and one for each mixture that was asked for.
+# Makes a render program of one whole implementation, and one for each mixture that was asked for.
 function(firstlight_add_render_programs)
   if(FIRSTLIGHT_REFERENCE STREQUAL sources)
     firstlight_render_program(render reference)
@@ -25,3 +25,10 @@ function(firstlight_add_render_programs)
     firstlight_render_program(render.${MIXTURE_SUFFIX} ${mixture})
   endforeach()
 endfunction()
+
+# All mixtures for other programs: the learner's tasks, the mixtures that were asked for, and the reference if it is here.
+set(FIRSTLIGHT_ALL_MIXTURES student ${FIRSTLIGHT_MIXTURES})
+if(EXISTS ${PROJECT_SOURCE_DIR}/reference)
+  list(APPEND FIRSTLIGHT_ALL_MIXTURES reference)
+endif()
+list(REMOVE_DUPLICATES FIRSTLIGHT_ALL_MIXTURES)

@@ -1,34 +1,33 @@
-# The seam: reads what grader/tasks/ says of each task, and links one implementation of each task into a program.
+# The seam: reads the description of each task in grader/tasks/, and links one implementation of each task into a program.
 #
-# A task is one slug: the same in file, header, function, library, test suite and report. An
-# implementation is a tree of files <part>/<slug>.cpp that define the functions of the contract
-# pt/tasks/<slug>.h. Each file becomes an object library <slug>.<implementation>; a program links
-# exactly one library for each task.
+# A task has one slug, the same in file, header, function, library, test suite and report. An implementation is
+# a tree of files <part>/<slug>.cpp that define the functions of the contract pt/tasks/<slug>.h. Each file
+# becomes an object library <slug>.<implementation>; a program links exactly one library for each task.
 #
-# grader/tasks/<slug>/task.json says what has to be known of a task (grader/tasks.h has its words), and its `number` (1.3) the
-# place in the course. All of them together are the table, generated/tasks.json of the build. From it come, for each slug,
+# grader/tasks/<slug>/task.json describes a task (grader/tasks.h explains its words); its `number` (1.3) is its place in the
+# course. All files together are the table, generated/tasks.json of the build. It gives, for each slug,
 #   FIRSTLIGHT_JUDGE_ANSWERS_<slug>  the calls that the judge answers while the task is judged alone
 #   FIRSTLIGHT_MOCKS_<slug>          the tasks that a mock replaces then
 #   FIRSTLIGHT_FUNCTIONS_<slug>      the functions of the contract
-#   FIRSTLIGHT_COUNTED_<slug>        if its calls can be counted: the types of result and shape, and the counter
-# and the lists FIRSTLIGHT_COUNTED (calls can be counted), FIRSTLIGHT_TAPED (the write-up can keep the answers on a
-# tape), FIRSTLIGHT_MOCKED (there is a mock) and FIRSTLIGHT_ANSWERED (the judge answers; also the slot radiance).
+# and the lists FIRSTLIGHT_RECORDED (calls can be recorded), FIRSTLIGHT_COUNTED (there is a counting version),
+# FIRSTLIGHT_MOCKED (there is a mock) and FIRSTLIGHT_ANSWERED (the judge answers; also the slot radiance).
 set(FIRSTLIGHT_GENERATED ${PROJECT_BINARY_DIR}/generated)
 
 # Sets `table` to the table, in the order of the course.
 function(firstlight_read_tasks)
-  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/grader/tasks/*/task.json)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  file(GLOB files ${PROJECT_SOURCE_DIR}/grader/tasks/*/task.json)
+  # The folder is newer where a task has come or gone.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files} ${PROJECT_SOURCE_DIR}/grader/tasks)
   foreach(file IN LISTS files)
     get_filename_component(folder ${file} DIRECTORY)
     get_filename_component(slug ${folder} NAME)
     file(READ ${file} task)
     string(JSON number ERROR_VARIABLE problem GET "${task}" number)
     if(problem)
-      message(FATAL_ERROR "${file}: it has no \"number\", or is not JSON (${problem}); write \"number\": \"1.3\"")
+      message(FATAL_ERROR "${file} has no \"number\", or is not JSON (${problem}); write \"number\": \"1.3\"")
     endif()
     if(DEFINED task_${number})
-      message(FATAL_ERROR "${file}: another task has the number ${number}; give each task its own")
+      message(FATAL_ERROR "${file}: another task has the number ${number}; give each task a different number")
     endif()
     string(JSON task_${number} SET "${task}" slug "\"${slug}\"")
     list(APPEND numbers ${number})
@@ -45,8 +44,8 @@ function(firstlight_read_tasks)
   set(table "${table}" PARENT_SCOPE)
 endfunction()
 firstlight_read_tasks()
-# firstlight_names(<variable> <words of the path in the table>...): an array of names as a list; empty
-# where there is none.
+# firstlight_names(<variable> <words of the path in the table>...): sets an array of names as a list; empty if
+# there is none.
 function(firstlight_names variable)
   set(names)
   string(JSON count ERROR_VARIABLE missing LENGTH "${table}" ${ARGN})
@@ -72,18 +71,12 @@ foreach(i RANGE ${last})
   if(NOT FIRSTLIGHT_FUNCTIONS_${slug})
     set(FIRSTLIGHT_FUNCTIONS_${slug} ${slug})
   endif()
-  foreach(word result shape counter)
-    string(JSON value ERROR_VARIABLE missing GET "${table}" tasks ${i} counted ${word})
-    if(NOT missing)
-      list(APPEND FIRSTLIGHT_COUNTED_${slug} ${value})
-    endif()
-  endforeach()
-  if(DEFINED FIRSTLIGHT_COUNTED_${slug})
-    list(APPEND FIRSTLIGHT_COUNTED ${slug})
+  string(JSON recorded ERROR_VARIABLE missing GET "${table}" tasks ${i} recorded)
+  if(NOT missing AND recorded)
+    list(APPEND FIRSTLIGHT_RECORDED ${slug})
   endif()
-  string(JSON taped ERROR_VARIABLE missing GET "${table}" tasks ${i} taped)
-  if(NOT missing AND taped)
-    list(APPEND FIRSTLIGHT_TAPED ${slug})
+  if(EXISTS ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/counting.cpp)
+    list(APPEND FIRSTLIGHT_COUNTED ${slug})
   endif()
   list(APPEND FIRSTLIGHT_ANSWERED ${FIRSTLIGHT_JUDGE_ANSWERS_${slug}})
   list(APPEND FIRSTLIGHT_MOCKED ${FIRSTLIGHT_MOCKS_${slug}})
@@ -92,7 +85,7 @@ list(REMOVE_DUPLICATES FIRSTLIGHT_ANSWERED)
 list(REMOVE_DUPLICATES FIRSTLIGHT_MOCKED)
 
 # firstlight_write_calls(): generated/grader/task_calls.h, the functions of all tasks with their types, as the contracts declare
-# them (grader/calls.h). CALL is a pure function, DRAW one that also takes a Sampler& (last).
+# them (grader/calls.h). CALL is a pure function; DRAW is a function that also takes a Sampler&, as its last argument.
 function(firstlight_write_calls)
   set(TASK_INCLUDES)
   set(TASK_CALLS)
@@ -117,6 +110,9 @@ function(firstlight_write_calls)
         set(kind DRAW)
       endif()
       string(APPEND TASK_CALLS " \\\n  ${kind}(${result}, ${function}, (${parameters}), (${names}))")
+      if(function STREQUAL slug)
+        set(FIRSTLIGHT_SIGNATURE_${slug} "${result}|${parameters}|${names}" PARENT_SCOPE)
+      endif()
     endforeach()
     string(APPEND TASK_CALLS "\n")
   endforeach()
@@ -124,38 +120,30 @@ function(firstlight_write_calls)
 endfunction()
 firstlight_write_calls()
 
-# Sets `result`, `shape` and `counter` to the words of a counted task.
-macro(firstlight_counted_by slug)
-  list(GET FIRSTLIGHT_COUNTED_${slug} 0 result)
-  list(GET FIRSTLIGHT_COUNTED_${slug} 1 shape)
-  list(GET FIRSTLIGHT_COUNTED_${slug} 2 counter)
-endmacro()
+# Writes the file in which calls of the task go through the recorder. `before` stands ahead of its code, `declared` says what
+# unrecorded_<slug> is, and `called` is the function that others call.
+function(firstlight_write_recorded file slug before declared called)
+  string(REPLACE "|" ";" signature "${FIRSTLIGHT_SIGNATURE_${slug}}")
+  list(POP_FRONT signature RESULT PARAMETERS ARGUMENTS)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/recorded.cpp.in ${file} @ONLY)
+endfunction()
 
-# The library <slug>.<name>.counted: the same implementation, and a counter (pt/render/test_count.h).
-function(firstlight_add_counted slug name source)
-  if(DEFINED FIRSTLIGHT_COUNTED_${slug})
-    firstlight_counted_by(${slug})
-    set(counted ${CMAKE_CURRENT_BINARY_DIR}/counted/${slug}.${name}.cpp)
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/counted.cpp.in ${counted} @ONLY)
-    add_library(${slug}.${name}.counted OBJECT EXCLUDE_FROM_ALL ${counted})
-    target_link_libraries(${slug}.${name}.counted PRIVATE firstlight_options)
-    set_property(SOURCE ${counted} APPEND PROPERTY OBJECT_DEPENDS ${source})
+# The library <slug>.<name>.recorded: the same implementation, whose calls are recorded.
+function(firstlight_add_recorded slug name source)
+  if(slug IN_LIST FIRSTLIGHT_RECORDED)
+    set(recorded ${CMAKE_CURRENT_BINARY_DIR}/recorded/${slug}.${name}.cpp)
+    firstlight_write_recorded(${recorded} ${slug} "
+#define ${slug} unrecorded_${slug}
+#include \"${source}\"
+#undef ${slug}
+" "" ${slug})
+    add_library(${slug}.${name}.recorded OBJECT EXCLUDE_FROM_ALL ${recorded})
+    target_link_libraries(${slug}.${name}.recorded PRIVATE firstlight_options)
+    set_property(SOURCE ${recorded} APPEND PROPERTY OBJECT_DEPENDS ${source})
   endif()
 endfunction()
 
-# The library <slug>.<name>.taped: the same implementation, by way of the tape of pt/render/bounces_apart.h.
-function(firstlight_add_taped slug name source)
-  if(slug IN_LIST FIRSTLIGHT_TAPED)
-    set(taped ${CMAKE_CURRENT_BINARY_DIR}/taped/${slug}.${name}.cpp)
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/taped.cpp.in ${taped} @ONLY)
-    add_library(${slug}.${name}.taped OBJECT EXCLUDE_FROM_ALL ${taped})
-    target_link_libraries(${slug}.${name}.taped PRIVATE firstlight_options)
-    set_property(SOURCE ${taped} APPEND PROPERTY OBJECT_DEPENDS ${source})
-  endif()
-endfunction()
-
-# Object libraries <slug>.<name> for every task file that the tree at `root` has: missing files are
-# left out.
+# Object libraries <slug>.<name> for every task file of the tree at `root`. Missing files are left out.
 function(firstlight_add_implementation name root)
   foreach(task IN LISTS FIRSTLIGHT_TASKS)
     get_filename_component(slug ${task} NAME)
@@ -165,14 +153,13 @@ function(firstlight_add_implementation name root)
       if(root MATCHES "/(reference|fast)$")
         target_link_libraries(${slug}.${name} PRIVATE firstlight_warnings)
       endif()
-      firstlight_add_counted(${slug} ${name} ${root}/${task}.cpp)
-      firstlight_add_taped(${slug} ${name} ${root}/${task}.cpp)
+      firstlight_add_recorded(${slug} ${name} ${root}/${task}.cpp)
     endif()
   endforeach()
 endfunction()
 
 # firstlight_add_solution(<slug> <name>): the library <slug>.<name> of the mistake of that name, or of the right variant
-# grader/tasks/<slug>/right/<name>.cpp. Once, wherever it is asked for.
+# grader/tasks/<slug>/right/<name>.cpp. It is added only once.
 function(firstlight_add_solution slug name)
   if(TARGET ${slug}.${name})
     return()
@@ -189,13 +176,13 @@ function(firstlight_add_solution slug name)
 endfunction()
 
 # firstlight_link_tasks(<program> FROM <implementation> [RADIANCE <implementation>]
-#                       [CHOICES <slug>=<implementation> ...] [FAST] [COUNTED] [TAPED])
+#                       [CHOICES <slug>=<implementation> ...] [FAST] [RECORDED])
 # links one definition of every task, all FROM one implementation but for the CHOICES, and one of the
 # slot radiance (default: path; none: the program defines it itself). FAST takes the faster form of the
-# tasks that come FROM the reference and have one. COUNTED takes the counting form of the tasks that have one,
-# TAPED the taped form. Sets LINKED_<slug> to the library that was linked.
+# tasks that come FROM the reference and have one. RECORDED takes the recorded form of the tasks that have one. Sets
+# LINKED_<slug> to the library that was linked.
 function(firstlight_link_tasks program)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "COUNTED;FAST;TAPED" "FROM;RADIANCE" "CHOICES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "FAST;RECORDED" "FROM;RADIANCE" "CHOICES")
   if(NOT ARG_RADIANCE)
     set(ARG_RADIANCE path)
   endif()
@@ -210,7 +197,7 @@ function(firstlight_link_tasks program)
   endforeach()
   foreach(choice IN LISTS ARG_CHOICES)
     if(NOT choice MATCHES "^([a-z_]+)=([a-z_]+)$" OR NOT CMAKE_MATCH_1 IN_LIST slugs)
-      message(FATAL_ERROR "'${choice}' is not a choice: write <task>=<implementation>, the task one of ${slugs}")
+      message(FATAL_ERROR "'${choice}' is not a choice: write <task>=<implementation>; <task> is one of ${slugs}")
     endif()
     set(choice_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
   endforeach()
@@ -219,11 +206,8 @@ function(firstlight_link_tasks program)
     if(NOT TARGET ${library})
       message(FATAL_ERROR "there is no implementation '${choice_${slug}}' of the task ${slug}")
     endif()
-    if(ARG_COUNTED AND TARGET ${library}.counted)
-      set(library ${library}.counted)
-    endif()
-    if(ARG_TAPED AND TARGET ${library}.taped)
-      set(library ${library}.taped)
+    if(ARG_RECORDED AND TARGET ${library}.recorded)
+      set(library ${library}.recorded)
     endif()
     target_link_libraries(${program} PRIVATE ${library})
     set(LINKED_${slug} ${library} PARENT_SCOPE)
@@ -235,8 +219,8 @@ endfunction()
 
 # firstlight_inner_choices(<slug> <implementation> <radiance>): the implementations for the inner calls of a
 # task that is judged alone, for firstlight_link_tasks. Sets INNER_CHOICES: the implementation for the tasks
-# that the judge answers, and mocks; and INNER_RADIANCE: the one given, or path where the judge does not
-# answer radiance().
+# that the judge answers, and mocks; and INNER_RADIANCE: <radiance>, or path if the judge does not answer
+# radiance().
 function(firstlight_inner_choices slug implementation radiance)
   set(choices)
   set(INNER_RADIANCE path PARENT_SCOPE)
@@ -253,39 +237,41 @@ function(firstlight_inner_choices slug implementation radiance)
   set(INNER_CHOICES ${choices} PARENT_SCOPE)
 endfunction()
 
-# firstlight_symbol(<slug> <variable>): the name that g++ and clang give to the function of a counted or taped task;
-# self_check/tasks_test.cpp compares it with the reference's object.
+# firstlight_symbol(<slug> <variable>): the name that g++ and clang give to the function of a recorded task;
+# tests/grader/tasks/tasks_test.cpp compares it with the reference's object.
 function(firstlight_symbol slug variable)
   string(LENGTH ${slug} length)
-  if(slug IN_LIST FIRSTLIGHT_COUNTED)
-    firstlight_counted_by(${slug})
-    string(LENGTH ${shape} shape_length)
-    set(arguments RKNS_${shape_length}${shape}ERKNS_3RayE)
-  elseif(slug IN_LIST FIRSTLIGHT_TAPED)
-    set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
-  else()
-    message(FATAL_ERROR "grader/tasks/${slug}/task.json does not say that it is counted or taped")
+  set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
+  if(FIRSTLIGHT_SIGNATURE_${slug} MATCHES "[|]const ([A-Za-z]+)& [a-z]+, const Ray& ray[|]")
+    string(LENGTH ${CMAKE_MATCH_1} shape_length)
+    set(arguments RKNS_${shape_length}${CMAKE_MATCH_1}ERKNS_3RayE)
   endif()
   set(${variable} _ZN2pt${length}${slug}E${arguments} PARENT_SCOPE)
 endfunction()
 
-# firstlight_wrap(<objects> <flags> <slug>...): the objects define what calls of these tasks go through in a
-# program that is linked with the flags, by the names of the functions:
-# "__wrap_" FIRSTLIGHT_SYMBOL_<slug>, and "__real_" for the task itself. Without objects, only the flags are set.
-function(firstlight_wrap objects flags)
-  set(words)
-  foreach(slug IN LISTS ARGN)
+# recorder_calls: objects through which the linker, with the flags in FIRSTLIGHT_RECORDER_FLAGS, sends all calls of recorded tasks
+# from other files. They are for workers, whose tasks come from a submission.
+foreach(slug IN LISTS FIRSTLIGHT_RECORDED)
+  firstlight_symbol(${slug} symbol)
+  list(APPEND FIRSTLIGHT_RECORDER_FLAGS -Wl,--wrap=${symbol})
+endforeach()
+function(firstlight_add_recorder_calls)
+  foreach(slug IN LISTS FIRSTLIGHT_RECORDED)
     firstlight_symbol(${slug} symbol)
-    if(objects)
-      target_compile_definitions(${objects} PRIVATE FIRSTLIGHT_SYMBOL_${slug}="${symbol}")
-    endif()
-    list(APPEND words -Wl,--wrap=${symbol})
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/recorder_calls/${slug}.cpp)
+    string(REPLACE "|" ";" signature "${FIRSTLIGHT_SIGNATURE_${slug}}")
+    list(POP_FRONT signature result parameters)
+    firstlight_write_recorded(${file} ${slug} "" "
+${result} unrecorded_${slug}(${parameters}) asm(\"__real_${symbol}\");
+${result} recorded_${slug}(${parameters}) asm(\"__wrap_${symbol}\");
+" recorded_${slug})
+    list(APPEND files ${file})
   endforeach()
-  set(${flags} ${words} PARENT_SCOPE)
+  firstlight_objects(recorder_calls ${files})
 endfunction()
 
-# A mixture in words, "reference" or "reference+hit_bvh=student+...", turned into the arguments of
-# firstlight_link_tasks (in MIXTURE_FROM and MIXTURE_CHOICES) and a suffix for targets and files.
+# Turns a mixture in words, "reference" or "reference+hit_bvh=student+...", into the arguments of
+# firstlight_link_tasks (MIXTURE_FROM and MIXTURE_CHOICES) and a suffix for targets and files.
 macro(firstlight_parse_mixture mixture)
   string(REPLACE "+" ";" MIXTURE_CHOICES "${mixture}")
   list(POP_FRONT MIXTURE_CHOICES MIXTURE_FROM)

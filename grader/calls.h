@@ -33,7 +33,7 @@
   FIRSTLIGHT_TASKS(FIRSTLIGHT_ROWS, CALL, DRAW) \
   FIRSTLIGHT_CALLS_radiance(CALL, DRAW) FIRSTLIGHT_CALLS_render_rows(CALL, DRAW)
 
-// For the body of a file that defines Repeated (grader/check/repeat.h): makes it for one task.
+// For the body of a file that defines Repeated (grader/check/language/repeat.h): makes it for one task.
 #define FIRSTLIGHT_NO_ROW(result, function, parameters, names)
 #define FIRSTLIGHT_REPEATED_ROW(result, function, parameters, names) \
   template struct grader::check::Repeated<&pt::function>;

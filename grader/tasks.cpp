@@ -18,12 +18,12 @@ using nlohmann::json;
 using Names = std::vector<std::string>;
 
 // A word that nobody reads would do nothing, so it is an error.
-constexpr std::array kWords{"slug",  "number",  "part",  "functions", "calls",  "judge_answers",
-                            "mocks", "counted", "taped", "traces",    "tracer", "measured"};
+constexpr std::array kWords{"slug",  "number",   "part",   "functions", "calls",   "judge_answers",
+                            "mocks", "recorded", "traces", "tracer",    "measured"};
 
 // Functions of the renderer that every task may call that traces.
 constexpr std::array kScene{"pt::Scene::closest", "pt::Scene::occluded", "pt::surface_point",
-                            "pt::background",     "pt::sample_light",    "pt::kind_name"};
+                            "pt::background", "pt::sample_light"};
 
 Task read_task(const json& from) {
   Task task;
@@ -123,6 +123,11 @@ const std::vector<std::string>& needs(std::string_view slug) {
 const std::vector<std::string>& tracing_tasks() {
   static const Names all = find_tracing_tasks();
   return all;
+}
+
+std::filesystem::path mistake_file(const std::filesystem::path& root, const std::string& slug,
+                                   const std::string& name, const std::string& made) {
+  return root / "build" / made / slug / name / (slug + ".cpp");
 }
 
 }  // namespace grader

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,10 +21,9 @@ struct Task {
   std::vector<std::string> mocks{};      // tasks that a mock replaces then
   std::vector<std::string> framework{};  // functions of the renderer: "pt::Scene::closest"
   bool traces = false;                   // it sends rays through a scene, and so through a tree
-  // Four more words are not read here. `tracer`: pt/scene/tracer.cpp calls it. Two are for CMake
-  // (cmake/tasks.cmake): `counted`, the types of the result and the shape of a task whose calls can
-  // be counted, and the name of the counter; and `taped`: whether the write-up can keep its answers
-  // on a tape (cmake/taped.cpp.in). `measured` is for ./run measure (writeup/measure/tasks.h).
+  // Three more words are not read here. `tracer`: pt/scene/tracer.cpp calls the task. `recorded` is
+  // for CMake: calls of the task can be recorded (pt/scene/recorder.h). `measured` is for
+  // ./run measure (measure/calls/tasks.h).
 
   std::string file() const { return part + "/" + slug + ".cpp"; }
 };
@@ -41,6 +41,11 @@ const std::vector<std::string>& needs(std::string_view slug);
 // The tasks that a ray through a scene is traced by, in the order of the course: the `tracers` and
 // what they need.
 const std::vector<std::string>& tracing_tasks();
+
+// The file of a known mistake of a task, which the build makes of mistakes.txt (cmake/mistakes.cmake). `root` is the folder of the
+// project; `made` is "relatives" for a relative of a mistake.
+std::filesystem::path mistake_file(const std::filesystem::path& root, const std::string& slug,
+                                   const std::string& name, const std::string& made = "mistakes");
 
 // The table of all tasks, {"tasks": [...]} in the order of the course: what the task.json of each says, and its slug.
 extern const std::string_view tasks_json;

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstdint>
 #include <fstream>
 #include <system_error>
 
@@ -28,16 +27,17 @@ std::string read_file(const fs::path& path, std::size_t max_bytes) {
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) fail("cannot read", path, "there is no such file");
   if (!fs::is_regular_file(status)) fail("cannot read", path, "it is not a file");
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error) fail("cannot read", path, error.message());
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  if (!in) fail("cannot read", path, last_error());
+  const auto size = static_cast<std::size_t>(in.tellg());
   if (size > max_bytes) {
     fail("cannot read", path,
          "it has " + std::to_string(size) + " bytes, more than the " + std::to_string(max_bytes) +
              " that are accepted");
   }
-  std::ifstream in(path, std::ios::binary);
   std::string bytes(size, '\0');
-  if (!in || !in.read(bytes.data(), static_cast<std::streamsize>(size))) {
+  in.seekg(0);
+  if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) {
     fail("cannot read", path, last_error());
   }
   return bytes;

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-// Text from outside, fit to be shown: names of files and what programs print may hold anything.
+// Makes text from outside safe to show: file names and the output of programs may contain anything.
 
 namespace pt {
 
@@ -46,9 +46,9 @@ inline bool is_invisible(std::int32_t code) {
 
 inline constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
 
-// Valid UTF-8 that no terminal obeys and no reader is misled by: bytes that are not UTF-8, characters that
-// are not seen, and U+FFFE and U+FFFF become U+FFFD; control characters, those of 8 bits too, become what is
-// given. Newlines and tabs may stay.
+// Valid UTF-8 that no terminal obeys and that misleads no reader. Bytes that are not UTF-8, invisible
+// characters, U+FFFE and U+FFFF become U+FFFD. Control characters, also those of 8 bits, become the given
+// text. Newlines and tabs may stay.
 inline std::string printable(std::string_view text, bool lines = false,
                              std::string_view for_controls = " ") {
   std::string shown;

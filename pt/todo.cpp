@@ -26,7 +26,7 @@ Reached& reached() {
 }  // namespace
 
 void todo(std::string_view slug) {
-  // Stubs are called once per ray: after the first time, this thread remembers without the lock.
+  // Stubs are called once per ray, so a thread uses the lock only the first time.
   thread_local std::set<std::string, std::less<>> known;
   if (known.contains(slug)) return;
   known.emplace(slug);

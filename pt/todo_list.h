@@ -5,7 +5,7 @@
 
 namespace pt {
 
-// From now on todo() prints nothing: the program will name all tasks that are not written at once.
+// From now on todo() prints nothing: the program names all tasks that are not written at once.
 void silence_todo();
 
 // The slugs with which todo() was called in this process, in alphabetical order.

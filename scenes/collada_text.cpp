@@ -22,7 +22,7 @@ class Numbers {
  public:
   explicit Numbers(std::size_t expected_size) { text_.reserve(expected_size); }
 
-  // As short as it goes: no zeros that say nothing, and no minus before zero.
+  // As short as possible: no trailing zeros, and no minus before zero.
   void add(double value, int decimals) {
     std::array<char, 64> buffer;
     const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
@@ -126,8 +126,8 @@ constexpr std::string_view kMaterial =
     R"xml(    <material id="object-material"><instance_effect url="#object-effect"/></material>
 )xml";
 
-// Turned a little, so that a ring is not seen face on; standing on the ground, within .7 of the
-// room's middle and 1.1 high.
+// The mesh is turned a little, so that a ring is not seen face on. It stands on the ground, within
+// .7 of the room's middle, and is 1.1 high.
 std::string node(const Mesh& mesh) {
   double radius = 0, bottom = pt::kInfinity, top = -pt::kInfinity;
   for (const Vec3& p : mesh.points) {

@@ -12,9 +12,9 @@ enum class Setting {
   room   // scenes/box_empty.dae
 };
 
-// A scene file of the course's dialect that holds the mesh once, scaled to stand in the room, with
-// `decimals` digits after the point for its points and one fewer for its normals. The comment opens
-// the file; it may not contain two hyphens in a row.
+// A scene file of the course's dialect with the mesh, scaled to stand in the room. Points have
+// `decimals` digits after the decimal point, normals one fewer. The file begins with the comment,
+// which may not contain two hyphens in a row.
 std::string collada_text(const Mesh& mesh, Setting setting, int decimals,
                          const std::string& comment);
 

@@ -21,7 +21,7 @@ std::vector<Vec3> ring(int sides, double radius, double y, double start) {
   return points;
 }
 
-// One stone, table up: 6 sides - 2 facets between three rings and the point below.
+// One stone, table up, with 6 sides - 2 facets between three rings and the point below.
 Mesh cut_stone(int sides) {
   const std::vector<Vec3> table = ring(sides, .55, .42, 0);
   const std::vector<Vec3> girdle = ring(sides, 1, .1, .5);

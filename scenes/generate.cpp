@@ -20,7 +20,7 @@ struct MeshRequest {
   std::string file;
 };
 
-// The command is given in its short options: a comment may not contain two hyphens in a row.
+// The command has only short options: a comment may not contain two hyphens in a row.
 std::string comment(const MeshRequest& request, const Kind& kind) {
   return std::string(kind.purpose) +
          (request.room ? "\n     In the Cornell box."

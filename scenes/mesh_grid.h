@@ -9,7 +9,7 @@
 
 namespace scenes {
 
-// Throws pt::Error unless the number of triangles is one that every kind can make.
+// Throws pt::Error unless every kind of mesh can have this number of triangles.
 void check_count(int triangles);
 
 // The faces of a grid of rows x columns points, row after row; a grid that wraps joins its last row
@@ -17,7 +17,7 @@ void check_count(int triangles);
 std::vector<std::array<int, 3>> grid_faces(int rows, int columns, bool wrap_rows,
                                            bool wrap_columns);
 
-// Adds a flat triangle with points of its own, anticlockwise seen from outside.
+// Adds a flat triangle that shares no points, anticlockwise seen from outside.
 void add_facet(Mesh& mesh, pt::Vec3 p0, pt::Vec3 p1, pt::Vec3 p2);
 
 }  // namespace scenes

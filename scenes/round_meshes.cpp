@@ -12,7 +12,7 @@ using pt::Vec3;
 
 namespace {
 
-// A box of cells[0] x cells[1] x cells[2] little cubes: its surface has that many squares a side.
+// A box of cells[0] x cells[1] x cells[2] little cubes. Its sides have these numbers of squares.
 struct CubeGrid {
   std::array<int, 3> cells;
 
@@ -21,7 +21,7 @@ struct CubeGrid {
   }
 };
 
-// The finest grid within the count. Its sides differ by one at most.
+// The finest grid within the count. Its three numbers differ by at most one.
 CubeGrid cube_grid(int triangles) {
   const int n = static_cast<int>(std::sqrt(triangles / 12.0));
   CubeGrid grid{{n, n, n}};
@@ -33,7 +33,7 @@ CubeGrid cube_grid(int triangles) {
   return grid;
 }
 
-// The coordinate of line i of n on the cube [-1, 1]^3; the tangent makes the angles from its centre equal.
+// The coordinate of line i of n on the cube [-1, 1]^3. The tangent makes the angles at the centre equal.
 double line(int i, int n) {
   if (i == 0 || i == n) return i == 0 ? -1 : 1;
   return std::tan(pt::kPi / 4 * (2.0 * i / n - 1));

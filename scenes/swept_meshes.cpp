@@ -32,7 +32,7 @@ constexpr std::array<Vec2, 17> kVase{{{0, 0},
                                       {.28, .14},
                                       {0, .14}}};
 
-// Beyond its ends the profile goes on mirrored, so that it crosses the axis at a right angle.
+// Beyond its ends the profile continues mirrored, so that it crosses the axis at a right angle.
 Vec2 control_point(int i) {
   const int last = static_cast<int>(kVase.size()) - 1;
   if (i < 0) return {-kVase[-i].x, kVase[-i].y};

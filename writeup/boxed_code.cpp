@@ -2,7 +2,7 @@
 
 #include "grader/base/files.h"
 #include "grader/base/sha256.h"
-#include "grader/process/run_command.h"
+#include "grader/service/process/run_command.h"
 #include "pt/error.h"
 #include "pt/file.h"
 

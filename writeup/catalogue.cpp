@@ -39,7 +39,7 @@ Look look_of(const std::string& word) {
 
 // Default settings of a picture.
 json defaults() {
-  Spec spec;
+  measure::Spec spec;
   spec.path.to = 5;
   json all = to_json(spec);
   all["show"] = "full";
@@ -74,14 +74,14 @@ Picture picture_from(const json& figure, const json& own, const json& defaults) 
   picture.id = all.value("id", "golden");
   picture.label = all.value("label", picture.id);
   picture.scene = all.at("scene");
-  picture.spec = spec_from_json(all);
+  picture.spec = measure::spec_from_json(all);
   picture.look = look_of(all.value("look", "radiance"));
   picture.in_bounces = all.value("in_bounces", false);
   picture.exposure = all.value("exposure", 1.0);
   picture.mistake = all.value("mistake", "");
   picture.time_of = all.value("time_of", "");
   if (picture.in_bounces && picture.spec.adaptive) {
-    throw pt::Error("'in_bounces' does not go with 'adaptive'");
+    throw pt::Error("'in_bounces' cannot be used with 'adaptive'");
   }
   return picture;
 }

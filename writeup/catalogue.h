@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writeup/spec.h"
+#include "measure/renders/spec.h"
 
 #include <filesystem>
 #include <map>
@@ -12,15 +12,15 @@
 
 namespace writeup {
 
-// The source of a scene: the course's file if there is one here, else a scene of our own in its place.
+// The source of a scene: the course's file if it is here, otherwise a scene of our own in its place.
 struct SceneSource {
   std::string title;
   std::string course;             // below the folder of the course's scenes; may be empty
-  std::string own;                // below the root of the project, or:
-  std::string mesh;               // a kind of the generator, and
-  int triangles = 0;              // of the mesh; of the other files, about so many
-  bool room = false;              // around the mesh
-  std::string camera = "course";  // of our own file: "file" where it is meant for the camera it has
+  std::string own;                // below the root of the project; if empty, a mesh:
+  std::string mesh;               // its kind, for the generator
+  int triangles = 0;              // of the mesh; of a file, about this many
+  bool room = false;              // whether a room is around the mesh
+  std::string camera = "course";  // for our own file: "file" if it has its own camera
 };
 
 // The colouring of a render's numbers.
@@ -28,16 +28,16 @@ enum class Look { radiance, rates, boxes, predicted };
 
 struct Picture {
   std::string id, label;
-  std::string scene;  // name in the catalogue
-  Spec spec;          // in full quality; the scene's path is filled in later
+  std::string scene;   // name in the catalogue
+  measure::Spec spec;  // in full quality; the scene's path is filled in later
   Look look = Look::radiance;
   bool in_bounces = false;  // from one render of all bounces, which other pictures share
   double exposure = 1;
   std::string mistake;  // rendered by the reference with this wrong solution in it; or "reference"
-  std::string time_of;  // take so many samples that it takes as long as this picture
+  std::string time_of;  // take as many samples as fit into this picture's time
 };
 
-// A remedy, and what it is compared with: right solutions of a task, as ./run measure has them.
+// A remedy, and the plain way that it is compared with: right solutions of a task, as in ./run measure.
 struct Price {
   std::string id, failure, task;
   std::string plain, remedy;  // names in right/, or "reference"
@@ -45,21 +45,21 @@ struct Price {
 
 struct Figure {
   std::string id, part, title;
-  std::string kind;     // "pictures", "speedup", or what is measured: see Plan::measurements()
-  std::string source;   // as it stands in the file
-  std::string file;     // of the handbook: where the picture is kept, below the project's root
+  std::string kind;     // "pictures", "speedup", or a measurement: see Plan::measurements()
+  std::string source;   // its text in the file
+  std::string file;     // for the handbook: the picture's path below the project's root
   std::string caption;  // Markdown; may hold numbers
   bool flip = false;    // the pictures can be laid over each other
   bool small = false;   // few pixels, shown as squares
   std::vector<Picture> pictures;
-  std::optional<Picture> golden;    // against which errors are measured
+  std::optional<Picture> golden;    // errors are measured against it
   std::vector<std::string> scenes;  // of a table
-  double seconds = 0;               // by the clock, that a measurement may take
-  double error = 0;                 // that is wanted
-  std::string curve;                // of the kind "curve": "hit_sphere.far_away"
-  double threshold = 0;             // of it: an error that is called a failure
-  std::vector<std::string> lines;   // of it: those that the texts have numbers of
-  std::vector<Price> prices;        // of the kind "prices"
+  double seconds = 0;               // wall time that a measurement may take
+  double error = 0;                 // the wanted error
+  std::string curve;                // for the kind "curve": "hit_sphere.far_away"
+  double threshold = 0;             // of the curve: larger errors are failures
+  std::vector<std::string> lines;   // of the curve: lines whose numbers are in texts
+  std::vector<Price> prices;        // for the kind "prices"
 };
 
 // The task of a figure that is a curve.
@@ -74,7 +74,7 @@ struct Catalogue {
   const Figure* find(const std::string& id) const;
 };
 
-// Throws pt::Error, with the figure's name, for what it cannot use.
+// Throws pt::Error with the figure's name for anything that it cannot use.
 Catalogue read_catalogue(const std::filesystem::path& file);
 
 }  // namespace writeup

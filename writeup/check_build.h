@@ -7,14 +7,14 @@
 
 namespace writeup {
 
-// The programs of the build that grades, which compile and run tasks in boxes of their own. Nothing
-// where they have not been built, or their folder is not named.
+// Programs of the grading build, which compile and run tasks in their own boxes. The functions
+// return nothing if the programs have not been built, or their folder is not named.
 
-// Measures curves; its hash has what the curves of each task depend on. With the learner's own line
-// where somebody else's code than the reference is written about.
+// The program that measures curves. Its hash has everything that the curves of a task depend on. If
+// the write-up is not about the reference, the curves have a line for its code.
 std::optional<Code> code_of_stability(const Options& options);
 
-// Takes the time of the right solutions that are kept in the tree. `code` is that of the reference.
+// The program that times the right solutions of the tree. `code` is the reference's.
 std::optional<Code> code_of_measure(const Options& options, const Code& code);
 
 }  // namespace writeup

@@ -20,7 +20,7 @@ Code code_of_program(const std::filesystem::path& program) {
   std::map<std::string, std::string> contents;
   const std::filesystem::path build = program.parent_path().parent_path();
   std::istringstream list(pt::read_file(program.string() + ".objects", kMaxObject));
-  // A line each: a name without spaces, one space, and the rest of the line is the path.
+  // Each line has a name without spaces, one space, and a path.
   for (std::string name, path; list >> name && list.get() == ' ' && std::getline(list, path);) {
     contents[name] += grader::base::sha256(pt::read_file(build / path, kMaxObject));
   }
@@ -29,14 +29,14 @@ Code code_of_program(const std::filesystem::path& program) {
   return code;
 }
 
-std::string identity(const Code& code, const Spec& spec) {
+std::string identity(const Code& code, const measure::Spec& spec) {
   std::string text = code.hash.at("framework");
-  for (const std::string& task : tasks_used(spec)) text += task + code.hash.at(task);
+  for (const std::string& task : measure::tasks_used(spec)) text += task + code.hash.at(task);
   return text;
 }
 
-std::string obstacle(const Code& code, const Spec& spec) {
-  for (const std::string& task : tasks_used(spec)) {
+std::string obstacle(const Code& code, const measure::Spec& spec) {
+  for (const std::string& task : measure::tasks_used(spec)) {
     if (const auto found = code.unusable.find(task); found != code.unusable.end()) {
       return task + " " + found->second;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writeup/spec.h"
+#include "measure/renders/spec.h"
 
 #include <filesystem>
 #include <map>
@@ -16,13 +16,13 @@ struct Code {
   std::map<std::string, std::string> unusable;  // tasks that cannot run, each with the reason
 };
 
-// The code in writeup_render.<name>, by the list of objects beside it.
+// Returns the code in writeup_render.<name>, from the list of objects next to it.
 Code code_of_program(const std::filesystem::path& program);
 
-// A name that stands for all code on which the pixels of a render depend.
-std::string identity(const Code& code, const Spec& spec);
+// Returns a name for all code on which the pixels of a render depend.
+std::string identity(const Code& code, const measure::Spec& spec);
 
-// "" or why the render cannot be made at all.
-std::string obstacle(const Code& code, const Spec& spec);
+// Returns the reason why the render cannot be made at all, or "".
+std::string obstacle(const Code& code, const measure::Spec& spec);
 
 }  // namespace writeup

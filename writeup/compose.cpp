@@ -7,7 +7,7 @@ namespace writeup {
 
 namespace {
 
-constexpr double kDark = 0.01;  // added to what is divided by, as in pt/image/compare.h
+constexpr double kDark = 0.01;  // added to the divisor, as in pt/image/compare.h
 
 void add(Rendered& sum, const Rendered& layer) {
   for (std::size_t i = 0; i < sum.film.pixels.size(); ++i) {
@@ -26,7 +26,7 @@ void add(Rendered& sum, const Rendered& layer) {
   if (sum.failed.empty()) sum.failed = layer.failed;
 }
 
-// The variance of the mean of a pixel, divided by the square of what the picture divides it by.
+// The variance of the mean of a pixel, over the square of the divisor of its errors.
 double relative_variance(const pt::FilmPixel& pixel) {
   const double scale = pt::luminance(pixel.mean) + kDark;
   return pixel.variance_y / std::max(pixel.samples, 1) / (scale * scale);
@@ -72,7 +72,7 @@ std::vector<int> predicted_samples(const pt::Film& uniform, const pt::AdaptiveSe
     const double y = pt::luminance(pixel.mean);
     const double ratio = 1.96 / (settings.tolerance * y);
     const double wanted = pixel.variance_y * ratio * ratio;
-    // It stops at the end of a batch; never where all it sees is black.
+    // An adaptive render stops at the end of a batch, but never where it sees only black.
     const double batches = std::ceil(wanted / settings.batch);
     const bool stops = y > 0 && batches * settings.batch < settings.max_samples;
     counts.push_back(stops ? std::max(1, static_cast<int>(batches)) * settings.batch

@@ -7,16 +7,16 @@ namespace writeup {
 // A picture, its renders added up.
 struct Composed {
   Rendered sum;
-  int rows = 0;          // that are there, of every render
-  bool complete = true;  // all of it is there
+  int rows = 0;          // the rows that every render has
+  bool complete = true;  // no row is missing
 };
 
 Composed compose(const Store& store, const std::vector<Unit>& units);
 
-// The distance of a picture from one of many more samples, as a part of its brightness: the root of
-// relMSE over the luminances.
-double noise(const Rendered& picture);                          // by its own variance
-double error(const Rendered& picture, const Rendered& golden);  // the golden's noise taken off
+// The distance of a picture from a picture of many more samples, relative to its brightness: the
+// root of relMSE over the luminances.
+double noise(const Rendered& picture);                          // from its own variance
+double error(const Rendered& picture, const Rendered& golden);  // without the golden's noise
 
 double mean_luminance(const pt::Film& film);
 

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-// Figures of where methods fail, measured by the program `stability`, and of what a remedy costs,
-// measured by `measure`.
+// Draws where methods fail, which the program `stability` measures, and the costs of a remedy,
+// which `measure` measures.
 
 namespace writeup {
 
@@ -20,10 +20,9 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kMaxTable = std::size_t{1} << 22;
-const char* const kDash = "\u2013";
 
 // Two digits: "340", "2.3e6".
-std::string digits(double value) {
+std::string two_digits(double value) {
   const double rounded = std::strtod(fmt::format("{:.1e}", value).c_str(), nullptr);
   const bool plain = rounded >= 1e-3 && rounded < 1e6;
   std::string text = plain ? fmt::format("{:g}", rounded) : fmt::format("{:.2g}", rounded);
@@ -34,8 +33,8 @@ std::string digits(double value) {
   return text;
 }
 
-// The place at which a line first passes the threshold, between two places of the curve by a straight
-// line in the chart. A line without a number has passed it.
+// The place at which a line first passes the threshold. Between two places of the curve it is a
+// straight line in the chart. A line without a number has passed the threshold.
 std::optional<double> passes(const json& points, double threshold) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double place = points[i].at("place");
@@ -52,7 +51,7 @@ std::optional<double> passes(const json& points, double threshold) {
 std::string error_at(const json& point) {
   const json& error = point.at("error");
   if (error.is_null()) return "none";
-  return error == 0 ? "0" : digits(error);
+  return error == 0 ? "0" : two_digits(error);
 }
 
 void enter_line(const json& line, double threshold, Drawn& drawn) {
@@ -67,12 +66,12 @@ void enter_line(const json& line, double threshold, Drawn& drawn) {
   const auto enter = [&](const char* what, const std::string& value) {
     drawn.numbers[id + what] = value;
   };
-  enter(".fails", fails ? digits(*fails) : kDash);
+  enter(".fails", fails ? two_digits(*fails) : kDash);
   enter(".first", error_at(points.front()));
   enter(".last", error_at(points.back()));
-  enter(".largest", digits(largest));
+  enter(".largest", two_digits(largest));
   drawn.rows.push_back({line.at("title"), error_at(points.front()), error_at(points.back()),
-                        fails ? digits(*fails) : kDash});
+                        fails ? two_digits(*fails) : kDash});
 }
 
 const json* find_curve(const json& all, const Figure& figure) {
@@ -113,9 +112,9 @@ Drawn draw_curve(const Plan& plan, const Figure& figure, const fs::path& folder)
   copy_file(from / (figure.curve + ".svg"), folder, figure.id + ".svg", drawn.charts);
   copy_file(from / (figure.curve + ".csv"), folder, figure.id + ".csv", drawn.tables);
   const json& places = chart->at("lines").at(0).at("points");
-  drawn.columns = {chart->at("error"), "at " + digits(places.front().at("place")),
-                   "at " + digits(places.back().at("place")),
-                   "first above " + digits(figure.threshold)};
+  drawn.columns = {chart->at("error"), "at " + two_digits(places.front().at("place")),
+                   "at " + two_digits(places.back().at("place")),
+                   "first above " + two_digits(figure.threshold)};
   for (const json& line : chart->at("lines")) enter_line(line, figure.threshold, drawn);
   return drawn;
 }
@@ -150,7 +149,7 @@ std::vector<Cells> read_rows(const fs::path& file) {
 }
 
 // The geometric mean over the cases of a task (scenes, sizes) of the ratio of two ways in a column;
-// nothing where one of them has no number.
+// nothing if a way has no number.
 std::optional<double> ratio(const std::vector<Cells>& rows, const Price& price,
                             const std::string& column) {
   std::map<std::string, std::map<std::string, double>> numbers;  // by case and way

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-// Figures of what is measured by the program `accuracy`: its charts, and tables of its numbers.
+// Draws the measurements of the program `accuracy`: its charts, and tables of its numbers.
 
 namespace writeup {
 
@@ -15,12 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kUnknown = 0.05;  // of the error, by which it is not known better
-const char* const kDash = "\u2013";
-
-std::string digits(double value) {
-  return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
-}
+constexpr double kUnknown = 0.05;  // relative uncertainty of the error: more is marked
 
 std::string percent(double part) {
   return part < 1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
@@ -32,7 +27,7 @@ std::string times(const json& number) {
   return digits(value) + "\u00d7";
 }
 
-// Takes the files of a measurement over, with the figure's name before theirs.
+// Copies the files of a measurement, with the figure's name before theirs.
 void take_files(const Plan& plan, const Measurement& measurement, const std::string& id,
                 const std::vector<std::string>& charts, const std::vector<std::string>& tables,
                 const fs::path& folder, Drawn& drawn) {
@@ -138,7 +133,7 @@ json without_roulette(const json& answer) {
 
 json times_of(const json& option) { return option.is_null() ? json() : option.at("times"); }
 
-// The bias with one bounce less than the settings found have.
+// The bias with one bounce less than in the best settings.
 std::string one_bounce_less(const json& answer) {
   const std::size_t bounces = answer.at("best").at("bounces");
   const json& bias = answer.at("bias");

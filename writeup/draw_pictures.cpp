@@ -23,7 +23,7 @@ std::string short_number(double value) {
   return fmt::format("{:.{}f}", value, value >= 10 ? 1 : 2);
 }
 
-std::string settings_text(const Spec& spec, int from, int to) {
+std::string settings_text(const measure::Spec& spec, int from, int to) {
   if (spec.path.show_normals) return fmt::format("normals, s = {}", spec.samples);
   std::string text = spec.adaptive
                          ? fmt::format("s up to {}, batches of {}, tolerance {:g}", spec.samples,
@@ -111,7 +111,7 @@ class Artist {
     drawn_.pictures.push_back(shown);
   }
 
-  // A picture that is named after its scene gets the name of the scene in its place, if there is one.
+  // A picture that is named after its scene gets the name of the scene that replaces it, if there is one.
   std::string label(const Picture& picture) const {
     const bool by_scene = picture.label == picture.scene;
     return by_scene ? plan_.scenes().short_name(picture.scene) : picture.label;
@@ -136,15 +136,15 @@ class Artist {
   }
 
   void describe(const Picture& picture, const Composed& composed, Shown& shown) {
-    const Spec spec = units(picture)[0].spec;
+    const measure::Spec spec = units(picture)[0].spec;
     const int from = picture.spec.path.from, to = picture.spec.path.to;
     shown.facts =
         fmt::format("{}; {} s{}", settings_text(spec, from, to), short_number(composed.sum.seconds),
                     spec.ranges.size() > 1 ? " for all bounces together" : "");
-    Spec whole = spec;
+    measure::Spec whole = spec;
     whole.path.from = from;
     whole.path.to = to;
-    shown.command = render_command(whole, picture.id + ".png");
+    shown.command = measure::render_command(whole, picture.id + ".png");
     if (!composed.complete || !composed.sum.missing.empty()) return;
     const auto enter = [&](const char* name, const std::string& value) {
       drawn_.numbers[picture.id + "." + name] = value;
@@ -173,8 +173,8 @@ class Artist {
     }
   }
 
-  // Its samples over those of the figure's first map, in pixels where that one is neither at one
-  // batch nor at the maximum.
+  // Enters its samples over those of the figure's first map, in pixels where the first map is
+  // neither at one batch nor at the maximum.
   void enter_ratio(const Picture& picture, const std::vector<float>& counts) {
     if (picture.look != Look::rates) return;
     if (first_rates_.empty()) first_rates_ = counts;

@@ -1,6 +1,6 @@
+#include "measure/charts/gnuplot.h"
 #include "pt/file.h"
 #include "writeup/figure.h"
-#include "writeup/gnuplot.h"
 
 #include <map>
 #include <optional>
@@ -35,7 +35,7 @@ Cell measured(const Plan& plan, const std::string& scene, pt::Engine engine) {
   }
   if (cell.problem.empty() && render.seconds <= 0) cell.problem = "not measured";
   if (!cell.problem.empty()) return cell;
-  const RowHead& total = render.total;
+  const measure::RowHead& total = render.total;
   cell.seconds = render.seconds / static_cast<double>(render.film.pixels.size()) * kPixels;
   if (total.rays > 0) {
     cell.tests = static_cast<double>(total.boxes + total.triangles + total.spheres) /
@@ -44,13 +44,9 @@ Cell measured(const Plan& plan, const std::string& scene, pt::Engine engine) {
   return cell;
 }
 
-std::string digits(double value) {
-  return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
-}
-
 std::string shown(const Cell& cell, double value) {
-  if (!cell.problem.empty()) return "\u2013";
-  return value > 0 ? digits(value) : "\u2013";
+  if (!cell.problem.empty()) return kDash;
+  return value > 0 ? digits(value) : kDash;
 }
 
 const char* const kChart = R"(set datafile missing "nan"
@@ -64,14 +60,14 @@ plot "{}.csv" using 2:3 skip 1 with linespoints lc rgb "#a33708" lw 2 pt 7 ps .6
      "" using 2:5 skip 1 with linespoints lc rgb "#0b6b5b" lw 2 pt 9 ps .6 title "the fast engine"
 )";
 
-// A line for each scene, by its number of triangles.
+// Draws a point for each scene, by its number of triangles.
 void draw_chart(const fs::path& folder, const std::string& id,
                 const std::map<int, std::string>& lines) {
   std::string csv =
       "scene,triangles,linear_seconds,task_seconds,wide_seconds,linear_tests,task_tests\n";
   for (const auto& [triangles, line] : lines) csv += line;
   pt::write_file(folder / (id + ".csv"), csv);
-  draw(folder, id, fmt::format(fmt::runtime(kChart), id));
+  measure::draw(folder, id, fmt::format(fmt::runtime(kChart), id));
 }
 
 std::string csv_line(const std::string& scene, const Cell& linear, const Cell& tree,
@@ -116,7 +112,7 @@ Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folde
     const Cell tree = measured(plan, scene, pt::Engine::task);
     const Cell wide = measured(plan, scene, pt::Engine::wide);
     const bool both = linear.problem.empty() && tree.problem.empty() && tree.seconds > 0;
-    const std::string factor = both ? factor_of(linear, tree) : "\u2013";
+    const std::string factor = both ? factor_of(linear, tree) : kDash;
     drawn.rows.push_back({plan.scenes().description(scene), std::to_string(wide.primitives),
                           shown(linear, linear.seconds), shown(tree, tree.seconds),
                           shown(wide, wide.seconds), both ? factor + "\u00d7" : factor,

@@ -10,10 +10,10 @@ namespace {
 constexpr double kStart = 0.1;  // to start the program and read the scene
 constexpr double kSecondsPerRay = 1.6e-7;
 constexpr double kTreeSecondsPerRay = 4e-7;
-constexpr double kHits = 0.75;          // of rays that go on meet a surface
-constexpr double kAdaptiveShare = 0.4;  // of the samples allowed
+constexpr double kHits = 0.75;          // the part of path rays that hit a surface
+constexpr double kAdaptiveShare = 0.4;  // the part of the allowed samples
 
-// Rays of one camera sample: its own, and for each bounce one to get there and its shadow rays.
+// Rays per camera sample: the camera ray, and for each bounce a path ray and its shadow rays.
 double rays_per_sample(const pt::PathSettings& path) {
   if (path.show_normals) return 1;
   double rays = 1, survivors = 1;
@@ -27,7 +27,7 @@ double rays_per_sample(const pt::PathSettings& path) {
 
 }  // namespace
 
-double estimated_seconds(const Spec& spec) {
+double estimated_seconds(const measure::Spec& spec) {
   const double share = spec.adaptive ? kAdaptiveShare : 1;
   const double rays = share * spec.samples * spec.pixels() * rays_per_sample(spec.path);
   const bool wide = spec.engine == pt::Engine::wide;

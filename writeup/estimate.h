@@ -1,10 +1,10 @@
 #pragma once
 
-#include "writeup/spec.h"
+#include "measure/renders/spec.h"
 
 namespace writeup {
 
-// About how many seconds of one processor a render takes that was never made before.
-double estimated_seconds(const Spec& spec);
+// Estimates the seconds on one processor of a render that was never made before.
+double estimated_seconds(const measure::Spec& spec);
 
 }  // namespace writeup

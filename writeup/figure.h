@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-// A figure as a page shows it: files, and words about them.
+// A figure for a page: files, and words about them.
 
 namespace writeup {
 
@@ -20,7 +20,7 @@ struct Shown {
   int width = 0, height = 0;
   std::string note;       // "partial", or the obstacle
   std::string facts;      // "s = 16, l = 8, m = 1; 4.2 s"
-  std::string command;    // that renders it alone
+  std::string command;    // renders it alone
   std::string low, high;  // the ends of a map's colours
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shown, id, label, file, kind, width, height, note, facts,
@@ -29,7 +29,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shown, id, label, file, kind, width, height, 
 struct Drawn {
   std::vector<Shown> pictures;
   std::vector<std::string> columns;            // of a table
-  std::vector<std::vector<std::string>> rows;  // of it; the first cell is its head
+  std::vector<std::vector<std::string>> rows;  // of the table; the first cell is the row's head
   std::vector<std::string> charts, tables;     // files: .svg, .csv
   std::vector<std::string> problems;           // reasons for missing parts, a sentence each
   std::map<std::string, std::string> numbers;  // "l16.seconds": "4.2"
@@ -38,7 +38,12 @@ struct Drawn {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Drawn, pictures, columns, rows, charts, tables, problems,
                                    numbers, seconds)
 
-// Draws into the folder, which is there. All of the figure's renders are settled.
+inline constexpr const char* kDash = "\u2013";  // there is no number
+
+// Three digits: "0.0123", "12345".
+std::string digits(double value);
+
+// Draws into the folder, which has to exist. All of the figure's renders have to be settled.
 Drawn draw_pictures(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 Drawn draw_speedup(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 

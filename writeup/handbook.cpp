@@ -23,7 +23,7 @@ constexpr int kGap = 8;  // pixels, between the pictures of a figure
 constexpr pt::Color8 kPaper{255, 255, 255};
 constexpr std::size_t kMaxPicture = std::size_t{1} << 24;
 
-// Renders keep their rows in float: a number in the middle between two levels may go either way.
+// Renders keep their rows in float: a number in the middle between two levels can be rounded to either.
 constexpr int kLevels = 1;
 
 pt::Picture drawn(const Plan& plan, const Figure& figure, const Picture& picture) {
@@ -59,7 +59,7 @@ pt::Picture drawn(const Plan& plan, const Figure& figure) {
   return pictures.size() == 1 ? pictures[0] : side_by_side(pictures);
 }
 
-// Does something with the picture of every figure; an exception becomes a problem.
+// Calls the action for the picture of every figure. An exception becomes a problem.
 template <class Action>
 Problems for_each(const Plan& plan, const std::vector<const Figure*>& figures, Action action) {
   Problems problems;
@@ -123,7 +123,7 @@ Problems check_handbook(const Plan& plan, const Catalogue& catalogue,
     for (const fs::directory_entry& entry : fs::directory_iterator(each)) {
       const bool picture = entry.path().extension() == ".png";
       if (picture && !planned.contains(entry.path())) {
-        problems.push_back(entry.path().string() + " is in no plan: name it in handbook.json");
+        problems.push_back(entry.path().string() + " is not in a plan: name it in handbook.json");
       }
     }
   }

@@ -1,6 +1,6 @@
 // writeup: plans the figures of the write-up, makes what is missing or out of date, and writes the
 // pages. ./run writeup builds what it needs and starts it.
-#include "grader/process/run_command.h"
+#include "grader/service/process/run_command.h"
 #include "grader/tasks.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
@@ -26,12 +26,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One at a time may write to the renders.
+// Only one process at a time may write to the renders.
 void lock(const fs::path& work) {
   fs::create_directories(work);
   const int file = open((work / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0 || flock(file, LOCK_EX | LOCK_NB) != 0) {
-    throw pt::Error("another ./run writeup is at work here: wait until it has ended");
+    throw pt::Error("another ./run writeup is running here: wait until it has ended");
   }
 }
 
@@ -72,7 +72,7 @@ Codes read_codes(const Options& options, const Catalogue& catalogue) {
   return codes;
 }
 
-// The command that made the pages, as a person types it.
+// The command for these pages, as a person types it.
 std::string as_typed(const Options& options) {
   std::string words = "./run writeup";
   if (options.draft) words += " --quality draft";
@@ -135,7 +135,7 @@ void print_times(const std::vector<const Figure*>& figures,
   }
 }
 
-// Prints the first problem of each figure. Returns whether there is any.
+// Prints the first problem of each figure. Returns whether there is a problem.
 bool report(const std::vector<const Figure*>& figures, const std::map<std::string, Drawn>& drawn) {
   bool failed = false;
   for (const Figure* figure : figures) {
@@ -156,7 +156,7 @@ void make_absolute(Options& options) {
   fs::current_path(FIRSTLIGHT_ROOT);
 }
 
-// Makes the missing renders, and the pages. Returns whether all is there.
+// Makes the missing renders, and the pages. Returns whether nothing is missing.
 bool make_pages(const Plan& plan, const Catalogue& catalogue,
                 const std::vector<const Figure*>& figures, const Options& options,
                 const std::string& command) {
@@ -165,7 +165,7 @@ bool make_pages(const Plan& plan, const Catalogue& catalogue,
   const fs::path out =
       options.out.empty() ? work / (options.draft ? "draft" : "pages") : fs::path(options.out);
   fs::create_directories(out);
-  write_pages(site, out);  // a wrong name in a text must not be found after an hour
+  write_pages(site, out);  // finds a wrong name in a text before the long renders
   const bool made = make_missing(plan, figures, options);
   site.figures = draw_figures(plan, catalogue, work / "drawn", out / "figures", options.threads);
   write_pages(site, out);
@@ -179,7 +179,7 @@ bool make_pages(const Plan& plan, const Catalogue& catalogue,
 bool make_handbook(const Plan& plan, const Catalogue& catalogue,
                    const std::vector<const Figure*>& figures, const Options& options) {
   if (options.mistakes.empty()) {
-    throw pt::Error("the handbook's pictures are made where the reference is, not in this edition");
+    throw pt::Error("the handbook's pictures need the reference, which this edition does not have");
   }
   const fs::path folder = options.out.empty() ? "." : options.out;
   make_missing(plan, figures, options);
@@ -227,14 +227,5 @@ void stop(int) {
 int main(int argc, char** argv) {
   std::signal(SIGINT, writeup::stop);
   std::signal(SIGTERM, writeup::stop);
-  try {
-    const int status = writeup::run(writeup::parse_options(argc, argv));
-    pt::flush_standard_output();
-    return status;
-  } catch (const writeup::CommandLine& done) {
-    return done.status;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
-    return 2;
-  }
+  return pt::run_program([&] { return writeup::run(writeup::parse_options(argc, argv)); });
 }

@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kMaxDrawn = std::size_t{1} << 24;
 constexpr double kDraftPatience = 5;
 
-// Renders of several figures that are not settled, each once.
+// The renders of these figures that are not settled, each once.
 std::vector<Unit> missing_units(const Plan& plan, const std::vector<const Figure*>& figures) {
   std::vector<Unit> units;
   std::set<std::string> keys;
@@ -38,7 +38,7 @@ std::vector<Unit> missing_units(const Plan& plan, const std::vector<const Figure
   return units;
 }
 
-// Measurements of several figures that are not settled, each once.
+// The measurements of these figures that are not settled, each once.
 std::vector<Measurement> missing_measurements(const Plan& plan,
                                               const std::vector<const Figure*>& figures) {
   std::vector<Measurement> missing;
@@ -103,7 +103,7 @@ Drawn drawn_figure(const Plan& plan, const Figure& figure, const fs::path& folde
   return drawn;
 }
 
-// Links, or copies where the folder is on another disk, what is not there yet.
+// Links the missing files, or copies them if the folder is on another disk.
 void publish(const fs::path& from, const fs::path& to) {
   for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
     const fs::path target = to / entry.path().filename();

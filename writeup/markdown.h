@@ -9,12 +9,12 @@
 namespace writeup {
 
 struct Names {
-  // HTML of a figure; text of a number. Empty where there is none of that name.
+  // HTML of a figure; text of a number. Empty if there is none of that name.
   std::function<std::string(const std::string&)> figure, number;
 };
 
-// `file` is what messages call the text. Throws pt::Error, "FILE:LINE: ...", for a name that is not
-// known.
+// `file` is the name of the text in messages. Throws pt::Error, "FILE:LINE: ...", for a name that
+// is not known.
 std::string page_from_text(const std::string& file, const std::string& text, const Names& names);
 
 // Plain Markdown, without names.

@@ -1,7 +1,7 @@
 #include "writeup/measurements.h"
 
 #include "grader/base/sha256.h"
-#include "grader/process/run_command.h"
+#include "grader/service/process/run_command.h"
 #include "pt/file.h"
 #include "writeup/work.h"
 
@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMaxText = std::size_t{1} << 24;
-constexpr double kMinLimit = 60, kPatience = 10;  // seconds, and times what it should take
+constexpr std::size_t kMaxMeasured = std::size_t{1} << 24;
+constexpr double kMinLimit = 60, kPatience = 10;  // seconds, and times the expected time
 
 fs::path with_ending(const fs::path& folder, const char* ending) {
   return fs::path(folder) += ending;
@@ -47,7 +47,7 @@ fs::path Measurements::folder(const Measurement& measurement) const {
 
 nlohmann::json Measurements::load(const Measurement& measurement) const {
   const fs::path file = folder(measurement) / (measurement.command + ".json");
-  return nlohmann::json::parse(pt::read_file(file, kMaxText));
+  return nlohmann::json::parse(pt::read_file(file, kMaxMeasured));
 }
 
 bool Measurements::is_complete(const Measurement& measurement) const {
@@ -57,7 +57,7 @@ bool Measurements::is_complete(const Measurement& measurement) const {
 std::string Measurements::failure(const Measurement& measurement) const {
   if (measurement.code == nullptr) return "not measured: this build has no program for it";
   const fs::path file = with_ending(folder(measurement), ".failed");
-  return fs::exists(file) ? pt::read_file(file, kMaxText) : "";
+  return fs::exists(file) ? pt::read_file(file, kMaxMeasured) : "";
 }
 
 void Measurements::fail(const Measurement& measurement, const std::string& reason) const {
@@ -75,7 +75,7 @@ double Measurements::cpu_seconds(const Measurement& measurement) const {
 
 namespace {
 
-// Returns whether it had to be stopped.
+// Makes one measurement. Returns whether it had to be stopped.
 bool make_one(const Measurements& measurements, const Measurement& measurement, int threads) {
   const fs::path folder = measurements.folder(measurement);
   const fs::path unfinished = with_ending(folder, ".unfinished");

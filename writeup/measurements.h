@@ -6,24 +6,24 @@
 
 namespace writeup {
 
-// A run of the program `accuracy`: the worth of methods in a scene, or the needs of the scene; or one
-// of `stability` or `measure`, which have no scenes.
+// A run of the program `accuracy`, for the worth of methods in a scene or the needs of the scene; or
+// a run of `stability` or `measure`, which have no scenes.
 struct Measurement {
   std::string command;               // "cheapest", "converge", "stability" or "measure"
   std::string scene;                 // path; empty without one
   std::vector<std::string> options;  // further words of the command line
-  double seconds = 0;                // that it may take by the clock, about
+  double seconds = 0;                // wall time that it may take, about
   const Code* code = nullptr;        // nothing: it is not in this build
   std::string depends;               // the part of the code that it depends on; empty: all of it
 };
 
-// All measurements ever made, on disk: each in a folder that is named by a hash of what it depends on.
+// All measurements ever made, on disk: each in a folder whose name is a hash of everything that it depends on.
 class Measurements {
  public:
   Measurements(std::filesystem::path folder, const Store& store);
 
   std::string key(const Measurement& measurement) const;
-  // The folder of its files: charts, tables, and but for `measure` <command>.json.
+  // The folder of its files: charts, tables and, except for `measure`, <command>.json.
   std::filesystem::path folder(const Measurement& measurement) const;
   nlohmann::json load(const Measurement& measurement) const;
 
@@ -43,8 +43,8 @@ class Measurements {
   const Store& store_;
 };
 
-// Makes those that are not settled, one after the other, each on so many threads: nothing else of the
-// write-up runs beside what is timed. If one has to be stopped, the rest is not tried.
+// Makes the measurements that are not settled, one after the other, each on this many threads: nothing
+// else of the write-up runs at the same time. If one has to be stopped, the rest is not tried.
 void make(const Measurements& measurements, const std::vector<Measurement>& missing, int threads,
           const std::function<void(double)>& progress);
 

@@ -1,6 +1,12 @@
 #include "writeup/figure.h"
 
+#include <fmt/format.h>
+
 namespace writeup {
+
+std::string digits(double value) {
+  return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
 
 namespace {
 

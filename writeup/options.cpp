@@ -24,7 +24,7 @@ const char* const kFooter =
 void describe(CLI::App& app, Options& options) {
   app.add_option("what", options.what,
                  "Parts (1 to 5, accuracy, needs, stability, bugs) and figures; default: all");
-  app.add_flag("--list", options.list, "Name every figure, whether it is up to date, and its time");
+  app.add_flag("--list", options.list, "List every figure, whether it is up to date, and its time");
   app.add_option_function<std::string>(
          "--quality", [&](const std::string& word) { options.draft = word == "draft"; },
          "draft: a quarter of the width and height, a sixteenth of the samples")
@@ -70,11 +70,7 @@ Options parse_options(int argc, const char* const* argv) {
                "./run writeup");
   app.footer(kFooter);
   describe(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    throw CommandLine{pt::exit_status(app, error)};
-  }
+  pt::parse(app, argc, argv);
   return options;
 }
 

@@ -5,22 +5,19 @@
 
 namespace writeup {
 
-// The options that an author gives; main.cpp says where the rest comes from.
+// The options of an author, and those that ./run adds.
 struct Options {
   std::vector<std::string> what;  // parts and figures; empty: all
   bool list = false, draft = false, pdf = false, retry = false;
   bool handbook = false, check = false;
   std::string scenes, submission, out, texts;
-  std::string from = "reference";  // a mixture, as ./run has it
+  std::string from = "reference";  // a mixture, as in ./run
   int threads = 1;
   // Set by ./run.
   std::string renderer, accuracy, stability, measure, generate, mistakes, work, boxed;
 };
 
-// Throws CommandLine for --help and for what it cannot use, with the exit status.
-struct CommandLine {
-  int status = 0;
-};
+// Prints help and exits for --help; throws pt::Error for what it cannot use.
 Options parse_options(int argc, const char* const* argv);
 
 }  // namespace writeup

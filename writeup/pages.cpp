@@ -21,7 +21,7 @@ using kainjow::mustache::mustache;
 
 namespace {
 
-constexpr std::size_t kMaxText = std::size_t{1} << 22;
+constexpr std::size_t kMaxPage = std::size_t{1} << 22;
 constexpr int kStops = 9;  // of the colours of a map
 
 std::string render(std::string_view source, const data& values) {
@@ -156,7 +156,7 @@ std::string html_of(const Site& site, const Figure& figure) {
   return render(figure_html, out);
 }
 
-// The number FIGURE.NAME: as measured, a dash where it was not, "" where there is no such name.
+// The number FIGURE.NAME: as measured, a dash if it was not measured, "" if there is no such name.
 std::string number(const Site& site, const std::string& name) {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) return "";
@@ -181,7 +181,7 @@ std::string title_of(const std::string& text, const std::string& name) {
   return text.substr(start + 2, text.find('\n', start) - start - 2);
 }
 
-// Texts refer to each other by file; pages do too.
+// Texts link to files of texts; pages have to link to pages.
 std::string with_page_links(std::string html) {
   for (const std::string& name : page_names()) {
     const std::string text = fmt::format("href=\"{}.md\"", name);
@@ -195,7 +195,7 @@ std::string with_page_links(std::string html) {
 
 Page make_page(const Site& site, const std::string& name) {
   const fs::path file = site.texts / (name + ".md");
-  const std::string text = pt::read_file(file, kMaxText);
+  const std::string text = pt::read_file(file, kMaxPage);
   std::set<std::string> shown;
   const Names names{[&](const std::string& id) {
                       const Figure* figure = site.catalogue.find(id);

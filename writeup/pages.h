@@ -18,8 +18,8 @@ struct Site {
 };
 
 // The pages of a write-up, beside a folder "figures" that has their files: index.html, part1.html
-// and so on, one for each text. A figure that no text of its part names stands at the end of the
-// part's page. Throws pt::Error for a name in a text that does not exist.
+// and so on, one for each text. A figure that no text of its part names is at the end of the part's
+// page. Throws pt::Error for an unknown name in a text.
 void write_pages(const Site& site, const std::filesystem::path& folder);
 
 // The names of the pages, each of which has a text: index, part1 to part5, accuracy, needs, stability, bugs.

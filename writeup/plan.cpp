@@ -14,16 +14,16 @@ namespace {
 
 constexpr int kDraftSize = 4;                    // times fewer pixels on each side
 constexpr int kDraftSamples = 16;                // times fewer
-constexpr double kDraftSeconds = 40;             // times less, of a measurement
-constexpr double kDraftCurves = 8;               // times less, of curves
-constexpr const char* kReference = "reference";  // in place of a mistake: none
+constexpr double kDraftSeconds = 40;             // times less time for a measurement
+constexpr double kDraftCurves = 8;               // times less time for curves
+constexpr const char* kReference = "reference";  // in place of a mistake: no mistake
 constexpr int kUniformBatches = 2;
 constexpr int kSmall = 100;  // pixels wide: small enough for a draft
 // Tests of one triangle by one ray that a cell without a tree may take.
 constexpr double kLinearTests = 3e8;
 constexpr double kDraftLinearTests = 1e7;
 
-Spec draft(Spec spec) {
+measure::Spec draft(measure::Spec spec) {
   if (spec.width <= kSmall) return spec;
   spec.width /= kDraftSize;
   spec.height = std::max(spec.height / kDraftSize, 1);
@@ -37,7 +37,7 @@ Spec draft(Spec spec) {
   return spec;
 }
 
-std::string without_bounces(const Spec& spec, const std::string& scene) {
+std::string without_bounces(const measure::Spec& spec, const std::string& scene) {
   nlohmann::json all = to_json(spec);
   all.erase("bounces");
   all.erase("engine");
@@ -52,7 +52,7 @@ Plan::Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes,
     : codes_(codes), scenes_(scenes), store_(store), measured_(measured), quality_(quality) {
   const auto add = [&](const Picture& picture) {
     if (!picture.in_bounces) return;
-    const Spec spec = quality == Quality::draft ? draft(picture.spec) : picture.spec;
+    const measure::Spec spec = quality == Quality::draft ? draft(picture.spec) : picture.spec;
     std::vector<pt::BounceRange>& ranges = ranges_[without_bounces(spec, picture.scene)];
     const pt::BounceRange range{spec.path.from, spec.path.to};
     if (std::find(ranges.begin(), ranges.end(), range) == ranges.end()) ranges.push_back(range);
@@ -87,7 +87,7 @@ bool Plan::traces_as_reference(const Picture& picture) const {
 }
 
 Unit Plan::unit(const Picture& picture) const {
-  Spec spec = quality_ == Quality::draft ? draft(picture.spec) : picture.spec;
+  measure::Spec spec = quality_ == Quality::draft ? draft(picture.spec) : picture.spec;
   spec.scene = scenes_.path(picture.scene);
   // The fast engine gives the same pictures, bit for bit, as the reference's own tree.
   if (traces_as_reference(picture) && spec.engine == pt::Engine::task && !spec.path.show_normals) {
@@ -96,8 +96,8 @@ Unit Plan::unit(const Picture& picture) const {
   return {spec, &code_of(picture)};
 }
 
-// One render for all that is wanted of these bounces. If the form of somebody's trace_path forbids
-// that, renders whose sum it is.
+// One render for all wanted ranges of these bounces. If the form of the code's trace_path does not
+// allow that, renders whose sum is the same.
 std::vector<Unit> Plan::in_bounces(const Unit& whole, const std::string& scene) const {
   const std::vector<pt::BounceRange>& ranges = ranges_.at(without_bounces(whole.spec, scene));
   const pt::BounceRange wanted{whole.spec.path.from, whole.spec.path.to};
@@ -109,7 +109,7 @@ std::vector<Unit> Plan::in_bounces(const Unit& whole, const std::string& scene) 
     walk.spec.path.to = std::max(walk.spec.path.to, range.to);
     if (range == wanted) walk.range = static_cast<int>(&range - ranges.data());
   }
-  if (!store_.failure(walk).starts_with(kRangesNotApart)) return {walk};
+  if (!store_.failure(walk).starts_with(measure::kRangesNotApart)) return {walk};
   std::set<int> cuts;
   for (const pt::BounceRange& range : ranges) cuts.insert({range.from, range.to + 1});
   std::vector<Unit> layers;
@@ -149,7 +149,7 @@ Unit Plan::uniform(const Picture& picture) const {
 }
 
 Unit Plan::cell(const std::string& scene, pt::Engine engine) const {
-  Spec spec;
+  measure::Spec spec;
   spec.path.show_normals = true;
   spec.path.to = 5;
   spec.engine = engine;
@@ -211,7 +211,7 @@ std::vector<Measurement> Plan::of_scenes(const Figure& figure) const {
   std::vector<Measurement> all;
   const bool is_draft = quality_ == Quality::draft;
   const double seconds = is_draft ? figure.seconds / kDraftSeconds : figure.seconds;
-  const Spec spec = is_draft ? draft({}) : Spec{};
+  const measure::Spec spec = is_draft ? draft({}) : measure::Spec{};
   for (const std::string& scene : figure.scenes) {
     Measurement each{"converge", scenes_.path(scene), {}, seconds, nullptr, {}};
     if (codes_.accuracy) each.code = &*codes_.accuracy;

@@ -31,11 +31,11 @@ class Plan {
   Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes, const Store& store,
        const Measurements& measured, Quality quality);
 
-  // The renders whose sum the picture is. If the number of samples depends on times that are not known
-  // yet, a pilot render instead, which has to be made first.
+  // The renders whose sum is the picture. If the number of samples depends on unknown times, it is a
+  // pilot render instead, which has to be made first.
   std::vector<Unit> units(const Figure& figure, const Picture& picture) const;
 
-  // Everything a figure needs that can be named so far.
+  // All renders of a figure that are known so far.
   std::vector<Unit> units(const Figure& figure) const;
 
   // The measurements for a figure: of the kind "converge", method against method in its scene; of the
@@ -43,20 +43,20 @@ class Plan {
   // all curves of its task, which other figures share; of the kind "prices", the time of right solutions.
   std::vector<Measurement> measurements(const Figure& figure) const;
 
-  // Processor seconds of all of them, each once.
+  // Processor seconds of all renders and measurements, each once.
   double seconds(const Figure& figure) const;
 
   // The uniform render from which the rates of an adaptive picture are predicted.
   Unit uniform(const Picture& picture) const;
 
-  // The cells of a speed-up table: a scene by an engine.
+  // A cell of a speed-up table: a scene and an engine.
   Unit cell(const std::string& scene, pt::Engine engine) const;
 
   // Returns whether the files of all its scenes are there; prepare() makes them.
   bool is_prepared(const Figure& figure) const;
   void prepare(const Figure& figure) const;
 
-  // Empty if this edition has all that the picture needs; else the reason why not.
+  // The reason why this edition cannot make the picture; empty if it can.
   std::string unavailable(const Picture& picture) const;
 
   Quality quality() const { return quality_; }
@@ -79,7 +79,7 @@ class Plan {
   const Store& store_;
   const Measurements& measured_;
   Quality quality_;
-  // The bounces that are wanted, by everything else in the settings.
+  // The wanted bounces, by all other settings.
   std::map<std::string, std::vector<pt::BounceRange>> ranges_;
 };
 

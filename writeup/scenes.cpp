@@ -1,6 +1,6 @@
 #include "writeup/scenes.h"
 
-#include "grader/process/run_command.h"
+#include "grader/service/process/run_command.h"
 #include "pt/error.h"
 
 #include <chrono>

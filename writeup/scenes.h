@@ -24,10 +24,10 @@ class Scenes {
   // "CBbunny.dae", or "box_blob, in place of CBbunny.dae".
   std::string description(const std::string& name) const;
 
-  // "lucy", or "coil of 133000" where that stands in.
+  // "lucy", or "coil of 133000" if that replaces it.
   std::string short_name(const std::string& name) const;
 
-  // Makes the file of a scene if it is to be generated and is not there.
+  // Makes the file of a scene if it is a generated scene and the file is missing.
   void prepare(const std::string& name) const;
 
  private:

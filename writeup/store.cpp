@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMaxScene = std::size_t{1} << 31;
-constexpr std::size_t kMaxText = std::size_t{1} << 16;
+constexpr std::size_t kMaxStored = std::size_t{1} << 16;
 
 std::string text_of(const fs::path& file) {
-  return fs::exists(file) ? pt::read_file(file, kMaxText) : "";
+  return fs::exists(file) ? pt::read_file(file, kMaxStored) : "";
 }
 
-void add(RowHead& sum, const RowHead& more) {
+void add(measure::RowHead& sum, const measure::RowHead& more) {
   sum.cpu_seconds += more.cpu_seconds;
   sum.rays += more.rays;
   sum.boxes += more.boxes;
@@ -32,10 +32,10 @@ void add(RowHead& sum, const RowHead& more) {
 }
 
 // `first` is where in the row the picture begins.
-void enter_row(Rendered& result, int y, const Row& row, int first) {
+void enter_row(Rendered& result, int y, const measure::Row& row, int first) {
   const int top = result.film.height - 1 - y;
   for (int x = 0; x < result.film.width; ++x) {
-    const RowPixel& from = row.pixels[first + x];
+    const measure::RowPixel& from = row.pixels[first + x];
     const double variance = std::max(0.F, from.variance_y);
     result.film.set(x, top,
                     {{from.mean[0], from.mean[1], from.mean[2]}, {}, variance, from.samples});
@@ -80,10 +80,10 @@ std::string Store::key(const Unit& unit) const {
   return key;
 }
 
-std::vector<Band> Store::bands(const Unit& unit) const {
+std::vector<measure::Band> Store::bands(const Unit& unit) const {
   const fs::path folder = this->folder(unit);
   const std::string count = text_of(folder / "bands");
-  std::vector<Band> bands;
+  std::vector<measure::Band> bands;
   if (count.empty()) return bands;
   const int height = unit.spec.height, wanted = std::stoi(count);
   for (int i = 0; i < wanted; ++i) {
@@ -93,7 +93,7 @@ std::vector<Band> Store::bands(const Unit& unit) const {
   return bands;
 }
 
-std::vector<Band> Store::begin(const Unit& unit, int count) const {
+std::vector<measure::Band> Store::begin(const Unit& unit, int count) const {
   const fs::path folder = this->folder(unit);
   if (!fs::exists(folder / "bands")) {
     fs::create_directories(folder);
@@ -104,9 +104,10 @@ std::vector<Band> Store::begin(const Unit& unit, int count) const {
 }
 
 bool Store::is_complete(const Unit& unit) const {
-  const std::vector<Band> all = bands(unit);
-  return !all.empty() && std::all_of(all.begin(), all.end(),
-                                     [](const Band& band) { return fs::exists(band.done()); });
+  const std::vector<measure::Band> all = bands(unit);
+  return !all.empty() && std::all_of(all.begin(), all.end(), [](const measure::Band& band) {
+    return fs::exists(band.done());
+  });
 }
 
 std::string Store::failure(const Unit& unit) const {
@@ -125,13 +126,13 @@ Rendered Store::load(const Unit& unit) const {
   result.film = pt::Film(unit.spec.width, unit.spec.height);
   result.boxes.assign(result.film.pixels.size(), -1);
   result.failed = failure(unit);
-  for (const Band& band : bands(unit)) {
+  for (const measure::Band& band : bands(unit)) {
     int y = band.first_row;
-    for (const Row& row : read_rows(band.file(), unit.spec.row_pixels())) {
+    for (const measure::Row& row : measure::read_rows(band.file(), unit.spec.row_pixels())) {
       enter_row(result, y++, row, unit.range * unit.spec.width);
     }
     if (!fs::exists(band.done())) continue;
-    const BandEnd end = read_end(band);
+    const measure::BandEnd end = measure::read_end(band);
     result.engine = end.engine;
     result.primitives = end.primitives;
     for (const std::string& task : end.missing) {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "measure/renders/band.h"
 #include "pt/image/film.h"
-#include "writeup/band.h"
 #include "writeup/code.h"
 
 #include <filesystem>
@@ -12,9 +12,9 @@
 
 namespace writeup {
 
-// A render by somebody's code.
+// A render by some code.
 struct Unit {
-  Spec spec;
+  measure::Spec spec;
   const Code* code = nullptr;
   int range = 0;  // the place in the spec's ranges, if it has some
 };
@@ -23,7 +23,7 @@ struct Unit {
 struct Rendered {
   pt::Film film;             // samples 0 where a row is missing; variances of luminance alone
   std::vector<float> boxes;  // per pixel, as the film; empty if not counted
-  RowHead total;
+  measure::RowHead total;
   bool has_variance = false;
   std::vector<std::string> missing;  // tasks that are not written yet
   std::string engine;
@@ -32,8 +32,8 @@ struct Rendered {
   double seconds = 0;  // of processor time
 };
 
-// All renders ever made, on disk: each in a folder that is named by a hash of what it depends on.
-// Safe from any thread.
+// All renders ever made, on disk: each in a folder whose name is a hash of everything that it
+// depends on. Safe from any thread.
 class Store {
  public:
   explicit Store(std::filesystem::path folder);
@@ -44,18 +44,18 @@ class Store {
   // A hash of the content of a scene file.
   std::string scene_hash(const std::string& file) const;
 
-  // The render's bands, in `count` of about equal size; as they were cut when it was begun. Makes
-  // the folder.
-  std::vector<Band> begin(const Unit& unit, int count) const;
+  // The render's bands: `count` bands of about equal size, or the bands with which it was begun.
+  // Makes the folder.
+  std::vector<measure::Band> begin(const Unit& unit, int count) const;
 
   bool is_complete(const Unit& unit) const;
   std::string failure(const Unit& unit) const;  // "" if there was none
   void fail(const Unit& unit, const std::string& reason) const;
   void forget_failure(const Unit& unit) const;
-  // Complete, or failed for good.
+  // Returns whether it is complete, or has failed for good.
   bool is_settled(const Unit& unit) const { return is_complete(unit) || !failure(unit).empty(); }
 
-  // The render, as far as it is there.
+  // The render, as far as it has been made.
   Rendered load(const Unit& unit) const;
 
   // Seconds of processor time; of a similar render if this one has not been made.
@@ -63,7 +63,7 @@ class Store {
   void remember_seconds(const Unit& unit) const;
 
  private:
-  std::vector<Band> bands(const Unit& unit) const;
+  std::vector<measure::Band> bands(const Unit& unit) const;
   std::string hash_of(const std::string& file) const;
   std::filesystem::path time_file(const Unit& unit) const;
 

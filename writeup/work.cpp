@@ -2,8 +2,8 @@
 
 #include "grader/base/parallel.h"
 #include "grader/base/printable.h"
-#include "grader/process/cause_of_end.h"
-#include "grader/process/run_command.h"
+#include "grader/service/process/cause_of_end.h"
+#include "grader/service/process/run_command.h"
 
 #include <algorithm>
 #include <chrono>
@@ -25,7 +25,7 @@ constexpr std::size_t kMaxReason = 600;
 
 struct Job {
   const Unit* unit;
-  Band band;
+  measure::Band band;
   double seconds;  // estimated, of all its rows
 };
 
@@ -70,7 +70,7 @@ class Workshop {
  private:
   void add(const Unit& unit) {
     const double seconds = store_.seconds(unit);
-    for (const Band& band : store_.begin(unit, static_cast<int>(seconds / kBandSeconds))) {
+    for (const measure::Band& band : store_.begin(unit, static_cast<int>(seconds / kBandSeconds))) {
       const double share = static_cast<double>(band.rows) / unit.spec.height;
       total_ += seconds * share;
       if (fs::exists(band.done())) {
@@ -85,8 +85,8 @@ class Workshop {
     const std::lock_guard lock(mutex_);
     double done = done_;
     for (const Job* job : running_) {
-      done +=
-          job->seconds * rows_in(job->band.file(), job->unit->spec.row_pixels()) / job->band.rows;
+      done += job->seconds * measure::rows_in(job->band.file(), job->unit->spec.row_pixels()) /
+              job->band.rows;
     }
     return std::min(done / total_, 0.999);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/process/run_command.h"
+#include "grader/service/process/run_command.h"
 #include "writeup/store.h"
 
 #include <functional>
@@ -10,12 +10,12 @@ namespace writeup {
 
 struct WorkSettings {
   int threads = 1;
-  double least_seconds = 20;             // of processor time, that a render may take
-  double patience = 20;                  // times its estimate, if that is more
+  double least_seconds = 20;             // processor time that every render may take
+  double patience = 20;                  // or this multiple of its estimate, if that is more
   std::function<void(double)> progress;  // the part done
 };
 
-// A sentence on a program that did not end well within `limit` seconds.
+// A sentence about a program that failed, or did not end within `limit` seconds.
 std::string reason_of(const grader::process::CommandResult& result, double limit);
 
 // Makes all renders that are not there, several at a time, the longest first. One that crashes or

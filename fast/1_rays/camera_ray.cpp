@@ -6,8 +6,8 @@ namespace pt {
 
 namespace {
 
-// tan(fov / 2), kept from the last call: all rays of a picture have the same two fields of view, and
-// a tangent takes as long as the rest of the function.
+// tan(fov / 2), kept from the last call: a tangent takes as long as the rest of the function, and
+// all rays of a picture have the same two fields of view.
 class HalfTangent {
  public:
   double of(double fov_deg) {

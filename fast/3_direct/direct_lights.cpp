@@ -4,7 +4,7 @@ namespace pt {
 
 namespace {
 
-// One ray alone is traced faster by itself.
+// A single ray is traced faster without a group.
 std::uint32_t blocked(const Scene& scene, std::span<const Ray> rays) {
   return rays.size() == 1 ? scene.occluded(rays.front()) : scene.occluded(rays);
 }

@@ -32,8 +32,8 @@ struct LightDraws {
   }
 };
 
-// The task direct_lights, but that lights are sampled and shadow rays are traced in groups of up to
-// eight. `occluded` takes a span of rays and returns a mask: bit i says whether ray i is blocked.
+// The task direct_lights, but with lights sampled and shadow rays traced in groups of up to eight.
+// `occluded` takes a span of rays and returns a mask: bit i says whether ray i is blocked.
 //
 // Random numbers are drawn and light is added in the order of the plain loop in reference/, so the
 // result has the same bits.

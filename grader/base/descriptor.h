@@ -35,7 +35,7 @@ struct Pipe {
 };
 Pipe make_pipe();
 
-// From now on, reads and writes that would have to wait do not.
+// From now on, reads and writes fail instead of waiting.
 void set_nonblocking(const Descriptor& descriptor);
 
 }  // namespace grader::base

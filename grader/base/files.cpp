@@ -8,9 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <span>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -22,12 +20,9 @@ namespace grader::base {
 
 namespace fs = std::filesystem;
 
-std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw pt::Error(path + ": cannot be read");
-  return text.str();
+std::string programs_folder() {
+  const fs::path program = fs::read_symlink("/proc/self/exe");
+  return program.parent_path().parent_path() / "grader";
 }
 
 std::string stamp(const std::string& path) {
@@ -56,7 +51,7 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
   }
   const std::string too_large = fmt::format("the file is larger than {} MiB", most >> 20);
   if (found.st_size > static_cast<off_t>(most)) return {true, too_large, ""};
-  // It may still grow.
+  // The file may still grow.
   std::string text(static_cast<std::size_t>(found.st_size) + 1, '\0');
   std::size_t size = 0;
   for (ssize_t got = 1; got > 0; size += static_cast<std::size_t>(got)) {
@@ -71,7 +66,7 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
 
 namespace {
 
-// The file at the end of a way through folders.
+// The file at the end of a path of folders.
 Submitted read_along(int top, std::span<const std::string> way, const std::string& name) {
   if (way.empty()) return read_plain_file(top, name, kMaxFile);
   const Descriptor inner(

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace grader::base {
 
-// The whole file. Throws pt::Error if it cannot be read.
-std::string read_file(const std::string& path);
+// The folder of the grader's programs. It is next to the folder of this program, as build/check/grader is next to
+// build/check/measure and build/check/tests.
+std::string programs_folder();
 
 // A text that changes whenever the file's content may have changed: its path, size and time.
 std::string stamp(const std::string& path);
@@ -25,7 +25,7 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
 inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
 
 // Reads the file of a task, without following a link below the folder: anything but a regular file,
-// and a file larger than kMaxFile, are rejected. It is the first there is of <part>/<slug>.cpp,
+// and a file larger than kMaxFile, are rejected. It is the first that exists of <part>/<slug>.cpp,
 // student/<part>/<slug>.cpp, <slug>.cpp and student/<slug>.cpp. Throws pt::Error if there is no such folder.
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
@@ -34,9 +34,9 @@ Submitted read_submitted(const std::string& folder, const std::string& part,
 // files, people do not.
 bool is_hidden(const std::string& name);
 
-// The folder in which the tree of a submission starts: the given one, or what is in it as long as
-// that is one folder and nothing else, as archives unpack; hidden files do not count. The folders of
-// a tree (student, 1_rays) are never entered. Throws pt::Error if a folder on the way cannot be read.
+// The folder in which the tree of a submission starts: the given one or, while that contains only
+// one folder, as in unpacked archives, this folder. Hidden files do not count. The folders of a tree
+// (student, 1_rays) are never entered. Throws pt::Error if a folder on the way cannot be read.
 std::string submission_root(const std::string& folder);
 
 }  // namespace grader::base

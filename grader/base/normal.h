@@ -6,8 +6,8 @@
 
 namespace grader::base {
 
-// The z that a standard normal number exceeds with this probability, in (0, 0.5]: by bisection, as
-// the standard library has the probability only.
+// The z that a standard normal number exceeds with this probability, in (0, 0.5]. It is found by
+// bisection, because the standard library has only the probability.
 inline double normal_quantile_above(double probability) {
   assert(probability > 0 && probability <= 0.5);
   double low = 0, high = 40;

@@ -1,6 +1,6 @@
 #include "grader/mistakes/battery.h"
 
-#include "grader/check/fail.h"
+#include "grader/check/language/fail.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ void add_mean(Answer& answer, const std::vector<double>& values) {
                               : std::sqrt(variance / static_cast<double>(values.size() - 1)));
 }
 
-// Adds the standard deviation over the mean, and its error by the fourth moment.
+// Adds the standard deviation over the mean, and its error from the fourth moment.
 void add_spread(Answer& answer, const std::vector<double>& values) {
   const double mean = mean_of(values), variance = central_moment(values, mean, 2);
   if (is_rounding_error(variance, mean) || !(std::abs(mean) > 0)) {

@@ -28,7 +28,7 @@ struct CallEnded {
 // A battery is run with the usual number of draws for a submission, and with more draws for the answers
 // that are kept.
 struct BatterySettings {
-  std::uint64_t seed = 1;  // of all draws
+  std::uint64_t seed = 1;  // for all draws
   int draws = 1;           // a multiple of the usual number
 };
 
@@ -70,8 +70,8 @@ Battery::Numbers numbers(pt::Vec3 v);
 Battery::Numbers numbers(pt::Rgb c);
 inline double flag(bool condition) { return condition ? 1 : 0; }
 
-// Asks two calls with the same sampler: how far the first one moves it (0: not at all, 1: by one number,
-// 2: further), and whether both return the same, as all calls must.
+// Makes two calls with the same sampler. Returns how far the first call moves it (0: not at all, 1: by
+// one number, 2: further), and whether both return the same, as all calls must.
 Battery::Numbers use_of_sampler(const std::function<Battery::Numbers(pt::Sampler& sampler)>& call);
 
 }  // namespace grader::mistakes

@@ -8,10 +8,10 @@ namespace grader::mistakes {
 namespace {
 
 constexpr double kPrecision = 1e-6;   // of exact numbers
-constexpr double kMaxStandard = 5;    // standard errors that one mean may be off: 6e-7 by chance
-constexpr double kMaxKept = 2.5;      // the same, for answers that the file need not hold
-constexpr double kMaxNoise = 2;       // times the right error, for the same
-constexpr double kMaxUnlike = 50;     // times as uncertain may one mean be; by fewer draws it is 3
+constexpr double kMaxStandard = 5;    // standard errors that a mean may be off (chance: 6e-7)
+constexpr double kMaxKept = 2.5;      // the same, for answers that are left out of the file
+constexpr double kMaxNoise = 2;       // times the right error, for such answers
+constexpr double kMaxUnlike = 50;     // largest ratio of two errors; fewer draws explain 3
 constexpr double kSumDeviations = 4;  // deviations that the sum of squares may be above its mean
 constexpr double kCorrelated = 5;     // the means of one answer use the same draws
 
@@ -57,15 +57,15 @@ void compare(const Answer& a, const Answer& b, Deviation& deviation) {
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     const double error = std::hypot(error_of(a, i), error_of(b, i));
     const double less = std::min(error_of(a, i), error_of(b, i));
-    // Means with so unlike noise are of two estimators, however far the noise reaches.
+    // Means with such different noise are from two estimators, even if the noise covers the difference.
     if (less > kPrecision * scale && error > kMaxUnlike * less) deviation.contradicts = true;
     if (error > kPrecision * scale) ++deviation.means;
     deviation.add(a.values[i], b.values[i], error, scale);
   }
 }
 
-// Returns whether the answer is less certain than the right one, as that of an estimator with rare
-// bright draws.
+// Returns whether the answer is less certain than the right one, like that of an estimator with
+// rare bright draws.
 bool is_noisier(const Answer& answer, const Answer& right) {
   const double rounding = kPrecision * scale_of(right);
   for (std::size_t i = 0; i < answer.values.size(); ++i) {

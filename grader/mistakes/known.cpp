@@ -59,7 +59,7 @@ Fingerprint described(const std::string& name, const std::string& code) {
 }
 
 std::string to_json(const KnownTask& known) {
-  // One line per mistake, for whoever compares two of these files.
+  // Writes one line per mistake, so that two of these files can be compared.
   std::string text = fmt::format("{{\n\"right\": {},\n\"mistakes\": [", to_json(known.right));
   const char* before = "\n";
   for (const Fingerprint& print : known.mistakes) {
@@ -79,7 +79,7 @@ KnownTask known_from_json(const std::string& text, const std::string& path) {
     }
     return known;
   } catch (const std::exception& error) {
-    throw pt::Error(fmt::format("{} holds no known mistakes: {}", path, error.what()));
+    throw pt::Error(fmt::format("{} does not contain known mistakes: {}", path, error.what()));
   }
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-// The known mistakes of a task (grader/tasks/<slug>/mistakes.txt), by their answers to its battery. The build asks them
-// (grader/programs/know.cpp) and keeps the answers in known.<slug>.json, which has no code of any of them.
+// The known mistakes of a task (grader/tasks/<slug>/mistakes.txt), with their answers to its battery. The build runs
+// the battery (grader/programs/know.cpp) and keeps the answers in known.<slug>.json, which contains none of their code.
 
 namespace grader::mistakes {
 
@@ -27,7 +27,7 @@ struct KnownTask {
   bool operator==(const KnownTask&) const = default;
 };
 
-// Reads what the comment above a mistake's code says of it (cmake/edits.awk); it has no answers.
+// Reads the comment above a mistake's code (cmake/edits.awk). The result has no answers.
 Fingerprint described(const std::string& name, const std::string& code);
 
 // Answers that cannot be distinguished from the right ones are left out of the text.

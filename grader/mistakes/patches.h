@@ -1,10 +1,10 @@
 #pragma once
 
-#include "grader/check/scenes.h"
+#include "grader/check/scenes/scenes.h"
 
 #include <vector>
 
-// The batteries of the tasks of light share these inputs: a patch, poses, and lights.
+// The batteries of the lighting tasks share these inputs: a patch, poses, and lights.
 
 namespace grader::mistakes {
 
@@ -27,8 +27,8 @@ inline check::Pose far_away(double size) {
   return pose;
 }
 
-// Poses as far from the origin as scenes may be. Where a ray hardly leaves the surface, it meets the
-// surface again or does not, as the rounding errors of the point will have it.
+// Poses as far from the origin as scenes may be. If a ray hardly leaves the surface, the rounding
+// errors of the point decide whether it hits the surface again.
 inline std::vector<check::Pose> farthest(double size) {
   std::vector<check::Pose> poses;
   for (const pt::Vec3 n :

@@ -28,7 +28,7 @@ inline pt::Camera fixed_camera() {
   return camera;
 }
 
-// The path settings that are to reach radiance(): none is the default.
+// The path settings that radiance() should receive. None of them has its default value.
 inline pt::PathSettings fixed_settings() {
   pt::PathSettings settings;
   settings.light_samples = 5;

@@ -1,13 +1,13 @@
-// bless: renders the goldens that submissions are judged by, with the tasks that are linked. Exit
-// status 1 if a golden is wrong, missing or contradicts the one it would replace, 2 for a call that
+// bless: renders the goldens by which submissions are judged, with the linked tasks. Exit status 1
+// if a golden is wrong, missing or contradicts the golden that it would replace, 2 if the arguments
 // cannot be used.
-#include "grader/pictures/check_golden.h"
-#include "grader/pictures/contact_sheet.h"
-#include "grader/pictures/image_verdict.h"
-#include "grader/pictures/make_golden.h"
-#include "grader/pictures/provenance.h"
-#include "grader/pictures/sample_map_verdict.h"
-#include "grader/pictures/seeds.h"
+#include "grader/pictures/goldens/check_golden.h"
+#include "grader/pictures/goldens/contact_sheet.h"
+#include "grader/pictures/goldens/make_golden.h"
+#include "grader/pictures/goldens/provenance.h"
+#include "grader/pictures/recipes/seeds.h"
+#include "grader/pictures/statistics/image_verdict.h"
+#include "grader/pictures/statistics/sample_map_verdict.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/image/image_io.h"
@@ -48,7 +48,7 @@ pictures::Effort effort_of(const pictures::Recipe& recipe, const Options& option
                          : pictures::Effort{2, options.samples / 2};
 }
 
-// The shortest that makes this golden again.
+// The shortest command that makes this golden again.
 std::string command_for(const pictures::Recipe& recipe, const Options& options) {
   const std::string samples =
       options.samples == 0 ? "" : fmt::format(" --samples {}", options.samples);
@@ -79,12 +79,12 @@ bool is_up_to_date(const pictures::Recipe& recipe, const pictures::Effort& effor
            provenance.first_seed == pictures::golden_seed(recipe, 0) &&
            provenance.samples >= effort.parts * effort.samples;
   } catch (const pt::Error&) {
-    return false;  // missing, or broken: to be made again
+    return false;  // missing or broken: it has to be made again
   }
 }
 
-// The reason why the old golden cannot be right if the new one is; empty if there is none or they
-// agree.
+// The reason why the old golden cannot be right if the new one is; empty if there is no old golden
+// or they agree.
 std::string contradiction(const pictures::Recipe& recipe, const pt::Film& film,
                           const fs::path& folder) {
   const fs::path file = pictures::golden_files(folder, recipe.name).film;
@@ -102,7 +102,7 @@ std::string contradiction(const pictures::Recipe& recipe, const pt::Film& film,
                      worst.off_by < 0 ? "darker" : "brighter", worst.channel);
 }
 
-// The film before its provenance: a film without one that fits is made again.
+// Writes the film before its provenance: a film without its own provenance is made again.
 void write_golden(const pictures::Recipe& recipe, const pictures::GoldenState& state,
                   const pt::Film& film, const pictures::Provenance& provenance,
                   const Options& options) {
@@ -153,7 +153,7 @@ bool bless(const pictures::Recipe& recipe, const Options& options) {
     return false;
   }
   pictures::Provenance provenance = provenance_of(recipe, state, options);
-  if (!why.empty()) provenance.because = options.because;  // a reason that was not needed is none
+  if (!why.empty()) provenance.because = options.because;  // a reason that nobody needs is dropped
   write_golden(recipe, state, film, provenance, options);
   fs::remove(partial);
   fmt::print("{}: {} samples per pixel in {:.0f} CPU seconds\n", recipe.name, provenance.samples,
@@ -166,7 +166,7 @@ int run(const Options& options) {
   if (options.check) {
     const std::vector<std::string> found = pictures::check_goldens(all, options.folder);
     for (const std::string& each : found) fmt::print(stderr, "{}\n", each);
-    if (found.empty()) fmt::print("{} goldens are as their recipes say\n", all.size());
+    if (found.empty()) fmt::print("{} goldens agree with their recipes\n", all.size());
     return found.empty() ? 0 : 1;
   }
   if (options.table) {
@@ -190,18 +190,18 @@ int run(const Options& options) {
 void describe(CLI::App& app, Options& options) {
   app.add_option("recipe", options.names, "Recipes; default: all whose golden is out of date");
   app.add_option("--because", options.because,
-                 "Why a golden may replace one that it contradicts; kept beside it");
-  app.add_flag("--again", options.again, "Also goldens that are up to date: the reference changed");
+                 "Why a golden may replace one that it contradicts; kept with it");
+  app.add_flag("--again", options.again, "Also goldens that are up to date: for a new reference");
   app.add_flag("--check", options.check,
-               "Render nothing; say which goldens are missing, out of date or wrong");
+               "Render nothing; list the goldens that are missing, out of date or wrong");
   app.add_flag("--table", options.table, "Render nothing; print the table of docs/recipes.md");
   app.add_option("-t,--threads", options.threads, "Default: one per processor")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--samples", options.samples, "Samples per pixel, or runs: too few, for a test")
+  app.add_option("--samples", options.samples, "Samples per pixel, or runs: fewer, for a test")
       ->check(CLI::Range(8, 1 << 20));
   app.add_option("--recipes", options.recipes, "The file of recipes");
-  app.add_option("--golden", options.folder, "Where goldens are");
-  app.add_option("--work", options.work, "Where half-finished goldens are kept");
+  app.add_option("--golden", options.folder, "The folder of goldens");
+  app.add_option("--work", options.work, "The folder of half-finished goldens");
   app.add_option("--commit", options.commit, "The commit that renders, for the provenance");
 }
 

@@ -1,18 +1,17 @@
 // grade: judges a submission, and never runs a line of it itself. Exit status 0 if all that was
 // asked for passes, 1 if something that was judged does not, 2 if nothing could be judged.
-#include "grader/judge/grade.h"
+#include "grader/service/judging/grade.h"
 
 #include "grader/base/files.h"
-#include "grader/judge/cache.h"
-#include "grader/process/spawn.h"
 #include "grader/programs/grade_options.h"
-#include "grader/programs/status_line.h"
 #include "grader/report/hint_memory.h"
+#include "grader/report/status_line.h"
 #include "grader/report/terminal.h"
 #include "grader/results/points.h"
 #include "grader/results/presentable.h"
 #include "grader/results/read_json.h"
 #include "grader/results/summary.h"
+#include "grader/service/process/spawn.h"
 #include "grader/tasks.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
@@ -35,14 +34,14 @@ using namespace grader;
 using namespace grader::programs;
 using Words = std::vector<std::string>;
 
-judge::Config config_for(const GradeOptions& options) {
-  judge::Config config =
-      judge::load_config(options.config.empty() ? judge::default_config_path() : options.config);
+build::Config config_for(const GradeOptions& options) {
+  build::Config config =
+      build::load_config(options.config.empty() ? build::default_config_path() : options.config);
   if (!options.work.empty()) config.work = std::filesystem::absolute(options.work);
   return config;
 }
 
-sandbox::Isolation isolation(const judge::Config& config, const GradeOptions& options) {
+sandbox::Isolation isolation(const build::Config& config, const GradeOptions& options) {
   std::optional<sandbox::Tier> forced;
   if (!options.isolation.empty()) forced = sandbox::tier_of(options.isolation);
   sandbox::Isolation found = sandbox::probe_isolation(config.root, config.work, forced);
@@ -66,11 +65,11 @@ int report_again(const GradeOptions& options) {
   return show(results, options);
 }
 
-// The folder and the words of a run that has not ended, each with a zero byte behind it, so that it
-// can go on. Its results so far are in the cache. Runs without pictures are too short for that.
+// The folder and the arguments of a run that has not ended, each followed by a zero byte, so that it
+// can be resumed. Its results so far are in the cache. Runs without pictures are too short for this.
 class Unfinished {
  public:
-  explicit Unfinished(const judge::Config& config) : path_(config.work + "/unfinished") {}
+  explicit Unfinished(const build::Config& config) : path_(config.work + "/unfinished") {}
 
   void begin(const Words& words) const {
     std::string all = std::filesystem::current_path().string() + '\0';
@@ -80,12 +79,12 @@ class Unfinished {
   }
   void end() const { std::filesystem::remove(path_); }
 
-  // Goes to the folder of that run, where its words mean what they said.
+  // Goes to the folder of that run, so that its paths are right again.
   Words resume() const {
     if (!std::filesystem::exists(path_)) {
       throw pt::Error("no run was interrupted: there is nothing to --resume");
     }
-    std::istringstream all(base::read_file(path_));
+    std::istringstream all(pt::read_file(path_));
     std::string folder;
     std::getline(all, folder, '\0');
     if (folder.empty() || all.eof()) {
@@ -95,7 +94,7 @@ class Unfinished {
     std::filesystem::current_path(folder, error);
     if (error) {
       throw pt::Error("the run was started in " + folder +
-                      ", which is not there any more; grade again");
+                      ", which does not exist any more; grade again");
     }
     Words words;
     for (std::string word; std::getline(all, word, '\0');) words.push_back(word);
@@ -106,16 +105,16 @@ class Unfinished {
   std::string path_;
 };
 
-// The slugs of the tasks that were named; without a name, of all that earn a point.
-std::vector<std::string> asked_for(const judge::Config& config, const GradeOptions& options) {
+// The slugs of the tasks that were named; without a name, of all tasks that earn a point.
+std::vector<std::string> asked_for(const build::Config& config, const GradeOptions& options) {
   std::set<std::string> named;
   for (const std::string& word : options.what) {
-    for (const std::string& slug : judge::tasks_meant(config, word)) named.insert(slug);
+    for (const std::string& slug : judging::tasks_meant(config, word)) named.insert(slug);
   }
   const std::string points_file = config.root + "/grader/points.json";
   const results::Points points = results::load_points(points_file);
   std::vector<std::string> asked;
-  for (const judge::TaskConfig& task : config.tasks) {
+  for (const build::TaskConfig& task : config.tasks) {
     const bool meant = options.what.empty() && !results::is_left_out(points, task.slug);
     if (meant || named.contains(task.slug)) asked.push_back(task.slug);
   }
@@ -124,7 +123,7 @@ std::vector<std::string> asked_for(const judge::Config& config, const GradeOptio
 }
 
 // Returns whether each function of the task begins with todo, as it was handed out. In doubt it does not: a comment
-// or a condition of the preprocessor may hold another text of the function.
+// or a condition of the preprocessor can contain another version of the function.
 bool is_unwritten(const Task& task, const std::string& text) {
   if (text.find("/*") != text.npos || text.find("#if") != text.npos) return false;
   const std::string begin = "{\n  todo(\"" + task.slug + "\");\n";
@@ -133,8 +132,8 @@ bool is_unwritten(const Task& task, const std::string& text) {
   return found == std::max<std::size_t>(1, task.functions.size());
 }
 
-// Nothing is rendered of tasks that are not written. A file that is not accepted may be corrected by the time that
-// it is judged.
+// Tasks that are not written get no pictures. A file that is not accepted now can be corrected before it is
+// judged.
 bool may_be_rendered(const std::vector<std::string>& asked, const std::string& submission) {
   return std::ranges::any_of(asked, [&](const std::string& slug) {
     const Task& task = task_of(slug);
@@ -144,9 +143,9 @@ bool may_be_rendered(const std::vector<std::string>& asked, const std::string& s
 }
 
 // Prints the names of the programs, one per line, for ./run, which builds only these.
-int name_programs(const judge::Config& config, const GradeOptions& options) {
+int name_programs(const build::Config& config, const GradeOptions& options) {
   const std::vector<std::string> asked = asked_for(config, options);
-  for (const std::string& slug : judge::tasks_judged(config, asked)) {
+  for (const std::string& slug : judging::tasks_judged(config, asked)) {
     fmt::print("graded.{0}\nknown.{0}\n", slug);
   }
   const bool pictures = !options.no_pictures;
@@ -156,8 +155,8 @@ int name_programs(const judge::Config& config, const GradeOptions& options) {
   return 0;
 }
 
-judge::GradeRequest request_for(const judge::Config& config, const GradeOptions& options) {
-  judge::GradeRequest request;
+judging::GradeRequest request_for(const build::Config& config, const GradeOptions& options) {
+  judging::GradeRequest request;
   request.submission = base::submission_root(options.submission);
   request.name = results::one_line(options.name);
   request.seed = options.seed;
@@ -171,8 +170,8 @@ judge::GradeRequest request_for(const judge::Config& config, const GradeOptions&
   return request;
 }
 
-// Keeps the last run of a learner in one sentence, for ./run submit.
-void remember_run(const judge::Config& config, const results::Results& results,
+// Keeps a sentence on a learner's last run, for ./run submit.
+void remember_run(const build::Config& config, const results::Results& results,
                   const GradeOptions& options) {
   if (options.submission != GradeOptions().submission) return;
   const std::time_t now = std::time(nullptr);
@@ -183,46 +182,38 @@ void remember_run(const judge::Config& config, const results::Results& results,
                                             results::verdict(results) + "\n");
 }
 
-// The number of verdicts there are, and of those there will be.
-void show_progress(StatusLine& line, const results::Results& so_far) {
+// Shows how many verdicts there are, of how many in the end.
+void show_progress(report::StatusLine& line, const results::Results& so_far) {
   const results::Counts verdicts = results::verdicts(so_far);
   const double part = static_cast<double>(verdicts.judged) / static_cast<double>(verdicts.all);
   line.show(verdicts.judged == 0
-                ? "judging: compiling what was handed in"
+                ? "judging: compiling the submission"
                 : fmt::format("judging: {} of {} verdicts", verdicts.judged, verdicts.all),
             part);
 }
 
-// The files that will be written can be, and nothing of a run that was killed stays beside them.
-void prepare_targets(const report::ReportFiles& files) {
-  report::check_targets(files);
-  for (const std::string* file :
-       {&files.json, &files.html, &files.junit, &files.gradescope, &files.csv}) {
-    if (!file->empty()) judge::remove_left_overs_of(*file);
-  }
-}
-
 int run(Words words) {
   programs::GradeOptions options = parse_options(words);
-  prepare_targets(options.files);
+  report::check_targets(options.files);
   if (!options.from_results.empty()) return options.programs ? 0 : report_again(options);
-  const judge::Config config = config_for(options);
+  const build::Config config = config_for(options);
   const Unfinished unfinished(config);
   if (options.resume) {
     const bool only_named = options.programs;
     words = unfinished.resume();
     options = programs::parse_options(words);
     options.programs = only_named;
-    prepare_targets(options.files);
+    report::check_targets(options.files);
   }
   if (options.programs) return name_programs(config, options);
-  const judge::GradeRequest request = request_for(config, options);
+  const judging::GradeRequest request = request_for(config, options);
   if (request.pictures) unfinished.begin(words);
   report::ProgressReports reports(options.files);
-  std::optional<StatusLine> line(std::in_place,
-                                 options.quiet ? StatusLine::Output::none : StatusLine::standard());
+  std::optional<report::StatusLine> line(std::in_place, options.quiet
+                                                            ? report::StatusLine::Output::none
+                                                            : report::StatusLine::standard());
   const results::Results results =
-      judge::grade(config, request, [&](const results::Results& so_far) {
+      judging::grade(config, request, [&](const results::Results& so_far) {
         reports.write(so_far);
         show_progress(*line, so_far);
       });
@@ -238,14 +229,5 @@ int run(Words words) {
 int main(int argc, char** argv) {
   process::hide_process();
   std::signal(SIGPIPE, SIG_IGN);
-  try {
-    const int status = run(Words(argv + 1, argv + argc));
-    pt::flush_standard_output();
-    return status;
-  } catch (const CommandLine& done) {
-    return done.status == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
-    return 2;
-  }
+  return pt::run_program([&] { return run(Words(argv + 1, argv + argc)); });
 }

@@ -22,15 +22,14 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_option("--submission", options.submission, "A folder with the tree of student/")
       ->check(CLI::ExistingDirectory);
   app.add_option("--name", options.name,
-                 "Who handed it in: reports say this, and no path of this machine");
+                 "Who handed it in: reports show this instead of a path of this machine");
   app.add_flag("--all", options.all, "Show every failure, not only the first");
-  app.add_flag("--quiet", options.quiet, "Do not say on standard error how far it is");
+  app.add_flag("--quiet", options.quiet, "Do not show progress on standard error");
   app.add_flag("--no-pictures", options.no_pictures, "Judge the promises only");
   app.add_option("--json", options.files.json, "Also write the results to this file");
   app.add_option("--html", options.files.html, "Also write a page with all pictures");
-  app.add_flag(
-      "--small-page", options.files.small_page,
-      "Leave out of that page the values of pixels, and the maps of pictures that are right");
+  app.add_flag("--small-page", options.files.small_page,
+               "Leave the values of pixels, and the maps of right pictures, out of that page");
   app.add_option("--junit", options.files.junit, "Also write JUnit's XML");
   app.add_option("--gradescope", options.files.gradescope, "Also write Gradescope's results.json");
   app.add_option("--csv", options.files.csv, "Also write a table, a line per task");
@@ -42,21 +41,18 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
       ->check(CLI::PositiveNumber);
   app.add_option("--threads", options.threads, "How many jobs run at the same time")
       ->check(CLI::Range(1, 256));
-  app.add_option("--isolation", options.isolation,
-                 "A (bubblewrap), B (another user) or C (none); default: the best that works here");
+  app.add_option(
+      "--isolation", options.isolation,
+      "A (bubblewrap), B (another user) or C (limits); default: the best that works here");
   app.add_flag("--require-isolation", options.require_isolation,
-               "Stop if only tier C (none) works");
-  app.add_flag("--resume", options.resume, "Go on with the run that was interrupted");
-  app.add_flag("--programs", options.programs, "Say which programs it needs, for ./run")->group("");
+               "Stop if only tier C (limits) works");
+  app.add_flag("--resume", options.resume, "Continue the run that was interrupted");
+  app.add_flag("--programs", options.programs, "Name the programs for ./run")->group("");
   app.add_option("--config", options.config, "What CMake wrote (grade.json)");
   app.add_option("--work", options.work,
                  "The folder of compiled files and known results; default: as --config says");
   std::vector<std::string> reversed(words.rbegin(), words.rend());
-  try {
-    app.parse(reversed);
-  } catch (const CLI::ParseError& error) {
-    throw CommandLine{pt::exit_status(app, error)};
-  }
+  pt::parse(app, reversed);
   return options;
 }
 

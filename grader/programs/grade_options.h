@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/process/time_limit.h"
 #include "grader/report/write_reports.h"
+#include "grader/service/process/time_limit.h"
 
 #include <cstdint>
 #include <string>
@@ -28,18 +28,13 @@ struct GradeOptions {
   bool no_pictures = false;
   bool quiet = false;
   bool programs = false;  // only names the programs that judge what is asked for
-  bool resume = false;    // goes on with the interrupted run; all else here then comes from it
+  bool resume = false;    // continues the interrupted run; all other options then come from it
 };
 
 // The command that a person would type for the same verdicts.
 std::string command(const GradeOptions& options);
 
-// There is nothing to do: help was printed, or what is wrong with the words.
-struct CommandLine {
-  int status = 0;  // 0 for help
-};
-
-// Reads the words after the program's name. Throws CommandLine.
+// Reads the words after the program's name. Prints help and exits for --help; throws pt::Error for what it cannot use.
 GradeOptions parse_options(const std::vector<std::string>& words);
 
 }  // namespace grader::programs

@@ -1,11 +1,11 @@
 // graded.<slug>: the properties of one task, whose calls go to a worker. Trusted: no line of a
-// submission runs in here. Writes what it found as a results.json; the exit status is 0 if every
+// submission runs in here. Writes its findings as a results.json; the exit status is 0 if every
 // promise held, 1 if one did not, 2 if nothing could be judged. With --battery it runs the task's
 // battery instead (grader/mistakes/battery.h), and writes the answers.
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/mistakes/battery.h"
-#include "grader/programs/ask_worker.h"
 #include "grader/programs/write_report.h"
+#include "grader/service/wire/ask_worker.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
@@ -17,18 +17,18 @@
 namespace {
 
 struct Options {
-  grader::programs::AskOptions ask;
+  grader::wire::AskOptions ask;
   std::string report;
-  std::string promises = "*";  // a filter as GoogleTest has it
+  std::string promises = "*";  // a filter of GoogleTest
   std::string battery;         // the file for the answers
   int draws = 1;               // times the usual number
 };
 
-// All calls of a battery take some milliseconds: one that takes this long hangs, also on a busy
+// Calls of a battery take a few milliseconds. A call that takes this long hangs, even on a busy
 // machine.
 constexpr std::chrono::milliseconds kBatteryCallLimit{2000};
 
-// Right solutions send a ninth of it at most (trace_path, 29 MB), in their properties or in a battery.
+// Right solutions send at most a ninth of this (trace_path, 29 MB), in their properties or in a battery.
 constexpr std::uint64_t kMaxAnswered = std::uint64_t{256} << 20;
 
 int run_battery(const Options& options) {
@@ -70,17 +70,17 @@ int run(const Options& options, const char* program) {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Checks the properties of one task on a worker"};
-  // The suite of the properties that are linked.
+  // The linked properties are a suite with the name of the task.
   options.ask.session.task = testing::UnitTest::GetInstance()->GetTestSuite(0)->name();
   app.add_option("--report", options.report, "where to write the findings, as JSON");
-  app.add_option("--promises", options.promises, "only these: names as in --gtest_filter");
+  app.add_option("--promises", options.promises, "only these promises: names as in --gtest_filter");
   app.add_flag_callback("--no-shrinking", grader::check::never_shrink,
                         "keep the first input that fails");
   app.add_option("--battery", options.battery,
                  "run the battery instead: where to write the answers");
-  app.add_option("--draws", options.draws, "of the battery: times the usual number")
+  app.add_option("--draws", options.draws, "draws of the battery: times the usual number")
       ->check(CLI::PositiveNumber);
-  return grader::programs::run_asking(app, argc, argv, options.ask, [&] {
+  return grader::wire::run_asking(app, argc, argv, options.ask, [&] {
     return options.battery.empty() ? run(options, argv[0]) : run_battery(options);
   });
 }

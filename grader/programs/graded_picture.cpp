@@ -1,12 +1,12 @@
 // graded_picture: judges one recipe, rendered by a worker. Trusted: no line of a submission runs in
-// here. Writes what it found as a results.json with this one picture, and the picture next to it.
+// here. Writes its findings as a results.json with this one picture, and the picture next to it.
 // The exit status is 0 if the picture is right, 1 if not, 2 if nothing could be judged.
-#include "grader/pictures/judge_recipe.h"
-#include "grader/pictures/worker_rows.h"
-#include "grader/process/spawn.h"
+#include "grader/pictures/recipes/judge_recipe.h"
 #include "grader/results/json.h"
+#include "grader/service/process/spawn.h"
+#include "grader/service/wire/session.h"
+#include "grader/service/wire/worker_rows.h"
 #include "grader/tasks.h"
-#include "grader/wire/session.h"
 #include "pt/command_line.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Options {
   std::string tier = "C";
 };
 
-// Parts 1 and 2 are what the wide engine does without.
+// The wide engine does not call the tasks of parts 1 and 2.
 pt::Engine engine_for(const std::string& slug) {
   return std::ranges::count(tracing_tasks(), slug) > 0 ? pt::Engine::task : pt::Engine::wide;
 }
@@ -38,7 +38,7 @@ pt::Engine engine_for(const std::string& slug) {
 // This program renders one scene.
 pt::PictureRows rows_of_the_scene(const pt::View& view, const pt::RowsRequest& request) {
   wire::session().keep(view.scene);
-  return pictures::worker_rows(view, request);
+  return wire::worker_rows(view, request);
 }
 
 int run(const Options& options) {
@@ -69,12 +69,12 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--task", options.session.task, "the slug of the task that is judged")->required();
   app.add_option("--recipes", options.recipes, "recipes.json")->required();
   app.add_option("--goldens", options.goldens, "the folder of the goldens")->required();
-  app.add_option("--recipe", options.recipe, "its name")->required();
+  app.add_option("--recipe", options.recipe, "the recipe's name")->required();
   app.add_option("--report", options.report, "where to write the findings")->required();
-  app.add_option("--content", options.source.content, "stands for what is judged: a hash");
-  app.add_option("--seed", options.source.seed, "of the run");
+  app.add_option("--content", options.source.content, "a hash of the judged files");
+  app.add_option("--seed", options.source.seed, "the seed of the run");
   app.add_flag("--integrated", options.session.integrated, "the worker runs all tasks");
-  app.add_option("--rounds", options.rounds, "at most")->check(CLI::Range(1, 3));
+  app.add_option("--rounds", options.rounds, "rounds at most")->check(CLI::Range(1, 3));
   app.add_option("--call-limit", options.call_limit, "milliseconds that a few rows may take")
       ->check(CLI::PositiveNumber);
   app.add_option("--isolation", options.tier, "the tier of the worker's box: A, B or C");

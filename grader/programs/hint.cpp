@@ -1,12 +1,12 @@
 // hint: gives the next hint for a task. Exit status 0, or 2 if there is no such task or promise.
-#include "grader/base/files.h"
 #include "grader/base/wrap.h"
-#include "grader/judge/config.h"
 #include "grader/report/hint_memory.h"
 #include "grader/report/hints.h"
 #include "grader/results/promises.h"
+#include "grader/service/build/config.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -26,9 +26,9 @@ struct Options {
   bool first = false;
 };
 
-const judge::TaskConfig& find_task(const judge::Config& config, const std::string& word) {
+const build::TaskConfig& find_task(const build::Config& config, const std::string& word) {
   std::vector<std::string> slugs;
-  for (const judge::TaskConfig& task : config.tasks) {
+  for (const build::TaskConfig& task : config.tasks) {
     if (word == task.slug || word == task.number) return task;
     slugs.push_back(task.slug);
   }
@@ -36,7 +36,7 @@ const judge::TaskConfig& find_task(const judge::Config& config, const std::strin
       fmt::format("'{}' is not a task; choose one of {}", word, fmt::join(slugs, ", ")));
 }
 
-// The promise that the words or the name of a property mean.
+// Finds the promise by its words, or by the name of its property.
 results::Promise find_promise(const std::vector<results::Promise>& promises,
                               const std::string& slug, const std::string& words) {
   const std::string name = results::property_name(words);
@@ -49,7 +49,7 @@ results::Promise find_promise(const std::vector<results::Promise>& promises,
                               fmt::join(titles, "; ")));
 }
 
-// Paragraphs wrapped again: the files are wider than many a terminal.
+// Wraps paragraphs again: the files are wider than many terminals.
 std::string paragraphs(const std::string& text) {
   std::string all, paragraph;
   for (const std::string& line : base::lines_of(text + "\n\n")) {
@@ -63,13 +63,13 @@ std::string paragraphs(const std::string& text) {
 }
 
 int run(const Options& options) {
-  const judge::Config config =
-      judge::load_config(options.config.empty() ? judge::default_config_path() : options.config);
+  const build::Config config =
+      build::load_config(options.config.empty() ? build::default_config_path() : options.config);
   const std::string slug = find_task(config, options.task).slug;
   const std::string path = config.root + "/grader/tasks/" + slug + "/hints.md";
-  const report::Hints hints = report::parse_hints(base::read_file(path), path);
+  const report::Hints hints = report::parse_hints(pt::read_file(path), path);
   const auto promises =
-      results::promises_of(base::read_file(config.root + "/pt/tasks/" + slug + ".h"));
+      results::promises_of(pt::read_file(config.root + "/pt/tasks/" + slug + ".h"));
 
   report::Memory memory = report::recall(config.work, slug);
   std::string asked = fmt::format("{}", fmt::join(options.promise, " "));

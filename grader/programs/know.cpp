@@ -1,12 +1,12 @@
-// know: asks every known mistake of a task the calls of its battery, and writes the answers as known.<slug>.json, by which
-// `grade` names the mistake of a submission. The build runs it (cmake/mistakes.cmake), so that the answers are never older
-// than the mistakes.
+// know: runs the battery of a task on every known mistake, and writes the answers as known.<slug>.json, from which `grade`
+// names the mistake of a submission. The build runs it (cmake/mistakes.cmake), so that the answers are never older than
+// the mistakes.
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/mistakes/compare.h"
 #include "grader/mistakes/known.h"
-#include "grader/process/run_command.h"
-#include "grader/sandbox/box.h"
+#include "grader/service/process/run_command.h"
+#include "grader/service/sandbox/box.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -27,13 +27,13 @@ struct Options {
   std::string graded;     // the program that runs the battery: graded.<slug>
   std::string reference;  // a worker with the reference
   std::string
-      all;  // a worker that is the mistake, or the right solution, by whose name it is called
+      all;  // a worker that acts as the mistake, or right solution, by whose name it is called
   std::string made;                 // the folder of the mistakes' files
   std::vector<std::string> rights;  // right/textbook.cpp ...
   std::string out;
 };
 
-// The answers of submissions are compared with those that are kept, so these are more certain.
+// The answers of all submissions are compared with these answers, so they use more draws.
 constexpr int kSeed = 20240607, kDraws = 2;
 
 mistakes::Answers ask(const Options& options, const fs::path& worker) {
@@ -44,16 +44,15 @@ mistakes::Answers ask(const Options& options, const fs::path& worker) {
   const process::CommandResult result = process::run_command(
       {command, sandbox::judges_environment(), {}, "", {}}, process::kProgramTime);
   if (!result.ok()) throw pt::Error(worker.string() + ": " + process::fault_of(result));
-  return mistakes::answers_from_json(base::read_file(path));
+  return mistakes::answers_from_json(pt::read_file(path));
 }
 
-// The mistakes that fail: one that breaks a bonus promise passes, and what passes has no name.
+// The mistakes that fail. A mistake that breaks a bonus promise passes, and is not named.
 std::vector<mistakes::Fingerprint> mistakes_in(const fs::path& made) {
   std::vector<mistakes::Fingerprint> all;
   for (const auto& entry : fs::directory_iterator(made)) {
     const fs::path file = entry.path() / made.filename().replace_extension(".cpp");
-    mistakes::Fingerprint print =
-        mistakes::described(entry.path().filename(), base::read_file(file));
+    mistakes::Fingerprint print = mistakes::described(entry.path().filename(), pt::read_file(file));
     if (!print.breaks.ends_with("_bonus")) all.push_back(std::move(print));
   }
   std::ranges::sort(all, {}, &mistakes::Fingerprint::name);

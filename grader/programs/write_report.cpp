@@ -1,11 +1,11 @@
 #include "grader/programs/write_report.h"
 
-#include "grader/base/files.h"
 #include "grader/base/printable.h"
-#include "grader/check/property.h"
-#include "grader/judge/object_file.h"
+#include "grader/check/language/property.h"
 #include "grader/results/json.h"
 #include "grader/results/presentable.h"
+#include "grader/service/audit/object_file.h"
+#include "pt/file.h"
 
 #include <cstdlib>
 #include <memory>
@@ -31,9 +31,9 @@ results::PromiseResult describe(const testing::TestInfo& promise, bool integrate
   return result;
 }
 
-// "pt::(anonymous namespace)::count" is count, as is "pt::hit_bvh(...)::count". Not known: "".
+// Returns count for "pt::(anonymous namespace)::count" and "pt::hit_bvh(...)::count"; "" if not known.
 std::string variable_at(const std::string& worker, std::uint64_t place) {
-  const std::string symbol = judge::state_at(base::read_file(worker), place);
+  const std::string symbol = audit::state_at(pt::read_file(worker), place);
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> text(
       abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);

@@ -9,7 +9,7 @@ namespace grader::report {
 
 namespace {
 
-// The signs of plain and of full width, and what is skipped before them.
+// A formula starts with a sign, plain or in full width, after characters that are skipped.
 bool starts_formula(const std::string& text) {
   for (const char* sign :
        {"=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20"}) {

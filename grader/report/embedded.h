@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-// Data inside a page, which may fetch none.
+// Data inside a page, because a page fetches nothing.
 
 namespace grader::report {
 
@@ -24,8 +24,8 @@ std::uint16_t to_half(double value);
 // Halves, little-endian, in base64: r, g and b of every pixel, row by row, the top row first.
 std::string embedded_pixels(const pt::Film& film);
 
-// Likewise one value per pixel: the standard deviation of the difference of the luminances. Empty
-// where one of the films does not have the variances. The sizes are equal.
+// The same for one value per pixel: the standard deviation of the difference of the luminances.
+// Empty if a film does not have the variances. The films have the same size.
 std::string embedded_noise(const pt::Film& render, const pt::Film& golden);
 
 // The counts as 32-bit integers, little-endian, in base64.

@@ -49,13 +49,13 @@ std::string output_of(const results::TaskResult& task) {
     text += fmt::format("It waits for {}.\n", fmt::join(task.blocked_by, ", "));
   }
   if (task.state == results::State::not_judged) {
-    text += "A promise or picture that is not judged yet has no points, right or wrong.\n";
+    text += "A promise or picture that is not judged yet has no points, even if it is right.\n";
   }
   return text + "\n" + counts_of(task) + ".\n";
 }
 
-// A task that waits for another one and has all its points is right as far as anybody knows: red
-// would say that it is wrong.
+// A task that waits for another task and has all its points is right as far as we know: red would
+// say that it is wrong.
 bool shows_green(const results::TaskResult& task) {
   return task.state == results::State::pass ||
          (task.state == results::State::blocked && task.points >= task.max_points);

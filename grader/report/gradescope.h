@@ -8,7 +8,7 @@ namespace grader::report {
 
 // The results.json that Gradescope reads (its autograder documentation, "Output Format"): one test
 // per task, all visible, in plain text. Bonus points are part of a task's score, which may then exceed
-// its maximum. An unfinished run is a whole file too, and says so above the tests.
+// its maximum. The file of an unfinished run is complete too, and has a sentence above the tests.
 std::string to_gradescope(const results::Results& results);
 
 }  // namespace grader::report

@@ -1,6 +1,5 @@
 #include "grader/report/hint_memory.h"
 
-#include "grader/base/files.h"
 #include "grader/base/wrap.h"
 #include "pt/file.h"
 
@@ -25,7 +24,7 @@ Memory recall(const std::string& work, const std::string& slug) {
   Memory memory;
   const std::string path = path_of(work, slug);
   if (!fs::exists(path)) return memory;
-  for (const std::string& line : base::lines_of(base::read_file(path))) {
+  for (const std::string& line : base::lines_of(pt::read_file(path))) {
     std::istringstream words(line);
     std::string label, promise;
     int step = 0;

@@ -9,8 +9,8 @@
 
 namespace grader::report {
 
-// Facts about a task that `grade` keeps for `hint` and for ./run debug, and how far the hints
-// went: a text file per task, in the folder hints/ below `work`, in lines
+// Facts about a task that `grade` keeps for `hint` and for ./run debug, and the hints given so far:
+// a text file per task, in the folder hints/ below `work`, with the lines
 //   seed 1
 //   fails <property>            for each promise that failed, in the order of the report
 //   given <step> <property>     no property: the general hint
@@ -20,10 +20,10 @@ struct Memory {
   std::map<std::string, int> given;  // by property: the last step, counted from 1
 };
 
-// An empty memory if there is none.
+// Reads the memory; empty if there is none.
 Memory recall(const std::string& work, const std::string& slug);
 
-// Written in one piece. Throws pt::Error if it cannot be.
+// Writes the whole file or none. Throws pt::Error if it cannot be written.
 void remember(const std::string& work, const std::string& slug, const Memory& memory);
 
 // After a run of `grade`: remembers the promises that fail now. The hints of a task that passes

@@ -18,13 +18,13 @@ namespace {
 
 using kainjow::mustache::data;
 
-// A text, and whether there is one.
+// Sets a text, and whether there is any.
 void set_text(data& out, const std::string& key, const std::string& text) {
   out.set(key, text);
   out.set("has_" + key, !text.empty());
 }
 
-// Objects with one member, `key`; `list` is what the template calls them together.
+// Sets a list of objects with one member, `key`. `list` is its name in the template.
 void set_texts(data& out, const std::string& list, const std::string& key,
                const std::vector<std::string>& texts) {
   data items{data::type::list};

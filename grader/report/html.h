@@ -10,7 +10,7 @@ namespace grader::report {
 // the files that the results name (one that cannot be read becomes a sentence). Texts are escaped,
 // and the page's policy lets it load nothing else. grader/report/page/ holds its template.
 //
-// A small page leaves out the values of pixels, and the maps of pictures that are right. Where all
+// A small page leaves out the values of pixels, and the maps of pictures that are right. If all
 // pictures are right, it has a ninth of the bytes.
 enum class PageSize { full, small };
 std::string to_html(const results::Results& results, PageSize size = PageSize::full);

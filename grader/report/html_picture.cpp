@@ -113,7 +113,7 @@ data film_maps(const results::PictureResult& picture, const pt::Image& render,
   return maps;
 }
 
-// Maps tell what is wrong.
+// Maps show what is wrong, so a small page has none for right pictures.
 bool has_maps(const results::PictureResult& picture, PageSize size) {
   return size == PageSize::full || picture.state != results::State::pass;
 }

@@ -10,21 +10,21 @@
 
 namespace grader::report {
 
-// The place of each picture on a page. One that judges several tasks is in it once, with the first
-// of them; the others refer to that place.
+// The place of each picture on a page. A picture that judges several tasks is there once, with the
+// first of them; the others refer to that place.
 class Places {
  public:
   explicit Places(PageSize size) : size_(size) {}
 
   PageSize size() const { return size_; }
 
-  // The place of the same picture, the same in all that is shown of it, if it has one already;
-  // otherwise it gets this one, and the answer is empty.
+  // Returns the place of a picture that is shown in the same way in every detail, if there is one.
+  // Otherwise this place is kept, and the answer is empty.
   std::string taken(const results::PictureResult& picture, const std::string& place);
 
  private:
   PageSize size_;
-  std::map<std::string, std::string> places_;  // by what is shown
+  std::map<std::string, std::string> places_;  // by everything that is shown
 };
 
 // The data of a picture of a task for the template.

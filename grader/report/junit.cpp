@@ -74,7 +74,7 @@ Case promise_case(const results::TaskResult& task, const results::PromiseResult&
     result.element = cause == "wrong" || (!shown && whole != "error") ? "failure" : "error";
     if (shown || task.reason.empty()) result.message = promise.words;
     result.text = text_of(task, promise.name);
-    // Once in a text, and in that of every promise: a reader of JUnit shows one testcase at a time.
+    // The text of every promise has the mistake once: a reader of JUnit shows one testcase at a time.
     if (!mistake.empty() && result.text.find(task.mistake.sentence) == std::string::npos) {
       result.text = mistake + "\n" + result.text;
     }

@@ -10,10 +10,10 @@ namespace grader::report {
 namespace {
 
 constexpr int kBlock = 8;
-constexpr double kBright = 0.99;  // of the pixels are no brighter than the one that exposure is for
+constexpr double kBright = 0.99;  // the quantile of brightness that sets the exposure
 
-// Light to dark in one direction, so that it also reads in grey: the ends and the middle of the
-// purples of ColorBrewer (Harrower and Brewer 2003).
+// From light to dark, so that it can be read in grey, too: the ends and the middle of the purples
+// of ColorBrewer (Harrower and Brewer 2003).
 constexpr std::array<pt::Color8, 5> kEvidence{
     {{252, 251, 253}, {203, 201, 226}, {128, 100, 180}, {84, 39, 143}, {30, 0, 60}}};
 

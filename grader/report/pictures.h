@@ -6,8 +6,8 @@
 
 #include <functional>
 
-// The pictures that a person is shown about a render and its golden. difference_map is in
-// pt/image/compare.h, tone_map in pt/image/tone_map.h.
+// The pictures that show a person a render and its golden. difference_map is in pt/image/compare.h,
+// tone_map in pt/image/tone_map.h.
 
 namespace grader::report {
 
@@ -15,7 +15,7 @@ namespace grader::report {
 // be nearly black or nearly white; then the power of two that brings its bright pixels to about 1.
 double exposure_for(const pt::Image& golden);
 
-// Means over 8 x 8 pixels, and over what is left of such blocks at the right and the bottom.
+// Means over blocks of 8 x 8 pixels, which are smaller at the right and the bottom.
 pt::Image block_means(const pt::Image& image);
 
 inline constexpr double kBlockScale = 0.1;

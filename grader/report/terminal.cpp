@@ -40,11 +40,11 @@ const char* color_of(results::State state) {
   return "0";
 }
 
-// The pictures of a task that have rows of their own, and what they are called there.
+// A picture with a fault has a row of its own, with this label.
 bool has_row(const results::PictureResult& picture) { return results::is_fault(picture.state); }
 std::string label_of(const results::PictureResult& picture) { return "  " + picture.recipe; }
 
-// The width of the longest label, of all tasks of the course too.
+// The width of the longest label, with those of all tasks of the course.
 std::size_t label_width(const results::Results& results) {
   std::size_t width = 18;
   for (const results::TaskResult& task : results.tasks) {
@@ -85,7 +85,7 @@ std::string picture_rows(const results::TaskResult& task, std::size_t width,
   return text;
 }
 
-// "  got       1.5", further lines below the value.
+// "  got       1.5"; further lines stand below the value.
 std::string labelled(const std::string& label, const std::vector<std::string>& lines) {
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {

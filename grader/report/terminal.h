@@ -17,8 +17,8 @@ struct TerminalStyle {
 // The results for a person in front of a terminal: a table, then failures in full.
 std::string to_text(const results::Results& results, const TerminalStyle& style);
 
-// Its parts: a row for each task, with those of its pictures that are not right, and what there is
-// to say about each failure, in the order of the report.
+// The parts of this text: a row for each task and for each of its wrong pictures, and a text about
+// each failure, in the order of the report.
 std::string table(const results::Results& results, const TerminalStyle& style);
 struct FailureText {
   std::string slug;

@@ -8,7 +8,7 @@
 
 namespace grader::report {
 
-// The path of each report; none is written where it is empty.
+// The path of each report; a report with an empty path is not written.
 struct ReportFiles {
   std::string json;
   std::string html;
@@ -22,11 +22,11 @@ struct ReportFiles {
 void check_targets(const ReportFiles& files);
 
 // Writes all reports with a path, each the whole file or none. Results of an unfinished run are
-// written too; each report says that it is one. Throws pt::Error for a file that cannot be written.
+// written too; each report says that the run is unfinished. Throws pt::Error for a file that cannot be written.
 void write_reports(const results::Results& results, const ReportFiles& files);
 
-// write_reports for a run that goes on: an unfinished page, which is the only one that takes time,
-// is written so seldom that all of them take at most a tenth of the run.
+// write_reports for a run in progress. Only the page takes time: it is written so seldom that this
+// takes at most a tenth of the run.
 class ProgressReports {
  public:
   explicit ProgressReports(ReportFiles files) : files_(std::move(files)) {}

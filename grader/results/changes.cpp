@@ -7,7 +7,7 @@ namespace grader::results {
 
 namespace {
 
-// The points that a task has earned, and by what.
+// A promise, picture or rule of a task, and the points that it earned.
 struct Item {
   std::string key, words;
   int points = 0;
@@ -26,9 +26,9 @@ std::vector<Item> items_of(const TaskResult& task) {
     items.push_back({"picture " + picture.recipe, "picture " + picture.recipe, picture.points});
     sum += picture.points;
   }
-  items.push_back({"spared", "one cause takes no more than its share", task.spared});
+  items.push_back({"spared", "one cause costs no more than its share", task.spared});
   const int left = task.points + task.bonus_points - sum - task.spared;
-  items.push_back({"state", "a variable lives on between calls", left});
+  items.push_back({"state", "a variable keeps its value between calls", left});
   return items;
 }
 

@@ -19,7 +19,7 @@ struct Change {
 
 // All changes from one verdict on a submission to another one, in the order of the course. Their
 // differences add up to that of the points, bonus points included. A promise or picture that only
-// one of the two has earns 0 in the other.
+// one of the verdicts has earns 0 in the other.
 std::vector<Change> changes(const Results& before, const Results& after);
 
 }  // namespace grader::results

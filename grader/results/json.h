@@ -6,10 +6,10 @@
 
 namespace grader::results {
 
-// The results as docs/results.md describes them.
+// Returns the results as docs/results.md describes them.
 std::string to_json(const Results& results);
 
-// The whole file or none: a reader never sees half of it. Throws pt::Error if it cannot be written.
+// Writes the whole file or none: a reader never sees half of it. Throws pt::Error if it cannot be written.
 void write_json(const Results& results, const std::string& path);
 
 }  // namespace grader::results

@@ -5,6 +5,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include <nlohmann/json.hpp>
+
 // The members of the results model by the names that they have in JSON, in one list for all that
 // goes through them: each(name, member) is called for every one.
 
@@ -13,107 +15,28 @@ namespace grader::results {
 template <class S, class Of>
 concept Is = std::same_as<std::remove_const_t<S>, Of>;
 
-void members(Is<Failure> auto& failure, auto&& each) {
-  each("input", failure.input);
-  each("what", failure.what);
-  each("got", failure.got);
-  each("expected", failure.expected);
-  each("off_by", failure.off_by);
-  each("cause", failure.cause);
-  each("cases_before", failure.cases_before);
-  each("seed", failure.seed);
-  each("integrated", failure.integrated);
-  each("replay", failure.replay);
-}
+#define FIRSTLIGHT_MEMBER(name) each(#name, value.name);
+#define FIRSTLIGHT_MEMBERS(Type, ...)                                         \
+  void members(Is<Type> auto& value, auto&& each) {                           \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(FIRSTLIGHT_MEMBER, __VA_ARGS__)) \
+  }
 
-void members(Is<PromiseResult> auto& promise, auto&& each) {
-  each("name", promise.name);
-  each("words", promise.words);
-  each("bonus", promise.bonus);
-  each("held", promise.held);
-  each("points", promise.points);
-  each("seconds", promise.seconds);
-  each("failures", promise.failures);
-}
+FIRSTLIGHT_MEMBERS(Failure, input, what, got, expected, off_by, cause, statistical, cases_before,
+                   seed, integrated, replay)
+FIRSTLIGHT_MEMBERS(PromiseResult, name, words, bonus, held, points, seconds, failures)
+FIRSTLIGHT_MEMBERS(FailingCell, x, y, width, height, channel, off_by, evidence)
+FIRSTLIGHT_MEMBERS(PictureResult, recipe, title, state, text, integrated, samples, rounds, noise,
+                   seconds, points, max_points, replay, width, height, golden, render, evidence,
+                   golden_counts, counts, cells)
+FIRSTLIGHT_MEMBERS(Mistake, name, sentence, found_by, hint, always_the_same)
+FIRSTLIGHT_MEMBERS(TaskResult, part, number, slug, state, reason, points, max_points, bonus_points,
+                   spared, mistake, blocked_by, blamed, compiler_output, warnings, keeps_state,
+                   printed, promises, pictures)
+FIRSTLIGHT_MEMBERS(Phase, name, seconds)
+FIRSTLIGHT_MEMBERS(Results, complete, submission, asked, seed, isolation, versions, command,
+                   seconds, phases, tasks)
 
-void members(Is<FailingCell> auto& cell, auto&& each) {
-  each("x", cell.x);
-  each("y", cell.y);
-  each("width", cell.width);
-  each("height", cell.height);
-  each("channel", cell.channel);
-  each("off_by", cell.off_by);
-  each("evidence", cell.evidence);
-}
-
-void members(Is<PictureResult> auto& picture, auto&& each) {
-  each("recipe", picture.recipe);
-  each("title", picture.title);
-  each("state", picture.state);
-  each("text", picture.text);
-  each("integrated", picture.integrated);
-  each("samples", picture.samples);
-  each("rounds", picture.rounds);
-  each("noise", picture.noise);
-  each("seconds", picture.seconds);
-  each("points", picture.points);
-  each("max_points", picture.max_points);
-  each("replay", picture.replay);
-  each("width", picture.width);
-  each("height", picture.height);
-  each("golden", picture.golden);
-  each("render", picture.render);
-  each("evidence", picture.evidence);
-  each("golden_counts", picture.golden_counts);
-  each("counts", picture.counts);
-  each("cells", picture.cells);
-}
-
-void members(Is<Mistake> auto& mistake, auto&& each) {
-  each("name", mistake.name);
-  each("sentence", mistake.sentence);
-  each("found_by", mistake.found_by);
-  each("hint", mistake.hint);
-  each("always_the_same", mistake.always_the_same);
-}
-
-void members(Is<TaskResult> auto& task, auto&& each) {
-  each("part", task.part);
-  each("number", task.number);
-  each("slug", task.slug);
-  each("state", task.state);
-  each("reason", task.reason);
-  each("points", task.points);
-  each("max_points", task.max_points);
-  each("bonus_points", task.bonus_points);
-  each("spared", task.spared);
-  each("mistake", task.mistake);
-  each("blocked_by", task.blocked_by);
-  each("blamed", task.blamed);
-  each("compiler_output", task.compiler_output);
-  each("warnings", task.warnings);
-  each("keeps_state", task.keeps_state);
-  each("printed", task.printed);
-  each("promises", task.promises);
-  each("pictures", task.pictures);
-}
-
-void members(Is<Phase> auto& phase, auto&& each) {
-  each("name", phase.name);
-  each("seconds", phase.seconds);
-}
-
-void members(Is<Results> auto& results, auto&& each) {
-  each("complete", results.complete);
-  each("submission", results.submission);
-  each("asked", results.asked);
-  each("seed", results.seed);
-  each("isolation", results.isolation);
-  each("versions", results.versions);
-  each("command", results.command);
-  each("seconds", results.seconds);
-  each("phases", results.phases);
-  each("tasks", results.tasks);
-}
+#undef FIRSTLIGHT_MEMBERS
+#undef FIRSTLIGHT_MEMBER
 
 }  // namespace grader::results

@@ -15,16 +15,6 @@ int rank_of_cause(Cause cause) {
   return cause == Cause::wrong ? 3 : 2;
 }
 
-// Returns whether the failure is that of a statistical test, by the texts of expect_mean and the chi-square tests.
-bool is_statistical(const Failure& failure) {
-  for (const std::string* text : {&failure.what, &failure.got, &failure.expected}) {
-    for (const char* sign : {"as the mean of", "chi-square", "standard error", "the mean of"}) {
-      if (text->find(sign) != std::string::npos) return true;
-    }
-  }
-  return false;
-}
-
 using Rank = std::array<int, 5>;
 
 Rank rank_of(const PromiseResult& promise) {
@@ -33,8 +23,8 @@ Rank rank_of(const PromiseResult& promise) {
   for (const Failure& failure : promise.failures) {
     const int lines = static_cast<int>(failure.input.size());
     best = std::min(
-        best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause),
-                   is_statistical(failure) ? 1 : 0, failure.cases_before > kFirstInputs ? 1 : 0,
+        best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause), failure.statistical ? 1 : 0,
+                   failure.cases_before > kFirstInputs ? 1 : 0,
                    lines > kLongLines    ? 2
                    : lines > kShortLines ? 1
                                          : 0});

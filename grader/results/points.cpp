@@ -1,9 +1,9 @@
 #include "grader/results/points.h"
 
-#include "grader/base/files.h"
 #include "grader/base/json_text.h"
 #include "grader/tasks.h"
 #include "pt/error.h"
+#include "pt/file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
   return points;
 }
 
-// All tasks of the course: as they are by default, but for what is said of one.
+// The points of all tasks of the course: by default, except where "tasks" says otherwise.
 Points read_tasks(const json& from, const TaskPoints& usual) {
   if (!from.is_object()) throw pt::Error("tasks is not an object");
   Points points;
@@ -119,9 +119,9 @@ int worth(int usual, const std::map<std::string, int>& special, const std::strin
   return found == special.end() ? usual : found->second;
 }
 
-// The points that broken promises take beyond the limit for one cause. It is not more than
-// the promises that hold are worth, and 0 where the task always gives the same answer: such a
-// task has shown nothing, whatever the name of its mistake.
+// The points that broken promises cost beyond the limit for one cause. It is at most what the
+// promises that hold are worth, and 0 if the task always gives the same answer: such a task has
+// shown nothing, whatever its mistake is called.
 int spared_by(const TaskPoints& task, const TaskResult& result) {
   int all = 0, lost = 0;
   for (const PromiseResult& promise : result.promises) {
@@ -129,7 +129,7 @@ int spared_by(const TaskPoints& task, const TaskResult& result) {
     all += promise.points;
     lost += promise.held ? 0 : promise.points;
   }
-  // .1 x 30 is a little more than 3, in doubles, and 3 in points.
+  // In doubles .1 x 30 is a little more than 3: it stands for 3 points.
   const int most = static_cast<int>(std::ceil(task.one_cause * all - 1e-9));
   const bool one_cause = !result.mistake.empty() && !result.mistake.always_the_same;
   return !one_cause ? 0 : std::clamp(lost - most, 0, all - lost);
@@ -138,7 +138,7 @@ int spared_by(const TaskPoints& task, const TaskResult& result) {
 }  // namespace
 
 Points load_points(const std::string& path) {
-  const json all = base::parse_json(base::read_file(path), path);
+  const json all = base::parse_json(pt::read_file(path), path);
   try {
     if (!all.is_object()) throw pt::Error("it is not an object with default and tasks");
     const TaskPoints usual = read_task(all.at("default"), {}, "default");

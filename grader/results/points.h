@@ -11,10 +11,10 @@ namespace grader::results {
 struct TaskPoints {
   int promise = 1;
   int picture = 1;
-  int too_noisy = 0;                    // of a picture that is right on average
-  int keeps_state = 0;                  // the cost of a variable that lives on between calls
+  int too_noisy = 0;                    // for a picture that is right on average
+  int keeps_state = 0;                  // the cost of a variable that keeps its value
   double one_cause = 1;                 // the share of the promises' points that one cause may take
-  std::map<std::string, int> promises;  // by name: those that are worth something else
+  std::map<std::string, int> promises;  // by name: promises with other points
   std::map<std::string, int> pictures;  // by recipe
 };
 
@@ -27,16 +27,16 @@ using Points = std::map<std::string, TaskPoints>;  // by slug
 //    "tasks": {slug: {as above, "promises": {name: n}, "pictures": {recipe: n}}}}
 // A task that "tasks" does not name has the points of the default; one that is not in the table of
 // tasks is refused.
-// All points of a part ("4_global") are multiplied by what "parts" says of it, if anything; 0: the
+// All points of a part ("4_global") are multiplied by its number in "parts", if it has one; 0: the
 // course leaves it out. Throws pt::Error, with the file and what to do, for anything else.
 Points load_points(const std::string& path);
 
-// Returns whether nothing of the task earns a point, as of a part that the course leaves out.
+// Returns whether the task earns no points at all, for example in a part that the course leaves out.
 bool is_left_out(const Points& points, const std::string& slug);
 
-// Fills in what each promise and picture earns, and the sums. If a mistake is named, it is the one
-// cause of all that is wrong: then broken promises together take at most the share `one_cause` of
-// the points of the task's promises, rounded up to a whole point. Anything beyond that is given
+// Fills in the points of each promise and picture, and the sums. If a mistake is named, it is the
+// one cause of all that is wrong: then broken promises together cost at most the share `one_cause`
+// of the points of the task's promises, rounded up to a whole point. Anything beyond that is given
 // back as `spared`: at most what the promises that hold earn, and nothing if the task always gives
 // the same answer.
 void count_points(const Points& points, TaskResult& result);

@@ -12,7 +12,7 @@ namespace grader::results {
 
 namespace {
 
-// Leaves room for the words that say what is missing.
+// Leaves room for the words about the missing bytes.
 std::string cut(const std::string& text) {
   const std::string_view kept = pt::beginning(text, kMaxText - 64);
   return std::string(kept) + fmt::format(" ... ({} bytes more)", text.size() - kept.size());

@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kHeading = "// Promises:";
 constexpr std::string_view kItem = "//   - ";
 
-// The lines of the comment after the heading, one item each, however it was wrapped.
+// The items of the comment after the heading, each in one line, however it was wrapped.
 std::vector<std::string> items(const std::string& header) {
   std::vector<std::string> found;
   std::istringstream lines(header);

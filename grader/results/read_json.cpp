@@ -62,7 +62,7 @@ void read(const json& from, Cause& cause) { cause = choice(from, kCauses, "cause
 template <class T>
 void read(const json& from, std::vector<T>& values);
 
-// A member that is missing keeps its default: an older file of the same version has fewer.
+// A missing member keeps its default: an older file of the same version has fewer members.
 template <class T>
 requires requires(T& value) {
   members(value, [](auto&&...) {});
@@ -82,7 +82,7 @@ void read(const json& from, std::vector<T>& values) {
   for (const json& each : from) read(each, values.emplace_back());
 }
 
-// Grades are made of them.
+// Grades are computed from results, so faulty results are refused.
 void expect_sound(const Results& results) {
   std::set<std::string> slugs;
   for (const TaskResult& task : results.tasks) {
@@ -93,7 +93,7 @@ void expect_sound(const Results& results) {
       sound = sound && picture.points >= 0 && picture.points <= picture.max_points;
     }
     if (!sound)
-      throw pt::Error("the points of " + task.slug + " are more than there are, or negative");
+      throw pt::Error("the points of " + task.slug + " are more than possible, or negative");
   }
 }
 

@@ -9,7 +9,7 @@ namespace grader::results {
 // Reads the text of to_json. Throws pt::Error, naming `path`, if the text is something else.
 Results results_from_json(const std::string& text, const std::string& path);
 
-// The results in a file, likewise.
+// Reads the results in a file in the same way.
 Results read_results(const std::string& path);
 
 }  // namespace grader::results

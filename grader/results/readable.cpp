@@ -68,7 +68,7 @@ int digits_of(const std::string& number) {
 std::string rounded(const std::string& number, int digits) {
   if (digits_of(number) <= digits) return number;
   const double value = std::strtod(number.c_str(), nullptr);
-  // No 1.23457e+06 for 1234567.8.
+  // This avoids 1.23457e+06 for 1234567.8.
   const int whole = value >= 1 && value < 1e15 ? static_cast<int>(std::log10(value)) + 1 : 0;
   return fmt::format("{:.{}g}", value, std::max(digits, whole));
 }
@@ -92,7 +92,7 @@ std::string with_digits(const std::string& text, int digits) {
   return replaced(text, [&](const std::string& number) { return rounded(number, digits); });
 }
 
-// Returns whether differences of numbers at the same places stay what they are, to a tenth.
+// Returns whether differences of numbers at the same places stay the same, to a tenth.
 bool shows_differences(const std::vector<double>& a, const std::vector<double>& b,
                        const std::vector<double>& short_a, const std::vector<double>& short_b) {
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {

@@ -9,16 +9,15 @@
 
 namespace grader::results {
 
-// Six significant digits of each number, more where the number is so close to a simpler one that it
-// would become that one: 0.30000004 stays. Whole numbers stay as they are.
+// Keeps six significant digits of each number, and more if rounding would turn it into a simpler
+// number: 0.30000004 stays. Whole numbers stay as they are.
 std::string with_few_digits(const std::string& text);
 
-// A failure whose numbers have few digits: as many as show how far `got` is from `expected`.
+// A failure whose numbers have few digits: enough to show how far `got` is from `expected`.
 struct Readable {
-  Failure failure;  // with the first ten lines of an input of more than twelve
-  std::vector<std::string>
-      left_out;                    // the other lines; of thousands the first 400, and how many more
-  std::size_t lines_left_out = 0;  // the number of these, in all
+  Failure failure;                    // only the first ten lines of an input of more than twelve
+  std::vector<std::string> left_out;  // the other lines: at most 400, and how many more
+  std::size_t lines_left_out = 0;     // the number of all other lines
 };
 Readable readable(Failure failure);
 

@@ -18,8 +18,8 @@ enum class State {
   crash,          // the process died, or the task threw
   timeout,        // no answer within the limit
   not_attempted,  // the task calls todo(), or its file is missing
-  blocked,        // right by itself; not judged with the submission's other tasks, as one fails
-  too_noisy,      // of a picture: right on average, but too much noise
+  blocked,        // right by itself; waits for another task of the submission, which fails
+  too_noisy,      // a picture that is right on average, but has too much noise
   rejected,       // the file is not one that the judge accepts
   not_judged,     // not yet: only in the results of a run that has not ended
 };
@@ -31,8 +31,8 @@ inline constexpr std::array kStates{State::pass,      State::fail,          Stat
 // "pass", "not_attempted": as it stands in JSON.
 const char* name(State state);
 
-// The reason that a case failed. All but the first mean that the call itself came to nothing, and are
-// known only where the task runs in another process.
+// The reason why a case failed. All except the first mean that the call itself failed; they are known
+// only if the task runs in another process.
 enum class Cause {
   wrong,          // the answer is not what was promised
   crash,          // the process died, or the task threw
@@ -53,12 +53,13 @@ struct Failure {
   std::string what{};                // the thing compared; may be empty
   std::string got{};
   std::string expected{};
-  std::string off_by{};  // empty where there is no number
+  std::string off_by{};  // empty if there is no number
   Cause cause = Cause::wrong;
-  int cases_before = 0;     // the number of cases that held first
-  std::uint64_t seed = 0;   // of the run
-  bool integrated = false;  // found with the submission's other tasks, not by itself
-  std::string replay{};     // the command that shows it again
+  bool statistical = false;  // an estimate was off by more than chance allows
+  int cases_before = 0;      // the number of cases that held first
+  std::uint64_t seed = 0;    // of the run
+  bool integrated = false;   // found with the submission's other tasks, not by itself
+  std::string replay{};      // the command that shows it again
 
   bool operator==(const Failure&) const = default;
 };
@@ -89,25 +90,25 @@ struct FailingCell {
 // the judge made: they stay in its cache, next to it on the same machine.
 struct PictureResult {
   std::string recipe;  // its name in scenes/recipes.json
-  std::string title;   // and what it shows, in words
+  std::string title;   // what it shows, in words
   State state = State::not_judged;
-  std::string text;         // the one sentence; empty if it passes
+  std::string text;         // one sentence; empty if it passes
   bool integrated = false;  // rendered with all tasks of the submission; else with this one only
   int samples = 0;          // per pixel, of all rounds together
-  int rounds = 0;    // that were rendered; more than one where the first found a failing cell
-  double noise = 0;  // variance of the submission's samples over the golden's
+  int rounds = 0;           // number rendered; more than one if the first found a failing cell
+  double noise = 0;         // variance of the submission's samples over the golden's
   double seconds = 0;
   int points = 0;
   int max_points = 0;
   std::string replay;  // the command that shows it again
   int width = 0;
   int height = 0;
-  std::string golden;         // mean and variance; a path, as are the next four
+  std::string golden;         // a path, like the next four; mean and variance
   std::string render;         // the same of the submission; empty if there is no picture
   std::string evidence;       // R: the largest |z| / threshold of the cells that hold the pixel
   std::string golden_counts;  // of an adaptive recipe: samples per pixel, written by write_counts
-  std::string counts;         // and the submission's
-  std::vector<FailingCell> cells;  // the smallest that fail
+  std::string counts;         // the same of the submission
+  std::vector<FailingCell> cells;  // the smallest failing cells
 
   bool operator==(const PictureResult&) const = default;
 };
@@ -116,10 +117,10 @@ struct PictureResult {
 // none.
 struct Mistake {
   std::string name;              // of grader/tasks/<slug>/mistakes.txt; several are joined by ", "
-  std::string sentence;          // that says it
+  std::string sentence;          // says what is wrong
   std::string found_by;          // "battery": by the task's answers
   std::string hint{};            // leads to the line
-  bool always_the_same = false;  // the answer to every question: nothing of its own is computed
+  bool always_the_same = false;  // every call gets the same answer: nothing is computed
 
   bool empty() const { return name.empty(); }
   bool operator==(const Mistake&) const = default;
@@ -130,18 +131,17 @@ struct TaskResult {
   std::string number;  // "1.3"
   std::string slug;
   State state = State::not_judged;
-  std::string reason;  // one sentence where the promises do not say it: why blocked, rejected, ...
+  std::string reason;  // one sentence if the promises do not say why: blocked, rejected, ...
   int points = 0;      // for promises kept and pictures that are right
   int max_points = 0;  // of the pictures, and of all promises but bonus ones
   int bonus_points = 0;
-  int spared =
-      0;  // the part of `points` that is given back, as one cause takes no more than its share
+  int spared = 0;  // the part of `points` that is given back: one cause costs at most its share
   Mistake mistake;
-  std::vector<std::string> blocked_by;  // slugs: why it was not judged with the submission's others
-  std::vector<std::string> blamed;      // slugs: with the reference in their place it would pass
+  std::vector<std::string> blocked_by;  // slugs of the tasks that it waits for
+  std::vector<std::string> blamed;      // slugs: it would pass with the reference for any of them
   std::string compiler_output;
   std::string warnings;      // of the compiler, about a file that compiles
-  bool keeps_state = false;  // a variable lives on between calls, which costs points
+  bool keeps_state = false;  // a variable keeps its value between calls, which costs points
   std::string printed;       // the beginning of what the task printed while it was judged
   std::vector<PromiseResult> promises;
   std::vector<PictureResult> pictures;
@@ -162,7 +162,7 @@ struct Results {
   std::uint64_t seed = 0;
   std::string isolation;              // the tier, "C: rlimits only, not isolated"
   std::vector<std::string> versions;  // "GNU 12.2.0", "Firstlight 336aeb9": what it was judged with
-  std::string command;                // that reproduces the run
+  std::string command;                // reproduces the run
   double seconds = 0;
   std::vector<Phase> phases;
   bool complete = false;           // false in a file that a killed run left

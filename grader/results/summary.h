@@ -10,14 +10,14 @@
 
 namespace grader::results {
 
-// "not attempted": as people say it.
+// The state in words: "not attempted".
 std::string words(State state);
 
-// A character that stands for it beside the words.
+// A character that stands for the state next to the words.
 const char* symbol(State state);
 
-// Returns whether it is the submission that is at fault: neither right, nor not written, nor
-// waiting for another task.
+// Returns whether the submission is at fault: not if it is right, not written, or waits for another
+// task.
 bool is_fault(State state);
 
 struct Totals {
@@ -29,8 +29,8 @@ struct Totals {
 };
 Totals totals(const std::vector<TaskResult>& tasks);
 
-// Returns whether there is a verdict on a promise of the task. Before the run has ended, the
-// promises of a task wait for their verdict together.
+// Returns whether there is a verdict on a promise of the task. During the run, the promises of a
+// task get their verdicts at the same time.
 bool is_judged(const TaskResult& task, const PromiseResult& promise);
 
 // The number of promises and pictures, and of those among them that have a verdict.
@@ -52,7 +52,7 @@ inline constexpr const char* kStopped =
 // "27.0 s (properties 5.9 s, pictures 21.0 s)"
 std::string times(const Results& results);
 
-// The time of its promises and pictures together.
+// The time of the task's promises and pictures together.
 double seconds(const TaskResult& task);
 
 // "1" and "rays" of "1_rays".
@@ -63,10 +63,10 @@ std::string part_name(const std::string& part);
 // is named.
 std::string mistake_text(const TaskResult& task);
 
-// "One cause: 9 promises fail, 6 points are taken." Empty where nothing is spared.
+// "One cause: 9 promises fail, 6 points are taken." Empty if nothing is spared.
 std::string spared_text(const TaskResult& task);
 
-// The command that writes a page on which the picture can be seen.
+// The command that writes a page with the picture.
 std::string how_to_see(const TaskResult& task, const PictureResult& picture);
 
 }  // namespace grader::results

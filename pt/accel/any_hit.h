@@ -10,7 +10,7 @@
 namespace pt {
 namespace {
 
-// Those that are hit for certain need no decision.
+// Triangles and spheres that are hit for certain need no decision.
 template <int W>
 PT_INLINE bool is_any_hit(const WideQuery& query, const Ray& ray, const Verdict<W>& verdict,
                           const std::uint32_t* primitives) {
@@ -60,7 +60,7 @@ PT_INLINE bool search_any(const WideQuery& query, const Ray& ray, const FloatRay
   }
 }
 
-// Traces the ray through a scene of one block, a tree with spheres, or one without.
+// Traces the ray through a scene of one block, a tree with spheres, or a tree without spheres.
 PT_INLINE bool trace_any(const WideQuery& query, const Ray& ray, const FloatRay& r) {
   const WideView& view = query.view;
   if (view.root & kLeaf) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBins = 16;
 
-// Deeper down, ranges are halved: 2^32 primitives no more than 32 times.
+// Below this depth, ranges are halved: at most 32 times, even with 2^32 primitives.
 constexpr int kSahDepth = kMaxTreeDepth - 32;
 constexpr float kHuge = 0x1p100f;
 
@@ -45,8 +45,8 @@ struct Binning {
     for (int a = 0; a < 3; ++a) {
       const float extent = centers.max[a] - centers.min[a];
       origin[a] = centers.min[a];
-      // Less than kBins, so that the last centre rounds into the last bin. An extent so small that
-      // the quotient overflows is as good as none.
+      // Less than kBins, so that the last centre rounds into the last bin. If the extent is so
+      // small that the quotient overflows, it counts as zero.
       const float s = 0.999f * kBins / extent;
       scale[a] = extent > 0 && s < kHuge ? s : 0;
     }
@@ -110,8 +110,8 @@ class Builder {
     return best;
   }
 
-  // Sorts the range so that the left part comes first, and returns where the right one begins:
-  // `end` where a leaf is as good. Boxes that no plane separates are halved as they come.
+  // Sorts the range so that the left part comes first, and returns where the right part begins, or
+  // `end` if a leaf is as good. If no plane separates the boxes, they are halved in their order.
   std::uint32_t split(const FloatBox& box, const FloatBox& centers, std::uint32_t begin,
                       std::uint32_t end, int depth) {
     const std::uint32_t count = end - begin;

@@ -5,7 +5,7 @@
 
 namespace pt {
 
-// A box in single precision, in the frame of a WideTree; new ones are empty.
+// A box in single precision, in the frame of a WideTree. A new box is empty.
 struct FloatBox {
   float min[3] = {__builtin_inff(), __builtin_inff(), __builtin_inff()};
   float max[3] = {-__builtin_inff(), -__builtin_inff(), -__builtin_inff()};
@@ -36,14 +36,14 @@ struct BinaryNode {
 };
 
 // A binary tree by the surface area heuristic in bins (Wald 2007, On Fast Construction of SAH-based
-// Bounding Volume Hierarchies). nodes[0] is the root; there is none without primitives.
+// Bounding Volume Hierarchies). nodes[0] is the root. Without primitives there are no nodes.
 struct BinaryTree {
   std::vector<BinaryNode> nodes;
   std::vector<BoxedPrimitive> primitives;  // in the order of the leaves
 };
 
 // No branch is longer than kMaxTreeDepth, whatever the boxes are. Leaves hold at most `block`
-// primitives, and cost as much to test whether full or not. The same primitives in the same order
+// primitives; a full leaf costs as much to test as any other. The same primitives in the same order
 // give the same tree.
 BinaryTree build_binary_tree(std::vector<BoxedPrimitive> primitives, int block);
 

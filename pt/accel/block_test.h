@@ -12,9 +12,9 @@ namespace {
 
 using Block = WideBlock<kWidth>;
 
-// The result for W pairs of a ray and a triangle: pairs outside of `maybe` certainly miss, those in
-// `surely` certainly hit, and the others are decided in double precision. t lies in
-// [(distance - error) / det, (distance + error) / det].
+// The result for W pairs of a ray and a triangle: pairs outside of `maybe` certainly miss, pairs in
+// `surely` certainly hit, and the others are decided in double precision. t lies in [(distance -
+// error) / det, (distance + error) / det].
 template <int W>
 struct Verdict {
   std::uint32_t maybe;
@@ -46,8 +46,8 @@ struct Pairs {
 };
 
 // Moeller and Trumbore 1997 with the normal stored, undivided, and with the error bounds of
-// float_ray.h. U, V and W are the volumes over the three edges: of one sign where the ray passes
-// between them.
+// float_ray.h. U, V and W are the volumes over the three edges. They have the same sign if the ray
+// passes between the edges.
 template <int W>
 PT_INLINE Verdict<W> test_pairs(const Pairs<W>& pairs) {
   const Lanes3<W> r = cross<W>(pairs.d, pairs.c);
@@ -79,7 +79,7 @@ PT_INLINE Lanes3<kWidth> rows(const float (&m)[3][kWidth]) {
 }
 
 // Returns whether the ray may reach the plane of any triangle of the block within its range. This
-// half of test_block rules out most walls.
+// is half of test_block, and rules out most walls.
 PT_INLINE bool may_reach_planes(const Block& b, const FloatRay& r) {
   constexpr int W = kWidth;
   const Lanes3<W> n = rows(b.n);

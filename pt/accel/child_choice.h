@@ -9,11 +9,11 @@
 
 namespace pt {
 
-// Chooses the binary nodes that become the children of each wide node: those for which the area of
-// all wide nodes together, and so the number that a ray visits, is least (Ylitie, Karras and Laine
-// 2017, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, section 3.1). The
-// subtree below a binary node may fill several slots of the wide node above; its cost with so many
-// slots follows from the costs of the two children, which share them.
+// Chooses the binary nodes that become the children of each wide node. This choice makes the total
+// area of all wide nodes, and so the number of nodes that a ray visits, as small as possible
+// (Ylitie, Karras and Laine 2017, Efficient Incoherent Ray Traversal on GPUs Through Compressed
+// Wide BVHs, section 3.1). The subtree below a binary node may fill several slots of the wide node
+// above; its cost follows from the costs of its two children, which share these slots.
 template <int W>
 class ChildChoice {
  public:
@@ -35,7 +35,7 @@ class ChildChoice {
   }
 
  private:
-  // Entry s - 1 is for s slots. A leaf costs the same in any number of them: nothing.
+  // Entry s - 1 is for s slots. A leaf costs nothing, whatever the number of slots.
   struct Share {
     std::array<float, W> area{};         // of the wide nodes, those below included
     std::array<std::uint8_t, W> left{};  // slots of the first child; 0 where the node takes one
@@ -55,7 +55,7 @@ class ChildChoice {
       }
       best.area[slots - 1] = least;
     }
-    // In one slot the node is a wide one itself, which may be best where there are more too.
+    // In one slot the node is a wide node itself, which may be best with more slots, too.
     best.area[0] = best.area[W - 1] + node.box.half_area();
     for (int slots = 2; slots < W; ++slots) {
       if (!(best.area[0] < best.area[slots - 1])) continue;

@@ -11,7 +11,7 @@
 namespace pt {
 namespace {
 
-// Keeps the nearer hit; among hits at the same t that of the primitive with the smallest index.
+// Keeps the nearer hit. Among hits at the same t, it keeps the primitive with the smallest index.
 PT_INLINE bool offer(const ExactHit& hit, std::uint32_t primitive, WideHit& best) {
   if (!hit.hit || hit.t > best.hit.t || (hit.t == best.hit.t && primitive > best.primitive)) {
     return false;
@@ -21,8 +21,8 @@ PT_INLINE bool offer(const ExactHit& hit, std::uint32_t primitive, WideHit& best
 }
 
 // The nearest hit so far: `best` has been decided; `sure` is a triangle that is hit for certain,
-// somewhere between t_low and t_max, and nearer than all that was decided. Most rays decide one
-// triangle, the last.
+// somewhere between t_low and t_max, and nearer than `best`. Most rays decide only one triangle,
+// the last.
 struct Nearest {
   WideHit best{{false, kInfinity, 0, 0, 0}, kNothing};
   std::uint32_t sure = kNothing;
@@ -71,7 +71,7 @@ PT_INLINE void meet_triangles(const WideQuery& query, const Ray& ray, const Floa
     const float t_low = low[i] * (1 - 8 * kUnit), t_high = high[i] * (1 + 8 * kUnit);
     if (t_low > nearest.t_max) continue;
     if (nearest.sure != kNothing && !(t_high < nearest.t_low)) {
-      // Too close to call.
+      // The errors are too large to say which is nearer.
       settle(query, ray, nearest);
       ask(query, ray, r, primitives[i], nearest);
       continue;
@@ -84,8 +84,8 @@ PT_INLINE void meet_triangles(const WideQuery& query, const Ray& ray, const Floa
   }
 }
 
-// Spheres that may be hit are decided in double precision at once: that is as fast as computing
-// where they are hit in single precision.
+// Spheres that may be hit are decided in double precision at once. This is as fast as computing the
+// hit in single precision.
 template <bool kSpheres, bool kEnds>
 PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay& r,
                           const Block& block, Nearest& nearest) {
@@ -98,7 +98,7 @@ PT_INLINE void meet_block(const WideQuery& query, const Ray& ray, const FloatRay
   meet_triangles<kEnds>(query, ray, r, block, nearest);
 }
 
-// Afterwards `sure`, if any, is still to be settled.
+// Afterwards `sure`, if there is one, is still to be decided.
 template <bool kSpheres>
 PT_INLINE void search_tree(const WideQuery& query, const Ray& ray, const FloatRay& r,
                            Nearest& nearest) {
@@ -124,7 +124,7 @@ PT_INLINE void search_tree(const WideQuery& query, const Ray& ray, const FloatRa
   }
 }
 
-// A scene of one block, a tree with spheres and one without: each has code of its own, so that none
+// A scene of one block, a tree with spheres and a tree without have separate code, so that none
 // pays for what it does not have. Without kSettled `sure`, if any, is still to be decided.
 template <bool kSettled>
 PT_INLINE void search(const WideQuery& query, const Ray& ray, const FloatRay& r, Nearest& nearest) {

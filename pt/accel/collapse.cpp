@@ -10,8 +10,8 @@ namespace pt {
 
 namespace {
 
-// For triangles smaller still, products of single precision may underflow; with this size the error
-// bounds are larger than what is lost then.
+// For even smaller triangles, products in single precision may underflow. With this size, the error
+// bounds are larger than that loss.
 constexpr float kSmallest = 0x1p-40f;
 constexpr float kSmallestArea = kSmallest * kSmallest;
 
@@ -24,8 +24,8 @@ void put(float (&rows)[3][W], int slot, Vec3 a) {
   for (int axis = 0; axis < 3; ++axis) rows[axis][slot] = static_cast<float>(a[axis]);
 }
 
-// The differences are taken before they are scaled: of corners far from the centre, nothing is
-// lost.
+// Differences are computed before they are scaled, so that corners far from the centre lose no
+// digits.
 template <int W>
 void put(WideBlock<W>& block, int slot, const Triangle& triangle, const WideFrame& frame) {
   const Vec3 e1 = (triangle.p0 - triangle.p1) * frame.scale;
@@ -37,7 +37,7 @@ void put(WideBlock<W>& block, int slot, const Triangle& triangle, const WideFram
   const Vec3 n = cross(e1, e2);
   put(block.n, slot, n);
   block.size[slot] = std::max(kSmallest, static_cast<float>(longer + longer * longer / 6));
-  // In a sliver, rounding moves n by more than its length.
+  // In a sliver, rounding may move n by more than its own length.
   const double area = length(n) + 0x1p-24 * longer * longer;
   block.area[slot] = std::max(kSmallestArea, static_cast<float>(1.0001 * area));
 }

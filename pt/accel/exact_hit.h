@@ -8,12 +8,12 @@
 #include <immintrin.h>
 #endif
 
-// The wide engine's own decision, in double precision, whether a ray meets a surface. All that the
-// engine finds in single precision is decided here, so its answers are those of testing every
-// primitive in turn. All machines compute the same bits: nothing here depends on the instruction
-// set. Functions have internal linkage, because this file is compiled for several of them.
+// The wide engine's decision in double precision whether a ray meets a surface. Every hit that the
+// engine finds in single precision is decided here, so its answers are the same as from testing
+// every primitive in turn. Nothing here depends on the instruction set, so that all machines
+// compute the same bits. Functions are internal, as this file is compiled for several sets.
 //
-// Meant for coordinates, their differences and directions between 1e-75 and 1e75, or zero.
+// Coordinates, their differences and directions have to be zero or between 1e-75 and 1e75.
 
 namespace pt {
 
@@ -28,7 +28,7 @@ struct ExactHit {
 
 namespace exact {
 
-// The shear that maps the ray's direction to the axis `axis`, that of the direction's largest
+// The shear that maps the ray's direction to `axis`. This is the axis of the direction's largest
 // component, so that all shears are at most 1.
 struct Shear {
   int axis;
@@ -39,7 +39,7 @@ struct Shear {
   double inverse;  // 1 / the direction's largest component; 0 where that is infinite
 };
 
-// Not in the function: g++ would make a copy of them at each call.
+// They are not in the function, where g++ would copy them at each call.
 constexpr int kNext[] = {1, 2, 0}, kLast[] = {2, 0, 1};
 
 // No branch depends on the axis or on a sign: a processor could not foresee it.
@@ -53,8 +53,8 @@ static inline Shear shear_of(const Vec3& d) {
   return {axis, next, last, components[next] * inverse, components[last] * inverse, inverse};
 }
 
-// The weights of the corners p0, p1 and p2, before they are divided by their sum, and the corners'
-// places along the ray's axis.
+// The weights of the corners p0, p1 and p2, not yet divided by their sum, and the corners'
+// positions along the ray's axis.
 struct Weights {
   bool inside;
   double w[3];
@@ -137,9 +137,9 @@ static inline Plane plane(const Triangle& triangle, const Ray& ray) {
   return {x + y + z, det, magnitude(x) + magnitude(y) + magnitude(z)};
 }
 
-// a b - c d with a relative error below two rounding errors, so of the right sign, and zero only
-// where it is zero (Kahan; Jeannerod, Louvet and Muller 2013, Further Analysis of Kahan's Algorithm
-// for the Accurate Computation of 2 x 2 Determinants).
+// a b - c d with a relative error below two rounding errors. So its sign is right, and it is zero
+// only if the exact value is (Kahan; Jeannerod, Louvet and Muller 2013, Further Analysis of Kahan's
+// Algorithm for the Accurate Computation of 2 x 2 Determinants).
 static inline double difference_of_products(double a, double b, double c, double d) {
   const double cd = c * d;
   const double rounding = __builtin_fma(-c, d, cd);
@@ -175,11 +175,11 @@ static inline Weights weights(const Triangle& triangle, const Ray& ray, const Sh
 
 #endif
 
-// Returns whether the triangle's plane is met so far outside the range that rounding does not
-// matter, as it is by a ray that has just left this triangle or ends before it. Most decisions in a
+// Returns whether the ray meets the triangle's plane so far outside its range that rounding does
+// not matter: for example, it has just left this triangle or ends before it. Most decisions in a
 // rendering are of this kind, and this is half the work. The margin is 2^13 rounding errors of the
-// distance from the plane. (Where det is nothing but rounding, and its sign may be wrong, a t in
-// the range would be 2^12 times as far as the corner.)
+// distance from the plane. (If det is only rounding error, and its sign may be wrong, a t in the
+// range would be 2^12 times as far as the corner.)
 static inline bool is_clearly_outside(const Triangle& triangle, const Ray& ray) {
   const Plane p = plane(triangle, ray);
   const double size = magnitude(p.det);
@@ -188,7 +188,7 @@ static inline bool is_clearly_outside(const Triangle& triangle, const Ray& ray) 
   return t < ray.t_min * size - margin || t > ray.t_max * size + margin;
 }
 
-// No area: its normal, as geometric_normal has it, is zero.
+// The triangle has no area: its geometric_normal is zero.
 static inline bool is_degenerate(const Triangle& triangle) {
   const Vec3& p = triangle.p0;
   const double ax = triangle.p1.x - p.x, ay = triangle.p1.y - p.y, az = triangle.p1.z - p.z;
@@ -218,10 +218,10 @@ static inline ExactHit meet(const Triangle& triangle, const Ray& ray) {
 // alone, and the sign of an area is exact, so two triangles that share an edge agree on which side
 // of it the ray passes: none leaks. Edges and corners belong to the triangle.
 //
-// The weights are accurate relative to themselves, and of one sign, so that t is a mean of the
-// corners' own. The answer is therefore right for a triangle whose corners are moved by at most 16
-// rounding errors (2^-53) of their largest distance from the origin, however thin it is and however
-// flat the ray meets it. The engine's bounds are made for that.
+// Each weight has a small relative error, and all have the same sign, so that t is a mean of the
+// corners' own t. The answer is therefore right for a triangle whose corners are moved by at most
+// 16 rounding errors (2^-53) of their largest distance from the origin, however thin it is and
+// however flat the ray meets it. The engine's bounds are made for that.
 static inline ExactHit exact_hit(const Triangle& triangle, const Ray& ray) {
   if (exact::is_clearly_outside(triangle, ray)) return {};
   const ExactHit hit = exact::meet(triangle, ray);

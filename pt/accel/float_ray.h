@@ -30,10 +30,10 @@ constexpr float kUnit = 0x1p-24f;
 constexpr float kSlab = 16 * kUnit;
 constexpr float kVolume = 50 * kUnit;
 
-// Rays that need no special preparation: origins up to kNear away, farther ones are moved along
-// the ray to where the tree begins; directions with a largest component between kShort and kLong,
-// others are scaled. A component of less than kFlat does not leave the plane within reach, so it
-// may as well be that: then nothing is infinite. No t of such rays is as large as kMaxT.
+// The limits of rays that need no special preparation. Origins are up to kNear away; farther
+// origins move along the ray to where the tree begins. The largest component of a direction is
+// between kShort and kLong; other directions are scaled. A component below kFlat does not leave its
+// plane within reach, so kFlat replaces it: then nothing is infinite. All t are below kMaxT.
 constexpr float kNear = 6;
 constexpr float kShort = 0x1p-40f;
 constexpr float kLong = 0x1p40f;
@@ -53,8 +53,7 @@ PT_INLINE double smaller(double a, double b) {
 #endif
 }
 
-// Arrays hold x, y, z and padding: a test takes its numbers from memory one at a time, for all
-// lanes.
+// Arrays hold x, y, z and padding. A test loads each number from memory into all lanes.
 struct alignas(16) FloatRay {
   float origin[4];
   float direction[4];

@@ -1,10 +1,9 @@
 // Tests whether anything is in the way of each of up to kGroup rays. Internal like simd.h.
 //
-// A ray's tests wait for each other if it goes down the tree alone, and a processor foresees badly
-// where it goes next. Here all rays take their steps together, and no step of one depends on
-// another's. Leaves right below the root that several rays enter are where groups from one point to
-// one light spend most of their tests: there the pyramid around the rays rules out nearly all
-// triangles at once.
+// If a ray goes down the tree alone, its tests wait for each other, and a processor predicts its
+// next step badly. Here all rays take their steps together, and no ray's step depends on another's.
+// Groups from one point to one light spend most of their tests in leaves right below the root that
+// several rays enter: there the pyramid around the rays rules out nearly all triangles at once.
 #pragma once
 
 #include "pt/accel/any_hit.h"
@@ -14,7 +13,7 @@
 namespace pt {
 namespace {
 
-// Pairs of a ray and what it has still to visit. Written whole vectors at a time.
+// Pairs of a ray and a node or block that it still has to visit. They are written in whole vectors.
 template <int N>
 struct Visits {
   int size = 0;
@@ -42,7 +41,7 @@ constexpr int kBlockVisits = kGroup * kWidth;
 // The memory that a query of a group writes. If a load and an earlier store have the same place
 // within different pages, a processor may take them for one address, and waits (4K aliasing). The
 // root, which every ray reads, begins a page (huge_pages.h). So this begins a page too, and does not
-// use the root's part of it. Without that, one run in 64 took half as long again.
+// use the root's part of it. Without this, one run in 64 took 1.5 times as long.
 struct alignas(kSmallPage) GroupWork {
   char root[sizeof(Node)];
   FloatRay r[kGroup];
@@ -50,7 +49,7 @@ struct alignas(kSmallPage) GroupWork {
   Visits<kNodeVisits> inner;
 };
 
-// So many rays in one leaf are tested together.
+// If at least this many rays are in one leaf, they are tested together.
 constexpr int kCrowd = 3;
 
 PT_INLINE std::uint32_t leaf_children(const Node& node) {
@@ -58,9 +57,9 @@ PT_INLINE std::uint32_t leaf_children(const Node& node) {
   return bits<kWidth>(children(node));
 }
 
-// The rays `those` enter the block: either each of them is tested against all triangles, later, or
-// all of them against the triangles that they may meet, whichever are fewer. Returns those that are
-// blocked.
+// The rays `those` enter the block. Either each ray is tested against all triangles, later, or all
+// rays against the triangles that they may meet, whichever are fewer tests. Returns the blocked
+// rays.
 template <bool kSpheres, bool kWalls>
 PT_INLINE std::uint32_t meet_block(const WideQuery& query, const Ray* rays, const Pyramid& pyramid,
                                    WideRef ref, std::uint32_t those, GroupWork& work) {
@@ -86,7 +85,7 @@ PT_INLINE std::uint32_t meet_block(const WideQuery& query, const Ray* rays, cons
   return blocked;
 }
 
-// The first step of rays that are alike, where the root is a block.
+// The first step of rays from one point, if the root is a block.
 PT_INLINE std::uint32_t meet_root(const WideQuery& query, const Ray* rays, int count,
                                   GroupWork& work) {
   if (count < kCrowd) {
@@ -97,7 +96,7 @@ PT_INLINE std::uint32_t meet_root(const WideQuery& query, const Ray* rays, int c
   return meet_block<true, true>(query, rays, pyramid, query.view.root, (1u << count) - 1, work);
 }
 
-// The first step of rays that are alike. Returns those that are blocked.
+// The first step of rays from one point. Returns the blocked rays.
 template <bool kSpheres>
 PT_INLINE std::uint32_t enter_root(const WideQuery& query, const Ray* rays, int count,
                                    GroupWork& work) {
@@ -131,8 +130,8 @@ PT_INLINE std::uint32_t enter_root(const WideQuery& query, const Ray* rays, int 
   return blocked;
 }
 
-// Prepares rays that differ in nothing but their direction; false where they do not, or are not
-// usual.
+// Prepares rays that differ only in their direction. Returns false if they differ otherwise, or are
+// not usual.
 PT_INLINE bool prepare_alike(const WideView& view, const Ray* rays, int count, FloatRay* r) {
   if (!are_alike(rays, count) || !prepare(view, rays[0], r[0]) || !r[0].is_usual) return false;
   bool usual = true;
@@ -140,7 +139,7 @@ PT_INLINE bool prepare_alike(const WideView& view, const Ray* rays, int count, F
   return usual;
 }
 
-// Prepares rays of any kind, and begins with them at the root. Returns those that are blocked.
+// Prepares rays of any kind, and begins with them at the root. Returns the blocked rays.
 PT_INLINE std::uint32_t enter_any(const WideQuery& query, const Ray* rays, int count,
                                   GroupWork& work) {
   const WideView& view = query.view;

@@ -12,9 +12,8 @@ namespace pt {
 
 inline constexpr std::size_t kSmallPage = 4096;
 
-// Memory that begins a page, and lies in pages of 2 MB where the system has them and there is
-// enough to fill one: a ray that jumps about in a large tree spends a tenth of its time finding
-// pages of 4 kB.
+// Memory that begins a page. Its pages have 2 MB if the system has them and there is enough to fill
+// one: with pages of 4 kB, a ray in a large tree spends a tenth of its time finding them.
 template <class T>
 struct HugePages {
   using value_type = T;

@@ -17,8 +17,8 @@ extern const Kernel kernel_v4;
 
 namespace {
 
-// The instructions that each level adds and that traverse.h can make use of; machines that have
-// these have the rest of the level.
+// The instructions that each level adds and that traverse.h can use. Machines that have these have
+// the rest of the level.
 bool can_run(std::string_view name) {
 #if defined(PT_X86_KERNELS)
   if (name == "v2") return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");

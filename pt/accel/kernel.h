@@ -13,8 +13,8 @@ struct WideHit {
   std::uint32_t primitive;
 };
 
-// The queries, compiled for one instruction set. Chosen once for each tree; the answers are the
-// same bits whichever it is.
+// The queries, compiled for one instruction set. It is chosen once per tree, and does not change a
+// bit of the answers.
 struct Kernel {
   const char* name;
   int width;  // children of a node
@@ -23,12 +23,12 @@ struct Kernel {
   std::uint32_t (*occluded_batch)(const WideQuery& query, const Ray* rays, int count);
 };
 
-// The one for `name`: "plain" (any machine), "v2", "v3" or "v4" (x86-64-v2, ...); null where
-// this program has none of that name, or the machine cannot run it.
+// The kernel called `name`: "plain" (any machine), "v2", "v3" or "v4" (x86-64-v2, ...). Null if
+// this program has no such kernel, or the machine cannot run it.
 const Kernel* find_kernel(const char* name);
 
-// The fastest that the machine can run, or the one that the environment variable FIRSTLIGHT_KERNEL
-// names; throws Error where that is none.
+// The fastest kernel that the machine can run, or the kernel that the environment variable
+// FIRSTLIGHT_KERNEL names. Throws Error if there is no such kernel.
 const Kernel& best_kernel();
 
 }  // namespace pt

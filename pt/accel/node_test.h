@@ -23,7 +23,7 @@ PT_INLINE Ints<kWidth> children(const Node& node) {
   return child;
 }
 
-// The children whose boxes the ray enters, as bits, and where.
+// The children whose boxes the ray enters, as bits, and where it enters them.
 struct Entered {
   std::uint32_t mask;
   NodeFloats t;

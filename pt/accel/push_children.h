@@ -21,7 +21,7 @@ PT_INLINE int push_others(const Node& node, std::uint32_t mask, WideRef* top) {
   return __builtin_popcount(mask);
 }
 
-// Any number of children, by insertion.
+// Pushes any number of children, sorted by insertion.
 PT_INLINE WideRef push_many(const Node& node, const float* enter, std::uint32_t mask,
                             Stack& stack) {
   const int base = stack.size;
@@ -67,7 +67,7 @@ PT_INLINE __m256i sorted(__m256i a) {
   return exchange<0xaa>(a, _mm256_shuffle_epi32(a, _MM_SHUFFLE(2, 3, 0, 1)));
 }
 
-// Those lanes of a that bit i of the mask names, in order, then zeros; and lanes of the children.
+// The lanes of a for which bit i of the mask is set, in order, then zeros; the same for children.
 #if defined(__AVX512F__)
 PT_INLINE __m256i first_eight(NodeFloats a, std::uint32_t mask, int) {
   return _mm512_castsi512_si256(packed((__m512i)a, mask));
@@ -105,7 +105,7 @@ PT_INLINE WideRef push_few(const Node& node, NodeFloats enter, std::uint32_t mas
 
 #endif
 
-// Pushes all children but the nearest, the farther the deeper, and returns the nearest.
+// Pushes all children except the nearest, which it returns. The farthest child is deepest.
 PT_INLINE WideRef push_children(const Node& node, NodeFloats enter, std::uint32_t mask,
                                 Stack& stack) {
   if ((mask & (mask - 1)) == 0) return node.child[__builtin_ctz(mask)];

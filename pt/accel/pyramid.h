@@ -8,10 +8,10 @@
 namespace pt {
 namespace {
 
-// As many rays are traced together.
+// The number of rays that are traced together.
 constexpr int kGroup = 8;
 
-// Rays from one point: their directions are all within `spread` of `middle`.
+// Rays from one point. Their directions are all within `spread` of `middle`.
 struct Pyramid {
   float origin[4];
   float middle[4];
@@ -21,10 +21,10 @@ struct Pyramid {
   float edge_error;
   float plane_error;  // of all
   std::uint32_t source_triangle;
-  Lanes3<kGroup> direction;  // of each ray; where there are less, of the first again
+  Lanes3<kGroup> direction;  // of each ray; unused lanes repeat the first
 };
 
-// Returns whether the rays differ in nothing but their direction.
+// Returns whether the rays differ only in their direction.
 PT_INLINE bool are_alike(const Ray* rays, int count) {
   const auto differ = [](double a, double b) __attribute__((always_inline)) {
     return __builtin_bit_cast(std::uint64_t, a) ^ __builtin_bit_cast(std::uint64_t, b);
@@ -40,7 +40,7 @@ PT_INLINE bool are_alike(const Ray* rays, int count) {
   return other == 0;
 }
 
-// The pyramid around rays that are alike.
+// The pyramid around rays that differ only in their direction.
 PT_INLINE Pyramid pyramid_of(const FloatRay* r, int count) {
   Floats4 low = load<4>(r[0].direction), high = low;
   Pyramid pyramid;
@@ -66,9 +66,8 @@ PT_INLINE Pyramid pyramid_of(const FloatRay* r, int count) {
 
 // The triangles of the block that some ray of the pyramid may meet, and all spheres: test_block for all directions
 // within it, each volume a range. With g = c x e an edge's volume is g . d, so for a ray of the
-// pyramid it is g . middle, give or take |g| . spread. Twice the errors of float_ray.h cover what
-// the ranges round.
-// kWalls: a scene of one block, whose planes are mostly out of reach.
+// pyramid it is g . middle, give or take |g| . spread. Twice the errors of float_ray.h cover the
+// rounding of the ranges. kWalls: a scene of one block, whose planes are mostly out of reach.
 template <bool kSpheres, bool kWalls>
 PT_INLINE std::uint32_t test_block(const Block& b, const Pyramid& pyramid) {
   constexpr int W = kWidth;
@@ -98,7 +97,7 @@ PT_INLINE std::uint32_t test_block(const Block& b, const Pyramid& pyramid) {
   return spheres | (reached & less_equal<W>(Floats<W>{}, inside + edge_error));
 }
 
-// One of the block's primitives and all rays of the pyramid; they begin and end like `r`.
+// Tests one primitive of the block against all rays of the pyramid, which begin and end like `r`.
 template <bool kSpheres>
 PT_INLINE Verdict<kGroup> test_slot(const Block& b, int slot, const Pyramid& pyramid,
                                     const FloatRay& r) {

@@ -1,7 +1,7 @@
-// Several floats at once, by the vector extensions of gcc and clang: + - * work lane by lane, also
-// with one float for all lanes. Operations that the extensions lack are below, with the instruction
-// where there is one. Included through traverse.h only, which is compiled for several instruction
-// sets; all is internal, so that no function compiled for one of them stands in for another.
+// Several floats at once, with the vector extensions of gcc and clang: + - * work lane by lane,
+// also with one float for all lanes. Operations that the extensions lack are below; they use the
+// machine's instruction if there is one. traverse.h alone includes this file, and is compiled for
+// several instruction sets. So all is internal: the linker must not mix the sets.
 #pragma once
 
 #include <cstdint>
@@ -45,8 +45,8 @@ PT_INLINE Floats<W> splat(float a) {
 }
 
 #if !defined(__AVX__)
-// Eight lanes as twice four: g++ takes apart comparisons of more lanes than the machine has, one
-// lane at a time.
+// Compares eight lanes as twice four: if the machine has fewer lanes than a comparison, g++ makes
+// it lane by lane.
 template <class Eight, class Four>
 struct Halves {
   Four low;
@@ -80,8 +80,8 @@ PT_INLINE Floats<W> multiply_subtract(Floats<W> a, Floats<W> b, Floats<W> c) {
   return multiply_add<W>(a, b, -c);
 }
 
-// The smaller and the larger; if either is NaN, b. (The maskless intrinsics make g++ 12 warn of an
-// uninitialised value in its own header; a mask of all lanes is the same instruction.)
+// The smaller and the larger number; b if either is NaN. (The maskless intrinsics make g++ 12 warn
+// of an uninitialised value in its own header; a mask of all lanes is the same instruction.)
 template <int W>
 PT_INLINE Floats<W> min(Floats<W> a, Floats<W> b) {
 #if defined(__AVX512F__)
@@ -133,7 +133,7 @@ PT_INLINE Floats<W> flip(Floats<W> a, Ints<W> sign) {
   return (Floats<W>)((Ints<W>)a ^ sign);
 }
 
-// Bit i is the sign bit of lane i, so is set where a comparison is true. Without a branch.
+// Bit i is the sign bit of lane i, so it is set if a comparison is true. There is no branch.
 template <int W>
 PT_INLINE std::uint32_t bits(Ints<W> a) {
 #if defined(__AVX512DQ__)
@@ -152,7 +152,7 @@ PT_INLINE std::uint32_t bits(Ints<W> a) {
   return result;
 }
 
-// The other way round: all ones in lane i where bit i of `mask` is set.
+// The opposite: lane i is all ones if bit i of `mask` is set.
 template <int W>
 PT_INLINE Ints<W> lanes(std::uint32_t mask) {
 #if !defined(__AVX__)
@@ -164,8 +164,8 @@ PT_INLINE Ints<W> lanes(std::uint32_t mask) {
 }
 
 #if defined(__AVX2__)
-// For each mask of eight bits the numbers of those that are set, in order, a byte each. (pdep and
-// pext would do without, but take a hundred cycles on AMD's processors before Zen 3.)
+// For each mask of eight bits, the numbers of its set bits, in order, one byte each. (pdep and pext
+// need no table, but take a hundred cycles on AMD's processors before Zen 3.)
 struct SetBits {
   std::uint64_t of[256];
 };
@@ -181,7 +181,7 @@ constexpr SetBits set_bits() {
 }
 constexpr SetBits kSetBits = set_bits();
 
-// The lanes of `mask`, in order; then any.
+// The lanes of `mask`, in order, then arbitrary lanes.
 PT_INLINE __m256i packed(__m256i a, std::uint32_t mask) {
   const __m128i bytes = _mm_cvtsi64_si128(static_cast<long long>(kSetBits.of[mask]));
   return _mm256_permutevar8x32_epi32(a, _mm256_cvtepu8_epi32(bytes));
@@ -193,7 +193,7 @@ PT_INLINE __m512i packed(__m512i a, std::uint32_t mask) {
 }
 #endif
 
-// Copies from[i] for every bit i of `mask`, in order; the places behind them are overwritten too,
+// Copies from[i] for every bit i of `mask`, in order. It may also overwrite the places after them,
 // up to W in all. `from` is aligned to 4 W bytes.
 template <int W>
 PT_INLINE void copy_packed(const std::uint32_t* from, std::uint32_t mask, std::uint32_t* to) {
@@ -226,7 +226,7 @@ PT_INLINE std::uint32_t less_equal(Floats<W> a, Floats<W> b) {
   return bits<W>(a <= b);
 }
 
-// Lane i of a where bit i of `mask` is set, else of b.
+// Lane i is that of a if bit i of `mask` is set, else that of b.
 template <int W>
 PT_INLINE Floats<W> choose(std::uint32_t mask, Floats<W> a, Floats<W> b) {
 #if defined(__AVX512VL__)
@@ -259,7 +259,7 @@ PT_INLINE Floats<W> square_root(Floats<W> a) {
   return a;
 }
 
-// Points or directions, a row per component. `p` is x, y, z.
+// Points or directions, with a row per component. `p` is x, y, z.
 template <int W>
 struct Lanes3 {
   Floats<W> x;

@@ -14,15 +14,15 @@ namespace {
 // (l . d -+ h) / |d|^2, where l . d is off by 18 u C D, and |d|^2 by 5 u of itself, which is 32 u C D
 // of what it is compared with; 2 e covers both, and what else is rounded.
 //
-// exact_hit takes one of the two roots from their product. It has no digits where both are within
-// rounding of zero: where a ray starts on a sphere it touches there. Such a pair is never certain.
+// exact_hit computes one root from the product of both. It has no correct digit if both are zero up
+// to rounding: the ray starts on the sphere and touches it there. This pair is never certain.
 template <int W>
 struct SphereLines {
   Floats<W> along;  // l . d
   Floats<W> squared;
   Floats<W> h_squared;
   Floats<W> slack;
-  std::uint32_t possible;  // the ray's line may meet those
+  std::uint32_t possible;  // spheres that the ray's line may meet
 };
 template <int W>
 PT_INLINE SphereLines<W> meet_lines(const Lanes3<W>& l, Floats<W> radius, const Lanes3<W>& d,
@@ -69,7 +69,7 @@ constexpr int kSphereLanes = 4;
 
 PT_INLINE bool is_sphere(const Block& b, int slot) { return b.size[slot] == kSphere; }
 
-// Those of the four slots from `first` on that are spheres.
+// The spheres among the four slots from `first` on.
 PT_INLINE std::uint32_t sphere_slots(const Block& b, int first) {
   return less_equal<kSphereLanes>(load<kSphereLanes>(b.size + first), splat<kSphereLanes>(kSphere));
 }
@@ -78,7 +78,7 @@ PT_INLINE Lanes3<kSphereLanes> sphere_centers(const Block& b, int first) {
   return {load<W>(b.p0[0] + first), load<W>(b.p0[1] + first), load<W>(b.p0[2] + first)};
 }
 
-// Those of them that the ray's line may meet.
+// The spheres among them that the ray's line may meet.
 PT_INLINE std::uint32_t possible_spheres(const Block& b, int first, const FloatRay& r) {
   constexpr int W = kSphereLanes;
   return sphere_slots(b, first) & meet_lines<W>(sphere_centers(b, first) - splat3<W>(r.origin),
@@ -87,7 +87,7 @@ PT_INLINE std::uint32_t possible_spheres(const Block& b, int first, const FloatR
                                       .possible;
 }
 
-// A ray and those spheres.
+// Tests a ray against these spheres.
 PT_INLINE Verdict<kSphereLanes> test_spheres(const Block& b, int first, const FloatRay& r,
                                              float t_max) {
   constexpr int W = kSphereLanes;

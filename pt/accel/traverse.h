@@ -1,5 +1,5 @@
 // The queries of the wide engine. Included once for each instruction set, by kernel_<name>.cpp:
-// nothing here may have external linkage but the one object at the end.
+// only the object at the end may have external linkage.
 #include "pt/accel/any_hit.h"
 #include "pt/accel/closest_hit.h"
 #include "pt/accel/group_hit.h"

@@ -25,8 +25,8 @@ WideFrame frame_of(const Box& box) {
   return {center, half > 0 ? std::ldexp(1.0, -exponent) : 1};
 }
 
-// A sphere that dwarfs all else (a ground that is one) would leave the rest no digits of single
-// precision. It stays out of the tree, and every query tests it.
+// A sphere far larger than everything else (the ground, for example) would leave the rest no digits
+// of single precision. It stays out of the tree, and every query tests it.
 bool dwarfs(const Sphere& sphere, const Box& others) {
   return !others.is_empty() && sphere.radius > 32 * max_abs(others.extent());
 }
@@ -41,7 +41,7 @@ Box bounds_of_triangles(const Primitives& primitives) {
   return box;
 }
 
-// The outward normal of a sphere; the corner normals by their weights.
+// The outward normal of a sphere, or the weighted corner normals of a triangle.
 Vec3 normal(const Primitives& primitives, int primitive, const Ray& ray, const ExactHit& hit) {
   if (!primitives.is_triangle(primitive)) {
     return normalize(ray.at(hit.t) - primitives.sphere(primitive).center);

@@ -25,9 +25,9 @@ struct alignas(4 * W) WideNode {
   WideRef child[W];
 };
 
-// Up to W triangles. The third edge and all else follows from e1 = p0 - p1 and e2 = p2 - p0.
-// Empty slots are NaN, which no test accepts. Spheres come first. One has its centre in p0, its
-// radius in e1[0], and kSphere as `size`, so that the tests of triangles never accept it.
+// Up to W triangles. The third edge and everything else follow from e1 = p0 - p1 and e2 = p2 - p0.
+// Empty slots are NaN, which no test accepts. Spheres come first. A sphere has its centre in p0,
+// its radius in e1[0], and kSphere as `size`, so that the tests of triangles never accept it.
 template <int W>
 struct alignas(4 * W) WideBlock {
   float p0[3][W];
@@ -36,7 +36,7 @@ struct alignas(4 * W) WideBlock {
   float n[3][W];  // e1 x e2
   float size[W];  // the scale of the errors of edges: E + E^2 / 6, where E is the longer
                   // edge, its components added up
-  float area[W];  // the scale of those of the plane: the length of n, or a little more
+  float area[W];  // the scale of the errors of the plane: the length of n, or a little more
   std::uint32_t primitive[W];
 };
 

@@ -22,8 +22,8 @@ struct BvhNode {
 // any shape:
 //   - without boxes there are no nodes; else nodes[0] is the root;
 //   - order is a permutation of 0 .. n - 1, and the leaves' ranges cover it without overlap;
-//   - a node's children have larger indices than the node, and every node but the root is the child
-//     of exactly one;
+//   - a node's children have larger indices than the node, and every node except the root is the
+//     child of exactly one node;
 //   - a node's box contains the boxes of all primitives below it.
 struct Bvh {
   std::vector<BvhNode> nodes;

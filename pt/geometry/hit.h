@@ -5,13 +5,13 @@
 namespace pt {
 
 // The place where a ray meets one surface: the ray parameter t, and the surface's unit normal n
-// there, in world space, on the side the surface itself says (never turned towards the ray).
+// there, in world space, on the surface's own side (never turned towards the ray).
 struct SurfaceHit {
   double t = 0;
   Vec3 n;
 };
 
-// The same, and which primitive it was: an index into Primitives.
+// A SurfaceHit, and the primitive that was hit: an index into Primitives.
 struct Hit {
   double t = 0;
   Vec3 n;

@@ -11,7 +11,7 @@
 
 namespace pt {
 
-// All surfaces of a scene. Primitive i is triangle i, and from triangles.size() on, the spheres.
+// All surfaces of a scene. Primitive i is triangle i; the spheres follow from triangles.size() on.
 struct Primitives {
   std::vector<Triangle> triangles;
   std::vector<Sphere> spheres;

@@ -5,10 +5,10 @@
 
 namespace pt {
 
-// The error of a computed hit point is some tens of rounding errors of the numbers it came from
-// (2^-53 each), and the offset has to exceed that, yet stay far below any detail of a scene. 2^-33
-// leaves a factor of 10^4 on the first side (compare Waechter and Binder 2019, Ray Tracing Gems,
-// chapter 6, which does the same in single precision).
+// The error of a computed hit point is some tens of rounding errors (2^-53 each) of the numbers it
+// was computed from. The offset has to exceed this error, but stay far below any detail of a scene.
+// 2^-33 is 10^4 times the error (compare Waechter and Binder 2019, Ray Tracing Gems, chapter 6,
+// which does the same in single precision).
 inline constexpr double kOffset = 0x1p-33;
 
 // The origin of a ray that leaves the surface along `direction`: p, moved off the true surface to
@@ -29,7 +29,7 @@ inline Ray spawn_ray(const SurfacePoint& point, Vec3 direction) {
 // little before the light, which may be a surface of the scene itself. To a light at a finite
 // distance its direction is the whole way there, so that t runs from 0 to almost 1.
 inline Ray shadow_ray(const SurfacePoint& point, Vec3 wi, double distance) {
-  // Enough that single precision can tell the light from the ray's end.
+  // Single precision can distinguish the light from the ray's end at this distance.
   constexpr double kShorten = 1 - 0x1p-14;
   const Vec3 origin = offset_point(point, wi);
   if (!(distance < kInfinity)) return {origin, wi, 0, kInfinity, point.triangle};

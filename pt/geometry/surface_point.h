@@ -8,7 +8,7 @@ namespace pt {
 
 // A point on a surface as light transport sees it, in world space; surface_point()
 // in pt/scene/scene.h makes it from a hit. Surfaces reflect on both sides, so n is turned to the side
-// that is looked at.
+// that the ray came from.
 struct SurfacePoint {
   Vec3 p;
   Vec3 n;                 // unit shading normal, on wo's side: dot(n, wo) >= 0

@@ -12,12 +12,12 @@ struct Triangle {
   Vec3 n0, n1, n2;
 };
 
-// Not of unit length: it is twice the area long. Zero for a degenerate triangle.
+// The geometric normal. Its length is twice the area, and zero for a degenerate triangle.
 inline Vec3 geometric_normal(const Triangle& triangle) {
   return cross(triangle.p1 - triangle.p0, triangle.p2 - triangle.p0);
 }
 
-// A triangle whose corner normals are its own: a facet.
+// A flat triangle: all corner normals are the geometric normal.
 inline Triangle flat_triangle(Vec3 p0, Vec3 p1, Vec3 p2) {
   const Vec3 n = normalize(cross(p1 - p0, p2 - p0));
   return {p0, p1, p2, n, n, n};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDark = 0.01;  // keeps relative errors of dark pixels in bounds
 
-// Blue and orange: red and green look alike to some. Both ends are equally bright.
+// Blue and orange, because red and green look alike to some people. Both ends are equally bright.
 constexpr std::array<Color8, 5> kDifferenceStops{
     {{8, 64, 150}, {90, 160, 225}, {255, 255, 255}, {245, 155, 60}, {165, 70, 0}}};
 

@@ -8,11 +8,11 @@
 #include <cstddef>
 #include <optional>
 
-// Compares a picture a with another, b, that is taken for right.
+// Compares a picture a with a picture b that is assumed to be right.
 
 namespace pt {
 
-// Over all channels of the pixels that are finite in both; 0 where there is none.
+// Results over all channels of the pixels that are finite in both pictures; 0 if there are none.
 struct Comparison {
   double mse = 0;      // mean of (a - b)^2
   double rel_mse = 0;  // mean of (a - b)^2 / (|b| + 0.01)^2
@@ -28,8 +28,8 @@ struct Comparison {
 // Throws pt::Error if the sizes differ.
 Comparison compare(const Image& a, const Image& b);
 
-// The difference of the mean luminances of two renders, against their noise: z is about normal
-// if only noise separates them.
+// The difference of the mean luminances of two renders, compared with their noise. If they differ
+// only by noise, z is about normal.
 struct MeanTest {
   double difference = 0;      // mean of Y over a, less that over b
   double standard_error = 0;  // from the variances in both films
@@ -37,8 +37,8 @@ struct MeanTest {
   double z = 0;
 };
 
-// Nothing where a pixel of either has fewer than two samples, so that its variance is not known, or
-// is not finite. Throws pt::Error if the sizes differ.
+// Nothing if a pixel of either is not finite, or has fewer than two samples and so no known
+// variance. Throws pt::Error if the sizes differ.
 std::optional<MeanTest> compare_means(const Film& a, const Film& b);
 
 // (a - b) / (|b| + 0.01): bounded where b is dark.

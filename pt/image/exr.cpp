@@ -35,7 +35,7 @@ constexpr std::array<const char*, kChannels> kNames{
 // The place of each of our channels in the file, or -1.
 using ChannelPlaces = std::array<int, kChannels>;
 
-// They free the memory of tinyexr whichever way a function is left.
+// These free the memory of tinyexr however a function ends.
 class ReadHeader : public EXRHeader {
  public:
   ReadHeader(const std::string& bytes, const std::string& file);
@@ -57,7 +57,7 @@ const unsigned char* data(const std::string& bytes) {
   return reinterpret_cast<const unsigned char*>(bytes.data());
 }
 
-// Frees tinyexr's message, of which it ends some with a newline.
+// Frees tinyexr's message, and removes the newline at the end of some messages.
 std::string take_message(const char* message) {
   std::string text = message ? message : "no reason given";
   text.erase(std::min(text.find('\n'), text.size()));
@@ -100,7 +100,7 @@ ReadHeader::ReadHeader(const std::string& bytes, const std::string& file) : Read
     fail(file, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                    " pixels is not accepted");
   }
-  // Of half too, tinyexr is to make float.
+  // Channels of type half are converted to float, too.
   for (int i = 0; i < num_channels; ++i) {
     if (channels[i].pixel_type == TINYEXR_PIXELTYPE_HALF) {
       requested_pixel_types[i] = TINYEXR_PIXELTYPE_FLOAT;
@@ -136,8 +136,8 @@ T little_endian(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-// Every block of lines has to be there and to be the one its place in the table says: tinyexr would
-// leave the lines of a missing one as the memory was.
+// Every block of lines has to be present, in its place in the table: if a block is missing, tinyexr
+// leaves whatever was in the memory of its lines.
 void check_blocks(const ReadHeader& header, const std::string& bytes, const std::string& name) {
   const int lines = header.compression_type == TINYEXR_COMPRESSIONTYPE_ZIP   ? 16
                     : header.compression_type == TINYEXR_COMPRESSIONTYPE_PIZ ? 32
@@ -229,7 +229,7 @@ Film decode_exr(const std::string& bytes, const std::string& name) {
   const char* message = nullptr;
   if (LoadEXRImageFromMemory(&image, &header, data(bytes), bytes.size(), &message) !=
       TINYEXR_SUCCESS) {
-    InitEXRImage(&image);  // freed, but tinyexr left the pointers
+    InitEXRImage(&image);  // tinyexr freed them, but left the pointers
     fail(name, "its EXR data is broken or cut short (" + take_message(message) + ")");
   }
   return to_film(image, places, name);

@@ -11,13 +11,13 @@
 namespace pt {
 
 // The mean and the variances of the samples of one pixel. The variances are those of one sample,
-// unbiased; the variance of `mean` is variance / samples. Luminance has a variance of its own,
-// which depends on how the channels vary together.
+// unbiased; the variance of `mean` is variance / samples. The variance of luminance is separate,
+// because it depends on how the channels vary together.
 struct FilmPixel {
   Rgb mean;
   Rgb variance;           // 0 where samples < 2
   double variance_y = 0;  // of luminance()
-  int samples = 0;        // 0: not known, nor are the variances
+  int samples = 0;        // 0: the number and the variances are not known
 };
 
 // A render with its statistics. Row 0 is the TOP row, as in Image.
@@ -47,7 +47,7 @@ inline Image mean(const Film& film) {
 }
 
 // Mean and variance of the samples of a pixel, one at a time (Welford 1962): the variance of equal
-// samples is exactly zero, and a large mean does not swallow it.
+// samples is exactly zero, and a large mean costs it no digits.
 class RunningMoments {
  public:
   void add(Rgb sample) {

@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// A larger picture is taken for a mistake: 2^25 pixels, just above 8K.
+// A larger picture is treated as a mistake: 2^25 pixels, just above 8K.
 inline constexpr int kMaxImageSide = 1 << 16;
 inline constexpr long kMaxImagePixels = 1L << 25;
 

@@ -3,7 +3,6 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/exr.h"
-#include "pt/image/hdr_pixels.h"
 #include "pt/image/tone_map.h"
 
 #include <algorithm>
@@ -24,23 +23,12 @@ std::string extension(const fs::path& path) {
   return text;
 }
 
-template <class Value>
-Image unpack(const Value* values, int width, int height, double (*linear)(Value)) {
-  Image image(width, height);
-  for (Rgb& pixel : image.pixels) {
-    pixel = {linear(values[0]), linear(values[1]), linear(values[2])};
-    values += 3;
-  }
-  return image;
-}
-
 Image decode_stb(const std::string& bytes, const std::string& name) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   const auto fail = [&] {
     const char* reason = stbi_failure_reason();
-    throw Error("cannot read '" + name +
-                "': it is not a whole EXR, PNG, JPEG, BMP or HDR picture (" +
+    throw Error("cannot read '" + name + "': it is not a whole EXR, PNG, JPEG or BMP picture (" +
                 (reason ? reason : "no reason given") + ")");
   };
   int width = 0, height = 0, channels = 0;
@@ -49,19 +37,16 @@ Image decode_stb(const std::string& bytes, const std::string& name) {
     throw Error("cannot read '" + name + "': a picture of " + std::to_string(width) + " x " +
                 std::to_string(height) + " pixels is not accepted");
   }
-  if (stbi_is_hdr_from_memory(data, size)) {
-    if (!has_all_pixels(bytes, width, height)) {
-      throw Error("cannot read '" + name + "': its HDR data is cut short or damaged");
-    }
-    const std::unique_ptr<float, void (*)(void*)> values(
-        stbi_loadf_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
-    if (!values) fail();
-    return unpack<float>(values.get(), width, height, [](float v) -> double { return v; });
-  }
   const std::unique_ptr<stbi_uc, void (*)(void*)> values(
       stbi_load_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
   if (!values) fail();
-  return unpack<stbi_uc>(values.get(), width, height, [](stbi_uc v) { return decode(v); });
+  Image image(width, height);
+  const stbi_uc* value = values.get();
+  for (Rgb& pixel : image.pixels) {
+    pixel = {decode(value[0]), decode(value[1]), decode(value[2])};
+    value += 3;
+  }
+  return image;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-// Pictures in files. Writers leave a whole file or none (pt/file.h); all functions throw pt::Error
+// Pictures in files. Writers write a whole file or none (pt/file.h); all functions throw pt::Error
 // for a path or a file they cannot use.
 
 namespace pt {
@@ -15,7 +15,7 @@ namespace pt {
 // Throws pt::Error unless write_image knows the extension of `path` and could write there.
 void check_image_target(const std::filesystem::path& path);
 
-// Writes by the extension: .png the tone-mapped mean, .exr all of the film (exposure plays no part).
+// Writes .png (the tone-mapped mean) or .exr (the whole film, without exposure), by the extension.
 void write_image(const std::filesystem::path& path, const Film& film, double exposure = 1);
 
 // The bytes of a PNG file.
@@ -28,15 +28,15 @@ void write_png(const std::filesystem::path& path, const Image& image, double exp
 // variance.Y (of one sample), and the integer channel samples.
 void write_exr(const std::filesystem::path& path, const Film& film);
 
-// Reads R, G and B, half or float, and what there is of the other channels of write_exr; where one
-// of those is missing, all samples and variances are 0. Scanline files of one part only.
+// Reads R, G and B, half or float, and the other channels of write_exr; if one of those is missing,
+// all samples and variances are 0. It reads only scanline files with one part.
 Film read_exr(const std::filesystem::path& path);
 
-// A picture in linear radiance, by what the file holds, not by its name: EXR and Radiance HDR as
-// they are; PNG, JPEG and BMP by decode(), as 8 bits per channel, without their alpha.
+// A picture in linear radiance, by the content of the file, not by its name: EXR as
+// it is; PNG, JPEG and BMP through decode(), 8 bits per channel, without alpha.
 Image read_image(const std::filesystem::path& path);
 
-// Returns whether the file starts as an EXR does.
+// Returns whether the file starts like an EXR file.
 bool is_exr(const std::filesystem::path& path);
 
 }  // namespace pt

@@ -36,7 +36,7 @@ void draw_text(Picture& picture, int x, int y, int scale, const std::string& tex
     Vertex corners[4];  // clockwise from the top left
   };
   std::vector<Quad> quads(32 * text.size() + 1);
-  std::string copy = text;  // the library takes no const
+  std::string copy = text;  // the library needs a text that is not const
   const int count = stb_easy_font_print(0, 0, copy.data(), nullptr, quads.data(),
                                         static_cast<int>(quads.size() * sizeof(Quad)));
   for (int i = 0; i < count; ++i) {

@@ -10,7 +10,7 @@
 
 namespace pt {
 
-// A colour as a screen takes it: 8 bits of r, g and b, gamma applied.
+// A colour for a screen: 8 bits each of r, g and b, gamma applied.
 using Color8 = std::array<std::uint8_t, 3>;
 
 // The picture in a PNG. Row 0 is the TOP row.
@@ -34,16 +34,16 @@ struct Picture {
 };
 
 // The colour at t in 0..1 on the straight lines between `stops` (at least two, evenly spaced). A t
-// outside takes the colour of the nearer end, and NaN that of the first.
+// outside has the colour of the nearer end, and NaN has the first colour.
 Color8 ramp(std::span<const Color8> stops, double t);
 
-// The texts of a legend: at the ends of its bar and in the middle of it; `title` stands below.
+// The texts of a legend: at both ends and in the middle of its bar; `title` is below it.
 struct Legend {
   std::string left, middle, right, title;
 };
 
-// Writes ASCII text, its top left corner at (x, y), each dot of the letters a square of `scale`
-// pixels; parts outside the picture are cut off.
+// Writes ASCII text with its top left corner at (x, y). Each dot of a letter is a square of side
+// `scale`. Parts outside the picture are cut off.
 void draw_text(Picture& picture, int x, int y, int scale, const std::string& text, Color8 color);
 int text_width(int scale, const std::string& text);
 

@@ -11,7 +11,7 @@
 namespace pt {
 namespace {
 
-// Red and luminance rise from stop to stop.
+// Red and luminance increase from stop to stop.
 constexpr std::array<Color8, 3> kSampleStops{{{12, 32, 128}, {150, 52, 152}, {248, 72, 56}}};
 
 constexpr std::size_t kMaxCountsBytes = std::size_t{1} << 29;

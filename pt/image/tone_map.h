@@ -21,7 +21,7 @@ inline std::uint8_t encode(double linear, double exposure = 1) {
   return static_cast<std::uint8_t>(std::lround(255 * std::pow(value, 1 / kGamma)));
 }
 
-// The value in the middle of those that encode() maps to `code`.
+// The middle of the values that encode() maps to `code`.
 inline double decode(std::uint8_t code) { return std::pow(code / 255.0, kGamma); }
 
 // The picture as a screen shows it.

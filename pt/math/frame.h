@@ -18,7 +18,7 @@ struct Frame {
   Vec3 to_local(Vec3 world) const { return {dot(world, x), dot(world, y), dot(world, z)}; }
 };
 
-// A frame around the unit vector n as its z axis. Without a square root or a branch that loses
+// A frame with the unit vector n as its z axis. It needs no square root, and no branch that loses
 // digits near n = -z (Duff et al. 2017, Building an Orthonormal Basis, Revisited, JCGT 6(1)).
 inline Frame frame_from_normal(Vec3 n) {
   const double sign = std::copysign(1.0, n.z);

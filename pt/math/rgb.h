@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Linear radiance, albedo or a light's power in three channels. A type of its own, so that a colour
+// Linear radiance, albedo or a light's power in three channels. It is not a Vec3, so that a colour
 // is never added to a point.
 
 namespace pt {
@@ -33,8 +33,8 @@ constexpr Rgb& operator*=(Rgb& a, Rgb b) { return a = a * b; }
 constexpr Rgb& operator*=(Rgb& a, double s) { return a = a * s; }
 constexpr Rgb& operator/=(Rgb& a, double s) { return a = a / s; }
 
-// The brightness that the eye sees, by the weights of Rec. 709, which sum to 1. The course calls it
-// illuminance.
+// The brightness that the eye sees, with the weights of Rec. 709, which sum to 1. The course calls
+// it illuminance.
 constexpr double luminance(Rgb c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 constexpr double max_channel(Rgb c) { return std::max({c.r, c.g, c.b}); }

@@ -14,15 +14,15 @@ struct Transform {
   Vec3 direction(Vec3 v) const { return v.x * x + v.y * y + v.z * z; }
   Vec3 point(Vec3 p) const { return direction(p) + translation; }
 
-  // Normals go with the cofactor matrix (the inverse transpose times the determinant), which exists
-  // even where the map is singular. Turned so that an orientation-reversing map keeps a normal on
-  // the side on which the mapped winding order puts the face's own normal. Not of unit length.
+  // Maps a normal with the cofactor matrix (the inverse transpose times the determinant), which
+  // exists even if the map is singular. If the map mirrors, the result is turned to the side on
+  // which the mapped winding order has the face's own normal. It is not of unit length.
   Vec3 normal(Vec3 n) const { return n.x * cross(y, z) + n.y * cross(z, x) + n.z * cross(x, y); }
 
   double determinant() const { return dot(x, cross(y, z)); }
 };
 
-// First b, then a.
+// The map that applies first b, then a.
 inline Transform operator*(const Transform& a, const Transform& b) {
   return {a.direction(b.x), a.direction(b.y), a.direction(b.z), a.point(b.translation)};
 }

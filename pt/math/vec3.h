@@ -51,7 +51,7 @@ inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 // The zero vector has no direction: its normalised components are NaN.
 [[gnu::always_inline]] inline Vec3 normalize(Vec3 a) { return a / length(a); }
 
-// Componentwise, as boxes need them.
+// Componentwise minimum and maximum, as boxes need them.
 constexpr Vec3 min(Vec3 a, Vec3 b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
 }
@@ -59,7 +59,7 @@ constexpr Vec3 max(Vec3 a, Vec3 b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
-// The largest absolute component: the size to which a rounding error is relative.
+// The largest absolute component. Rounding errors are relative to it.
 inline double max_abs(Vec3 a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
 
 inline bool is_finite(Vec3 a) {

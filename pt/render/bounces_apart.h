@@ -1,8 +1,8 @@
 #pragma once
 
 #include "pt/math/rgb.h"
-#include "pt/render/bounce_range.h"
 #include "pt/sampling/sampler.h"
+#include "pt/scene/bounce_range.h"
 #include "pt/scene/scene.h"
 #include "pt/scene/view.h"
 
@@ -13,36 +13,31 @@
 namespace pt {
 
 // One estimate by any implementation of trace_path, split into ranges of bounces. trace_path runs
-// once, while its hits and its direct light are recorded on tapes. Then it runs again for each range:
-// the tapes answer in place of rays, and direct light of all other bounces is black. The result is
-// what the range adds to the sum, because the sum is linear in direct light. This works where
-// direct_lights and direct_hemisphere are linked in their taped form (cmake/taped.cpp.in).
+// once, while its hits and its direct light are recorded (pt/scene/recorder.h). Then it runs again for
+// each range: the record answers in place of rays, and direct light of all other bounces is black. The
+// result is what the range adds to the sum, because the sum is linear in direct light. This works where
+// direct_lights and direct_hemisphere are linked in their recorded form.
 struct BouncesApart {
   Rgb sum;                  // the result of trace_path
-  std::vector<Rgb> ranges;  // the part that each adds to it
-  bool complete = false;    // they add up to it
+  std::vector<Rgb> ranges;  // the part of the sum that each range adds
+  bool complete = false;    // the parts add up to the sum
 };
 
-// The sum of the channels, each without its sign.
+// The sum of the absolute values of the channels.
 inline double size_of(Rgb color) {
   return std::abs(color.r) + std::abs(color.g) + std::abs(color.b);
 }
 
-// Returns whether a difference of colors is one of single precision, which contracts allow, next to
-// colors of this size.
+// Returns whether a difference of colors is as small as the errors of single precision, which
+// contracts allow, for colors of this size.
 inline bool is_rounding_error(Rgb difference, double size) {
   return size_of(difference) <= 1e-4 * size;
 }
 
 // Ranges do not overlap, and cover all bounces from 1 to settings.to; settings.from <= 1. The
-// sampler is afterwards where one call of trace_path leaves it.
+// sampler ends in the state in which one call of trace_path leaves it.
 BouncesApart trace_path_apart(const Scene& scene, const SurfacePoint& point,
                               const PathSettings& settings, std::span<const BounceRange> ranges,
                               Sampler& sampler);
-
-// The answer of the taped form of a task: that of the task itself, or the one that is on the tape.
-using DirectTask = Rgb(const Scene&, const SurfacePoint&, int, Sampler&);
-Rgb direct_by_tape(DirectTask& task, const Scene& scene, const SurfacePoint& point, int samples,
-                   Sampler& sampler);
 
 }  // namespace pt

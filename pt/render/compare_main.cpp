@@ -8,8 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-// compare A B [-o difference.png]: prints how far picture A is from picture B, which is taken for
-// right. Exit code 0 whatever the difference, 2 for input that cannot be used.
+// compare A B [-o difference.png]: prints how far picture A is from picture B, which is assumed to
+// be right. Exit code 0 whatever the difference, 2 for input that cannot be used.
 
 namespace {
 
@@ -40,7 +40,7 @@ void print_means(const std::optional<pt::MeanTest>& test) {
               test->z, test->difference, test->standard_error);
 }
 
-// A picture of any format; the film too where the file has one.
+// A picture of any format, and its film if the file has one.
 struct Read {
   pt::Image image;
   std::optional<pt::Film> film;
@@ -70,7 +70,7 @@ void run(const std::string& path_a, const std::string& path_b, const std::string
 int main(int argc, char** argv) {
   CLI::App app("How far picture A is from picture B, which is taken for right", "./run compare");
   std::string a, b, output;
-  app.add_option("A", a, "PNG, JPEG, BMP, HDR or EXR")->required();
+  app.add_option("A", a, "PNG, JPEG, BMP or EXR")->required();
   app.add_option("B", b, "the picture to compare with")->required();
   app.add_option("-o,--output", output, "write the signed relative difference to this PNG");
   return pt::run_command_line(app, argc, argv, [&] {

@@ -24,7 +24,7 @@ namespace {
 std::atomic<bool> interrupted = false;                  // set by Ctrl-C
 static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler could not set it
 
-constexpr int kInterruptedExit = 130;  // as shells have it for Ctrl-C
+constexpr int kInterruptedExit = 130;  // the exit status of shells for Ctrl-C
 
 std::filesystem::path beside(const std::filesystem::path& picture, const char* ending) {
   std::filesystem::path path = picture;
@@ -69,7 +69,7 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
   }
 }
 
-// Prints one line, however many there are.
+// Prints one line, however many tasks are not written.
 void name_unwritten_tasks(const RenderOptions& options, const Scene& scene) {
   const std::vector<std::string> unwritten = todo_list();
   if (unwritten.empty()) return;
@@ -122,12 +122,5 @@ int run(int argc, const char* const* argv) {
 }  // namespace pt
 
 int main(int argc, char** argv) {
-  try {
-    const int status = pt::run(argc, argv);
-    pt::flush_standard_output();
-    return status;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
-    return 2;
-  }
+  return pt::run_program([&] { return pt::run(argc, argv); });
 }

@@ -74,7 +74,7 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
   app.add_option("-s,--samples", options.samples, "Camera rays per pixel (with -a: at most)")
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();
-  app.add_option("-l,--light-samples", options.light_samples,
+  app.add_option("-l,--light-samples", options.path.light_samples,
                  "Samples per area light (with -H: directions)")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
@@ -82,7 +82,7 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
                  "How often light may bounce: 0 emitters only, 1 direct light, more: indirect")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
-  app.add_option("--survival", options.survival,
+  app.add_option("--survival", options.path.survival,
                  "The chance of a path to go on after each bounce but the first; 1: no roulette")
       ->check([](const std::string& word) {
         const double chance = std::strtod(word.c_str(), nullptr);
@@ -151,13 +151,10 @@ RenderOptions parse_options(int argc, const char* const* argv) {
 }
 
 PathSettings path_settings(const RenderOptions& options) {
-  PathSettings settings;
-  settings.light_samples = options.light_samples;
+  PathSettings settings = options.path;
   settings.direct =
       options.hemisphere ? PathSettings::Direct::hemisphere : PathSettings::Direct::lights;
-  settings.survival = options.survival;
   settings.show_normals = options.show == Show::normals;
-  settings.from = 0;
   settings.to = options.bounces;
   switch (options.show) {
     case Show::full:

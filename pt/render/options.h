@@ -20,10 +20,9 @@ struct RenderOptions {
   int width = 480;
   int height = 360;
   int samples = 32;
-  int light_samples = 1;
+  PathSettings path;  // its light samples and its survival
   int bounces = 5;
   std::optional<AdaptiveSettings> adaptive;
-  double survival = 0.7;  // of Russian roulette
   bool hemisphere = false;
   Show show = Show::full;
   int bounce = 1;  // for Show::bounce
@@ -36,8 +35,7 @@ struct RenderOptions {
   int threads = 1;
 };
 
-// Reads the command line. Prints help and exits for --help, throws pt::Error for what it cannot
-// use.
+// Reads the command line. Prints help and exits for --help. Throws pt::Error if it cannot be used.
 RenderOptions parse_options(int argc, const char* const* argv);
 
 PathSettings path_settings(const RenderOptions& options);

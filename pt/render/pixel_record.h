@@ -4,9 +4,9 @@
 
 namespace pt {
 
-// The statistics of the samples of the pixel that this thread renders, whichever task drew them:
-// the picture's variance comes from here, and the mean from the task. The render loop empties it
-// before each pixel; the implementations `recorded` and `apart` of radiance() fill it.
+// The statistics of all samples of the pixel that this thread renders, whatever task drew them. The
+// picture's variance comes from here, and the mean from the task. The render loop empties it before
+// each pixel; the implementations `recorded` and `apart` of radiance() fill it.
 struct PixelRecord {
   RunningMoments moments;  // of the finite samples
   int not_finite = 0;      // NaN or infinite: left out of the picture
@@ -14,7 +14,7 @@ struct PixelRecord {
 
 PixelRecord& pixel_record();
 
-// Enters a sample. Returns it, or black where it is not finite.
+// Adds a sample. Returns it, or black if it is not finite.
 Rgb recorded(Rgb sample);
 
 }  // namespace pt

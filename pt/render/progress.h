@@ -4,8 +4,8 @@
 
 namespace pt {
 
-// Tells a person how far the render is, on standard error: a bar with the time left on a terminal,
-// a line every tenth elsewhere; nothing at all for renders that are over at once.
+// Shows how far the render is, on standard error: on a terminal a bar with the time left, elsewhere
+// a line for every tenth. It prints nothing for very short renders.
 class Progress {
  public:
   Progress();

@@ -8,12 +8,12 @@
 namespace pt {
 
 // One sample of the radiance that comes back along a camera ray: estimate_pixel and adaptive_pixel
-// average it. Not a task, but a slot of the seam like one, with the implementations
-//   path      emission at the first surface + trace_path, or the normals view; as it comes, NaN
-//             included (pt/render/radiance_path.cpp);
-//   recorded  the same, each sample also entered in this thread's PixelRecord, and one that is not
-//             finite replaced by black there (pt/render/radiance_recorded.cpp: the render program);
-//   apart     the same, and each sample also by its bounces (pt/render/radiance_apart.h: the
+// average it. It is not a task, but is linked like one, with the implementations
+//   path      emission at the first surface + trace_path, or the normals view; unchanged, even NaN
+//             (pt/render/radiance_path.cpp);
+//   recorded  the same, with each sample also added to this thread's PixelRecord; a sample that is
+//             not finite becomes black (pt/render/radiance_recorded.cpp: the render program);
+//   apart     the same, with each sample also split by bounces (pt/render/radiance_apart.h: the
 //             write-up);
 //   scripted  whatever a test wants the pixel to see (grader).
 //

@@ -9,7 +9,7 @@ namespace pt {
 
 namespace {
 
-// The ranges that were asked for last, cut into pieces; the same for many pixels.
+// The ranges of the last call, cut into pieces. They are the same for many pixels.
 struct Cut {
   std::vector<BounceRange> ranges, pieces;
 };
@@ -20,7 +20,7 @@ const std::vector<BounceRange>& pieces_for(const std::vector<BounceRange>& range
   return cut.pieces;
 }
 
-// One sample, by its bounces: emission, and each piece.
+// One sample split by bounces: emission, and each piece.
 struct Sample {
   Rgb emission;
   BouncesApart path;

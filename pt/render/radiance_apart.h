@@ -9,17 +9,17 @@
 namespace pt {
 
 // The samples of the pixel that this thread renders, for several ranges of bounces at once. The
-// implementation `apart` of radiance() fills it, from one path per sample; with no ranges it does
-// what `recorded` does.
+// implementation `apart` of radiance() fills it, from one path per sample. Without ranges, `apart`
+// does the same as `recorded`.
 struct ApartRecord {
-  std::vector<BounceRange> ranges;      // that are wanted
+  std::vector<BounceRange> ranges;      // the requested ranges
   std::vector<RunningMoments> moments;  // of each
-  bool complete = true;                 // no sample whose bounces do not add up to it
+  bool complete = true;                 // the bounces of every sample add up to it
 };
 
 ApartRecord& apart_record();
 
-// The same bounces, cut wherever a range begins or ends; in order, without 0.
+// The same bounces in order, cut wherever a range begins or ends, without bounce 0.
 std::vector<BounceRange> pieces_of(std::span<const BounceRange> ranges);
 
 }  // namespace pt

@@ -12,12 +12,12 @@ namespace pt {
 struct PixelApart {
   std::vector<FilmPixel> pixels;  // of each range
   int not_finite = 0;             // samples that are left out
-  bool complete = true;           // else the tasks linked here cannot be taken apart
+  bool complete = true;           // if false, the linked tasks cannot be split by bounces
 };
 
-// For programs where radiance() is the implementation `apart`. The view's bounces are those of all
-// ranges together; settings are not adaptive. Each sample is split by its bounces. The result is
-// complete only if the pixel's task returns the mean of the samples.
+// For programs that link the implementation `apart` of radiance(). The view's bounces are those of
+// all ranges together; settings are not adaptive. Each sample is split by its bounces. The result
+// is complete only if the pixel's task returns the mean of the samples.
 PixelApart render_pixel_apart(const View& view, int x, int y, const RenderSettings& settings,
                               std::span<const BounceRange> ranges);
 

@@ -24,7 +24,7 @@ PixelEstimate call_pixel_task(const View& view, int x, int y, const RenderSettin
   return {estimate_pixel(view, x, y, settings.samples, sampler), settings.samples};
 }
 
-// Results of one thread, besides its pixels.
+// The results of one thread, except its pixels.
 struct ThreadResult {
   RayCount rays;
   TestCount tests;
@@ -41,7 +41,7 @@ void note_bad(ThreadResult& done, BadPixel pixel) {
   if (!done.first_bad || comes_before(pixel, *done.first_bad)) done.first_bad = pixel;
 }
 
-// Everything the threads share: the tiles not yet taken, and how far the picture is.
+// The data that threads share: the tiles that none has taken, and how far the picture is.
 struct Tiles {
   int columns, count;
   std::atomic<int> next{0};
@@ -57,7 +57,7 @@ ThreadResult render_tiles(const View& view, const RenderSettings& settings, Film
                           Tiles& tiles, const std::function<void(double)>& progress,
                           const std::atomic<bool>* stop) {
   const RayCount rays_before = rays_traced();
-  const TestCount tests_before = test_count;
+  const TestCount tests_before = recorder.count;
   const double cpu_before = thread_cpu_seconds();
   const auto stopped = [stop] { return stop != nullptr && *stop; };
   ThreadResult done;
@@ -81,9 +81,9 @@ ThreadResult render_tiles(const View& view, const RenderSettings& settings, Film
   }
   const RayCount rays = rays_traced();
   done.rays = {rays.closest - rays_before.closest, rays.occluded - rays_before.occluded};
-  done.tests = {test_count.boxes - tests_before.boxes,
-                test_count.triangles - tests_before.triangles,
-                test_count.spheres - tests_before.spheres};
+  done.tests = {recorder.count.boxes - tests_before.boxes,
+                recorder.count.triangles - tests_before.triangles,
+                recorder.count.spheres - tests_before.spheres};
   done.cpu_seconds = thread_cpu_seconds() - cpu_before;
   return done;
 }
@@ -109,7 +109,7 @@ RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings&
   Sampler sampler = Sampler::for_pixel(settings.seed, x, y);
   PixelEstimate estimate = call_pixel_task(view, x, y, settings, sampler);
 
-  // The task counted samples that were not finite as black: take them out of its mean.
+  // The task counted samples that were not finite as black. They are removed from its mean.
   int not_finite = record.not_finite;
   if (not_finite > 0 && estimate.samples > not_finite) {
     estimate.mean *= static_cast<double>(estimate.samples) / (estimate.samples - not_finite);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pt/image/film.h"
-#include "pt/render/test_count.h"
+#include "pt/scene/recorder.h"
 #include "pt/scene/scene.h"
 #include "pt/scene/view.h"
 #include "pt/tasks/adaptive_pixel.h"
@@ -44,9 +44,9 @@ struct RenderedPixel {
 };
 RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings& settings);
 
-// The picture of a view, tile by tile. Same seed, same bits, for any number of threads: each pixel
-// has its own random numbers. `progress` is called from time to time with the part done, in [0, 1],
-// by one thread at a time. Setting *stop ends the render within about a pixel.
+// Renders the picture of a view, tile by tile. The same seed gives the same bits for any number of
+// threads, because each pixel has its own random numbers. One thread at a time calls `progress` now
+// and then with the part done, in [0, 1]. Setting *stop ends the render within about a pixel.
 RenderResult render_film(const View& view, const RenderSettings& settings,
                          const std::function<void(double)>& progress = {},
                          const std::atomic<bool>* stop = nullptr);

@@ -19,13 +19,13 @@ void add_row(const View& view, const std::vector<int>& pixels, const RowsRequest
              PictureRows& result) {
   const RenderSettings settings{request.samples, request.adaptive, request.seed, 1};
   for (const int pixel : pixels) {
-    const long long boxes = test_count.boxes;
+    const long long boxes = recorder.count.boxes;
     const RenderedPixel rendered =
         render_pixel(view, pixel % view.width, pixel / view.width, settings);
     result.mean.push_back(rendered.pixel.mean);
     if (request.adaptive) result.counts.push_back(rendered.pixel.samples);
     result.measured.variance_y.push_back(rendered.pixel.variance_y);
-    result.measured.boxes.push_back(static_cast<double>(test_count.boxes - boxes));
+    result.measured.boxes.push_back(static_cast<double>(recorder.count.boxes - boxes));
     result.measured.not_finite += rendered.not_finite;
   }
 }
@@ -53,7 +53,7 @@ void add_row_apart(const View& view, const std::vector<int>& pixels, const RowsR
 
 PictureRows render_rows(const View& view, const RowsRequest& request) {
   PictureRows result;
-  const TestCount before = test_count;
+  const TestCount before = recorder.count;
   const auto add = [&](const std::vector<int>& pixels) {
     if (request.ranges.empty()) {
       add_row(view, pixels, request, result);
@@ -64,8 +64,9 @@ PictureRows render_rows(const View& view, const RowsRequest& request) {
   if (!request.only.empty()) add(request.only);
   const int end = request.only.empty() ? request.first_row + request.rows : request.first_row;
   for (int y = request.first_row; y < end; ++y) add(row_of(view, y));
-  result.measured.tests = {test_count.boxes - before.boxes, test_count.triangles - before.triangles,
-                           test_count.spheres - before.spheres};
+  result.measured.tests = {recorder.count.boxes - before.boxes,
+                           recorder.count.triangles - before.triangles,
+                           recorder.count.spheres - before.spheres};
   return result;
 }
 

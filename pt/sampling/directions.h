@@ -8,8 +8,8 @@
 
 namespace pt {
 
-// A unit direction in the local frame with z >= 0, every one equally likely: density 1 / (2 pi).
-// Equal heights cut equal areas from a sphere (Archimedes), so z is uniform.
+// A unit direction in the local frame with z >= 0, uniform: density 1 / (2 pi). Equal heights cut
+// equal areas from a sphere (Archimedes), so z is uniform.
 inline Vec3 uniform_hemisphere(Vec2 xi) {
   const double z = xi.x;
   const double r = std::sqrt(std::max(0.0, 1 - z * z));
@@ -25,9 +25,9 @@ inline Vec3 cosine_hemisphere(Vec2 xi) {
   return {r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - xi.x)};
 }
 
-// A unit direction around the z axis with z >= cos_max, every one equally likely: density
-// 1 / (2 pi one_minus_cos_max). The argument is 1 - cos_max, because that difference cannot be had
-// from cos_max when the cone is narrow.
+// A unit direction around the z axis with z >= cos_max, uniform: density 1 / (2 pi
+// one_minus_cos_max). The argument is 1 - cos_max, because computing this difference loses its
+// digits if the cone is narrow.
 inline Vec3 uniform_cone(Vec2 xi, double one_minus_cos_max) {
   const double h = xi.x * one_minus_cos_max;  // 1 - cos of the angle to z
   const double r = std::sqrt(std::max(0.0, h * (2 - h)));

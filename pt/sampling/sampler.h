@@ -8,8 +8,8 @@
 
 namespace pt {
 
-// A stream of independent numbers, uniform in [0, 1): textbooks call them xi. A small value that
-// can be copied; the same seed gives the same numbers on every machine. The generator is
+// A stream of independent numbers, uniform in [0, 1): textbooks call them xi. A sampler is small
+// and can be copied. The same seed gives the same numbers on every machine. The generator is
 // xoshiro256++ (Blackman and Vigna 2021, Scrambled Linear Pseudorandom Number Generators), its
 // state filled by SplitMix64 (Steele, Lea and Flood 2014).
 class Sampler {
@@ -23,7 +23,7 @@ class Sampler {
     }
   }
 
-  // Goes on from where another sampler stood.
+  // Continues from the state of another sampler.
   explicit Sampler(const State& state) : state_(state) {}
   const State& state() const { return state_; }
 

@@ -6,7 +6,7 @@
 
 namespace pt {
 
-// A whole angle in degrees, and half of what it spans on a window at distance 1.
+// Converts between a whole angle in degrees and half the width that it spans at distance 1.
 inline double half_tangent(double fov_deg) { return std::tan(0.5 * fov_deg * (kPi / 180)); }
 inline double fov_from(double half_tangent) { return 2 * std::atan(half_tangent) * (180 / kPi); }
 

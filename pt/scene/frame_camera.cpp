@@ -38,9 +38,9 @@ FileCamera default_camera() {
   return camera;
 }
 
-// From the target towards the eye. The course's program turns the view direction -z by the camera's
-// matrix as if it were a point, which adds the camera's position. Only a file that was exported is
-// meant for that program; one that was written by hand means the camera's axis.
+// The direction from the target towards the eye. The course's program transforms the view direction
+// -z with the camera's matrix as if it were a point, which adds the camera's position. Only
+// exported files are made for that program; a file written by hand means the camera's axis.
 Vec3 towards_eye(const LoadedScene& loaded, const FileCamera& camera, Framing framing) {
   const Vec3 course = camera.position - camera.backwards;
   const bool as_course = framing == Framing::course && loaded.exported &&
@@ -48,7 +48,7 @@ Vec3 towards_eye(const LoadedScene& loaded, const FileCamera& camera, Framing fr
   return as_course ? normalize(course) : camera.camera_to_world.z;
 }
 
-// z from the target towards the eye; y up as far as it can be.
+// A frame with z from the target towards the eye, and y as far up as possible.
 Frame upright_frame(Vec3 z, const FileCamera& camera) {
   Vec3 right = cross({0, 1, 0}, z);
   if (!(length(right) > 1e-6)) right = cross(camera.camera_to_world.y, z);

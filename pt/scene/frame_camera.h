@@ -7,21 +7,21 @@
 
 namespace pt {
 
-// Chooses where the camera of a picture stands and how much it sees.
-//   course  the course's rule, for laying our pictures beside theirs: only the direction is the
+// Chooses where the camera of a picture is and how much it sees.
+//   course  the course's rule, to compare our pictures with theirs: only the direction is the
 //           file's. The camera looks at the centre of the scene's bounding box from 1.5 times the
-//           box's diagonal, y up. In a file that a program exported, the eye stands in the
-//           direction position - z axis, as the course has it; else on the camera's own z axis. The
-//           fields of view are widened to 4:3 (the narrower grows); then a picture of 600 pixels
-//           height shows them whole and any other a window of it, pixel for pixel.
-//   fit     stands at the same distance on the camera's own axis, and shows the file's whole field
-//           at the picture's shape.
+//           box's diagonal, y up. In a file that a program exported, the eye is in the direction
+//           position - z axis, as in the course; else on the camera's own z axis. The fields of
+//           view are widened to 4:3 (the narrower grows). A picture 600 pixels high shows them
+//           whole, any other picture a window of that, pixel for pixel.
+//   fit     the same distance on the camera's own axis, with the file's whole field in the
+//           picture's shape.
 //   file    the file's own position, frame and clip range, and its whole field.
 // All pixels are square. A scene without a camera is seen from +z with the field of view of
 // Blender's first camera (49.13 degrees, 4:3), whole, whatever the framing.
 enum class Framing { course, fit, file };
 
-// Says which rule of `course` is taken where the file does not tell who wrote it; else empty.
+// Says which rule of `course` is used if the file does not name its author; else empty.
 std::string note_on_framing(const LoadedScene& loaded, Framing framing);
 
 // width and height in pixels, > 0.

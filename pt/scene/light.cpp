@@ -10,13 +10,6 @@ namespace pt {
 
 namespace {
 
-template <class... Visitors>
-struct Overloaded : Visitors... {
-  using Visitors::operator()...;
-};
-template <class... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang before 17 does not deduce this itself
-
 // A point q on an emitting surface with normal n, chosen with density 1 / area. The density per
 // steradian follows from the solid angle of a piece dA of the surface: cos(light) dA / distance^2.
 LightSample area_sample(Vec3 p, Vec3 q, Vec3 n, double area, Rgb radiance) {
@@ -36,8 +29,8 @@ LightSample sample(const RectangleLight& light, Vec3 p, Sampler& sampler) {
   return area_sample(p, q, light.n, length(cross(light.u, light.v)), light.radiance);
 }
 
-// From outside, a sphere fills a cone of directions, and all of it emits towards p: a uniform
-// direction in the cone has no other noise than that of the shadow.
+// Seen from outside, a sphere fills a cone of directions, and all of it emits towards p. So a
+// uniform direction in the cone has no noise except from shadows.
 LightSample sample(const SphereLight& light, Vec3 p, Sampler& sampler) {
   const Vec2 xi = sampler.next_2d();
   const Vec3 to_center = light.center - p;
@@ -48,7 +41,7 @@ LightSample sample(const SphereLight& light, Vec3 p, Sampler& sampler) {
   const double one_minus_cos = sine * sine / (1 + std::sqrt(1 - sine * sine));
   const Vec3 local = uniform_cone(xi, one_minus_cos);
   const Vec3 wi = frame_from_normal(to_center / center_distance).to_world(local);
-  // The distance at which the direction passes the centre; 1 - z^2 would lose it in a narrow cone.
+  // The distance of the ray from the centre. In a narrow cone, 1 - z^2 would lose its digits.
   const double side = center_distance * std::sqrt(local.x * local.x + local.y * local.y);
   const double half_chord = std::sqrt(std::max(0.0, light.radius * light.radius - side * side));
   const double distance = center_distance * local.z - half_chord;
@@ -88,7 +81,7 @@ LightSample sample(const AmbientLight& light, Vec3, Sampler& sampler) {
   return {wi, kInfinity, light.radiance, 1 / (2 * kPi), false};
 }
 
-// One at a time. A light has one radiance, or black where it is dark.
+// Draws one sample at a time. A light has one radiance, or is black on its dark side.
 template <class Kind>
 void sample_group(const Kind& light, Vec3 p, int count, Sampler& sampler,
                   LightSampleGroup& samples) {
@@ -103,8 +96,8 @@ void sample_group(const Kind& light, Vec3 p, int count, Sampler& sampler,
   }
 }
 
-// The points of a rectangle that samples go to, as parts of its sides; and the samples that
-// area_sample makes of them.
+// The points of a rectangle that samples go to, as fractions of its sides, and their samples by
+// area_sample.
 struct RectangleSamples {
   double a[kLightGroup], b[kLightGroup];
   double squared[kLightGroup], cos_light[kLightGroup];
@@ -132,7 +125,7 @@ struct RectangleSamples {
 }
 
 #if defined(__x86_64__)
-// The same for a machine with wider registers. It must not fuse a multiplication and an addition.
+// The same for machines with wider registers. Multiplications and additions must not be fused.
 [[gnu::target("avx2")]] void sample_four_wide(const RectangleLight& light, Vec3 p, double area,
                                               int first, RectangleSamples& from,
                                               LightSampleGroup& samples) {
@@ -189,16 +182,6 @@ LightSample sample_light(const Light& light, Vec3 p, Sampler& sampler) {
 void sample_light_group(const Light& light, Vec3 p, int count, Sampler& sampler,
                         LightSampleGroup& samples) {
   std::visit([&](const auto& kind) { sample_group(kind, p, count, sampler, samples); }, light);
-}
-
-const char* kind_name(const Light& light) {
-  return std::visit(
-      Overloaded{[](const RectangleLight&) { return "rectangle"; },
-                 [](const SphereLight&) { return "sphere"; },
-                 [](const MeshLight&) { return "mesh"; }, [](const PointLight&) { return "point"; },
-                 [](const DirectionalLight&) { return "directional"; },
-                 [](const AmbientLight&) { return "ambient"; }},
-      light);
 }
 
 }  // namespace pt

@@ -28,7 +28,7 @@ struct SphereLight {
   Rgb radiance;
 };
 
-// Any emissive mesh of one radiance: each triangle emits on the side of its geometric normal.
+// Any emissive mesh with one radiance. Each triangle emits on the side of its geometric normal.
 struct MeshLight {
   struct Face {
     Vec3 p0, p1, p2;
@@ -40,7 +40,7 @@ struct MeshLight {
 
 struct PointLight {
   Vec3 position;
-  Rgb intensity;  // per steradian: what arrives falls off with the distance squared
+  Rgb intensity;  // per steradian; the irradiance falls with the squared distance
 };
 
 struct DirectionalLight {
@@ -56,7 +56,7 @@ struct AmbientLight {
 using Light = std::variant<RectangleLight, SphereLight, MeshLight, PointLight, DirectionalLight,
                            AmbientLight>;
 
-// Faces in, with their running sums of area. Degenerate faces are left out.
+// Makes a light of these faces, with their running sums of area. Degenerate faces are left out.
 MeshLight make_mesh_light(const std::vector<MeshLight::Face>& faces, Rgb radiance);
 
 // One direction from p towards a light. The light reflected at p along wo is estimated by
@@ -79,7 +79,7 @@ struct LightSampleGroup {
   double distance[kLightGroup];
   double pdf[kLightGroup];
   bool is_lit[kLightGroup];  // the radiance is not black
-  Rgb radiance;              // of those that are lit
+  Rgb radiance;              // of the samples that are lit
 
   Vec3 wi_of(int i) const { return {wi[0][i], wi[1][i], wi[2][i]}; }
 };
@@ -94,8 +94,5 @@ inline bool is_delta(const Light& light) {
   return std::holds_alternative<PointLight>(light) ||
          std::holds_alternative<DirectionalLight>(light);
 }
-
-// The name of the light's kind, for messages: "rectangle", "point", ...
-const char* kind_name(const Light& light);
 
 }  // namespace pt

@@ -15,7 +15,7 @@ namespace pt {
 
 namespace {
 
-// A node that is instanced often has the same to say every time.
+// A node that is instanced several times causes the same notes every time.
 void append_new(std::vector<std::string>& notes, const std::vector<std::string>& more) {
   std::unordered_set<std::string> known(notes.begin(), notes.end());
   for (const std::string& note : more) {
@@ -37,7 +37,6 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   const ColladaDocument document(file);
   Instances instances = read_nodes(document);
   LoadedScene loaded;
-  loaded.course_profile = document.has_course_profile();
   loaded.exported = names_authoring_tool(document.root());
   loaded.has_asset = document.root().FirstChildElement("asset") != nullptr;
   loaded.camera = read_camera(document, instances.cameras, instances.notes);

@@ -26,25 +26,24 @@ struct LoadOptions {
 };
 
 struct LoadedScene {
-  Scene scene;  // complete but for the tracer, which is not built
+  Scene scene;  // complete except for the tracer, which is not built
   std::optional<FileCamera> camera;
-  bool course_profile = false;  // the file has the course's own data (profile CGL or CMU462)
-  bool exported = false;        // a program wrote the file, as its <authoring_tool> says
-  bool has_asset = false;       // the <asset> in which that would stand
-  std::vector<std::string> unsupported_lights;  // "spot light 'Lamp'": what no Light can stand for
-  std::vector<std::string> notes;               // corrections and ignored things, a sentence each
+  bool exported = false;   // a program wrote the file, as its <authoring_tool> says
+  bool has_asset = false;  // the file has the <asset> that would say so
+  std::vector<std::string> unsupported_lights;  // "spot light 'Lamp'": lights outside the model
+  std::vector<std::string> notes;               // a sentence per correction or ignored thing
 };
 
-// Reads a COLLADA 1.4.1 file; the dialect, and the answer to each of its traps, is in
-// docs/scenes.md. The scene has at least one surface; its normals are unit, its triangles have an
+// Reads a COLLADA 1.4.1 file; docs/scenes.md describes the dialect and the answer to each of its
+// traps. The scene has at least one surface; its normals are unit vectors, its triangles have an
 // area, its numbers are finite.
 //
 // Throws Error, "file:line: what is wrong; what to do", for anything it cannot read. A material or
 // a light outside the model is not an error here: its scene can still be shown by its normals.
 LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& options = {});
 
-// Throws Error, naming file and material or light, if the scene holds any that the model of light
-// transport has no place for. To be called before anything but normals is rendered.
+// Throws Error, with the file and the material or light, if the scene has any that is outside the
+// model of light transport. Call it before you render anything but normals.
 void require_supported(const LoadedScene& loaded, const std::filesystem::path& file);
 
 }  // namespace pt

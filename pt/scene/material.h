@@ -13,8 +13,8 @@ struct Material {
   Rgb albedo{0.5, 0.5, 0.5};  // in [0, 1]
   Rgb emission;               // radiance
 
-  // A kind of material that no task models ("mirror", "glass", ...); empty for what we model.
-  // Such a surface can be shown by its normals, not lit.
+  // A kind of material that no task models ("mirror", "glass", ...), else empty. The normals view
+  // can show its surfaces; light cannot be computed on them.
   std::string unsupported;
 };
 

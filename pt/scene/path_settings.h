@@ -8,15 +8,15 @@ struct PathSettings {
 
   int light_samples = 1;  // directions for `hemisphere`; samples per area light for `lights`
   Direct direct = Direct::lights;
-  double survival = 0.7;  // the chance of Russian roulette to go on, in (0, 1]
+  double survival = 0.7;  // the probability that a path goes on, in (0, 1]
 
-  // The bounces to add up, both included. 0 is light that reaches the camera straight from where
-  // it is emitted, 1 direct light, 2 and more indirect. Full: 0 .. m; direct only: 1 .. 1; indirect
-  // only: 2 .. m; one bounce: k .. k.
+  // The bounces to add up, both included. 0 is emitted light that reaches the camera directly, 1 is
+  // direct light, 2 and more are indirect light. Full: 0 .. m; direct only: 1 .. 1; indirect only:
+  // 2 .. m; one bounce: k .. k.
   int from = 0;
   int to = 1;
 
-  bool show_normals = false;  // no light at all: the surface's normal, as (n + 1) / 2
+  bool show_normals = false;  // no light: the colour is the normal, as (n + 1) / 2
 };
 
 }  // namespace pt

@@ -1,12 +1,10 @@
 #include "pt/scene/scene.h"
 
-#include "pt/scene/hit_tape.h"
+#include "pt/scene/recorder.h"
 
 #include <cmath>
 
 namespace pt {
-
-constinit thread_local HitTape* hit_tape = nullptr;
 
 namespace {
 
@@ -42,20 +40,21 @@ bool same(const Ray& a, const Ray& b) {
          a.t_max == b.t_max;
 }
 
-// A ray that is not the next on the tape is traced.
-std::optional<Hit> closest_by_tape(HitTape& tape, const Scene& scene, const Ray& ray) {
-  if (tape.mode == HitTape::Mode::record) {
-    tape.entries.push_back({ray, traced(scene, ray)});
-    return tape.entries.back().hit;
+// If a ray is not the next one on the tape, it is traced.
+std::optional<Hit> closest_by_tape(PathTape& tape, const Scene& scene, const Ray& ray) {
+  if (tape.mode == PathTape::Mode::record) {
+    tape.rays.push_back({ray, traced(scene, ray)});
+    return tape.rays.back().hit;
   }
-  const bool known = tape.next < tape.entries.size() && same(tape.entries[tape.next].ray, ray);
-  return known ? tape.entries[tape.next++].hit : traced(scene, ray);
+  const bool known = tape.next_ray < tape.rays.size() && same(tape.rays[tape.next_ray].ray, ray);
+  return known ? tape.rays[tape.next_ray++].hit : traced(scene, ray);
 }
 
 }  // namespace
 
 std::optional<Hit> Scene::closest(const Ray& ray) const {
-  return hit_tape == nullptr ? traced(*this, ray) : closest_by_tape(*hit_tape, *this, ray);
+  return recorder.path == nullptr ? traced(*this, ray)
+                                  : closest_by_tape(*recorder.path, *this, ray);
 }
 
 bool Scene::occluded(const Ray& ray) const {

@@ -13,8 +13,8 @@
 
 namespace pt {
 
-// Everything that light meets, in world space (right-handed, y up). Rays are traced by the
-// members, whatever engine stands behind them; they count each ray.
+// Everything that light meets, in world space (right-handed, y up). Its members trace rays with any
+// engine, and count them.
 struct Scene {
   Primitives primitives;
   std::vector<int> material_of;  // for each primitive, an index into materials
@@ -28,15 +28,15 @@ struct Scene {
   // Returns whether any surface lies within the ray's range.
   bool occluded(const Ray& ray) const;
 
-  // For up to 32 rays, best from one point towards one light: bit i says it of ray i.
+  // The same for up to 32 rays, best from one point towards one light. Bit i is for ray i.
   std::uint32_t occluded(std::span<const Ray> rays) const;
 };
 
-// The surface that a ray met, as light transport sees it. `ray` is the ray that the hit answers.
+// The surface that a ray met, as light transport sees it. `ray` is the ray that was hit.
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit);
 
-// The radiance that a ray which leaves the scene along the unit `direction` brings back to a
-// surface: the sky. (The camera itself, and indirect rays, see black there.)
+// The radiance of the sky along the unit `direction`, for a ray from a surface that leaves the
+// scene. (Camera rays and indirect rays see black there.)
 Rgb background(const Scene& scene, Vec3 direction);
 
 // The rays that this thread has traced since it started, of all scenes.

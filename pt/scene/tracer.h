@@ -13,17 +13,17 @@
 
 namespace pt {
 
-// The way in which a scene finds what a ray meets: by testing every primitive in turn, through the
-// tasks of part 2 as they are linked, or through the fast engine of pt/accel.
+// The way in which a scene finds what a ray meets: testing every primitive in turn, the linked
+// tasks of part 2, or the fast engine of pt/accel.
 enum class Engine { linear, task, wide };
 
 std::string_view name(Engine engine);
 
-// The acceleration structure of a scene's primitives. It does not own them: every query is handed
-// the same Primitives that it was built for. Queries are const and safe from any thread.
+// The acceleration structure of a scene's primitives. It does not own them: every query gets the
+// same Primitives that it was built for. Queries are const and safe from any thread.
 //
-// All engines give the same answers: the closest hit with t in the ray's range, and of several at
-// the same t the primitive with the smallest index (task: whichever the linked hit_bvh picks).
+// All engines give the same answers: the closest hit with t in the ray's range; if several have the
+// same t, the primitive with the smallest index (task: the choice of the linked hit_bvh).
 class Tracer {
  public:
   Tracer() = default;  // traces linearly
@@ -32,11 +32,11 @@ class Tracer {
   std::optional<Hit> closest(const Primitives& primitives, const Ray& ray) const;
   bool occluded(const Primitives& primitives, const Ray& ray) const;
 
-  // For up to 32 rays, best from one point: bit i says whether anything lies in ray i's range.
+  // Takes up to 32 rays, best from one point. Bit i says whether anything lies in ray i's range.
   std::uint32_t occluded(const Primitives& primitives, std::span<const Ray> rays) const;
 
   Engine engine() const { return engine_; }
-  const Bvh& bvh() const { return bvh_; }  // empty but for Engine::task
+  const Bvh& bvh() const { return bvh_; }  // empty unless Engine::task
 
  private:
   Engine engine_ = Engine::linear;

@@ -6,7 +6,7 @@
 
 namespace pt {
 
-// A picture to be taken: of what, from where, and how.
+// A picture to render: the scene, the camera and the settings.
 struct View {
   const Scene& scene;
   Camera camera;

@@ -8,7 +8,7 @@ namespace pt {
 
 struct AdaptiveSettings {
   int max_samples = 64;     // >= batch; it need not be a multiple of batch
-  int batch = 32;           // >= 2: the samples between two checks
+  int batch = 32;           // samples between two checks; >= 2
   double tolerance = 0.05;  // relative to the mean; 1e-4 to 1
 };
 
@@ -20,36 +20,35 @@ struct PixelEstimate {
 
 // The mean radiance that falls on one pixel, with as many samples as it needs.
 //
-// In:  as estimate_pixel; every sample goes through a random point of the pixel.
+// In:  as in estimate_pixel; every sample goes through a random point of the pixel.
 // Out: the plain mean of all samples taken, and their number n. After each batch, with mean mu and
 //      standard deviation sigma of the luminance of the samples so far, the pixel is done if
 //      1.96 sigma / sqrt(n) < tolerance mu: the 95 % interval of the mean is narrow enough. It
 //      never takes more than max_samples: the last batch may be shorter than the others.
 //
-// sigma may divide by n or by n - 1. Where all samples are zero, < and <= are both right.
+// sigma may divide by n or by n - 1. If all samples are zero, < and <= are both right.
 //
-// Precision: the mean to 1e-5 of its size, also of ten thousand samples (a sum of so many in float
-//      is not). If the two sides of the condition differ by less than 2e-5 of their size, both
-//      decisions are right: so 1.959964 may stand for 1.96.
+// Precision: the mean to 1e-5 of its size, also of ten thousand samples (a float sum of so many is
+//      less precise). If the two sides of the condition differ by less than 2e-5 of their size,
+//      both decisions are right: so 1.959964 may stand for 1.96.
 // May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - stops where the interval is narrow: after the first batch that satisfies the condition,
 //     exactly, for any sequence of samples.
-//   - checks once a batch: n is a multiple of batch, or max_samples.
+//   - checks once a batch: n is a multiple of `batch`, or max_samples.
 //   - takes one batch of a constant: rounding errors in the variance do not keep it going.
 //   - never exceeds the maximum: radiance() is called n times, and 1 <= n <= max_samples.
 //   - returns the mean of all samples: divided by n, wherever it stopped.
 //   - judges by luminance: not by one channel.
-//   - goes on while it is dark: a pixel whose samples are not all zero is not done just because its
-//     mean is small.
-//   - uses the batch and the tolerance given: whatever they are.
+//   - goes on while it is dark: unless all samples are zero, a small mean alone does not end a
+//     pixel.
+//   - uses the batch and the tolerance given: for all allowed values.
 //   - passes the settings on: radiance() sees the view's scene and settings, and the same sampler,
 //     which has moved on afterwards.
 //   - covers the whole pixel: all points of the square are equally likely.
-//   - forgets the pixel before: the same arguments give the same answer, whatever was asked
-//     earlier.
+//   - forgets the pixel before: the same arguments give the same answer, whatever came before.
 PixelEstimate adaptive_pixel(const View& view, int x, int y, const AdaptiveSettings& settings,
                              Sampler& sampler);
 

@@ -13,8 +13,8 @@ namespace pt {
 //      from near_clip to far_clip.
 //
 // The picture is a window at distance 1 in front of the camera, at z = -1 of the camera's frame.
-// Its edges are where the fields of view say: the left and right edges hfov_deg apart as seen from
-// the camera, the bottom and top edges vfov_deg, whatever the shape of the picture in pixels.
+// The fields of view give its edges. Seen from the camera, the left and right edges are hfov_deg
+// apart, the bottom and top edges vfov_deg, whatever the shape of the picture in pixels.
 //
 // Precision: the ray goes through its point of the window to 1e-5 of the window's width and height,
 // for fields of view up to 170 degrees. Single precision and 3.14159 are enough for that, except for
@@ -29,11 +29,11 @@ namespace pt {
 //   - starts at the camera: the origin is the camera's position.
 //   - has a unit direction: so that t is a distance.
 //   - looks along minus z: the centre of the picture is straight ahead.
-//   - fills the field of view: half hfov_deg to the middle of the left and right edges, half
-//     vfov_deg to the middle of the bottom and top edges, each from its own angle, in degrees.
+//   - fills the field of view: the middle of the left and right edges is half of hfov_deg from the
+//     centre, that of the bottom and top edges half of vfov_deg. The two angles are independent.
 //   - puts x to the right and y up: a larger x goes along the frame's x, a larger y along its y.
-//   - keeps the picture flat: equal steps in x or y are equal steps on the window.
-//   - turns with the camera: the same ray, seen from the camera, for every position and frame.
+//   - keeps the picture flat: equal steps in x or y are equal steps on the flat window.
+//   - turns with the camera: seen from the camera, the ray is the same for any position and frame.
 //   - keeps the clip range: t_min is near_clip and t_max is far_clip.
 Ray camera_ray(const Camera& camera, double x, double y);
 

@@ -6,8 +6,8 @@
 
 namespace pt {
 
-// A direction wi that light may come from, the value f of the BSDF for it, and the density pdf with
-// which it was chosen, per steradian.
+// A direction wi that light may come from, the value f of the BSDF for it, and the density pdf (per
+// steradian) with which it was chosen.
 struct BsdfSample {
   Vec3 wi;
   Rgb f;
@@ -19,15 +19,15 @@ struct BsdfSample {
 // In:  wo and wi are unit vectors in the local shading frame, z along the normal, both pointing
 //      away from the surface. The albedo, in [0, 1], is the part of the light that is not absorbed.
 //      For diffuse_sample, wo.z > 0.
-// Out: diffuse_f is the BSDF itself, per steradian, without any cosine: the same for all directions
-//      but zero where wo and wi are on different sides of the surface. diffuse_sample chooses wi on
-//      wo's side, by any continuous density that is not zero there (uniform, cosine-weighted), and
-//      returns f and that density. diffuse_pdf is the density with which diffuse_sample chooses wi;
-//      zero on the other side. The sampler is the only source of random numbers.
+// Out: diffuse_f is the BSDF, per steradian, without any cosine: the same for all directions, but
+//      zero if wo and wi are on different sides. diffuse_sample chooses wi on wo's side, with any
+//      continuous density that is not zero there (uniform, cosine-weighted), and returns f and that
+//      density. diffuse_pdf is the density with which diffuse_sample chooses wi, zero on the other
+//      side. The sampler is the only source of random numbers.
 //
 // Precision: f and the albedo that it reflects to 1e-5 of their size; the pdf (per steradian) and
-// the length of wi to 1e-5. Single precision keeps that, and so does pi to six digits. Where a cosine
-// is below 1e-100, f may be zero: the product of two such cosines is.
+// the length of wi to 1e-5. Single precision is enough, and so is pi to six digits. If a cosine is
+// below 1e-100, f may be zero: in double, the product of two of them is zero.
 //
 // Noise: f cos(wi) / pdf of a sample has a standard deviation of at most the albedo. It is 0.58
 // times the albedo for uniform directions, and zero for cosine-weighted ones.
@@ -37,17 +37,17 @@ struct BsdfSample {
 //
 // Promises:
 //   - f reflects the albedo: f cos(wi) summed over all wi is the albedo, in each channel.
-//   - f is the same for all directions: wherever wo and wi are on one side.
-//   - f is zero across the surface: where wo and wi are on different sides; with both below, it is
-//     as with both above.
-//   - samples the side of wo: wi is a unit vector, wi.z > 0, all around.
-//   - a sample knows its own f and pdf: the same as diffuse_f and diffuse_pdf give for it.
+//   - f is the same for all directions: as long as wo and wi are on the same side.
+//   - f is zero across the surface: if wo and wi are on different sides. With both below, f is the
+//     same as with both above.
+//   - samples the side of wo: wi is a unit vector with wi.z > 0, in all directions around.
+//   - a sample knows its own f and pdf: they equal the results of diffuse_f and diffuse_pdf for it.
 //   - pdf is the density of the samples: a histogram of many samples agrees with it.
-//   - pdf sums to one: over the side of wo, and is zero on the other.
-//   - samples estimate the albedo: the mean of f cos(wi) / pdf is the albedo, without more noise
-//     than above.
-//   - goes on with the sampler: samples drawn one after the other are independent, and a sampler in
-//     the same state gives the same sample again.
+//   - pdf sums to one: over the side of wo. It is zero on the other side.
+//   - samples estimate the albedo: the mean of f cos(wi) / pdf is the albedo, with at most the
+//     noise above.
+//   - goes on with the sampler: consecutive samples are independent, and a sampler in the same
+//     state gives the same sample again.
 Rgb diffuse_f(Rgb albedo, Vec3 wo, Vec3 wi);
 BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler);
 double diffuse_pdf(Vec3 wo, Vec3 wi);

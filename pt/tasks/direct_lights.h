@@ -11,22 +11,22 @@ namespace pt {
 //
 // In:  a point of the scene; point.frame turns world directions into local directions;
 //      samples >= 1. There may be any number of lights (none, or 40) of any brightness (radiances
-//      of 1e-4 to 1e6), and scenes of any size (1e-6 to 1e6), which may lie up to ten thousand
-//      times their size away from the world's origin.
+//      of 1e-4 to 1e6). Scenes are of any size (1e-6 to 1e6), and up to ten thousand times their
+//      size away from the world's origin.
 // Out: an unbiased estimate of the radiance that leaves the point along wo after exactly one
 //      bounce: the sum over all lights of the mean over `samples` draws of f L cos(wi) / pdf, where
 //      sample_light gives wi, L and pdf, and L counts only if nothing stands between. A delta light
-//      has one direction: one draw says everything, and more would only cost time.
+//      has only one direction: one draw is exact, and more would only cost time.
 //
 // shadow_ray makes the rays. An area light with a surface of its own must not be hidden by it. The
 // sampler is the only source of random numbers.
 //
-// Precision: apart from noise, what each light gives to 1e-5 of its size, and its cosine to 1e-6.
-// Single precision keeps that for colors and cosines, not for points and distances.
+// Precision: apart from noise, the part of each light to 1e-5 of its size, and its cosine to 1e-6.
+// Single precision is enough for colors and cosines, but not for points and distances.
 //
 // Noise: the standard deviation of one draw of a light is at most the larger of two numbers: twice
-// that of a draw of sample_light, and the light's mean. The mean of `samples` draws has at most that
-// divided by the square root of `samples`. Draws of different lights are independent.
+// that of a draw of sample_light, and the light's mean. The mean of `samples` draws has at most this
+// limit divided by the square root of `samples`. Draws of different lights are independent.
 //
 // May call: the task diffuse_bsdf; scene.closest, scene.occluded, surface_point, background and
 //      sample_light; and functions that a header of pt/ defines.
@@ -37,24 +37,24 @@ namespace pt {
 //   - matches a sphere: pi L (R / D)^2 irradiance on a surface that faces it.
 //   - matches a point light: intensity / distance^2 times the cosine, down to grazing angles.
 //   - matches a directional light: irradiance times the cosine, down to grazing angles.
-//   - matches the sky: half of it for an upright wall.
-//   - adds the lights up: the sum of what each gives alone, however many, with any samples.
-//   - takes lights of any brightness: from very dim to very bright, unclamped.
-//   - averages over the samples: the mean does not depend on how many there are.
+//   - matches the sky: an upright wall gets half of its light.
+//   - adds the lights up: the sum of each light alone, for any number of lights and samples.
+//   - takes lights of any brightness: from very dim to very bright, without clamping.
+//   - averages over the samples: the mean does not depend on their number.
 //   - takes the samples asked for: the noise falls with the square root of their number, up to a
 //     thousand and more.
 //   - is exact for delta lights: without any noise, whatever `samples` is.
-//   - casts shadows: a surface between point and light hides it, or the part of it behind, from
-//     close to the point up to a thousandth of the distance before the light.
-//   - is not hidden by the light itself: nor by what stands behind it.
-//   - keeps light on its side: none from below the surface, also when seen from behind, and none
-//     from the dark side of a light.
+//   - casts shadows: a surface between the point and a light hides the light, or the part behind
+//     it, from close to the point up to a thousandth of the distance before the light.
+//   - is not hidden by the light itself: nor by anything behind the light.
+//   - keeps light on its side: no light comes from below the surface, also if the surface is seen
+//     from behind, and none from the dark side of a light.
 //   - reflects the albedo: channel by channel, and adds no emission of its own.
-//   - turns with the surface: the same answer for every orientation of everything.
-//   - starts off the surface: a surface never shadows itself, and what is close to it still
-//     does, at every scale.
-//   - goes on with the sampler: calls one after the other are independent; a sampler in the same
-//     state gives the same estimate again.
+//   - turns with the surface: the answer is the same if the whole scene is rotated.
+//   - starts off the surface: at every scale, a surface never shadows itself, but anything close to
+//     it still shadows it.
+//   - goes on with the sampler: consecutive calls are independent; a sampler in the same state
+//     gives the same estimate again.
 Rgb direct_lights(const Scene& scene, const SurfacePoint& point, int samples, Sampler& sampler);
 
 }  // namespace pt

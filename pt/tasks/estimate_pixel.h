@@ -15,27 +15,26 @@ namespace pt {
 //      through the pixel's centre if there is one sample, else each through a random point of the
 //      pixel, all points equally likely.
 //
-// Precision: each channel of the mean to 1e-5 of its size, or to samples * 1e-7 of it where that is
+// Precision: each channel of the mean to 1e-5 of its size, or to samples * 1e-7 of it if that is
 // more; the points to 1e-5 of the picture's width and height, plus the error of camera_ray. Single
-// precision has that, for the sum too.
+// precision is enough, also for the sum.
 //
 // May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
-//   - averages the radiance: the mean of what radiance() returned, channel by channel, whether it
-//     is 0 or a million.
+//   - averages the radiance: the result is the mean of the values of radiance(), channel by
+//     channel, whether they are 0 or a million.
 //   - takes the samples asked for: radiance() is called exactly `samples` times, once or thousands
 //     of times.
 //   - sends one sample through the centre: with samples = 1.
 //   - stays inside the pixel: every ray goes through the pixel's own square.
 //   - covers the whole pixel: with more samples, all points of the square are equally likely.
 //   - passes the settings on: radiance() sees the view's scene and settings.
-//   - draws from the caller's sampler: all random numbers come from `sampler` itself, no copy and
-//     none with a seed of your own. radiance() gets it after your own draws, as they left it, and
-//     afterwards it is past all numbers that were drawn.
-//   - forgets the pixel before: the same arguments give the same answer, whatever was asked
-//     earlier.
+//   - draws from the caller's sampler: all random numbers come from `sampler` itself, not from a
+//     copy or a sampler with your own seed. Its state moves on with all draws: radiance() gets it
+//     after your draws, and the caller after all draws.
+//   - forgets the pixel before: the same arguments give the same answer, whatever came before.
 Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler);
 
 }  // namespace pt

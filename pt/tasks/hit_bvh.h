@@ -13,9 +13,9 @@ namespace pt {
 //
 // In:  any tree that keeps the invariants of pt/geometry/bvh.h over the boxes of `primitives`, also
 //      an empty one, one of a thousand levels, or one of a hundred thousand nodes.
-// Out: hit_bvh: the hit with the smallest t in the ray's range, the surface's normal as it was
-//      given, and which primitive it was. If several have the same t, any of them is right.
-//      occluded_bvh: whether there is any hit in the ray's range; it stops at the first.
+// Out: hit_bvh: the hit with the smallest t in the ray's range, with its normal unchanged, and the
+//      primitive that was hit. If several have the same t, any of them is right. occluded_bvh:
+//      whether there is any hit in the ray's range; it stops at the first hit.
 //
 // Precision: t and n are those that hit_primitive returned, unchanged.
 //
@@ -24,23 +24,23 @@ namespace pt {
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
-//   - finds the nearest hit: the same t as testing every primitive in turn, also among thousands, of
-//     which it tests less than half.
-//   - says which primitive: index and normal belong to the one that was hit.
-//   - misses what is not there: no hit where testing every primitive finds none.
+//   - finds the nearest hit: t is the same as from testing every primitive in turn. Among thousands
+//     of primitives, it tests less than half.
+//   - says which primitive: index and normal belong to the primitive that was hit.
+//   - misses what is not there: no hit if testing every primitive finds none.
 //   - keeps t inside the ray: no hit before t_min or beyond t_max.
 //   - takes an empty tree: without nodes there is no hit.
 //   - takes a tree of any shape: lopsided, a thousand levels deep, with many primitives in a leaf,
 //     or a single leaf.
-//   - finds any hit: occluded_bvh says yes exactly where there is one in the range.
+//   - finds any hit: occluded_bvh returns true exactly if there is a hit in the range.
 //   - asks hit_box and hit_primitive: their answers decide what the ray meets.
-//   - tests few primitives: only those whose leaf the ray enters.
-//   - tests no box twice: each box and each primitive at most once per query.
+//   - tests few primitives: only primitives in leaves that the ray enters.
+//   - tests no box twice: it tests each box and each primitive at most once per query.
 //   - skips what lies outside the ray: if the ray does not enter a box, nothing below it is
 //     tested.
-//   - skips what lies behind a hit: of a pile of walls, one behind the other, it tests less than
-//     half, in the mean over trees with their children in any order.
-//   - stops at any hit: occluded_bvh does not go on after it has found one.
+//   - skips what lies behind a hit: in a stack of walls, one behind the other, it tests less than
+//     half, on average over trees with their children in any order.
+//   - stops at any hit: occluded_bvh does not go on after it has found a hit.
 std::optional<Hit> hit_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray);
 bool occluded_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray);
 

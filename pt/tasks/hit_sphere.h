@@ -11,32 +11,32 @@ namespace pt {
 // Finds where a ray first meets a sphere, from outside or from inside.
 //
 // In:  world space, no coordinate of the centre above a million radii. The direction may have any
-//      length but zero; t counts in that length.
+//      length except zero; t is in units of this length.
 // Out: nothing, or the smallest t with t_min <= t <= t_max on the sphere, and the unit normal
 //      there, pointing outwards.
 //
 // Precision: up to a thousand radii away, the point at t lies on the sphere to 1e-6 radii, and n is
-// right to 1e-6. The quadratic formula in double has that, single precision does not. If the point
-// is within 1e-6 radii of an end of the range, hit and miss are both right. A ray that passes
-// within 1e-8 radii of touching the sphere may hit or miss.
+// right to 1e-6. The quadratic formula is precise enough in double, but not in single precision. If
+// the point is within 1e-6 radii of an end of the range, hit and miss are both right. A ray within
+// 1e-8 radii of just touching the sphere may hit or miss.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
-//   - hits where it is aimed: a ray at a visible point of the sphere has t at that point, also
-//     where it grazes the sphere.
+//   - hits where it is aimed: a ray at a visible point of the sphere hits at that point, also if it
+//     grazes the sphere.
 //   - misses beside the sphere: a ray that passes at more than the radius has no hit.
-//   - finds the near side: of two points in the range the first is reported.
-//   - hits from inside: a ray that starts inside, or whose range begins inside, has the far point.
+//   - finds the near side: if two points are in the range, the result is the first.
+//   - hits from inside: a ray that starts inside, or whose range begins inside, hits the far point.
 //   - keeps t inside the ray: no hit before t_min, behind the origin, or beyond t_max.
-//   - returns the outward unit normal: at the reported point, also seen from inside.
-//   - counts t in the direction's length: a direction twice as long has half the t, for lengths
-//     from 1e-9 to 1e9.
+//   - returns the outward unit normal: at the point that is hit, also seen from inside.
+//   - counts t in the direction's length: if the direction is twice as long, t is half as large,
+//     for lengths from 1e-9 to 1e9.
 //   - stays accurate at a distance: at a thousand radii the point lies on the sphere to 1e-6 radii.
-//   - stays accurate at any distance (bonus): at ten million radii still to 1e-6 (Haines, Guenther,
-//     Akenine-Moeller 2019, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
-//     chapter 7).
+//   - stays accurate at any distance (bonus): to 1e-6 radii even at ten million radii (Haines,
+//     Guenther, Akenine-Moeller 2019, Precision Improvements for Ray/Sphere Intersection, Ray
+//     Tracing Gems, chapter 7).
 std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray);
 
 }  // namespace pt

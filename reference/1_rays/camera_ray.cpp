@@ -16,7 +16,7 @@ Ray camera_ray(const Camera& camera, double x, double y) {
   const double half_height = std::tan(0.5 * radians(camera.vfov_deg));
   const Vec3 on_window{(2 * x - 1) * half_width, (2 * y - 1) * half_height, -1};
 
-  // The position moves the origin only: a direction has no place.
+  // The camera's position is only the ray's origin; it is not added to the direction.
   const Vec3 direction = normalize(camera.camera_to_world.to_world(on_window));
   return {camera.position, direction, camera.near_clip, camera.far_clip};
 }

@@ -21,8 +21,8 @@ std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray) {
   const double discriminant = a * (radius_squared - length_squared(ray_to_center));
   if (!(discriminant >= 0)) return std::nullopt;
 
-  // One of b - root and b + root may lose its digits. q is the other one: it gives one t as q / a,
-  // and the other t follows from t1 t2 = c / a.
+  // Either b - root or b + root may lose its digits. q is the one that keeps them: it gives one t
+  // as q / a, and the other t follows from t1 t2 = c / a.
   const double q = b + std::copysign(std::sqrt(discriminant), b);
   double t_near = c / q;
   double t_far = q / a;

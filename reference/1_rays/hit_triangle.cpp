@@ -6,7 +6,7 @@ namespace {
 
 // Returns whether the triple product of three vectors is larger than its rounding error. Without
 // this test, a ray in the triangle's plane, or a triangle that is only a line, would give the
-// quotient of two rounding errors, which may be any t. The error is at most about ten rounding
+// quotient of two rounding errors, which can be any t. The error is at most about ten rounding
 // errors of the product of the three lengths (Higham 2002, Accuracy and Stability of Numerical
 // Algorithms, 3.1).
 bool exceeds_rounding(double product, Vec3 a, Vec3 b, Vec3 c) {

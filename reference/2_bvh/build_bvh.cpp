@@ -21,7 +21,7 @@ struct Builder {
   Bvh bvh;
 
   // Moves the primitives order[first .. last) that belong to the left child to the front, and
-  // returns where the right ones begin; never at either end.
+  // returns where those of the right child begin, which is never at either end.
   int partition(int first, int last, bool by_plane) {
     Box centroids;
     for (int i = first; i < last; ++i) centroids.grow(boxes[bvh.order[i]].center());
@@ -42,12 +42,12 @@ struct Builder {
     return first + (last - first) / 2;
   }
 
-  // Makes nodes[index] the root of a tree over order[first .. last). The two children lie next to
-  // each other in memory, because a ray is tested against both. A node is named by its index, never
-  // by a reference, because new nodes may move all of them.
+  // Makes nodes[index] the root of a tree over order[first .. last). The two children are next to
+  // each other in memory, because a ray is tested against both. A node is known by its index, never
+  // by a reference, because new nodes may move all nodes.
   //
-  // Planes follow the shape of a scene. But where the centroids lie at 2^-i, each plane cuts off
-  // only one of them: so below `planes` levels the median is taken, which keeps the tree shallow.
+  // Planes follow the shape of a scene. But if the centroids are at 2^-i, each plane cuts off only
+  // one of them. So below `planes` levels the median divides a range, which keeps the tree shallow.
   void build(int index, int first, int last, int planes) {
     for (int i = first; i < last; ++i) bvh.nodes[index].box.grow(boxes[bvh.order[i]]);
     if (last - first <= max_leaf) {
@@ -74,7 +74,7 @@ Bvh build_bvh(std::span<const Box> boxes, int max_leaf) {
   std::iota(builder.bvh.order.begin(), builder.bvh.order.end(), 0);
   if (boxes.empty()) return builder.bvh;
   builder.bvh.nodes.resize(1);
-  // Twice the depth of a balanced tree.
+  // This is twice the depth of a balanced tree.
   const int planes = 2 * static_cast<int>(std::bit_width(boxes.size()));
   builder.build(0, 0, static_cast<int>(boxes.size()), planes);
   return builder.bvh;

@@ -17,12 +17,12 @@ Interval crossings(double plane_min, double plane_max, double origin, double dir
 
 }  // namespace
 
-// A box is what three slabs have in common, and a ray is inside a slab from one plane to the other.
+// A box is the intersection of three slabs, and a ray is in a slab between the slab's two planes.
 //
 // Along an axis in which the ray does not move, 1 / d is infinite, and the two crossings are
 // infinities: of opposite sign inside the slab, of the same sign beside it. No special case is
-// needed. Only on a plane itself one is 0 * infinity = NaN, and there std::max(enter, NaN) and
-// std::min(leave, NaN) keep their first argument: the planes belong to the box.
+// needed. Only if the ray lies in a plane, one crossing is 0 * infinity = NaN. Then std::max(enter,
+// NaN) and std::min(leave, NaN) keep their first argument: the planes belong to the box.
 std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
   // Ize 2013, Robust BVH Ray Traversal: each crossing has a relative error of at most gamma(3), so
   // with this factor on the far planes no box is missed by rounding.

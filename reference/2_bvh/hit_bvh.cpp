@@ -8,8 +8,8 @@ namespace pt {
 
 namespace {
 
-// The search for the nearest hit. `ray` is a copy of the ray of the query, and always ends at the
-// nearest hit so far, so that a surface behind it is not a hit any more. Only a hit shortens the
+// The search for the nearest hit. `ray` is a copy of the query's ray, and always ends at the
+// nearest hit so far, so that surfaces behind this hit no longer count. Only a hit shortens the
 // ray; a box does not.
 struct Nearest {
   const Bvh& bvh;
@@ -27,7 +27,7 @@ struct Nearest {
     const BvhNode* far = &bvh.nodes[node.right];
     std::optional<Interval> in_near = hit_box(near->box, ray);
     std::optional<Interval> in_far = hit_box(far->box, ray);
-    // The child that is entered first may end the ray before it gets to the other.
+    // A hit in the child that is entered first may end the ray before the other child.
     if (in_near && in_far && in_far->min < in_near->min) {
       std::swap(near, far);
       std::swap(in_near, in_far);
@@ -47,8 +47,8 @@ struct Nearest {
   }
 };
 
-// Returns whether there is any hit at or below a node whose box the ray enters. Goes down one child
-// in a loop, and into the other by a call where both are entered.
+// Returns whether there is any hit at or below a node whose box the ray enters. If the ray enters
+// both children, a call searches one, and the loop goes on with the other.
 bool any(const Bvh& bvh, const Primitives& primitives, const Ray& ray, int start) {
   const BvhNode* node = &bvh.nodes[start];
   while (!node->is_leaf()) {

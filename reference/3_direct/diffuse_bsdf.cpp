@@ -13,11 +13,11 @@ bool same_side(Vec3 wo, Vec3 wi) { return (wo.z > 0 && wi.z > 0) || (wo.z < 0 &&
 
 }  // namespace
 
-// The cosine, summed over the hemisphere, is pi: divided by it, f reflects just the albedo.
+// The integral of the cosine over the hemisphere is pi: divided by it, f reflects just the albedo.
 Rgb diffuse_f(Rgb albedo, Vec3 wo, Vec3 wi) { return same_side(wo, wi) ? albedo / kPi : Rgb{}; }
 
-// Directions near the normal bring more light, by the cosine: choosing them in proportion to it
-// leaves f cos / pdf the same for all of them.
+// Light counts in proportion to the cosine. If directions are chosen in proportion to the cosine,
+// too, f cos / pdf is the same for all of them.
 BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler) {
   Vec3 wi = cosine_hemisphere(sampler.next_2d());
   if (wo.z < 0) wi.z = -wi.z;

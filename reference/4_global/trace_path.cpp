@@ -29,8 +29,8 @@ Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings
     if (bounce >= settings.from) sum += throughput * direct(scene, point, settings, sampler);
     if (bounce == settings.to) break;
 
-    // Russian roulette, at every point but the first: a path that goes on also stands for those
-    // that end here.
+    // Russian roulette, at every point except the first: a path that goes on also represents the
+    // paths that end here.
     if (bounce > 1) {
       if (!(sampler.next_1d() < settings.survival)) break;
       throughput /= settings.survival;
@@ -38,7 +38,7 @@ Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings
 
     const Vec3 wo = point.frame.to_local(point.wo);
     const BsdfSample next = diffuse_sample(point.albedo, wo, sampler);
-    if (!(next.pdf > 0)) break;  // a direction that grazes the surface brings nothing
+    if (!(next.pdf > 0)) break;  // a direction along the surface brings no light
     throughput *= next.f * (std::abs(next.wi.z) / next.pdf);
 
     const Ray ray = spawn_ray(point, point.frame.to_world(next.wi));

@@ -1,9 +1,8 @@
-// Archives that learners hand in: all that is unpacked stays in its folder, and is made of plain
-// files.
-#include "grader/intake/unpack.h"
+// Archives of learners: everything that is unpacked is a plain file and stays in its folder.
+#include "grader/service/intake/unpack.h"
 #include "pt/error.h"
+#include "tests/fixtures/temporary_folder.h"
 #include "tests/fuzz/input.h"
-#include "tests/temporary_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   namespace fs = std::filesystem;

@@ -1,10 +1,10 @@
-// A class as platforms export it: the list of Gradescope, and names of folders and files.
-#include "grader/intake/handed_in.h"
-#include "grader/intake/unpack.h"
+// Exports of a class: Gradescope's list, and names of folders and files.
+#include "grader/service/intake/handed_in.h"
+#include "grader/service/intake/unpack.h"
 #include "pt/error.h"
 #include "pt/file.h"
+#include "tests/fixtures/temporary_folder.h"
 #include "tests/fuzz/input.h"
-#include "tests/temporary_folder.h"
 
 #include <algorithm>
 #include <set>
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace grader::intake;
 
-// Every line that can be a name becomes a folder with a file of that name, and a file.
+// Every line that can be a name becomes a file, and a folder with a file of the same name.
 void make_class(const fs::path& folder, std::string_view text) {
   std::error_code ignored;
   int number = 0;

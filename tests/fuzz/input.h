@@ -12,9 +12,9 @@
 
 #include <unistd.h>
 
-// Functions that the fuzz targets share. A target is one function, LLVMFuzzerTestOneInput of
-// libFuzzer (llvm.org/docs/LibFuzzer.html): it takes any bytes and returns, or aborts if it finds a
-// fault.
+// Functions that the fuzz targets share. A target is one function, libFuzzer's
+// LLVMFuzzerTestOneInput (llvm.org/docs/LibFuzzer.html): it accepts any bytes and returns. If it
+// finds a fault, it aborts.
 
 namespace fuzz {
 
@@ -22,7 +22,7 @@ inline std::string_view as_text(const std::uint8_t* bytes, std::size_t size) {
   return {reinterpret_cast<const char*>(bytes), size};
 }
 
-// The input as a file, for functions that read files. Removed when the program ends.
+// The input as a file, for functions that read files. The file is removed when the program ends.
 inline std::filesystem::path as_file(std::string_view bytes) {
   struct File {
     std::filesystem::path path =
@@ -38,10 +38,10 @@ inline void expect(bool holds) {
   if (!holds) abort();
 }
 
-// Programs say what is wrong with an input by pt::sentence_of.
+// An input is refused by an exception that pt::sentence_of can describe.
 inline void expect_reason(const std::exception& error) { expect(!pt::sentence_of(error).empty()); }
 
-// A text that is printed as it is: nothing in it moves a terminal's cursor.
+// Printed text contains nothing that moves a terminal's cursor.
 inline void expect_sentence(std::string_view text) {
   expect(!text.empty());
   for (const char c : text) expect(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);

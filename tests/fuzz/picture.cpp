@@ -1,5 +1,5 @@
-// Pictures: EXR files of goldens and renders, whatever else ./run compare reads, and the counts of a
-// sample map.
+// Pictures: EXR files of goldens and renders, all other formats of ./run compare, and the counts of
+// a sample map.
 #include "pt/error.h"
 #include "pt/image/image_io.h"
 #include "pt/image/sample_map.h"

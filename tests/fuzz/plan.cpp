@@ -1,14 +1,14 @@
-// plan.json of a class, which other machines read: a plan that is accepted can be graded, and reports stay in their
-// folder.
-#include "grader/programs/grade_class/plan.h"
+// plan.json of a class, which other machines read: an accepted plan can be graded, and its reports
+// stay in their folder.
+#include "grader/service/classes/plan.h"
 
 #include "pt/error.h"
 #include "pt/file.h"
+#include "tests/fixtures/temporary_folder.h"
 #include "tests/fuzz/input.h"
-#include "tests/temporary_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  using namespace grader::programs;
+  using namespace grader::classes;
   static const TemporaryFolder folder;
   const std::string path = folder.path() + "/plan.json";
   pt::write_file(path, fuzz::as_text(bytes, size));

@@ -1,13 +1,13 @@
 // scenes/recipes.json, which instructors write by hand.
-#include "grader/pictures/recipes.h"
+#include "grader/pictures/recipes/recipes.h"
 
 #include "pt/error.h"
 #include "pt/file.h"
+#include "tests/fixtures/temporary_folder.h"
 #include "tests/fuzz/input.h"
-#include "tests/temporary_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  // The scene that recipes of the corpus name has to be there.
+  // The scene that the corpus's recipes name has to exist.
   static const TemporaryFolder folder;
   static const std::filesystem::path file = std::filesystem::path(folder.path()) / "recipes.json";
   pt::write_file(std::filesystem::path(folder.path()) / "star.dae", "");

@@ -1,5 +1,5 @@
-// replay CORPUS [N]: calls a fuzz target with each file of the folder, and with N copies of them that are
-// damaged, always the same ones: where there is no libFuzzer, this is what a target is run by.
+// replay CORPUS [N]: calls a fuzz target with each file of the folder, and with N damaged copies of
+// these files. The damage is the same in every run. Targets run this way if there is no libFuzzer.
 #include "pt/error.h"
 #include "pt/file.h"
 
@@ -30,8 +30,8 @@ std::vector<std::string> texts_in(const fs::path& corpus) {
   return texts;
 }
 
-// Some bytes changed, cut out, doubled, or taken from another input. Runs of digits become numbers that
-// nobody expects.
+// Changes, removes or doubles some bytes, or inserts some from another input. Runs of digits become
+// unexpected numbers.
 std::string damaged(const std::vector<std::string>& texts, std::mt19937_64& random) {
   static const std::vector<std::string> odd{"0",
                                             "-1",

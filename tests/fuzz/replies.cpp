@@ -1,22 +1,22 @@
-// The messages of a worker: the reply to a call of each function, and its own calls back. The first
-// byte chooses the function, and one of the two.
-#include "grader/check/fail.h"
-#include "grader/check/scripted_radiance.h"
+// Messages of a worker: its replies to calls of each function, and its own calls back. The first
+// byte chooses the function, and a reply or a call.
+#include "grader/check/language/fail.h"
+#include "grader/check/mocks/scripted_radiance.h"
+#include "grader/service/wire/finite.h"
+#include "grader/service/wire/session.h"
 #include "grader/tasks/build_bvh/walk.h"
-#include "grader/wire/finite.h"
-#include "grader/wire/session.h"
 #include "tests/fuzz/input.h"
 
 namespace grader::wire {
 namespace {
 
-// Looks at a result as the judge does; rows of a picture have a test of their own (grader/pictures).
+// Looks at a result as the judge does. Rows of a picture have their own test (grader/pictures).
 template <class Result>
 void look_at(const Result& result) {
   if constexpr (!std::is_same_v<Result, pt::PictureRows>) has_valid_numbers(result);
 }
 
-// As call() of grader/wire/call.h and Session::take_head read it.
+// Reads a reply like call() of grader/service/wire/call.h and Session::take_head.
 template <auto Function>
 void read_reply(std::string_view bytes) {
   using Signature = SignatureOf<Function>;
@@ -50,7 +50,7 @@ void read_reply_of(int function, std::string_view bytes) {
   FIRSTLIGHT_CALLS_render_rows(FIRSTLIGHT_READ, FIRSTLIGHT_READ)
 }
 
-// The codes of the types are put in their places: without them all questions would end there.
+// Puts correct type codes into the message, because every question would be refused without them.
 void answer_question(int which, std::string_view bytes) {
   static const pt::Scene scene;
   Session session({});

@@ -1,6 +1,5 @@
-// results.json: every report of it can be written, and holds nothing that misleads its reader, or it is
-// refused.
-#include "grader/report/class_page.h"
+// results.json: it is refused, or every report on it can be written and contains nothing that
+// misleads a reader.
 #include "grader/report/csv.h"
 #include "grader/report/gradescope.h"
 #include "grader/report/html.h"
@@ -9,6 +8,7 @@
 #include "grader/results/json.h"
 #include "grader/results/presentable.h"
 #include "grader/results/read_json.h"
+#include "grader/service/platforms/class_page.h"
 #include "pt/error.h"
 #include "tests/fuzz/input.h"
 
@@ -21,16 +21,16 @@ namespace {
 
 using namespace grader;
 
-// Nothing that moves a terminal's cursor, or is not UTF-8.
+// The text is UTF-8 and contains nothing that moves a terminal's cursor.
 void expect_plain(const std::string& text) {
   for (const char c : text) {
     fuzz::expect(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\r' || c == '\t');
   }
   fuzz::expect(text.find('\x7f') == text.npos && text.find("\xc2\x9b") == text.npos);
-  nlohmann::json(text).dump();  // throws where it is not UTF-8
+  nlohmann::json(text).dump();  // throws if it is not UTF-8
 }
 
-// A line for each task below the names of the columns: a field in quotation marks may go on over a line.
+// The table has one line per task below the column names; a quoted field may contain line breaks.
 void expect_table(const std::string& text, std::size_t tasks) {
   std::size_t lines = 0;
   bool quoted = false;
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     fuzz::expect(tinyxml2::XMLDocument().Parse(junit.c_str()) == tinyxml2::XML_SUCCESS);
     fuzz::expect(nlohmann::json::parse(report::to_gradescope(read)).contains("tests"));
     expect_plain(report::to_html(read));
-    report::ClassPage page;
+    platforms::ClassPage page;
     page.add({"name", "", "page.html", "", false}, read);
     expect_plain(page.to_html());
     const std::string again = results::to_json(read);

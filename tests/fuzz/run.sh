@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# run.sh FOLDER [--seconds N | --runs N] [TARGET ...] | --list: builds fuzz targets with clang in FOLDER and runs each, one
-# after the other, for 600 s unless told. All targets, where none is named. It shows the fault that an input causes, and
-# the input stays in FOLDER, as does the corpus that grows. Exit status 1: something was found; 77: there is no clang.
+# run.sh FOLDER [--seconds N | --runs N] [TARGET ...] | --list: builds fuzz targets with clang in FOLDER and runs them one
+# after the other, for 600 s each by default. Without a name it runs all targets. It shows the fault that an input causes.
+# FOLDER keeps this input and the growing corpus. Exit status 1: a fault was found; 77: there is no clang.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 mapfile -t all < <(sed -n 's/^firstlight_fuzz(\([a-z_]*\) .*/\1/p' "$here/CMakeLists.txt")
@@ -28,13 +28,13 @@ if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { r
 fi
 cmake -S "$here/../.." -B "$folder" --preset fuzz >"$folder/cmake.log" 2>&1 || { cat "$folder/cmake.log"; exit 2; }
 ninja -C "$folder" "${targets[@]/#/fuzz.}" >"$folder/ninja.log" 2>&1 || { tail -30 "$folder/ninja.log"; exit 2; }
-# Memory that a library leaks when it refuses a file is not our fault; the tests find our own leaks.
+# A library's own memory leak when it refuses a file is not our fault; the tests find our leaks.
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 status=0
 for target in "${targets[@]}"; do
   mkdir -p "$folder/corpus/$target"
   words=()
   [ ! -e "$here/$target.dict" ] || words+=(-dict="$here/$target.dict")
-  if "$folder/tests/fuzz/fuzz.$target" "$length" -artifact_prefix="$folder/$target." -max_len=16384 -timeout=20 \
+  if "$folder/tests/fuzz.$target" "$length" -artifact_prefix="$folder/$target." -max_len=16384 -timeout=20 \
       -rss_limit_mb=2048 -malloc_limit_mb=1536 -use_value_profile=1 -print_final_stats=1 ${words[@]+"${words[@]}"} \
       "$folder/corpus/$target" "$here/corpus/$target" >"$folder/$target.log" 2>&1; then
     printf '%-12s %s inputs, %s edges, nothing found\n' "$target" \

@@ -10,10 +10,10 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
-# shellcheck source=tests/copy_tree.sh
-. "$root/tests/copy_tree.sh"
+# shellcheck source=tests/commands/copy_tree.sh
+. "$root/tests/commands/copy_tree.sh"
 table=$here/mutants.txt
-least=411
+least=404
 limit=300 # seconds that a test may take
 
 fail() {

@@ -5,8 +5,8 @@
 #include "tests/proof/image_verdict.h"
 #include "tests/proof/scenes.h"
 
-// Hemisphere sampling and light sampling are two estimates of the same light, in scenes for which
-// no closed form exists. So are both engines', and the pictures of any survival.
+// Hemisphere sampling and light sampling estimate the same light, in scenes without a closed form.
+// Both engines agree too, and pictures with any survival probability.
 
 namespace pt::proof {
 namespace {
@@ -96,7 +96,7 @@ TEST(Agreement, of_different_survival) {
   expect_same_picture(often, render(view, 150, 106), "survival");
 }
 
-// The same numbers drawn, the same surfaces met: the same picture, but for ties that no ray
+// The same random numbers and the same surfaces give the same picture, except for ties that no ray
 // decides.
 TEST(Agreement, of_both_engines_to_the_last_bit) {
   const Scene linear = room().finish(Engine::linear), task = room().finish(Engine::task);
@@ -108,7 +108,7 @@ TEST(Agreement, of_both_engines_to_the_last_bit) {
   }
 }
 
-// At single points: with the errors of many more samples.
+// At single points, with the errors of many more samples.
 TEST(Agreement, of_both_ways_at_points) {
   const Scene scene = room().finish(Engine::task);
   for (const Vec3 target : {Vec3{0.1, -1, 0.2}, Vec3{-0.5, -0.3, -0.2}, Vec3{-0.3, 0.2, -1},

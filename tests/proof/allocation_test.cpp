@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-// No memory is asked for while a pixel is rendered, however many rays it takes.
+// Rendering a pixel allocates no memory, however many rays it takes.
 
 namespace {
 
@@ -14,7 +14,7 @@ thread_local long long allocations = 0;
 
 }  // namespace
 
-// Not inlined, or g++ sees malloc and delete together and warns of them as not belonging together.
+// Not inlined: otherwise g++ sees malloc and delete together, and warns that they do not match.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;

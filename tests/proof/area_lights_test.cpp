@@ -6,8 +6,8 @@
 
 #include <initializer_list>
 
-// Rectangular, mesh and spherical lights against Lambert's polygon formula and the irradiance from
-// a sphere, by both ways of finding direct light.
+// Rectangular, mesh and spherical lights, compared with Lambert's polygon formula and the
+// irradiance from a sphere, for both ways of sampling direct light.
 
 namespace pt::proof {
 namespace {
@@ -25,16 +25,16 @@ RunningRgb repeat(Estimator direct, const Scene& scene, const SurfacePoint& poin
   return all;
 }
 
-// Irradiance from a light of radiance 1, reflected.
+// The reflected irradiance from a light of radiance 1.
 Rgb reflected(double irradiance) { return irradiance / kPi * kRadiance * kAlbedo; }
 
 struct Rectangle {
   const char* name;
   Vec3 center, u, v;  // emits along cross(u, v)
-  bool noisy;         // too small for the hemisphere
+  bool noisy;         // too small for hemisphere sampling
 };
 
-// Around a receiver at the origin with its normal along z.
+// The light around a receiver at the origin with its normal along z.
 const Rectangle kRectangles[] = {
     {"overhead", {0, 0, 2}, {0, 1, 0}, {1, 0, 0}, false},
     {"near", {0.1, 0, 0.15}, {0, 1, 0}, {1, 0, 0}, false},
@@ -45,7 +45,7 @@ const Rectangle kRectangles[] = {
     {"sheared", {-1, 0.2, 1}, {0.3, 1, 0.2}, {1, 0.4, -0.4}, false},
 };
 
-// A light's surface and the light itself, once as a rectangle and once as a mesh.
+// The light and its surface, once as a rectangle and once as a mesh.
 void add_light(SceneBuilder& builder, const Place& place, const Rectangle& r, bool as_mesh) {
   const Vec3 center = place.point(r.center), u = place.direction(r.u), v = place.direction(r.v);
   SceneBuilder light;
@@ -94,8 +94,8 @@ TEST(RectangleLight, matches_lamberts_formula) {
   }
 }
 
-// A point in the plane of the light or behind it, or one seen from its side away from the light,
-// gets no light at all.
+// A point in the plane of the light or behind it gets no light at all, nor does a point that is
+// seen from its side away from the light.
 TEST(RectangleLight, is_dark_on_the_other_sides) {
   const Rectangle turned_away{"", {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, false};
   const Rectangle below{"", {0, 0, -2}, {1, 0, 0}, {0, 1, 0}, false};
@@ -116,8 +116,8 @@ TEST(RectangleLight, is_dark_on_the_other_sides) {
   }
 }
 
-// A large sheet ends in a straight edge: from the receiver it cuts the light along the plane
-// through the edge, and what is left is a polygon again.
+// A large sheet ends in a straight edge. From the receiver, it cuts the light along the plane
+// through this edge, and the visible rest is a polygon again.
 TEST(RectangleLight, is_hidden_in_part_by_a_sheet) {
   const Rectangle& r = kRectangles[0];
   const Place place = askew();
@@ -125,7 +125,7 @@ TEST(RectangleLight, is_hidden_in_part_by_a_sheet) {
     SceneBuilder builder;
     add_receiver(builder, place);
     add_light(builder, place, r, false);
-    // It hangs at half the height, and so hides the light up to twice as far.
+    // The sheet hangs at half the height, so it hides the light up to twice as far away.
     builder.quad(place.point({edge - 9, -9, 1}), place.direction({9, 0, 0}),
                  place.direction({0, 18, 0}), builder.material(gray(0.5)));
     const Polygon seen = clipped(parallelogram(r.center, r.u, r.v), {}, {1, 0, -edge});
@@ -147,7 +147,7 @@ TEST(RectangleLight, is_hidden_in_part_by_a_sheet) {
   }
 }
 
-// A surface behind the light, beside it or below the receiver hides nothing.
+// A surface behind the light, next to it or below the receiver hides nothing.
 TEST(RectangleLight, is_not_hidden_by_what_is_elsewhere) {
   const Rectangle& r = kRectangles[0];
   const Place place = askew();
@@ -178,7 +178,7 @@ TEST(SphereLight, matches_the_closed_form_near_and_far_at_every_tilt) {
       const Vec3 to_light = place.direction({std::sin(tilt), 0, std::cos(tilt)});
       const Vec3 center = place.origin + radius * distance * to_light;
       SceneBuilder builder;
-      // Small, so that it stays out of a sphere that is cut by its plane.
+      // The light is small, so that it stays out of a sphere that its plane cuts.
       const double half = 0.001;
       builder.quad(place.point({-half, -0.8 * half, 0}), place.direction({2 * half, 0, 0}),
                    place.direction({0, 2 * half, 0}), builder.material(kAlbedo));
@@ -210,7 +210,7 @@ TEST(SphereLight, has_no_density_but_that_of_its_solid_angle) {
   }
 }
 
-// The lights' shares add up, whatever their number, their kinds and the samples each gets.
+// The contributions of the lights add up, for any number, kinds and samples of lights.
 TEST(DirectLights, adds_the_lights_up) {
   const Place place = askew();
   for (const int samples : {1, 3}) {
@@ -219,7 +219,7 @@ TEST(DirectLights, adds_the_lights_up) {
     double sum = 0;
     for (const int i : {0, 3, 4}) {
       const Rectangle& r = kRectangles[i];
-      // Without surfaces: they would hide each other.
+      // The lights have no surfaces, because these would hide each other.
       builder.light(
           RectangleLight{place.point(r.center), place.direction(r.u), place.direction(r.v),
                          normalize(cross(place.direction(r.u), place.direction(r.v))), kRadiance});

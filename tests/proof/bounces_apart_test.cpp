@@ -7,13 +7,13 @@
 #include "tests/proof/one_walk.h"
 #include "tests/proof/statistics.h"
 
-// One walk of trace_path taken apart by bounce. The parts add up to the walk; in a closed room the
-// light of bounce k is known. The same for every way to write trace_path that is linked here.
+// One walk of trace_path, split by bounce. The parts add up to the walk, and in a closed room the
+// light of bounce k is known. Every version of trace_path that is linked here is tested.
 
 namespace pt::proof {
 namespace {
 
-// Closed, of one material.
+// A closed room of one material.
 Scene room(Rgb albedo, Rgb emission) {
   SceneBuilder builder;
   builder.room({-1, -0.5, -2}, {1, 1, 1.5}, builder.material(albedo, emission));

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-// A trace_path that adds what the path runs into: that is not the direct light of a bounce, so its pictures
-// cannot come from one walk, and it says so.
+// This trace_path adds the emission of surfaces that the path hits. This is not the direct light of
+// a bounce, so its pictures cannot come from one walk, and the walk reports that.
 
 namespace pt::proof {
 namespace {

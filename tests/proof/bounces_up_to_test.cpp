@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-// The reference's path does not depend on the cap as long as it is below it: the walk that
-// is taken apart, up to bounce m, is the one that stops there, bit for bit.
+// Below the cap, the reference's path does not depend on it: the split walk up to bounce m equals
+// the walk that stops at m, bit for bit.
 
 namespace pt::proof {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-// hit_box against slabs in long double, and by construction: a ray aimed at a point of the box has
-// that point's t in its interval, however the rounding falls.
+// hit_box, compared with slabs in long double and tested by construction: if a ray aims at a point
+// of the box, its interval contains the point's t, whatever the rounding.
 
 namespace pt::proof {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 Box any_box(Sampler& sampler, bool grid, int flat) {
   Box box;
   for (int i = 0; i < 2; ++i) box.grow(grid ? on_grid(sampler) : in_cube(sampler));
-  // Flat in one axis, in two, or a point.
+  // Boxes that are flat along one axis, along two, or points.
   for (int axis = 0; axis < flat; ++axis) box.max[axis] = box.min[axis];
   return box;
 }
@@ -21,7 +21,7 @@ struct LongInterval {
   long double min = 0, max = 0;
 };
 
-// Zeros of either sign by their own case: inside the slab always, or never.
+// Zeros of either sign are a case of their own: always inside the slab, or never.
 LongInterval slabs(const Box& box, const Ray& ray) {
   LongInterval inside{ray.t_min, ray.t_max};
   for (int axis = 0; axis < 3; ++axis) {
@@ -54,7 +54,7 @@ Ray any_ray_at(const Box& box, int kind, Sampler& sampler) {
   return {origin, direction, from, from + 2 * sampler.next_1d()};
 }
 
-// Never narrower than it is, and no more than 12 roundings wider.
+// The interval is never too narrow, and at most 12 roundings too wide.
 TEST(HitBox, gives_the_interval_of_the_slabs) {
   Sampler sampler(111);
   int hits = 0, misses = 0;
@@ -84,8 +84,8 @@ TEST(HitBox, gives_the_interval_of_the_slabs) {
   EXPECT_GT(misses, 40000);
 }
 
-// Rays at the edges, corners and faces: the exact ray may pass the point by a rounding, so that it
-// is asked of the long double slabs first. (Plain slabs miss 4 in 1,000 of these, 9 of flat boxes.)
+// Rays at edges, corners and faces: the exact ray may miss the point by a rounding, so the long
+// double slabs decide first. (Plain slabs miss 4 in 1,000 of these, and 9 of flat boxes.)
 TEST(HitBox, never_misses_by_a_rounding_error) {
   Sampler sampler(112);
   int asked = 0;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-// Rays against surfaces in long double, by plane and edges and by the plain quadratic: another way
-// than the tasks', with 11 more bits, so that what it is sure of is so.
+// Rays against surfaces in long double, by plane and edges and by the plain quadratic formula. This
+// is another method than the tasks', with 11 more bits, so its sure answers are right.
 
 namespace pt::proof {
 
@@ -27,16 +27,16 @@ inline Exact cross(Exact a, Exact b) {
 }
 inline long double length(Exact a) { return std::sqrt(dot(a, a)); }
 
-// The meeting of a ray and one surface: it misses; it meets it at t; or it comes so close to an
-// edge, a silhouette or an end of its range, or runs so flat, that either answer is right (then t
-// is where it would be).
+// The meeting of a ray and one surface: a miss, a hit at t, or so close to an edge, a silhouette or
+// an end of the range, or at such a small angle, that either answer is right. Then t is where the
+// hit would be.
 struct Meeting {
   enum class Kind { miss, hit, either } kind = Kind::miss;
   long double t = 0;
   long double error = 0;  // of a t in double
 };
 
-// So near, relative to the numbers involved, that double arithmetic may err: 2^12 roundings.
+// Relative to the size of the numbers, double arithmetic may err at this distance: 2^12 roundings.
 inline constexpr long double kClose = 0x1p-41L;
 
 inline Meeting in_range(Meeting m, const Ray& ray) {
@@ -45,15 +45,15 @@ inline Meeting in_range(Meeting m, const Ray& ray) {
   return m;
 }
 
-// Without a plane, there is no hit. `kClose` is relative to the distance of the farthest corner,
-// because that is the size of the numbers that the differences are taken of.
+// A triangle without a plane has no hit. `kClose` is relative to the distance of the farthest
+// corner, because the subtracted numbers have this size.
 inline Meeting meet(const Triangle& triangle, const Ray& ray) {
   const Exact o(ray.origin), d(ray.direction), p0(triangle.p0), p1(triangle.p1), p2(triangle.p2);
   const Exact normal = cross(p1 - p0, p2 - p0);
   const long double size = std::max({length(p1 - p0), length(p2 - p0), length(p2 - p1)});
   const long double reach = std::max({length(p0 - o), length(p1 - o), length(p2 - o)}) + size;
-  // The triple product that everything is divided by, relative to the lengths. Within a rounding of
-  // zero there is nothing to hit; up to some hundred, nobody can tell where.
+  // The triple product, which is the divisor of everything, relative to the lengths. Within a
+  // rounding of zero there is no hit; up to some hundred roundings, the place is unknown.
   const long double product = std::abs(dot(normal, d)) / (size * size * length(d));
   if (!(product > 0x1p-53L)) return {};
   const Exact n = (1 / length(normal)) * normal;
@@ -61,12 +61,12 @@ inline Meeting meet(const Triangle& triangle, const Ray& ray) {
   if (product < 0x1p-45L) return {Meeting::Kind::either, 0, HUGE_VALL};
   const long double t = dot(n, p0 - o) / (cosine * length(d));
   const Exact at = o + t * d;
-  // The distances of a point in the plane to the edges, less than zero outside.
+  // The distances of the point in the plane from the edges, negative outside.
   const auto inside = [&](Exact a, Exact b) {
     return dot(n, cross(b - a, at - a)) / length(b - a);
   };
   const long double edge = std::min({inside(p0, p1), inside(p1, p2), inside(p2, p0)});
-  // An error across the ray becomes one along the plane, longer by 1 / cosine.
+  // An error across the ray becomes larger along the plane, by the factor 1 / cosine.
   const long double slack = kClose * reach / std::abs(cosine) * (size * size / length(normal));
   if (edge < -slack) return {};
   return in_range({edge > slack ? Meeting::Kind::hit : Meeting::Kind::either, t, slack / length(d)},
@@ -100,8 +100,8 @@ inline std::vector<Meeting> meet(const Sphere& sphere, const Ray& ray) {
 struct Meetings {
   std::vector<Meeting> list;
   std::vector<int> primitives;
-  bool sure = false;                // one at least is a hit
-  long double nearest = HUGE_VALL;  // of the hits, the smallest t + error
+  bool sure = false;                // there is at least one hit
+  long double nearest = HUGE_VALL;  // the smallest t + error of the hits
 
   void add(int primitive, const Meeting& m) {
     if (m.kind == Meeting::Kind::miss) return;
@@ -112,10 +112,10 @@ struct Meetings {
     nearest = std::min(nearest, m.t + m.error);
   }
 
-  // Returns whether one answer only is right.
+  // Returns whether only one answer is right.
   bool decided() const { return sure || list.empty(); }
 
-  // One of the meetings, and no sure one is nearer.
+  // Returns whether the hit is one of the meetings and no sure meeting is nearer.
   bool allow_closest(const std::optional<Hit>& hit) const {
     if (!hit) return !sure;
     bool found = false;

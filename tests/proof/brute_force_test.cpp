@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-// Both engines against asking every surface in long double.
+// Both engines, compared with a test of every surface in long double.
 
 namespace pt::proof {
 namespace {
@@ -14,9 +14,9 @@ int any_of(const Primitives& primitives, Sampler& sampler) {
   return static_cast<int>(sampler.next_1d() * primitives.size());
 }
 
-// Rays of all kinds: from anywhere to anywhere; at a point of a surface, so that most of them meet
-// something; between two surfaces; along an axis, from a corner's coordinates, with zeros of both
-// signs, so that they start in the planes of boxes; and with a direction of any length, in a range.
+// Rays of all kinds: between random points; at a point of a surface, so that most of them hit;
+// between two surfaces; along an axis from a corner's coordinates, with zeros of both signs, so
+// that they start in the planes of boxes; and with any length of the direction and any range.
 Ray any_ray(const Primitives& primitives, int kind, Sampler& sampler) {
   const Vec3 target = point_of(primitives, any_of(primitives, sampler), sampler);
   switch (kind % 5) {
@@ -53,7 +53,7 @@ Tracer tracer_of(int kind, const Primitives& primitives) {
   return kind == 0 ? Tracer(Engine::linear, primitives) : Tracer(Engine::task, primitives, kind);
 }
 
-// The first of all engines (0) is linear, the others have leaves of 1 .. 8.
+// Engine 0 is linear; the others have leaves of 1 to 8 surfaces.
 void expect_brute_force(const Mesh& mesh, int rays) {
   const Primitives& primitives = mesh.primitives;
   std::vector<Tracer> tracers;
@@ -75,8 +75,8 @@ void expect_brute_force(const Mesh& mesh, int rays) {
       ASSERT_EQ(occluded, hit.has_value()) << what;
     }
   }
-  // The oracle must not excuse itself. (A flat grid of surfaces shares all coordinates with the
-  // rays along its axes, of which a fifth is.)
+  // The oracle must decide most rays. (A flat grid of surfaces shares all its coordinates with the
+  // rays along its axes, a fifth of all rays.)
   EXPECT_GT(decided, rays * 0.75) << mesh.name;
 }
 
@@ -93,7 +93,7 @@ TEST(BruteForce, agrees_where_there_is_nothing) {
   }
 }
 
-// A ray at a surface without area, from anywhere, meets nothing: there is no t, and no normal.
+// A ray at a surface without area never hits it: there is neither t nor a normal.
 TEST(BruteForce, never_meets_what_has_no_area) {
   const Primitives lines = without_area().primitives;
   Sampler sampler(65);
@@ -106,8 +106,8 @@ TEST(BruteForce, never_meets_what_has_no_area) {
   }
 }
 
-// Nor does one that runs in the plane of a triangle, however that lies. Its ends are rounded: by
-// less than 16 roundings of the direction's length, where that is not too short.
+// A ray in the plane of a triangle misses it too, whatever the plane. Its ends are rounded by less
+// than 16 roundings of the direction's length, unless this is too short.
 TEST(BruteForce, never_meets_a_plane_it_runs_in) {
   Sampler sampler(66);
   for (int i = 0; i < 300000; ++i) {

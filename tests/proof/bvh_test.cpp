@@ -128,8 +128,8 @@ Box at(double x, int axis) {
   return {p, p};
 }
 
-// The largest and the smallest numbers there are, neighbours without a number between them, and
-// centres whose sum overflows: boxes that a plane fails to divide must be divided.
+// The largest and the smallest numbers that exist, neighbours without a number between them, and
+// centres whose sum overflows: boxes have to be divided even if no plane divides them.
 TEST(BuildBvh, ends_at_the_ends_of_the_numbers) {
   const double huge = 1.7e308, tiny = 5e-324;
   const double next = std::nextafter(1.0, 2.0);
@@ -148,8 +148,8 @@ TEST(BuildBvh, ends_at_the_ends_of_the_numbers) {
   }
 }
 
-// Each midpoint would cut off one of 2^-i: a tree as deep as there are boxes, if nothing stops it.
-// Twice the depth of an even tree is left to planes that follow the scene, then halves.
+// Each midpoint would separate only the box at 2^-i, so an unlimited tree would be as deep as the
+// number of boxes. Planes that follow the scene get twice the depth of an even tree, then halves.
 TEST(BuildBvh, stays_shallow_on_clustered_centroids) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const int n : {10, 200, 1000}) {
@@ -165,8 +165,8 @@ TEST(BuildBvh, stays_shallow_on_clustered_centroids) {
   }
 }
 
-// Boxes in a row along one axis, in no order, at any scale: halves of halves, so that the tree is
-// as shallow as can be and no two siblings overlap.
+// Boxes in a row along one axis, in random order, at any scale. Halves of halves make the tree as
+// shallow as possible, and no two siblings overlap.
 TEST(BuildBvh, separates_along_the_longest_axis) {
   Sampler sampler(72);
   for (int axis = 0; axis < 3; ++axis) {

@@ -3,7 +3,7 @@
 #include "tests/proof/closed_forms.h"
 #include "tests/proof/statistics.h"
 
-// camera_ray by what its contract says of angles and of the window, for cameras anywhere.
+// camera_ray, tested by its contract's statements on angles and the window, for any camera.
 
 namespace pt::proof {
 namespace {

@@ -3,7 +3,7 @@
 #include "tests/proof/scenes.h"
 #include "tests/proof/statistics.h"
 
-// Lights of one direction, which have no noise, and the sky.
+// Lights with a single direction, which have no noise, and the sky.
 
 namespace pt::proof {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr Rgb kAlbedo{0.2, 0.5, 0.9};
 constexpr Rgb kLight{3, 2, 1};
 
-// A floor with its normal along the place's z, and a point of it.
+// A floor at a point of the place, with its normal along the place's z.
 SceneBuilder floor_at(const Place& place) {
   SceneBuilder builder;
   builder.quad(place.point({-50, -40, 0}), place.direction({100, 0, 0}),
@@ -36,7 +36,7 @@ TEST(PointLight, falls_off_with_the_square_of_the_distance_and_the_cosine) {
       const Vec3 local = distance * normalize(towards);
       builder.light(PointLight{place.point(local), kLight});
       for (const Engine engine : kEngines) {
-        // The place rounds coordinates of about 2, which matters where the light is near.
+        // The place rounds coordinates of about 2, which matters if the light is near.
         expect_exact(direct_at_origin(builder, place, engine),
                      kAlbedo / kPi * kLight * (local.z / std::pow(distance, 3)), "point light",
                      64 * (1 + 4 / local.z));
@@ -66,7 +66,7 @@ TEST(DeltaLights, are_dark_from_below_and_in_the_shadow) {
     below.light(DirectionalLight{place.direction({0, 0, 1}), kLight});
     EXPECT_EQ(direct_at_origin(below, place, engine), Rgb{});
 
-    // The ball hides both lamps; a third is nearer than the ball, and shines.
+    // The ball hides two lamps; a third lamp is nearer than the ball and visible.
     SceneBuilder shadow = floor_at(place);
     shadow.sphere(place.point({0, 0, 2}), 0.5, shadow.material(gray(0.5)));
     shadow.light(PointLight{place.point({0, 0, 4}), kLight});
@@ -77,7 +77,7 @@ TEST(DeltaLights, are_dark_from_below_and_in_the_shadow) {
   }
 }
 
-// A surface that leans by an angle from facing up sees the part (1 + cos) / 2 of the sky's light.
+// A surface that leans by an angle from facing up gets the part (1 + cos) / 2 of the sky's light.
 TEST(Sky, lights_by_how_much_of_it_is_seen) {
   for (const double lean : {0.0, 40.0, 90.0, 130.0, 180.0}) {
     const double radians = lean * kPi / 180;
@@ -103,14 +103,14 @@ TEST(Sky, lights_by_how_much_of_it_is_seen) {
   }
 }
 
-// A large sheet hides the half of the sky above the floor that lies beyond its edge.
+// A large sheet hides half of the sky above the floor, the half beyond its edge.
 TEST(Sky, is_hidden_by_a_sheet) {
   const Place place{frame_from_normal({0, 1, 0}), {}};
   SceneBuilder builder = floor_at(place);
   builder.quad(place.point({0, -1e6, 1}), place.direction({1e6, 0, 0}),
                place.direction({0, 2e6, 0}), builder.material(gray(0.5)));
   builder.light(AmbientLight{kLight});
-  // Beyond the far edge of the sheet, the sky stays open: below an elevation of 1e-6, a part 1e-12.
+  // Beyond the sheet's far edge the sky is open below an elevation of 1e-6: a part of 1e-12.
   const Rgb truth = 0.5 * kAlbedo * kLight;
   for (const Engine engine : kEngines) {
     const Scene scene = builder.finish(engine);

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-// The tasks keep nothing from one pixel to the next: the same seed gives the same bits, whatever
-// was asked before, in any order and on any thread.
+// The tasks keep nothing between pixels: the same seed gives the same bits, after any other calls,
+// in any order and on any thread.
 
 namespace pt::proof {
 namespace {
@@ -35,7 +35,7 @@ Rgb adaptive(const View& view, int x, int y, Sampler& sampler) {
   return pixel.mean + gray(pixel.samples);
 }
 
-// Threads take pixels one by one, in an order that the stride scatters.
+// Threads take single pixels in an order that the stride scatters.
 std::vector<Rgb> render(const View& view, PixelFunction pixel, int threads, int stride) {
   std::vector<Rgb> image(kWidth * kHeight);
   std::atomic<int> next = 0;

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// Chi-square tests of what draws directions: counts in bins against the density, integrated over
-// each bin.
+// Chi-square tests of direction sampling: counts in bins, compared with the integral of the density
+// over each bin.
 
 namespace pt::proof {
 
@@ -24,7 +24,7 @@ struct Bins {
 
   int of(Vec3 w) const {
     const Vec3 local = frame.to_local(w);
-    // 1 - z by way of the sine keeps its digits in a narrow cone.
+    // Computing 1 - z from the sine keeps its digits in a narrow cone.
     const double squared = local.x * local.x + local.y * local.y;
     const double h = local.z > 0 ? squared / (1 + local.z) : 1 - local.z;
     double turn = std::atan2(local.y, local.x) / (2 * kPi);
@@ -33,7 +33,7 @@ struct Bins {
     return height * kAngles + std::min(kAngles - 1, static_cast<int>(turn * kAngles));
   }
 
-  // The density's integral over each bin, by 40 x 40 points per bin.
+  // The integral of the density over each bin, from 40 x 40 points per bin.
   std::vector<double> integrals(const std::function<double(Vec3)>& density) const {
     constexpr int kFine = 40;
     std::vector<double> sums(kHeights * kAngles);

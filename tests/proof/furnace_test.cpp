@@ -3,7 +3,7 @@
 #include "tests/proof/scenes.h"
 #include "tests/proof/statistics.h"
 
-// A closed room whose walls all emit E and reflect the part a of what they get: after m bounces the
+// A closed room whose walls all emit E and reflect the part a of the light: after m bounces the
 // radiance is E (1 + a + ... + a^m) everywhere and in all directions.
 
 namespace pt::proof {
@@ -29,7 +29,7 @@ Scene room(Engine engine, Rgb albedo) {
   return builder.finish(engine);
 }
 
-// Rays from a point in the room to all sides.
+// Rays from a point in the room in all directions.
 RunningRgb look_around(const Scene& scene, const PathSettings& settings, int rays) {
   Sampler sampler(11);
   RunningRgb samples;
@@ -41,8 +41,8 @@ RunningRgb look_around(const Scene& scene, const PathSettings& settings, int ray
   return samples;
 }
 
-// With survival p, the sum over k of (a^2 / p)^k is the variance, and of (a^4 / p^3)^k what the
-// error of its estimate hangs on: each albedo keeps both below one, so that z is normal.
+// With survival p, the variance is the sum over k of (a^2 / p)^k, and the error of its estimate
+// depends on the sum of (a^4 / p^3)^k. For each albedo both ratios are below one, so z is normal.
 void expect_furnace(Rgb albedo, double survival, int rays) {
   for (const Engine engine : kEngines) {
     const Scene scene = room(engine, albedo);
@@ -90,9 +90,9 @@ TEST(Furnace, does_not_depend_on_the_number_of_light_samples) {
   expect_mean(look_around(scene, settings, 20000), furnace(albedo, 2), "five samples");
 }
 
-// Points near an edge of the room see its other wall at 1 / r^2, and the variance of sampling that
-// wall by area is infinite over all paths. It is finite at a point: so one bounce, at points that
-// keep off the edges. (Many bounces with lights: interreflection_test.cpp.)
+// Points near an edge of the room see its other wall at 1 / r^2, so area sampling of this wall has
+// infinite variance over all paths. At a point the variance is finite, so this test has one bounce
+// and points away from the edges. (Many bounces with lights: interreflection_test.cpp.)
 TEST(Furnace, glows_the_same_by_sampling_its_walls) {
   const Rgb albedo{0.2, 0.5, 0.65};
   for (const Engine engine : kEngines) {
@@ -109,8 +109,8 @@ TEST(Furnace, glows_the_same_by_sampling_its_walls) {
   }
 }
 
-// The other side of an emitter is dark: the same room, seen from outside, and a glowing ball, seen
-// from inside.
+// The back of an emitter is dark: the same room seen from outside, and a glowing ball seen from
+// inside.
 TEST(Furnace, is_dark_from_behind) {
   SceneBuilder builder;
   const int glowing = builder.material(gray(0), kEmission);

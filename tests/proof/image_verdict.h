@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-// Compares two pictures of one scene: a z for each pixel, each block and each whole-image
-// sum, with the larger of both pictures' own variances, so that neither a lack nor a wealth of
-// bright hits in one of them alone is taken for an error. Here no margin is added: both pictures
-// are right or one is wrong, and the level is divided by the number of comparisons (Bonferroni).
+// Compares two pictures of one scene by a z for each pixel, each block and each sum over the
+// picture. It uses the larger of the two variances, so that too few or too many bright samples in
+// one picture are not taken for an error. No margin is added, because both pictures are right or
+// one is wrong. The level is divided by the number of comparisons (Bonferroni).
 
 namespace pt::proof {
 
-// One channel, or the luminance: of each pixel the samples' mean and variance.
+// One channel or the luminance: mean and variance of each pixel's samples.
 struct Plane {
   int width = 0, height = 0;
   std::vector<Running> pixels;
@@ -42,12 +42,12 @@ struct Worst {
   int comparisons = 0;
 
   void add(double other) {
-    if (!(std::abs(other) <= std::abs(z))) z = other;  // also what is NaN
+    if (!(std::abs(other) <= std::abs(z))) z = other;  // also if z is NaN
     ++comparisons;
   }
 };
 
-// z of the weighted difference. Pixels without any variance are not part of it.
+// Returns z of the weighted difference. Pixels without variance are left out.
 inline double z_of(const Plane& a, const Plane& golden, const std::vector<double>& weights) {
   double difference = 0, own = 0, expected = 0, of_golden = 0;
   for (std::size_t p = 0; p < weights.size(); ++p) {
@@ -74,7 +74,7 @@ inline void add_blocks(const Plane& a, const Plane& golden, int size, Worst& wor
   }
 }
 
-// The plain mean, and the one in which quiet pixels count for more: w = g / (v + median(v) / 20).
+// The plain mean, and a mean with larger weights for quiet pixels: w = g / (v + median(v) / 20).
 inline void add_sums(const Plane& a, const Plane& golden, Worst& worst) {
   std::vector<double> variances, weights;
   for (const Running& pixel : golden.pixels) variances.push_back(pixel.variance());

@@ -3,7 +3,7 @@
 #include "tests/proof/scenes.h"
 #include "tests/proof/statistics.h"
 
-// Light after two bounces and more, where there is an exact answer.
+// Light after two or more bounces, in scenes with an exact answer.
 
 namespace pt::proof {
 namespace {
@@ -28,10 +28,10 @@ Rgb power(Rgb base, int exponent) {
 
 struct Lamp {
   Light light;
-  Rgb flux;  // all the light that leaves it
+  Rgb flux;  // all light that leaves the lamp
 };
 
-// Lamps without a surface, so that they light a room and hide nothing of it.
+// Lamps without a surface, which light a room and hide nothing in it.
 std::vector<Lamp> lamps() {
   const Rgb radiance{3, 2, 1};
   const Vec3 u{0.3, 0, 0.1}, v{0, 0.2, 0.1};
@@ -47,13 +47,14 @@ std::vector<Lamp> lamps() {
   };
 }
 
-// Ulbricht 1900: from any point of the inside of a sphere, any other part of it looks as large as
-// its area says. So what has been reflected once falls evenly on all of it, wherever the lamp is:
-// after k >= 2 bounces the radiance is a^k flux / (pi 4 pi R^2).
+// Ulbricht 1900: seen from any inner point of a sphere, the apparent size of any part depends only
+// on its area. So light that was reflected once is even, wherever the lamp is. After k >= 2 bounces
+// the radiance is a^k flux / (pi 4 pi R^2).
 TEST(Interreflection, is_even_in_a_sphere_whatever_the_lamp) {
   const double radius = 1.5;
   for (const Engine engine : kEngines) {
     for (const Lamp& lamp : lamps()) {
+      const std::string lamp_name = "lamp " + std::to_string(lamp.light.index());
       SceneBuilder builder;
       builder.sphere({0.1, 0, 0}, radius, builder.material(kAlbedo));
       builder.light(lamp.light);
@@ -68,19 +69,19 @@ TEST(Interreflection, is_even_in_a_sphere_whatever_the_lamp) {
         PathSettings settings;
         settings.from = settings.to = k;
         expect_mean(trace(scene, point, settings, 30000), truth,
-                    std::string(kind_name(lamp.light)) + ", bounce " + std::to_string(k));
+                    lamp_name + ", bounce " + std::to_string(k));
       }
       PathSettings settings;
       settings.from = 2;
       settings.to = 40;
       expect_mean(trace(scene, point, settings, 30000), all_from_two,
-                  std::string(kind_name(lamp.light)) + ", all bounces from the second");
+                  lamp_name + ", all bounces from the second");
     }
   }
 }
 
-// A glowing ball in the middle of a larger sphere: by symmetry both are even, and of what leaves
-// the wall the part (r / R)^2 meets the ball. Two numbers then carry each bounce to the next.
+// A glowing ball in the middle of a larger sphere. By symmetry both are evenly lit, and the part (r
+// / R)^2 of the light from the wall hits the ball. Two numbers describe each bounce.
 TEST(Interreflection, goes_between_a_ball_and_the_sphere_around_it) {
   const double inner = 0.4, outer = 1;
   const Rgb ball_albedo{0.6, 0.3, 0.1}, emission{1, 2, 3};
@@ -111,8 +112,8 @@ TEST(Interreflection, goes_between_a_ball_and_the_sphere_around_it) {
   }
 }
 
-// Floor and wall share an edge and open at any angle from a right one up; the sun shines straight
-// down on both. Each is evenly lit, so that the second bounce on the other is Lambert's formula.
+// Floor and wall share an edge, at any angle from a right angle up, and the sun shines straight
+// down on both. Each is evenly lit, so the second bounce on the other is Lambert's formula.
 TEST(Interreflection, goes_between_two_walls_of_any_tilt) {
   const Rgb floor_albedo{0.8, 0.5, 0.2}, wall_albedo{0.3, 0.6, 0.9}, sun{4, 3, 2};
   for (const double opening : {90.0, 110.0, 150.0}) {

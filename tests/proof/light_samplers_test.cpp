@@ -2,13 +2,13 @@
 #include "tests/proof/closed_forms.h"
 #include "tests/proof/directions.h"
 
-// Each light's directions, their density and their distance.
+// The directions to each kind of light, their density and their distance.
 
 namespace pt::proof {
 namespace {
 
-// The density per steradian, along w from p, of a point chosen evenly on triangles of that total
-// area, found by asking where w meets them. Triangles that face away have none.
+// The density per steradian along w from p, for points chosen evenly on triangles of this total
+// area, from the hits of w with the triangles. Triangles that face away have none.
 double triangles_density(const std::vector<MeshLight::Face>& faces, Vec3 p, Vec3 w) {
   double area = 0, density = 0;
   for (const auto& f : faces) area += 0.5 * length(cross(f.p1 - f.p0, f.p2 - f.p0));
@@ -78,7 +78,7 @@ TEST(SampleLight, has_the_density_it_says) {
       const LightSample sample = sample_light(c.light, kPoint, sampler);
       ASSERT_EQ(sample.radiance, gray(1)) << c.name;
       ASSERT_FALSE(sample.delta);
-      // 500 radii away, 1 - sqrt(1 - x) above has lost six digits.
+      // At a distance of 500 radii, 1 - sqrt(1 - x) above has lost six digits.
       ASSERT_NEAR(sample.pdf / c.density(sample.wi), 1, 1e-9) << c.name;
       inverse_pdf.add(1 / sample.pdf);
     }
@@ -89,7 +89,7 @@ TEST(SampleLight, has_the_density_it_says) {
   }
 }
 
-// Half of the mesh faces away from the point: those samples bring nothing, but they count.
+// Half of the mesh faces away from the point: these samples contribute nothing, but they count.
 TEST(SampleLight, is_dark_from_behind) {
   const Polygon near = parallelogram({0, 0, 2}, {0, 1, 0}, {1, 0, 0});
   const Polygon away = parallelogram({3, 0, 2}, {1, 0, 0}, {0, 1, 0});
@@ -112,7 +112,7 @@ TEST(SampleLight, is_dark_from_behind) {
   EXPECT_EQ(inside.radiance, Rgb{});
 }
 
-// p + distance wi is a point of the light, to the rounding errors of the way there.
+// p + distance wi is a point of the light, within the rounding errors of the way.
 TEST(SampleLight, says_how_far_the_light_is) {
   Sampler sampler(56);
   for (const double distance : {1.1, 10.0, 1e4, 1e7, 1e9}) {
@@ -133,7 +133,7 @@ TEST(SampleLight, says_how_far_the_light_is) {
   }
 }
 
-// A lamp shines outwards: from within there is no light, however near the surface.
+// A lamp shines outwards, so there is no light inside, however near the surface.
 TEST(SampleLight, of_a_sphere_is_dark_from_within) {
   const SphereLight light{{1, 2, 3}, 2, gray(5)};
   Sampler sampler(1);

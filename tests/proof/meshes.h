@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// Surfaces made to be hard to trace.
+// Surfaces that are hard to trace.
 
 namespace pt::proof {
 
@@ -21,13 +21,13 @@ inline Vec3 in_cube(Sampler& sampler, double half = 1) {
   return half * Vec3{2 * x - 1, 2 * y - 1, 2 * z - 1};
 }
 
-// On a grid of eighths, so that many coordinates coincide and small sums are exact.
+// Points on a grid of eighths, so that many coordinates coincide and small sums are exact.
 inline Vec3 on_grid(Sampler& sampler) {
   const Vec3 p = in_cube(sampler, 8);
   return {std::round(p.x) / 8, std::round(p.y) / 8, std::round(p.z) / 8};
 }
 
-// A triangle without area has some normal.
+// A triangle without area gets some normal.
 inline Triangle any_triangle(Vec3 a, Vec3 b, Vec3 c) {
   Triangle triangle = flat_triangle(a, b, c);
   if (!is_finite(triangle.n0)) triangle.n0 = triangle.n1 = triangle.n2 = {0, 0, 1};
@@ -48,7 +48,7 @@ inline Mesh random_soup(int triangles, int spheres, double size) {
   return mesh;
 }
 
-// A height field over a grid: closed, with shared edges, and flat where the height is 0.
+// A height field over a grid: closed, with shared edges, and flat if the height is 0.
 inline Mesh terrain(double height) {
   Mesh mesh{height > 0 ? "terrain" : "flat", {}};
   const int n = 8;
@@ -75,7 +75,7 @@ inline Mesh duplicates() {
   return mesh;
 }
 
-// Boxes of every size around one centre, to the last bit.
+// Boxes of every size around one centre, exact to the last bit.
 inline Mesh one_centroid() {
   Mesh mesh{"one centroid", {}};
   for (int i = 1; i <= 40; ++i) {
@@ -86,7 +86,7 @@ inline Mesh one_centroid() {
   return mesh;
 }
 
-// Without area: points and lines, straight ones to the last bit among them, in every position.
+// Triangles without area: points and lines in every position; some lines are exactly straight.
 inline Mesh without_area() {
   Sampler sampler(63);
   Mesh mesh{"without area", {}};

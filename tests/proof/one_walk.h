@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// The scene and the ranges that the tests of bounces taken apart share.
+// The scene and the ranges that the tests of split bounces share.
 
 namespace pt::proof {
 
@@ -13,7 +13,7 @@ using Direct = PathSettings::Direct;
 
 inline const std::vector<BounceRange> kPieces{{1, 1}, {2, 2}, {3, 5}, {6, 40}};
 
-// A floor, a wall and a sphere under a small lamp: paths that leave, points in the shadow.
+// A floor, a wall and a sphere under a small lamp: some paths leave, and some points are in shadow.
 inline Scene yard() {
   SceneBuilder builder;
   builder.quad({-4, 0, -4}, {0, 0, 8}, {8, 0, 0}, builder.material({.7, .5, .3}));

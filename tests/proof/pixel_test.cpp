@@ -5,8 +5,8 @@
 
 #include <functional>
 
-// estimate_pixel and adaptive_pixel on a radiance that follows a script: this program defines the
-// slot of the seam itself.
+// estimate_pixel and adaptive_pixel on scripted radiances: this program defines the radiance
+// function itself.
 
 namespace pt {
 
@@ -107,11 +107,11 @@ TEST_F(Pixel, is_covered_evenly) {
   expect_even(12, 29, "adaptive_pixel");
 }
 
-// The contract by hand, in long double: the samples so far are kept, and mean and deviation
-// computed from all of them after each batch.
+// The contract by hand, in long double: all samples are kept, and mean and deviation are computed
+// from all of them after each batch.
 struct Expected {
   int samples = 0;
-  bool close = false;  // the condition was once too near to equality for double
+  bool close = false;  // the condition was once too close to equality for double
 };
 
 Expected expected_samples(const AdaptiveSettings& settings, const std::function<Rgb(int)>& value) {
@@ -127,7 +127,7 @@ Expected expected_samples(const AdaptiveSettings& settings, const std::function<
     for (const long double v : seen) squares += (v - mean) * (v - mean);
     const long double interval = 1.96L * std::sqrt(squares / (n - 1) / n);
     const long double allowed = settings.tolerance * mean;
-    // All alike: rounding in long double is not a deviation.
+    // If all are equal, rounding in long double is not a deviation.
     const bool constant = std::equal(seen.begin() + 1, seen.end(), seen.begin());
     if (!constant && std::abs(interval - allowed) < 1e-12L * allowed) expected.close = true;
     if (constant ? allowed > 0 : interval < allowed) break;
@@ -207,7 +207,7 @@ TEST_F(Pixel, takes_exactly_the_samples_that_the_interval_asks_for) {
   EXPECT_GT(cut_short, 30);
 }
 
-// s2 - s1^2 / n rounds below zero on half of all constants, and its root is then NaN.
+// s2 - s1^2 / n rounds below zero for half of all constants, and then its root is NaN.
 TEST_F(Pixel, takes_one_batch_of_any_constant) {
   for (int i = 0; i < 2000; ++i) {
     const Rgb value = std::pow(10, 12 * noise(5, i) - 6) * Rgb{noise(6, i), noise(7, i), 1};

@@ -51,8 +51,8 @@ TEST(Sampler, draws_the_lowest_bits_too) {
   expect_uniform(counts, n, "the lowest eight of 53 bits");
 }
 
-// A picture is made of many short streams: the first numbers of each pixel must be as good as a
-// long stream's, and those of neighbours, and of the same pixel under the next seed, independent.
+// A picture uses many short streams. The first numbers of each pixel must be as good as those of a
+// long stream, and independent of the neighbours' and of the same pixel's with the next seed.
 TEST(Sampler, gives_pixels_independent_streams) {
   constexpr int kSize = 512, kBins = 16;
   const auto draw = [](std::uint64_t seed, int x, int y) {
@@ -76,7 +76,7 @@ TEST(Sampler, gives_pixels_independent_streams) {
   expect_uniform(right, n, "with the pixel to the right");
   expect_uniform(above, n, "with the pixel above");
   expect_uniform(seed, n, "with the next seed");
-  // Every pair is counted twice, (a, b) and (b, a): half of it holds each once.
+  // Every pair is counted twice, as (a, b) and (b, a); one half contains each pair once.
   std::vector<double> pairs, expected;
   for (int a = 0; a < kBins; ++a) {
     for (int b = 0; b <= a; ++b) {
@@ -121,8 +121,8 @@ TEST(DiffuseSample, has_the_density_that_diffuse_pdf_says) {
 
 // ---- the maps' Jacobians
 
-// The area on the sphere that a small square of xi becomes, by central differences with step h: the
-// error is about h^2 times third derivatives (some 250 for a whole turn) and 2^-52 / h.
+// The area on the sphere of a small square of xi, by central differences with step h. The error is
+// about h^2 times third derivatives (some 250 for a whole turn) plus 2^-52 / h.
 double jacobian(const std::function<Vec3(Vec2)>& map, Vec2 xi) {
   const double h = 1e-5;
   const Vec3 along_x = (map({xi.x + h, xi.y}) - map({xi.x - h, xi.y})) / (2 * h);

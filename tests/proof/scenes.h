@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Scenes made in code, so that every number in them is known.
+// Scenes built in code, so that every number in them is known.
 
 namespace pt::proof {
 
@@ -23,7 +23,7 @@ struct Place {
   Vec3 direction(Vec3 local) const { return frame.to_world(local); }
 };
 
-// Somewhere askew, so that no axis of the world is an axis of the scene.
+// A tilted place: no axis of the world is an axis of the scene.
 inline Place askew() { return {frame_from_normal(normalize({0.3, -0.5, 0.4})), {0.7, -1.3, 2.1}}; }
 
 class SceneBuilder {
@@ -33,7 +33,7 @@ class SceneBuilder {
     return static_cast<int>(scene_.materials.size()) - 1;
   }
 
-  // Emits, if its material does, to where the corners run anticlockwise.
+  // If its material emits, it emits to the side where the corners run anticlockwise.
   void triangle(Vec3 a, Vec3 b, Vec3 c, int material) {
     scene_.primitives.triangles.push_back(flat_triangle(a, b, c));
     of_triangles_.push_back(material);
@@ -79,7 +79,7 @@ class SceneBuilder {
   std::vector<int> of_spheres_;
 };
 
-// The point that one sees when looking from `eye` to `target`.
+// The point that is visible from `eye` in the direction of `target`.
 inline SurfacePoint point_seen(const Scene& scene, Vec3 eye, Vec3 target) {
   const Ray ray{eye, normalize(target - eye), 0, kInfinity};
   const std::optional<Hit> hit = scene.closest(ray);

@@ -5,14 +5,14 @@
 #include "tests/proof/scenes.h"
 #include "tests/proof/statistics.h"
 
-// Sizes from a millionth to a million, near the origin of the world and far from it: where methods
-// that are right on paper fail (each test names what does).
+// Sizes from a millionth to a million, near the world's origin and far from it. Methods that are
+// right on paper fail here; each test names some.
 
 namespace pt::proof {
 namespace {
 
 constexpr double kSizes[] = {1e-6, 1, 1e6};
-// Distances from the origin, in sizes.
+// Distances from the origin, relative to the size.
 constexpr double kShifts[] = {0, 1e2, 1e4, 1e6};
 
 Vec3 any_direction(Sampler& sampler) {
@@ -22,14 +22,14 @@ Vec3 any_direction(Sampler& sampler) {
 
 // ---- intersections
 
-// The textbook's discriminant is off by more than a thousandth from 2e6 radii on.
+// The textbook's discriminant is wrong by more than a thousandth from 2e6 radii on.
 TEST(Stability, far_spheres_keep_their_shape) {
   Sampler sampler(81);
   for (const double size : kSizes) {
     for (const double distance : {1.5, 1e3, 1e5, 1e7}) {
       const Sphere sphere{size * in_cube(sampler), size};
       for (int i = 0; i < 2000; ++i) {
-        // At a point of the near half, not too near to the silhouette to be surely hit.
+        // Rays at a point of the near half, far enough from the silhouette to be a sure hit.
         const Vec3 away = any_direction(sampler);
         Vec3 n = any_direction(sampler);
         if (dot(n, away) < 0) n = -n;
@@ -58,7 +58,7 @@ TEST(Stability, triangles_of_every_size_are_hit_where_aimed) {
       const Vec3 target = (1 - b1 - b2) * t.p0 + b1 * t.p1 + b2 * t.p2;
       const Vec3 origin = target + 3 * size * any_direction(sampler);
       const Vec3 direction = normalize(target - origin);
-      // Well-shaped, and not seen from the side.
+      // Triangles that are well shaped and not seen from the side.
       const double area = length(geometric_normal(t)) / (size * size);
       if (area < 0.1 || std::abs(dot(direction, t.n0)) < 0.1) continue;
       const auto hit = hit_triangle(t, {origin, direction, 0, kInfinity});
@@ -74,8 +74,8 @@ Vec3 shift(double size, double shifts, Sampler& sampler) {
   return size * shifts * normalize(in_cube(sampler));
 }
 
-// From a point that was hit at any angle, into any direction on either side, a triangle's own plane
-// is behind. (No offset: 36 to 52 % hit themselves; one of 1e-11, from scale 100 on.)
+// From a hit point, at any angle, no ray in any direction on either side meets the triangle's own
+// plane. (Without an offset, 36 to 52 % do; with an offset of 1e-11, some from scale 100 on.)
 TEST(Stability, triangles_do_not_meet_themselves) {
   Sampler sampler(83);
   for (const double size : kSizes) {
@@ -91,11 +91,11 @@ TEST(Stability, triangles_do_not_meet_themselves) {
         const Vec3 eye = target + size * any_direction(sampler);
         const Ray ray{eye, normalize(target - eye), 0, kInfinity};
         const auto hit = scene.closest(ray);
-        if (!hit) continue;  // on an edge, or from the side
+        if (!hit) continue;  // on an edge or from the side
         ++points;
         const SurfacePoint point = surface_point(scene, ray, *hit);
         for (int j = 0; j < 20; ++j) {
-          // A third of them graze the surface.
+          // A third of the rays graze the surface.
           Vec3 w = any_direction(sampler);
           const Vec3 n = point.geometric_normal;
           if (j % 3 == 0) w = normalize(cross(n, w) + 1e-9 * w);
@@ -108,7 +108,7 @@ TEST(Stability, triangles_do_not_meet_themselves) {
   }
 }
 
-// A sphere is left for good outwards; inwards, the next hit is the far side.
+// A ray that leaves a sphere outwards never returns; inwards, its next hit is the far side.
 TEST(Stability, spheres_do_not_meet_themselves) {
   Sampler sampler(84);
   for (const double size : kSizes) {
@@ -126,7 +126,7 @@ TEST(Stability, spheres_do_not_meet_themselves) {
           const Vec3 w = any_direction(sampler);
           const double cosine = dot(point.geometric_normal, w);
           const auto hit = scene.closest(spawn_ray(point, w));
-          // Chords shorter than the offset's effect are not judged.
+          // Chords shorter than the effect of the offset are not judged.
           if (cosine < 0 && cosine > -1e-2) continue;
           const bool own = cosine > 0 ? hit.has_value() : hit && hit->t < -size * cosine;
           self_hits += own ? 1 : 0;
@@ -137,10 +137,10 @@ TEST(Stability, spheres_do_not_meet_themselves) {
   }
 }
 
-// The error of a point grows with the way that the ray came: of a small surface seen from far away
-// no direction on the ray's side meets it again. (An offset that knows the size of the surface
-// only, and not the ray's origin or its length: 16 to 50 % do.) A wall of two triangles lies in one
-// plane, so that a ray which leaves one of them may meet the other.
+// A point's error grows with the length of the ray to it. Even so, on a small surface seen from far
+// away no direction on the ray's side meets the surface again. (With an offset that knows only the
+// surface's size, not the ray's origin or length, 16 to 50 % do.) A wall of two triangles is one
+// plane, so a ray that leaves one of them may meet the other.
 TEST(Stability, small_surfaces_seen_from_far_away_do_not_meet_themselves) {
   Sampler sampler(90);
   for (const double size : kSizes) {
@@ -177,8 +177,8 @@ TEST(Stability, small_surfaces_seen_from_far_away_do_not_meet_themselves) {
   }
 }
 
-// A light that is a surface of the scene does not hide itself, at any size and anywhere; a sheet
-// just in front of it does, and one just behind does not.
+// A light that is a surface of the scene does not hide itself, at any size and anywhere. A sheet
+// just in front of it hides it, and a sheet just behind it does not.
 void expect_visible(const SceneBuilder& builder, const Light& light, Vec3 eye, Vec3 target,
                     bool visible, const std::string& what) {
   for (const Engine engine : kEngines) {

@@ -8,14 +8,14 @@
 
 #include <gtest/gtest.h>
 
-// Tests that turn "the two agree" into a number. Every comparison has a level, the chance at which
-// right code would fail it: 1e-9, so that all of the suite's together stay below 1e-6.
+// Tests that turn agreement into a number. Every comparison has a level, the probability that right
+// code fails it: 1e-9, so that all of the suite together stay below 1e-6.
 
 namespace pt::proof {
 
 inline constexpr double kLevel = 1e-9;
 
-// The z that a standard normal number exceeds, in absolute value, with chance `level`.
+// The z whose absolute value a standard normal number exceeds with probability `level`.
 inline double two_sided_threshold(double level) {
   double low = 0, high = 40;
   for (int i = 0; i < 100; ++i) {
@@ -51,8 +51,8 @@ struct RunningRgb {
   }
 };
 
-// The mean lies within the errors of what is true: those of chance, and those of rounding, where
-// each of the n additions may lose 2^-53, and each sample a few dozen.
+// The mean agrees with the true value within the errors of chance and of rounding. Each of the n
+// additions may lose 2^-53, and each sample a few dozen of that.
 inline void expect_mean(const Running& samples, double truth, const std::string& what) {
   ASSERT_GT(samples.n, 1) << what;
   const double rounding = (static_cast<double>(samples.n) + 100) * 0x1p-53 * std::abs(truth);
@@ -68,8 +68,8 @@ inline void expect_mean(const RunningRgb& samples, Rgb truth, const std::string&
   expect_mean(samples.b, truth.b, what + ", blue");
 }
 
-// A number without noise, the product of some dozens of operations. If these cancel, more roundings
-// are allowed.
+// Compares a number without noise, the result of some dozens of operations. If these cancel, more
+// roundings are allowed.
 inline void expect_exact(double value, double truth, const std::string& what,
                          double roundings = 64) {
   EXPECT_LE(std::abs(value - truth), roundings * 0x1p-53 * std::abs(truth))
@@ -80,8 +80,8 @@ inline void expect_exact(Rgb value, Rgb truth, const std::string& what, double r
   for (int c = 0; c < 3; ++c) expect_exact(value[c], truth[c], what, roundings);
 }
 
-// The chance that chi-square with that many degrees of freedom exceeds x: the regularised
-// incomplete gamma function Q(k / 2, x / 2), by its series below the mean and Lentz's continued
+// The probability that chi-square with this many degrees of freedom exceeds x: the regularised
+// incomplete gamma function Q(k / 2, x / 2), by its series below the mean and by Lentz's continued
 // fraction above.
 inline double chi_square_tail(double chi_square, double degrees) {
   const double a = degrees / 2, x = chi_square / 2;
@@ -104,8 +104,8 @@ inline double chi_square_tail(double chi_square, double degrees) {
   return front * h;
 }
 
-// Pearson's test of counts against what was expected of them. Bins that expect fewer than 25 are
-// put together, and what falls where nothing can fall is an error of its own.
+// Pearson's test of counts against expected counts. Bins that expect fewer than 25 are joined, and
+// a count in an impossible bin is an error of its own.
 inline void expect_counts(const std::vector<double>& counts, const std::vector<double>& expected,
                           const std::string& what) {
   ASSERT_EQ(counts.size(), expected.size());

@@ -1,4 +1,4 @@
-#include "grader/check/exact.h"
+#include "grader/check/language/exact.h"
 #include "pt/scene/scene.h"
 #include "pt/tasks/build_bvh.h"
 #include "pt/tasks/camera_ray.h"
@@ -14,9 +14,9 @@
 
 #include <gtest/gtest.h>
 
-// The inputs on which the reference was furthest from exact arithmetic, as ./run stability --search and
-// the curves found them (docs/stability.md). Other code, or the same with a remedy undone, is much
-// worse there: tests/mutants/mutants.txt undoes each of them.
+// The inputs with the reference's largest errors, found by ./run stability --search and the curves
+// (docs/stability.md). Other code, or the same without a remedy, is much worse on them.
+// tests/mutants/mutants.txt undoes each remedy.
 
 namespace pt::proof {
 namespace {
@@ -47,7 +47,7 @@ const AtTriangle kTriangles[] = {
       {-0.9230782951673434, -0.028603534828020936, -0.383546996841708}},
      {{-2858.9812079657822, -41278.51693905998, 59814.65132793578},
       {4.227091999049988e-08, 2.4024713540476308e-08, -4.887508381612272e-08}}},
-    // The worst of t, and the worst of n.
+    // The largest errors of t and of n.
     {{{7115792.423143389, 253032.98981721653, 6432814.5128047},
       {7122912.428153954, 253032.98981721653, 6432814.5128047},
       {7120514.734526242, 253032.98981721653, 6439934.517815266},
@@ -83,7 +83,7 @@ Meeting meet(const AtTriangle& at) {
   return {dot(e2, q) / determinant, normalize(rounded(n))};
 }
 
-// A length: the contract's limit for a point.
+// The contract's limit for a point, as a length.
 double allowed(const AtTriangle& at, double t) {
   const Triangle& triangle = at.triangle;
   const double edge = length(triangle.p1 - triangle.p0), way = t * length(at.ray.direction);
@@ -93,7 +93,7 @@ double allowed(const AtTriangle& at, double t) {
   return 1e-9 * std::max({max_abs(at.ray.at(t)), edge, way}) * thin / sine;
 }
 
-// The worst was a millionth of it; a hundred-thousandth leaves room for another compiler.
+// The largest error was a millionth of it; a hundred-thousandth leaves room for other compilers.
 TEST(WorstInputs, triangles_keep_far_more_digits_than_promised) {
   for (const AtTriangle& at : kTriangles) {
     const Meeting right = meet(at);
@@ -105,8 +105,8 @@ TEST(WorstInputs, triangles_keep_far_more_digits_than_promised) {
   }
 }
 
-// Three corners on a line, to which rounding has given an area, and a ray in what seems to be their
-// plane: without the comparison of the determinant with its rounding error, the hit is nowhere near.
+// Three corners on a line, to which rounding has given an area, and a ray that seems to be in their
+// plane. If the determinant is not compared with its rounding error, the hit is far off.
 const AtTriangle kWithoutArea[] = {
     {{{-10.855446634982577, -0.80610049419177698, -3.405171780123585},
       {-11.226196290336423, -0.80713651856353541, -3.819085770339445},
@@ -145,7 +145,7 @@ struct AtSphere {
   Ray ray;
 };
 
-// The distance in radii.
+// The distance of the sphere in radii.
 double off_the_sphere(const AtSphere& at, double t) {
   const Exact3 p =
       Exact3(at.ray.origin) + Exact(t) * Exact3(at.ray.direction) - Exact3(at.sphere.center);
@@ -159,8 +159,8 @@ double off_the_normal(const AtSphere& at, const SurfaceHit& hit) {
   return length(hit.n - normalize(rounded(p)));
 }
 
-// Spheres at most a thousand radii away. The last two are the worst for their normals: their centres have
-// coordinates of a million radii, so that an ulp of a coordinate is a part of 1e-10 of the radius.
+// Spheres at most a thousand radii away. The last two have the worst normals: their centres have
+// coordinates of a million radii, so that an ulp of a coordinate is 1e-10 of the radius.
 const AtSphere kSpheres[] = {
     {{{-6565417.690410527, 11951187.386336766, -5682787.735812953}, 12009.695186021176},
      {{-18555048.959142637, 11558373.889895052, -5506672.828470255},
@@ -176,7 +176,7 @@ const AtSphere kSpheres[] = {
       {-25.686394501115885, -10.970109659491378, 11.441938257955204}}},
 };
 
-// Returns whether an ulp of the centre's coordinates is a larger part of the radius than 1e-11.
+// Returns whether an ulp of the centre's coordinates is more than 1e-11 of the radius.
 bool is_far_from_the_origin(const Sphere& sphere) {
   return max_abs(sphere.center) > 1e5 * sphere.radius;
 }
@@ -191,7 +191,7 @@ TEST(WorstInputs, spheres_keep_far_more_digits_than_promised) {
   }
 }
 
-// Millions of radii away, where the textbook's discriminant has lost all digits.
+// Spheres millions of radii away, where the textbook's discriminant has lost all digits.
 const AtSphere kFarSpheres[] = {
     {{{218090.62301635748, -182760.97767448425, -21274.71237564091}, 31586.180302497676},
      {{-301808896413.0452, -22034221978.608856, -39173715220.09016},
@@ -215,7 +215,7 @@ struct AtBox {
   Ray ray;
 };
 
-// The form with inverse directions, as the reference has it without the wider far planes.
+// The reference's form with inverse directions, without the wider far planes.
 bool is_hit_by_plain_slabs(const AtBox& at) {
   double enter = at.ray.t_min, leave = at.ray.t_max;
   for (int axis = 0; axis < 3; ++axis) {
@@ -228,8 +228,8 @@ bool is_hit_by_plain_slabs(const AtBox& at) {
   return enter <= leave;
 }
 
-// Rays exactly at an edge or a corner, with the shortest intervals that were found: four rounding
-// errors. Plain slabs miss all of these boxes (Ize 2013).
+// Rays exactly at an edge or a corner, with the shortest intervals found: four rounding errors.
+// Plain slabs miss all of these boxes (Ize 2013).
 const AtBox kBoxes[] = {
     {{{219333.65804004669, 289435.78496456146, -197363.4257516861},
       {219339.0747127533, 289435.78496456146, -197360.81970310211}},
@@ -269,7 +269,7 @@ int levels_below(const Bvh& bvh, int index) {
   return 1 + std::max(levels_below(bvh, node.left), levels_below(bvh, node.right));
 }
 
-// The deepest tree that was found: 3.4 times the levels of a balanced one. Planes alone cut off one
+// The deepest tree found: it has 3.4 times the levels of a balanced tree. Planes alone separate one
 // point each.
 TEST(WorstInputs, points_that_halve_their_distance_do_not_make_a_chain) {
   for (const int points : {32, 1000}) {
@@ -282,8 +282,8 @@ TEST(WorstInputs, points_that_halve_their_distance_do_not_make_a_chain) {
   }
 }
 
-// A turned telescope, a thousandth of a degree high. Its window is 2e-5 high, so that an ulp of the
-// direction is a part of 1e-11 of it.
+// A turned telescope with a field of view of a thousandth of a degree. Its window is 2e-5 high, so
+// an ulp of the direction is 1e-11 of it.
 TEST(WorstInputs, a_turned_telescope_keeps_its_rays_apart) {
   Camera camera;
   camera.camera_to_world = {{-0.2813723035038376, 0.9319495528352192, -0.22869118433201396},
@@ -298,7 +298,7 @@ TEST(WorstInputs, a_turned_telescope_keeps_its_rays_apart) {
   EXPECT_LE(std::abs(rounded(up / ahead)), 1e-10 * height);
 }
 
-// Their product is 0, so that it cannot say whether they are on one side.
+// Their product is 0, so it cannot show whether they are on the same side.
 TEST(WorstInputs, cosines_whose_product_is_zero_are_on_one_side) {
   const Vec3 wo{1, 0, 1e-200}, wi{0, 1, 1e-200}, below{0, 1, -1e-200};
   EXPECT_EQ(diffuse_f(gray(0.5), wo, wi).r, 0.5 / kPi);
@@ -307,7 +307,7 @@ TEST(WorstInputs, cosines_whose_product_is_zero_are_on_one_side) {
   EXPECT_EQ(diffuse_pdf(wo, below), 0);
 }
 
-// A lamp close to the surface, at an angle of a thousandth.
+// A lamp close to the surface, seen at an angle of a thousandth.
 TEST(WorstInputs, a_lamp_at_a_flat_angle_keeps_its_cosine) {
   const Vec3 lamp{-0.043391, -0.090096, 0.00010713};
   Scene scene;

@@ -10,8 +10,5 @@ extern const std::string_view head_html;  // the beginning of every page
 extern const std::string_view page_html;  // a template in Mustache
 extern const std::string_view page_css;
 extern const std::string_view page_js;
-extern const std::string_view class_html;  // a template, with page_css
-extern const std::string_view class_js;
-extern const std::string_view compare_html;  // a template, with page_css
 
 }  // namespace grader::report

@@ -49,7 +49,7 @@ void constants(Battery& battery) {
   }
 }
 
-// So many samples show a sum in float, which is four times as far off as the mean may be.
+// This many samples show a sum in float: its error is four times the allowed one.
 void many_samples(Battery& battery) {
   constexpr double kValue = 0.7;
   battery.ask([&]() -> Battery::Numbers {
@@ -114,7 +114,7 @@ void darkness(Battery& battery) {
     }
     ask(battery, {200, 8, 0.1}, noisy(value, 1));
   }
-  // One constant for some batches, then another one.
+  // One constant for some batches, then another constant.
   for (const int steady : {7, 9, 20}) {
     ask(battery, {96, 8, 0.05}, first_then({1, 1, 1}, steady, {5, 3, 2}));
   }

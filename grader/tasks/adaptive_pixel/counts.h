@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/adaptive_pixel/inputs.h"
 
 #include <algorithm>

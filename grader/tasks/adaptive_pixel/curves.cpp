@@ -1,4 +1,4 @@
-#include "grader/check/curve.h"
+#include "grader/check/language/curve.h"
 #include "grader/tasks/adaptive_pixel/inputs.h"
 
 #include <algorithm>
@@ -11,12 +11,12 @@ using namespace adaptive_pixel_inputs;
 
 constexpr AdaptiveSettings kUsual{.max_samples = 256, .batch = 32, .tolerance = 0.1};
 
-// A pixel whose samples are `rare` with the chance, else `usual`, and whether it has met a rare
-// one.
+// A pixel whose samples are `rare` with probability `chance`, else `usual`, and whether it has met
+// a rare sample.
 struct Pixel {
   PixelEstimate estimate;
   bool has_met = false;    // among the samples that it took
-  double mean_of_all = 0;  // of as many samples as it might have taken
+  double mean_of_all = 0;  // of the largest number of samples
 };
 
 Pixel pixel_of(double chance, double rare, double usual, const AdaptiveSettings& settings) {
@@ -45,9 +45,8 @@ Pixel pixel_of(double chance, double rare, double usual, const AdaptiveSettings&
 
 constexpr double kRounding = 1e-12;  // of two sums of the same numbers
 
-// Returns by how much one pixel differs from what it would have been with all samples, as a part of
-// the right mean. The mean of all samples has no bias, and most of its noise is that of the pixel
-// too.
+// Returns the difference between a pixel and its mean over all samples, as a part of the right
+// mean. The mean over all samples has no bias, and shares most of its noise with the pixel.
 double too_bright(double chance, double rare, double usual, const AdaptiveSettings& settings) {
   const Pixel pixel = pixel_of(chance, rare, usual, settings);
   const double expected = chance * rare + (1 - chance) * usual;
@@ -57,15 +56,15 @@ double too_bright(double chance, double rare, double usual, const AdaptiveSettin
 
 constexpr int kPixels = 150;
 
-// The loss of a pixel that is done after a first batch without the rare light, by the chance that
-// it is. A pixel that has met it sees so much noise that it goes on to the end.
+// The expected loss if a pixel is done after a first batch without the rare light. A pixel that has
+// met this light has so much noise that it goes on to the end.
 double lost(double chance, double rare, double usual, int batch) {
   const double expected = chance * rare + (1 - chance) * usual;
   return std::pow(1 - chance, batch) * (1 - usual / expected);
 }
 
-// The interval of 95 % assumes that the variance is known. A batch in which the rare light is
-// missing knows nothing of it.
+// The interval of 95 % assumes that the variance is known. A batch without the rare light does not
+// show this variance.
 CURVE(adaptive_pixel, rare_light) {
   return {.title = "Light that a sample rarely meets; batches of 32, at most 256 samples",
           .input = "chance of a sample to meet it",
@@ -80,8 +79,8 @@ CURVE(adaptive_pixel, rare_light) {
           .measure = [](double chance) { return too_bright(chance, 1 / chance, 0.1, kUsual); }};
 }
 
-// Returns 1 if a pixel is done before it has met the rare light, else 0. If not after the first
-// batch, then never: one more batch shows it.
+// Returns 1 if a pixel is done before it has met the rare light, else 0. This happens after the
+// first batch or never, so one more batch is enough.
 double done_before_it_is_met(double chance, AdaptiveSettings settings) {
   settings.max_samples = 2 * settings.batch;
   const Pixel pixel = pixel_of(chance, 1 / chance, 0.1, settings);
@@ -194,7 +193,7 @@ CURVE(adaptive_pixel, fireflies) {
           .measure = [](double radiance) { return too_bright(1e-3, radiance, 1, kUsual); }};
 }
 
-// Samples that are in turns above and below 1. The tolerance asks for 1,041 of them, which is 33
+// Samples that are in turns above and below 1. The tolerance needs 1,041 samples, which is 33
 // batches of 32.
 CURVE(adaptive_pixel, little_noise) {
   return {.title = "Samples that hardly differ",

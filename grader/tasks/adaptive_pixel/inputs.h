@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/check/cameras.h"
-#include "grader/check/generators.h"
-#include "grader/check/scripted_radiance.h"
+#include "grader/check/generators/cameras.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/mocks/scripted_radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 
 #include <algorithm>
@@ -84,7 +84,7 @@ inline Script noisy(Rgb value, double spread) {
   return [=](int, double xi) { return value * (1 + spread * (2 * xi - 1)); };
 }
 
-// Noise in one channel, the others are 1.
+// Noise in one channel; the other channels are 1.
 inline Script noisy_in(int channel) {
   return [=](int, double xi) {
     Rgb color{1, 1, 1};
@@ -158,8 +158,8 @@ inline rc::Gen<Case> all_black() {
   return rc::gen::exec([] { return pixel("always black", any_settings(), always({})); });
 }
 
-// Noise, the same in all three channels. The tolerance is chosen so that the interval is narrow
-// enough after a few batches, or only beyond the maximum.
+// Noise, the same in all three channels. With this tolerance, the interval is narrow enough after a
+// few batches, or only beyond the maximum.
 inline rc::Gen<Case> noise(Settings some_settings = any_settings) {
   return rc::gen::exec([=] {
     AdaptiveSettings settings = some_settings();

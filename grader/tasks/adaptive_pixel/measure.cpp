@@ -1,7 +1,7 @@
+#include "measure/calls/pixels.h"
 #include "pt/tasks/adaptive_pixel.h"
-#include "writeup/measure/pixels.h"
 
-namespace writeup::measure {
+namespace measure::calls {
 
 Subject measure_adaptive_pixel(int of_case) {
   const auto draw = [view = view_of_pixels(of_case)](const Pixel& pixel, pt::Sampler& sampler) {
@@ -13,4 +13,4 @@ Subject measure_adaptive_pixel(int of_case) {
   return estimator_subject(pixels(), draw);
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

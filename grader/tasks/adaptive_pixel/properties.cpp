@@ -1,5 +1,5 @@
-#include "grader/check/cameras.h"
-#include "grader/check/points_in_pixel.h"
+#include "grader/check/generators/cameras.h"
+#include "grader/check/generators/points_in_pixel.h"
 #include "grader/tasks/adaptive_pixel/counts.h"
 #include "grader/tasks/adaptive_pixel/inputs.h"
 #include "grader/tasks/adaptive_pixel/known.h"
@@ -128,7 +128,7 @@ PROMISE(adaptive_pixel, goes_on_while_it_is_dark) {
   for_all(
       [] {
         const Case c = *rarely_lit();
-        expect_equal("samples, of which few are lit", samples_of(ask(c)), c.settings.max_samples);
+        expect_equal("samples, only few of them lit", samples_of(ask(c)), c.settings.max_samples);
       },
       kCases);
 }
@@ -210,7 +210,7 @@ Points points_inside(const Case& c) {
 }
 
 // A last batch that is cut short reveals points that are even only in whole batches; small batches
-// reveal a batch whose first point is another one than the rest.
+// reveal a batch whose first point differs from the rest.
 PROMISE(adaptive_pixel, covers_the_whole_pixel) {
   for (const auto& [batch, most] :
        {std::pair{2, 1600}, std::pair{5, 1600}, std::pair{1600, 1600}, std::pair{1800, 2400}}) {

@@ -1,5 +1,5 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/random_numbers.h"
+#include "grader/check/generators/random_numbers.h"
+#include "grader/check/language/bad_inputs.h"
 #include "grader/tasks/adaptive_pixel/counts.h"
 #include "grader/tasks/adaptive_pixel/inputs.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace adaptive_pixel_inputs;
 
-// Samples of any noise, all of one level or a few much brighter, and a tolerance that lets most
+// Samples with any noise, all at one level or a few much brighter, and a tolerance with which most
 // pixels end somewhere between the first batch and the last.
 Case any_pixel() {
   Case c;

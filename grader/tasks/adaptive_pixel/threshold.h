@@ -13,8 +13,8 @@ namespace grader::check::adaptive_pixel_inputs {
 enum class Side { narrow, wide };
 
 // The half interval is 3e-5 of the limit narrower or wider than the limit, where the contract
-// allows 2e-5. This is after the first batch if sigma divides by n, and after the second one if it
-// divides by n - 1: there the first batch is done for the former and not for the latter.
+// allows 2e-5. This is after the first batch if sigma divides by n, and after the second batch if
+// it divides by n - 1. In the latter case, a sigma that divides by n is done after the first batch.
 //
 // Both batches have values mean (1 - s) and mean (1 + s) in turn, so that n sigma^2 is a sum of
 // s^2. The third batch is constant, and ends the pixel. All numbers are so large that the
@@ -24,7 +24,7 @@ inline rc::Gen<Case> at_the_threshold(int batch, bool divides_by_n, Side side) {
     const double mean = *magnitude(1e3, 1e6), first = *real(0.2, 0.4);
     const double off = side == Side::narrow ? 1 - 3e-5 : 1 + 3e-5;
     const double by_n = 1.0 / batch, by_less = 1.0 / (batch - 1);
-    const double between = (by_n + by_less) / 2;  // of first^2, the square of a limit over 1.96
+    const double between = (by_n + by_less) / 2;  // the square of limit / 1.96, in units of first^2
     const double second =
         first * std::sqrt(off * off * between * 2 * (2 * batch - 1) - 1);  // if divided by n - 1
     const double limit = 1.96 * first * std::sqrt(divides_by_n ? by_n / (off * off) : between);

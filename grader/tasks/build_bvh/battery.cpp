@@ -1,6 +1,6 @@
 #include "grader/mistakes/battery.h"
 
-#include "grader/check/random_numbers.h"
+#include "grader/check/generators/random_numbers.h"
 #include "grader/tasks/build_bvh/below.h"
 #include "grader/tasks/build_bvh/inputs.h"
 #include "grader/tasks/build_bvh/walk.h"
@@ -191,7 +191,7 @@ void too_wide(Battery& battery, RandomNumbers& make) {
   });
 }
 
-// Thousands of boxes, and points in a tree of hundreds of levels, for leaves of one. Then a
+// Thousands of boxes, and points in a tree of hundreds of levels, with one box per leaf. Then a
 // diagonal, on which all axes are equally long at every level.
 void many(Battery& battery, RandomNumbers& make) {
   ask(battery, scattered(2500, make), 1);
@@ -199,8 +199,8 @@ void many(Battery& battery, RandomNumbers& make) {
   ask(battery, boxes_of_kind(Kind::diagonal, 16, 0, make), 1);
 }
 
-// More boxes and nodes than 16 bits can count. Of a method that makes no tree of a row, this is not
-// asked: it could take minutes.
+// More boxes and nodes than 16 bits can count. A method that makes no tree of a row is not asked
+// this, because it could take minutes.
 void large_numbers(Battery& battery) {
   battery.ask([]() -> Battery::Numbers {
     expect_a_tree_at_all();

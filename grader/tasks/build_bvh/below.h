@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-// The boxes that a node's box has to contain, and by how much it may be larger than they are.
+// The boxes that a node's box has to contain, and the amount by which it may be larger.
 
 namespace grader::check::build_bvh_inputs {
 
@@ -39,7 +39,7 @@ inline Below below_each_node(const Input& input, const pt::Bvh& bvh) {
   return below;
 }
 
-// Returns by how much the outer box reaches beyond the inner one, on the side where that is most.
+// Returns how far the outer box reaches beyond the inner box, on the side where it is farthest.
 inline double excess(const pt::Box& outer, const pt::Box& inner) {
   double most = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -48,8 +48,8 @@ inline double excess(const pt::Box& outer, const pt::Box& inner) {
   return most;
 }
 
-// Returns by how much a box may be too large. Rounding errors of double are far smaller, those of
-// single precision far larger.
+// Returns how much too large a box may be. Rounding errors of double are far smaller than this, and
+// rounding errors of single precision far larger.
 inline double allowed_excess(const Input& input) {
   double largest = 0;
   for (const pt::Box& box : input.boxes) {

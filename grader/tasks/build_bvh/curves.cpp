@@ -1,4 +1,4 @@
-#include "grader/check/curve.h"
+#include "grader/check/language/curve.h"
 #include "grader/tasks/build_bvh/walk.h"
 #include "pt/geometry/ray.h"
 
@@ -37,7 +37,7 @@ CURVE(build_bvh, identical) {
           .error = "levels of the tree",
           .source = "no plane separates them: a split that does not notice never ends",
           .places = {10, 30, 100, 300, 1000, 3000},
-          // The contract asks that it ends. No tree of n leaves has more levels than n - 1.
+          // The contract requires an end. No tree of n leaves has more levels than n - 1.
           .promised = {{10, 3000, [](double n) { return n - 1; }}},
           .methods = {{"right/median", "median"},
                       {"right/swept_surface_area", "surface area heuristic"},
@@ -61,7 +61,7 @@ bool meets(const pt::Box& box, pt::Vec3 p, pt::Vec3 d) {
   return enter <= leave + 1e-9;
 }
 
-// Boxes and primitives that a line tests, if nothing that it meets ends the search.
+// Boxes and primitives that a line tests if no hit ends the search.
 double tests_of_a_line(const pt::Bvh& bvh, pt::Vec3 p, pt::Vec3 d) {
   int tests = 1;
   std::vector<int> open{0};
@@ -88,7 +88,7 @@ double tests_of_a_line(const std::vector<pt::Box>& boxes) {
   return sum;
 }
 
-// Small boxes all over a sphere, as those of its triangles, and the six walls of a room around it.
+// Small boxes on a sphere, like those of its triangles, and the six walls of a room around it.
 std::vector<pt::Box> sphere_in_a_room(int n) {
   RandomNumbers make(*sampler_seed());
   std::vector<pt::Box> boxes;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/check/generators.h"
-#include "grader/check/random_numbers.h"
-#include "grader/check/show.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/generators/random_numbers.h"
+#include "grader/check/language/show.h"
 #include "pt/geometry/box.h"
 
 #include <algorithm>
@@ -205,7 +205,7 @@ inline rc::Gen<Input> some_boxes() {
 inline rc::Gen<Input> thousands_of_boxes() { return boxes_of(kUsual, 2000, 3000); }
 inline rc::Gen<Input> deep_boxes() { return boxes_of(kDeep, 30, 400); }
 
-// Points at 2^-i for i = 0, 1, ..., and leaves of one.
+// Points at 2^-i for i = 0, 1, ..., and one point per leaf.
 inline Input halving_points(int axis, int n) {
   Input input;
   for (int i = 0; i < n; ++i) {
@@ -214,7 +214,7 @@ inline Input halving_points(int axis, int n) {
   return input;
 }
 
-// A thousand points, each half as far from the first corner as the one before, and leaves of one.
+// A thousand points, each half as far from the first corner as the point before, one per leaf.
 inline rc::Gen<Input> a_thousand_halvings() {
   return rc::gen::exec([] {
     const int axis = *whole(0, 2);
@@ -254,9 +254,9 @@ struct Rows {
   double jitter = 1e-2;  // in lengths of a row, on the axis after that of a row
 };
 
-// The boxes are in random order. On both axes across a row they are also moved a little, on one of
-// them ten thousand times as far as on the other. This is less than their own size, so that a split
-// on these axes separates nothing.
+// The boxes are in random order. They are also moved a little on both axes across a row, ten
+// thousand times as far on one axis as on the other. This is less than their own size, so that a
+// split on these axes separates nothing.
 inline Boxes boxes_in(const Rows& rows, RandomNumbers& make) {
   const auto& [along, across, count, each, length, corner, jitter] = rows;
   pt::Vec3 moved, half{0.01 * length, 0.01 * length, 0.01 * length};

@@ -1,9 +1,9 @@
-#include "writeup/measure/subject.h"
-#include "writeup/measure/trees.h"
+#include "measure/calls/subject.h"
+#include "measure/calls/trees.h"
 
 #include <array>
 
-namespace writeup::measure {
+namespace measure::calls {
 
 namespace {
 
@@ -19,4 +19,4 @@ Subject measure_build_bvh(int of_case) {
       [leaf](std::uint64_t) { return query(pt::build_bvh(tree_inputs().boxes, leaf), false); }};
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

@@ -1,4 +1,4 @@
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/build_bvh/below.h"
 #include "grader/tasks/build_bvh/inputs.h"
 #include "grader/tasks/build_bvh/walk.h"
@@ -12,7 +12,7 @@ namespace {
 
 using namespace build_bvh_inputs;
 
-// Far more nodes or entries than any tree needs would only cost time.
+// A tree with far more nodes or entries than necessary would only cost time.
 pt::Bvh build(const Input& input) {
   pt::Bvh bvh = pt::build_bvh(input.boxes, input.max_leaf);
   const std::size_t n = input.boxes.size(), most = 4 * n + 16;
@@ -34,11 +34,11 @@ void expect_covered(const Input& input, const pt::Bvh& bvh) {
     const std::string has = node_name(static_cast<int>(i)) + " has the ";
     expect(contains(box, needed), "a box that contains everything below it, " + show(needed),
            has + (box.is_empty() ? "empty box" : show(box)));
-    // A box that seems too large may be that of a primitive which is lost.
+    // A box that seems too large may belong to a primitive that is lost.
     const double more = excess(box, needed);
     if (!below.all || more <= allowed) continue;
     expect(false,
-           "a box no larger than everything below it but for rounding errors, " + show(needed),
+           "a box no larger than everything below it, except for rounding errors, " + show(needed),
            has + show(box) + ", larger by " + show(more));
   }
 }
@@ -234,10 +234,9 @@ PROMISE(build_bvh, separates_along_the_longest_axis) {
           expect(entered >= 1, "a root whose box holds the middles of all boxes",
                  "a ray across the row enters " + show(entered) +
                      " boxes of the tree on average: most rays miss even the root");
-          expect(entered <= limit,
-                 "at most " + show(std::round(limit)) +
-                     " boxes of the tree that a ray across the row enters on average",
-                 show(entered) + " of " + std::to_string(2 * count * each));
+          expect(entered <= limit, "at most " + show(std::round(limit)),
+                 "a ray across the row enters " + show(entered) + " of " +
+                     std::to_string(2 * count * each) + " boxes of the tree on average");
         },
         30);
   }

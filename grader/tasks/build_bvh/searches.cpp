@@ -1,4 +1,4 @@
-#include "grader/check/bad_inputs.h"
+#include "grader/check/language/bad_inputs.h"
 #include "grader/tasks/build_bvh/walk.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/build_bvh/inputs.h"
 #include "pt/geometry/bvh.h"
 #include "pt/tasks/build_bvh.h"
@@ -79,7 +79,7 @@ inline int depth(const pt::Bvh& bvh) { return std::ranges::max(depths(bvh)); }
 
 // 1,024 boxes are far apart in a row, which is three times as long in x as in z and twice as long
 // in y. Every rule makes a tree of about ten levels for them. A list, a chain, a single leaf, or a
-// tree whose boxes are all that of the root, is not a tree, and then no promise holds.
+// tree in which all boxes equal the root's is not accepted as a tree, and then no promise holds.
 inline void expect_a_tree_at_all() {
   constexpr int kBoxes = 1024, kMaxDepth = 100;
   Input row{{}, 2, ""};

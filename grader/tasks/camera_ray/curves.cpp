@@ -1,5 +1,5 @@
-#include "grader/check/curve.h"
-#include "grader/check/property.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/camera_ray/inputs.h"
 #include "pt/tasks/camera_ray.h"
 
@@ -11,8 +11,8 @@ namespace {
 using namespace camera_ray_inputs;
 
 // The distance from a random point of the picture to where its ray meets the window, in widths of the
-// window, which is from -half to half. The tangent of the angle that the task is given is taken
-// in extended precision.
+// window, which is from -half to half. The tangent of the task's angle is computed in extended
+// precision.
 double off_the_window(double half, const pt::Frame& turn) {
   constexpr long double kHalfDegree = 3.14159265358979323846264338327950288L / 360;
   pt::Camera camera;
@@ -26,7 +26,7 @@ double off_the_window(double half, const pt::Frame& turn) {
 }
 
 constexpr double kWidest = 11.43;    // tan(170 degrees / 2)
-constexpr double kNarrowest = 1e-5;  // the promises are tried down to a thousandth of a degree
+constexpr double kNarrowest = 1e-5;  // the promises are tested down to a thousandth of a degree
 
 // At the edge of the window, where the contract allows most.
 double allowed(double half) { return tolerance(2 * half, {half, 0}) / (2 * half); }

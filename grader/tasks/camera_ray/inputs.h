@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/check/cameras.h"
-#include "grader/check/random_numbers.h"
+#include "grader/check/generators/cameras.h"
+#include "grader/check/generators/random_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -114,8 +114,8 @@ inline std::vector<pt::Camera> ordinary() {
 }
 
 // Fields of view that are narrow, wide, or not in whole degrees. The last one has a range without
-// an end, so that its other numbers are of the size of a direction and a small error of an angle
-// shows.
+// an end, so that its other numbers are about as large as a direction, and a small error of an
+// angle shows.
 inline std::vector<pt::Camera> unusual() {
   return {camera_of(0.5, 0.4, kNear, kFar), camera_of(175, 170, kNear, kFar),
           camera_of(86.3, 60.7, kNear)};
@@ -126,8 +126,8 @@ inline std::vector<pt::Camera> with_ranges() {
   return {camera_of(50, 38, kNear, 1e9), camera_of(50, 38, 20, 40), camera_of(50, 38, 2, 2)};
 }
 
-// Cameras that look straight up and straight down. The right of their picture is along the world's
-// z.
+// Cameras that look straight up and straight down. The right side of their picture is along the
+// world's z.
 inline std::vector<pt::Camera> upright() {
   std::vector<pt::Camera> all(2, camera_of(50, 38, kNear, kFar));
   all[0].camera_to_world = axis_frame(14);

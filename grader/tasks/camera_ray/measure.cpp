@@ -1,9 +1,9 @@
+#include "measure/calls/draw.h"
+#include "measure/calls/exact.h"
+#include "measure/calls/precise.h"
 #include "pt/tasks/camera_ray.h"
-#include "writeup/measure/draw.h"
-#include "writeup/measure/exact.h"
-#include "writeup/measure/precise.h"
 
-namespace writeup::measure {
+namespace measure::calls {
 
 namespace {
 
@@ -52,4 +52,4 @@ Subject measure_camera_ray(int) {
       [](const Input& input) { return pt::camera_ray(input.camera, input.x, input.y); }, look);
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

@@ -1,4 +1,4 @@
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/camera_ray/inputs.h"
 #include "pt/tasks/camera_ray.h"
 
@@ -26,7 +26,7 @@ PROMISE(camera_ray, starts_at_the_camera) {
   });
 }
 
-// One direction for all of the picture would keep what is promised of each ray by itself.
+// One direction for the whole picture would keep all promises about single rays.
 void expect_a_picture() {
   const pt::Camera camera{{}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 60, 45, 0, pt::kInfinity};
   const pt::Vec3 left = pt::camera_ray(camera, 0.25, 0.5).direction;
@@ -58,8 +58,8 @@ PROMISE(camera_ray, looks_along_minus_z) {
   });
 }
 
-// Judges the angle from the centre to an edge, on one axis of the window. Beside the precision of
-// the edge, the ray through the centre may be as far off as it is, up to the same precision.
+// Judges the angle from the centre to an edge, on one axis of the window. It allows the error of
+// the edge and the actual error of the centre ray, each up to the contract's precision.
 void expect_half_angle(const std::string& edge, double fov_deg, double edge_at, double centre_at,
                        double size) {
   const double right = size / 2, precise = tolerance(size, {right, 0});

@@ -1,5 +1,5 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/exact.h"
+#include "grader/check/language/bad_inputs.h"
+#include "grader/check/language/exact.h"
 #include "grader/tasks/camera_ray/inputs.h"
 #include "pt/tasks/camera_ray.h"
 

@@ -1,6 +1,6 @@
 #include "grader/mistakes/battery.h"
 
-#include "grader/check/repeat.h"
+#include "grader/check/language/repeat.h"
 #include "grader/mistakes/patches.h"
 #include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
@@ -43,7 +43,7 @@ void density(Battery& battery) {
   }
 }
 
-// Asks whether the pdf sums to one in steps that are so small that some of them are below one degree.
+// Asks whether the pdf sums to one in steps so small that some are below one degree.
 void density_of_low_directions(Battery& battery) {
   constexpr int kSteps = 64;
   battery.ask([]() -> Battery::Numbers {
@@ -78,7 +78,7 @@ Battery::Numbers places(const pt::BsdfSample& s) {
           weight * flag(z > 1 - 1e-9)};
 }
 
-// So many samples that some of them are less than one degree above the horizon.
+// Takes so many samples that some are less than one degree above the horizon.
 void many_samples(Battery& battery) {
   const Vec3 wo = at(.6, .7);
   battery.mean(100000, [&](int n, std::uint64_t seed) {

@@ -1,6 +1,6 @@
-#include "grader/check/curve.h"
-#include "grader/check/generators.h"
-#include "grader/check/property.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
 

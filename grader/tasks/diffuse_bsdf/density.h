@@ -1,9 +1,9 @@
 #pragma once
 
-#include "grader/check/directions_found.h"
-#include "grader/check/property.h"
-#include "grader/check/repeat.h"
-#include "grader/check/repetition.h"
+#include "grader/check/generators/directions_found.h"
+#include "grader/check/language/property.h"
+#include "grader/check/language/repeat.h"
+#include "grader/check/language/repetition.h"
 #include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/check/generators.h"
-#include "grader/check/scenes.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/scenes/scenes.h"
 #include "pt/math/rgb.h"
 #include "pt/math/vec3.h"
 
@@ -28,7 +28,7 @@ inline rc::Gen<Vec3> above() {
   return direction_above_at(rc::gen::oneOf(real(1e-3, 1), magnitude(1e-9, 1), rc::gen::just(1.0)));
 }
 
-// Two such directions have a product of their heights below the precision of a double.
+// The product of the heights of two of these directions is below the precision of a double.
 inline rc::Gen<Vec3> grazing() { return direction_above_at(magnitude(1e-9, 1e-8)); }
 
 // An albedo of any colour, bright or dark, or with channels of 0, 1e-4, 1/2 or 1.
@@ -57,8 +57,8 @@ inline std::vector<Vec3> grid(int heights, int sectors) {
   return directions;
 }
 
-// The battery asks f for wo and wi of these heights: on the same side of the surface, across it, and
-// close to it.
+// The battery calls f for wo and wi of these heights: on the same side of the surface, on different
+// sides, and close to it.
 struct Heights {
   double out, in;
 };

@@ -1,9 +1,9 @@
+#include "measure/calls/draw.h"
+#include "measure/calls/estimates.h"
+#include "measure/calls/precise.h"
 #include "pt/tasks/diffuse_bsdf.h"
-#include "writeup/measure/draw.h"
-#include "writeup/measure/estimates.h"
-#include "writeup/measure/precise.h"
 
-namespace writeup::measure {
+namespace measure::calls {
 
 namespace {
 
@@ -18,7 +18,7 @@ struct Patch {
   double truth = 0;
 };
 
-// The sky over a patch. Weighted by the cosine its mean is 1: that of wi.x is 0, that of wi.z^2 is 1/2.
+// The sky over a patch. Weighted by the cosine, its mean is 1, the mean of wi.x 0, that of wi.z^2 1/2.
 double sky(Vec3 wi) { return 0.5 + 0.4 * wi.x + wi.z * wi.z; }
 
 std::vector<Patch> patches() {
@@ -62,4 +62,4 @@ Subject measure_diffuse_bsdf(int) {
   return subject;
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

@@ -1,6 +1,6 @@
 #include "grader/mistakes/battery.h"
 
-#include "grader/check/repeat.h"
+#include "grader/check/language/repeat.h"
 #include "grader/mistakes/patches.h"
 #include "grader/tasks/direct_hemisphere/inputs.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -83,11 +83,11 @@ void brightness(Battery& battery) {
   ask(battery, patch().sky(kRadiance), 3000, 60);
 }
 
-// Seen from behind, a point that glows on its front. A ray that starts on the wrong side meets it; a
-// direction on the wrong side brings nothing.
+// A point that glows on its front, seen from behind. A ray that starts on the wrong side meets it; a
+// direction on the wrong side brings no light.
 void glowing_front(Battery& battery) { ask(battery, glowing_patch(true)); }
 
-// A sky that is not the first light, and one beside a light without a surface.
+// A sky that is not the first light, and a sky beside a light without a surface.
 void skies_beside_lights(Battery& battery) {
   const SceneMaker floor = patch(turned({0, 1, 0}));
   SceneMaker after = floor, before = floor;
@@ -95,8 +95,8 @@ void skies_beside_lights(Battery& battery) {
   ask(battery, before.sky(kRadiance).rectangle(kAbove, kRadiance, Body::none), 1, 500);
 }
 
-// A light behind a surface that turns its back to the point. Then both sides of a light whose
-// corner normals are turned round.
+// A light behind a surface that turns its back to the point. Then both sides of a light with
+// reversed corner normals.
 void backs(Battery& battery) {
   ask(battery,
       patch()

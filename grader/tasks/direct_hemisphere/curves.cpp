@@ -1,8 +1,8 @@
-#include "grader/check/curve.h"
-#include "grader/check/generators.h"
-#include "grader/check/property.h"
-#include "grader/check/repeat.h"
-#include "grader/check/scenes.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
+#include "grader/check/language/repeat.h"
+#include "grader/check/scenes/scenes.h"
 #include "pt/tasks/direct_hemisphere.h"
 
 #include <cmath>
@@ -21,15 +21,15 @@ double deviation_below_a_ball(double radius) {
 // The deviation is measured with some hundred directions that meet the light.
 constexpr double kSlack = 1.15;
 
-// The chance of a direction to meet the light is its solid angle over 2 pi. For a small light the
-// deviation is about sqrt(2 pi / solid angle).
+// A direction meets the light with a probability of its solid angle over 2 pi. For a small light
+// the deviation is about sqrt(2 pi / solid angle).
 CURVE(direct_hemisphere, small_light) {
   return {.title = "A light that is small or far away",
           .input = "radius of the light over its distance",
           .error = "standard deviation of one estimate over its mean",
           .source = "the chance to meet it is its solid angle over 2 pi",
           .places = by_factors(0.9, 0.02, 9),
-          // The contract allows what uniform directions have.
+          // The contract allows the deviation of uniform directions.
           .promised = {{0.9, 0.02,
                         [](double radius) { return kSlack * deviation_below_a_ball(radius); }}},
           .methods = {{"right/stratified", "stratified directions"},
@@ -41,7 +41,7 @@ CURVE(direct_hemisphere, small_light) {
             SceneMaker maker(*unturned_pose());
             maker.ball({0, 0, 1}, radius, pt::gray(1), Body::surface);
             const Situation s = maker.patch(pt::gray(0.5), {0, 0, 1}).done();
-            // Some hundred of them meet the light.
+            // Some hundred directions meet the light.
             const int draws = static_cast<int>(400 / (radius * radius));
             const Mean mean =
                 mean_of(repeat<pt::direct_hemisphere>(draws, *sampler_seed(), s.scene, s.point, 1));
@@ -59,8 +59,7 @@ double mean_below_a_disk(pt::Vec3 n, std::uint64_t seed) {
 }
 
 // Axes that are not orthogonal, or too long, move directions towards the disk or away from it. The same
-// numbers are used with the normal +z, where no frame has difficulties, so that the noise of
-// most methods cancels.
+// numbers with the normal +z, where no frame has difficulties, cancel the noise of most methods.
 CURVE(direct_hemisphere, normal_near_minus_z) {
   return {.title = "A normal that is almost -z",
           .input = "angle between the normal and -z, in radians",

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "grader/check/closed_forms.h"
-#include "grader/check/generators.h"
-#include "grader/check/scenes.h"
-#include "grader/check/smooth_shading.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/scenes/closed_forms.h"
+#include "grader/check/scenes/scenes.h"
+#include "grader/check/scenes/smooth_shading.h"
 
 #include <cmath>
 #include <utility>
@@ -86,8 +86,8 @@ inline rc::Gen<Situation> under_a_rectangle(const rc::Gen<Pose>& poses,
   return patch_with(light, poses);
 }
 
-// The same light in a scene of a given size, without a surface at the point. No offset counts, only
-// how far the light is away.
+// The same light in a scene of a given size, without a surface at the point. Only the distance of
+// the light matters, and no offset.
 inline rc::Gen<Situation> far_below_a_rectangle(double size) {
   return rc::gen::exec([=] {
     SceneMaker maker({{}, {}, size});
@@ -96,7 +96,7 @@ inline rc::Gen<Situation> far_below_a_rectangle(double size) {
   });
 }
 
-// Returns a rectangle that is wider than the light, before it or behind it: at a multiple of the way to it.
+// Returns a rectangle that is wider than the light, at a multiple of the way to it: before or behind it.
 inline Rectangle shade_of(const Rectangle& light, double way) {
   return light.part(-0.5, 1.5, -0.5, 1.5).scaled(way);
 }
@@ -122,8 +122,8 @@ inline rc::Gen<Situation> under_one_side_of_a_light(Side side) {
   });
 }
 
-// The same scene with all corner normals turned round. The sides of its surfaces stay as they are,
-// as the order of the corners says.
+// The same scene with all corner normals reversed. The sides of its surfaces stay the same, because
+// the order of the corners decides them.
 inline Situation with_corner_normals_turned_round(Situation s) {
   for (pt::Triangle& triangle : s.scene.primitives.triangles) {
     triangle.n0 = -triangle.n0;
@@ -158,8 +158,8 @@ inline rc::Gen<Situation> under_a_small_lamp() {
   });
 }
 
-// A point that is shaded smoothly, under a lamp that is above its shading normal's horizon and above
-// that of its true surface.
+// A point that is shaded smoothly, under a lamp above the horizons of its shading normal and of its
+// true surface.
 inline rc::Gen<Situation> smoothly_shaded_under_a_lamp() {
   return rc::gen::exec([] {
     SceneMaker maker(*pose());

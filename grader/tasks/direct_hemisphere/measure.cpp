@@ -1,10 +1,10 @@
+#include "measure/calls/rooms.h"
 #include "pt/tasks/direct_hemisphere.h"
-#include "writeup/measure/rooms.h"
 
-namespace writeup::measure {
+namespace measure::calls {
 
 Subject measure_direct_hemisphere(int of_case) {
   return measure_direct(pt::direct_hemisphere, of_case);
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

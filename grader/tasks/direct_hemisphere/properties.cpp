@@ -1,11 +1,11 @@
-#include "grader/check/closed_forms.h"
-#include "grader/check/directions_found.h"
-#include "grader/check/generators.h"
-#include "grader/check/in_a_row.h"
-#include "grader/check/property.h"
-#include "grader/check/repeat.h"
-#include "grader/check/scenes.h"
-#include "grader/check/textbook.h"
+#include "grader/check/generators/directions_found.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/in_a_row.h"
+#include "grader/check/language/property.h"
+#include "grader/check/language/repeat.h"
+#include "grader/check/scenes/closed_forms.h"
+#include "grader/check/scenes/scenes.h"
+#include "grader/check/scenes/textbook.h"
 #include "grader/tasks/direct_hemisphere/inputs.h"
 #include "pt/tasks/direct_hemisphere.h"
 
@@ -32,7 +32,7 @@ std::vector<Rgb> estimates(const Situation& s, int calls, int samples) {
                                        samples);
 }
 
-// The fewer samples per call, the more calls, so that each case draws about as many directions.
+// Fewer samples per call make more calls, so that all cases draw about as many directions.
 int calls_of(int samples) { return std::clamp(24000 / samples, 100, 4000); }
 
 void expect_estimate(const Situation& s, int samples) {
@@ -153,11 +153,11 @@ PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
         expect_samples(samples, calls_of(samples));
       },
       kCases);
-  // So many calls that one sample in 64 that is missing, or one too many, shows in the mean.
+  // There are so many calls that one missing or extra sample in 64 shows in the mean.
   for_all([&] { expect_samples(64, 4000); }, 1);
   // Many dark directions in a row say nothing about the next one.
   for_all([&] { expect_estimate(*under_a_small_lamp(), 1000); }, 1);
-  // The noise of so many samples shows a hidden maximum.
+  // The noise of this many samples shows a hidden maximum.
   for_all([&] { expect_samples(4000, 100); }, 1);
 }
 
@@ -219,7 +219,7 @@ PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
         const Mean mean = mean_of(estimates(s, 300, 200));
         const double part = mean.value.g / s.expected.g;
         expect(part > 0.2, "light from a strip at the horizon, seen by 50 directions in 60000",
-               fmt::format("{:.3g} times what it gives", part));
+               fmt::format("{:.3g} times its light", part));
       },
       1);
 }

@@ -1,6 +1,6 @@
 #include "grader/mistakes/battery.h"
 
-#include "grader/check/repeat.h"
+#include "grader/check/language/repeat.h"
 #include "grader/mistakes/patches.h"
 #include "grader/tasks/direct_lights/inputs.h"
 #include "pt/tasks/direct_lights.h"
@@ -28,8 +28,8 @@ void ask_exactly(Battery& battery, const SceneMaker& maker, int samples = 1) {
   ask(battery, maker, samples, 8);
 }
 
-// Asks whether the point is black: where nothing else counts, and where light is so weak that right
-// answers differ in it.
+// Asks whether the point is black, if nothing else matters, or if light is so weak that right
+// answers differ.
 void ask_if_black(Battery& battery, const SceneMaker& maker) {
   const Situation s = maker.done();
   battery.ask([&]() -> Battery::Numbers {
@@ -162,7 +162,7 @@ void extremes(Battery& battery) {
   for (const double way : {0.98, 0.995}) ask_exactly(battery, with_a_plate(way, 1));
 }
 
-// Lights that give nothing, before a point light that does: hidden or below the horizon.
+// Lights that give nothing (hidden or below the horizon), before a point light that does.
 void after_dark_lights(Battery& battery) {
   const Vec3 aside{-0.8, -0.2, 0.9};
   ask_if_black(battery,
@@ -173,8 +173,8 @@ void after_dark_lights(Battery& battery) {
                patch().point_light({0.8, 0.2, -0.9}, kRadiance).point_light(aside, kRadiance));
 }
 
-// A hundred lights, all of which give light. Then a hundred of which only a half hidden lamp does:
-// its noise shows how many samples it gets.
+// A hundred lights that all give light. Then a hundred lights, and only a half hidden lamp gives
+// light: its noise shows how many samples it gets.
 void hundred_lights(Battery& battery) {
   SceneMaker all = patch(), one = patch().rectangle(kAside, kRadiance, Body::none, 0.5);
   row_of_point_lights(all, 100, kRadiance);
@@ -191,7 +191,7 @@ void two_lamps(Battery& battery) {
                    .rectangle(kAside, kRadiance, Body::none));
 }
 
-// Draws that bring nothing, among those that do.
+// Draws that bring no light, among draws that do.
 void some_dark_draws(Battery& battery) {
   ask(battery, patch().rectangle(kAside, kRadiance, Body::none, 0.4), 4, 1000);
   ask(battery, patch(turned({1, 0, 0})).sky(kRadiance), 80, 40);

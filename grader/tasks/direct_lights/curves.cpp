@@ -1,8 +1,8 @@
-#include "grader/check/curve.h"
-#include "grader/check/generators.h"
-#include "grader/check/property.h"
-#include "grader/check/repeat.h"
-#include "grader/check/scenes.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
+#include "grader/check/language/repeat.h"
+#include "grader/check/scenes/scenes.h"
 #include "grader/tasks/direct_lights/inputs.h"
 #include "pt/tasks/direct_lights.h"
 
@@ -25,7 +25,7 @@ pt::Rgb one_estimate(const Situation& s) {
   return pt::direct_lights(s.scene, s.point, 1, sampler);
 }
 
-// A patch that nothing hides from a point light, as the promise has it. Estimates have no noise.
+// A patch that nothing hides from a point light, as in the promise. Estimates have no noise.
 double wrong_under_a_lamp(const Pose& pose) {
   const Situation s = *lit_by(point_light, rc::gen::just(pose));
   return std::abs(one_estimate(s).r / s.expected.r - 1) < 1e-3 ? 0 : 1;
@@ -39,9 +39,9 @@ std::vector<Method> offsets() {
           {"methods/fixed_lengths", "fixed lengths, single precision", true}};
 }
 
-// The relative deviation of one estimate that chooses a point of a square of side 1, evenly, seen from
-// `distance` below its middle: its density has distance^2 / r^4 in it, the square of which is summed.
-// Close to the light it is 0.33 / distance.
+// The relative deviation of one estimate that chooses a uniform point of a square of side 1, seen from
+// `distance` below its middle. A draw is proportional to distance^2 / r^4, and its square is
+// integrated. Close to the light the result is 0.33 / distance.
 double deviation_below_a_square(double distance) {
   constexpr int kSteps = 400;
   // Steps of equal length in asinh(x / distance): fine where r is small.
@@ -68,7 +68,7 @@ CURVE(direct_lights, close_to_a_light) {
           .error = "standard deviation of one estimate over its mean",
           .source = "the density of a point of an area has the squared distance in it",
           .places = by_factors(10, 1e-3, 13),
-          // The contract allows twice the deviation of sample_light, or the mean if that is more.
+          // The contract allows twice the deviation of sample_light, or the mean if it is larger.
           .promised = {{10, 1e-3,
                         [](double distance) {
                           return std::max(1.0, 2 * deviation_below_a_square(distance));

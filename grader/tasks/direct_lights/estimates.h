@@ -1,10 +1,10 @@
 #pragma once
 
-#include "grader/check/generators.h"
-#include "grader/check/property.h"
-#include "grader/check/repeat.h"
-#include "grader/check/scenes.h"
-#include "grader/check/textbook.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/property.h"
+#include "grader/check/language/repeat.h"
+#include "grader/check/scenes/scenes.h"
+#include "grader/check/scenes/textbook.h"
 #include "pt/tasks/direct_lights.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/check/generators.h"
-#include "grader/check/scenes.h"
-#include "grader/check/smooth_shading.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/scenes/scenes.h"
+#include "grader/check/scenes/smooth_shading.h"
 
 // Lights for direct_lights. Each function adds one light of random size and position to a scene. The
 // shaded point is the origin, and its normal is along z.
@@ -28,7 +28,7 @@ rc::Gen<Situation> lit_by(Light light, const rc::Gen<Pose>& poses = unturned_pos
 }
 
 // The same in a scene of a given size, without any surface. Only the light's distance and brightness
-// count, and no offset does.
+// matter, and no offset.
 template <class Light>
 rc::Gen<Situation> lit_without_surfaces(Light light, double size) {
   return rc::gen::exec([=] {
@@ -70,7 +70,7 @@ inline void grazing_point_light(SceneMaker& maker) {
   maker.point_light(distance * grazing_direction(), distance * distance * any_radiance());
 }
 
-// So close that little intensity gives much light.
+// The light is so close that little intensity gives much light.
 inline void close_point_light(SceneMaker& maker, pt::Rgb intensity) {
   maker.point_light(*magnitude(0.01, 0.1) * *direction_above(), intensity);
 }
@@ -87,8 +87,8 @@ inline void any_delta_light(SceneMaker& maker) {
   *rc::gen::arbitrary<bool>() ? point_light(maker) : directional_light(maker);
 }
 
-// A point that is shaded smoothly, under a point or directional light that is above its shading
-// normal's horizon and above that of its true surface.
+// A point that is shaded smoothly, under a point or directional light above the horizons of its
+// shading normal and of its true surface.
 inline rc::Gen<Situation> lit_and_smoothly_shaded() {
   return rc::gen::exec([] {
     SceneMaker maker(*pose());
@@ -99,7 +99,7 @@ inline rc::Gen<Situation> lit_and_smoothly_shaded() {
   });
 }
 
-// Makes a white patch under a point or directional light of any hue. It glows itself or does not.
+// Makes a white patch under a point or directional light of any hue. The patch may glow itself.
 inline rc::Gen<Situation> white_patch(bool glows) {
   return rc::gen::exec([glows] {
     SceneMaker maker(*unturned_pose());

@@ -1,8 +1,8 @@
+#include "measure/calls/rooms.h"
 #include "pt/tasks/direct_lights.h"
-#include "writeup/measure/rooms.h"
 
-namespace writeup::measure {
+namespace measure::calls {
 
 Subject measure_direct_lights(int of_case) { return measure_direct(pt::direct_lights, of_case); }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

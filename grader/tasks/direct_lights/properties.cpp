@@ -1,4 +1,4 @@
-#include "grader/check/in_a_row.h"
+#include "grader/check/language/in_a_row.h"
 #include "grader/tasks/direct_lights/estimates.h"
 #include "grader/tasks/direct_lights/inputs.h"
 #include "grader/tasks/direct_lights/shadows.h"

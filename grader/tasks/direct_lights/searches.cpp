@@ -1,7 +1,7 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/generators.h"
-#include "grader/check/property.h"
-#include "grader/check/scenes.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/bad_inputs.h"
+#include "grader/check/language/property.h"
+#include "grader/check/scenes/scenes.h"
 #include "pt/tasks/direct_lights.h"
 
 #include <cmath>

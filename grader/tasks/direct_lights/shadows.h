@@ -30,8 +30,8 @@ inline void half_hidden_mesh(SceneMaker& maker) {
              any_way());
 }
 
-// A ball of which an upright plane through the point and the ball's centre cuts off one half. Both
-// halves give the same.
+// A ball and an upright plane through the point and the ball's centre that hides one half of the
+// ball. Both halves give the same light.
 inline rc::Gen<Situation> half_hidden_ball() {
   return rc::gen::exec([] {
     SceneMaker maker(*unturned_pose());
@@ -77,9 +77,9 @@ inline void hidden_light(SceneMaker& maker) {
 
 enum class Dark { hidden, below, no };
 
-// Four lights in four directions, so far from one another that what hides one of them hides no
-// other. The first gives nothing, as it is hidden or below the horizon, and the last gives light.
-// Those that give light are point and directional lights.
+// Four lights in four directions, so far apart that nothing hides two of them. The first gives no
+// light, because it is hidden or below the horizon, and the last gives light. Lights that give
+// light are point and directional lights.
 inline void some_hidden_or_below(SceneMaker& maker) {
   constexpr int kLights = 4;
   for (int k = 0; k < kLights; ++k) {

@@ -98,8 +98,8 @@ void where(Battery& battery) {
   }
 }
 
-// Flags: the same sampler gives the same points, and another one other points; the caller's sampler
-// goes on; radiance() gets this sampler; and nothing is remembered from the calls before.
+// Flags: the same sampler gives the same points, and another sampler other points; the caller's
+// sampler goes on; radiance() gets this sampler; and nothing is remembered from the calls before.
 void streams(Battery& battery) {
   battery.ask([&]() -> Battery::Numbers {
     const Place place = kPlaces[1];
@@ -137,9 +137,9 @@ void grids(Battery& battery) {
   });
 }
 
-// The number of samples, where many are requested. Flags: some points are outside of the pixel,
-// some close to an edge, some close to the right edge, and many in the centre. Of right solutions,
-// less than one in 30,000 has no points at the edges.
+// The number of samples, if many are requested. Flags: some points are outside of the pixel, some
+// close to an edge, some close to the right edge, and many in the centre. Less than one right
+// solution in 30,000 has no points at the edges.
 void many_samples(Battery& battery) {
   constexpr int kSamples = 7000;
   battery.ask([&]() -> Battery::Numbers {

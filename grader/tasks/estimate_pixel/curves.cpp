@@ -1,5 +1,5 @@
-#include "grader/check/curve.h"
-#include "grader/check/property.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/estimate_pixel/inputs.h"
 
 #include <algorithm>

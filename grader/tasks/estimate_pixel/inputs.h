@@ -1,9 +1,9 @@
 #pragma once
 
-#include "grader/check/cameras.h"
-#include "grader/check/generators.h"
-#include "grader/check/scripted_radiance.h"
-#include "grader/check/show.h"
+#include "grader/check/generators/cameras.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/show.h"
+#include "grader/check/mocks/scripted_radiance.h"
 #include "pt/tasks/estimate_pixel.h"
 
 #include <cmath>

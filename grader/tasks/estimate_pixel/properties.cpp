@@ -1,5 +1,5 @@
-#include "grader/check/points_in_pixel.h"
-#include "grader/check/property.h"
+#include "grader/check/generators/points_in_pixel.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/estimate_pixel/inputs.h"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ PROMISE(estimate_pixel, averages_the_radiance) {
 void expect_calls(int samples) {
   const Pixel p = *pixel();
   const Estimate e = estimate(p, samples, pt::Sampler(draw("seed", sampler_seed())));
-  expect_equal(fmt::format("calls of radiance(), of which {} were requested", samples),
+  expect_equal(fmt::format("calls of radiance() for {} samples", samples),
                static_cast<long long>(e.calls.size()), samples);
 }
 
@@ -101,12 +101,12 @@ PROMISE(estimate_pixel, stays_inside_the_pixel) {
     const Pixel p = *pixel();
     expect_inside(p, some_samples());
   });
-  // So many points that a pixel shows that is two thousandths too wide.
+  // There are so many points that a pixel two thousandths too wide is seen.
   for_all([] { expect_inside(*whole_picture(), 4000); }, 1);
 }
 
 // The points of some calls. The promise stays_inside_the_pixel judges which pixel the rays go
-// through: here it does not matter.
+// through; here it does not matter.
 Points points_of_calls(const Pixel& p, int samples, int calls, std::uint64_t seed) {
   Points points;
   for (int i = 0; i < calls; ++i) {

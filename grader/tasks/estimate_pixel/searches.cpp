@@ -1,6 +1,6 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/property.h"
-#include "grader/check/random_numbers.h"
+#include "grader/check/generators/random_numbers.h"
+#include "grader/check/language/bad_inputs.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/estimate_pixel/inputs.h"
 
 #include <algorithm>

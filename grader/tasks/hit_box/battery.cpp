@@ -108,7 +108,7 @@ void precisely(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// A billion of its sizes away, rays at the box and past an edge of it.
+// Rays at a box and past an edge of it, from a billion of its sizes away.
 void far_away(Battery& battery, RandomNumbers& make) {
   constexpr double kFar = 1e9;
   for (int i = 0; i < 8; ++i) {
@@ -118,7 +118,7 @@ void far_away(Battery& battery, RandomNumbers& make) {
   for (int axis = 0; axis < 3; ++axis) ask(battery, past_an_edge(make, axis, kFar));
 }
 
-// The component that counts is small beside the others, or as a number.
+// The component that matters is small, compared with the others or as a number.
 void almost_parallel(Battery& battery, RandomNumbers& make) {
   for (const auto& [slope, longer] : {std::pair{5e-10, 1.0}, {5e-11, 1.0}, {1e-7, 1e-9}}) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "grader/check/generators.h"
-#include "grader/check/random_numbers.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/generators/random_numbers.h"
 #include "pt/geometry/box.h"
 #include "pt/geometry/ray.h"
 
 #include <cmath>
 
-// Boxes, points inside and beside them, and directions, of which the cases are made.
+// The parts of the cases: boxes, points inside and beside them, and directions.
 
 namespace grader::check::hit_box_inputs {
 

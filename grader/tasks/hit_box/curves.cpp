@@ -1,5 +1,5 @@
-#include "grader/check/curve.h"
-#include "grader/check/property.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_box/inputs.h"
 #include "pt/tasks/hit_box.h"
 
@@ -41,9 +41,9 @@ CURVE(hit_box, thin) {
           .measure = [](double thickness) { return missed(*at_a_sheet(thickness)); }};
 }
 
-// Logarithmic places have no 0: the last one stands for it, with either sign.
+// Logarithmic places have no 0, so the last place represents 0, with either sign.
 constexpr double kSmallest = 1e-315, kZero = std::numeric_limits<double>::denorm_min();
-// Its inverse is a number.
+// Its inverse is finite.
 constexpr double kInvertible = 1e-294;
 
 std::vector<double> down_to_zero() {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The right answer for any box and ray, with what the contract's precision leaves open.
+// The right answers for any box and ray, within the contract's precision.
 
 namespace grader::check::hit_box_inputs {
 

@@ -218,7 +218,7 @@ inline Case at_a_box(RandomNumbers& make, const pt::Box& box, pt::Vec3 d, double
   return {box, ray_to(inside(box, make), d, way)};
 }
 
-// A ray from any side, at a point that is up to `beside` widths from one inside.
+// A ray from any side, at a point that is up to `beside` widths from a point inside.
 inline Case from_anywhere(RandomNumbers& make, double size, double beside) {
   const pt::Box box = some_box(make, size);
   const double width = max_abs(box.extent());
@@ -260,7 +260,7 @@ inline constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5},  {1.2,
                                                     {2.5, 9},  {0, 9},     {-9, -1},   {1.2, 9},
                                                     {.5, 2.5}, {2.2, 2.5}, {.2, .7}};
 
-// Three rays along an axis, at the box and beside it, and two of which only this component is zero.
+// Three rays along an axis, at the box and beside it, and two rays with only this component zero.
 // `zero` is 0 or -0.
 inline std::vector<Case> along_an_axis(RandomNumbers& make, int axis, double sign, double zero) {
   const pt::Box box = some_box(make, 1);

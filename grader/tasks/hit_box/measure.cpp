@@ -1,9 +1,9 @@
+#include "measure/calls/draw.h"
+#include "measure/calls/exact.h"
+#include "measure/calls/precise.h"
 #include "pt/tasks/hit_box.h"
-#include "writeup/measure/draw.h"
-#include "writeup/measure/exact.h"
-#include "writeup/measure/precise.h"
 
-namespace writeup::measure {
+namespace measure::calls {
 
 namespace {
 
@@ -12,7 +12,7 @@ using pt::Vec3;
 constexpr std::uint64_t kSeed = 22;
 constexpr long double kMargin = 1e-6L;  // of the largest length: no edges
 
-// An end of the part of the ray that is in the box, and how fast it gets through the plane that it is on.
+// An end of the part of the ray in the box, and the ray's speed through the plane at this end.
 struct End {
   long double t = 0;
   long double speed = 0;
@@ -49,7 +49,7 @@ std::optional<Ends> find_ends(const pt::Box& box, const pt::Ray& ray) {
   return ends;
 }
 
-// Along an axis now and then.
+// Some rays are along an axis.
 Vec3 aim(Vec3 to, pt::Sampler& sampler) {
   if (sampler.next_1d() < 0.125) {
     const int axis = static_cast<int>(3 * sampler.next_1d());
@@ -113,4 +113,4 @@ Subject measure_hit_box(int) {
       [](const Input& input) { return pt::hit_box(input.box, input.ray); }, look);
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

@@ -1,4 +1,4 @@
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_box/inputs.h"
 #include "pt/tasks/hit_box.h"
 

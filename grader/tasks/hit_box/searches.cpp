@@ -1,5 +1,5 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/exact.h"
+#include "grader/check/language/bad_inputs.h"
+#include "grader/check/language/exact.h"
 #include "grader/tasks/hit_box/inputs.h"
 #include "pt/tasks/hit_box.h"
 
@@ -8,8 +8,8 @@ namespace {
 
 using namespace hit_box_inputs;
 
-// The interval by arithmetic of 113 bits; the directions of these cases have no parallel slabs
-// outside the box.
+// The interval in arithmetic of 113 bits. In these cases, no ray is parallel to a slab and outside
+// it.
 struct Inside {
   Exact enter, leave;
 };

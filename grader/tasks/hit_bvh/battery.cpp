@@ -70,8 +70,8 @@ void others(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// Asks whether anything is in the way, which primitive is the nearest, and whether its t is as
-// precise as a double can be.
+// Asks whether anything is in the way, which primitive is nearest, and whether its t has the
+// precision of a double.
 void ask_exactly(Battery& battery, const Case& c, double t) {
   battery.ask([&]() -> Battery::Numbers {
     const double occluded = flag(pt::occluded_bvh(c.bvh, c.primitives, c.ray));
@@ -94,7 +94,7 @@ void extremes(Battery& battery, RandomNumbers& make) {
 }
 
 // A range that ends, begins, or does both at a wall. The ray enters the box of a wall where it
-// meets the wall, but that of the last wall before.
+// meets the wall, but the box of the last wall earlier.
 void ends(Battery& battery, RandomNumbers& make) {
   for (const int walls : {1, 3}) {
     for (const auto& [end, wall] :
@@ -105,8 +105,8 @@ void ends(Battery& battery, RandomNumbers& make) {
   ask_exactly(battery, range_that_ends_at_a_slanting_wall(make), 7);
 }
 
-// Two walls that all but touch, by distances that are parts of t. The query knows the farther one
-// first. t is not a float: the nearest one is beyond both walls, unless they are a ten-thousandth
+// Two walls that nearly touch; their distances are parts of t. The query knows the farther wall
+// first. t is not a float: the nearest float is beyond both walls, unless they are a ten-thousandth
 // apart.
 void touching(Battery& battery, RandomNumbers& make) {
   constexpr double kNear = 7.3;
@@ -117,8 +117,7 @@ void touching(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// More primitives and nodes than 16 bits can count. Queries that enter most of a tree are not
-// asked.
+// More primitives and nodes than 16 bits can count. Queries that enter most of a tree are left out.
 void large_numbers(Battery& battery) {
   for (const int place : {kFirstInGrid, kLastInGrid}) {
     battery.ask([&]() -> Battery::Numbers {

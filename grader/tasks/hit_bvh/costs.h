@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_bvh/queries.h"
 #include "pt/tasks/hit_box.h"
 
@@ -74,7 +74,7 @@ inline void expect_only_boxes_below_entered_ones(const Case& c, bool any) {
     if (node.is_leaf() || !is_missed(node.box, c.ray)) continue;
     for (const int child : {node.left, node.right}) {
       const pt::Box& box = c.bvh.nodes[child].box;
-      if (same(box, node.box)) continue;  // both look the same in the log
+      if (same(box, node.box)) continue;  // the log cannot distinguish them
       const long long asked = times(log.boxes, box);
       expect(asked == 0,
              "no test of the box of node " + std::to_string(child) +

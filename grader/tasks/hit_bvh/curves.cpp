@@ -1,4 +1,4 @@
-#include "grader/check/curve.h"
+#include "grader/check/language/curve.h"
 #include "grader/tasks/hit_bvh/queries.h"
 
 #include <cmath>
@@ -52,7 +52,7 @@ CURVE(hit_bvh, tests_per_ray) {
           .cases = 60,
           .measure = [](double triangles) {
             const int n = static_cast<int>(triangles);
-            // The surface is as large, whatever the number.
+            // The total surface is the same for any number.
             const Case c = *with_tree({Shape::balanced}, {.least = n,
                                                           .most = n,
                                                           .spheres = false,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_bvh/queries.h"
 #include "grader/tasks/hit_bvh/truth.h"
 #include "pt/tasks/hit_bvh.h"
@@ -35,8 +35,8 @@ inline void expect_occluded_as_all(const Case& c) {
          occluded ? "something in the way" : "nothing in the way");
 }
 
-// A wall at which the ray's range begins or ends is a hit, if the judge's hit_triangle answers. By
-// the precision of its contract, the submission's own may answer otherwise.
+// A wall at which the ray's range begins or ends is a hit, if the judge's hit_triangle answers.
+// Within the precision of its contract, the submission's own may answer otherwise.
 inline void expect_nearest_at_an_end(const Case& c) {
   if (!judge_answers) return;
   const Truth truth = truth_of(c);

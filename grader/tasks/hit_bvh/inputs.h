@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/generators.h"
+#include "grader/check/generators/generators.h"
 #include "grader/tasks/hit_bvh/large_grid.h"
 #include "grader/tasks/hit_bvh/trees.h"
 #include "grader/tasks/hit_bvh/truth.h"
@@ -194,9 +194,8 @@ inline rc::Gen<Case> large_tree() {
                    {.least = 2000, .most = 4000, .padding = 0.01, .size = 0.2, .all_of_ray = true});
 }
 
-// Walls in any order, of which the ray meets one behind the other. Many meet it closer together
-// than a thousandth of their distance. Half of them slant, so that the ray enters their boxes long
-// before.
+// Walls in any order; the ray meets them one behind the other. Many are closer together than a
+// thousandth of their distance. Half of them slant, so that the ray enters their boxes long before.
 inline rc::Gen<Case> close_walls() {
   return rc::gen::exec([] {
     const auto [n, seed] = *some_lot(2, 30);
@@ -229,8 +228,8 @@ inline rc::Gen<Case> walls_that_all_but_touch() {
   });
 }
 
-// Up to six walls. The range ends at the first of them, begins at the last one, or begins and ends
-// at any one of them.
+// Up to six walls. The range ends at the first wall, begins at the last wall, or begins and ends at
+// any wall.
 inline rc::Gen<Case> range_with_a_wall_at_its_end() {
   return rc::gen::exec([] {
     const int axis = *whole(0, 2), n = *whole(1, 6);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/show.h"
+#include "grader/check/language/show.h"
 #include "grader/tasks/hit_bvh/trees.h"
 
 #include <functional>

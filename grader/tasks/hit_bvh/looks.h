@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/counting.h"
+#include "grader/check/mocks/counting.h"
 #include "grader/mistakes/battery.h"
 #include "grader/tasks/hit_bvh/trees.h"
 #include "pt/tasks/hit_box.h"
@@ -65,7 +65,7 @@ inline Cost cost_of(const Case& c, const Tested& log) {
     if (node.is_leaf()) continue;
     for (const int child : {node.left, node.right}) {
       const pt::Box& box = c.bvh.nodes[child].box;
-      if (name_of(box) == name_of(node.box)) continue;  // both look the same in the log
+      if (name_of(box) == name_of(node.box)) continue;  // the log cannot distinguish them
       if (was_asked(log.boxes, box)) cost.box_outside = 1;
     }
   }

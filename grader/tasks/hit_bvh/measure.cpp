@@ -1,13 +1,13 @@
-#include "writeup/measure/subject.h"
-#include "writeup/measure/trees.h"
+#include "measure/calls/subject.h"
+#include "measure/calls/trees.h"
 
 #include <memory>
 
-namespace writeup::measure {
+namespace measure::calls {
 
 namespace {
 
-constexpr int kLeaf = 4;  // as ./run render has it
+constexpr int kLeaf = 4;  // as in ./run render
 
 }  // namespace
 
@@ -26,4 +26,4 @@ Subject measure_hit_bvh(int of_case) {
   return {kRays, pass, [bvh, any](std::uint64_t) { return query(*bvh, any); }};
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

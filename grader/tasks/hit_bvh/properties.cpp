@@ -1,5 +1,5 @@
-#include "grader/check/counting.h"
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
+#include "grader/check/mocks/counting.h"
 #include "grader/tasks/hit_bvh/costs.h"
 #include "grader/tasks/hit_bvh/expected.h"
 #include "grader/tasks/hit_bvh/inputs.h"

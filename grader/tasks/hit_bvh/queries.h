@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/check/counting.h"
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
+#include "grader/check/mocks/counting.h"
 #include "grader/tasks/hit_bvh/inputs.h"
 #include "grader/tasks/hit_bvh/truth.h"
 #include "pt/tasks/hit_bvh.h"

@@ -1,5 +1,5 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/counting.h"
+#include "grader/check/language/bad_inputs.h"
+#include "grader/check/mocks/counting.h"
 #include "grader/tasks/hit_bvh/queries.h"
 
 #include <cmath>
@@ -20,7 +20,7 @@ SEARCH(hit_bvh, nearest) {
             show_case(c);
             const Truth truth = truth_of(c.primitives, c.ray);
             if (!truth.is_clear) return 0.0;
-            forget_tests();  // of millions of queries they would fill the memory
+            forget_tests();  // the tests of millions of queries would fill the memory
             const auto hit = ask(c);
             const bool any = pt::occluded_bvh(c.bvh, c.primitives, c.ray);
             if (any != truth.any() || hit.has_value() != truth.any()) return kBroken;

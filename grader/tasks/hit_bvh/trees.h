@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/check/random_numbers.h"
-#include "grader/check/show.h"
+#include "grader/check/generators/random_numbers.h"
+#include "grader/check/language/show.h"
 #include "pt/geometry/bvh.h"
 #include "pt/geometry/primitives.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/show.h"
+#include "grader/check/language/show.h"
 #include "grader/tasks/hit_bvh/trees.h"
 #include "pt/geometry/primitives.h"
 
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// The right hits of a ray, and how far right versions of hit_triangle and hit_sphere may differ
-// from them. If a submission is judged together with its own tasks, those answer hit_bvh, to the
+// The right hits of a ray, and the allowed differences of right versions of hit_triangle and
+// hit_sphere. If a submission is judged together with its own tasks, those answer hit_bvh, to the
 // precision of their contracts. If hit_bvh is judged alone, the judge's tasks answer, and hit_bvh
 // has to return their answers unchanged.
 

@@ -43,9 +43,9 @@ inline Case six_in_a_row(bool spheres, RandomNumbers& make) {
   return c;
 }
 
-// Two walls that the ray meets at these t. It enters the box of the farther one, which slants, long
-// before; it enters the flat box of the nearer one where it meets the wall itself. So a query knows
-// the farther hit when it has to decide about the nearer wall's box.
+// Two walls that the ray meets at these t. The farther wall slants, so that the ray enters its box
+// long before; it enters the flat box of the nearer wall where it meets the wall itself. So a query
+// knows the farther hit when it has to decide about the nearer wall's box.
 inline Case flat_wall_before_a_slanting_one(double near, double far, double slope) {
   Case c;
   c.ray = kThroughWalls;
@@ -53,7 +53,7 @@ inline Case flat_wall_before_a_slanting_one(double near, double far, double slop
   return c;
 }
 
-// The same walls, the farther one first in order. They are apart by a part of t.
+// The same walls, the farther wall first in order. Their distance is a part of t.
 inline Case farther_wall_first(double near, double apart, Shape shape, RandomNumbers& make) {
   Case c = flat_wall_before_a_slanting_one(near, near * (1 + apart), 0.3);
   std::swap(c.primitives.triangles[0], c.primitives.triangles[1]);
@@ -61,7 +61,7 @@ inline Case farther_wall_first(double near, double apart, Shape shape, RandomNum
   return c;
 }
 
-// The range ends exactly at a slanting wall. A flat wall stands behind it.
+// The range ends exactly at a slanting wall. A flat wall is behind it.
 inline Case range_that_ends_at_a_slanting_wall(RandomNumbers& make) {
   Case c = flat_wall_before_a_slanting_one(9, 7, 0.3);
   c.bvh = tree_in_order(c.primitives, Shape::random, make);

@@ -72,7 +72,7 @@ void scales(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// Directions of any length, the very end of the range, and rays that hardly touch.
+// Directions of any length, the exact end of the range, and rays that hardly touch.
 void extremes(Battery& battery, RandomNumbers& make) {
   for (const double longer : {1e-9, 3e-8, 1e12}) {
     ask(battery, some_line(make, 1, 0.3, 3, longer));
@@ -86,7 +86,7 @@ void extremes(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// Asks only whether the point is on the sphere to the contract's precision. Where the ray all but
+// Asks only whether the point is on the sphere to the contract's precision. If the ray nearly
 // touches, right solutions differ in t and n.
 void ask_point(Battery& battery, const Chord& line) {
   battery.ask([&]() -> Battery::Numbers {

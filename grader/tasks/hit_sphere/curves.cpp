@@ -1,5 +1,5 @@
-#include "grader/check/curve.h"
-#include "grader/check/property.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_sphere/inputs.h"
 #include "pt/tasks/hit_sphere.h"
 
@@ -44,8 +44,8 @@ CURVE(hit_sphere, huge) {
       .error = "relative error of t",
       .source = "Haines, Guenther and Akenine-Moeller 2019, Ray Tracing Gems, chapter 7",
       .places = by_factors(1e3, 1e12, 19),
-      // A height of the point of a millionth of the radius. Along the ray it is as many times longer
-      // as t is longer than the height of the origin.
+      // A height of the point of a millionth of the radius. Along the ray, this is longer by the
+      // ratio of t to the height of the origin.
       .promised = {{1e3, 1e6, [](double radius) { return kPrecision * radius; }}},
       .methods = methods(),
       .measure = [](double radius) {

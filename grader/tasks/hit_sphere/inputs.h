@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/check/generators.h"
-#include "grader/check/random_numbers.h"
-#include "grader/check/show.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/generators/random_numbers.h"
+#include "grader/check/language/show.h"
 #include "pt/geometry/ray.h"
 #include "pt/geometry/sphere.h"
 

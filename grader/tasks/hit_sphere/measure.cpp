@@ -1,10 +1,10 @@
+#include "measure/calls/aimed.h"
+#include "measure/calls/subject.h"
 #include "pt/tasks/hit_sphere.h"
-#include "writeup/measure/aimed.h"
-#include "writeup/measure/subject.h"
 
 #include <array>
 
-namespace writeup::measure {
+namespace measure::calls {
 
 namespace {
 
@@ -13,7 +13,7 @@ using pt::Vec3;
 
 constexpr std::uint64_t kSeed = 13;
 
-// Seen from `distance` radii away, past the centre at `beside` radii.
+// A ray from `distance` radii away that passes the centre at `beside` radii.
 Aimed<pt::Sphere> aimed_sphere(double distance, double beside, pt::Sampler& sampler) {
   const double radius = size_between(-3, 3, sampler);
   Aimed<pt::Sphere> aimed;
@@ -69,7 +69,7 @@ void look_at_sphere(const Aimed<pt::Sphere>& aimed, const std::optional<SurfaceH
   keep_largest(found.errors[1], errors_at(aimed, *hit)[1]);
 }
 
-// So far away that the plain formula loses all digits. A miss counts as the largest error: a radius.
+// Here the plain formula loses all digits. A miss counts as the largest error: a radius.
 double far_error() {
   constexpr double kFar = 1e7;
   pt::Sampler sampler(kSeed);
@@ -97,4 +97,4 @@ Subject measure_hit_sphere(int) {
   return subject;
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

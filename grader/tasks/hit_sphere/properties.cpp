@@ -1,4 +1,4 @@
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_sphere/inputs.h"
 #include "pt/tasks/hit_sphere.h"
 
@@ -57,7 +57,7 @@ PROMISE(hit_sphere, misses_beside_the_sphere) {
     double low, high, far;
     int cases;
   };
-  // A rounded radius shows only beside some spheres, and only where the ray all but touches.
+  // A rounded radius shows only beside some spheres, and only if the ray nearly touches.
   for (const Beside& beside : {Beside{1e-3, 1e2, 100, 100}, Beside{2 * kTouching, 1e-3, 500, 50},
                                Beside{2 * kTouching, 2.1 * kTouching, 5, 200}}) {
     for_all(
@@ -216,7 +216,7 @@ void expect_scaled(const Scaled& c) {
          unit ? "a hit, as with a unit direction" : "no hit, as with a unit direction",
          hit ? show(*hit) : "none");
   if (!hit) return;
-  // Other promises judge which point it is; no constant is near either of them.
+  // Other promises judge which point it is; no constant is near either point.
   expect(is_somewhere_near(c.unit, unit->t),
          "a hit at the sphere with a unit direction, t about " + show(c.unit.t_near) + " or " +
              show(c.unit.t_far),

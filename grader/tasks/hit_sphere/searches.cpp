@@ -1,6 +1,6 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/exact.h"
-#include "grader/check/property.h"
+#include "grader/check/language/bad_inputs.h"
+#include "grader/check/language/exact.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_sphere/inputs.h"
 #include "pt/tasks/hit_sphere.h"
 
@@ -9,8 +9,7 @@ namespace {
 
 using namespace hit_sphere_inputs;
 
-// The distance of the point at t from the sphere, in radii: r^2 - R^2 is exact, and so small that its root
-// can be had from it.
+// The distance of the point at t from the sphere, in radii. It follows from r^2 - R^2, which is exact.
 double off_exactly(const pt::Sphere& sphere, const pt::Ray& ray, double t) {
   const Exact3 p = Exact3(ray.origin) + Exact(t) * Exact3(ray.direction) - Exact3(sphere.center);
   const Exact radius = sphere.radius;

@@ -79,8 +79,8 @@ void special(Battery& battery, RandomNumbers& make) {
   for (const auto& [triangle, ray] : fixed_degenerates()) ask(battery, triangle, ray, 3);
 }
 
-// Directions of any length, the very end of the range, flat angles, slivers, and points close to an
-// edge or a corner.
+// Directions of any length, the exact end of the range, flat angles, slivers, and points close to
+// an edge or a corner.
 void extremes(Battery& battery, RandomNumbers& make) {
   for (const double longer : {1e-9, 3e-8, 1e12}) {
     ask(battery, some_aim(make, some_triangle(make, 1), kMiddle, 3, longer));
@@ -135,8 +135,8 @@ void needles(Battery& battery, RandomNumbers& make) {
   }
 }
 
-// Corner normals that all but agree, and that disagree: so that their mean is short, or by more
-// than a right angle where their mean is long, and where one of them hardly counts.
+// Corner normals that nearly agree, and normals that disagree: their mean is short, or they differ
+// by more than a right angle where their mean is long, or where one weight is small.
 void normals(Battery& battery, RandomNumbers& make) {
   ask(battery, straight(with_normals(make, 5e-5), {.2, .3, .5}, 1));
   ask(battery, straight(with_normals(make, std::tan(1.2)), kMiddle, 1));

@@ -1,4 +1,4 @@
-#include "grader/check/counting.h"
+#include "grader/check/mocks/counting.h"
 
 #include "pt/accel/exact_hit.h"
 #include "pt/tasks/hit_triangle.h"

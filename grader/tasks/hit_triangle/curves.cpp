@@ -1,5 +1,5 @@
-#include "grader/check/curve.h"
-#include "grader/check/property.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_triangle/inputs.h"
 #include "pt/geometry/box.h"
 #include "pt/tasks/hit_triangle.h"
@@ -23,7 +23,7 @@ double error_of_t(const Aimed& aimed) {
   return std::abs(hit->t - aimed.t) * length(aimed.ray.direction);
 }
 
-// A coordinate of the point, the way to it or an edge: the contract's precision is a part of it.
+// The largest coordinate, way or edge: the contract's precision is relative to it.
 double largest_length(const Aimed& aimed) {
   return std::max({max_abs(aimed.ray.at(aimed.t)), aimed.t * length(aimed.ray.direction),
                    length(aimed.triangle.p1 - aimed.triangle.p0)});
@@ -51,7 +51,7 @@ CURVE(hit_triangle, sliver) {
           .error = "error of t, in the largest length of the case",
           .source = "the area is a difference of products that are much larger",
           .places = by_factors(1, 1e-12, 25),
-          // Thinner triangles are thinner than the error that is allowed: they may be missed.
+          // Thinner triangles are thinner than the allowed error: they may be missed.
           .promised = {{1, 1e-3, [](double thin) { return kPrecision / thin / std::sin(kSlope); }}},
           .methods = {{"wrong/slivers_dropped", "slivers dropped"},
                       {"methods/determinants", "determinants, single precision", true},
@@ -92,7 +92,7 @@ CURVE(hit_triangle, far_from_the_origin) {
           .error = "error of t, in lengths of an edge",
           .source = "coordinates are rounded to a part of their size",
           .places = by_factors(1, 1e12, 25),
-          // Beyond that, the error that is allowed is as large as the triangle.
+          // Beyond this, the allowed error is as large as the triangle.
           .promised = {{1, 1e7,
                         [](double away) { return kPrecision * (away + 1) / std::sin(kSlope); }}},
           .methods = {{"methods/determinants", "determinants, single precision", true},
@@ -104,7 +104,7 @@ CURVE(hit_triangle, far_from_the_origin) {
 }
 
 // Returns 1 if an answer about a triangle without area, or a ray in its plane, is a number that has
-// nothing to do with the triangle. Rounding gives it a little area, so that a hit on it is right too.
+// nothing to do with the triangle. Rounding gives it some area, so that a hit is right, too.
 double anywhere(const Degenerate& c) {
   const auto hit = pt::hit_triangle(c.triangle, c.ray);
   if (!hit) return 0;
@@ -118,7 +118,7 @@ double anywhere(const Degenerate& c) {
   return 0;
 }
 
-// Turned, so that no determinant is exactly 0, and moved, so that all of them are rounding errors.
+// Turned so that no determinant is exactly 0, and moved so that all are rounding errors.
 Degenerate turned_and_moved(Degenerate c, double away) {
   const pt::Frame turn = *rotation();
   const double edge = length(c.triangle.p1 - c.triangle.p0);
@@ -153,8 +153,8 @@ CURVE(hit_triangle, without_area) {
 
 // A fan of four triangles as aimed_between() makes, with a ray exactly at their corner or an edge: all
 // numbers are multiples of 2^-18, which single precision has too, up to ten edges from the origin.
-// Farther away it rounds the corners, and at last it cannot tell them apart. The rays of the promise
-// have more digits, which single precision would round: they would no longer meet the edge.
+// Farther away it rounds the corners, until they coincide. The rays of the promise have more digits,
+// which single precision would round: they would no longer meet the edge.
 Fan exactly_between(double away) {
   const auto on_grid = [](pt::Vec3 p, double steps) {
     for (int axis = 0; axis < 3; ++axis) p[axis] = std::round(p[axis] * steps) / steps;

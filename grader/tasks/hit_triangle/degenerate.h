@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/check/generators.h"
-#include "grader/check/show.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/show.h"
 #include "pt/geometry/ray.h"
 #include "pt/geometry/triangle.h"
 

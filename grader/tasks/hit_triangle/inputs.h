@@ -1,8 +1,8 @@
 #pragma once
 
-#include "grader/check/generators.h"
-#include "grader/check/random_numbers.h"
-#include "grader/check/show.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/generators/random_numbers.h"
+#include "grader/check/language/show.h"
 #include "grader/tasks/hit_triangle/degenerate.h"
 #include "grader/tasks/hit_triangle/weights.h"
 #include "pt/geometry/ray.h"
@@ -260,7 +260,7 @@ inline Aimed along_the_edge(const pt::Triangle& triangle, double distance, doubl
 inline constexpr std::array<double, 2> kRanges[] = {
     {1.1, pt::kInfinity}, {0, .9}, {.9, 1.1}, {1.1, 2}, {.5, 0.9}, {.2, pt::kInfinity}};
 
-// Two rays at the plane of one triangle: one is aimed at a point outside the triangle, one at a
+// Two rays at the plane of a triangle: the first at a point outside the triangle, the second at a
 // point inside.
 struct InAndOut {
   Aimed out, in;

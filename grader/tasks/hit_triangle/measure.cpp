@@ -1,10 +1,10 @@
+#include "measure/calls/aimed.h"
+#include "measure/calls/subject.h"
 #include "pt/tasks/hit_triangle.h"
-#include "writeup/measure/aimed.h"
-#include "writeup/measure/subject.h"
 
 #include <array>
 
-namespace writeup::measure {
+namespace measure::calls {
 
 namespace {
 
@@ -44,7 +44,7 @@ std::optional<Aimed<pt::Triangle>> make_triangle(pt::Sampler& sampler) {
   const Vec3 n = normalize(cross(along, across));
   const auto corner_normal = [&] { return normalize(n + 0.5 * any_direction(sampler)); };
   aimed.shape = {p0, p1, p2, corner_normal(), corner_normal(), corner_normal()};
-  // Inside, or beyond an edge.
+  // The point is inside, or beyond an edge.
   const double a = between(-0.5, 1.2, sampler), b = between(-0.5, 1.2, sampler);
   const Vec3 target = p0 + a * (p1 - p0) + b * (p2 - p0);
   const double height = size_between(-3, 0, sampler) * (sampler.next_1d() < 0.5 ? -1 : 1);
@@ -85,4 +85,4 @@ Subject measure_hit_triangle(int) {
       look_at_triangle);
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

@@ -1,4 +1,4 @@
-#include "grader/check/property.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/hit_triangle/inputs.h"
 #include "pt/tasks/hit_triangle.h"
 
@@ -54,8 +54,7 @@ void expect_t_from_either_side(const Aimed& aimed) {
               2 * aimed.tolerance);
 }
 
-// For promises that have nothing to say about t: the hit has to be somewhere near the triangle, which no
-// constant is.
+// For promises that do not judge t: the hit has to be near the triangle, so that no constant passes.
 void expect_somewhere_near(double t, const Aimed& aimed, const std::string& which = "") {
   expect(t > aimed.t / 2 && t < 2 * aimed.t,
          fmt::format("a hit at the triangle, t between {} and {}{}", show(aimed.t / 2),
@@ -74,7 +73,7 @@ PROMISE(hit_triangle, hits_where_it_is_aimed) {
   for_all([] {
     expect_t(*aimed_inside({.away = 1, .near = 0.1, .far = 3, .flat = 1e-6, .steep = 0.17}));
   });
-  // Both at once.
+  // Slivers and flat angles together.
   for_all([] { expect_t(*aimed_inside(kFlatNeedle, in_the_middle)); });
 }
 

@@ -1,5 +1,5 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/exact.h"
+#include "grader/check/language/bad_inputs.h"
+#include "grader/check/language/exact.h"
 #include "grader/tasks/hit_triangle/inputs.h"
 #include "pt/tasks/hit_triangle.h"
 
@@ -24,7 +24,7 @@ Meeting meet(const pt::Triangle& triangle, const pt::Ray& ray) {
   return {dot(e2, q) / determinant, 1 - b1 - b2, b1, b2};
 }
 
-// All that the contract allows.
+// The largest error that the contract allows.
 constexpr Range kEverything{.size = 1e6,
                             .speed = 1e9,
                             .thin = 1e-6,
@@ -34,8 +34,8 @@ constexpr Range kEverything{.size = 1e6,
                             .far = 1e3,
                             .flat = 1e-6};
 
-// The contract's precision of a point in the plane, as a difference of weights: the least height of
-// the triangle is its unit.
+// The contract's precision of a point in the plane, as a difference of weights: in units of the
+// smallest height of the triangle.
 double slack(const Aimed& aimed) {
   const double longest = std::max({length(aimed.triangle.p1 - aimed.triangle.p0),
                                    length(aimed.triangle.p2 - aimed.triangle.p1),
@@ -44,7 +44,7 @@ double slack(const Aimed& aimed) {
   return aimed.tolerance * length(aimed.ray.direction) / height;
 }
 
-// A ray that the contract wants to hit, and where. Nothing, where the point may lie outside.
+// A ray that has to hit by the contract, and the point. Nothing if the point may lie outside.
 double badness_inside(double (*of)(const Aimed&, const Meeting&, const pt::SurfaceHit&)) {
   const Aimed aimed = *aimed_inside(kEverything);
   show_case(aimed.triangle, aimed.ray);
@@ -87,7 +87,7 @@ SEARCH(hit_triangle, outside) {
             show_case(out.triangle, out.ray);
             const double beside = -meet(out.triangle, out.ray).least() / slack(out);
             if (pt::hit_triangle(out.triangle, out.ray)) return std::max(beside, 0.0);
-            // Nearly one: the search goes on towards the edge.
+            // The badness is nearly one, so that the search goes on towards the edge.
             return beside > 0 ? 1e-3 / (1 + beside) : 0;
           }};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/check/generators.h"
+#include "grader/check/generators/generators.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "grader/mistakes/battery.h"
 
-#include "grader/check/repeat.h"
+#include "grader/check/language/repeat.h"
 #include "grader/mistakes/patches.h"
 #include "grader/tasks/trace_path/inputs.h"
 #include "pt/tasks/trace_path.h"
@@ -62,7 +62,7 @@ void walls(Battery& battery, bool open, Direct direct) {
   }
 }
 
-// Light of any brightness from one bounce and two, and bounces of which there are none.
+// Light of any brightness from one bounce and from two, and empty ranges of bounces.
 void extremes(Battery& battery) {
   for (const Rgb radiance : {Rgb{3e5, 2e5, 1e5}, Rgb{60, 40, 50}}) {
     SceneMaker maker = patch().point_light({0.4, 0.3, 0.5}, radiance);
@@ -74,8 +74,8 @@ void extremes(Battery& battery) {
   }
 }
 
-// One bounce far along the path, alone. All paths survive, so that few of them say enough. The share
-// of light that is left becomes small in dark rooms, and stays in white ones.
+// Only one bounce, far along the path. All paths survive, so that few paths are enough. Little light
+// is left in dark rooms, and all of it in white rooms.
 void far_bounces(Battery& battery) {
   struct {
     double albedo;
@@ -122,8 +122,8 @@ void views(Battery& battery) {
   }
 }
 
-// A low wall in the light of two suns. It glows, or the normal of the true surface at the point, not
-// the shading normal, leans towards it.
+// A low wall in the light of two suns. The wall glows, or the normal of the true surface at the
+// point, not the shading normal, leans towards it.
 void low_walls(Battery& battery) {
   for (const bool glows : {false, true}) {
     SceneMaker maker = SceneMaker(here()).point(kAlbedo, kTilted);
@@ -139,8 +139,8 @@ void no_red(Battery& battery) {
   ask(battery, made(round_room(rc::gen::just(Rgb{0, 0.6, 0.8})), 23), settings_of({3, 3}), 200);
 }
 
-// Many samples of direct light, found by hemisphere sampling. More of them have less noise: at the
-// first bounce, beside lights that bring nothing, and at the second one, where the lamp is small.
+// Many samples of direct light, found by hemisphere sampling. More samples have less noise: at the
+// first bounce, with lights that bring nothing, and at the second bounce, with a small lamp.
 void many_light_samples(Battery& battery) {
   SceneMaker maker = patch().surface(kAbove, {}, kRadiance);
   lights_below(maker, 5);

@@ -1,7 +1,7 @@
-#include "grader/check/curve.h"
-#include "grader/check/generators.h"
-#include "grader/check/property.h"
-#include "grader/check/repeat.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/curve.h"
+#include "grader/check/language/property.h"
+#include "grader/check/language/repeat.h"
 #include "grader/tasks/trace_path/inputs.h"
 #include "pt/tasks/trace_path.h"
 
@@ -18,8 +18,8 @@ Mean estimates(const Room& room, int draws, int bounces, double survival) {
   return mean_of(repeat<pt::trace_path>(draws, *sampler_seed(), room.scene, room.point, settings));
 }
 
-// The room of these curves, as a path has it (grader/check/rooms.h): all directions lead to the same wall,
-// and hemisphere sampling has a variance of a third of the squared mean.
+// The room of these curves (grader/check/scenes/rooms.h): all directions of a path lead to the same wall, and
+// hemisphere sampling has a variance of a third of the squared mean.
 Room furnace_of(double albedo) {
   Place wall;
   wall.albedo = wall.direct = pt::gray(albedo);
@@ -30,7 +30,7 @@ Room furnace_of(double albedo) {
   return room;
 }
 
-// The standard deviation of one estimate over its mean, by the formula of grader/check/rooms.h.
+// The standard deviation of one estimate over its mean, by the formula of grader/check/scenes/rooms.h.
 double deviation_of(double albedo, int bounces, double survival) {
   const Room room = furnace_of(albedo);
   return deviation(room, settings_of({1, bounces}), {.survival = survival}).r /
@@ -39,20 +39,20 @@ double deviation_of(double albedo, int bounces, double survival) {
 
 constexpr double kSurvival = 0.35;
 
-// The contract allows twice the deviation that a survival of 0.3 has.
+// The contract allows twice the deviation of a survival of 0.3.
 double allowed_deviation(double albedo, int bounces) {
   return 2 * deviation_of(albedo, bounces, 0.3);
 }
 
-// Returns the deviation as it is measured.
+// Returns the measured deviation.
 double deviation_in_a_furnace(double albedo, int bounces, int draws) {
   const Room room = *glowing_room(rc::gen::just(pt::gray(albedo)));
   const Mean mean = estimates(room, draws, bounces, kSurvival);
   return mean.standard_error.r * std::sqrt(draws) / mean.value.r;
 }
 
-// A path that has survived k times carries (albedo / survival)^k with the chance survival^k, so that
-// the mean square of the k-th bounce is (albedo^2 / survival)^k: above 1 the sum has no limit.
+// A path survives k times with probability survival^k, and then carries (albedo / survival)^k. So
+// the mean square of bounce k is (albedo^2 / survival)^k. For a base above 1 the sum has no limit.
 CURVE(trace_path, bright_walls) {
   return {.title = "Roulette with survival 0.35 in a closed room, at most 20 bounces",
           .input = "squared albedo over survival",
@@ -77,7 +77,7 @@ CURVE(trace_path, bright_walls) {
               }};
 }
 
-// The formula counts paths so rare that no number of estimates that anybody waits for has one.
+// The formula counts paths so rare that no practical number of estimates has one.
 CURVE(trace_path, long_paths) {
   return {
       .title = "Roulette with survival 0.35 in a closed room of albedo 0.75",
@@ -102,8 +102,8 @@ CURVE(trace_path, long_paths) {
 }
 
 // The median of the absolute error of a mean of so many estimates, for paths that survive by their
-// throughput: 0.674 deviations of a normal distribution. Such a path carries 1 + a + B (1 + G) in units of
-// its first bounce, where B is 1 with the chance a^2 and G bounces follow with the chance a each.
+// throughput: 0.674 deviations of a normal distribution. This path carries 1 + a + B (1 + G) in units of
+// its first bounce, where B is 1 with probability a^2, and G bounces follow with probability a each.
 double usual_error_by_throughput(double albedo, double estimates) {
   const double deviation = albedo * std::sqrt(1 + albedo - albedo * albedo);
   return 0.674 * deviation / std::sqrt(estimates);
@@ -111,8 +111,8 @@ double usual_error_by_throughput(double albedo, double estimates) {
 
 const double kBrightAlbedo = std::sqrt(1.8 * kSurvival);
 
-// Where the variance is finite, a hundred times the samples are a tenth of the error. Where it has no
-// limit, most means are too low, and now and then one is far too high.
+// If the variance is finite, a hundred times the samples have a tenth of the error. If it has no
+// limit, most means are too low, and some are far too high.
 CURVE(trace_path, more_samples) {
   return {.title = "More samples, where squared albedo over survival is 1.8; survival 0.35",
           .input = "estimates in a mean, at most 100 bounces each",

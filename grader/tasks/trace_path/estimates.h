@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grader/check/property.h"
-#include "grader/check/repeat.h"
+#include "grader/check/language/property.h"
+#include "grader/check/language/repeat.h"
 #include "grader/tasks/trace_path/inputs.h"
 #include "pt/tasks/trace_path.h"
 
@@ -27,7 +27,7 @@ inline Noise allowed_noise(const Case& c) {
 
 // If only few paths find light, their spread does not show the error of their mean. So at least the
 // error of the usual method is allowed. `mean_square` is that of its diffuse_sample
-// (grader/check/rooms.h).
+// (grader/check/scenes/rooms.h).
 inline double error_by_chance(const Case& c, const Mean& got, double mean_square) {
   const Rgb usual = deviation(c.room, c.settings, {c.settings.survival, mean_square});
   double more = 0;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "grader/check/closed_forms.h"
-#include "grader/check/generators.h"
-#include "grader/check/rooms.h"
-#include "grader/check/smooth_shading.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/scenes/closed_forms.h"
+#include "grader/check/scenes/rooms.h"
+#include "grader/check/scenes/smooth_shading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -173,7 +173,7 @@ inline rc::Gen<Case> grazed_and_black() {
   });
 }
 
-// One bounce far along the path, of which a float can show the light: 1e-25 of it is left.
+// One bounce far along the path. A float can still show its light: 1e-25 of it is left.
 inline rc::Gen<Case> far_along() {
   return rc::gen::exec([] {
     const double albedo = *rc::gen::oneOf(real(0.2, 1), rc::gen::just(1.0));
@@ -185,7 +185,7 @@ inline rc::Gen<Case> far_along() {
 }
 
 // A patch under two rectangles. One is only in the list of lights, the other is only a surface.
-// Light sampling finds the first and hemisphere sampling the second, and their right answers
+// Light sampling finds the first rectangle, and hemisphere sampling the second. Their right answers
 // differ.
 struct HalfLights {
   Situation situation;

@@ -1,9 +1,9 @@
-#include "grader/check/closed_forms.h"
+#include "grader/check/scenes/closed_forms.h"
+#include "measure/calls/draw.h"
+#include "measure/calls/rooms.h"
 #include "pt/tasks/trace_path.h"
-#include "writeup/measure/draw.h"
-#include "writeup/measure/rooms.h"
 
-namespace writeup::measure {
+namespace measure::calls {
 
 namespace {
 
@@ -13,9 +13,9 @@ using pt::Vec3;
 constexpr int kBounces = 5;
 constexpr std::uint64_t kSeed = 31;
 
-// The inside of a ball of radius 1 with a point light. From any point of a sphere all patches of the same area
-// get the same share of what is reflected, so that the light of the second bounce and of those after it is
-// the same everywhere.
+// The inside of a ball of radius 1 with a point light. From any point of a sphere, all patches of the same
+// area get the same share of reflected light, so that the light of the second and later bounces is the same
+// everywhere.
 std::shared_ptr<const Room> make_ball() {
   const Rgb albedo{0.8, 0.5, 0.2};
   const Vec3 light{0.6, 0, 0};
@@ -48,4 +48,4 @@ Subject measure_trace_path(int) {
   });
 }
 
-}  // namespace writeup::measure
+}  // namespace measure::calls

@@ -51,8 +51,8 @@ PROMISE(trace_path, starts_with_direct_light) {
 
 PROMISE(trace_path, takes_the_light_samples_asked_for) {
   for_all([] { expect_a_tenth_of_the_noise(*under_half_lights()); }, 4);
-  // At the second bounce, the contract allows more noise. Few directions meet so small a lamp, so
-  // that one sample has still more.
+  // At the second bounce, the contract allows more noise. Few directions meet such a small lamp, so
+  // that one sample has even more noise.
   for_all(
       [] {
         Case c = *asked_of(room_around_a_small_lamp(), rc::gen::just(Bounces{2, 2}));
@@ -134,8 +134,8 @@ PROMISE(trace_path, does_not_depend_on_survival) {
         expect_mean_of(c, estimates(c, kMany), 2);
       },
       1);
-  // One that survives twice is worth 400. Some hundred of them are too few to judge the mean if the
-  // weights of the solution's own diffuse_sample vary.
+  // A path that survives twice is worth 400. Some hundred of these paths are too few to judge the
+  // mean if the weights of the solution's own diffuse_sample vary.
   for_all(
       [] {
         const Case c = *bright_paths(4, 0.05);

@@ -1,5 +1,5 @@
-#include "grader/check/bad_inputs.h"
-#include "grader/check/property.h"
+#include "grader/check/language/bad_inputs.h"
+#include "grader/check/language/property.h"
 #include "grader/tasks/trace_path/inputs.h"
 #include "pt/tasks/trace_path.h"
 
@@ -11,8 +11,8 @@ namespace {
 
 using trace_path_inputs::settings_of;
 
-// One bounce has no noise where all lights are points. Further bounces have: they are judged by
-// statistics, and the worst of many random numbers says nothing.
+// One bounce has no noise if all lights are points. Further bounces have noise. Statistics judge
+// them, and the worst of many random numbers means nothing.
 SEARCH(trace_path, one_bounce) {
   return {.title = "one bounce inside a ball with point lights, of any size and brightness",
           .measure = "1 is what the contract allows",
@@ -33,7 +33,7 @@ SEARCH(trace_path, one_bounce) {
           }};
 }
 
-// Where nothing is asked for, and where every path leaves the scene, there is nothing to see.
+// Nothing is seen if no bounce is requested, or if every path leaves the scene.
 SEARCH(trace_path, no_light) {
   return {.title = "no bounce asked for, or only bounces that no path of the scene has",
           .measure = "any light is broken",

@@ -6,13 +6,13 @@ namespace pt {
 
 namespace {
 
-// Behind the next `end`, or the end of the text.
+// Returns the place after the next `end`, or the end of the text.
 std::size_t behind(std::string_view xml, std::size_t at, std::string_view end) {
   const std::size_t found = xml.find(end, at);
   return found == xml.npos ? xml.size() : found + end.size();
 }
 
-// Behind a comment, a piece of text as it is, or a directive that begins here; 0 if none does.
+// Returns the place after a comment, CDATA or a directive that begins here; 0 if none begins here.
 std::size_t behind_markup(std::string_view xml, std::size_t at) {
   const std::string_view rest = xml.substr(at);
   if (rest.starts_with("<!--")) return behind(xml, at + 4, "-->");

@@ -29,8 +29,8 @@ std::optional<double> optional_fov(const ColladaDocument& document, const XMLEle
   return fov;
 }
 
-// A camera without a place. A field of view that is stated is taken; the other follows from it and
-// the aspect ratio, which is 4:3 where the file has none.
+// A camera without a position. If the file states only one field of view, the other follows from
+// the aspect ratio, which is 4:3 if the file has none.
 FileCamera read_perspective(const ColladaDocument& document, const XMLElement& perspective) {
   FileCamera camera;
   const std::optional<double> x = optional_fov(document, perspective, "xfov");

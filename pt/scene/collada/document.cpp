@@ -16,8 +16,8 @@ namespace pt {
 
 namespace {
 
-// A mesh of a million triangles needs about 80 MB. Markup costs far more memory than its length in
-// the file, so that it has a limit of its own.
+// A mesh of a million triangles needs about 80 MB. Markup takes far more memory than its length in
+// the file, so it has a separate limit.
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 constexpr std::ptrdiff_t kMaxMarkup = 2'000'000;
 constexpr std::size_t kMaxAttributes = 250;  // of one tag; COLLADA knows some ten
@@ -29,8 +29,8 @@ bool is_course_profile(const XMLElement& technique) {
          (std::strcmp(profile, "CGL") == 0 || std::strcmp(profile, "CMU462") == 0);
 }
 
-// Checks what can be checked before reading, then reads; a file that is not COLLADA is recognised
-// by its beginning, so that a large file of something else costs nothing.
+// Checks the file before it reads all of it. A file that is not COLLADA is recognised by its
+// beginning, so that a large file of something else costs nothing.
 std::string read_file(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code error;
@@ -62,7 +62,7 @@ std::string read_file(const std::filesystem::path& file) {
   return text;
 }
 
-// A URL writes a blank as "%20": exporters do this to blanks and to letters that are not ASCII.
+// A URL writes a space as "%20": exporters write spaces and letters outside ASCII like this.
 std::string decoded(std::string_view url) {
   std::string text;
   for (std::size_t i = 0; i < url.size(); ++i) {
@@ -76,7 +76,7 @@ std::string decoded(std::string_view url) {
   return text;
 }
 
-// Adds an element to those of one id. Returns whether it is the first.
+// Adds an element to the elements with its id. Returns whether it is the first.
 bool is_new(ColladaDocument::Identified& known, const XMLElement& element) {
   if (known.first == nullptr) {
     known.first = &element;
@@ -137,9 +137,6 @@ void ColladaDocument::index(const XMLElement& element) {
     const std::string key = std::string(element.Name()) + "#" + id;
     if (!is_new(by_id_[key], element) && duplicates_++ == 0) first_duplicate_ = &element;
     if (const XMLElement* mesh = mesh_around(element)) is_new(in_mesh_[{mesh, key}], element);
-  }
-  if (std::strcmp(element.Name(), "technique") == 0 && is_course_profile(element)) {
-    has_course_profile_ = true;
   }
   for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {

@@ -25,7 +25,6 @@ class ColladaDocument {
   ~ColladaDocument();
 
   const XMLElement& root() const { return *root_; }
-  bool has_course_profile() const { return has_course_profile_; }
 
   // Throws Error: "file:line: what", with the element's line. `what` ends with what to do.
   [[noreturn]] void fail(const XMLElement& at, const std::string& what) const;
@@ -40,8 +39,8 @@ class ColladaDocument {
   // more than one.
   const XMLElement& resolve(const XMLElement& from, const char* attribute, const char* kind) const;
 
-  // The elements of that kind with the id of a url that stands at `from`: the first two, null where there are none.
-  // Of a mesh, its own parts come first, and alone: some exporters give the parts of every mesh the same ids.
+  // The first two elements of that kind with the id of the url at `from`, null if there are fewer. In a mesh, only
+  // its own parts count if one has the id: some exporters give the parts of every mesh the same ids.
   struct Identified {
     const XMLElement* first = nullptr;
     const XMLElement* second = nullptr;
@@ -51,7 +50,7 @@ class ColladaDocument {
   // "'#sun' may be the <light> of line 8 or that of line 9"
   static std::string ambiguity(std::string_view url, const Identified& found);
 
-  // A sentence about ids that several elements of one kind have; empty where there are none.
+  // A sentence about ids that several elements of one kind have; empty if there are none.
   std::string note_on_ids() const;
 
  private:
@@ -65,14 +64,13 @@ class ColladaDocument {
   std::map<std::pair<const XMLElement*, std::string>, Identified> in_mesh_;
   const XMLElement* first_duplicate_ = nullptr;
   std::size_t duplicates_ = 0;
-  bool has_course_profile_ = false;
 };
 
 // The first child called `name` of the course's own techniques, extra/technique[@profile CGL or
 // CMU462], of an element; null if there is none. With an empty name, the first child of all.
 const XMLElement* course_child(const XMLElement& element, const char* name);
 
-// The name of an element in messages: its name, else its id, in quotes, fit to be printed.
+// The name of an element in messages: its name, else its id, in quotes, safe to print.
 std::string label(const XMLElement& element);
 
 // Text from a file in quotes: shortened, and without bytes that a terminal might obey.

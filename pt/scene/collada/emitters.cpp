@@ -10,10 +10,10 @@ namespace pt {
 
 namespace {
 
-// Corners in files have about seven digits: a parallelogram closes to that accuracy, not exactly.
+// Corners in files have about seven digits: a parallelogram closes only to this accuracy.
 constexpr double kClosing = 1e-6;
 
-// The parallelogram that two triangles form on both sides of a shared diagonal, facing one way.
+// The parallelogram of two triangles that lie on both sides of a shared diagonal and face one way.
 std::optional<RectangleLight> parallelogram(const Triangle& a, const Triangle& b, Rgb radiance) {
   const Vec3 normal = geometric_normal(a);
   if (!(dot(normal, geometric_normal(b)) > 0)) return std::nullopt;
@@ -22,8 +22,7 @@ std::optional<RectangleLight> parallelogram(const Triangle& a, const Triangle& b
   const std::array<Vec3, 3> others{b.p0, b.p1, b.p2};
   const auto same = [&](Vec3 p, Vec3 q) { return length(p - q) <= tolerance; };
   for (int i = 0; i < 3; ++i) {
-    // The corner p of a, and q of b, away from the diagonal from s to t, which b walks the other
-    // way.
+    // p and q are the corners of a and b off the shared diagonal: s to t in a, t to s in b.
     const Vec3 p = corners[i], s = corners[(i + 1) % 3], t = corners[(i + 2) % 3];
     for (int j = 0; j < 3; ++j) {
       const Vec3 q = others[j];

@@ -9,14 +9,14 @@
 
 namespace pt {
 
-// A surface that emits, as the light that it is: two triangles that form a parallelogram are a
-// RectangleLight, other meshes a MeshLight, a sphere a SphereLight.
+// An emitting surface as a light. Two triangles that form a parallelogram are a RectangleLight,
+// other meshes are a MeshLight, and a sphere is a SphereLight.
 struct Emitter {
   Light light;
   std::string name;  // in quotes
   Vec3 center;       // of its area
-  Vec3 n;            // unit, on the side that emits, if all of it lies in one plane; else zero
-  double size = 0;   // from one end to the other
+  Vec3 n;            // unit, on the emitting side if the surface is flat; else zero
+  double size = 0;   // from end to end
 };
 
 // The triangles have an area and world-space corners; each emits on its geometric normal's side.

@@ -10,14 +10,14 @@
 
 namespace pt {
 
-// A triangle as the file states it, in the geometry's own space: normals of any length, zero where
-// there are none.
+// A triangle as the file has it, in the geometry's own space. Normals have any length, or are zero
+// if the file has none.
 struct FileTriangle {
   Vec3 p[3];
   Vec3 n[3];
 };
 
-// The faces of one <polylist>, <triangles> or <polygons>, in their order, as fans of triangles.
+// The faces of a <polylist>, <triangles> or <polygons>, in order, as fans of triangles.
 struct MeshPart {
   std::string material_symbol;  // empty where the file has none
   std::vector<FileTriangle> triangles;

@@ -20,7 +20,7 @@ const XMLElement& kind_element(const ColladaDocument& document, const XMLElement
   return *kind;
 }
 
-// In its own frame a light stands at the origin and shines along -z with y up; the sides of an area
+// In its own frame a light is at the origin and shines along -z with y up. The sides of an area
 // light are the images of y and of y x (-z) = -x.
 RectangleLight area_light(const ColladaDocument& document, const Instance& instance, Rgb color) {
   const Transform& map = instance.to_world;
@@ -46,7 +46,7 @@ DirectionalLight directional_light(const ColladaDocument& document, const Instan
   return {normalize(ahead), color};
 }
 
-// The content of a <light>, read once however often the light is instanced.
+// The content of a <light>. It is read once, however often the light is instanced.
 struct LightText {
   std::string_view kind;
   Rgb color;

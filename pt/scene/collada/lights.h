@@ -8,8 +8,8 @@
 
 namespace pt {
 
-// Each surface that emits and each light node is a light. The search for lights that coincide looks
-// at all pairs, and a picture samples all of them at every point.
+// The maximum number of lights: each emitting surface and each light node is a light. The search
+// for lights that coincide tests all pairs, and a picture samples all lights at every point.
 inline constexpr std::size_t kMaxLights = 10'000;
 
 // A light that a node of the scene holds.
@@ -28,10 +28,10 @@ struct LightNodes {
 LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances);
 
 // All lights of a scene, each once. A light node on an emitting surface describes the same lamp a
-// second time: the surface is the light, and the node is left out. That is so for an area light
-// parallel to a flat surface, if their centres are within a twentieth of the surface's size; and for
-// a point light there that lies in the surface's plane, because rounding would decide on which side
-// it shines.
+// second time: the surface is the light, and the node is left out. This concerns area lights
+// parallel to a flat surface, with centres within a twentieth of the surface's size, and point
+// lights there that lie in the surface's plane, because rounding would decide on which side they
+// shine.
 struct SceneLights {
   std::vector<Light> lights;
   std::vector<std::string> notes;

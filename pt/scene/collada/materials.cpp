@@ -35,7 +35,7 @@ std::optional<Rgb> common_color(const ColladaDocument& document, const XMLElemen
   return read_color(document, *color);
 }
 
-// The course's own diffuse surface: its colour is the first child, whatever the name.
+// The course's own diffuse surface: its colour is the first child, whatever its name.
 std::optional<Rgb> course_albedo(const ColladaDocument& document, const XMLElement& effect) {
   const XMLElement* diffuse = course_child(effect, "diffuse");
   if (diffuse == nullptr) return std::nullopt;

@@ -8,9 +8,8 @@
 
 namespace pt {
 
-// The <material> as the model sees it: emission from the course's technique; the albedo from the
-// course's technique, else from profile_COMMON, else 0.5. Adds a note for each thing that it has to
-// ignore.
+// The <material> as a Material: emission from the course's technique; the albedo from the course's
+// technique, else from profile_COMMON, else 0.5. Adds a note for each thing that it ignores.
 Material read_material(const ColladaDocument& document, const XMLElement& material,
                        std::vector<std::string>& notes);
 

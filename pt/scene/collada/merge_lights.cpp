@@ -36,7 +36,7 @@ Rgb radiance(const Light& light) {
   return std::get<MeshLight>(light).radiance;
 }
 
-// Returns whether two rectangles are the same but for rounding: sides compared as they lie in
+// Returns whether two rectangles are the same except for rounding. Their sides are compared in
 // space.
 bool same_sides(const RectangleLight& a, const RectangleLight& b) {
   const auto parallel = [](Vec3 p, Vec3 q) {
@@ -46,7 +46,7 @@ bool same_sides(const RectangleLight& a, const RectangleLight& b) {
   return (parallel(a.u, b.u) && parallel(a.v, b.v)) || (parallel(a.u, b.v) && parallel(a.v, b.u));
 }
 
-// The values of the light node with which its surface does not agree; empty where the two agree.
+// A note on the values of the light node that its surface replaces; empty if the two agree.
 std::string correction(const LightNode& node, const Emitter& emitter) {
   const std::string which = "light node " + node.name + " lies on the emitting surface " +
                             emitter.name + ", which is the light";
@@ -55,10 +55,10 @@ std::string correction(const LightNode& node, const Emitter& emitter) {
   std::string note;
   const auto* quad = std::get_if<RectangleLight>(&emitter.light);
   if (quad != nullptr && !same_sides(*area, *quad)) {
-    note += "; the node's " + reach(*area) + " along x, y, z gives way to " + reach(*quad);
+    note += "; the node's " + reach(*area) + " along x, y, z is replaced by " + reach(*quad);
   }
   if (!(area->radiance == radiance(emitter.light))) {
-    note += "; its colour " + shown(area->radiance) + " gives way to the radiance " +
+    note += "; its colour " + shown(area->radiance) + " is replaced by the radiance " +
             shown(radiance(emitter.light));
   }
   if (dot(area->n, emitter.n) < 0) note += "; it shone to the other side";

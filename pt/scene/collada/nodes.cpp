@@ -14,19 +14,19 @@ namespace pt {
 
 namespace {
 
-// Instances of instances may double with every step, so that a short file can ask for any number.
+// Instances of instances may double with every step, so that a short file can have any number.
 constexpr std::size_t kMaxNodes = 100'000;
 constexpr std::size_t kMaxInstances = 100'000;
 constexpr std::size_t kMaxDepth = 200;
 
-// A child of a node that puts something into the scene: a node, or an instance of what `target` is.
+// A child of a node that puts something into the scene: a node, or an instance of `target`.
 struct Child {
   enum class Kind { node, geometry, light, camera } kind;
   const XMLElement* element;
   const XMLElement* target;
 };
 
-// The content of a node, read once however often the node is instanced.
+// The content of a node. It is read once, however often the node is instanced.
 struct NodeContent {
   Transform to_parent;
   std::vector<Child> children;
@@ -101,8 +101,8 @@ class NodeWalk {
     return std::nullopt;
   }
 
-  // Exporters leave instances of lights and cameras that they did not write, and write several with one id: the
-  // scene can be shown all the same.
+  // Exporters write instances of missing lights and cameras, and several with the same id. The scene can still
+  // be shown.
   std::optional<Child> optional_child(Child::Kind kind, const XMLElement& child, const char* name) {
     const std::string_view url = document_.attribute(child, "url");
     const ColladaDocument::Identified target = document_.find(child, url, name);

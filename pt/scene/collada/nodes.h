@@ -8,8 +8,8 @@
 
 namespace pt {
 
-// One <instance_...> of the visual scene, the geometry, light or camera that it names, and where its
-// node puts it.
+// One <instance_...> of the visual scene, the geometry, light or camera that it names, and its
+// node's transform.
 struct Instance {
   const XMLElement* element = nullptr;
   const XMLElement* target = nullptr;
@@ -24,8 +24,8 @@ struct Instances {
   std::vector<std::string> notes;
 };
 
-// All that the file's visual scene shows, nested and instanced nodes unfolded, in document order.
-// A light or a camera that is not in the file is left out, with a note.
+// All content of the file's visual scene, with nested and instanced nodes unfolded, in document
+// order. A light or a camera that is not in the file is left out, with a note.
 Instances read_nodes(const ColladaDocument& document);
 
 }  // namespace pt

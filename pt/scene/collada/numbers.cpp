@@ -14,7 +14,7 @@ bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; 
 
 std::string tag(const XMLElement& element) { return std::string("<") + element.Name() + ">"; }
 
-// The text of an element that holds nothing else: a comment in the middle would hide the rest.
+// The text of an element that contains only text: a comment in the middle would hide the rest.
 std::string_view only_text(const ColladaDocument& document, const XMLElement& element) {
   const tinyxml2::XMLNode* first = element.FirstChild();
   if (first == nullptr) return {};

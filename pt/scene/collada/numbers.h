@@ -9,9 +9,9 @@
 
 namespace pt {
 
-// The numbers that stand in elements, separated by white space. All throw Error, with the element's
-// line, for text that is not a number, for numbers that are not finite, and for too few or too
-// many.
+// The numbers in elements, separated by white space. All functions throw Error, with the element's
+// line, for text that is not a number, for numbers that are not finite, and for too few or too many
+// numbers.
 
 std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element);
 std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element,
@@ -20,10 +20,10 @@ std::vector<int> read_integers(const ColladaDocument& document, const XMLElement
 
 double read_number(const ColladaDocument& document, const XMLElement& element);
 
-// Three numbers or four, of which the fourth (alpha) is ignored; none negative.
+// Three or four numbers, none negative. The fourth (alpha) is ignored.
 Rgb read_color(const ColladaDocument& document, const XMLElement& element);
 
-// An attribute that holds an integer >= 0; nothing where it is missing.
+// An attribute that is an integer >= 0; nothing if it is missing.
 std::optional<std::size_t> read_count(const ColladaDocument& document, const XMLElement& element,
                                       const char* attribute);
 

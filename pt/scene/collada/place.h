@@ -9,14 +9,14 @@
 
 namespace pt {
 
-// A triangle of a file moved to the world. Turned round where the map mirrors, so that its
-// geometric normal stays on the same side of the surface. A corner normal that is zero, or becomes
-// so, is the face's. Nothing where the moved triangle has no area (no cross product of its edges
-// whose square a double can hold).
+// A triangle of a file moved to the world. If the map mirrors, the corners change order, so that
+// the geometric normal stays on the same side of the surface. A corner normal that is zero, or
+// becomes zero, is replaced by the face's. Nothing if the moved triangle has no area (the square of
+// its edges' cross product underflows or overflows).
 std::optional<Triangle> place(const FileTriangle& triangle, const Transform& to_world);
 
-// A sphere around the origin moved to the world; nothing where the map is not a uniform scaling,
-// rotation and mirroring: axes of different length, or not at right angles, by more than 1e-5.
+// A sphere around the origin moved to the world. Nothing if the map is not a uniform scaling,
+// rotation and mirroring: the axes differ in length, or from right angles, by more than 1e-5.
 std::optional<Sphere> place_sphere(double radius, const Transform& to_world);
 
 }  // namespace pt

@@ -21,8 +21,7 @@ const XMLElement* find_input(const XMLElement& parent, std::string_view semantic
   return nullptr;
 }
 
-// The way in which the accessor cuts the array into vectors; three numbers each where there is no
-// accessor.
+// The layout of the array by its accessor; without an accessor, each vector is three numbers.
 struct Accessor {
   std::size_t count, stride, offset;
 };

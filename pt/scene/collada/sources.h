@@ -8,14 +8,14 @@
 
 namespace pt {
 
-// The vectors of each <source> that was read: sets of faces share them.
+// The vectors of each <source> that was read. Sets of faces share them.
 using Sources = std::unordered_map<const XMLElement*, std::vector<Vec3>>;
 
-// The arrays that the corners of a set of faces point into, and where each of a corner's indices
-// stands. Indices are checked as they are used: an error names the element `at`.
+// The arrays that the corners of a set of faces point into, and the places of a corner's indices.
+// Indices are checked when they are used: an error names the element `at`.
 struct FaceInputs {
   const std::vector<Vec3>* positions = nullptr;
-  const std::vector<Vec3>* normals = nullptr;  // null where the file has none
+  const std::vector<Vec3>* normals = nullptr;  // null if the file has none
   int stride = 1;                              // indices per corner
   int position_offset = 0;
   int normal_offset = 0;
@@ -24,7 +24,7 @@ struct FaceInputs {
   Vec3 normal(const ColladaDocument& document, const XMLElement& at, const int* corner) const;
 };
 
-// Adds to `sources` what was not read before; the result points into it.
+// Adds sources that were not read before to `sources`. The result points into it.
 FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources);
 
 }  // namespace pt

@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::size_t kMaxPrimitives = 10'000'000;
 
-// Surfaces that a file writes once and shows again: a few lines can ask for any number of them.
+// Copies of surfaces that a file writes only once: a few lines can make any number of copies.
 constexpr std::size_t kMaxCopies = 2'000'000;
 
-// The materials that an <instance_geometry> binds to the symbols of its mesh. Where none has a symbol, the only
-// binding serves all: a sphere has no symbol to bind, and some exporters bind another name.
+// The materials that an <instance_geometry> binds to the symbols of its mesh. A part whose symbol is not bound
+// gets the only binding: a sphere has no symbol, and some exporters bind another name.
 struct Bindings {
   std::unordered_map<std::string, const XMLElement*> by_symbol;
   const XMLElement* only = nullptr;
@@ -95,7 +95,7 @@ class SurfaceReader {
     return geometries_.emplace(&element, std::move(geometry)).first->second;
   }
 
-  // Counts what is left out as well: it costs time.
+  // Surfaces that are left out count too, because they cost time.
   void count(const Instance& instance, std::size_t more) {
     placed_ += more;
     if (placed_ > kMaxPrimitives) {
@@ -225,7 +225,7 @@ class SurfaceReader {
   const LoadOptions& options_;
   Surfaces found_;
   std::vector<int> material_of_spheres_;
-  bool is_copy_ = false;  // what is added now was added before
+  bool is_copy_ = false;  // the same surfaces were added before
   std::size_t placed_ = 0;
   std::size_t copies_ = 0;
   std::size_t without_area_ = 0;

@@ -9,7 +9,7 @@
 
 namespace pt {
 
-// All surfaces in world space, and those of them that emit.
+// All surfaces in world space, and the emitting surfaces among them.
 struct Surfaces {
   Primitives primitives;
   std::vector<int> material_of;
@@ -18,9 +18,8 @@ struct Surfaces {
   std::vector<std::string> notes;
 };
 
-// Winding orders are kept by maps that do not mirror and turned by those that do, so that a
-// geometric normal stays on the side of the surface on which the file has it. Triangles without an
-// area are left out.
+// If a map mirrors, the winding order is reversed, so that a geometric normal stays on the side of
+// the surface on which the file has it. Triangles without an area are left out.
 Surfaces read_surfaces(const ColladaDocument& document, const std::vector<Instance>& geometries,
                        const LoadOptions& options);
 

@@ -16,7 +16,7 @@ Vec3 read_vec3(const ColladaDocument& document, const XMLElement& element) {
   return {v[0], v[1], v[2]};
 }
 
-// Exporters compute the matrix in single precision, and its last row with it.
+// Exporters compute the matrix in single precision, and so its last row.
 constexpr double kRounding = 1e-5;
 
 // The distance of the last row from 0 0 0 1.
@@ -24,8 +24,8 @@ double off_affine(const std::vector<double>& m) {
   return std::max({std::abs(m[12]), std::abs(m[13]), std::abs(m[14]), std::abs(m[15] - 1)});
 }
 
-// Row-major, the last row 0 0 0 1. A camera's may lack its last number (one of the course's files
-// does, and then its rows have slipped, so that the last row says nothing).
+// A row-major matrix, its last row 0 0 0 1. A camera's matrix may lack its last number. (One of the
+// course's files does; its rows are then shifted, so that the last row means nothing.)
 Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix, bool holds_camera,
                       std::vector<std::string>& notes) {
   std::vector<double> m = read_numbers(document, matrix);

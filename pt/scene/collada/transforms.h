@@ -14,10 +14,10 @@ namespace pt {
 Transform node_transform(const ColladaDocument& document, const XMLElement& node,
                          std::vector<std::string>& notes);
 
-// An error if any number of the map is infinite, NaN or beyond what geometry can be computed with.
+// Throws Error if a number of the map is infinite, NaN or too large for computing with geometry.
 void check_finite(const ColladaDocument& document, const XMLElement& at, const Transform& map);
 
-// The largest coordinate a scene may have: its cross products still have finite squares.
+// The largest coordinate that a scene may have: its cross products still have finite squares.
 inline constexpr double kMaxCoordinate = 1e30;
 
 }  // namespace pt

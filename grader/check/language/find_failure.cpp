@@ -1,0 +1,189 @@
+#include "grader/check/language/find_failure.h"
+
+#include "grader/check/language/fail.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <sstream>
+
+#include <rapidcheck.h>
+#include <rapidcheck/detail/TestListener.h>
+
+namespace grader::check {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using results::Cause;
+using results::Failure;
+
+constexpr std::chrono::milliseconds kShrinkTime{500};
+
+bool smaller_inputs = false;
+
+// Thrown to stop RapidCheck, which would continue a search for as long as it finds something.
+struct Enough {};
+
+// Returns how many smaller inputs to try after a failure. It is zero if a call hangs, because each
+// input that hangs too costs the whole time limit.
+int shrink_attempts(Cause cause, const FailureSearch& search) {
+  if (!search.shrinks) return 0;
+  switch (cause) {
+    case Cause::wrong:
+      return std::numeric_limits<int>::max();
+    case Cause::crash:
+    case Cause::bad_reply:
+      return search.max_crashes;
+    case Cause::timeout:
+    case Cause::not_attempted:
+      return 0;
+  }
+  return 0;
+}
+
+// A property whose runs are counted, so that one of them can be repeated. RapidCheck keeps only the
+// text of a failure, so the failure itself is stored here.
+struct Counted {
+  const std::function<void()>& property;
+  int stop_at = 0;  // the run before which a debugger stops; 0: none
+  int runs = 0;
+  std::optional<Failure> failure{};  // of the last run
+
+  void run() {
+    failure.reset();
+    if (++runs == stop_at) at_smallest_failure();
+    try {
+      property();
+    } catch (const CaseFailed& failed) {
+      failure = failed.failure;
+      throw rc::detail::CaseResult(rc::detail::CaseResult::Type::Failure, "");
+    }
+  }
+};
+
+// RapidCheck gives the type if the generator has no name. Names end in a colon (draw). A value of
+// several lines, for example a sphere and a ray, becomes several inputs.
+void add_input(Failure& failure, const std::string& name, const std::string& value) {
+  std::istringstream lines(value);
+  for (std::string line; std::getline(lines, line);) {
+    if (name.ends_with(':')) line.insert(0, name + " ");
+    failure.input.push_back(line);
+  }
+}
+
+// Watches a search: keeps the smallest failing case, and ends the search for a smaller one after
+// some time. (RapidCheck's own listener reads its configuration from the environment and prints
+// it.)
+class Watcher : public rc::detail::TestListener {
+ public:
+  Watcher(const Counted& counted, const FailureSearch& search)
+      : counted_(counted), search_(search) {}
+
+  void onTestCaseFinished(const rc::detail::CaseDescription& tried) override {
+    if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
+    if (tried.result.type != rc::detail::CaseResult::Type::Failure) return;
+    keep(tried);
+    smaller_inputs = true;
+    deadline_ = Clock::now() + kShrinkTime;
+    cause_ = failure_.cause;
+    attempts_left_ = shrink_attempts(cause_, search_);
+    if (attempts_left_ == 0) throw Enough{};
+  }
+
+  void onShrinkTried(const rc::detail::CaseDescription& tried, bool fails) override {
+    if (fails) {
+      // The search goes as far as the speed of the machine allows. The cause, and so the verdict,
+      // must not depend on the machine.
+      const Cause cause = counted_.failure ? counted_.failure->cause : Cause::wrong;
+      if (cause == cause_) keep(tried);
+      attempts_left_ = std::min(attempts_left_, shrink_attempts(cause, search_));
+    }
+    if (--attempts_left_ <= 0 || Clock::now() > deadline_) throw Enough{};
+  }
+
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+
+  Found found() const {
+    if (!smallest_) return {};
+    Failure failure = failure_;
+    failure.cases_before = held_;
+    for (const auto& [name, value] : smallest_->example()) add_input(failure, name, value);
+    return {failure, smallest_run_, ""};
+  }
+
+ private:
+  // If something else was thrown, the text of RapidCheck says what.
+  void keep(const rc::detail::CaseDescription& tried) {
+    smallest_ = tried;
+    smallest_run_ = counted_.runs;
+    failure_ = counted_.failure.value_or(Failure{.got = tried.result.description});
+  }
+
+  const Counted& counted_;
+  const FailureSearch& search_;
+  std::optional<rc::detail::CaseDescription> smallest_;
+  Failure failure_;  // of the smallest failing case
+  int smallest_run_ = 0;
+  int held_ = 0;
+  int attempts_left_ = 0;
+  Cause cause_ = Cause::wrong;  // of the first failure
+  Clock::time_point deadline_;
+};
+
+// Ends a search after the run that is to be repeated.
+class Replayer : public rc::detail::TestListener {
+ public:
+  explicit Replayer(const Counted& counted) : counted_(counted) {}
+
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override { stop(); }
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override { stop(); }
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+
+ private:
+  void stop() const {
+    if (counted_.runs >= counted_.stop_at) throw Enough{};
+  }
+
+  const Counted& counted_;
+};
+
+// Returns RapidCheck's message if the property failed and the listener did not end the search.
+std::string check(Counted& counted, const FailureSearch& search,
+                  rc::detail::TestListener& listener) {
+  rc::detail::TestParams params;
+  params.seed = search.seed;
+  params.maxSuccess = search.cases;
+  std::ostringstream text;
+  try {
+    const auto result = rc::detail::checkProperty(rc::detail::toProperty([&] { counted.run(); }),
+                                                  rc::detail::TestMetadata{}, params, listener, {});
+    if (!result.is<rc::detail::SuccessResult>()) rc::detail::printResultMessage(result, text);
+  } catch (const Enough&) {
+  }
+  return text.str();
+}
+
+}  // namespace
+
+Found find_failure(const std::function<void()>& property, const FailureSearch& search) {
+  Counted counted{property};
+  Watcher watcher(counted, search);
+  const std::string fault = check(counted, search, watcher);
+  smaller_inputs = false;
+  Found found = watcher.found();
+  if (!found.failure) found.fault = fault;
+  return found;
+}
+
+bool tries_smaller_inputs() { return smaller_inputs; }
+
+void run_again(const std::function<void()>& property, const FailureSearch& search, int run) {
+  Counted counted{property, run};
+  Replayer replayer(counted);
+  check(counted, search, replayer);
+}
+
+void at_smallest_failure() { asm volatile(""); }
+
+}  // namespace grader::check

@@ -1,0 +1,168 @@
+#include "grader/pictures/recipes/judge_recipe.h"
+
+#include "grader/pictures/goldens/golden.h"
+#include "grader/pictures/statistics/sample_map_verdict.h"
+#include "pt/error.h"
+#include "pt/image/image_io.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace grader::pictures {
+
+namespace {
+
+results::State state_of(ImageVerdict::Outcome outcome) {
+  switch (outcome) {
+    case ImageVerdict::Outcome::pass:
+      return results::State::pass;
+    case ImageVerdict::Outcome::too_noisy:
+      return results::State::too_noisy;
+    case ImageVerdict::Outcome::wrong:
+    case ImageVerdict::Outcome::unusable:
+      break;
+  }
+  return results::State::fail;
+}
+
+results::State state_of(results::Cause cause) {
+  switch (cause) {
+    case results::Cause::crash:
+      return results::State::crash;
+    case results::Cause::timeout:
+      return results::State::timeout;
+    case results::Cause::not_attempted:
+      return results::State::not_attempted;
+    case results::Cause::wrong:
+    case results::Cause::bad_reply:
+      break;
+  }
+  return results::State::fail;
+}
+
+// The result before anything is judged.
+results::PictureResult unjudged(const Recipe& recipe, const PictureFiles& files) {
+  results::PictureResult result;
+  result.recipe = recipe.name;
+  result.title = recipe.title;
+  result.width = recipe.width;
+  result.height = recipe.height;
+  result.golden = files.golden;
+  return result;
+}
+
+// A film of one value per pixel, as an EXR holds it.
+pt::Film film_of(const pt::Image& image) {
+  pt::Film film(image.width, image.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) film.pixels[i].mean = image.pixels[i];
+  return film;
+}
+
+// The result of a verdict. The judged render and its evidence are written into their files.
+results::PictureResult judged(const Recipe& recipe, const PictureFiles& files,
+                              const ImageVerdict& verdict) {
+  results::PictureResult result = unjudged(recipe, files);
+  result.state = state_of(verdict.outcome);
+  result.text = verdict.sentence;
+  result.samples = verdict.samples;
+  result.rounds = verdict.rounds;
+  result.noise = verdict.noise;
+  result.cells = verdict.cells;
+  if (verdict.render.width == 0 || files.render.empty()) return result;
+  pt::write_image(files.render, verdict.render);
+  pt::write_image(files.evidence, film_of(verdict.evidence));
+  result.render = files.render;
+  result.evidence = files.evidence;
+  return result;
+}
+
+// Blackens each pixel whose first batch may be all zero: a right program may stop there or go on,
+// so such pixels are not judged.
+void blacken(const std::vector<char>& where, pt::Image& image) {
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    if (where[i] != 0) image.pixels[i] = {};
+  }
+}
+
+void blacken(const std::vector<char>& where, pt::Film& film) {
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    if (where[i] != 0) film.pixels[i] = {{}, {}, 0, film.pixels[i].samples};
+  }
+}
+
+// Judges the sample map first, then the picture, in which a run counts as a sample.
+results::PictureResult judge_adaptive(const Recipe& recipe, const pt::View& view,
+                                      const Rendering& rendering, const PictureFiles& files) {
+  const SampleMapReference reference = read_reference(files.rates);
+  const Rendered run =
+      render(recipe, view, rendering.rows, 1, batch_seed(rendering.source, recipe, 0, 0));
+  const SampleMapVerdict map = judge_sample_map(reference, run.counts);
+  const pt::Film whole = read_golden(files.golden, recipe);
+  pt::Film golden = whole;
+  blacken(reference.dark_start, golden);
+  ImageVerdict verdict = judge_image(
+      golden, NoiseClass::ordinary,
+      [&](int round, int batches, int samples) {
+        Batches all =
+            render_round(recipe, view, rendering.rows, rendering.source, round, batches, samples);
+        for (pt::Image& image : all.images) blacken(reference.dark_start, image);
+        return all;
+      },
+      rendering.max_rounds, kAdaptiveRounds);
+  for (std::size_t i = 0; i < verdict.render.pixels.size(); ++i) {
+    if (reference.dark_start[i] != 0) verdict.render.pixels[i] = whole.pixels[i];
+  }
+  results::PictureResult result = judged(recipe, files, verdict);
+  if (!files.counts.empty()) {
+    pt::write_counts(files.counts, run.counts);
+    pt::write_counts(files.golden_counts, usual_counts(reference));
+    result.golden_counts = files.golden_counts;
+    result.counts = files.counts;
+  }
+  if (!map.pass) {
+    result.state = results::State::fail;
+    result.text = map.sentence;
+  }
+  return result;
+}
+
+results::PictureResult judge(const Recipe& recipe, const pt::View& view, const Rendering& rendering,
+                             const PictureFiles& files) {
+  if (recipe.adaptive) return judge_adaptive(recipe, view, rendering, files);
+  const ImageVerdict verdict = judge_image(
+      read_golden(files.golden, recipe), recipe.noisy ? NoiseClass::noisy : NoiseClass::ordinary,
+      [&](int round, int batches, int samples) {
+        return render_round(recipe, view, rendering.rows, rendering.source, round, batches,
+                            samples);
+      },
+      rendering.max_rounds, recipe.most_noise);
+  return judged(recipe, files, verdict);
+}
+
+// The result if the worker could not render the whole picture.
+results::PictureResult without_picture(const Recipe& recipe, const PictureFiles& files,
+                                       const NoPicture& none) {
+  results::PictureResult result = unjudged(recipe, files);
+  result.state = state_of(none.cause);
+  result.text = none.text;
+  return result;
+}
+
+}  // namespace
+
+results::PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
+                                    const PictureFiles& files) {
+  const auto start = std::chrono::steady_clock::now();
+  const RecipeScene scene = load_scene(recipe, rendering.engine);
+  results::PictureResult result = [&] {
+    try {
+      return judge(recipe, view(recipe, scene), rendering, files);
+    } catch (const NoPicture& none) {
+      return without_picture(recipe, files, none);
+    }
+  }();
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace grader::pictures

@@ -1,0 +1,200 @@
+#include "grader/service/classes/collect.h"
+
+#include "grader/report/csv.h"
+#include "grader/results/presentable.h"
+#include "grader/results/summary.h"
+#include "grader/service/classes/compare.h"
+#include "grader/service/classes/outcome_printer.h"
+#include "grader/service/intake/unpack.h"
+#include "grader/service/platforms/worksheet.h"
+#include "pt/file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace grader::classes {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kBetweenTables{2};
+
+std::string field(const std::string& text) { return report::csv_field(results::one_line(text)); }
+
+// The parts, such as "1_rays", in the order of the course.
+std::vector<std::string> parts_of(const build::Config& config) {
+  std::vector<std::string> parts;
+  for (const build::TaskConfig& task : config.tasks) {
+    if (parts.empty() || parts.back() != task.part) parts.push_back(task.part);
+  }
+  return parts;
+}
+
+std::string header(const build::Config& config) {
+  std::string text = std::string(report::kByteOrderMark) +
+                     "submission,id,late,tasks_passed,points,max_points,bonus_points";
+  for (const std::string& part : parts_of(config)) text += fmt::format(",{}_points", part);
+  for (const build::TaskConfig& task : config.tasks)
+    text += fmt::format(",{0},{0}_points", task.slug);
+  return text + ",problem\r\n";
+}
+
+// The tasks whose part or slug is this name.
+std::vector<results::TaskResult> tasks_of(const results::Results& results,
+                                          const std::string results::TaskResult::*member,
+                                          const std::string& name) {
+  std::vector<results::TaskResult> tasks;
+  for (const results::TaskResult& task : results.tasks) {
+    if (task.*member == name) tasks.push_back(task);
+  }
+  return tasks;
+}
+
+// Returns the points with bonus points, or an empty text if there are no tasks.
+std::string points_of(const std::vector<results::TaskResult>& tasks) {
+  const results::Totals sums = results::totals(tasks);
+  return tasks.empty() ? "" : std::to_string(sums.points + sums.bonus_points);
+}
+
+std::string line(const build::Config& config, const Graded& graded, bool anonymous) {
+  const bool judged = graded.problem.empty();
+  const results::Results& results = graded.results;
+  const results::Totals sums = results::totals(results.tasks);
+  std::string text =
+      fmt::format("{},{},{}", field(graded.by.name), anonymous ? "" : field(graded.by.id),
+                  graded.by.late ? "late" : "");
+  text += judged ? fmt::format(",{},{},{},{}", sums.passed, sums.points, sums.max_points,
+                               sums.bonus_points)
+                 : ",,,,";
+  for (const std::string& part : parts_of(config)) {
+    text += "," + points_of(tasks_of(results, &results::TaskResult::part, part));
+  }
+  for (const build::TaskConfig& task : config.tasks) {
+    const auto found = tasks_of(results, &results::TaskResult::slug, task.slug);
+    text += fmt::format(",{},{}", found.empty() ? "" : results::words(found[0].state),
+                        points_of(found));
+  }
+  return text + "," + field(graded.problem) + "\r\n";
+}
+
+// "handed_in" for handed_in.tar.gz. A folder's name may contain points.
+std::string export_name(const std::string& input) {
+  fs::path name = fs::path(input).filename();
+  if (fs::is_directory(input)) return name;
+  name = name.stem();
+  return name.extension() == ".tar" ? name.stem() : name;
+}
+
+}  // namespace
+
+Collector::Collector(const build::Config& config, const ClassPlan& plan, std::string out)
+    : config_(config),
+      plan_(plan),
+      out_(std::move(out)),
+      lines_(plan.everybody.size()),
+      for_platforms_(plan.everybody.size()) {}
+
+void Collector::add(std::size_t i, const Graded& graded) {
+  const bool judged = graded.problem.empty(), anonymous = !plan_.real_names.empty();
+  const results::Totals sums = results::totals(graded.results.tasks);
+  max_points_ = std::max(max_points_, sums.max_points);
+  for_platforms_[i] = {anonymous ? plan_.real_names[i] : graded.by.name, graded.by.id, judged,
+                       sums.points + sums.bonus_points,
+                       judged ? results::verdict(graded.results) : graded.by.problem};
+  page_.add({graded.by.name, anonymous ? "" : graded.by.id, graded.by.name + ".html",
+             graded.problem, graded.by.late},
+            graded.results);
+  lines_[i] = line(config_, graded, anonymous);
+  if (std::chrono::steady_clock::now() >= next_table_) write_table();
+}
+
+void Collector::write_table() {
+  pt::write_file(out_ + "/class.csv",
+                 std::accumulate(lines_.begin(), lines_.end(), header(config_)));
+  next_table_ = std::chrono::steady_clock::now() + kBetweenTables;
+}
+
+std::vector<std::string> Collector::write() {
+  write_table();
+  std::vector<std::string> written{out_ + "/class.csv", out_ + "/class.html"};
+  pt::write_file(written[1], page_.to_html());
+  if (!plan_.former.empty()) {
+    const platforms::Comparison comparison = compare(plan_, plan_.former, out_);
+    for (const char* name : {"/compare.csv", "/compare.html"}) written.push_back(out_ + name);
+    pt::write_file(out_ + "/compare.csv", platforms::comparison_csv(comparison));
+    pt::write_file(out_ + "/compare.html", platforms::comparison_html(comparison));
+    remarks_.push_back(platforms::comparison_sentence(comparison));
+  }
+  if (!plan_.real_names.empty()) {
+    std::string names = std::string(report::kByteOrderMark) + "submission,name,id\r\n";
+    for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
+      const intake::HandedIn& by = plan_.everybody[i];
+      names += fmt::format("{},{},{}\r\n", by.name, field(plan_.real_names[i]), field(by.id));
+    }
+    written.push_back(out_ + "/names.csv");
+    pt::write_file(written.back(), names);
+  }
+  for (const std::string& path : write_returns()) written.push_back(path);
+  return written;
+}
+
+// The worksheet filled in, if there is one.
+std::string Collector::moodle_table(const std::vector<platforms::GradeRow>& rows) {
+  if (plan_.worksheet.empty()) return platforms::moodle_csv(rows, max_points_);
+  platforms::Worksheet::Filled filled =
+      platforms::read_worksheet(plan_.worksheet).filled(rows, max_points_);
+  if (filled.locked > 0) {
+    remarks_.push_back(
+        fmt::format("{} says of {} of the submissions that Moodle lets their grade "
+                    "not be changed: it stays",
+                    plan_.worksheet, filled.locked));
+  }
+  if (!filled.strays.empty()) {
+    const std::string names = plan_.real_names.empty() ? ": " + some_of(filled.strays) : "";
+    remarks_.push_back(fmt::format("{} has no row for {} of the submissions{}", plan_.worksheet,
+                                   filled.strays.size(), names));
+  }
+  return filled.text;
+}
+
+std::vector<std::string> Collector::write_returns() {
+  std::vector<platforms::GradeRow> canvas, moodle, gradescope;
+  std::vector<intake::Packed> pages;
+  for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
+    const intake::HandedIn& by = plan_.everybody[i];
+    const platforms::GradeRow& row = for_platforms_[i];
+    if (by.platform == intake::Platform::canvas) canvas.push_back(row);
+    if (by.platform == intake::Platform::moodle) moodle.push_back(row);
+    const bool listed = by.platform == intake::Platform::gradescope;
+    if (listed) gradescope.push_back(row);
+    const std::string page = listed ? row.name + ".html" : by.feedback;
+    if (row.judged && !page.empty()) pages.push_back({page, out_ + "/" + by.name + ".html"});
+  }
+  std::vector<std::string> written;
+  const auto write_text = [&](const std::string& name, const std::string& text) {
+    written.push_back(out_ + "/" + name);
+    pt::write_file(written.back(), text);
+  };
+  if (!canvas.empty()) {
+    const std::string column =
+        plan_.assignment.empty() ? export_name(plan_.input) : plan_.assignment;
+    write_text("canvas.csv", platforms::canvas_csv(canvas, column, max_points_));
+  }
+  if (!gradescope.empty()) {
+    write_text("gradescope.csv", platforms::gradescope_csv(gradescope, max_points_));
+  }
+  if (!pages.empty()) {
+    written.push_back(out_ + "/feedback.zip");
+    intake::pack(written.back(), pages);
+  }
+  fs::remove(out_ + "/moodle.csv");  // of an earlier call: the worksheet may be unusable now
+  if (!moodle.empty()) write_text("moodle.csv", moodle_table(moodle));
+  return written;
+}
+
+}  // namespace grader::classes

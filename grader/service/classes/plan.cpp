@@ -1,0 +1,265 @@
+#include "grader/service/classes/plan.h"
+
+#include "grader/base/files.h"
+#include "grader/base/json_text.h"
+#include "grader/base/sha256.h"
+#include "grader/service/classes/identity.h"
+#include "grader/service/classes/unpack_boxed.h"
+#include "pt/end_of_program.h"
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace grader::classes {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t kKeptUnpacked = 2;
+
+// An unreadable seed is an error: else everybody would be judged again, and nobody would know why.
+std::optional<std::uint64_t> seed_in(const std::string& folder) {
+  const std::string path = folder + "/seed";
+  if (!fs::exists(path)) return std::nullopt;
+  std::uint64_t seed = 0;
+  if (std::ifstream(path) >> seed) return seed;
+  throw pt::Error(path + " holds no number; write --seed and the number that the reports name");
+}
+
+std::uint64_t seed_for(const PlanRequest& request) {
+  const std::string path = request.out + "/seed";
+  std::uint64_t seed = 0;
+  if (request.seed) {
+    seed = *request.seed;
+  } else if (const auto kept = seed_in(request.out)) {
+    return *kept;
+  } else {
+    const auto former = request.former.empty() ? std::nullopt : seed_in(request.former);
+    seed = former ? *former : std::random_device{}();
+  }
+  pt::write_file(path, std::to_string(seed) + "\n");
+  return seed;
+}
+
+// A text that is equal for equal task files; empty if there are no task files.
+std::string content_of(const build::Config& config, const std::string& submission) {
+  const std::string root = base::submission_root(submission);
+  std::string all;
+  bool any = false;
+  for (const build::TaskConfig& task : config.tasks) {
+    const base::Submitted file = base::read_submitted(root, task.part, task.slug);
+    any = any || file.present;
+    all += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
+  }
+  return any ? base::sha256(all) : "";
+}
+
+// Groups equal submissions. A submission with nothing to judge gets a problem.
+std::vector<Equal> groups_of(const build::Config& config,
+                             std::vector<intake::HandedIn>& everybody) {
+  std::vector<Equal> groups;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t i = 0; i < everybody.size(); ++i) {
+    intake::HandedIn& by = everybody[i];
+    if (!by.problem.empty()) continue;
+    std::string content;
+    try {
+      content = content_of(config, by.folder);
+    } catch (const std::exception& error) {
+      by.problem = pt::sentence_of(error);
+      continue;
+    }
+    if (content.empty()) {
+      by.problem =
+          fmt::format("it holds none of the files that are to be handed in ({}.cpp and so on)",
+                      config.tasks[0].slug);
+      continue;
+    }
+    const auto [entry, is_new] = known.try_emplace(content, groups.size());
+    if (is_new) groups.emplace_back();
+    groups[entry->second].push_back(i);
+  }
+  return groups;
+}
+
+std::vector<Chunk> chunks_of(const std::vector<Equal>& groups, std::size_t size) {
+  if (size == 0) size = (groups.size() + kMaxChunks - 1) / kMaxChunks;
+  std::vector<Chunk> chunks;
+  for (const Equal& group : groups) {
+    if (chunks.empty() || chunks.back().size() == size) chunks.emplace_back();
+    chunks.back().push_back(group);
+  }
+  return chunks;
+}
+
+// A new folder for unpacking. The earlier plan's folder stays: another machine may still need it.
+std::string folder_to_unpack(const std::string& out) {
+  const fs::path folder = out + "/unpacked";
+  std::vector<fs::path> former;
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) former.push_back(entry.path());
+  }
+  std::ranges::sort(former, std::ranges::greater{},
+                    [](const fs::path& path) { return fs::last_write_time(path); });
+  for (std::size_t i = kKeptUnpacked - 1; i < former.size(); ++i) fs::remove_all(former[i]);
+  return folder / random_text();
+}
+
+// A file's name may contain any bytes, JSON only UTF-8: other names become lists of numbers.
+json text_json(const std::string& text) {
+  try {
+    json as_text = text;
+    (void)as_text.dump();
+    return as_text;
+  } catch (const json::exception&) {
+    return std::vector<std::uint8_t>(text.begin(), text.end());
+  }
+}
+
+std::string text_from(const json& from) {
+  if (from.is_string()) return from.get<std::string>();
+  const auto bytes = from.get<std::vector<std::uint8_t>>();
+  return {bytes.begin(), bytes.end()};
+}
+
+json to_json(const intake::HandedIn& by) {
+  return {{"name", text_json(by.name)},        {"id", text_json(by.id)},
+          {"folder", text_json(by.folder)},    {"late", by.late},
+          {"problem", text_json(by.problem)},  {"platform", static_cast<int>(by.platform)},
+          {"feedback", text_json(by.feedback)}};
+}
+
+intake::HandedIn handed_in_from(const json& from) {
+  return {
+      text_from(from.at("name")),    text_from(from.at("id")),
+      text_from(from.at("folder")),  from.at("late").get<bool>(),
+      text_from(from.at("problem")), static_cast<intake::Platform>(from.at("platform").get<int>()),
+      text_from(from.at("feedback"))};
+}
+
+// Throws if the plan is invalid: another program may have written it.
+void check_plan(const ClassPlan& plan) {
+  const auto check = [](bool holds, const char* what) {
+    if (!holds) throw pt::Error(what);
+  };
+  check(plan.real_names.empty() || plan.real_names.size() == plan.everybody.size(),
+        "it has not as many real names as submissions");
+  check(plan.former_names.empty() || plan.former_names.size() == plan.everybody.size(),
+        "it has not as many former names as submissions");
+  const auto can_be_file = [](const std::string& name) {
+    return name != "." && name != ".." && name.find('/') == name.npos &&
+           name.find('\0') == name.npos;
+  };
+  for (const std::string& name : plan.former_names) {
+    check(can_be_file(name), "a submission's former name cannot be that of a file");
+  }
+  for (const intake::HandedIn& by : plan.everybody) {
+    check(!by.name.empty() && can_be_file(by.name), "a submission's name cannot be that of a file");
+  }
+  for (const Chunk& chunk : plan.chunks) {
+    for (const Equal& equal : chunk) {
+      check(!equal.empty(), "a chunk has nobody in it");
+      for (const std::size_t i : equal) {
+        check(i < plan.everybody.size(), "a chunk has a submission that there is not");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string host_name() {
+  char name[256] = "";
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
+ClassPlan make_plan(const build::Config& config, const std::string& programs,
+                    const PlanRequest& request, const intake::Progress& progress) {
+  ClassPlan plan;
+  plan.id = random_text();
+  plan.input = request.input;
+  plan.words = request.words;
+  plan.seed = seed_for(request);
+  plan.host = host_name();
+  plan.former = request.former;
+  plan.assignment = request.assignment;
+  plan.worksheet = request.worksheet;
+  std::vector<intake::TaskFile> tasks;
+  for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
+  intake::HandedInByAll all =
+      intake::handed_in(request.input, folder_to_unpack(request.out), tasks,
+                        unpack_boxed(config, programs, request.must_isolate), progress);
+  plan.everybody = std::move(all.everybody);
+  plan.unclaimed = std::move(all.unclaimed);
+  for (intake::HandedIn& by : plan.everybody) {
+    if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
+  }
+  if (request.anonymous) hide_names(plan, request.out);
+  if (!plan.former.empty()) plan.former_names = former_names(plan);
+  plan.chunks = chunks_of(groups_of(config, plan.everybody), request.chunk_size);
+  return plan;
+}
+
+void write_plan(const ClassPlan& plan, const std::string& out) {
+  json all{{"id", plan.id},
+           {"input", text_json(plan.input)},
+           {"words", plan.words},
+           {"seed", plan.seed},
+           {"host", plan.host},
+           {"former", text_json(plan.former)},
+           {"assignment", text_json(plan.assignment)},
+           {"worksheet", text_json(plan.worksheet)},
+           {"salt", plan.salt},
+           {"chunks", plan.chunks},
+           {"everybody", json::array()},
+           {"real_names", json::array()},
+           {"former_names", json::array()}};
+  for (const intake::HandedIn& by : plan.everybody) all["everybody"].push_back(to_json(by));
+  for (const std::string& name : plan.real_names) all["real_names"].push_back(text_json(name));
+  for (const std::string& name : plan.former_names) all["former_names"].push_back(text_json(name));
+  pt::write_file(out + "/plan.json", all.dump(1) + "\n");
+}
+
+ClassPlan read_plan(const std::string& out) {
+  const std::string path = out + "/plan.json";
+  if (!fs::exists(path)) {
+    throw pt::Error(out + " holds no plan; make one: ./run grade-class plan CLASS --out " + out);
+  }
+  try {
+    const json all = json::parse(pt::read_file(path));
+    ClassPlan plan;
+    plan.input = text_from(all.at("input"));
+    plan.words = all.at("words").get<std::vector<std::string>>();
+    plan.seed = all.at("seed").get<std::uint64_t>();
+    plan.host = all.at("host").get<std::string>();
+    plan.former = text_from(all.at("former"));
+    plan.assignment = text_from(all.at("assignment"));
+    plan.id = all.at("id").get<std::string>();
+    plan.worksheet = text_from(all.at("worksheet"));
+    plan.salt = all.at("salt").get<std::string>();
+    plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
+    for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));
+    for (const json& name : all.at("real_names")) plan.real_names.push_back(text_from(name));
+    for (const json& name : all.at("former_names")) plan.former_names.push_back(text_from(name));
+    check_plan(plan);
+    return plan;
+  } catch (const std::exception& error) {
+    throw pt::Error(fmt::format("{}: {}; make the plan again (./run grade-class plan)", path,
+                                base::words_of(error)));
+  }
+}
+
+}  // namespace grader::classes

@@ -1,0 +1,264 @@
+#include "grader/service/intake/handed_in.h"
+
+#include "grader/base/files.h"
+#include "grader/service/intake/file_name.h"
+#include "grader/service/intake/gradescope.h"
+#include "grader/service/intake/names_that_differ.h"
+#include "grader/service/intake/pieces.h"
+#include "grader/service/intake/prepare_submission.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace grader::intake {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMaxAround = 8;  // leading folders that everything shares
+
+std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
+  std::vector<fs::directory_entry> all;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!base::is_hidden(entry.path().filename())) all.push_back(entry);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+bool is_folder(const fs::directory_entry& entry) {
+  return entry.is_directory() && !entry.is_symlink();
+}
+
+bool is_file(const fs::directory_entry& entry) {
+  return entry.is_regular_file() && !entry.is_symlink();
+}
+
+// The name without the ending of an archive.
+std::string without_ending(const std::string& name) {
+  const std::string stem = fs::path(name).stem();
+  return stem.ends_with(".tar") ? stem.substr(0, stem.size() - 4) : stem;
+}
+
+std::vector<std::string> files_of(const std::vector<fs::directory_entry>& entries) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : entries) {
+    if (entry.is_regular_file()) names.push_back(entry.path().filename());
+  }
+  return names;
+}
+
+class Intake {
+ public:
+  Intake(fs::path work, const std::vector<TaskFile>& tasks, const Unpack& unpack,
+         const Progress& progress)
+      : work_(std::move(work)),
+        tools_{tasks, unpack, [this] { return next_folder(); }},
+        progress_(progress) {
+    fs::remove_all(work_);
+  }
+
+  HandedInByAll run(const fs::path& input) {
+    const fs::path folder = class_folder(opened(input));
+    const std::vector<fs::directory_entry> entries = entries_of(folder);
+    if (fs::exists(folder / kGradescopeList)) {
+      add_gradescope(folder / kGradescopeList, entries);
+    } else {
+      is_canvas_ = are_of_canvas(files_of(entries));
+      add_all(entries);
+    }
+    if (result_.everybody.empty()) {
+      throw pt::Error(input.string() +
+                      " has no submissions in it: there must be a folder or an archive for each");
+    }
+    name_hidden(folder);
+    result_.everybody = with_names_that_differ(std::move(result_.everybody));
+    return std::move(result_);
+  }
+
+ private:
+  // The folder, or the folder of the unpacked archive.
+  fs::path opened(const fs::path& input) {
+    if (fs::is_directory(input)) return input;
+    fs::path folder = work_ / "all";
+    fs::create_directories(work_);
+    const std::string problem = tools_.unpack(input, folder, Extent::everybody);
+    if (!problem.empty()) throw pt::Error(problem);
+    for (const Fault& fault : read_faults(folder)) {
+      faults_.emplace((folder / fault.path).string(), fault.reason);
+    }
+    return folder;
+  }
+
+  // The folder without the leading folders that everything shares.
+  fs::path class_folder(fs::path folder) const {
+    for (int i = 0; i < kMaxAround; ++i) {
+      const std::vector<fs::directory_entry> entries = entries_of(folder);
+      if (entries.size() != 1 || !is_folder(entries[0])) return folder;
+      const fs::path& inner = entries[0].path();
+      const bool is_class = holds_several(inner, tools_.tasks);
+      if (read_label(inner.filename()) || (is_submission(inner, tools_.tasks) && !is_class))
+        return folder;
+      const std::vector<fs::directory_entry> inside = entries_of(inner);
+      if (inside.empty() || (inside.size() == 1 && !is_folder(inside[0]))) return folder;
+      folder = inner;
+    }
+    return folder;
+  }
+
+  // The reason why part of it could not be unpacked; empty if nothing is missing.
+  std::string fault_of(const fs::path& path) const {
+    const std::string text = path.string(), inside = text + '/';
+    for (const auto& [faulty, reason] : faults_) {
+      if (faulty == text || faulty.starts_with(inside) || text.starts_with(faulty + '/'))
+        return reason;
+    }
+    return "";
+  }
+
+  void add_all(const std::vector<fs::directory_entry>& entries) {
+    std::vector<fs::directory_entry> alone;
+    for (const fs::directory_entry& entry : entries) {
+      const std::optional<Label> label = label_of(entry);
+      if (label) add_piece({entry.path(), *label});
+      if (!label) alone.push_back(entry);
+    }
+    start(alone.size() + pieces_.size());
+    for (const fs::directory_entry& entry : alone) {
+      add(entry);
+      count();
+    }
+    for (auto& [key, pieces] : pieces_) {
+      result_.everybody.push_back(one_submission(std::move(pieces), tools_));
+      count();
+    }
+  }
+
+  void start(std::size_t all) {
+    all_ = all;
+    progress_(0, all);
+  }
+
+  void count() { progress_(++done_, all_); }
+
+  // The label of an entry; nothing if a learner can have only one such entry.
+  std::optional<Label> label_of(const fs::directory_entry& entry) const {
+    if (entry.is_symlink() || !(is_folder(entry) || is_file(entry))) return std::nullopt;
+    const std::optional<Label> label = read_label(entry.path().filename());
+    const bool is_known =
+        label && (label->platform != Platform::canvas || (is_canvas_ && is_file(entry)));
+    return is_known ? label : std::nullopt;
+  }
+
+  void add(const fs::directory_entry& entry) {
+    const std::string name = entry.path().filename();
+    HandedIn by;
+    by.name = name;
+    by.problem = fault_of(entry.path());
+    if (entry.is_symlink()) {
+      by.problem = "it is a link; copy what it points to";
+      result_.everybody.push_back(by);
+    } else if (is_folder(entry)) {
+      by.folder = entry.path();
+      add_prepared(by);
+    } else if (is_file(entry) && (is_packed(name) || !by.problem.empty())) {
+      by.name = is_packed(name) ? without_ending(name) : name;
+      if (by.problem.empty()) by = with(by, prepared_archive(by.name, entry.path()));
+      result_.everybody.push_back(by);
+    } else {
+      result_.unclaimed.push_back(name);  // or a pipe or a device, which no platform exports
+    }
+  }
+
+  void add_prepared(const HandedIn& by) {
+    result_.everybody.push_back(
+        by.problem.empty() ? with(by, prepare_submission(by.name, by.folder, tools_)) : by);
+  }
+
+  Prepared prepared_archive(const std::string& name, const fs::path& file) const {
+    if (is_archive(file.filename())) return prepare_archive(name, file, tools_);
+    return {"", fmt::format("'{}' cannot be unpacked here; hand in a zip",
+                            as_file_name(file.filename()))};
+  }
+
+  void add_piece(const Piece& piece) {
+    Pieces& pieces = pieces_[piece.label.key()];
+    HandedIn& by = pieces.by;
+    by.name = piece.label.name;
+    by.id = piece.label.id;
+    by.late = by.late || piece.label.late;
+    by.platform = piece.label.platform;
+    if (by.problem.empty()) by.problem = fault_of(piece.path);
+    pieces.all.push_back(piece);
+  }
+
+  void add_gradescope(const fs::path& list, const std::vector<fs::directory_entry>& entries) {
+    std::map<std::string, Submitters> listed = read_gradescope_list(list);
+    std::map<std::string, fs::path> folders;
+    for (const fs::directory_entry& entry : entries) {
+      if (!is_folder(entry)) continue;
+      folders[entry.path().filename()] = entry.path();
+      listed.try_emplace(entry.path().filename());
+    }
+    start(listed.size());
+    for (const auto& [folder, who] : listed) {
+      HandedIn by;
+      by.name = who.names.empty() ? folder : who.names;
+      by.id = who.ids;
+      by.platform = Platform::gradescope;
+      const auto place = folders.find(folder);
+      if (place == folders.end()) {
+        by.problem = "the list of submissions names it, and the export has no folder for it";
+      } else {
+        by.folder = place->second;
+        by.problem = fault_of(place->second);
+      }
+      add_prepared(by);
+      count();
+    }
+  }
+
+  // A submission whose name begins with a dot belongs to nobody, unless it is renamed.
+  void name_hidden(const fs::path& folder) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().filename();
+      if (!base::is_hidden(name) || entry.is_symlink()) continue;
+      const bool is_handed_in =
+          is_folder(entry) ? is_submission(entry.path(), tools_.tasks) : is_archive(name);
+      if (is_handed_in) result_.unclaimed.push_back(name);
+    }
+    std::sort(result_.unclaimed.begin(), result_.unclaimed.end());
+  }
+
+  fs::path next_folder() {
+    fs::create_directories(work_);
+    return work_ / std::to_string(++folders_);
+  }
+
+  fs::path work_;
+  IntakeTools tools_;
+  const Progress& progress_;
+  std::size_t done_ = 0, all_ = 0;
+  int folders_ = 0;
+  bool is_canvas_ = false;
+  std::map<std::string, std::string> faults_;  // by path
+  std::map<std::string, Pieces> pieces_;
+  HandedInByAll result_;
+};
+
+}  // namespace
+
+HandedInByAll handed_in(const std::string& input, const std::string& work,
+                        const std::vector<TaskFile>& tasks, const Unpack& unpack,
+                        const Progress& progress) {
+  return Intake(work, tasks, unpack, progress).run(input);
+}
+
+}  // namespace grader::intake

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "grader/service/intake/owner.h"
+#include "grader/service/intake/tree.h"
+#include "grader/service/intake/unpack.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace grader::intake {
+
+// The submission of one learner or of one group.
+struct HandedIn {
+  // The name of the learner or of the folder, safe as a file name: at most 200 bytes, no control
+  // characters, and unique even if upper and lower case are the same.
+  std::string name;
+  std::string id;       // from the learning platform; may be empty
+  std::string folder;   // of the files, in `work` or in their original place
+  bool late = false;    // the platform says so
+  std::string problem;  // the reason why it cannot be judged, in one sentence; else empty
+  Platform platform = Platform::none;
+  std::string feedback{};  // the path under which the platform takes a page back; empty: none
+};
+
+// Unpacks an archive to a new folder. Returns why that failed; else an empty text. Throws pt::Error
+// if the machine is at fault.
+using Unpack = std::function<std::string(const std::string& archive, const std::string& folder,
+                                         Extent extent)>;
+
+// Called when the number of submissions is known, and after each submission.
+using Progress = std::function<void(std::size_t done, std::size_t all)>;
+
+struct HandedInByAll {
+  std::vector<HandedIn> everybody;     // in alphabetical order
+  std::vector<std::string> unclaimed;  // files without a known owner
+};
+
+// Lists the submissions in a folder or an archive:
+//   Canvas      files lovelaceada_LATE_123_456_hit_box-1.cpp; the last resubmission counts
+//   Moodle      folders Ada Lovelace_123_assignsubmission_file, or files that start like that
+//   Gradescope  folders submission_123, and submission_metadata.yml with the names
+//   D2L         "12-34 - Ada Lovelace - Jan 15, 2027 1005 PM - hit_box.cpp"
+//   Blackboard  hw_ada_attempt_2027-01-15-22-05-00_hit_box.cpp
+//   other       one folder or archive per submission
+// Leading folders that everything shares are skipped. Task files may be at any depth of a
+// submission; if there are none, an archive in it is unpacked. base::read_submitted finds them in
+// the resulting folder. Unpacked or copied files are put below `work`, from where files of an
+// earlier call are removed. A submission that is a link, cannot be read, or is ambiguous has a
+// problem. Throws pt::Error if there is no submission, or if the machine is at fault.
+HandedInByAll handed_in(
+    const std::string& input, const std::string& work, const std::vector<TaskFile>& tasks,
+    const Unpack& unpack, const Progress& progress = [](std::size_t, std::size_t) {});
+
+}  // namespace grader::intake

@@ -1,0 +1,53 @@
+#include "grader/service/intake/names_that_differ.h"
+
+#include "grader/service/intake/file_name.h"
+#include "pt/printable.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace grader::intake {
+
+namespace {
+
+// Names of files and folders for the class as a whole, in the folder of the reports.
+const std::set<std::string>& reserved_names() {
+  static const std::set<std::string> names{"class",      "plan",     "compare",  "names",
+                                           "canvas",     "moodle",   "feedback", "seed",
+                                           "gradescope", "unpacked", "joblog",   "slurm"};
+  return names;
+}
+
+}  // namespace
+
+std::vector<HandedIn> with_names_that_differ(std::vector<HandedIn> all) {
+  for (HandedIn& each : all) each.name = as_file_name(each.name);
+  std::map<std::string, int> count;
+  for (const HandedIn& each : all) ++count[folded(each.name)];
+  // A name with marks must also differ from names that have the marks in the letter.
+  std::stable_partition(all.begin(), all.end(),
+                        [](const HandedIn& each) { return !has_marks(each.name); });
+  std::set<std::string> used = reserved_names(), plain;
+  const auto is_new = [&](const std::string& name) {
+    const std::string key = folded(name), without = accents_alike(key);
+    if (has_marks(name)) return !plain.contains(without) && used.insert(key).second;
+    plain.insert(without);
+    return used.insert(key).second;
+  };
+  for (HandedIn& each : all) {
+    if (count[folded(each.name)] > 1 && !each.id.empty())
+      each.name += " (" + as_file_name(std::string(pt::beginning(each.id, 30))) + ")";
+    std::string name = each.name;
+    for (int i = 2; !is_new(name); ++i) name = fmt::format("{} ({})", each.name, i);
+    each.name = name;
+    if (each.platform == Platform::none) each.feedback = name + ".html";
+  }
+  std::sort(all.begin(), all.end(),
+            [](const HandedIn& a, const HandedIn& b) { return a.name < b.name; });
+  return all;
+}
+
+}  // namespace grader::intake

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "grader/service/intake/handed_in.h"
+
+#include <vector>
+
+namespace grader::intake {
+
+// The submissions in alphabetical order, each with a name for its reports that no other submission
+// and no file for the class as a whole has. Namesakes get their IDs, or numbers.
+std::vector<HandedIn> with_names_that_differ(std::vector<HandedIn> all);
+
+}  // namespace grader::intake

@@ -1,0 +1,184 @@
+#include "grader/service/intake/tree.h"
+
+#include "grader/base/files.h"
+#include "grader/service/intake/entry_path.h"
+#include "grader/service/intake/file_name.h"
+#include "grader/service/intake/unpack.h"
+
+#include <algorithm>
+#include <regex>
+#include <system_error>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace grader::intake {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A file that may be a task's.
+struct Candidate {
+  fs::path path;
+  fs::path root;  // the folder in which its tree starts
+  bool is_exact = false;
+  int way = 0;  // how base::read_submitted would find it: 0 first; 4: not at all
+};
+using Candidates = std::map<std::string, std::vector<Candidate>>;  // by task
+
+bool is_part(const std::string& name, const std::vector<TaskFile>& tasks) {
+  return std::any_of(tasks.begin(), tasks.end(),
+                     [&](const TaskFile& task) { return task.part == name; });
+}
+
+std::string without_marks(std::string text) {
+  std::erase_if(text, [](char c) { return c == '_' || c == '-' || c == ' '; });
+  return text;
+}
+
+Candidate candidate(const fs::path& path, const Meant& meant, const std::vector<TaskFile>& tasks) {
+  const auto task = std::find_if(tasks.begin(), tasks.end(),
+                                 [&](const TaskFile& each) { return each.slug == meant.slug; });
+  Candidate found{path, path.parent_path(), meant.is_exact, 2};
+  const std::string folder = found.root.filename();
+  if (is_part(folder, tasks)) {
+    found.way = folder == task->part ? 0 : 4;
+    found.root = found.root.parent_path();
+  }
+  if (found.root.filename() == "student") {
+    found.way = std::min(found.way + 1, 4);
+    found.root = found.root.parent_path();
+  }
+  return found;
+}
+
+// A clone or a copy of the project has more files with a task's name.
+bool is_project(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_directory(folder / "pt", error) && fs::is_directory(folder / "student", error);
+}
+
+void walk(const fs::path& folder, const std::vector<TaskFile>& tasks, Tree& tree,
+          Candidates& candidates) {
+  const bool of_project = is_project(folder);
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (base::is_hidden(name)) continue;
+    if (entry.is_directory() && !entry.is_symlink()) {
+      if (!of_project || name == "student") walk(entry.path(), tasks, tree, candidates);
+    } else if (const Meant meant = meant_task(name, tasks)) {
+      candidates[meant.slug].push_back(candidate(entry.path(), meant, tasks));
+    } else if (is_archive(name) && entry.is_regular_file() && !entry.is_symlink()) {
+      tree.archives.push_back(entry.path());
+    } else {
+      tree.others.push_back(entry.path());
+    }
+  }
+}
+
+// The file that counts among the candidates of a task: first by the exact name, then the outermost
+// file, then the file that the judge would read first. Nothing if two are left.
+const Candidate* that_counts(std::vector<Candidate>& all) {
+  const auto is_exact = [](const Candidate& each) { return each.is_exact; };
+  if (std::any_of(all.begin(), all.end(), is_exact)) {
+    std::erase_if(all, [&](const Candidate& each) { return !is_exact(each); });
+  }
+  std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tuple(a.root, a.way, a.path) < std::tuple(b.root, b.way, b.path);
+  });
+  const Candidate& first = all[0];
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const bool beside = all[i].root == first.root && all[i].way == first.way;
+    if (beside || !lies_in(all[i].root, first.root)) return nullptr;
+  }
+  return &first;
+}
+
+std::string question(const fs::path& folder, const std::string& slug,
+                     const std::vector<Candidate>& all) {
+  if (all[0].path.parent_path() == all[1].path.parent_path()) {
+    return fmt::format("'{}' and '{}' may both be {}.cpp; name one of them so",
+                       as_file_name(all[0].path.filename()), as_file_name(all[1].path.filename()),
+                       slug);
+  }
+  const auto shown = [&](const Candidate& each) {
+    const std::string text = each.path.lexically_relative(folder);
+    std::string clean;
+    for (const auto& part : fs::path(text))
+      clean += (clean.empty() ? "" : "/") + as_file_name(part);
+    return clean;
+  };
+  return fmt::format("it has {}.cpp in {} places, '{}' and '{}'; keep one", slug, all.size(),
+                     shown(all[0]), shown(all[1]));
+}
+
+}  // namespace
+
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
+
+Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks) {
+  static const std::regex nearly(R"((.+?)(?:[ _]?\(\d+\)|-\d+|[ _-]*copy)?\.cpp(?:\.txt)?)");
+  const std::string small = lower_case(name);
+  std::smatch found;
+  if (name.size() > 255 || !std::regex_match(small, found, nearly)) return {};
+  const std::string stem = without_marks(found[1]);
+  for (const TaskFile& task : tasks) {
+    if (without_marks(task.slug) == stem) return {task.slug, name == task.slug + ".cpp"};
+  }
+  return {};
+}
+
+Tree look_inside(const fs::path& folder, const std::vector<TaskFile>& tasks) {
+  Tree tree;
+  Candidates candidates;
+  walk(folder, tasks, tree, candidates);
+  std::sort(tree.archives.begin(), tree.archives.end());
+  std::sort(tree.others.begin(), tree.others.end());
+  bool stays = true;
+  for (auto& [slug, all] : candidates) {
+    const Candidate* counts = that_counts(all);
+    if (counts == nullptr) {
+      if (tree.problem.empty()) tree.problem = question(folder, slug, all);
+      continue;
+    }
+    if (tree.files.empty()) tree.root = counts->root;
+    stays = stays && counts->is_exact && counts->way < 4 && counts->root == tree.root;
+    tree.files[slug] = counts->path;
+  }
+  if (!stays) tree.root.clear();
+  return tree;
+}
+
+bool is_submission(const fs::path& folder, const std::vector<TaskFile>& tasks) {
+  if (fs::exists(folder / ".git")) return true;
+  const fs::path root = base::submission_root(folder);
+  for (const fs::path& top : {root, root / "student"}) {
+    if (!fs::is_directory(top)) continue;
+    for (const auto& entry : fs::directory_iterator(top)) {
+      const std::string name = entry.path().filename();
+      if (name == "student" || is_part(name, tasks) || meant_task(name, tasks)) return true;
+    }
+  }
+  return false;
+}
+
+bool holds_several(const fs::path& folder, const std::vector<TaskFile>& tasks) {
+  if (is_project(folder)) return false;
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (base::is_hidden(name) || entry.is_symlink()) continue;
+    if (entry.is_directory()) {
+      count += name != "student" && !is_part(name, tasks) && is_submission(entry.path(), tasks);
+    } else {
+      count += is_archive(name);
+    }
+  }
+  return count > 1;
+}
+
+}  // namespace grader::intake

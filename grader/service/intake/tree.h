@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace grader::intake {
+
+// A task, whose file is <part>/<slug>.cpp.
+struct TaskFile {
+  std::string part, slug;
+};
+
+// The task file that this file is meant to be; also for "Hit_Box.CPP", "hit_box-1.cpp", "hit_box
+// (2).cpp", "hit_box.cpp.txt". Empty: not a task file. `is_exact`: the judge would read it.
+struct Meant {
+  std::string slug;
+  bool is_exact = false;
+  explicit operator bool() const { return !slug.empty(); }
+};
+Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks);
+
+// The task files of a folder.
+struct Tree {
+  // The folder in which the judge finds all task files; empty: they have to be copied.
+  std::filesystem::path root;
+  std::map<std::string, std::filesystem::path> files;  // per task: the file that counts
+  std::string problem;  // why the files are ambiguous, in one sentence; else empty
+  std::vector<std::filesystem::path> archives, others;  // files that belong to no task
+};
+
+// Looks for task files at any depth. It skips hidden files, links to folders, and all of a whole
+// project except `student`. Throws std::filesystem::filesystem_error if a folder cannot be read.
+Tree look_inside(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
+
+// Returns whether it is one submission, judged by its top files and folders (below single folders).
+bool is_submission(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
+
+// Returns whether several of its folders and archives are submissions. Then it is not one
+// submission, even with a task file or a repository at the top.
+bool holds_several(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
+
+// Returns whether a path is the folder, or is inside it.
+bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
+
+}  // namespace grader::intake

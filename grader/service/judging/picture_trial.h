@@ -1,0 +1,28 @@
+#pragma once
+
+#include "grader/pictures/recipes/recipes.h"
+#include "grader/service/build/builder.h"
+#include "grader/service/judging/grade.h"
+
+namespace grader::judging {
+
+// A few rows of a picture may take this many times the limit of a call.
+inline constexpr int kPatience = 5;
+
+// One recipe on one worker.
+struct PictureTrial {
+  const pictures::Recipe& recipe;
+  const build::TaskConfig& task;
+  const build::Built& worker;
+  std::string content;  // a hash of the judged files; equal on every machine
+  bool integrated = false;
+  int rounds = 3;  // at most
+  int patience = kPatience;
+};
+
+// Runs the program graded_picture, unless the cache has its result. Safe from any thread. Throws
+// pt::Error if the program cannot judge, for example without a golden.
+results::PictureResult try_picture(const build::Config& config, const build::Builder& builder,
+                                   const GradeRequest& request, const PictureTrial& trial);
+
+}  // namespace grader::judging

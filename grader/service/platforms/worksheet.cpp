@@ -1,0 +1,142 @@
+#include "grader/service/platforms/worksheet.h"
+
+#include "grader/report/csv.h"
+#include "grader/results/presentable.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/printable.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace grader::platforms {
+
+namespace {
+
+constexpr std::size_t kMaxWorksheet = std::size_t{64} << 20;  // bytes
+constexpr std::size_t kNone = std::string::npos;              // a missing column
+
+// The number in "Participant 123"; empty if the text does not end in a number.
+std::string number_of(const CsvCell& identifier) {
+  return identifier.value.substr(identifier.value.find_last_not_of("0123456789") + 1);
+}
+
+// "100.00", or "100,00" from a spreadsheet.
+std::optional<double> points_in(std::string text) {
+  std::replace(text.begin(), text.end(), ',', '.');
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number ? std::optional(value) : std::nullopt;
+}
+
+std::string shown(const CsvCell& cell) {
+  constexpr std::size_t kMaxShown = 60;
+  return std::string(pt::beginning(results::one_line(cell.value), kMaxShown));
+}
+
+}  // namespace
+
+Worksheet::Worksheet(std::string text, std::string path)
+    : text_(std::move(text)),
+      path_(std::move(path)),
+      table_(read_csv(text_, path_)),
+      identifier_(column("Identifier")),
+      grade_(column("Grade")),
+      maximum_(column("Maximum Grade")),
+      can_change_(column("Grade can be changed")),
+      comment_(column("Feedback comments", false)) {
+  std::set<std::string> known;
+  for (std::size_t i = 1; i < table_.rows.size(); ++i) {
+    const CsvRow& row = table_.rows[i];
+    check(row);
+    const CsvCell& identifier = row.cells[identifier_];
+    if (!known.insert(number_of(identifier)).second)
+      fail(row.line, fmt::format("'{}' has a row already; remove one", shown(identifier)));
+  }
+}
+
+std::size_t Worksheet::column(const char* name, bool must_be) const {
+  if (table_.rows.empty()) fail(1, "it is empty; download the grading worksheet again");
+  const std::vector<CsvCell>& names = table_.rows[0].cells;
+  const auto found = std::find_if(names.begin(), names.end(),
+                                  [&](const CsvCell& cell) { return cell.value == name; });
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  if (!must_be) return kNone;
+  fail(table_.rows[0].line,
+       fmt::format("it has no column '{}'; download the grading worksheet with Moodle in English",
+                   name));
+}
+
+void Worksheet::check(const CsvRow& row) const {
+  const std::size_t columns = table_.rows[0].cells.size();
+  if (row.cells.size() != columns) {
+    fail(row.line, fmt::format("it has {} cells, and the first line {}; download the grading "
+                               "worksheet again",
+                               row.cells.size(), columns));
+  }
+  if (number_of(row.cells[identifier_]).empty()) {
+    fail(row.line,
+         fmt::format("'{}' is not a participant ('Participant 123'); download the grading "
+                     "worksheet again",
+                     shown(row.cells[identifier_])));
+  }
+}
+
+void Worksheet::check_maximum(const CsvRow& row, int max_points) const {
+  const CsvCell& maximum = row.cells[maximum_];
+  if (points_in(maximum.value) == static_cast<double>(max_points)) return;
+  fail(row.line,
+       fmt::format("Moodle's maximum is '{}', and there are {} points; make {} the maximum "
+                   "grade of the assignment, and download the grading worksheet again",
+                   shown(maximum), max_points, max_points));
+}
+
+Worksheet::Filled Worksheet::filled(const std::vector<GradeRow>& rows, int max_points) const {
+  std::map<std::string, const GradeRow*> learners;
+  for (const GradeRow& row : rows) learners[row.id] = &row;
+  Filled filled;
+  std::size_t copied = 0;
+  const auto put = [&](const CsvCell& cell, const std::string& value) {
+    filled.text += text_.substr(copied, cell.at - copied) + value;
+    copied = cell.at + cell.size;
+  };
+  for (std::size_t i = 1; i < table_.rows.size(); ++i) {
+    const CsvRow& row = table_.rows[i];
+    const auto found = learners.find(number_of(row.cells[identifier_]));
+    if (found == learners.end()) continue;
+    const GradeRow& learner = *found->second;
+    learners.erase(found);
+    if (row.cells[can_change_].value == "No") {
+      ++filled.locked;
+      continue;
+    }
+    std::map<std::size_t, std::string> values;  // new cells, by column
+    if (learner.judged) {
+      check_maximum(row, max_points);
+      values[grade_] = std::to_string(std::min(learner.points, max_points));
+    }
+    if (comment_ != kNone && !learner.comment.empty())
+      values[comment_] = report::csv_field(results::one_line(learner.comment));
+    for (const auto& [column, value] : values) put(row.cells[column], value);
+  }
+  filled.text += text_.substr(copied);
+  for (const auto& [id, learner] : learners) filled.strays.push_back(learner->name);
+  return filled;
+}
+
+void Worksheet::fail(int line, const std::string& what) const {
+  throw pt::Error(fmt::format("{}:{}: {}", path_, line, what));
+}
+
+Worksheet read_worksheet(const std::string& path) {
+  return {pt::read_file(path, kMaxWorksheet), path};
+}
+
+}  // namespace grader::platforms

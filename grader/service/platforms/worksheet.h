@@ -1,0 +1,46 @@
+#pragma once
+
+#include "grader/service/platforms/platforms.h"
+#include "grader/service/platforms/read_csv.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace grader::platforms {
+
+// The offline grading worksheet that Moodle exports for an assignment (MoodleDocs, "Assignment
+// settings"): a table with a row per participant, also for those without a submission.
+class Worksheet {
+ public:
+  // `path` is for messages. Throws pt::Error, with the line, if the text is not a worksheet, or not
+  // in English.
+  Worksheet(std::string text, std::string path);
+
+  struct Filled {
+    std::string text;
+    std::size_t locked = 0;           // learners whose grade Moodle has locked
+    std::vector<std::string> strays;  // names of learners who are not in the worksheet
+  };
+
+  // Fills in each learner's grade and comment, by the participant's number. Everything else stays
+  // the same, byte for byte: rows of participants without a submission, the grade of a learner who
+  // was not judged, and the times that show Moodle whether a grade was changed since. Throws
+  // pt::Error if Moodle's maximum is not `max_points`.
+  Filled filled(const std::vector<GradeRow>& rows, int max_points) const;
+
+ private:
+  std::size_t column(const char* name, bool must_be = true) const;
+  void check(const CsvRow& row) const;
+  void check_maximum(const CsvRow& row, int max_points) const;
+  [[noreturn]] void fail(int line, const std::string& what) const;
+
+  std::string text_, path_;
+  CsvTable table_;  // the first row names the columns
+  std::size_t identifier_, grade_, maximum_, can_change_, comment_;
+};
+
+// Throws pt::Error if the file is missing, or is not a worksheet.
+Worksheet read_worksheet(const std::string& path);
+
+}  // namespace grader::platforms

@@ -1,0 +1,156 @@
+#include "grader/service/process/spawn.h"
+
+#include "grader/base/descriptor.h"
+#include "grader/service/process/memory_group.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <mutex>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace grader::process {
+
+namespace {
+
+std::vector<char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> all;
+  all.reserve(texts.size() + 1);
+  for (const std::string& text : texts) all.push_back(const_cast<char*>(text.c_str()));
+  all.push_back(nullptr);
+  return all;
+}
+
+// No code from here to exec may allocate: another thread may hold the allocator's lock.
+
+// Moves the descriptors to free numbers first, out of the way, and then to their final numbers.
+void arrange(std::vector<int>& descriptors) {
+  const int count = static_cast<int>(descriptors.size());
+  for (int& descriptor : descriptors) {
+    descriptor = fcntl(descriptor, F_DUPFD, count);
+    if (descriptor < 0) _exit(127);
+  }
+  for (int i = 0; i < count; ++i) {
+    if (dup2(descriptors[i], i) < 0) _exit(127);
+  }
+  close_range(static_cast<unsigned>(count), ~0U, 0);
+}
+
+constexpr const char* kKernelsChoice = "/proc/self/oom_score_adj";
+
+// The score by which the kernel chooses a process to kill if no memory is left: a child before its
+// parent, a worker before the judge. Empty if the kernel does not report it.
+std::string score_of_children() {
+  std::ifstream file(kKernelsChoice);
+  int own = 0;
+  return file >> own ? std::to_string(std::min(own + 300, 1000)) : "";
+}
+
+void set_score(const std::string& score) {
+  const int file = score.empty() ? -1 : open(kKernelsChoice, O_WRONLY | O_CLOEXEC);
+  if (file < 0) return;
+  [[maybe_unused]] const ssize_t written = write(file, score.data(), score.size());
+}
+
+// The control group for the child; empty: it stays in ours.
+std::string group_of(const Child& child) {
+  const auto text_of = [](const char* path) {
+    std::ifstream file(path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  static MemoryGroups groups(
+      place_for_groups(text_of("/proc/self/mountinfo"), text_of("/proc/self/cgroup")));
+  return child.tree_memory ? groups.make(*child.tree_memory) : "";
+}
+
+[[noreturn]] void become(const Child& child, std::vector<int>& descriptors, char* const* command,
+                         char* const* environment, pid_t parent, const std::string& score,
+                         const std::string& group) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);  // the parent died before the line above
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  std::signal(SIGPIPE, SIG_IGN);
+  arrange(descriptors);
+  if (!child.directory.empty() && chdir(child.directory.c_str()) != 0) _exit(127);
+  if (!set_limits(child.limits)) _exit(127);
+  set_score(score);
+  if (!group.empty() && !join_group(group.c_str(), 0)) _exit(127);
+  execve(command[0], command, environment);
+  _exit(127);
+}
+
+// A process started by spawn() leads a group in our session. Keepers of boxes
+// (grader/service/sandbox) have left the session; leftovers of a compiler are in its group.
+bool is_orphan(pid_t pid) { return getsid(pid) != getsid(0) || getpgid(pid) != pid; }
+
+// Makes this process adopt the orphans of its children. The first process of a container may never
+// ask for their status, so that hundreds of dead processes would pile up.
+void reap_orphans() {
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  siginfo_t ended{};
+  while (waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid != 0 &&
+         is_orphan(ended.si_pid)) {
+    waitpid(ended.si_pid, nullptr, WNOHANG);
+    ended = {};
+  }
+}
+
+}  // namespace
+
+pid_t spawn(const Child& child) {
+  const std::vector<char*> command = pointers(child.command);
+  const std::vector<char*> environment = pointers(child.environment);
+  std::vector<int> descriptors = child.descriptors;
+  reap_orphans();
+  const pid_t parent = getpid();
+  static const std::string score = score_of_children();
+  // A group without processes looks as if it had ended.
+  static std::mutex groups;
+  const std::lock_guard lock(groups);
+  const std::string group = group_of(child);
+  const pid_t pid = fork();
+  if (pid < 0) {
+    throw pt::Error(fmt::format("cannot start {}: {}", child.command.at(0), std::strerror(errno)));
+  }
+  if (pid == 0)
+    become(child, descriptors, command.data(), environment.data(), parent, score, group);
+  setpgid(pid, pid);  // in case we are first; fails once the child has run exec
+  if (!group.empty()) join_group(group.c_str(), pid);
+  return pid;
+}
+
+void end_child(pid_t pid) {
+  kill(-pid, SIGKILL);
+  kill(pid, SIGKILL);
+}
+
+int kill_child(pid_t pid) {
+  end_child(pid);
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+std::string describe_status(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("exit status {}", WEXITSTATUS(status));
+}
+
+void hide_process() {
+  if (!kSanitized) prctl(PR_SET_DUMPABLE, 0);
+}
+
+}  // namespace grader::process

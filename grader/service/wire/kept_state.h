@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+// The worker's end: finds out whether a task keeps state between calls. The renderer calls tasks
+// from several threads at once, which would share it. The judge has moved the writable static
+// variables of a submission to sections of their own (grader/service/audit/object_file.h). A byte
+// that two calls have changed is kept state. A byte that one call changes may be a table that is
+// filled at first use, a guard, or std::once_flag. Thread-local variables and constants are not in
+// these sections.
+
+namespace grader::wire {
+
+// Call it after each call. Returns 1 + the place in the sections of the first byte that two calls
+// have changed, directly or in memory that it points to; 0 if there is none.
+std::uint64_t kept_state();
+
+}  // namespace grader::wire

@@ -1,0 +1,89 @@
+#include "grader/service/wire/serve.h"
+
+#include "grader/service/wire/kept_state.h"
+#include "grader/service/wire/store.h"
+#include "pt/scene/recorder.h"
+#include "pt/todo.h"
+
+namespace grader::wire {
+
+namespace {
+
+pt::Tested tests;
+std::uint64_t kept = 0;  // of all calls so far
+
+// Calls the task, or the function in the slot, and notes whether the task keeps state of the call.
+template <class Signature, class Function, class Held>
+auto apply(Function function, Held& held) {
+  auto result = Signature::apply(function, held);
+  if (kept == 0) kept = kept_state();
+  return result;
+}
+
+// Writes the results of a call or of a batch of calls, after the head.
+template <auto Pointer>
+void run(Reader& in, const CallHead& head, Writer& results) {
+  using Signature = SignatureOf<Pointer>;
+  if (head.code != Signature::code()) throw BadMessage("the judge means other types");
+  auto held = Signature::get(in, store());
+  in.expect_end();
+  if (head.batch.count == 0) {
+    put(results, apply<Signature>(Pointer, held));
+    if constexpr (Signature::kDraws) put(results, Signature::sampler(held));
+    return;
+  }
+  if constexpr (Signature::kDraws) {
+    const auto [first, count, seed] = head.batch;
+    std::vector<typename Signature::Result> all;
+    for (int i = first; i < first + count; ++i) {
+      Signature::sampler(held) = pt::Sampler::for_pixel(seed, i, 0);
+      all.push_back(apply<Signature>(Pointer, held));
+    }
+    put(results, all);
+  } else {
+    throw BadMessage("a function that draws nothing is not repeated");
+  }
+}
+
+using Handler = void (*)(Reader&, const CallHead&, Writer&);
+#define FIRSTLIGHT_HANDLER(result, function, parameters, names) run<&pt::function>,
+constexpr std::array<Handler, kFunctionNames.size()> kHandlers{
+    FIRSTLIGHT_CALLS(FIRSTLIGHT_HANDLER, FIRSTLIGHT_HANDLER)};
+#undef FIRSTLIGHT_HANDLER
+
+std::uint32_t tasks_to_do() {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < kTasks.size(); ++i) {
+    if (pt::todo_reached(kTasks[i])) bits |= std::uint32_t{1} << i;
+  }
+  return bits;
+}
+
+}  // namespace
+
+std::string serve(std::string_view call) {
+  Reader in(call);
+  const auto head = get<CallHead>(in);
+  if (head.function >= kHandlers.size()) throw BadMessage("there is no such function");
+  if (head.forget) store().forget();
+  for (std::uint64_t i = 0; i < head.definitions; ++i) store().define(get<Definition>(in));
+
+  const auto function = static_cast<Function>(head.function);
+  if (function == Function::hit_bvh || function == Function::occluded_bvh) {
+    pt::recorder.tested = &tests;
+  }
+  tests = {};
+  Writer results;
+  const pt::RayCount before = pt::rays_traced();
+  kHandlers[head.function](in, head, results);
+  const pt::RayCount after = pt::rays_traced();
+  pt::recorder.tested = nullptr;
+
+  Writer out;
+  put(out, ReplyHead{head.code, tasks_to_do(), after.closest - before.closest,
+                     after.occluded - before.occluded, kept, tests});
+  out.raw(results.bytes().data(), results.bytes().size());
+  return std::string(out.bytes());
+}
+
+}  // namespace grader::wire

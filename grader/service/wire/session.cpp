@@ -1,0 +1,215 @@
+#include "grader/service/wire/session.h"
+
+#include "grader/base/printable.h"
+#include "grader/check/language/find_failure.h"
+#include "grader/check/mocks/counting.h"
+#include "pt/error.h"
+#include "pt/scene/scene.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+#include <fmt/format.h>
+
+namespace grader::wire {
+
+namespace {
+
+constexpr std::size_t kMaxKnown = 256;                         // objects
+constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
+constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // per call; sums do not overflow
+constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
+
+std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
+
+std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content) {
+  const std::string_view bytes = content.bytes();
+  return std::make_shared<Definition>(
+      Definition{content_hash(kind, bytes), kind, std::string(bytes)});
+}
+
+}  // namespace
+
+void open_session(const SessionSettings& settings) {
+  the_session = std::make_unique<Session>(settings);
+  SessionSettings smaller = settings;
+  smaller.smaller_inputs = true;
+  smaller.max_timeouts = 1;    // each takes the full time limit of a call
+  smaller.max_failures = 100;  // one hanging call is enough
+  the_session_of_smaller_inputs = std::make_unique<Session>(smaller);
+}
+
+Session& session() {
+  if (!the_session) throw pt::Error("no session with a worker is open: main has to open one");
+  if (!check::tries_smaller_inputs()) return *the_session;
+  return *the_session_of_smaller_inputs;
+}
+
+void Session::begin() {
+  definitions_.clear();
+  scenes_.clear();
+}
+
+void Session::keep(const pt::Scene& scene) {
+  if (!kept_.contains(&scene)) kept_[&scene] = definition_of(scene);
+}
+
+Session::Shared Session::definition_of(const pt::Scene& scene) const {
+  Writer content;
+  Codec<pt::Scene>::put(content, scene,
+                        settings_.integrated ? pt::Engine::task : scene.tracer.engine());
+  return defined(ObjectKind::scene, content);
+}
+
+Handle Session::need(const Shared& definition) {
+  const bool named = std::ranges::any_of(
+      definitions_, [&](const Shared& each) { return each->handle == definition->handle; });
+  if (!named) definitions_.push_back(definition);
+  return definition->handle;
+}
+
+Handle Session::name(const pt::Scene& scene) {
+  const auto kept = kept_.find(&scene);
+  const Handle handle = need(kept == kept_.end() ? definition_of(scene) : kept->second);
+  scenes_[handle] = &scene;
+  return handle;
+}
+
+Handle Session::name(const pt::Primitives& primitives) {
+  Writer content;
+  put(content, primitives);
+  return need(defined(ObjectKind::primitives, content));
+}
+
+Handle Session::name(const pt::Bvh& bvh) {
+  Writer content;
+  put(content, bvh);
+  return need(defined(ObjectKind::bvh, content));
+}
+
+const pt::Scene& Session::scene(Handle handle) const {
+  const auto found = scenes_.find(handle);
+  if (found == scenes_.end()) throw BadMessage("it named a scene that it was not given");
+  return *found->second;
+}
+
+std::string_view Session::call(Function function, std::uint64_t code, const CallBatch& batch,
+                               const Writer& arguments) {
+  if (record_.calls == 0) first_call_ = Clock::now();
+  expect_attempted();
+  expect_time_left();
+  drop_known_definitions();
+  record_.calls += std::max(1, batch.count);
+  try {
+    const Writer call = message(function, code, batch, arguments);
+    reply_ = try_again(worker_, [&] { return converse(call); });
+    Reader reply(reply_);
+    take_head(reply, code);
+    expect_attempted();
+    for (const Shared& each : definitions_) {
+      known_.insert(each->handle);
+      known_bytes_ += each->content.size();
+    }
+    return reply.raw(reply.left());
+  } catch (const WorkerFailed& failure) {
+    fail(failure);
+  } catch (const BadMessage& bad) {
+    reject(bad.what());
+  } catch (const std::bad_alloc&) {
+    settings_.at_fault("there is no memory left");
+  } catch (const pt::Error& error) {
+    settings_.at_fault(error.what());
+  }
+  std::abort();  // at_fault has returned
+}
+
+void cannot_judge(const std::string& why) { throw pt::Error(why); }
+
+void Session::expect_attempted() const {
+  if (record_.todo.contains(settings_.task)) {
+    settings_.give_up(results::Cause::not_attempted, "the task is not written yet");
+  }
+}
+
+void Session::drop_known_definitions() {
+  std::size_t bytes = known_bytes_;
+  for (const Shared& each : definitions_) bytes += each->content.size();
+  forget_ = !worker_ || known_.size() > kMaxKnown || bytes > kMaxKnownBytes;
+  if (forget_) {
+    known_.clear();
+    known_bytes_ = 0;
+  }
+  std::erase_if(definitions_, [&](const Shared& each) { return known_.contains(each->handle); });
+}
+
+Writer Session::message(Function function, std::uint64_t code, const CallBatch& batch,
+                        const Writer& arguments) {
+  Writer out;
+  put(out,
+      CallHead{static_cast<std::uint32_t>(function), code, batch, forget_, definitions_.size()});
+  for (const Shared& each : definitions_) put(out, *each);
+  out.raw(arguments.bytes().data(), arguments.bytes().size());
+  return out;
+}
+
+std::string Session::converse(const Writer& call) {
+  if (!worker_) worker_ = start_worker(settings_.program, settings_.tier, kMaxPrinted);
+  worker_->allow(settings_.call_limit);
+  worker_->send(Kind::call, ++sequence_, call.bytes());
+  while (true) {
+    Message message = worker_->receive(sequence_);
+    if (message.kind == Kind::reply) return std::move(message.payload);
+    if (message.kind == Kind::threw) {
+      throw WorkerFailed{results::Cause::crash,
+                         "it threw: " + base::printable(message.payload, 200), true};
+    }
+    if (!settings_.answers) throw BadMessage("it called the judge, which answers nothing here");
+    const Writer reply = answer(settings_.task, message.payload, *this);
+    worker_->send(Kind::answer, sequence_, reply.bytes());
+  }
+}
+
+void Session::take_head(Reader& reply, std::uint64_t code) {
+  const auto head = get<ReplyHead>(reply);
+  if (head.code != code) throw BadMessage("the reply is of another type");
+  for (const std::int64_t count : {head.closest, head.occluded}) {
+    if (count < 0 || count > kMaxRays) throw BadMessage("a count of rays that is impossible");
+  }
+  for (std::size_t i = 0; i < kTasks.size(); ++i) {
+    if (head.todo >> i & 1) record_.todo.emplace(kTasks[i]);
+  }
+  if (record_.kept == 0) record_.kept = head.kept;
+  pt::count_rays({head.closest, head.occluded});
+  if (!settings_.integrated) return;
+  for (const pt::Box& box : head.tests.boxes) check::count(box);
+  for (const pt::Triangle& triangle : head.tests.triangles) check::count(triangle);
+  for (const pt::Sphere& sphere : head.tests.spheres) check::count(sphere);
+}
+
+void Session::reject(const std::string& why) {
+  fail({results::Cause::bad_reply, "an impossible reply: " + why, false});
+}
+
+void Session::fail(const WorkerFailed& failure) {
+  count_failure(failure);
+  if (!failure.alive) {
+    if (worker_ && record_.printed.size() < kMaxPrinted) record_.printed += worker_->printed();
+    if (worker_) keep_totals(failure.cause);
+    worker_.reset();
+  }
+  const std::chrono::duration<double> limit = settings_.call_limit;
+  settings_.give_up(failure.cause, failure.cause == results::Cause::timeout
+                                       ? fmt::format("no answer within {} s", limit.count())
+                                       : failure.text);
+  std::abort();  // give_up has returned
+}
+
+SessionRecord Session::record() const {
+  SessionRecord record = record_;
+  if (worker_ && record.printed.size() < kMaxPrinted) record.printed += worker_->printed();
+  record.printed = base::printable(record.printed, kMaxPrinted, true);
+  return record;
+}
+
+}  // namespace grader::wire

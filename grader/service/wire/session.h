@@ -1,0 +1,139 @@
+#pragma once
+
+#include "grader/check/language/fail.h"
+#include "grader/service/wire/worker_process.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+// The judge's end: the one conversation of a property program with a worker, restarted as needed.
+
+namespace grader::wire {
+
+// Throws pt::Error.
+[[noreturn]] void cannot_judge(const std::string& why);
+
+// The settings for the one worker of this program.
+struct SessionSettings {
+  std::string task;                            // the slug that is judged
+  std::string program;                         // the worker
+  sandbox::Tier tier = sandbox::Tier::limits;  // of the worker's box
+  bool integrated = false;  // all tasks are the submission's, and its own tree traces scenes
+  bool answers = true;      // the worker may call back
+  // Called when a call fails; does not return.
+  std::function<void(results::Cause, const std::string&)> give_up = check::fail_call;
+  // Called with a sentence when the judge itself cannot go on, for example without a worker: there
+  // is no verdict then. Does not return.
+  std::function<void(const std::string&)> at_fault = cannot_judge;
+  // Limits of processor time (grader/service/process/time_limit.h).
+  std::chrono::milliseconds call_limit =
+      process::kCallLimit;                       // of one call, and of kBatch repetitions
+  std::chrono::milliseconds total_limit{30000};  // of all calls together
+  // The worker is no longer called after this many calls without an answer or with a crash. They
+  // are counted, because time would depend on the machine's load.
+  int max_timeouts = 3;
+  int max_failures = 500;
+  // The worker is no longer called after this many bytes, because the judge has to read them.
+  std::uint64_t max_answered = std::numeric_limits<std::uint64_t>::max();
+  // For a session that tries smaller inputs: reaching a limit of all calls only ends that search.
+  bool smaller_inputs = false;
+};
+
+// The record of a session, for the report.
+struct SessionRecord {
+  long long calls = 0;         // repetitions included
+  std::set<std::string> todo;  // slugs of tasks that are not written yet
+  std::string printed;         // the beginning of the workers' output
+  std::uint64_t kept = 0;      // 1 + the place of state kept between calls, or 0
+};
+
+// The judge's connection to the submission. It starts the worker when needed, restarts it after its
+// death, and turns every error of the worker into a failed case (fail_call).
+class Session {
+ public:
+  explicit Session(SessionSettings settings) : settings_(std::move(settings)) {}
+
+  // The scene must neither change nor move until the session ends. It is encoded once, however many
+  // calls name it; a second call does nothing.
+  void keep(const pt::Scene& scene);
+
+  // Begins a call. name() the objects of the arguments while you write them to `arguments`.
+  void begin();
+  Handle name(const pt::Scene& scene);
+  Handle name(const pt::Primitives& primitives);
+  Handle name(const pt::Bvh& bvh);
+
+  // Ends the call: sends it and returns the reply's payload after the ReplyHead. The arguments are
+  // for the function with the given number and signature.
+  std::string_view call(Function function, std::uint64_t code, const CallBatch& batch,
+                        const Writer& arguments);
+
+  // Reports that the reply to the last call is malformed. The worker is not called again.
+  [[noreturn]] void reject(const std::string& why);
+
+  // The scene of this call with the given name. Throws BadMessage if there is none.
+  template <class Object>
+  const Object& find(Handle handle) const {
+    static_assert(std::is_same_v<Object, pt::Scene>, "inner calls name nothing else");
+    return scene(handle);
+  }
+
+  SessionRecord record() const;
+
+ private:
+  using Shared = std::shared_ptr<const Definition>;
+  Shared definition_of(const pt::Scene& scene) const;
+  Handle need(const Shared& definition);
+  const pt::Scene& scene(Handle handle) const;
+  void expect_attempted() const;
+  void expect_time_left();
+  void call_no_more(results::Cause cause, const std::string& why) const;
+  void expect_total_time_left();
+  void count_failure(const WorkerFailed& failure);
+  std::chrono::nanoseconds slept() const;  // of all workers together; uncertain time is left out
+  void keep_totals(results::Cause cause);  // of a worker that has ended
+  void drop_known_definitions();
+  Writer message(Function function, std::uint64_t code, const CallBatch& batch,
+                 const Writer& arguments);
+  std::string converse(const Writer& call);
+  void take_head(Reader& reply, std::uint64_t code);
+  [[noreturn]] void fail(const WorkerFailed& failure);
+
+  SessionSettings settings_;
+  SessionRecord record_;
+  std::unique_ptr<WorkerProcess> worker_;
+  std::uint64_t sequence_ = 0;
+  std::set<Handle> known_;  // objects that the worker knows
+  std::size_t known_bytes_ = 0;
+  bool forget_ = false;              // the worker must forget all objects before this call
+  std::vector<Shared> definitions_;  // definitions that this call needs
+  std::map<const pt::Scene*, Shared> kept_;
+  std::map<Handle, const pt::Scene*> scenes_;  // scenes of this call
+  std::string reply_;
+  Clock::time_point first_call_;
+  std::chrono::nanoseconds running_{0}, slept_{0};  // of workers that have ended
+  std::uint64_t answered_ = 0;                      // the bytes of their answers
+  int timeouts_ = 0, failures_ = 0;
+  results::Cause last_cause_ = results::Cause::timeout;
+};
+
+// The number of repetitions in one message: enough to make the message's cost small, and few enough
+// for all of them to share the limit of one call.
+inline constexpr int kBatch = 256;
+
+// The session of this program, opened once by main. While smaller inputs are tried for a failure,
+// this is another session with its own worker and limits: the number of tries depends on the
+// machine, but a verdict must not.
+void open_session(const SessionSettings& settings);
+Session& session();
+
+// The judge's own answer to an inner call of the task (from its mocks). Throws BadMessage for calls
+// that the judge does not answer.
+Writer answer(std::string_view task, std::string_view question, const Session& session);
+
+}  // namespace grader::wire

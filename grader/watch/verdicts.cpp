@@ -1,0 +1,124 @@
+#include "grader/watch/verdicts.h"
+
+#include "grader/results/summary.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace grader::watch {
+
+Verdicts::Verdicts(const std::vector<build::TaskConfig>& tasks, std::string folder,
+                   report::TerminalStyle style)
+    : tasks_(tasks), folder_(std::move(folder)), style_(style) {}
+
+void Verdicts::update(const results::Results& results) {
+  std::vector<results::TaskResult> merged;
+  for (const build::TaskConfig& task : tasks_) {
+    const auto same = [&](const results::TaskResult& other) { return other.slug == task.slug; };
+    const auto fresh = std::find_if(results.tasks.begin(), results.tasks.end(), same);
+    const auto old = std::find_if(known_.tasks.begin(), known_.tasks.end(), same);
+    if (fresh != results.tasks.end()) {
+      merged.push_back(*fresh);
+    } else if (old != known_.tasks.end()) {
+      merged.push_back(*old);
+    }
+  }
+  known_.tasks = std::move(merged);
+}
+
+std::string Verdicts::bar() const {
+  const results::Totals all = results::totals(known_.tasks);
+  std::string bar(tasks_.size(), '.');
+  std::fill_n(bar.begin(), all.passed, '#');
+  return fmt::format("[{}] {} of {} tasks pass", bar, all.passed, tasks_.size());
+}
+
+bool Verdicts::all_pass() const {
+  return results::totals(known_.tasks).passed == static_cast<int>(tasks_.size());
+}
+
+std::string Verdicts::list() const {
+  std::string text;
+  for (const build::TaskConfig& task : tasks_) {
+    const results::TaskResult* result = find(task.slug);
+    std::string state = result == nullptr ? "not judged yet" : name(result->state);
+    std::replace(state.begin(), state.end(), '_', ' ');
+    text += fmt::format("  {}  {:<18} {:<15} {}/{}\n", task.number, task.slug, state, folder_,
+                        task.file());
+  }
+  return text;
+}
+
+std::string Verdicts::state(const std::string& slug) const {
+  const results::TaskResult* result = find(slug);
+  return result == nullptr ? "" : name(result->state);
+}
+
+std::string Verdicts::show(const std::string& slug) {
+  for (std::size_t i = 0; i < tasks_.size(); ++i) {
+    if (tasks_[i].slug == slug) task_ = i;
+  }
+  item_ = 0;
+  promise_.clear();
+  const std::vector<report::FailureText> all = items(task_);
+  if (!all.empty()) return show_item(all[0]);
+  return find(slug) == nullptr ? "" : slug + " passes.\n" + next();
+}
+
+std::string Verdicts::show_first() {
+  for (const results::TaskResult& task : known_.tasks) {
+    if (task.state != results::State::pass && task.state != results::State::not_attempted)
+      return show(task.slug);
+  }
+  return next();
+}
+
+std::string Verdicts::next() {
+  for (std::size_t tried = 0; tried <= tasks_.size(); ++tried) {
+    const std::vector<report::FailureText> all = items(task_);
+    if (item_ < all.size()) return show_item(all[item_]);
+    task_ = (task_ + 1) % tasks_.size();
+    item_ = 0;
+  }
+  promise_.clear();
+  return "\nNothing is left to do: all tasks pass. ./run grade judges the pictures too.\n";
+}
+
+const results::TaskResult* Verdicts::find(const std::string& slug) const {
+  for (const results::TaskResult& task : known_.tasks) {
+    if (task.slug == slug) return &task;
+  }
+  return nullptr;
+}
+
+// The failures of a task that remain to be corrected: none if it passes.
+std::vector<report::FailureText> Verdicts::items(std::size_t task) const {
+  const build::TaskConfig& config = tasks_[task];
+  const results::TaskResult* result = find(config.slug);
+  if (result != nullptr && result->state == results::State::pass) return {};
+  if (result == nullptr || result->state == results::State::not_attempted) {
+    return {{config.slug, "",
+             fmt::format("\n{} {} is not {} yet.\n  contract  pt/tasks/{}.h\n  file      {}/{}\n",
+                         config.number, config.slug, result == nullptr ? "judged" : "written",
+                         config.slug, folder_, config.file())}};
+  }
+  std::vector<report::FailureText> all = report::failure_texts(*result, style_);
+  if (all.empty()) {
+    all.push_back(
+        {config.slug, "",
+         fmt::format("\n{}: {}. {}\n", config.slug, name(result->state), result->reason)});
+  }
+  return all;
+}
+
+std::string Verdicts::show_item(const report::FailureText& item) {
+  ++item_;
+  promise_ = item.promise;
+  const std::size_t count = items(task_).size();
+  if (count == 1) return item.text;
+  return item.text + fmt::format("  failure   {} of {}\n", item_, count);
+}
+
+}  // namespace grader::watch

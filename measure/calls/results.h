@@ -1,0 +1,48 @@
+#pragma once
+
+#include "measure/calls/ranged.h"
+#include "measure/calls/tasks.h"
+
+#include <string>
+#include <vector>
+
+namespace measure::calls {
+
+// The measurements of one candidate in one case of its task.
+struct Row {
+  std::string name;
+  bool is_own = false;
+  std::string problem;  // a sentence instead of all numbers
+  Ranged nanoseconds;   // of processor time, per call
+  Ranged ratio;         // to the reference's batches before and after, {1, 1, 1} for itself
+  int batches = 0;
+  Found found;
+  Ranged mean;      // of estimators, over the true mean
+  Ranged variance;  // of one call, over the squared true mean
+};
+
+struct Table {
+  std::string name;  // of the case; empty if there is only one case
+  std::vector<Row> rows;
+};
+
+struct Results {
+  const About* about = nullptr;
+  std::vector<Table> tables;  // in the order of about->cases
+};
+
+// The quantity charted against time: the error, the noise (standard deviation of a call), or tests
+// per ray. With other inputs the largest error may be half or twice as large: that is its interval.
+Ranged accuracy(const About& about, const Row& row);
+
+// A sentence on answers that a right solution does not give; empty if there are none.
+std::string mistake(const About& about, const Row& row);
+
+// For each row of each table: whether no right row beats it. It would be clearly better in time or
+// accuracy, and not clearly worse in the other. Tables with one front are compared together.
+std::vector<std::vector<bool>> pareto_fronts(const About& about, const std::vector<Table>& tables);
+
+// The work of an estimator: time x variance, over the reference's.
+Ranged work(const Row& row, const Row& reference);
+
+}  // namespace measure::calls

@@ -1,0 +1,152 @@
+// stability [TASK | PART] ... [--submission DIR]: where methods fail, as curves. Measures each task's
+// curves (grader/tasks/<task>/curves.cpp) with the reference, a submission, and the solutions that are
+// kept in the tree, all in boxes. The exit status is 1 if a task of the submission cannot be measured.
+#include "grader/base/files.h"
+#include "grader/service/process/process_time.h"
+#include "grader/service/sandbox/probe.h"
+#include "measure/failure/print.h"
+#include "measure/failure/search.h"
+#include "pt/command_line.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/render/progress.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace measure::failure {
+namespace {
+
+namespace fs = std::filesystem;
+namespace build = grader::build;
+namespace judging = grader::judging;
+
+struct Options {
+  std::vector<std::string> what;
+  std::string out;
+  bool no_methods = false, no_variants = false, keys = false, search = false;
+  double minutes = 1;
+  Request request;
+};
+
+bool has_curves(const build::Config& config, const build::TaskConfig& task) {
+  return fs::exists(config.root + "/grader/tasks/" + task.slug + "/curves.cpp");
+}
+
+std::vector<build::TaskConfig> tasks_of(const build::Config& config, const Options& options) {
+  std::set<std::string> asked;
+  for (const std::string& word : options.what) {
+    for (const std::string& slug : judging::tasks_meant(config, word)) asked.insert(slug);
+  }
+  std::vector<build::TaskConfig> tasks;
+  for (const build::TaskConfig& task : config.tasks) {
+    const bool meant = asked.empty() || asked.contains(task.slug);
+    if (meant && has_curves(config, task)) tasks.push_back(task);
+  }
+  if (tasks.empty()) throw pt::Error(options.what[0] + " has no curves yet");
+  return tasks;
+}
+
+// Prints a hash of everything that the charts of each task depend on, for the write-up.
+int print_keys(const build::Config& config, const std::vector<build::TaskConfig>& tasks,
+               const Request& request) {
+  for (const build::TaskConfig& task : tasks) {
+    fmt::print("{} {}\n", task.slug, charts_hash(config, task, request));
+  }
+  return 0;
+}
+
+// The worst inputs so far are kept next to the files of `grade`.
+int search(const build::Config& config, const std::vector<build::TaskConfig>& tasks,
+           const Options& options) {
+  bool all = true, any = false;
+  for (const build::TaskConfig& task : tasks) {
+    if (!has_searches(config, task)) continue;
+    any = true;
+    const std::string folder = config.work + "/searches";
+    all = search_all(config, task, options.request, options.minutes, folder) && all;
+    std::fflush(stdout);
+  }
+  if (!any) throw pt::Error(tasks[0].slug + " has no search: its oracles are statistical");
+  return all ? 0 : 1;
+}
+
+double cpu_seconds() {
+  return std::chrono::duration<double>(grader::process::time_of_tree(getpid()).running).count();
+}
+
+int run(Options options) {
+  const build::Config config = build::load_config(build::default_config_path());
+  const std::vector<build::TaskConfig> tasks = tasks_of(config, options);
+  Request& request = options.request;
+  request.methods = !options.no_methods;
+  request.variants = !options.no_variants && request.methods;
+  if (!request.submission.empty()) {
+    request.submission = grader::base::submission_root(request.submission);
+  }
+  if (options.keys) return print_keys(config, tasks, request);
+  request.judge.isolation = grader::sandbox::probe_isolation(config.root, config.work);
+  if (options.search) return search(config, tasks, options);
+  if (!options.out.empty()) fs::create_directories(options.out);
+  bool all_measured = true;
+  std::vector<Charts> all;
+  pt::Progress progress;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    all.push_back(measure_task(config, tasks[i], request, [&](double part) {
+      progress.show((static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
+    }));
+    const Charts& charts = all.back();
+    progress.clear();
+    fmt::print("{}", to_text(charts));
+    std::fflush(stdout);
+    if (!options.out.empty()) write_charts(charts, options.out);
+    for (const CurveLine& line : charts.lines) all_measured = all_measured && line.unusable.empty();
+  }
+  if (!options.out.empty()) {
+    pt::write_file(fs::path(options.out) / "stability.json", to_json(all, cpu_seconds()));
+    fmt::print("charts and numbers: {}\n", options.out);
+  }
+  return all_measured ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace measure::failure
+
+int main(int argc, char** argv) {
+  using measure::failure::Options;
+  Options options;
+  CLI::App app{"Shows where methods fail: the error of each task by how hard its input is",
+               "./run stability"};
+  app.footer(
+      "Examples:\n  ./run stability hit_sphere\n  ./run stability 1 --from student --out curves\n"
+      "  ./run stability hit_sphere --submission FOLDER");
+  app.add_option("what", options.what, "tasks (hit_sphere), parts (1) or exercises (1.3)");
+  app.add_option("--submission", options.request.submission,
+                 "a folder with the tree of student/: its lines are drawn too")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--out", options.out, "a folder for charts and their numbers; default: none");
+  app.add_flag("--no-methods", options.no_methods,
+               "only the reference and your own code, and no other method");
+  app.add_flag("--no-variants", options.no_variants,
+               "only the methods that a curve is about, not every right solution");
+  app.add_option("--effort", options.request.effort, "times the usual number of random cases")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->take_last()
+      ->capture_default_str();
+  app.add_flag("--coarse", options.request.coarse, "only every third place");
+  app.add_flag("--search", options.search,
+               "search for inputs with large errors instead; it goes on where the last one ended");
+  app.add_option("--minutes", options.minutes, "of a search, per task")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->capture_default_str();
+  app.add_flag("--keys", options.keys)->group("");
+  app.add_option("--seed", options.request.judge.seed, "of the random cases")
+      ->capture_default_str();
+  app.add_option("-t,--threads", options.request.judge.threads, "how many lines at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  return pt::run_command_line(app, argc, argv, [&] { return measure::failure::run(options); });
+}

@@ -1,0 +1,90 @@
+#include "measure/renders/boxed.h"
+
+#include "grader/base/sha256.h"
+#include "grader/service/judging/together.h"
+#include "grader/service/process/process_time.h"
+#include "grader/service/wire/session.h"
+#include "measure/renders/worker_config.h"
+#include "pt/error.h"
+#include "pt/file.h"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace measure {
+
+using namespace grader;
+using namespace grader::judging;
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Boxed, worker, tier, hash, unusable)
+
+namespace {
+
+constexpr std::size_t kMaxJson = std::size_t{1} << 22;
+constexpr int kCompileSeconds = 60;
+constexpr std::chrono::hours kTotalLimit{5};
+
+std::string why_not(const Judged& judged) {
+  const results::TaskResult& result = judged.result;
+  return result.reason + (result.compiler_output.empty() ? "" : ":\n" + result.compiler_output);
+}
+
+}  // namespace
+
+// The reference replaces tasks that cannot be compiled, so that the rest can be seen. A figure that
+// needs such a task says so instead.
+Boxed build_submission(const std::string& submission) {
+  const build::Config config = recorded(worker_config("writeup_boxed.json"));
+  GradeRequest request;
+  request.submission = base::submission_root(submission);
+  request.isolation = sandbox::probe_isolation(config.root, config.work);
+  const build::Builder builder(config, request.isolation.tier, kCompileSeconds);
+  std::vector<Judged> judged;
+  for (const build::TaskConfig& task : config.tasks) judged.push_back(not_judged(config, task));
+  compile_all(builder, request, judged);
+  Boxed boxed;
+  for (Judged& each : judged) {
+    each.right_alone = each.object.ok();  // link_together() leaves out other tasks
+    boxed.hash[each.config->slug] = base::sha256(each.content);
+    if (!each.object.ok()) boxed.unusable[each.config->slug] = why_not(each);
+  }
+  const build::Built worker = link_together(config, builder, judged, Elsewhere::reference);
+  if (!worker.ok()) throw pt::Error("it does not link: " + worker.error);
+  std::string framework;
+  for (const auto* objects : {&config.framework, &config.radiance}) {
+    for (const std::string& object : *objects) framework += base::stamp(object);
+  }
+  boxed.hash["framework"] = base::sha256(framework);
+  boxed.worker = worker.path;
+  boxed.tier = std::string(1, letter(request.isolation.tier));
+  return boxed;
+}
+
+void write_boxed(const Boxed& boxed, const std::string& file) {
+  pt::write_file(file, nlohmann::json(boxed).dump());
+}
+
+Boxed read_boxed(const std::string& file) {
+  return nlohmann::json::parse(pt::read_file(file, kMaxJson));
+}
+
+void open_worker(const std::string& worker, const std::string& tier,
+                 std::chrono::milliseconds call_limit) {
+  wire::SessionSettings settings;
+  settings.task = "the write-up";
+  settings.program = worker;
+  settings.tier = sandbox::tier_of(tier);
+  settings.answers = false;
+  settings.give_up = [](results::Cause, const std::string& text) { throw SubmissionFailed(text); };
+  settings.call_limit = call_limit;
+  settings.total_limit = kTotalLimit;
+  settings.max_timeouts = 1;
+  settings.max_failures = 1;
+  wire::open_session(settings);
+}
+
+double worker_seconds() {
+  return std::chrono::duration<double>(process::time_of_tree(getpid()).running).count();
+}
+
+}  // namespace measure

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "pt/error.h"
+
+#include <chrono>
+#include <map>
+#include <string>
+
+// A submission for the write-up: compiled in the box, linked into a worker, and called there. None
+// of its code runs in this process.
+
+namespace measure {
+
+struct Boxed {
+  std::string worker;                           // the program
+  std::string tier;                             // of the box, a letter
+  std::map<std::string, std::string> hash;      // of the content, per task and for "framework"
+  std::map<std::string, std::string> unusable;  // tasks that do not compile, each with the reason
+};
+
+// A fault of a submission: a crash, an endless loop, messages that break the protocol.
+struct SubmissionFailed : pt::Error {
+  using pt::Error::Error;
+};
+
+// Throws pt::Error if a submission cannot be built.
+Boxed build_submission(const std::string& submission);
+void write_boxed(const Boxed& boxed, const std::string& file);  // as JSON
+Boxed read_boxed(const std::string& file);
+
+// Opens the session of this program with the worker. Calls throw SubmissionFailed from then on.
+void open_worker(const std::string& worker, const std::string& tier,
+                 std::chrono::milliseconds call_limit);
+
+// Processor seconds of this process and the worker, so far.
+double worker_seconds();
+
+}  // namespace measure

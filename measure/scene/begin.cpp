@@ -1,0 +1,80 @@
+#include "measure/scene/begin.h"
+
+#include "measure/renders/spec.h"
+#include "measure/scene/converge.h"
+#include "measure/scene/print.h"
+#include "pt/error.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace measure::scene {
+
+namespace {
+
+// The unwritten tasks among those that every picture needs.
+std::vector<std::string> unwritten_and_needed(pt::Engine engine) {
+  Spec spec;
+  spec.engine = engine;
+  spec.path.to = 1;
+  std::vector<std::string> tasks = unwritten_tasks();
+  std::erase_if(tasks, [needed = tasks_used(spec)](const std::string& task) {
+    return !needed.contains(task);
+  });
+  return tasks;
+}
+
+}  // namespace
+
+Measuring::Measuring(pt::LoadedScene scene, const Options& options, int bounces, double share)
+    : loaded(std::move(scene)),
+      view{loaded.scene,
+           frame_camera(loaded, options.framing, options.width, options.height),
+           {},
+           options.width,
+           options.height},
+      study(
+          view, options.threads, options.seed, {share * options.seconds, 0, options.pixels},
+          [this, share](double part) { progress.show(share * part); }, bounces) {
+  const std::vector<std::string> unwritten = unwritten_and_needed(options.engine);
+  print_notes(loaded);
+  if (unwritten.empty() && !study.is_black()) return;
+  progress.clear();
+  if (unwritten.empty()) {
+    throw pt::Error(
+        "the picture is black: no light reaches this camera; choose another with --camera");
+  }
+  throw pt::Error(fmt::format("not written yet: {}; nothing can be measured without",
+                              fmt::join(unwritten, ", ")));
+}
+
+namespace {
+
+void run_cheapest(const Options& options) {
+  Measuring scene(load_scene(options), options, kAllBounces);
+  const Answer answer = find_cheapest(scene.study, scene.view, options);
+  scene.progress.clear();
+  fmt::print("{}", to_text(answer, options, scene.loaded.scene));
+  if (!options.out.empty()) write_charts(answer, options, scene.loaded.scene);
+}
+
+void run_converge(const Options& options) {
+  pt::LoadedScene loaded = load_scene(options);
+  const std::vector<Method> methods = methods_in(loaded.scene, options.bounces, options.engine);
+  expect_method(methods, options.beside);
+  Measuring scene(std::move(loaded), options, options.bounces);
+  const std::vector<MethodCurve> curves = find_curves(scene.study, scene.view, methods);
+  scene.progress.clear();
+  fmt::print("{}", to_text(curves, options));
+  if (!options.out.empty()) write_curves(curves, options, scene.study.cpu_seconds());
+}
+
+}  // namespace
+
+void run_call(const Call& call) {
+  call.command == Command::cheapest ? run_cheapest(call.options) : run_converge(call.options);
+}
+
+}  // namespace measure::scene

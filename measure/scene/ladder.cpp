@@ -1,0 +1,149 @@
+#include "measure/scene/ladder.h"
+
+#include "measure/scene/adaptive.h"
+#include "measure/scene/ladder_turns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace measure::scene {
+
+namespace {
+
+using Direct = pt::PathSettings::Direct;
+
+// Shares of the time. Programs must load the scene too.
+constexpr double kOfLights = 0.05, kOfEngines = 0.15, kOfPictures = 0.35;
+
+constexpr int kMaxAdaptive = 16;  // factor of the other rungs' samples
+
+// The model of light sampling with `survival`, from short renders.
+SampleModel model_with(Study& study, int bounces, double survival, const std::vector<int>& l) {
+  return model_of(study.try_out({Direct::lights, bounces, survival}, l), 0);
+}
+
+Chosen choose(Measuring& scene, int bounces) {
+  const std::vector<pt::Light>& lights = scene.loaded.scene.lights;
+  Chosen chosen;
+  chosen.bounces = bounces;
+  chosen.hemisphere = std::none_of(lights.begin(), lights.end(), pt::is_delta);
+  chosen.rectangles = std::any_of(lights.begin(), lights.end(), [](const pt::Light& light) {
+    return std::holds_alternative<pt::RectangleLight>(light);
+  });
+  double least = 0;
+  for (const double survival : {1.0, 0.85, 0.7, 0.5, 0.3}) {
+    if (bounces <= 2) break;  // there is no roulette
+    const SampleModel model = model_with(scene.study, bounces, survival, {1, 4});
+    const double product = model.variance(1) * model.seconds.at(1);
+    if (least > 0 && product >= least) continue;
+    least = product;
+    chosen.survival = survival;
+  }
+  if (std::all_of(lights.begin(), lights.end(), pt::is_delta)) return chosen;
+  const SampleModel model = model_with(scene.study, bounces, chosen.survival, {1, 2, 4, 8});
+  chosen.best_light_samples = best_light_samples(model, kMaxLightSamples);
+  chosen.light_samples = static_cast<int>(std::lround(chosen.best_light_samples));
+  return chosen;
+}
+
+// Starts programs. Rungs that differ only in their settings share one program.
+class Starter {
+ public:
+  Starter(int samples, std::vector<std::string> command)
+      : samples_(samples), command_(std::move(command)) {}
+
+  Worker start(const Rung& rung) {
+    for (const Worker& other : started_) {
+      if (other.rung.mixture == rung.mixture && other.rung.engine == rung.engine) {
+        return {rung, other.program, other.spec};
+      }
+    }
+    const auto program = std::make_shared<RungProgram>(command_, rung.mixture, rung.engine);
+    started_.push_back(
+        {rung, [program](const RungRequest& request) { return program->render(request); }, {}});
+    started_.back().spec.samples = samples_;
+    return started_.back();
+  }
+
+ private:
+  int samples_;
+  std::vector<std::string> command_;
+  std::vector<Worker> started_;
+};
+
+// Chooses the ideas for light samples that pay here, and their numbers of samples. Solid angles are
+// kept if they pay with low-discrepancy samples: that rung's program has both.
+void choose_lights(Chosen& chosen, Starter& starter, const Turning& turning) {
+  Rung plain{"", "reference"};
+  plain.way = {Direct::lights, chosen.bounces, chosen.survival};
+  std::vector<std::pair<LightIdea, int>> tried{{LightIdea::none, 1}};
+  if (chosen.light_samples > 1) tried.emplace_back(LightIdea::more_samples, 1);
+  if (chosen.rectangles) {
+    for (const int l : {2, 3, 4, 6}) tried.emplace_back(LightIdea::spread, l);
+  }
+  if (tried.size() == 1) return;
+  std::vector<Worker> workers;
+  for (const auto& [idea, l] : tried) {
+    chosen.spread_samples = l;
+    workers.push_back(starter.start(with_lights(plain, idea, chosen)));
+  }
+  const std::vector<double> costs = costs_of(workers, turning);
+  const auto least = [&](auto begin) {
+    return std::min_element(begin, costs.end()) - costs.begin();
+  };
+  chosen.lights = tried[least(costs.begin())].first;
+  if (chosen.rectangles) chosen.spread_samples = tried[least(costs.end() - 4)].second;
+}
+
+// Adaptive sampling, as accurate as the same number of samples everywhere.
+pt::AdaptiveSettings adaptive_like(Study& study, const Rung& rung, int samples) {
+  pt::AdaptiveSettings settings{kMaxAdaptive * samples, std::clamp(samples / 8, 4, 32), 0.05};
+  const std::vector<Study::PixelNoise> noise = study.pixel_noise(rung.way, rung.light_samples);
+  double error2 = 0;
+  for (const Study::PixelNoise& pixel : noise) error2 += pixel.relative / samples;
+  settings.tolerance = tolerance_for(noise, settings, error2 / static_cast<double>(noise.size()));
+  return settings;
+}
+
+}  // namespace
+
+Ladder climb(Measuring& scene, const Options& options, std::vector<std::string> command) {
+  Ladder ladder;
+  ladder.chosen = choose(scene, options.bounces);
+  Chosen& chosen = ladder.chosen;
+  Starter starter(options.samples, std::move(command));
+  const double cpu = options.seconds * options.threads;
+  const auto turning = [&](std::uint64_t series, double begin, double share) {
+    return Turning{
+        scene.study, options.seed + (series << 32), share * cpu,
+        [&scene, begin, share](double part) { scene.progress.show(begin + share * part); }};
+  };
+
+  choose_lights(chosen, starter, turning(1, kOfChoices, kOfLights));
+  const std::vector<Rung> rungs = rungs_of(chosen);
+  std::vector<Worker> engines, pictures;
+  for (const Rung& rung : rungs) {
+    Worker worker = starter.start(rung);
+    if (rung.adaptive) {
+      worker.spec.adaptive = adaptive_like(scene.study, rung, options.samples);
+      worker.spec.samples = worker.spec.adaptive->max_samples;
+    }
+    if (rung.same_picture)
+      engines.push_back(worker);
+    else
+      pictures.push_back(worker);
+  }
+  engines.push_back(pictures[0]);
+  std::vector<RungTurns> turns =
+      time_engines(engines, turning(2, kOfChoices + kOfLights, kOfEngines));
+  turns.pop_back();
+  for (RungTurns& each :
+       take_turns(pictures, turning(3, kOfChoices + kOfLights + kOfEngines, kOfPictures))) {
+    turns.push_back(std::move(each));
+  }
+  ladder.rungs = worth_of(rungs, turns);
+  return ladder;
+}
+
+}  // namespace measure::scene

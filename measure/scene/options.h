@@ -1,0 +1,51 @@
+#pragma once
+
+#include "pt/scene/frame_camera.h"
+#include "pt/scene/tracer.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace measure::scene {
+
+// The options of three programs: `cheapest` finds settings, `converge` compares methods, `ladder`
+// measures the worth of ideas.
+struct Options {
+  std::filesystem::path scene;
+  double error = 0.02;  // for cheapest: root of relMSE
+  int bounces = 5;      // for converge and ladder
+  int samples = 64;     // for ladder: per pixel
+  int width = 480;
+  int height = 360;
+  pt::Framing framing = pt::Framing::course;
+  pt::Engine engine = pt::Engine::wide;
+  bool lambertian = false;
+  double seconds = 45;  // approximate, by the wall clock
+  std::uint64_t seed = 0;
+  int threads = 1;
+  std::filesystem::path out;  // a folder; empty: no files
+  std::string beside;         // for converge: the method to compare with; empty: the fastest
+  std::string submission;     // somebody else's code, in the box; empty: what is linked here
+  std::string built;          // the same, already built: the file with the details
+  int pixels = 10000;         // the approximate number of pixels to measure
+  std::vector<int> light_samples{1, 2, 4, 8};  // for cheapest: tried for the lines; rising
+};
+
+enum class Command { cheapest, converge };
+
+struct Call {
+  Command command = Command::cheapest;
+  Options options;
+};
+
+// Reads the command line, whose first word is the command. Prints help and exits for --help; throws
+// pt::Error for unusable options.
+Call parse_call(int argc, const char* const* argv);
+// Reads the options of one command, without that word.
+Options parse_cheapest(int argc, const char* const* argv);
+Options parse_converge(int argc, const char* const* argv);
+Options parse_ladder(int argc, const char* const* argv);
+
+}  // namespace measure::scene

@@ -1,0 +1,288 @@
+#include "measure/scene/study.h"
+
+#include "measure/scene/pixels_apart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace measure::scene {
+
+namespace {
+
+constexpr int kFewestPixels = 300;  // of a check
+constexpr int kTurns = 3;
+constexpr double kBlack = 0.01;  // of relMSE
+
+// Shares of the time.
+constexpr double kOfBounces = 0.25, kOfOneRender = 0.025;
+
+constexpr int kMaxTried = 1 << 14;  // samples per pixel of one short render
+constexpr double kClock = 0.01;     // relative: no time is more certain
+
+// The weighted mean over the pixels of two independent halves. Its standard error comes from the
+// differences between the halves: differences between pixels are not errors.
+Uncertain mean_of_halves(const std::vector<double>& a, const std::vector<double>& b,
+                         const std::vector<double>& weight) {
+  const auto n = static_cast<double>(a.size());
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double half = weight[i] * (a[i] - b[i]) / 2;
+    sum += weight[i] * (a[i] + b[i]) / 2;
+    squares += half * half;
+  }
+  return {sum / n, std::sqrt(squares) / n};
+}
+
+Uncertain seconds_of(const RenderedPixels& a, const RenderedPixels& b) {
+  const double first = a.cpu_seconds / static_cast<double>(a.all_samples());
+  const double second = b.cpu_seconds / static_cast<double>(b.all_samples());
+  const double mean = (first + second) / 2;
+  return {mean, std::max(std::abs(first - second) / 2, kClock * mean)};
+}
+
+std::vector<pt::BounceRange> one_by_one() {
+  std::vector<pt::BounceRange> ranges;
+  for (int k = 0; k <= kToldApart; ++k) ranges.push_back({k, k});
+  ranges.push_back({kToldApart + 1, kAllBounces});
+  return ranges;
+}
+
+// The light that each pixel misses with at most m bounces: first all of it, then for m = 0, 1, ...
+std::vector<std::vector<double>> missing(const MeasuredApart& apart) {
+  std::vector<std::vector<double>> rest(apart.mean.size());
+  std::vector<double> sum(apart.mean[0].size());
+  for (std::size_t k = apart.mean.size(); k-- > 0;) {
+    rest[k] = sum;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += apart.mean[k][i];
+  }
+  rest.insert(rest.begin(), sum);  // the whole picture
+  return rest;
+}
+
+}  // namespace
+
+Uncertain mean_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
+  return {sum / n, std::sqrt(squares / std::max(1.0, n - 1) / n)};
+}
+
+pt::PathSettings path_of(const Way& way, int light_samples) {
+  pt::PathSettings path;
+  path.light_samples = light_samples;
+  path.direct = way.direct;
+  path.survival = way.survival;
+  path.from = 0;
+  path.to = way.bounces;
+  return path;
+}
+
+Study::Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
+             std::function<void(double)> progress, int bounces)
+    : view_(view),
+      threads_(threads),
+      seed_(seed),
+      limits_(limits),
+      progress_(std::move(progress)),
+      pixels_(spread_pixels(view.width, view.height, limits.pixels, seed)) {
+  look_at_bounces(bounces);
+}
+
+void Study::look_at_bounces(int bounces) {
+  const pt::View view = view_of({pt::PathSettings::Direct::lights, kAllBounces}, 1);
+  const std::vector<pt::BounceRange> ranges = one_by_one();
+  const int samples =
+      samples_in(kOfBounces * limits_.seconds,
+                 [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
+                   return made_apart(view, settings, ranges, some).cpu_seconds;
+                 });
+  std::vector<std::vector<double>> rest[2];
+  for (int half = 0; half < 2; ++half) {
+    rest[half] = missing(made_apart(view, next_render(samples / 2), ranges, pixels_));
+    golden_[half] = rest[half][0];
+    if (bounces > kToldApart) continue;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      golden_[half][i] -= rest[half][bounces + 1][i];
+    }
+  }
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const double g = (golden_[0][i] + golden_[1][i]) / 2 + kBlack;
+    weight_.push_back(1 / (g * g));
+  }
+  // The noise of two independent means does not bias their product.
+  for (int m = 0; m <= kToldApart; ++m) {
+    std::vector<double> squares;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      squares.push_back(weight_[i] * rest[0][m + 1][i] * rest[1][m + 1][i]);
+    }
+    bias2_.push_back(mean_of(squares));
+    bias2_.back().value = std::max(0.0, bias2_.back().value);
+  }
+}
+
+RenderedPixels Study::made(const pt::View& view, const pt::RenderSettings& settings,
+                           std::span<const PixelAt> pixels) {
+  RenderedPixels result = measure(view, settings, pixels);
+  advance(result.cpu_seconds);
+  return result;
+}
+
+MeasuredApart Study::made_apart(const pt::View& view, const pt::RenderSettings& settings,
+                                std::span<const pt::BounceRange> ranges,
+                                std::span<const PixelAt> pixels) {
+  MeasuredApart result = measure_apart(view, settings, ranges, pixels);
+  advance(result.cpu_seconds);
+  return result;
+}
+
+void Study::advance(double cpu_seconds) {
+  cpu_seconds_ += cpu_seconds;
+  if (progress_) progress_(std::min(0.99, cpu_seconds_ / threads_ / limits_.seconds));
+}
+
+bool Study::is_black() const {
+  return std::all_of(golden_[0].begin(), golden_[0].end(), [](double g) { return g == 0; });
+}
+
+std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_samples) {
+  std::vector<int> samples;
+  samples.reserve(light_samples.size());
+  for (const int l : light_samples) {
+    samples.push_back(samples_in(kOfOneRender * limits_.seconds, view_of(way, l)));
+  }
+  std::vector<RenderedPixels> halves[2];
+  for (std::vector<RenderedPixels>& half : halves) {
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      half.push_back(made(view_of(way, light_samples[k]), next_render(samples[k] / 2), pixels_));
+    }
+  }
+  std::vector<Tried> tried;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const RenderedPixels &a = halves[0][k], &b = halves[1][k];
+    tried.push_back({light_samples[k], mean_of_halves(a.variance, b.variance, weight_),
+                     seconds_of(a, b), mean_of(products(a.mean, b.mean, 1)),
+                     static_cast<double>(a.rays) / static_cast<double>(a.all_samples())});
+  }
+  return tried;
+}
+
+std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samples) {
+  const pt::View view = view_of(way, light_samples);
+  const RenderedPixels measured =
+      made(view, next_render(samples_in(2 * kOfOneRender * limits_.seconds, view)), pixels_);
+  std::vector<PixelNoise> noise;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const double v = measured.variance[i], g = measured.mean[i];
+    noise.push_back({v * weight_[i], g > 0 ? v / (g * g) : 0});
+  }
+  return noise;
+}
+
+Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& settings,
+                     double seconds, double bias2, double part) {
+  const double fit = part * limits_.seconds * threads_ / (2 * seconds);
+  const std::size_t wanted = std::max<std::size_t>(kFewestPixels, static_cast<std::size_t>(fit));
+  const std::size_t step = std::max<std::size_t>(1, pixels_.size() / wanted);
+  const std::vector<PixelAt> some = every(step);
+  const pt::View view{view_.scene, view_.camera, path, view_.width, view_.height};
+  RenderedPixels pictures[2];
+  for (RenderedPixels& picture : pictures) {
+    pt::RenderSettings render = next_render(settings.samples);
+    render.adaptive = settings.adaptive;
+    picture = made(view, render, some);
+  }
+  const std::vector<double>&x = pictures[0].mean, &y = pictures[1].mean;
+  const std::vector<double> of_x = products(x, x, step), of_y = products(y, y, step);
+  std::vector<double> seen, differences;
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    seen.push_back((of_x[k] + of_y[k]) / 2);
+    differences.push_back(weight_[k * step] * (x[k] - y[k]) * (x[k] - y[k]) / 2 + bias2);
+  }
+  const Uncertain against_golden = mean_of(seen), against_itself = mean_of(differences);
+  const Uncertain square =
+      against_golden.error < against_itself.error ? against_golden : against_itself;
+  const double error = std::sqrt(std::max(square.value, square.error));
+  const auto n = static_cast<double>(2 * some.size());
+  return {{error, error > 0 ? square.error / (2 * error) : 0},
+          (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
+          static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples()) / n,
+          static_cast<double>(pictures[0].rays + pictures[1].rays) / n,
+          some.size()};
+}
+
+Uncertain Study::times_as_long(const pt::Scene& other, const Way& way, int light_samples) {
+  const pt::View here = view_of(way, light_samples);
+  const pt::View there{other, here.camera, here.settings, here.width, here.height};
+  // The other engine may be so slow that only few pixels are possible.
+  const std::vector<PixelAt> few = every(pixels_.size() / kFewestPixels);
+  const double one =
+      made(there, next_render(2), few).cpu_seconds / (2.0 * static_cast<double>(few.size()));
+  const double fit = kOfOneRender * limits_.seconds * threads_ / one;  // samples of pixels
+  const std::size_t step =
+      static_cast<std::size_t>(static_cast<double>(pixels_.size()) / std::max(1.0, fit / 2));
+  const std::vector<PixelAt> some = every(std::min(step, pixels_.size() / kFewestPixels));
+  const double each = std::min(fit / static_cast<double>(some.size()), double{kMaxTried});
+  const int samples = std::max(2, static_cast<int>(each));
+  std::vector<double> factors;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const pt::RenderSettings render = next_render(samples);
+    const double seconds = made(here, render, some).cpu_seconds;
+    factors.push_back(made(there, render, some).cpu_seconds / seconds);
+  }
+  return mean_of(factors);
+}
+
+std::vector<double> Study::products(const std::vector<double>& a, const std::vector<double>& b,
+                                    std::size_t step) const {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const std::size_t i = k * step;
+    all.push_back(weight_[i] * (a[k] - golden_[0][i]) * (b[k] - golden_[1][i]));
+  }
+  return all;
+}
+
+std::vector<PixelAt> Study::every(std::size_t step) const {
+  std::vector<PixelAt> some;
+  for (std::size_t i = 0; i < pixels_.size(); i += std::max<std::size_t>(1, step)) {
+    some.push_back(pixels_[i]);
+  }
+  return some;
+}
+
+pt::RenderSettings Study::next_render(int samples) { return {samples, {}, ++seed_, threads_}; }
+
+pt::View Study::view_of(const Way& way, int light_samples) const {
+  return {view_.scene, view_.camera, path_of(way, light_samples), view_.width, view_.height};
+}
+
+int Study::samples_in(double seconds, const Cost& cpu_seconds) {
+  if (limits_.samples > 0) return limits_.samples;
+  const std::vector<PixelAt> some = every(8);
+  const double one = cpu_seconds(next_render(2), some) / (2 * static_cast<double>(some.size()));
+  const double fit = seconds * threads_ / (one * static_cast<double>(pixels_.size()));
+  return std::clamp(static_cast<int>(std::min(fit, 1e6)) / 2 * 2, 4, kMaxTried);
+}
+
+int Study::samples_in(double seconds, const pt::View& view) {
+  return samples_in(seconds,
+                    [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
+                      return made(view, settings, some).cpu_seconds;
+                    });
+}
+
+SampleModel model_of(const std::vector<Tried>& tried, double bias2) {
+  std::vector<LinePoint> noise, seconds;
+  for (const Tried& each : tried) {
+    noise.push_back({1.0 / each.light_samples, each.variance.value,
+                     std::max(each.variance.error, 1e-6 * each.variance.value + 1e-12)});
+    seconds.push_back(
+        {static_cast<double>(each.light_samples), each.seconds.value, each.seconds.error});
+  }
+  return {fit_line(noise), fit_line(seconds), bias2};
+}
+
+}  // namespace measure::scene

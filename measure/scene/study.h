@@ -1,0 +1,146 @@
+#pragma once
+
+#include "measure/scene/model.h"
+#include "measure/scene/pixels_apart.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace measure::scene {
+
+inline constexpr double kSignificant = 4;  // standard errors
+// If the variance's own error is a larger part of it, a few samples make it.
+inline constexpr double kHeavy = 0.1;
+
+// The way to follow light: all settings but the numbers of samples.
+struct Way {
+  pt::PathSettings::Direct direct = pt::PathSettings::Direct::lights;
+  int bounces = 5;
+  double survival = pt::PathSettings{}.survival;
+
+  bool operator==(const Way&) const = default;
+};
+
+pt::PathSettings path_of(const Way& way, int light_samples);
+
+// A measured number and its standard error.
+struct Uncertain {
+  double value = 0;
+  double error = 0;
+};
+
+// The mean of some numbers, with the standard error from their spread.
+Uncertain mean_of(const std::vector<double>& values);
+
+// Short renders with one way: their cost and their noise.
+struct Tried {
+  int light_samples = 1;
+  Uncertain variance;  // relative, per camera sample
+  Uncertain seconds;   // of processor time, per camera sample
+  Uncertain bias2;     // the square of the relative bias, from these renders alone
+  double rays = 0;     // per camera sample
+};
+
+// Some pixels of a picture, made with the chosen numbers.
+struct Checked {
+  Uncertain error;     // root of relMSE
+  double seconds = 0;  // of processor time, per pixel
+  double samples = 0;  // per pixel
+  double rays = 0;     // per pixel
+  std::size_t pixels = 0;
+};
+
+// The number of bounces that are measured separately. All later bounces are one rest.
+inline constexpr int kToldApart = 16;
+inline constexpr int kMaxWithoutTree = 30000;  // surfaces: the limit for testing all, one by one
+inline constexpr int kAllBounces = 100;        // as in trace_path
+
+// The limits of a study.
+struct StudyLimits {
+  double seconds = 45;  // for everything, approximate, by the wall clock
+  int samples = 0;      // per pixel of each render, even; 0: as many as there is time for
+  int pixels = 10000;   // the approximate number of pixels to measure
+};
+
+// A view to find settings for. All renders have the same pixels, each with its own random numbers.
+class Study {
+ public:
+  // `progress` is called with the part of the time that has been used. `bounces` is for the picture
+  // that errors are measured against: at most kToldApart, or kAllBounces.
+  Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
+        std::function<void(double)> progress, int bounces = kAllBounces);
+
+  // The time of all renders so far.
+  double cpu_seconds() const { return cpu_seconds_; }
+
+  // Returns whether no light at all reaches the camera.
+  bool is_black() const;
+
+  // The square of the relative bias that is left with 0, 1, ... kToldApart bounces at most.
+  const std::vector<Uncertain>& bias2() const { return bias2_; }
+  // The same for any number of bounces: nothing is left with more.
+  double bias2_at(int bounces) const { return bounces <= kToldApart ? bias2_[bounces].value : 0; }
+
+  // Short renders with these numbers of light samples, taken in turns.
+  std::vector<Tried> try_out(const Way& way, const std::vector<int>& light_samples);
+
+  // The noise of each pixel: the variance of a camera sample.
+  struct PixelNoise {
+    double relative = 0;     // v / (g + .01)^2, as in relMSE
+    double over_square = 0;  // v / g^2, as in adaptive sampling
+  };
+  std::vector<PixelNoise> pixel_noise(const Way& way, int light_samples);
+
+  // The picture with these settings, rendered twice, with as many pixels as there is time for; one
+  // takes about `seconds`. The error is measured in two ways, and the more certain one is used:
+  // against the long renders, and as half the squared difference of the two pictures plus `bias2`.
+  // It may take the given part of the time.
+  Checked check(const pt::PathSettings& path, const pt::RenderSettings& settings, double seconds,
+                double bias2, double part = 0.08);
+
+  // The time of the same picture with the tracer of `other`, over the usual time. Both take turns.
+  Uncertain times_as_long(const pt::Scene& other, const Way& way, int light_samples);
+
+  // 1 / (g + .01)^2 of each pixel, the weights of relMSE.
+  const std::vector<double>& weights() const { return weight_; }
+
+  // (a - g)(b - g') / (g + .01)^2 of each `step`-th pixel, for two goldens g and g': its mean is
+  // relMSE if a and b are the same picture, and the square of the bias if they are independent.
+  std::vector<double> products(const std::vector<double>& a, const std::vector<double>& b,
+                               std::size_t step) const;
+
+ private:
+  void look_at_bounces(int bounces);
+  std::vector<PixelAt> every(std::size_t step) const;  // each `step`-th pixel; 0 means 1
+  pt::RenderSettings next_render(int samples);
+  pt::View view_of(const Way& way, int light_samples) const;
+  // An even number of samples per pixel that takes this long by the wall clock, if a render of some
+  // pixels takes `cpu_seconds`.
+  using Cost = std::function<double(const pt::RenderSettings&, std::span<const PixelAt>)>;
+  int samples_in(double seconds, const Cost& cpu_seconds);
+  int samples_in(double seconds, const pt::View& view);
+  // The results of measure() and measure_apart(). Their time is counted.
+  RenderedPixels made(const pt::View& view, const pt::RenderSettings& settings,
+                      std::span<const PixelAt> pixels);
+  MeasuredApart made_apart(const pt::View& view, const pt::RenderSettings& settings,
+                           std::span<const pt::BounceRange> ranges,
+                           std::span<const PixelAt> pixels);
+  void advance(double cpu_seconds);
+
+  pt::View view_;
+  int threads_;
+  std::uint64_t seed_;
+  StudyLimits limits_;
+  std::function<void(double)> progress_;
+  double cpu_seconds_ = 0;
+  std::vector<PixelAt> pixels_;
+  std::vector<double> golden_[2];  // two independent means of each pixel, with all bounces
+  std::vector<double> weight_;     // 1 / (g + .01)^2
+  std::vector<Uncertain> bias2_;
+};
+
+// The model from the renders, with the bias of their way.
+SampleModel model_of(const std::vector<Tried>& tried, double bias2);
+
+}  // namespace measure::scene

@@ -1,0 +1,73 @@
+# shellcheck shell=bash
+# Configures and builds, one ./run at a time. `./run` includes this file.
+# shellcheck disable=SC2154 # root, build and command are those of ./run
+
+# lock_tree: until unlock_tree nobody else installs, configures or builds in this tree. The file contains the
+# command that has the lock.
+tree_is_locked=
+lock_tree() {
+  [ -z "$tree_is_locked" ] || return 0
+  { mkdir -p "$build" && [ -w "$build" ]; } 2>/dev/null ||
+    fail "$build cannot be written: copy the whole folder to a place of your own, and work there"
+  tree_is_locked=yes
+  command -v flock >/dev/null || return 0 # macOS has no flock: there nobody waits
+  exec 9>>"$build/lock"
+  local start=$SECONDS
+  until flock -w 1 9; do
+    progress_show "waiting for '$(cat "$build/lock")', which is building in the same folder ($((SECONDS - start)) s)"
+  done
+  [ "$SECONDS" -eq "$start" ] || progress_clear
+  echo "./run $command" >"$build/lock"
+}
+
+unlock_tree() {
+  exec 9>&-
+  tree_is_locked=
+}
+
+# configure PRESET: runs CMake with all mixtures of implementations that were asked for, if one is new or a file that CMake
+# read has changed. FIRSTLIGHT_WERROR=ON makes warnings errors. Returns 2 if CMake fails; explain_configure shows why.
+configure() {
+  local preset=$1 folder=$build/$1 mixtures='' settings command=()
+  lock_tree
+  [ -e "$build/mixtures" ] && mixtures=$(sort -u "$build/mixtures" | paste -sd';')
+  settings="$mixtures ${FIRSTLIGHT_WERROR:-OFF}"
+  if [ "$root/CMakePresets.json" -nt "$folder/build.ninja" ] || [ "$settings" != "$(cat "$folder/settings" 2>/dev/null)" ]; then
+    command=(cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=$mixtures" "-DFIRSTLIGHT_WERROR=${FIRSTLIGHT_WERROR:-OFF}")
+  elif ! ninja -C "$folder" -n build.ninja 2>/dev/null | grep -q 'no work to do'; then
+    command=(ninja -C "$folder" build.ninja)
+  else
+    return 0
+  fi
+  mkdir -p "$folder"
+  with_progress "configuring ($preset)" "$folder/configure.log" "${command[@]}" || return 2
+  printf '%s' "$settings" >"$folder/settings"
+  [ ! -e "$folder/not_compiled" ] || cat "$folder/not_compiled" >&2
+}
+
+# explain_configure PRESET: prints CMake's own sentence, without its place in CMake.
+explain_configure() {
+  local log=$build/$1/configure.log
+  sed -n '/^CMake Error/,/^Call Stack/{/^CMake Error/d;/^Call Stack/d;p}' "$log" | grep . >&2 || tail "$log" >&2
+}
+
+# forget_mixtures: fails if there are none. An old mixture may not exist any more, for example in a copy of the folder on
+# another machine.
+forget_mixtures() { [ -s "$build/mixtures" ] && rm "$build/mixtures"; }
+
+# build PRESET TARGET...: prints nothing if there is nothing to do, and the compiler's messages if it fails.
+build() {
+  local preset=$1
+  shift
+  setup
+  lock_tree
+  configure "$preset" || { forget_mixtures && configure "$preset"; } || { explain_configure "$preset"; exit 2; }
+  if ! ninja -C "$build/$preset" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
+    if ! NINJA_STATUS='[%f/%t] ' with_progress "building $1 ($preset)" "$build/$preset/build.log" \
+      ninja -C "$build/$preset" "$@"; then
+      grep -vE '^(ninja: |\[[0-9]+/[0-9]+\] )' "$build/$preset/build.log" >&2
+      fail "the build failed; the whole output is in build/$preset/build.log"
+    fi
+  fi
+  unlock_tree
+}

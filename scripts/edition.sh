@@ -1,0 +1,100 @@
+# shellcheck shell=bash
+# The commands for a whole learners' edition: switch to a newer edition, and hand in. `./run` includes this file.
+# shellcheck disable=SC2154 # root and build are those of ./run
+
+# The file .edition lists every file of an edition as sha256sum does. read_hashes reads it into the array `hashes`, by path.
+read_hashes() {
+  local hash path
+  hashes=()
+  while read -r hash path; do hashes[$path]=$hash; done
+}
+
+# open_edition FOLDER|ARCHIVE: sets `edition` to the folder that has .edition in it.
+open_edition() {
+  local from=$1 unpacked
+  [ -e "$from" ] || fail "there is no $from"
+  if [ ! -d "$from" ]; then
+    unpacked=$(mktemp -d)
+    # shellcheck disable=SC2064
+    trap "rm -rf ${unpacked@Q}" EXIT
+    from=$(realpath -- "$from")
+    (cd "$unpacked" && cmake -E tar xf "$from") >/dev/null 2>&1 ||
+      fail "$1 cannot be unpacked: give a folder, a .zip or a .tar.gz"
+    from=$unpacked
+  fi
+  edition=$(find "$from" -maxdepth 2 -name .edition -type f | head -1)
+  [ -n "$edition" ] || fail "$1 is not a learners' edition: it has no file .edition"
+  edition=$(realpath -- "$(dirname "$edition")")
+  [ "$edition" != "$root" ] || fail "$1 is this edition itself: name the newer edition"
+  (cd "$edition" && grep -v '  student/.*\.cpp$' .edition | sha256sum --quiet --status -c -) ||
+    fail "$1 is damaged: its files differ from the list in its .edition; get it again"
+}
+
+# put PATH: replaces our file with the new edition's, in one step. The file is new now, so that it is compiled again.
+put() {
+  mkdir -p "$root/$(dirname "$1")"
+  cp "$edition/$1" "$root/$1.new.tmp"
+  mv -f "$root/$1.new.tmp" "$root/$1"
+}
+
+# update FOLDER|ARCHIVE: the twelve files stay as they are, unless they are still the stubs of the edition before. Other
+# files that were changed here are kept next to the new files, as FILE.mine. A second call continues an update that was
+# interrupted.
+update() {
+  [ $# -eq 1 ] || fail "name the newer edition: ./run update FOLDER, or its archive"
+  [ -e "$root/.edition" ] || fail "this is the whole project, not a learners' edition: update it with git"
+  local edition path kept=() saved=()
+  local -A hashes=() old=() new=() ours=()
+  open_edition "$1"
+  lock_tree
+  read_hashes <"$root/.edition"
+  for path in "${!hashes[@]}"; do old[$path]=${hashes[$path]}; done
+  read_hashes <"$edition/.edition"
+  for path in "${!hashes[@]}"; do new[$path]=${hashes[$path]}; done
+  read_hashes < <(cd "$root" && printf '%s\0' "${!old[@]}" "${!new[@]}" | xargs -0 sha256sum 2>/dev/null)
+  for path in "${!hashes[@]}"; do ours[$path]=${hashes[$path]}; done
+  for path in "${!old[@]}" "${!new[@]}"; do
+    [ "${ours[$path]-}" != "${new[$path]-}" ] || continue
+    if [ -n "${ours[$path]-}" ] && [ "${ours[$path]}" != "${old[$path]-}" ]; then
+      case $path in
+        student/*.cpp) kept+=("$path"); continue ;;
+        *) cp -p "$root/$path" "$root/$path.mine"; saved+=("$path.mine") ;;
+      esac
+    fi
+    if [ -n "${new[$path]-}" ]; then put "$path"; else rm -f "$root/$path"; fi
+    ours[$path]=${new[$path]-}
+  done
+  put .edition
+  chmod +x "$root/run"
+  echo "The newer edition is in place: $(head -1 "$root/docs/edition.txt" 2>/dev/null)"
+  [ ${#kept[@]} -eq 0 ] || echo "Your files are kept: $(printf '%s\n' "${kept[@]}" | sort -u | paste -sd' ')"
+  [ ${#saved[@]} -eq 0 ] || echo "You had changed other files; your versions are kept here: $(printf '%s\n' "${saved[@]}" | sort -u | paste -sd' ')"
+}
+
+# submit [FILE.zip]: packs the files of all tasks, and the last grade.
+submit() {
+  local target=${1:-firstlight-submission.zip} slug file half files=() last=$build/check/grader/graded/last changed
+  case $target in *.zip) ;; *) fail "the archive has to be a .zip: ./run submit mine.zip" ;; esac
+  target=$(realpath -m -- "$target")
+  while read -r slug; do
+    file=$(cd "$root/student" && find . -mindepth 2 -maxdepth 2 -name "$slug.cpp" -printf '%P\n')
+    [ -n "$file" ] || fail "there is no $slug.cpp in student/: all $(tasks_meant | wc -l) files have to be handed in, stubs too"
+    files+=("$file")
+  done < <(tasks_meant)
+  half=$(mktemp -d)
+  # shellcheck disable=SC2064
+  trap "rm -rf ${half@Q} ${target@Q}.half" EXIT
+  for file in "${files[@]}"; do
+    mkdir -p "$half/$(dirname "$file")"
+    cp "$root/student/$file" "$half/$file"
+  done
+  if [ -e "$last" ]; then
+    changed=$(cd "$root/student" && find "${files[@]}" -newer "$last" | paste -sd' ')
+    { cat "$last"; [ -z "$changed" ] || echo "Changed since then: $changed"; } >"$half/graded.txt"
+  else
+    echo "Not graded on this machine yet." >"$half/graded.txt"
+  fi
+  (cd "$half" && cmake -E tar cf "$target.half" --format=zip -- graded.txt "${files[@]}") || fail "$target cannot be written"
+  mv "$target.half" "$target"
+  echo "$target: ${#files[@]} files. $(paste -sd' ' "$half/graded.txt")"
+}

@@ -1,0 +1,28 @@
+# shellcheck shell=bash
+# Lists the files of a copy of the project for others, and makes the copy.
+
+# edition_files PATTERN: lists the files of every edition, without those that match; in a git checkout, only
+# files that git knows.
+edition_files() {
+  local parts=(run README.md LICENSE CMakeLists.txt CMakePresets.json .clang-format .clangd compile_flags.txt
+    .vscode .devcontainer
+    cmake docs golden grader measure pt scenes scripts student writeup)
+  {
+    git ls-files -- "${parts[@]}" 2>/dev/null | grep . ||
+      find "${parts[@]}" -type f 2>/dev/null
+  } | grep -vE "$1"
+}
+
+# Files for people who teach or work on the project, and the solutions of tasks.
+only_for_us='^scripts/editions/|^grader/service/(intake|classes|platforms)/|^grader/programs/(bless[.]|know[.])|^scripts/packages-class[.]|^grader/tasks/[a-z_]+/((wrong|right|noisy)/|(mistakes|relatives)[.]txt)'
+# shellcheck disable=SC2034
+not_for_learners="$only_for_us"'|^grader/tasks/[a-z_]+/methods/|^writeup/[a-z0-9]+\.md$|^docs/(decisions/|help/(bless|grade-class|ladder)|instructors|four_bugs|box_spheres|ladder|performance)|^README'
+
+# copy_known BUILD FOLDER: copies the fingerprints of known mistakes, which the build has made.
+copy_known() {
+  mkdir "$2/grader/known"
+  cp "$1"/grader/known.*.json "$2/grader/known"
+}
+
+# copy_files FOLDER: copies the files that standard input lists.
+copy_files() { tar -c -f - -T - | tar -x -f - -C "$1"; }

@@ -1,0 +1,33 @@
+# shellcheck shell=bash
+# `./run lint` checks the sources, and runs none of our programs. `./run` includes this file.
+# shellcheck disable=SC2154 # root and build are those of ./run
+
+# missing TOOL: reports that the tool is missing. It is a failure only where warnings are errors.
+missing() {
+  echo "$1 is missing: nothing is proven" >&2
+  [ "${FIRSTLIGHT_WERROR:-}" != ON ]
+}
+
+# lint_with SCRIPT COMPILER
+lint_with() {
+  command -v "$2" >/dev/null || { missing "$2"; return; }
+  bash "$root/tests/rules/$1.sh" "$root" "$build/lint/$2" "$2"
+}
+
+# Other versions break lines in other places.
+lint_format() {
+  command -v clang-format-14 >/dev/null || { missing clang-format-14; return; }
+  (cd "$root" && sources | xargs clang-format-14 --dry-run -Werror) && return
+  echo "clang-format formats these lines differently: ./run format corrects them" >&2
+  return 1
+}
+
+# lint [--all]: uses the oldest compilers that the README names, and installs them if they are missing and that is allowed.
+lint() {
+  setup
+  (setup packages-lint.txt) || true
+  unlock_tree
+  lint_format
+  lint_with one_definition g++-11
+  [ "${1:-}" != --all ] || lint_with compilers clang++-14
+}

@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# Tests that ./run update switches to a newer edition and keeps the learner's files, and that ./run submit packs all tasks.
+# shellcheck disable=SC2015
+set -euo pipefail
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
+
+has() { [ "$(cat "$1" 2>/dev/null)" = "$2" ] || complain "$1 has '$(cat "$1" 2>/dev/null)', not '$2'"; }
+seal() { (cd "$1" && find . -type f ! -name .edition -printf '%P\0' | sort -z | xargs -0 sha256sum) >"$folder/list" && mv "$folder/list" "$1/.edition"; }
+refuses() { # refuses WORDS COMMAND ...
+  local words=$1 said status=0
+  shift
+  said=$("$@" 2>&1) || status=$?
+  case $status:$said in 2:*"$words"*) ;; *) complain "$*: status $status, and says: $said" ;; esac
+}
+
+# Every link in a page of the learners' edition leads to one of its files.
+python3 - <(. scripts/editions/files.sh && edition_files "$not_for_learners") <<'END' || complain 'links of the handout lead nowhere'
+import pathlib, re, sys
+files = set(open(sys.argv[1]).read().split("\n")) | {"README.md"}
+pages = [name for name in files if name.endswith(".md") and name != "README.md"]
+assert len(pages) > 10, pages
+links = dead = 0
+for name in pages:
+    for link in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", pathlib.Path(name).read_text()):
+        if re.match(r"[a-z]+:", link):
+            continue
+        links += 1
+        target = (pathlib.Path(name).parent / link).resolve()
+        target = str(target.relative_to(pathlib.Path.cwd())).rstrip("/")
+        if target not in files and not any(each.startswith(target + "/") for each in files):
+            print(f"{name}: {link}")
+            dead += 1
+assert links > 20, links
+sys.exit(dead > 0)
+END
+
+# edition NAME: makes an edition with its name in each file.
+edition() {
+  mkdir -p "$folder/$1/grader/old"
+  cp -r run cmake scripts student "$folder/$1"
+  mkdir -p "$folder/$1/grader/tasks" && cp -r --parents grader/tasks/*/task.json "$folder/$1"
+  for file in grader/judge.txt "grader/with blank.txt" scenes.txt; do echo "$1" >"$folder/$1/$file"; done
+}
+edition first
+echo first >"$folder/first/grader/old/gone.txt"
+echo first >"$folder/first/grader/old/gone_but_edited.txt"
+seal "$folder/first"
+edition second
+mkdir "$folder/second/new"
+echo second >"$folder/second/new/file.txt"
+echo '// second' >>"$folder/second/student/1_rays/hit_box_2.cpp"
+for stub in 1_rays/hit_sphere 1_rays/hit_triangle; do echo '// second' >>"$folder/second/student/$stub.cpp"; done
+seal "$folder/second"
+find "$folder/second" -exec touch -d '2020-01-01' {} +
+(cd "$folder" && cmake -E tar cf second.zip --format=zip second && tar -czf second.tar.gz second)
+
+# The learner has written one file, changed one of the framework's, and added one.
+for archive in second.zip second.tar.gz second; do
+  rm -rf "$folder/mine"
+  cp -r "$folder/first" "$folder/mine"
+  cd "$folder/mine"
+  echo mine >student/1_rays/hit_triangle.cpp
+  echo mine >student/helper.h
+  echo mine | tee scenes.txt >grader/old/gone_but_edited.txt
+  said=$(./run update "../$archive") || complain "update $archive ends with $?: $said"
+  has student/1_rays/hit_triangle.cpp mine
+  has student/helper.h mine
+  has grader/judge.txt second
+  has 'grader/with blank.txt' second
+  has new/file.txt second
+  has scenes.txt second
+  has scenes.txt.mine mine
+  has grader/old/gone_but_edited.txt.mine mine
+  cmp -s student/1_rays/hit_sphere.cpp ../second/student/1_rays/hit_sphere.cpp || complain "a stub that was not touched stays old"
+  [ ! -e grader/old/gone.txt ] && [ ! -e grader/old/gone_but_edited.txt ] || complain "files of the first edition are left"
+  [ grader/judge.txt -nt scenes.txt.mine ] || complain "a new file is older than what was built of the old one"
+  [ -x run ] || complain "run cannot be run"
+  cmp -s .edition ../second/.edition || complain ".edition is not the newer one's"
+  [ -z "$(find . -name '*.new.tmp')" ] || complain "half of a file is left"
+  case $said in *'Your files are kept: student/1_rays/hit_triangle.cpp'*'grader/old/gone_but_edited.txt.mine scenes.txt.mine'*) ;; *) complain "update says: $said" ;; esac
+  # A second update has nothing to do, and keeps no more files as theirs.
+  said=$(./run update "../$archive") || complain "the second update ends with $?"
+  case $said in *scenes.txt.mine*) complain "the second update says: $said" ;; esac
+  cd - >/dev/null
+done
+
+cd "$folder/mine"
+refuses 'there is no ../nowhere' ./run update ../nowhere
+refuses 'cannot be unpacked' ./run update scenes.txt
+refuses 'is not a learners' ./run update new
+refuses 'is this edition itself' ./run update .
+echo spoilt >../second/grader/judge.txt
+refuses 'is damaged' ./run update ../second
+has grader/judge.txt second
+cd - >/dev/null
+refuses 'this is the whole project' ./run update "$folder/second"
+
+cd "$folder/mine"
+./run submit ../one.zip >"$folder/said"
+grep -q '12 files. Not graded on this machine yet.' "$folder/said" || complain "submit says: $(cat "$folder/said")"
+mkdir -p build/check/grader/graded
+echo 'Graded last: now: 3 of 12 tasks pass.' >build/check/grader/graded/last
+touch -d '+1 hour' student/1_rays/hit_sphere.cpp
+./run submit ../two.zip >/dev/null
+mkdir ../unpacked
+(cd ../unpacked && cmake -E tar xf ../two.zip)
+has ../unpacked/graded.txt 'Graded last: now: 3 of 12 tasks pass.
+Changed since then: 1_rays/hit_sphere.cpp'
+diff <(cd ../unpacked && find . -type f ! -name graded.txt | sort) <(cd student && find . -mindepth 2 -name '*.cpp' ! -name hit_box_2.cpp | sort) ||
+  complain "other files are handed in"
+has ../unpacked/1_rays/hit_triangle.cpp mine
+refuses 'the archive has to be a .zip' ./run submit mine.rar
+rm student/1_rays/hit_sphere.cpp
+refuses 'there is no hit_sphere.cpp' ./run submit ../three.zip
+[ ! -e ../three.zip ] && [ ! -e ../three.zip.half ] || complain "half an archive is left"
+
+finish

@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# Tests the learners' edition: it has no line of a solution, builds from nothing, grades with the compiled
+# reference, and says so if the reference does not fit.
+# handout.sh BUILD: it gets BUILD's objects of the reference.
+# shellcheck disable=SC2015
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+root=$PWD build=$1 folder="$1/a learner's handout" # CMake and shells have to quote it
+# The folder is always the same, and paths do not name it, so that ccache can find what it has compiled before.
+export CCACHE_BASEDIR=$folder CCACHE_NOHASHDIR=1
+
+complain() {
+  printf '%s\n' "$*"
+  exit 1
+}
+
+# grades STATUS WORDS [OPTION ...]: checks the exit status and the words of ./run grade there.
+grades() {
+  local status=$1 words=$2 output got=0
+  shift 2
+  output=$("$folder/run" grade --no-pictures "$@" 2>&1) || got=$?
+  { [ "$got" -eq "$status" ] && grep -qF -- "$words" <<<"$output"; } ||
+    complain "grade $* ended with $got, and without '$words':" "$output"
+}
+
+rm -rf "$folder"
+scripts/editions/handout.sh "$build" "$folder"
+if scripts/editions/handout.sh "$build" "$folder" 2>/dev/null; then
+  complain "a second handout has been made over the first"
+fi
+grep -q 'todo(' "$folder/student/1_rays/hit_triangle.cpp" || complain "there are no stubs"
+for gone in reference fast tests bench grader/programs/bless.cpp grader/service/classes grader/service/intake \
+  grader/tasks/hit_box/wrong grader/tasks/hit_box/right grader/tasks/trace_path/noisy; do
+  [ ! -e "$folder/$gone" ] || complain "$gone is in it"
+done
+
+# It is a repository with one commit that has nothing of ours, and ignores the files that ./run makes.
+[ "$(git -C "$folder" rev-list --count HEAD)" = 1 ] && [ -z "$(git -C "$folder" status --porcelain)" ] ||
+  complain "it is not a repository with one commit"
+missing=$(comm -3 <(cd "$folder" && find . -path ./.git -prune -o -type f -printf '%P\n' | sort) <(git -C "$folder" ls-files | sort))
+[ -z "$missing" ] || complain "a clone of it lacks what .gitignore keeps out of the first commit:" "$missing"
+if grep -raF "$root" "$folder"; then complain "it contains the path where it was made"; fi
+# An editor works before anything is built.
+bash tests/commands/editors.sh "$folder" || [ $? -eq 77 ] || complain "an editor finds errors in it"
+
+# No file for learners has a long line of the reference.
+lines=$(mktemp)
+trap 'rm -f "$lines"' EXIT
+trimmed() { cat "$@" | sed 's/^ *//; s/ *$//' | sort -u; }
+mapfile -t open < <(find student pt -name '*.cpp' -o -name '*.h' -o -name '*.md')
+comm -23 <(trimmed {reference,fast}/*/*.cpp fast/*/*.h) <(trimmed "${open[@]}") | grep -E '.{41}' >"$lines"
+[ "$(wc -l <"$lines")" -gt 100 ] || complain "the reference has hardly any lines: this looks for nothing"
+if grep -raFf "$lines" "$folder"; then complain "it has lines of the reference"; fi
+if nm "$folder"/reference-objects/*.o | grep -i ' [tbdr] .*_GLOBAL__N_'; then
+  complain "the objects name what is local to the reference"
+fi
+
+# The compiled parts are used: only the learner's files have a rule.
+grades 1 'not attempted' hit_triangle
+if grep -E '^build [^:]*[.]o:' "$folder/build/check/build.ninja" | grep -vE 'student/|writeup/|measure/|recorded/'; then
+  complain "more than the learner's files is compiled"
+fi
+said=$(cd "$folder" && ./run render scenes/box_spheres.dae -f none.png -s 1 -r 16 12 2>&1) || complain "the stubs cannot be rendered: $said"
+grep -q '^not written yet: ' <<<"$said" || complain "a render of the stubs says: $said"
+(cd "$folder" && ./run render scenes/box_spheres.dae -f reference.exr -s 4 -m 2 -r 64 48 --from reference >/dev/null) ||
+  complain "the compiled reference cannot be rendered"
+"$build/pt/render" scenes/box_spheres.dae -f "$folder/sources.exr" -s 4 -m 2 -r 64 48 >/dev/null
+cmp "$folder/reference.exr" "$folder/sources.exr" || complain "what is compiled renders another picture"
+said=$(cd "$folder" && ./run measure hit_sphere --seconds 1 2>&1) || complain "nothing can be measured: $said"
+grep -q '^. reference  *[0-9]' <<<"$said" && grep -q '^  student .*not written yet' <<<"$said" || complain "./run measure says: $said"
+[ -z "$(git -C "$folder" status --porcelain)" ] || complain "git sees what ./run makes: $(git -C "$folder" status --porcelain)"
+cp reference/1_rays/hit_triangle.cpp "$folder/student/1_rays/"
+grades 0 'pass' hit_triangle
+said=$("$folder/run" grade hit_triangle 2>&1) || complain "with pictures it says: $said"
+cp reference/4_global/trace_path.cpp "$folder/student/4_global/"
+grades 1 'blocked' trace_path
+
+# On another machine, everything is built from its sources.
+sed -i 's/^machine .*/machine Linux other/' "$folder"/{reference-objects,compiled}/stamp
+[[ $("$folder/run" grade --no-pictures hit_triangle 2>&1) == *'those in compiled/ were compiled for another machine'* ]] ||
+  complain "it does not say why everything is built"
+grades 0 'as the reference was compiled for another machine' hit_triangle
+grades 1 'blocked' trace_path
+cp -r reference/* "$folder/student/"
+count=$(printf '%s\n' grader/tasks/*/task.json | wc -l)
+grades 0 "$count of $count tasks pass"
+cd "$folder"
+if ./run render scenes/spheres.dae -f none.png --from reference 2>errors; then
+  complain "stubs have been rendered as the reference"
+fi
+grep -q 'there is no reference on this machine' errors || complain "$(cat errors)"
+cd "$root"
+rm -rf "$folder"

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# Checks that ./run refuses wrong arguments before it builds anything: status 2, and one sentence.
+set -euo pipefail
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
+
+# refuses SENTENCE WORD ...: tests that ./run WORD ... fails with this sentence.
+refuses() {
+  local sentence=$1 said status=0
+  shift
+  said=$(timeout 20 ./run "$@" 2>&1 >/dev/null </dev/null) || status=$?
+  case $status:$said in
+    2:*"$sentence"*) [ "$(wc -l <<<"$said")" -eq 1 ] && return ;;
+  esac
+  printf './run %s: status %s, and says: %s\n' "$*" "$status" "$said"
+  failures=$((failures + 1))
+}
+
+refuses "'hit_me 7' is unknown: write tasks like hit_triangle" grade hit_me 7 --from student
+refuses "'1.3 7' is unknown: write tasks like hit_triangle" grade 1.3 7 --from=reference
+refuses "--from takes student or reference" grade hit_triangle --from
+refuses "--from takes student or reference" grade --from theirs hit_triangle
+refuses "--seed takes a whole number" grade hit_triangle --from student --seed one
+refuses "--html cannot be used with --from" grade hit_triangle --from student --html page.html
+refuses "say which task" debug
+refuses "'hit_me' is not a task" debug hit_me
+command -v blender >/dev/null || refuses "blender is missing" bench cycles
+
+# Every command of the menu has a --help, and builds nothing for it.
+for command in $(./run | sed -nE 's/^  [.]\/run ([a-z-]+)( [|] ([a-z-]+))?.*/\1 \3/p' | sort -u); do
+  status=0
+  said=$(PATH=/usr/bin:/bin timeout 20 ./run "$command" --help 2>&1 </dev/null) || status=$?
+  case $status:$said in
+    0:*building*) ;;
+    0:*"$command"*) continue ;;
+  esac
+  printf './run %s --help: status %s, and says: %s\n' "$command" "$status" "$said"
+  failures=$((failures + 1))
+done
+
+# A missing tool of ./run lint is a failure only where warnings are errors.
+for werror in ON OFF; do
+  status=0
+  said=$(FIRSTLIGHT_WERROR=$werror bash -c '. scripts/lint.sh; root=$PWD build=/none
+    PATH=; lint_with compilers clang++-14 && lint_format' 2>&1) || status=$?
+  case $werror:$status:$said in
+    ON:1:'clang++-14 is missing: nothing is proven') ;;
+    OFF:0:*'clang-format-14 is missing: nothing is proven') ;;
+    *) echo "lint without its tools: FIRSTLIGHT_WERROR=$werror, status $status, and says: $said"; failures=$((failures + 1)) ;;
+  esac
+done
+
+# In a folder with a name that CMake cannot read, ./run says so. Spaces and apostrophes are allowed.
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+for name in 'a "b"' 'a\b' 'a;b' 'a$b'; do
+  mkdir "$place/$name"
+  cp run "$place/$name"
+  status=0
+  said=$("$place/$name/run" help 2>&1) || status=$?
+  case $status:$said in
+    2:*'move the folder'*) ;;
+    *) echo "in $name: status $status, and says: $said"; failures=$((failures + 1)) ;;
+  esac
+done
+mkdir "$place/it's a b"
+cp -r run scripts "$place/it's a b"
+"$place/it's a b/run" help >/dev/null || complain "a path with spaces is refused"
+
+finish

@@ -1,0 +1,126 @@
+# The core of the grader: how a promise is checked, pictures, results, reports.
+foreach(test property_test curve_test search_test)
+  firstlight_test(${test} quick SOURCES grader/check/${test}.cpp LIBRARIES grader_check)
+endforeach()
+
+firstlight_test(test_recipes quick PATHS SOURCES grader/pictures/recipes_test.cpp LIBRARIES grader_recipe_scenes GTest::gmock)
+include(grader/pictures/synthetic.cmake)
+firstlight_test(image_verdict_test rest PATHS LIBRARIES synthetic_pictures GTest::gmock SOURCES
+  grader/pictures/image_verdict_test.cpp grader/pictures/image_failing_cells_test.cpp grader/pictures/image_guards_test.cpp)
+firstlight_test(sample_map_verdict_test quick SOURCES grader/pictures/sample_map_verdict_test.cpp
+  LIBRARIES synthetic_pictures GTest::gmock)
+firstlight_test(test_bless rest PATHS SOURCES grader/pictures/bless_test.cpp LIBRARIES grader_goldens GTest::gmock RADIANCE recorded
+  NEEDS bless DEFINES BLESS_PROGRAM="$<TARGET_FILE:bless>")
+firstlight_test(test_goldens rest PATHS SOURCES grader/pictures/goldens_test.cpp LIBRARIES grader_goldens GTest::gmock
+  RADIANCE recorded)
+firstlight_test(test_engines rest PATHS SOURCES pt/render/engines_test.cpp LIBRARIES grader_pictures pt_loader RADIANCE recorded)
+
+firstlight_library(example_results grader/report/example_results.cpp)
+target_link_libraries(example_results PUBLIC grader_platforms)
+firstlight_test(test_report quick PATHS LIBRARIES example_results GTest::gmock SOURCES
+  grader/report/report_test.cpp grader/report/report_junit_test.cpp grader/report/report_page_test.cpp
+  grader/report/report_pictures_test.cpp grader/report/report_order_test.cpp grader/service/platforms/platforms_test.cpp
+  grader/service/platforms/worksheet_test.cpp grader/report/report_writers_test.cpp grader/service/platforms/class_page_test.cpp
+  grader/results/changes_test.cpp)
+add_executable(example_page grader/report/example_page.cpp)
+target_link_libraries(example_page PRIVATE firstlight_warnings example_results)
+firstlight_script_test(page rest grader/report/page.sh ARGUMENTS $<TARGET_FILE:example_page> NEEDS example_page)
+firstlight_test(test_naming quick PATHS SOURCES grader/mistakes/naming_test.cpp grader/results/points_test.cpp
+  LIBRARIES grader_judging grader_battery GTest::gmock)
+firstlight_test(test_hints quick PATHS SOURCES grader/report/hints_test.cpp LIBRARIES grader_judging GTest::gmock NEEDS hint
+  DEFINES HINT_PROGRAM="$<TARGET_FILE:hint>")
+firstlight_test(test_watch quick PATHS LIBRARIES grader_results grader_watch_fit GTest::gmock util NEEDS watch
+  SOURCES grader/watch/watch_test.cpp grader/watch/fit_test.cpp grader/watch/pseudo_terminal.cpp
+  DEFINES WATCH_PROGRAM="$<TARGET_FILE:watch>")
+firstlight_test(test_status_line quick SOURCES grader/report/status_line_test.cpp LIBRARIES grader_report GTest::gmock)
+
+# The properties on the reference: as a submission in a worker, and in one process.
+foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+  firstlight_add_test(graded.${slug} quick NEEDS graded.${slug} worker.${slug}
+    COMMAND graded.${slug} --promises=-*_bonus --worker $<TARGET_FILE:worker.${slug}>)
+  # A bonus promise may ask for more than the plain method that the reference shows.
+  firstlight_add_test(check.${slug} rest NEEDS check.${slug}.reference
+    COMMAND check.${slug}.reference --gtest_filter=-*_bonus)
+endforeach()
+
+# Limits on memory do not go with AddressSanitizer.
+if(FIRSTLIGHT_SANITIZE)
+  return()
+endif()
+
+# The grader graded: every wrong solution of a task fails the promise that it names, every right one
+# keeps them all. The test compiles each as a submission is compiled, and links it to what
+# check.<slug>.reference is linked to, but for the task itself: one list of objects per task.
+set(programs)
+foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+  list(APPEND programs check.${slug}.reference)
+  get_target_property(libraries check.${slug}.reference LINK_LIBRARIES)
+  list(REMOVE_ITEM libraries ${slug}.reference)
+  set(content)
+  foreach(library IN LISTS libraries)
+    get_target_property(type ${library} TYPE)
+    if(type STREQUAL OBJECT_LIBRARY)
+      string(APPEND content "\"$<JOIN:$<TARGET_OBJECTS:${library}>,\"\n\">\"\n")
+    endif()
+  endforeach()
+  firstlight_handed_on(all ${libraries})
+  foreach(library IN LISTS all)
+    get_target_property(type ${library} TYPE)
+    if(NOT type STREQUAL OBJECT_LIBRARY)
+      string(APPEND content "\"$<TARGET_FILE:${library}>\"\n")
+    endif()
+  endforeach()
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/tests/${slug}.objects CONTENT "${content}")
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/tests/${slug}.contract
+    CONTENT "$<JOIN:$<TARGET_OBJECTS:${slug}.reference>,\n>\n")
+endforeach()
+
+# The table of tasks against the objects of the reference.
+set(symbols)
+foreach(slug IN LISTS FIRSTLIGHT_RECORDED)
+  firstlight_symbol(${slug} symbol)
+  string(APPEND symbols "${slug}=${symbol} ")
+endforeach()
+firstlight_test(tasks_test quick PLAIN PATHS SOURCES grader/tasks/tasks_test.cpp LIBRARIES grader_judging NEEDS ${programs}
+  DEFINES FIRSTLIGHT_SYMBOLS="${symbols}")
+
+firstlight_library(grader_submissions fixtures/task_folder.cpp fixtures/hostile_submission.cpp)
+target_link_libraries(grader_submissions PUBLIC grader_sandbox grader_results GTest::gtest)
+firstlight_paths(grader_submissions)
+add_executable(wrong_and_right_test grader/tasks/wrong_and_right_test.cpp fixtures/submission.cpp)
+target_link_libraries(wrong_and_right_test PRIVATE firstlight_warnings grader_submissions grader_judging)
+firstlight_paths(wrong_and_right_test)
+target_compile_definitions(wrong_and_right_test PRIVATE
+  FIRSTLIGHT_CXX="${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER}" FIRSTLIGHT_FAST_LINKER="${FIRSTLIGHT_FAST_LINKER}")
+set(needs NEEDS wrong_and_right_test ${programs})
+firstlight_add_test(some_wrong_and_right quick
+  COMMAND wrong_and_right_test --gtest_filter=-*every_bonus_promise --each 2 ${needs})
+firstlight_add_test(many_wrong_and_right rest COMMAND wrong_and_right_test --each 24 ${needs})
+firstlight_add_test(wrong_and_right_test long COMMAND wrong_and_right_test ${needs})
+firstlight_script_test(debug rest commands/debug.sh NEEDS ${programs}
+  ARGUMENTS ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/tests/hit_triangle.objects)
+
+# A benchmark, built on request: the wrong solutions that each picture sees.
+add_executable(verdict_mistakes EXCLUDE_FROM_ALL grader/pictures/verdict_mistakes.cpp grader/pictures/mistake_rows.cpp
+  grader/pictures/map_figures.cpp)
+target_link_libraries(verdict_mistakes PRIVATE
+  firstlight_warnings grader_submissions grader_judging grader_judge_recipe CLI11::CLI11)
+firstlight_link_tasks(verdict_mistakes FROM reference)
+add_dependencies(verdict_mistakes grade graded)
+
+# Right work of every kind, graded as a class hands it in: a little of it by the tests, as much as is
+# asked for by hand. At seed 5001 the furnace's thirtieth bounce comes to the submission whose directions are uniform.
+firstlight_library(grader_right_work grader/tasks/right_work.cpp)
+target_link_libraries(grader_right_work PUBLIC grader_submissions grader_judging)
+firstlight_test(right_rows_test rest PLAIN SOURCES grader/tasks/right_rows_test.cpp LIBRARIES grader_right_work)
+add_executable(right_work grader/tasks/right_work_main.cpp)
+target_link_libraries(right_work PRIVATE firstlight_warnings grader_right_work CLI11::CLI11)
+firstlight_add_test(right_work rest NEEDS right_work grade graded COMMAND right_work --mixtures 4 --whole-seeds 1 --first-seed 5001
+  --out ${PROJECT_BINARY_DIR}/tests/right_work.csv)
+
+# Tests what `grade` names mistakes, relatives of theirs and right solutions. All of them take half an hour; the test tries one
+# of each kind for each task.
+add_executable(naming grader/mistakes/naming.cpp)
+target_link_libraries(naming PRIVATE firstlight_warnings grader_submissions grader_judging CLI11::CLI11)
+firstlight_add_test(naming rest COMMAND naming --each 1 NEEDS naming grade graded)
+firstlight_script_test(sample_tables rest rules/sample_tables.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader/grade NEEDS grade graded)

@@ -1,0 +1,304 @@
+#include "grader/check/language/property.h"
+
+#include "grader/check/generators/cameras.h"
+#include "grader/check/generators/generators.h"
+#include "grader/check/language/find_failure.h"
+#include "pt/sampling/sampler.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+
+namespace grader::tests {
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// Runs a property that fails, and returns what it writes for the reports.
+results::Failure failure_of(const std::function<void()>& property) {
+  EXPECT_NONFATAL_FAILURE(check::for_all(property), "input");
+  return check::failures().back().failure;
+}
+
+TEST(Property, shows_the_simplest_input_that_fails_by_its_name) {
+  const results::Failure failure = failure_of([] {
+    const double x = check::draw("x", check::real(-10, 10));
+    const int n = check::draw("n", check::whole(2, 50));
+    const pt::Vec3 d = *check::direction();
+    check::expect(x < 4.25 || n < 0 || length(d) < 0, "less", "more");
+  });
+  ASSERT_EQ(failure.input.size(), 3u);
+  EXPECT_TRUE(failure.input[0] == "x: 5" || failure.input[0] == "x: 10") << failure.input[0];
+  EXPECT_EQ(failure.input[1], "n: 2");
+  EXPECT_EQ(failure.input[2], "(0, 0, 1)");
+  EXPECT_EQ(failure.expected, "less");
+  EXPECT_EQ(failure.got, "more");
+}
+
+TEST(Property, shrinks_a_magnitude_to_a_power_of_ten) {
+  const results::Failure failure = failure_of([] {
+    const double x = check::draw("x", check::magnitude(1e-6, 1e6));
+    check::expect(x < 30, "less", "more");
+  });
+  EXPECT_EQ(failure.input, std::vector<std::string>{"x: 100"});
+}
+
+TEST(Property, runs_the_smallest_failing_case_once_more_for_a_debugger) {
+  setenv("FIRSTLIGHT_REPLAY", "1", 1);
+  int last = 0;
+  const results::Failure failure = failure_of([&] {
+    last = check::draw("n", check::whole(0, 1000));
+    check::expect(last < 17, "less", "more");
+  });
+  unsetenv("FIRSTLIGHT_REPLAY");
+  EXPECT_EQ(failure.input, std::vector<std::string>{"n: " + std::to_string(last)});
+  EXPECT_EQ(last, 17);
+}
+
+TEST(Property, shows_what_was_thrown) {
+  const results::Failure failure = failure_of([] {
+    if (check::draw("n", check::whole(0, 1000)) > 16) throw std::runtime_error("too many");
+  });
+  EXPECT_NE(failure.got.find("too many"), std::string::npos) << failure.got;
+  EXPECT_EQ(failure.input, std::vector<std::string>{"n: 17"});
+}
+
+// A smaller input that fails for another reason is not shown, because the search's length depends
+// on the machine.
+TEST(Property, keeps_the_cause_of_the_first_failure) {
+  const results::Failure failure = failure_of([] {
+    const int n = check::draw("n", check::whole(20, 1000));
+    if (n > 40) check::fail_call(results::Cause::crash, "signal 11");
+    check::expect(false, "more", "less");
+  });
+  EXPECT_EQ(failure.cause, results::Cause::crash);
+  EXPECT_EQ(failure.got, "signal 11");
+}
+
+// Each crash costs a new process, and one small input is enough.
+TEST(Property, looks_less_for_small_inputs_that_crash_once_another_promise_crashed) {
+  int calls = 0;
+  const auto crashes = [&] {
+    ++calls;
+    for (int i = 0; i < 8; ++i) check::draw("x", check::real(0, 1000));
+    check::fail_call(results::Cause::crash, "signal 11");
+  };
+  check::find_failure(crashes, {.seed = 1, .cases = 100});
+  const int at_first = calls;
+  failure_of(crashes);
+  calls = 0;
+  failure_of(crashes);
+  EXPECT_LT(calls, at_first);
+  EXPECT_GT(calls, 1);
+}
+
+struct Two {
+  pt::Vec3 first, second;
+};
+
+void showValue(const Two& two, std::ostream& out) { check::show_lines(out, two.first, two.second); }
+
+TEST(Property, shows_a_value_of_several_lines_as_several_inputs) {
+  const results::Failure failure = failure_of([] {
+    const Two two = *rc::gen::exec([] { return Two{*check::point(), *check::direction()}; });
+    check::expect(length(two.first) < 0, "less", "more");
+  });
+  EXPECT_EQ(failure.input, (std::vector<std::string>{"(0, 0, 0)", "(0, 0, 1)"}));
+}
+
+TEST(Property, fails_on_nan) {
+  failure_of([] { check::expect_near("a number", kNan, 0, 1e9); });
+  failure_of([] { check::expect_near("a number", 0, kNan, 1e9); });
+  failure_of([] { check::expect_near("a vector", pt::Vec3{0, kNan, 0}, {}, 1e9); });
+  failure_of([] { check::expect_near("a colour", pt::Rgb{0, 0, kNan}, {}, 1e9); });
+}
+
+TEST(Property, stays_in_the_range_of_its_generators) {
+  check::for_all([] {
+    const double x = *check::real(-0.3, 0.7), y = *check::magnitude(2, 300);
+    check::expect(x >= -0.3 && x <= 0.7, "in [-0.3, 0.7]", check::show(x));
+    check::expect(y >= 2 && y <= 300, "in [2, 300]", check::show(y));
+    check::expect_near("the length of a direction", length(*check::direction()), 1, 1e-15);
+    const pt::Frame frame = *check::rotation();
+    check::expect_near("z", cross(frame.x, frame.y), frame.z, 1e-14);
+  });
+}
+
+// All shrinks of these values lie in the range too, and shrinking ends.
+TEST(Property, shrinks_within_the_range_and_ends) {
+  for (const auto& [low, high] :
+       {std::pair{0.0, 1.0}, std::pair{0.1, 0.15}, std::pair{-7.0, 1e3}}) {
+    auto shrinkable = check::real(low, high)(rc::Random(7));
+    int steps = 0;
+    for (bool last = false; !last && steps < 10000; ++steps) {
+      // Always takes the last candidate: the longest way down.
+      auto candidates = shrinkable.shrinks();
+      last = true;
+      while (auto next = candidates.next()) {
+        shrinkable = *next;
+        last = false;
+      }
+      EXPECT_GE(shrinkable.value(), low);
+      EXPECT_LE(shrinkable.value(), high);
+    }
+    EXPECT_LT(steps, 2000) << low << " " << high;
+  }
+}
+
+// Learners read inputs in this form and copy them.
+TEST(Show, says_which_number_is_which) {
+  EXPECT_EQ(check::show(pt::Ray{{1, 2, 3}, {4, 5, 6}, 0.5, 7}),
+            "Ray from (1, 2, 3) along (4, 5, 6), t in [0.5, 7]");
+  EXPECT_EQ(
+      check::show(pt::Triangle{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}, {6, 0, 0}}),
+      "Triangle (1, 0, 0) (2, 0, 0) (3, 0, 0), normals (4, 0, 0) (5, 0, 0) (6, 0, 0)");
+  EXPECT_EQ(check::show(pt::Camera{{1, 2, 3}, {}, 60, 40, 0.1, 9}),
+            "Camera at (1, 2, 3), right (1, 0, 0), up (0, 1, 0), back (0, 0, 1), field of view "
+            "60 x 40 degrees, clip [0.1, 9]");
+  EXPECT_EQ(check::show(pt::Box{{1, 2, 3}, {4, 5, 6}}), "Box from (1, 2, 3) to (4, 5, 6)");
+  EXPECT_EQ(check::show(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(check::brief(pt::Rgb{1 / 3., -0.0, 123456}), "(r 0.33333, g 0, b 1.2346e+05)");
+}
+
+TEST(Property, draws_every_hue) {
+  std::set<std::vector<double>> hues;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const pt::Rgb hue = check::hue()(rc::Random(seed), 100).value();
+    hues.insert({hue.r, hue.g, hue.b});
+  }
+  std::set<std::vector<double>> all;
+  for (const double r : {0, 1}) {
+    for (const double g : {0, 1}) {
+      for (const double b : {0, 1}) all.insert({r, g, b});
+    }
+  }
+  all.erase({0, 0, 0});
+  EXPECT_EQ(hues, all);
+}
+
+// Samples with mean 1: `value` with probability 1 / value, else 0.
+std::vector<pt::Rgb> rarely(double value, int n, std::uint64_t seed) {
+  pt::Sampler sampler(seed);
+  std::vector<pt::Rgb> draws(n);
+  for (pt::Rgb& draw : draws) draw = pt::gray(sampler.next_1d() * value < 1 ? value : 0);
+  return draws;
+}
+
+TEST(Mean, of_estimates_as_noisy_as_they_may_be_is_right) {
+  check::for_all(
+      [] {
+        const std::vector<pt::Rgb> draws =
+            rarely(5, 3000, check::draw("seed", check::sampler_seed()));
+        check::expect_mean("the mean", check::mean_of(draws), pt::gray(1),
+                           check::Noise{pt::gray(2)});
+        check::expect_mean("the mean", check::mean_of(draws), pt::gray(1),
+                           check::noise_of(draws, 1));
+      },
+      1000);
+}
+
+TEST(Mean, is_too_noisy_where_few_draws_carry_it) {
+  const results::Failure noisy = failure_of([] {
+    const std::vector<pt::Rgb> draws = rarely(50, 3000, check::draw("seed", check::sampler_seed()));
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(1), check::Noise{pt::gray(2)});
+  });
+  EXPECT_TRUE(noisy.got.starts_with("too noisy, although the mean may be right")) << noisy.got;
+  const results::Failure one = failure_of([] {
+    std::vector<pt::Rgb> draws(1000);
+    draws[17] = pt::gray(1000);
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(2));
+  });
+  EXPECT_TRUE(one.got.starts_with("too noisy to judge the mean")) << one.got;
+  const results::Failure far = failure_of([] {
+    check::expect_mean(
+        "the mean", check::mean_of(rarely(500, 1000, check::draw("seed", check::sampler_seed()))),
+        pt::gray(3), check::Noise{pt::gray(1)});
+  });
+  EXPECT_TRUE(far.got.starts_with("too noisy to judge the mean")) << far.got;
+}
+
+TEST(Mean, that_is_off_is_told_by_its_factor) {
+  const std::vector<pt::Rgb> half(100, pt::gray(0.5));
+  EXPECT_EQ(
+      failure_of([&] { check::expect_mean("the mean", check::mean_of(half), pt::gray(1)); }).off_by,
+      "0.5 (0.5 times the expected value)");
+}
+
+// 30 of 39 are 77 %.
+TEST(Mean, of_few_draws_is_told_by_the_part_of_the_largest) {
+  std::vector<pt::Rgb> draws(10, pt::gray(1));
+  draws[3] = pt::gray(30);
+  const results::Failure failure =
+      failure_of([&] { check::expect_mean("the mean", check::mean_of(draws), pt::gray(3.9)); });
+  EXPECT_EQ(failure.got, "too noisy to judge the mean: one of 10 estimates is 77 % of their sum");
+}
+
+// The standard deviation of 0 and 2 is sqrt(2), with n - 1.
+TEST(Mean, may_be_as_noisy_as_the_usual_method_times_the_factor) {
+  const std::vector<pt::Rgb> usual{pt::gray(0), pt::gray(2)};
+  for (const double factor : {1.0, 3.0}) {
+    EXPECT_NEAR(check::noise_of(usual, factor).deviation.g, factor * std::sqrt(2), 1e-14);
+  }
+}
+
+TEST(Mean, without_noise_may_be_as_imprecise_as_the_contract_says) {
+  const std::vector<pt::Rgb> draws(100, pt::gray(1 + 9e-6));
+  check::once([&] {
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(1), check::Noise{},
+                       check::kColorPrecision);
+  });
+  failure_of([&] {
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(1), check::Noise{}, 1e-6);
+  });
+  failure_of([&] {
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(kNan), check::Noise{}, 1);
+  });
+}
+
+TEST(Mean, that_is_not_a_number_is_never_right) {
+  const pt::Rgb one = pt::gray(1);
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<pt::Rgb> draws(100, one);
+    draws[30][channel] = kNan;
+    const check::Mean bad = check::mean_of(draws);
+    failure_of([&] { check::expect_mean("the mean", bad, one); });
+    failure_of([&] { check::expect_mean("the mean", bad, one, 1e9); });
+    failure_of([&] { check::expect_mean("the mean", bad, one, check::Noise{one}, 1e9); });
+    failure_of([&] { check::expect_noise("the mean", bad, check::Noise{one}, 1e9); });
+
+    // Each number is tested separately.
+    check::Mean only_value{one, {}, 100, {}}, only_error{one, {}, 100, {}};
+    only_value.value[channel] = kNan;
+    only_error.standard_error[channel] = kNan;
+    for (const check::Mean& mean : {only_value, only_error}) {
+      failure_of([&] { check::expect_mean("the mean", mean, one, 1e9); });
+      failure_of([&] { check::expect_mean("the mean", mean, one, check::Noise{one}, 1e9); });
+    }
+    failure_of([&] { check::expect_noise("the mean", only_error, check::Noise{one}, 1e9); });
+
+    pt::Rgb truth = one;
+    truth[channel] = kNan;
+    const check::Mean good = check::mean_of(std::vector<pt::Rgb>(100, one));
+    failure_of([&] { check::expect_mean("the mean", good, truth, 1e9); });
+    failure_of([&] { check::expect_mean("the mean", good, truth, check::Noise{one}, 1e9); });
+  }
+}
+
+TEST(Cameras, know_the_way_back_to_the_picture) {
+  pt::Camera camera;
+  camera.hfov_deg = 90;
+  camera.vfov_deg = 2 * std::atan(0.5) * 180 / pt::kPi;
+  const pt::Vec2 corner = check::on_picture(camera, {3, 1.5, -3});
+  EXPECT_NEAR(corner.x, 1, 1e-15);
+  EXPECT_NEAR(corner.y, 1, 1e-15);
+  EXPECT_NEAR(check::on_picture(camera, {-1, 0, -2}).x, 0.25, 1e-15);
+  EXPECT_TRUE(std::isnan(check::on_picture(camera, {0, 0, 1}).x));
+}
+
+}  // namespace
+}  // namespace grader::tests

@@ -1,0 +1,269 @@
+// The reports of one run: each follows the rules of its format, and all say the same.
+#include "grader/report/csv.h"
+#include "grader/report/gradescope.h"
+#include "grader/report/terminal.h"
+#include "grader/report/write_reports.h"
+#include "grader/results/presentable.h"
+#include "grader/results/read_json.h"
+#include "grader/results/summary.h"
+#include "grader/tasks.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "tests/grader/report/example_run.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace grader::report {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class Writers : public ExampleRun {};
+
+TEST_F(Writers, gradescope_gets_a_test_a_task) {
+  for (const results::Results& results : {run, stopped()}) {
+    const json whole = json::parse(to_gradescope(results));
+    EXPECT_EQ(whole.at("tests").size(), run.tasks.size());
+    double score = 0;
+    for (const json& test : whole.at("tests")) {
+      score += test.at("score").get<double>();
+      EXPECT_TRUE(test.at("max_score").is_number());
+      EXPECT_TRUE(test.at("status") == "passed" || test.at("status") == "failed");
+      EXPECT_EQ(test.at("visibility"), "visible");
+      EXPECT_EQ(test.at("output_format"), "text");
+      EXPECT_TRUE(test.at("tags").is_array());
+      EXPECT_FALSE(test.at("output").get<std::string>().empty());
+    }
+    EXPECT_EQ(whole.at("score"), score);
+    EXPECT_EQ(score, 2 + 1 + 1 + 1 + 1 + 0 + 2 + 6 + 0 + 5);  // with a bonus of 1
+    EXPECT_EQ(whole.at("execution_time"), 27);
+    EXPECT_EQ(whole.at("visibility"), "visible");
+    EXPECT_EQ(whole.at("stdout_visibility"), "hidden");
+    const std::string output = whole.at("output");
+    EXPECT_EQ(output.find(results::kStopped) != std::string::npos, !results.complete);
+    EXPECT_THAT(output, HasSubstr("A: bubblewrap"));
+  }
+}
+
+TEST_F(Writers, gradescope_tells_of_failures) {
+  const json tests = json::parse(to_gradescope(run)).at("tests");
+  EXPECT_EQ(tests[0].at("status"), "passed");
+  EXPECT_EQ(tests[1].at("number"), "1.3");
+  EXPECT_EQ(tests[1].at("status"), "failed");
+  EXPECT_THAT(tests[1].at("output").get<std::string>(), HasSubstr("expected  1\n"));
+  EXPECT_THAT(tests[4].at("output").get<std::string>(), HasSubstr("is a link"));
+  EXPECT_THAT(tests[5].at("output").get<std::string>(), HasSubstr("waits for hit_box"));
+  EXPECT_THAT(tests[6].at("output").get<std::string>(), HasSubstr(run.tasks[6].pictures[1].text));
+  for (const json& test : tests) {
+    EXPECT_THAT(test.at("output").get<std::string>(), Not(HasSubstr("\x1b")));
+  }
+}
+
+TEST_F(Writers, gradescope_shows_no_red_for_right_work_that_waits) {
+  results::Results results = run;
+  results::TaskResult& waiting = results.tasks[5];
+  ASSERT_EQ(waiting.state, results::State::blocked);
+  waiting.max_points = 3;
+  for (const auto& [points, status] : {std::pair{3, "passed"}, std::pair{2, "failed"}}) {
+    waiting.points = points;
+    EXPECT_EQ(json::parse(to_gradescope(results)).at("tests")[5].at("status"), status);
+  }
+}
+
+TEST_F(Writers, gradescope_gives_no_points_for_what_is_not_judged) {
+  const json whole = json::parse(to_gradescope(half_judged()));
+  const json &lit = whole.at("tests")[6], &unwritten = whole.at("tests")[7];
+  for (const json* test : {&lit, &unwritten}) {
+    EXPECT_EQ(test->at("status"), "failed");
+    EXPECT_EQ(test->at("extra_data").at("state"), "not_judged");
+    EXPECT_THAT(test->at("output").get<std::string>(), HasSubstr("? not judged\n"));
+  }
+  EXPECT_EQ(lit.at("score"), 5);
+  EXPECT_THAT(
+      lit.at("output").get<std::string>(),
+      HasSubstr("2 of 2 promises are kept; 1 of 5 pictures are right, 4 are not judged yet."));
+  EXPECT_EQ(unwritten.at("score"), 0);
+  EXPECT_THAT(unwritten.at("output").get<std::string>(),
+              HasSubstr("0 of 2 promises are kept, 2 are not judged yet."));
+  EXPECT_THAT(whole.at("output").get<std::string>(),
+              HasSubstr("1 of 9 tasks pass, 3 not judged yet. "));
+}
+
+TEST_F(Writers, what_is_not_judged_is_named_so) {
+  const results::Results results = half_judged();
+  EXPECT_THAT(to_csv(results), HasSubstr("direct_lights,not_judged,5,17,0,"));
+  EXPECT_THAT(to_csv(results), HasSubstr("adaptive_pixel,not_judged,0,8,0,"));
+  const std::string text = to_text(results, {false, true});
+  EXPECT_THAT(text, HasSubstr("direct_lights      not judged       5/17\n"));
+  EXPECT_THAT(text, HasSubstr("1 of 9 tasks pass, 3 not judged yet. "));
+  EXPECT_THAT(text, Not(HasSubstr("penumbra")));
+}
+
+TEST_F(Writers, csv_is_a_line_a_task) {
+  results::Results results = run;
+  results.submission = "a \"b\", c";
+  results.tasks.resize(2);
+  EXPECT_EQ(to_csv(results),
+            std::string(kByteOrderMark) +
+                "submission,number,task,state,points,max_points,bonus_points,seconds,complete\r\n"
+                "\"a \"\"b\"\", c\",1.1,estimate_pixel,pass,2,2,1,0.80,true\r\n"
+                "\"a \"\"b\"\", c\",1.3,hit_triangle,fail,1,2,0,0.80,true\r\n");
+  results.complete = false;
+  EXPECT_THAT(to_csv(results), HasSubstr("0.80,false\r\n"));
+}
+
+// Two promises take .4 seconds, and five pictures .8.
+TEST_F(Writers, csv_has_the_time_of_promises_and_pictures) {
+  EXPECT_THAT(to_csv(run), HasSubstr(",3.3,direct_lights,fail,6,17,0,4.80,true\r\n"));
+}
+
+TEST_F(Writers, csv_holds_no_formula) {
+  results::Results results = run;
+  for (const char* start : {"=", "+", "-", "@", "\uff1d", "\uff20"}) {
+    results.submission = std::string(start) + "SUM(A1)";
+    EXPECT_THAT(to_csv(results), HasSubstr("\r\n'" + results.submission + ",")) << start;
+  }
+  EXPECT_EQ(csv_field("\t=1"), "'\t=1");
+  EXPECT_EQ(csv_field("\r=1"), "\"'\r=1\"");
+  EXPECT_EQ(csv_field("a;b"), "\"a;b\"");
+  EXPECT_EQ(csv_field("1-2"), "1-2");
+}
+
+// A name that would begin a new line of the table, or colour it.
+TEST_F(Writers, names_stand_in_one_line) {
+  results::Results results = run;
+  results.submission = "ada\n\x1b[31mgrace\tx\xc2\x9b";
+  results.tasks.resize(1);
+  EXPECT_EQ(results::presentable(results).submission, "ada \ufffd[31mgrace x\ufffd");
+  const std::string table = to_csv(results);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2) << table;
+  EXPECT_EQ(results::one_line("plain caf\u00e9"), "plain caf\u00e9");
+}
+
+TEST_F(Writers, the_terminal_shows_pictures) {
+  const std::string text = to_text(run, {false, true});
+  EXPECT_THAT(text, HasSubstr("penumbra         fail              0/3  picture\n"));
+  EXPECT_THAT(text, HasSubstr("large_light      too noisy         1/3  picture\n"));
+  EXPECT_THAT(text, Not(HasSubstr("two_lights")));
+  EXPECT_THAT(text, HasSubstr("direct_lights: picture penumbra, A disc in a gradient (fail, 0 of 3 "
+                              "points)\n\n  This block was 21.0 % too dark"));
+  EXPECT_THAT(text,
+              HasSubstr("  see it    ./run grade direct_lights --seed 7 --html report.html\n"));
+  EXPECT_THAT(text,
+              HasSubstr("27.0 s (properties 5.9 s, pictures 21.0 s). Isolation A: bubblewrap."));
+  EXPECT_THAT(text, Not(HasSubstr(results::kStopped)));
+  EXPECT_THAT(to_text(stopped(), {}), HasSubstr(results::kStopped));
+}
+
+TEST_F(Writers, the_columns_of_the_terminal_are_as_wide_as_the_longest_name) {
+  results::Results results = run;
+  results.tasks[6].pictures[1].recipe = "the_penumbra_of_a_large_light";
+  const std::string text = table(results, {});
+  const std::size_t state = text.find("fail", text.find("the_penumbra_of"));
+  const std::size_t line = text.rfind('\n', state);
+  EXPECT_EQ(state - line, 1 + 7 + 2 + 29 + 1);
+  const std::size_t first = text.find("estimate_pixel");
+  EXPECT_EQ(text.find("pass", first) - text.rfind('\n', first), state - line);
+}
+
+TEST_F(Writers, the_terminal_shows_the_first_failure) {
+  results::Results results = run;
+  results.tasks.erase(results.tasks.begin(), results.tasks.begin() + 6);
+  const std::string text = to_text(results, {});
+  EXPECT_THAT(text, HasSubstr("This block was 21.0 % too dark"));
+  EXPECT_THAT(text, Not(HasSubstr("right on average")));
+  EXPECT_THAT(text, HasSubstr("4 more; --all shows them.\n"));
+}
+
+TEST_F(Writers, the_table_has_bonus_points_and_what_a_task_waits_for) {
+  const std::string text = table(run, {});
+  EXPECT_THAT(text, HasSubstr("estimate_pixel     pass              2/2  + 1 bonus\n"));
+  EXPECT_THAT(text, HasSubstr("hit_triangle       fail              1/2\n"));
+  EXPECT_THAT(text, HasSubstr("hit_bvh            blocked           2/2  by hit_box\n"));
+}
+
+// If a promise fails in two ways, the first failure is enough, unless all are requested.
+TEST_F(Writers, the_terminal_shows_one_failure_of_a_promise) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  std::vector<results::Failure>& failures = results.tasks[0].promises[1].failures;
+  failures.push_back(failures[0]);
+  failures[1].got = "-7";
+  EXPECT_THAT(to_text(results, {}), HasSubstr("  got       -1\n"));
+  EXPECT_THAT(to_text(results, {}), Not(HasSubstr("  got       -7\n")));
+  EXPECT_THAT(to_text(results, {false, true}), HasSubstr("  got       -1\n"));
+  EXPECT_THAT(to_text(results, {false, true}), HasSubstr("  got       -7\n"));
+}
+
+TEST_F(Writers, the_terminal_says_which_tasks_were_the_submissions) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  EXPECT_THAT(to_text(results, {}), Not(HasSubstr("tasks yours")));
+  results.tasks[0].promises[1].failures[0].integrated = true;
+  EXPECT_THAT(
+      to_text(results, {}),
+      HasSubstr(fmt::format("  With all {} tasks yours:\n  input     triangle", tasks().size())));
+}
+
+// If one command shows a picture and another renders it again, both are given.
+TEST_F(Writers, the_terminal_says_how_a_picture_is_made_again) {
+  results::Results results = run;
+  results.tasks = {run.tasks[6]};
+  results.tasks[0].pictures = {run.tasks[6].pictures[1]};
+  EXPECT_THAT(to_text(results, {}), Not(HasSubstr("  replay    ")));
+  results.tasks[0].pictures[0].replay = "./run render a.dae";
+  EXPECT_THAT(to_text(results, {}),
+              HasSubstr("  replay    ./run render a.dae\n"
+                        "  see it    ./run grade direct_lights --html report.html\n"));
+}
+
+// A task that has not been started contains no mistake.
+TEST_F(Writers, the_terminal_shows_no_failure_of_what_is_not_written) {
+  results::Results results = run;
+  results.tasks = {run.tasks[0], run.tasks[7]};
+  results.tasks[1].reason = "it is not written yet";
+  for (const bool all : {false, true}) {
+    EXPECT_THAT(to_text(results, {false, all}), Not(HasSubstr("it is not written yet")));
+    EXPECT_THAT(to_text(results, {false, all}), Not(HasSubstr("--all")));
+  }
+}
+
+TEST_F(Writers, all_files_are_written_or_none) {
+  const std::string& here = folder.path();
+  ReportFiles files{here + "/a.json", here + "/a.html", here + "/a.xml", here + "/b.json",
+                    here + "/a.csv"};
+  check_targets(files);
+  write_reports(stopped(), files);
+  EXPECT_EQ(results::read_results(files.json), results::presentable(stopped()));
+  for (const std::string& path : {files.html, files.junit, files.gradescope}) {
+    EXPECT_THAT(pt::read_file(path, 1 << 24), HasSubstr("This run was stopped before it ended"));
+  }
+  EXPECT_THAT(pt::read_file(files.csv, 1 << 24), HasSubstr(",false\r\n"));
+  files.html = here + "/nowhere/a.html";
+  EXPECT_THROW(check_targets(files), pt::Error);
+}
+
+TEST_F(Writers, a_run_leaves_the_page_of_its_end) {
+  ReportFiles files;
+  files.html = folder.path() + "/a.html";
+  files.csv = folder.path() + "/a.csv";
+  ProgressReports reports(files);
+  results::Results so_far = stopped();
+  reports.write(so_far);
+  EXPECT_THAT(pt::read_file(files.html, 1 << 24), HasSubstr(results::kStopped));
+  so_far.tasks.resize(1);
+  reports.write(so_far);
+  EXPECT_EQ(pt::read_file(files.csv, 1 << 24), to_csv(so_far));
+  reports.write(run);
+  EXPECT_THAT(pt::read_file(files.html, 1 << 24), Not(HasSubstr(results::kStopped)));
+}
+
+}  // namespace
+}  // namespace grader::report

@@ -1,0 +1,164 @@
+// Every name is fit for a report, and two learners have two names.
+#include "pt/file.h"
+#include "tests/grader/service/intake/intake.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <archive_entry.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace grader::intake {
+namespace {
+
+using testing::HasSubstr;
+
+// Names and numbers come from a list that anybody may have written, and become names of reports.
+TEST_F(Intake, names_of_a_list_are_names_of_files) {
+  const std::string group(300, 'a');
+  add("submission_1/hit_box.cpp", "a");
+  add("submission_2/hit_box.cpp", "b");
+  add("submission_3/hit_box.cpp", "c");
+  add("submission_4/hit_box.cpp", "d");
+  add(kGradescopeList,
+      "submission_1:\n  :submitters:\n  - :name: \"x\\e[31m\\n\\0y\"\n    :sid: \"../../up\"\n"
+      "submission_2:\n  :submitters:\n  - :name: \"x\\e[31m\\n\\0y\"\n    :sid: \"../../up\"\n"
+      "submission_3:\n  :submitters:\n  - :name: " +
+          group +
+          "\xc3\xa9\n    :sid: 1\n"
+          "submission_4:\n  :submitters:\n  - :name: .\n    :sid: 2\n");
+  const auto all = seen();
+  EXPECT_EQ(all.size(), 4U);
+  for (const auto& [name, one] : all) {
+    EXPECT_LE(name.size(), 200U);
+    for (const unsigned char c : name) EXPECT_TRUE(c >= 0x20 && c != '/' && c != 0x7f) << name;
+    EXPECT_FALSE(name.starts_with('.')) << name;
+    EXPECT_EQ(one.files.size(), 1U) << name;
+  }
+}
+
+TEST_F(Intake, long_names_are_cut_before_their_ending) {
+  const std::string name(300, 'a');
+  pt::write_file(in("class.zip"),
+                 archive_of({{"bob/hit_box.cpp", "b"},
+                             {"cy_1_2_" + name + ".zip", archive_of({{"hit_box.cpp", "c"}})}}));
+  auto all = seen(in("class.zip"));
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all["cy"].files, (Files{{"hit_box.cpp", "c"}})) << all["cy"].problem;
+}
+
+TEST_F(Intake, names_are_those_of_reports) {
+  for (const char* name : {"class", "Plan", "Zo\xc3\xab", "zo\xc3\x8b",
+                           "a\xe2\x80\xae"
+                           "b",
+                           "c\xc2\x9b"
+                           "d",
+                           "e\xff"
+                           "f"}) {
+    add(std::string(name) + "/hit_box.cpp", "a");
+  }
+  add("gus.zip", archive_of({{"hit_box.cpp", "z"}}));
+  add("gus.tar.gz", archive_of({{"hit_box.cpp", "t"}}, Format::tar_gz));
+  auto all = seen();
+  EXPECT_EQ(all.size(), 9U);
+  for (const char* name : {"class (2)", "Plan (2)", "a_b", "c_d", "e_f", "gus", "gus (2)"}) {
+    EXPECT_TRUE(all.contains(name)) << name;
+  }
+  EXPECT_TRUE(all.contains("Zo\xc3\xab (2)") || all.contains("zo\xc3\x8b (2)"));
+  EXPECT_EQ(all["gus"].feedback, "gus.html");
+  EXPECT_EQ(all["gus (2)"].feedback, "gus (2).html");
+}
+
+// A name as a learner's computer writes it and as a platform does.
+const char* const kComposed = "Zo\xc3\xab";
+const char* const kWithMarks = "Zoe\xcc\x88";
+
+TEST_F(Intake, names_that_differ_in_accents_as_bytes_only_are_two) {
+  for (const std::string& name : {std::string(kComposed), std::string(kWithMarks)}) {
+    add(name + "/hit_box.cpp", name);
+    add(name + " K_7_assignsubmission_file_/hit_box.cpp", name + " K");
+  }
+  add("Zo\xc3\xa9/hit_box.cpp", "another accent");
+  add("zOE\xcc\x88/hit_box.cpp", "capital");
+  // Hangul, and Japanese.
+  for (const char* name : {"\xea\xb0\x81", "\xe1\x84\x80\xe1\x85\xa1\xe1\x86\xa8", "\xe3\x81\x8c",
+                           "\xe3\x81\x8b\xe3\x82\x99"}) {
+    add(std::string(name) + "/hit_box.cpp", name);
+  }
+  auto all = seen();
+  EXPECT_EQ(all.size(), 10U);
+  for (const std::string name : {kComposed, "Zo\xc3\xab K", "\xea\xb0\x81", "\xe3\x81\x8c"}) {
+    EXPECT_EQ(all[name].files, (Files{{"hit_box.cpp", name}}));
+  }
+  EXPECT_EQ(all["Zo\xc3\xa9"].files.size(), 1U) << "it needs no number";
+  EXPECT_EQ(all["Zoe\xcc\x88 (2)"].files, (Files{{"hit_box.cpp", kWithMarks}}));
+  EXPECT_EQ(all["zOE\xcc\x88 (3)"].files, (Files{{"hit_box.cpp", "capital"}}));
+  for (const char* name : {"Zoe\xcc\x88 K (2)", "\xe1\x84\x80\xe1\x85\xa1\xe1\x86\xa8 (2)",
+                           "\xe3\x81\x8b\xe3\x82\x99 (2)"}) {
+    EXPECT_EQ(all[name].files.size(), 1U) << name;
+  }
+}
+
+TEST_F(Intake, nobody_is_lost_where_an_archive_writes_accents_in_two_ways) {
+  for (const Format format : {Format::zip, Format::tar_gz}) {
+    pt::write_file(in("class.zip"), archive_of({{std::string(kComposed) + "/hit_box.cpp", "1"},
+                                                {std::string(kWithMarks) + "/hit_box.cpp", "2"},
+                                                {"ada/hit_box.cpp", "a"},
+                                                {"Ada/hit_box.cpp", "A"},
+                                                {"bob/hit_box.cpp", "b"},
+                                                {"bob/hit_box.cpp", "b"}},
+                                               format));
+    auto all = seen(in("class.zip"));
+    EXPECT_THAT(all[kComposed].problem, HasSubstr("unpack the archive, and grade the folder"));
+    for (const auto& [name, text] : {std::pair("Ada", "A"), {"ada (2)", "a"}, {"bob", "b"}}) {
+      EXPECT_EQ(all[name].files, (Files{{"hit_box.cpp", text}})) << name;
+    }
+    EXPECT_EQ(all.size(), 4U);
+  }
+}
+
+// The same holds if their folders have no file in common, or if their archives are equal.
+TEST_F(Intake, names_that_become_one_in_an_archive_are_a_row_with_the_reason) {
+  const std::string one = kComposed, two = kWithMarks;
+  const std::vector<Entry> files{
+      {one + "/hit_box.cpp", "1"},        {"ada/hit_box.cpp", "a"},
+      {"ada/hit_sphere.cpp", "a"},        {"Zo\xc3\xa9/hit_box.cpp", "e"},
+      {"Zo\xc3\xa9/hit_sphere.cpp", "e"}, {two + "/hit_sphere.cpp", "2"}};
+  std::vector<Entry> with_folders;
+  for (const std::string& name : {one, two, std::string("ada"), std::string("Zo\xc3\xa9")}) {
+    with_folders.push_back({name + "/", "", AE_IFDIR});
+  }
+  with_folders.insert(with_folders.end(), files.begin(), files.end());
+  const std::string packed = archive_of({{"hit_box.cpp", "1"}});
+  const std::vector<Entry> archives{{one + ".zip", packed},
+                                    {two + ".zip", packed},
+                                    {"ada.zip", packed},
+                                    {"Zo\xc3\xa9.zip", packed}};
+  for (const Format format : {Format::zip, Format::tar_gz}) {
+    for (const std::vector<Entry>& entries : {files, with_folders, archives}) {
+      SCOPED_TRACE(fmt::format("format {}, first {}", static_cast<int>(format), entries[0].path));
+      pt::write_file(in("class.zip"), archive_of(entries, format));
+      auto all = seen(in("class.zip"));
+      EXPECT_THAT(all[one].problem, HasSubstr("unpack the archive, and grade the folder"));
+      for (const std::string name : {"ada", "Zo\xc3\xa9"}) {
+        EXPECT_EQ(all[name].problem, "");
+        EXPECT_FALSE(all[name].files.empty());
+      }
+      EXPECT_EQ(all.size(), 3U);
+    }
+  }
+  // A platform's number identifies one learner, and a name does not collide with itself.
+  pt::write_file(in("class.zip"),
+                 archive_of({{one + "_7_assignsubmission_file_/hit_box.cpp", "1"},
+                             {"ada/hit_box.cpp", "a"},
+                             {"bob/hit_box.cpp", "b"},
+                             {"ada/hit_sphere.cpp", "a"},
+                             {one + "_7_assignsubmission_file_/hit_sphere.cpp", "1"}}));
+  for (const auto& [name, found] : seen(in("class.zip"))) EXPECT_EQ(found.problem, "") << name;
+}
+
+}  // namespace
+}  // namespace grader::intake

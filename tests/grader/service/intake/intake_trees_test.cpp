@@ -1,0 +1,169 @@
+// The task files of a submission are found wherever they are.
+#include "pt/error.h"
+#include "tests/grader/service/intake/intake.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace grader::intake {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+TEST_F(Intake, folders_and_archives_of_any_name_are_submissions) {
+  add("ada/1_rays/hit_box.cpp", "a");
+  add("bob.zip", archive_of({{"tree/student/1_rays/hit_box.cpp", "b"}, {"tree/notes.txt", "n"}}));
+  add("Łukasz 北.tar.gz", archive_of({{"hit_box.cpp", "c"}}, Format::tar_gz));
+  add("notes.txt", "of the instructor");
+  auto all = seen();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all["ada"].files, (Files{{"1_rays/hit_box.cpp", "a"}}));
+  EXPECT_EQ(all["bob"].files, (Files{{"student/1_rays/hit_box.cpp", "b"}}));
+  EXPECT_EQ(all["Łukasz 北"].files, (Files{{"hit_box.cpp", "c"}}));
+}
+
+TEST_F(Intake, a_submission_that_is_hidden_is_named) {
+  add("ada/hit_box.cpp", "a");
+  add(".bob/1_rays/hit_box.cpp", "b");
+  add(".cy.zip", archive_of({{"hit_box.cpp", "c"}}));
+  add(".git/HEAD", "?");
+  add("__MACOSX/._ada/._hit_box.cpp", "?");
+  EXPECT_EQ(seen().size(), 1U);
+  EXPECT_THAT(unclaimed_, testing::ElementsAre(".bob", ".cy.zip"));
+}
+
+TEST_F(Intake, an_empty_class_is_said_to_be_one) {
+  EXPECT_THAT([&] { seen(); },
+              testing::ThrowsMessage<pt::Error>(HasSubstr("has no submissions in it")));
+}
+
+TEST_F(Intake, pipes_and_devices_are_nobodys) {
+  add("ada/hit_box.cpp", "a");
+  ASSERT_EQ(mkfifo(in("bob_1_2_hit_box.cpp").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(in("carol.zip").c_str(), 0600), 0);
+  const auto all = seen();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all.begin()->first, "ada");
+  EXPECT_EQ(unclaimed_, (std::vector<std::string>{"bob_1_2_hit_box.cpp", "carol.zip"}));
+}
+
+TEST_F(Intake, folders_around_everything_are_entered) {
+  add("export/handed in/ada/hit_box.cpp", "a");
+  add("export/handed in/bob/student/1_rays/hit_box.cpp", "b");
+  EXPECT_EQ(seen().size(), 2U);
+}
+
+// An example to hand in, or a class that is a repository, does not make everything one submission.
+TEST_F(Intake, a_task_file_beside_the_learners_does_not_hide_them) {
+  add("export/hit_box.cpp", "?");
+  add("export/.git/HEAD", "?");
+  add("export/ada/hit_box.cpp", "a");
+  add("export/bob.zip", archive_of({{"hit_box.cpp", "b"}}));
+  EXPECT_EQ(seen().size(), 2U);
+  EXPECT_EQ(unclaimed_, (std::vector<std::string>{"hit_box.cpp"}));
+  // A learner's folder may contain one more folder.
+  fs::remove_all(in("export"));
+  add("ada/hit_box.cpp", "a");
+  add("ada/1_rays/hit_sphere.cpp", "a");
+  add("ada/2_bvh/hit_bvh.cpp", "a");
+  add("ada/old/1_rays/hit_box.cpp", "old");
+  EXPECT_EQ(seen().size(), 1U);
+}
+
+TEST_F(Intake, the_folder_of_one_learner_is_not_entered) {
+  add("ada/1_rays/hit_box.cpp", "a");
+  add("ada/notes.txt", "?");
+  EXPECT_EQ(seen()["ada"].files, (Files{{"1_rays/hit_box.cpp", "a"}}));
+  EXPECT_EQ(seen().size(), 1U);
+}
+
+TEST_F(Intake, task_files_are_found_however_deep) {
+  const std::map<std::string, std::vector<Entry>> packed{
+      {"src", {{"README.md", "r"}, {"src/1_rays/hit_box.cpp", "s"}}},
+      {"include", {{"src/hit_box.cpp", "s"}, {"include/a.h", "h"}}},
+      {"clone",
+       {{"README.md", "r"},
+        {"firstlight/pt/a.h", "h"},
+        {"firstlight/grader/mistakes/hit_box.cpp", "not this"},
+        {"firstlight/student/1_rays/hit_box.cpp", "s"}}},
+      {"stray", {{"main.cpp", "m"}, {"work.zip", archive_of({{"hit_box.cpp", "s"}})}}},
+      {"both", {{"hit_box.cpp", "s"}, {"old/hit_box.cpp", "not this"}}},
+      {"two", {{"a/hit_box.cpp", "s"}, {"b/hit_box.cpp", "t"}}}};
+  for (const bool as_zip : {true, false}) {
+    fs::remove_all(in());
+    for (const auto& [name, entries] : packed) {
+      if (as_zip) add(name + ".zip", archive_of(entries));
+      for (const Entry& each : entries) {
+        if (!as_zip) add(name + "/" + each.path, each.text);
+      }
+    }
+    auto all = seen();
+    for (const char* name : {"src", "include", "clone", "stray", "both"}) {
+      EXPECT_EQ(all[name].judged, (Files{{"hit_box", "s"}})) << name << all[name].problem;
+    }
+    EXPECT_THAT(all["two"].problem, HasSubstr("'a/hit_box.cpp' and 'b/hit_box.cpp'"));
+  }
+}
+
+TEST_F(Intake, files_that_are_nearly_named_right_count) {
+  add("ada/hit_sphere-1.cpp", "s");
+  add("ada/Hit_Box.CPP", "b");
+  add("ada/hit_triangle (1).cpp", "t");
+  add("ada/2_bvh/hit_bvh.cpp.txt", "v");
+  add("bob/hit_box (1).cpp", "1");
+  add("bob/hit_box (2).cpp", "2");
+  add("cy/hit_box.cpp", "right");
+  add("cy/hit_box-1.cpp", "left");
+  auto all = seen();
+  EXPECT_EQ(all["ada"].files, (Files{{"1_rays/hit_sphere.cpp", "s"},
+                                     {"1_rays/hit_box.cpp", "b"},
+                                     {"1_rays/hit_triangle.cpp", "t"},
+                                     {"2_bvh/hit_bvh.cpp", "v"}}));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("'hit_box (1).cpp' and 'hit_box (2).cpp' may both be"));
+  EXPECT_EQ(all["cy"].files["hit_box.cpp"], "right");
+}
+
+TEST_F(Intake, progress_counts_submissions) {
+  using Told = std::vector<std::pair<std::size_t, std::size_t>>;
+  const auto told = [&](const fs::path& input) {
+    Told all;
+    handed_in(
+        input, folder_.path() + "/work", kTasks,
+        [](const std::string&, const std::string&, Extent) { return "not now"; },
+        [&](std::size_t done, std::size_t of) { all.emplace_back(done, of); });
+    return all;
+  };
+  // Two files of one learner are one submission.
+  add("ada_1_11_hit_box.cpp", "a");
+  add("ada_1_12_hit_sphere.cpp", "a");
+  add("bob_2_13_work.zip", "b");
+  add("eve/hit_box.cpp", "e");
+  EXPECT_EQ(told(in()), (Told{{0, 3}, {1, 3}, {2, 3}, {3, 3}}));
+  fs::remove_all(in());
+  add("submission_metadata.yml", "submission_1:\n  :submitters:\n  - :name: Ada\n");
+  add("submission_1/hit_box.cpp", "a");
+  add("submission_2/hit_box.cpp", "b");
+  EXPECT_EQ(told(in()), (Told{{0, 2}, {1, 2}, {2, 2}}));
+}
+
+// Nobody's verdict depends on a full disk.
+TEST_F(Intake, faults_of_the_machine_are_nobodys) {
+  add("ada.zip", archive_of({{"hit_box.cpp", "a"}}));
+  const auto full = [](const std::string&, const std::string&, Extent) -> std::string {
+    throw pt::Error("the disk is full");
+  };
+  EXPECT_THAT([&] { handed_in(in(), folder_.path() + "/work", kTasks, full); },
+              testing::ThrowsMessage<pt::Error>("the disk is full"));
+}
+
+}  // namespace
+}  // namespace grader::intake

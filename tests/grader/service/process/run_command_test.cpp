@@ -1,0 +1,91 @@
+// Commands from start to end: their time limit, whatever they print, and their descriptors.
+#include "grader/service/process/run_command.h"
+
+#include "grader/base/descriptor.h"
+#include "grader/service/process/cause_of_end.h"
+#include "grader/service/process/spawn.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace grader::process {
+namespace {
+
+using std::chrono::milliseconds;
+
+// The kernel's limit ends programs that the time limit misses.
+CommandResult run_script(const std::string& script, milliseconds most) {
+  Child child{{"/bin/sh", "-c", script}, {"PATH=/usr/bin:/bin"}, {}, "", {}};
+  child.limits.cpu_seconds = 5;
+  return run_command(child, most);
+}
+
+// A machine without memory kills any process, so a killed command is tried again.
+TEST(CauseOfEnd, tells_what_was_killed_from_outside) {
+  const auto signal = [](const std::string& name) {
+    const int status = run_script("kill -s " + name + " $$", std::chrono::seconds(30)).status;
+    return was_killed(cause_of_end(status, ""));
+  };
+  EXPECT_TRUE(signal("KILL"));
+  for (const char* other : {"SEGV", "ABRT", "FPE", "XCPU"}) EXPECT_FALSE(signal(other)) << other;
+}
+
+TEST(CommandLimit, ends_what_prints_without_end) {
+  const CommandResult endless = run_script("while :; do echo more; done", milliseconds(300));
+  EXPECT_TRUE(endless.timed_out);
+  EXPECT_EQ(endless.output.substr(0, 5), "more\n");
+  EXPECT_TRUE(run_script("exec yes", milliseconds(300)).timed_out);
+}
+
+TEST(CommandLimit, ends_what_prints_slowly_without_end) {
+  const CommandResult slow = run_script("while :; do echo x; sleep 0.02; done", milliseconds(100));
+  EXPECT_TRUE(slow.timed_out);
+  EXPECT_EQ(slow.output.substr(0, 2), "x\n");
+}
+
+TEST(CommandLimit, leaves_alone_what_prints_slowly_and_ends) {
+  const CommandResult slow =
+      run_script("for i in 1 2 3 4 5; do echo $i; sleep 0.02; done", milliseconds(10000));
+  EXPECT_TRUE(slow.ok());
+  EXPECT_EQ(slow.output, "1\n2\n3\n4\n5\n");
+}
+
+// Opens a file in memory with this text under this descriptor number, and closes any older one.
+base::Descriptor file_at(int number, const std::string& text) {
+  const base::Descriptor any(memfd_create("text", MFD_CLOEXEC));
+  EXPECT_EQ(pwrite(any.number(), text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
+  EXPECT_EQ(dup2(any.number(), number), number);
+  return base::Descriptor(number);
+}
+
+// Prints three files, with descriptors `first` + 1 to 3. The child has them in the reverse order.
+std::string printed_from(int first) {
+  const base::Descriptor out = file_at(first, ""), a = file_at(first + 1, "a"),
+                         b = file_at(first + 2, "b"), c = file_at(first + 3, "c");
+  Child child{{"/bin/cat", "/dev/fd/3", "/dev/fd/4", "/dev/fd/5"}, {}, {}, "", {}};
+  child.descriptors = {a.number(), out.number(), out.number(), c.number(), b.number(), a.number()};
+  child.limits.cpu_seconds = 5;
+  const pid_t pid = spawn(child);
+  int status = 0;
+  EXPECT_EQ(waitpid(pid, &status, 0), pid);
+  std::string text(16, ' ');
+  text.resize(std::max<ssize_t>(pread(out.number(), text.data(), text.size(), 0), 0));
+  return text + " " + describe_status(status);
+}
+
+// The parent's descriptors may have any numbers, also the numbers that the child's will have.
+TEST(Descriptors, become_those_of_the_child_whatever_their_numbers) {
+  for (const int first : {8, 20, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 250, 796, 800}) {
+    EXPECT_EQ(printed_from(first), "cba exit status 0") << first;
+  }
+}
+
+}  // namespace
+}  // namespace grader::process

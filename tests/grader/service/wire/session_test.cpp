@@ -1,0 +1,89 @@
+// The limits of all calls of a session together. The worker crashes, hangs or answers, as the
+// radius of a sphere says (obedient_hit_sphere.cpp).
+#include "grader/service/wire/session.h"
+
+#include "pt/tasks/hit_sphere.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace grader::tests {
+namespace {
+
+using results::Cause;
+using wire::SessionSettings;
+
+struct GaveUp {
+  Cause cause = Cause::wrong;
+  std::string why;
+};
+
+SessionSettings settings() {
+  SessionSettings settings;
+  settings.task = "hit_sphere";
+  settings.program = FIRSTLIGHT_OBEDIENT_WORKER;
+  settings.call_limit = std::chrono::milliseconds(100);
+  settings.give_up = [](Cause cause, const std::string& why) { throw GaveUp{cause, why}; };
+  return settings;
+}
+
+constexpr double kAnswers = 1, kCrashes = 2, kHangs = 3;
+
+// Returns the reason why a call failed, or an empty one if it was answered.
+GaveUp call(double radius) {
+  try {
+    pt::hit_sphere({{0, 0, 0}, radius}, {{0, 0, 9}, {0, 0, -1}, 0, 99});
+  } catch (const GaveUp& reason) {
+    return reason;
+  }
+  return {};
+}
+
+TEST(session, ends_after_as_many_calls_without_an_answer_as_are_allowed) {
+  SessionSettings two = settings();
+  two.max_timeouts = 2;
+  open_session(two);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(call(kHangs).why, "no answer within 0.1 s") << i;
+  }
+  const GaveUp third = call(kAnswers);
+  EXPECT_EQ(third.why, "not called any more: 2 calls got no answer within 0.1 s");
+  EXPECT_EQ(third.cause, Cause::timeout);
+}
+
+TEST(session, ends_after_as_many_crashes_as_are_allowed) {
+  SessionSettings two = settings();
+  two.max_failures = 2;
+  open_session(two);
+  EXPECT_EQ(call(kCrashes).cause, Cause::crash);
+  EXPECT_EQ(call(kAnswers).why, "");
+  EXPECT_EQ(call(kCrashes).cause, Cause::crash);
+  const GaveUp next = call(kAnswers);
+  EXPECT_EQ(next.why, "not called any more: too many calls crashed or gave no answer");
+  EXPECT_EQ(next.cause, Cause::crash);
+}
+
+// One answer takes some hundred bytes.
+TEST(session, ends_after_as_many_bytes_as_are_allowed) {
+  SessionSettings few = settings();
+  few.max_answered = 1;
+  open_session(few);
+  EXPECT_EQ(call(kAnswers).why, "");
+  const GaveUp next = call(kAnswers);
+  EXPECT_EQ(next.why, "not called any more: its answers were 0 MiB in all, where 0 are the most");
+  EXPECT_EQ(next.cause, Cause::bad_reply);
+}
+
+// The session ends before a smaller input is tried, so this says nothing about the submission.
+TEST(session, of_smaller_inputs_ends_without_a_cause) {
+  SessionSettings smaller = settings();
+  smaller.max_failures = 1;
+  smaller.smaller_inputs = true;
+  open_session(smaller);
+  EXPECT_EQ(call(kCrashes).cause, Cause::crash);
+  EXPECT_EQ(call(kAnswers).cause, Cause::not_attempted);
+}
+
+}  // namespace
+}  // namespace grader::tests

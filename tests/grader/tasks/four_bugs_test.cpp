@@ -1,0 +1,66 @@
+// Each of the four bugs fails a property and a picture in its own task, and nothing in any other
+// task.
+#include "tests/grader/tasks/four_bugs.h"
+
+#include "grader/tasks.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace grader::tests {
+namespace {
+
+using nlohmann::json;
+
+const json& named(const json& all, const char* member, const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const json& each) { return each.at(member) == name; });
+  static const json none;
+  return found == all.end() ? none : *found;
+}
+
+bool waits_for(const json& task, const std::string& slug) {
+  const json& by = task.at("blocked_by");
+  return task.at("state") == "blocked" && std::find(by.begin(), by.end(), slug) != by.end();
+}
+
+class FourBugs : public testing::TestWithParam<Bug> {};
+
+TEST_P(FourBugs, is_found_by_a_property_in_its_own_task_only) {
+  const Submission submission("bug");
+  put(GetParam(), submission);
+  const Outcome outcome = submission.grade({"--no-pictures"}, kCallLimit);
+  EXPECT_EQ(outcome.exit_status, 1);
+  ASSERT_EQ(outcome.results.at("tasks").size(), tasks().size());
+  for (const json& task : outcome.results.at("tasks")) {
+    if (task.at("slug") == GetParam().task) {
+      EXPECT_EQ(task.at("state"), "fail");
+      const json& promise = named(task.at("promises"), "name", GetParam().promise);
+      ASSERT_FALSE(promise.is_null());
+      EXPECT_EQ(promise.at("held"), false);
+      EXPECT_FALSE(promise.at("failures").at(0).at("input").empty());
+    } else {
+      EXPECT_TRUE(task.at("state") == "pass" || waits_for(task, GetParam().task)) << task.dump(1);
+    }
+  }
+}
+
+TEST_P(FourBugs, is_seen_in_its_picture) {
+  const Submission submission("bug");
+  put(GetParam(), submission);
+  const Outcome outcome = submission.grade({GetParam().task}, kCallLimit);
+  const json& task = outcome.task(GetParam().task);
+  ASSERT_FALSE(task.is_null()) << outcome.output;
+  EXPECT_EQ(task.at("state"), "fail");
+  const json& picture = named(task.at("pictures"), "recipe", GetParam().recipe);
+  ASSERT_FALSE(picture.is_null());
+  EXPECT_EQ(picture.at("state"), "fail");
+  EXPECT_NE(picture.at("text"), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FourBugs, testing::ValuesIn(kFourBugs),
+                         [](const auto& bug) { return std::string(bug.param.mistake); });
+
+}  // namespace
+}  // namespace grader::tests

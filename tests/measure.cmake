@@ -1,0 +1,19 @@
+# What is measured, and the write-up.
+firstlight_test(test_accuracy quick SOURCES measure/accuracy_test.cpp
+  LIBRARIES measure_scene measure_pixels_here pt_rows_measured pt_render_apart RECORDED RADIANCE apart)
+if(TARGET measure)
+  firstlight_test(test_measure quick SOURCES measure/measure_test.cpp LIBRARIES measure_calls)
+endif()
+firstlight_test(test_writeup quick LIBRARIES writeup_figures GTest::gmock SOURCES
+  writeup/writeup_text_test.cpp writeup/writeup_store_test.cpp writeup/writeup_numbers_test.cpp)
+if(FIRSTLIGHT_SANITIZE)
+  return()
+endif()
+set(build ARGUMENTS ${PROJECT_BINARY_DIR})
+firstlight_script_test(accuracy rest measure/accuracy.sh ${build} NEEDS accuracy.reference accuracy.student ladder generate)
+firstlight_script_test(accuracy_boxed long measure/accuracy_boxed.sh ${build} NEEDS accuracy_boxed accuracy.reference)
+firstlight_script_test(measure rest measure/measure.sh ${build} NEEDS measure)
+firstlight_script_test(stability rest measure/stability.sh ARGUMENTS $<TARGET_FILE:stability> NEEDS stability)
+firstlight_script_test(promises_on_curves long measure/promises_on_curves.sh ARGUMENTS $<TARGET_FILE:stability> NEEDS stability)
+firstlight_script_test(writeup rest writeup/writeup.sh ${build} NEEDS writeup writeup_mistakes writeup_render.reference
+  writeup_render.student writeup_boxed accuracy.reference accuracy.student accuracy_boxed ladder measure stability generate)

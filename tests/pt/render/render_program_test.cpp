@@ -1,0 +1,482 @@
+#include "pt/image/film.h"
+#include "pt/image/image_io.h"
+#include "pt/image/tone_map.h"
+#include "pt/math/vec3.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// The render program from its user's view: exit codes, messages, and the files in the folder
+// afterwards.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The smallest possible scene: a lit floor, and a camera that looks straight down at it.
+const char* const kScene = R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+ <asset><up_axis>Y_UP</up_axis></asset>
+ <library_effects><effect id="e"><profile_COMMON/>%EFFECT%</effect></library_effects>
+ <library_materials><material id="m" name="paint"><instance_effect url="#e"/></material></library_materials>
+ <library_lights><light id="l"><technique_common><point><color>9 9 9</color></point></technique_common></light></library_lights>
+ <library_cameras><camera id="c"><optics><technique_common><perspective>
+  <xfov>40</xfov><aspect_ratio>1.3333333333333333</aspect_ratio><znear>.1</znear><zfar>100</zfar>
+ </perspective></technique_common></optics></camera></library_cameras>
+ <library_geometries><geometry id="g"><mesh>
+  <source id="p"><float_array id="a" count="9">-2 0 2 2 0 2 0 0 -2</float_array>
+   <technique_common><accessor source="#a" count="3" stride="3"/></technique_common></source>
+  <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+  <triangles material="s" count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+ </mesh></geometry></library_geometries>
+ <library_visual_scenes><visual_scene id="s">
+  <node><instance_geometry url="#g"><bind_material><technique_common>
+   <instance_material symbol="s" target="#m"/></technique_common></bind_material></instance_geometry></node>
+  <node><translate>0 3 0</translate><instance_light url="#l"/></node>
+  <node><translate>0 2 0</translate><rotate>1 0 0 -90</rotate><instance_camera url="#c"/></node>
+ </visual_scene></library_visual_scenes>
+ <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+)";
+
+std::string scene_with(const std::string& effect) {
+  std::string text = kScene;
+  const std::string mark = "%EFFECT%";
+  return text.replace(text.find(mark), mark.size(), effect);
+}
+
+class RenderProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = fs::temp_directory_path() / "firstlight.XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    write("scene.dae", scene_with(""));
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+
+  // Runs the program in the folder; its output goes to said().
+  int run(const std::string& arguments, const std::string& program = RENDER_PROGRAM) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" + program + "' " + arguments +
+                                " > said 2>&1 < /dev/null";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  std::string contents(const std::string& file) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / file, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+  std::string said() const { return contents("said"); }
+
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename();
+      if (name != "said" && entry.path().extension() != ".dae") names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  fs::path folder_;
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(RenderProgram, writes_the_picture_asked_for) {
+  EXPECT_EQ(run("scene.dae -f a.png -s 2 -r 16 12"), 0) << said();
+  EXPECT_EQ(run("-r 16 12 -f b.exr -s 4 -l 2 -m 2 -t 2 -H scene.dae"), 0) << said();
+  EXPECT_EQ(files(), (Names{"a.png", "b.exr"}));
+  EXPECT_NE(said().find("tests per ray"), std::string::npos) << said();
+}
+
+// Stubs are called by many threads, some of them before the render begins.
+TEST_F(RenderProgram, names_the_tasks_that_are_not_written_in_one_line) {
+  const auto lines = [&] {
+    std::istringstream text(said());
+    Names found;
+    for (std::string line; std::getline(text, line);) {
+      if (line.find("not written") != std::string::npos) found.push_back(line);
+    }
+    return found;
+  };
+  EXPECT_EQ(run("scene.dae -s 2 -t 4 -r 8 6", STUBS_RENDER_PROGRAM), 0) << said();
+  EXPECT_EQ(lines(), Names{"not written yet: build_bvh, estimate_pixel, hit_bvh (traced without "
+                           "a tree)"});
+  EXPECT_EQ(run("scene.dae -s 2 -t 4 -r 8 6 --engine linear", STUBS_RENDER_PROGRAM), 0) << said();
+  EXPECT_EQ(lines(), Names{"not written yet: estimate_pixel"});
+  EXPECT_EQ(run("scene.dae -s 2 -t 4 -r 8 6"), 0) << said();
+  EXPECT_EQ(lines(), Names{});
+}
+
+TEST_F(RenderProgram, names_the_picture_after_the_scene_where_no_name_is_given) {
+  EXPECT_EQ(run("scene.dae -s 1 -r 8 6"), 0) << said();
+  EXPECT_EQ(files(), Names{"scene.png"});
+}
+
+TEST_F(RenderProgram, writes_the_sample_rates_of_an_adaptive_render) {
+  EXPECT_EQ(run("-r 16 12 -a 8 0.1 scene.dae -f a.png -s 64"), 0) << said();
+  EXPECT_EQ(files(), (Names{"a.png", "a_rate.csv", "a_rate.png"}));
+}
+
+TEST_F(RenderProgram, shows_every_view) {
+  for (const char* view : {"full", "direct", "indirect", "bounce --bounce 2", "normals"}) {
+    EXPECT_EQ(run(std::string("scene.dae -s 2 -r 8 6 --show ") + view), 0) << said();
+  }
+  for (const char* engine : {"task", "linear"}) {
+    EXPECT_EQ(run(std::string("scene.dae -s 2 -r 8 6 --engine ") + engine), 0) << said();
+  }
+  for (const char* camera : {"course", "fit", "file"}) {
+    EXPECT_EQ(run(std::string("scene.dae -s 2 -r 8 6 --camera ") + camera), 0) << said();
+  }
+}
+
+TEST_F(RenderProgram, without_a_size_makes_one_of_480_by_360) {
+  EXPECT_EQ(run("scene.dae -s 1 -m 0 -f a.exr"), 0) << said();
+  EXPECT_EQ(pt::read_exr(folder_ / "a.exr").width, 480);
+  EXPECT_EQ(pt::read_exr(folder_ / "a.exr").height, 360);
+}
+
+TEST_F(RenderProgram, without_a_framing_takes_that_of_the_course) {
+  std::vector<std::string> pictures;
+  for (const char* camera : {"", "--camera course", "--camera fit", "--camera file"}) {
+    EXPECT_EQ(run(std::string("scene.dae -s 1 -m 1 -r 16 12 -f a.exr ") + camera), 0) << said();
+    pictures.push_back(contents("a.exr"));
+  }
+  EXPECT_TRUE(pictures[0] == pictures[1]);
+  EXPECT_FALSE(pictures[0] == pictures[2]);
+  EXPECT_FALSE(pictures[0] == pictures[3]);
+}
+
+// A batch may contain all the samples.
+TEST_F(RenderProgram, takes_a_batch_of_all_samples) {
+  EXPECT_EQ(run("scene.dae -s 8 -a 8 0.1 -r 8 6"), 0) << said();
+  EXPECT_EQ(run("scene.dae -s 8 -a 9 0.1 -r 8 6"), 2) << said();
+  EXPECT_EQ(run("scene.dae -s 8 -a 2 0.1 -r 8 6"), 0) << said();
+}
+
+// All 16 x 12 x 4 camera rays hit the floor and sample two lights there: 2304 rays in all.
+TEST_F(RenderProgram, says_how_many_rays_there_were) {
+  std::string two = scene_with("");
+  const std::string light = "<instance_light url=\"#l\"/>";
+  two.insert(two.find(light), light);
+  write("two.dae", two);
+  EXPECT_EQ(run("two.dae -s 4 -m 1 -r 16 12"), 0) << said();
+  EXPECT_NE(said().find(" 0.0023 M rays (67 % shadow)"), std::string::npos) << said();
+  EXPECT_NE(said().find("1 primitives, 2 lights, engine task, "), std::string::npos) << said();
+}
+
+TEST_F(RenderProgram, says_that_a_scene_has_no_light) {
+  std::string dark = scene_with("");
+  const std::string light = "<instance_light url=\"#l\"/>";
+  dark.erase(dark.find(light), light.size());
+  write("dark.dae", dark);
+  EXPECT_EQ(run("dark.dae -s 1 -r 8 6"), 0) << said();
+  EXPECT_NE(said().find("no light"), std::string::npos) << said();
+  EXPECT_NE(said().find("--show normals"), std::string::npos) << said();
+  EXPECT_EQ(run("dark.dae -s 1 -r 8 6 --show normals"), 0) << said();
+  EXPECT_EQ(said().find("no light"), std::string::npos) << said();
+  EXPECT_EQ(run("scene.dae -s 1 -r 8 6"), 0) << said();
+  EXPECT_EQ(said().find("no light"), std::string::npos) << said();
+}
+
+TEST_F(RenderProgram, says_in_its_help_that_the_courses_camera_crops) {
+  EXPECT_EQ(run("--help"), 0) << said();
+  EXPECT_NE(said().find("cut a window"), std::string::npos) << said();
+}
+
+TEST_F(RenderProgram, refuses_a_survival_that_is_not_a_chance) {
+  for (const char* chance : {"0", "1.1", "-0.5", "nan", "often"}) {
+    EXPECT_EQ(run(std::string("scene.dae -s 1 -r 8 6 --survival ") + chance), 2) << chance;
+    EXPECT_NE(said().find("--survival"), std::string::npos) << said();
+  }
+  EXPECT_EQ(run("scene.dae -s 1 -r 8 6 --survival 1"), 0) << said();
+}
+
+// The effect of the options on the picture. The floor is diffuse with albedo .5. The only light is
+// a point light of intensity 9, 3 above its middle. A point of the floor at distance d reflects .5
+// / pi * 9 / d^2 * 3 / d, at most .5 / pi.
+class Options : public RenderProgram {
+ protected:
+  pt::Film rendered(const std::string& options, const std::string& scene = "scene.dae") {
+    EXPECT_EQ(run(scene + " --camera file -f a.exr -r 16 12 " + options), 0)
+        << options << ": " << said();
+    return pt::read_exr(folder_ / "a.exr");
+  }
+  static double brightest(const pt::Film& film) {
+    double most = 0;
+    for (const pt::FilmPixel& pixel : film.pixels) most = std::max(most, pixel.mean.g);
+    return most;
+  }
+  static double mean(const pt::Film& film) {
+    double sum = 0;
+    for (const pt::FilmPixel& pixel : film.pixels) sum += pixel.mean.g;
+    return sum / static_cast<double>(film.pixels.size());
+  }
+  // Two numbers from the program's last report.
+  double triangles_per_ray() const {
+    const std::string text = said();
+    return std::stod(text.substr(text.find("boxes, ") + 7));
+  }
+  double million_rays() const {
+    const std::string text = said();
+    return std::stod(text.substr(text.find("CPU s; ") + 7));
+  }
+  static double noise(const pt::Film& film) {
+    double sum = 0;
+    for (const pt::FilmPixel& pixel : film.pixels) sum += pixel.variance_y;
+    return sum;
+  }
+};
+
+TEST_F(Options, count_bounces_and_choose_those_shown) {
+  EXPECT_EQ(brightest(rendered("-s 1 -m 0")), 0);
+  const double direct = brightest(rendered("-s 1 -m 1"));
+  EXPECT_LE(direct, 0.5 / pt::kPi * (1 + 1e-6));
+  EXPECT_GE(direct, 0.8 * 0.5 / pt::kPi);
+  // From a floor alone, no other surface is visible.
+  EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show direct")), direct);
+  EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show bounce --bounce 1")), direct);
+  EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show indirect")), 0);
+  EXPECT_EQ(brightest(rendered("-s 1 -m 4 --show bounce --bounce 2")), 0);
+  // The floor's normal is (0, 1, 0), shown as (n + 1) / 2.
+  EXPECT_NEAR(brightest(rendered("-s 1 --show normals")), 1, 1e-6);
+}
+
+// This program links fast/, the other one the plain reference.
+TEST_F(Options, give_the_pictures_of_the_plain_reference) {
+  for (const char* scene : {"two_lights", "sheet", "box_gems", "coloured_lights"}) {
+    for (const char* options : {"-s 2 -l 3 -m 1", "-s 1 -l 20 -m 4"}) {
+      const std::string arguments =
+          std::string(FIRSTLIGHT_SCENES "/") + scene + ".dae -r 48 36 " + options;
+      ASSERT_EQ(run(arguments + " -f fast.exr"), 0) << said();
+      ASSERT_EQ(run(arguments + " -f plain.exr", PLAIN_RENDER_PROGRAM), 0) << said();
+      EXPECT_EQ(contents("fast.exr"), contents("plain.exr")) << arguments;
+    }
+  }
+}
+
+// A closed room whose walls reflect most of the light, so later bounces add to it.
+TEST_F(Options, count_the_bounces_of_indirect_light) {
+  const std::string room = FIRSTLIGHT_SCENES "/pale_room.dae";
+  const double one = mean(rendered("-s 64 -m 1", room));
+  const double four = mean(rendered("-s 64 -m 4", room));
+  EXPECT_GT(four, 1.2 * one);
+  EXPECT_GT(mean(rendered("-s 64 -m 6", room)), 1.02 * four);
+  EXPECT_NEAR(mean(rendered("-s 64 -m 4 --show indirect", room)), four - one, 0.05 * four);
+}
+
+// Directions over the hemisphere never hit a point light. They hit a lamp with an area, and its
+// light is the same as by light sampling, with more noise.
+TEST_F(Options, H_samples_the_hemisphere) {
+  EXPECT_EQ(brightest(rendered("-s 4 -m 1 -H")), 0);
+  const std::string room = FIRSTLIGHT_SCENES "/box_spheres.dae";
+  const pt::Film lights = rendered("-s 256 -m 1 --show bounce --bounce 1", room);
+  const pt::Film hemisphere = rendered("-s 256 -m 1 --show bounce --bounce 1 -H", room);
+  EXPECT_GT(mean(lights), 0.01);
+  EXPECT_NEAR(mean(hemisphere), mean(lights), 0.2 * mean(lights));
+  EXPECT_GT(noise(hemisphere), 2 * noise(lights));
+}
+
+// The mean stays the same; paths that end sooner make more noise.
+TEST_F(Options, survival_is_the_chance_to_go_on) {
+  const std::string options = "-s 128 -m 6 --show indirect --survival ";
+  const std::string room = FIRSTLIGHT_SCENES "/pale_room.dae";
+  const pt::Film all = rendered(options + "1", room);
+  const double tested = million_rays();
+  const pt::Film few = rendered(options + ".3", room);
+  EXPECT_NEAR(mean(few), mean(all), 0.1 * mean(all));
+  EXPECT_GT(noise(few), 1.5 * noise(all));
+  EXPECT_LT(million_rays(), 0.8 * tested);
+}
+
+TEST_F(Options, leaf_and_engine_say_how_much_is_tested_and_change_no_pixel) {
+  const std::string scene = FIRSTLIGHT_SCENES "/box_gems.dae";  // 150 triangles
+  rendered("-s 2 -m 1 --leaf 1", scene);
+  const std::string picture = contents("a.exr");
+  const double small = triangles_per_ray();
+  rendered("-s 2 -m 1 --leaf 64", scene);
+  EXPECT_EQ(contents("a.exr"), picture);
+  EXPECT_GT(triangles_per_ray(), 4 * small);
+  rendered("-s 2 -m 1 --engine linear", scene);
+  EXPECT_EQ(contents("a.exr"), picture);
+  EXPECT_NEAR(triangles_per_ray(), 150, 2);  // a shadow ray ends at its first hit
+}
+
+// The floor is a triangle, which is darker away from the lamp above its middle. The file's camera
+// sees most of it, the course's cuts a small window out of a large picture, and the fitted camera
+// also sees the black around it.
+TEST_F(Options, camera_frames_the_scene) {
+  const auto darkest_to_brightest = [&](const std::string& camera) {
+    EXPECT_EQ(run("scene.dae -f a.exr -r 16 12 -s 4 -m 1 --camera " + camera), 0) << said();
+    const pt::Film film = pt::read_exr(folder_ / "a.exr");
+    double least = brightest(film);
+    for (const pt::FilmPixel& pixel : film.pixels) least = std::min(least, pixel.mean.g);
+    return least / brightest(film);
+  };
+  const double file = darkest_to_brightest("file");
+  EXPECT_GT(file, 0.5);
+  EXPECT_LT(file, 0.95);
+  EXPECT_GT(darkest_to_brightest("course"), 0.98);
+  EXPECT_EQ(darkest_to_brightest("fit"), 0);
+}
+
+TEST_F(Options, exposure_multiplies_what_is_shown) {
+  const pt::Film film = rendered("-s 1 -m 1");
+  for (const double exposure : {1.0, 2.5}) {
+    ASSERT_EQ(run("scene.dae --camera file -f a.png -r 16 12 -s 1 -m 1 --exposure " +
+                  std::to_string(exposure)),
+              0);
+    const pt::Image shown = pt::read_image(folder_ / "a.png");
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+      const auto code = pt::encode(film.pixels[i].mean.g, exposure);
+      EXPECT_EQ(shown.pixels[i].g, pt::decode(code));
+    }
+  }
+}
+
+TEST_F(Options, a_seed_names_the_noise) {
+  const auto means = [&](const std::string& options) {
+    return pt::mean(rendered("-s 2 " + options)).pixels;
+  };
+  const auto one = means("--seed 1");
+  EXPECT_TRUE(means("--seed 1 -t 2") == one);
+  EXPECT_TRUE(means("--seed 2") != one);
+}
+
+// A light of 1e308 is so near that the received light exceeds the largest number. These samples are
+// black. The first one from the bottom left is named, so that it can be rendered again.
+TEST_F(Options, a_sample_that_is_not_finite_is_named_by_its_pixel) {
+  std::string bright = scene_with("");
+  const auto change = [&](const std::string& from, const std::string& to) {
+    bright.replace(bright.find(from), from.size(), to);
+  };
+  change("9 9 9", "1e308 1e308 1e308");
+  change("0 3 0", ".3 .1 .2");
+  write("bright.dae", bright);
+  const pt::Film plain = rendered("-s 1 -m 1");
+  const pt::Film film = rendered("-s 1 -m 1", "bright.dae");
+  int count = 0, first_x = 0, first_y = 0;
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      const int from_top = film.height - 1 - y;
+      if (film.at(x, from_top).mean.g > 0 || plain.at(x, from_top).mean.g == 0) continue;
+      if (count++ == 0) first_x = x, first_y = y;
+    }
+  }
+  ASSERT_GT(count, 0);
+  ASSERT_NE(first_x, first_y);
+  const std::string expected =
+      std::to_string(count) + " samples were not finite and are left out; the first at pixel x " +
+      std::to_string(first_x) + " y " + std::to_string(first_y) + " (from the bottom left)";
+  EXPECT_NE(said().find(expected), std::string::npos) << said() << expected;
+}
+
+// One light with an area: the variance of direct light falls with the number of light samples,
+// except for the part from the position in the pixel.
+TEST_F(Options, l_is_the_number_of_samples_of_an_area_light) {
+  const std::string scene = FIRSTLIGHT_SCENES "/box_spheres.dae";
+  const double one = noise(rendered("-s 64 -m 1 -l 1 --show direct", scene));
+  const double many = noise(rendered("-s 64 -m 1 -l 64 --show direct", scene));
+  EXPECT_LT(many, 0.8 * one);
+  EXPECT_GT(many, 0);
+}
+
+// A wrong call gives one sentence and exit code 2 before anything is rendered, and no file.
+TEST_F(RenderProgram, refuses_what_it_cannot_use) {
+  write("broken.dae", "<COLLADA>");
+  write("empty.dae", "");
+  fs::create_directory(folder_ / "folder.dae");
+  const Names bad{"missing.dae",
+                  "broken.dae",
+                  "empty.dae",
+                  "folder.dae",
+                  "scene.dae -f a.tiff",
+                  "scene.dae -f missing/a.png",
+                  "scene.dae -s 0",
+                  "scene.dae -s nan",
+                  "scene.dae -r 0 5",
+                  "scene.dae -r 5",
+                  "scene.dae -m -1",
+                  "scene.dae -t 0",
+                  "scene.dae -s 16 -a 32 0.05",
+                  "scene.dae -a 8 0",
+                  "scene.dae -a 8.5 0.1",
+                  "scene.dae -a 1 0.1",
+                  "scene.dae -a 8 inf",
+                  "scene.dae -a 8 nan",
+                  "scene.dae --show nothing",
+                  "scene.dae --exposure 0",
+                  "scene.dae --unknown",
+                  ""};
+  for (const std::string& arguments : bad) {
+    EXPECT_EQ(run(arguments), 2) << arguments << ": " << said();
+    const std::string text = said();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << arguments << ": " << text;
+  }
+  EXPECT_EQ(files(), Names{});
+}
+
+// Glass can be shown but not lit, unless it is treated as diffuse.
+TEST_F(RenderProgram, names_a_material_outside_the_model) {
+  write("glass.dae",
+        scene_with("<extra><technique profile='CGL'><glass>"
+                   "<transmittance>1 1 1</transmittance></glass></technique></extra>"));
+  EXPECT_EQ(run("glass.dae -s 1 -r 8 6"), 2);
+  EXPECT_NE(said().find("glass.dae"), std::string::npos) << said();
+  EXPECT_NE(said().find("paint"), std::string::npos) << said();
+  EXPECT_EQ(run("glass.dae -s 1 -r 8 6 --show normals"), 0) << said();
+  EXPECT_EQ(run("glass.dae -s 1 -r 8 6 --lambertian"), 0) << said();
+}
+
+// Returns whether a process has installed its Ctrl-C handler (or has ended).
+bool catches_interrupts(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("SigCgt:", 0) == 0) {
+      return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+    }
+  }
+  return true;
+}
+
+// A render that would take hours ends soon after Ctrl-C and leaves nothing behind.
+TEST_F(RenderProgram, leaves_nothing_behind_when_interrupted) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    fs::current_path(folder_);
+    std::freopen("said", "w", stdout);
+    std::freopen("said", "w", stderr);
+    execl(RENDER_PROGRAM, RENDER_PROGRAM, "scene.dae", "-s", "1000000", "-f", "a.png", nullptr);
+    _exit(99);
+  }
+  while (!catches_interrupts(child)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(files(), Names{});
+}
+
+}  // namespace

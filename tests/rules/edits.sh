@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# edits.sh: tests the files that cmake/edits.awk makes of correct tables, and its messages about faulty tables.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+complain() {
+  printf '%s\n' "$*"
+  failures=$((failures + 1))
+}
+
+# edits TABLE WHAT: the table is on standard input below $folder.
+edits() { awk -v "root=$folder" -v "reference=$folder/right.cpp" -v needed="says base" "$@" -f "$here/../../cmake/edits.awk" "$folder/table"; }
+
+printf '// right: a\n#include "a.h"\n\nint a() {\n  int i = 1;\n\n  return i + i;\n}\n' >"$folder/right.cpp"
+cat >"$folder/table" <<'END'
+# A comment.
+
+name    two_places
+says    It says
+        so.
+hint    Look.
+breaks  a_promise
+base    right.cpp
+include <cmath>
+old     int i = 1;
+new     int i = 2;
+
+          int j = 3;
+old     + i;
+new     + j;
+
+name    as_it_is
+says    Nothing changes.
+base    reference
+END
+edits -v out="$folder/made" -v file=a.cpp >"$folder/names"
+printf 'two_places\nas_it_is\n' | diff - "$folder/names" || complain 'other names'
+diff - "$folder/made/two_places/a.cpp" <<'END' || complain 'another file'
+// breaks: a_promise
+// It says
+// so.
+// hint: Look.
+#include <cmath>
+#include "a.h"
+
+int a() {
+  int i = 2;
+
+  int j = 3;
+
+  return i + j;
+}
+END
+[ "$(edits -v only=two_places | sed -n 1p)" = '// right: a' ] || complain 'one file has lost its first line'
+[ "$(edits -v list="name says")" = "$(printf 'two_places\tIt says so.\nas_it_is\tNothing changes.')" ] || complain 'another list'
+touch -d 2001-01-01 "$folder/made/two_places/a.cpp"
+edits -v out="$folder/made" -v file=a.cpp >/dev/null
+[ "$(date -r "$folder/made/two_places/a.cpp" +%Y)" = 2001 ] || complain 'a file that has not changed is written again'
+
+# refuses WORDS: tests that the table on standard input is refused in one sentence with exit status 2.
+refuses() {
+  local status=0 said
+  cat >"$folder/table"
+  said=$(edits -v out="$folder/refused" -v file=a.cpp 2>&1) || status=$?
+  [ "$status" -eq 2 ] && [[ $said == "$folder/table:"*"$1"* ]] && [ "$(wc -l <<<"$said")" -eq 1 ] ||
+    complain "it should say '$1' and end with 2, not $status:" "$said"
+}
+
+entry=$'name    a\nsays    S.\nbase    right.cpp\n'
+refuses "is 0 times" <<<"${entry}old     nowhere"$'\n'"new     x"
+refuses "is 2 times" <<<"${entry}old     int"$'\n'"new     j"
+refuses "after the edits above it" <<<"${entry}old     1;"$'\n'"new     1 + i;"$'\n'"old     + i;"$'\n'"new     ;"
+refuses "are the same" <<<"${entry}old     1;"$'\n'"new     1;"
+refuses "say where the code is now" <<<"${entry/right.cpp/gone.cpp}old     1;"$'\n'"new     2;"
+refuses "has no 'says'" <<<$'name    a\nbase    right.cpp'
+refuses "two of the name a" <<<"$entry"$'\n'"$entry"
+refuses "is not a label" <<<"${entry}colour  red"
+refuses "begins with its name" <<<$'says    S.'
+refuses "continues nothing" <<<$'        S.'
+echo "$failures complaints"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,37 @@
+# What ./run does, and rules that the tree keeps.
+set(build ARGUMENTS ${PROJECT_BINARY_DIR})
+foreach(test layers_test comments_test)
+  firstlight_test(${test} quick PLAIN PATHS SOURCES rules/${test}.cpp LIBRARIES grader_base)
+endforeach()
+# Mistakes in the framework, each of which a test must find: that they fit their files, and, long, that they are found.
+firstlight_script_test(edits quick rules/edits.sh)
+firstlight_script_test(mutants_fit quick mutants/run.sh ARGUMENTS --check)
+firstlight_script_test(handbook rest rules/handbook.sh)
+# Newer compilers bring fewer headers along than those of the tests.
+firstlight_script_test(std_includes quick rules/std_includes.py)
+# Where headers are precompiled, whole libraries are one file, and this sees the other files only.
+firstlight_script_test(compiled_once quick rules/compiled_once.py ${build})
+firstlight_script_test(precompiled_fits rest rules/precompiled_fits.py
+  ARGUMENTS ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/precompiled)
+# When all folders have been read.
+include(rules/link_lists.cmake)
+cmake_language(DEFER DIRECTORY ${PROJECT_SOURCE_DIR} CALL firstlight_write_link_lists)
+firstlight_script_test(link_lists quick rules/link_lists.py ${build})
+firstlight_script_test(edition rest commands/edition.sh)
+firstlight_script_test(editors rest commands/editors.sh)
+firstlight_script_test(run_setup rest commands/run_setup.sh)
+firstlight_script_test(run_refuses quick commands/run_refuses.sh)
+if(FIRSTLIGHT_SANITIZE)  # some of the programs are not built then
+  return()
+endif()
+firstlight_script_test(walk quick commands/walk.sh ${build}
+  NEEDS render compare grade graded_programs hint grade_class accuracy_boxed measure)
+firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade hint watch box render compare generate writeup
+  accuracy.reference measure stability bless grade_class ladder)
+firstlight_script_test(resume rest commands/resume.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded grade_class)
+firstlight_script_test(faults rest commands/faults.sh ${build} NEEDS grade graded watch hint)
+# These build the project again: minutes, or with ccache the first time only.
+firstlight_script_test(handout long commands/handout.sh ${build} NEEDS compiled graded reference_objects)
+firstlight_script_test(gradescope_archive long commands/gradescope_archive.sh ${build} NEEDS graded)
+firstlight_script_test(mutants long mutants/run.sh ARGUMENTS ${PROJECT_BINARY_DIR}/mutants TIMEOUT 14400)
+firstlight_script_test(adding_a_task long commands/adding_a_task.sh ARGUMENTS ${PROJECT_BINARY_DIR}/../adding_a_task)

@@ -1,0 +1,287 @@
+// The numbers of measured figures, from the files of a measurement.
+#include "grader/tasks.h"
+#include "pt/file.h"
+#include "tests/fixtures/temporary_folder.h"
+#include "writeup/compose.h"
+#include "writeup/figure.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace writeup {
+namespace {
+
+using nlohmann::json;
+
+// A plan for one figure, with a measurement that a test chooses.
+class NumbersTest : public testing::Test {
+ protected:
+  NumbersTest() {
+    Code code;
+    code.hash = {{"hit_sphere", "a"}, {"framework", "b"}};
+    codes_.chosen = code;
+    codes_.accuracy = codes_.stability = codes_.measure = code;
+    catalogue_.scenes["box"].own = "scenes/box_spheres.dae";
+    std::filesystem::create_directories(folder_.path() + "/pages");
+  }
+
+  Drawn drawn(const Figure& figure, const std::string& file, const std::string& text,
+              Drawn (*draw)(const Plan&, const Figure&, const std::filesystem::path&)) const {
+    const Scenes scenes(catalogue_, "", "", "", false);
+    const Store store(folder_.path() + "/renders");
+    const Measurements measured(folder_.path() + "/measured", store);
+    const Plan plan(catalogue_, codes_, scenes, store, measured, Quality::full);
+    const std::filesystem::path made = measured.folder(plan.measurements(figure).at(0));
+    std::filesystem::create_directories(made);
+    pt::write_file(made / file, text);
+    return draw(plan, figure, folder_.path() + "/pages");
+  }
+
+  TemporaryFolder folder_;
+  Catalogue catalogue_;
+  Codes codes_;
+};
+
+json line(const char* id, const std::vector<json>& errors) {
+  json points = json::array();
+  double place = 1;
+  for (const json& error : errors) {
+    points.push_back({{"place", place}, {"error", error}});
+    place *= 100;
+  }
+  return {{"id", id}, {"title", id}, {"points", points}};
+}
+
+// The error is 1e-4 at 100 and 1e-2 at 10000, so it is 1e-3 halfway on both axes, at 1000.
+TEST_F(NumbersTest, a_line_fails_where_it_passes_the_threshold) {
+  Figure figure;
+  figure.kind = "curve";
+  figure.curve = "hit_sphere.far_away";
+  figure.threshold = 1e-3;
+  const json all{{"unusable", json::array()},
+                 {"charts",
+                  {{{"slug", "hit_sphere"},
+                    {"name", "far_away"},
+                    {"error", "the error"},
+                    {"lines",
+                     {line("climbs", {1e-6, 1e-4, 1e-2}), line("stays", {1e-9, 0, 1e-3}),
+                      line("stops", {1e-9, 1e-9, nullptr}), line("bad", {.5, .25, .5})}}}}}};
+  const Drawn got = drawn(figure, "stability.json", all.dump(), draw_curve);
+  ASSERT_EQ(got.problems, std::vector<std::string>{});
+  EXPECT_EQ(got.numbers.at("climbs.fails"), "1000");
+  EXPECT_EQ(got.numbers.at("climbs.first"), "1e-6");
+  EXPECT_EQ(got.numbers.at("climbs.last"), "0.01");
+  EXPECT_EQ(got.numbers.at("stays.fails"), "\u2013");
+  EXPECT_EQ(got.numbers.at("stays.largest"), "0.001");
+  EXPECT_EQ(got.numbers.at("stops.fails"), "10000");
+  EXPECT_EQ(got.numbers.at("stops.last"), "none");
+  EXPECT_EQ(got.numbers.at("bad.fails"), "1");
+}
+
+// Half and an eighth of the time: a quarter in the geometric mean. Incomplete cases do not count.
+TEST_F(NumbersTest, a_remedy_costs_the_mean_factor_of_all_cases) {
+  Figure figure;
+  figure.kind = "prices";
+  figure.prices = {{"far", "the sphere is far away", "hit_sphere", "reference", "half_b"}};
+  const std::string csv =
+      "task,case,implementation,nanoseconds,time_x_variance\n"
+      "hit_sphere,\"near\",\"reference\",10,\nhit_sphere,\"near\",\"half_b\",5,\n"
+      "hit_sphere,\"far\",\"reference\",80,\nhit_sphere,\"far\",\"half_b\",10,\n"
+      "hit_sphere,\"alone\",\"half_b\",1000,\nhit_box,\"near\",\"half_b\",1000,\n";
+  const Drawn got = drawn(figure, "measure.csv", csv, draw_prices);
+  EXPECT_EQ(got.numbers.at("far.time"), "0.25");
+  EXPECT_FALSE(got.numbers.contains("far.work"));
+}
+
+// Pictures of luminance .99, so that .01 more is 1, the divisor of errors.
+Rendered even(double luminance, const std::vector<double>& variances, int samples) {
+  Rendered picture;
+  picture.film = pt::Film(static_cast<int>(variances.size()), 1);
+  for (std::size_t i = 0; i < variances.size(); ++i) {
+    picture.film.pixels[i] = {pt::gray(luminance), {}, variances[i], samples};
+  }
+  return picture;
+}
+
+TEST(Compose, noise_is_the_root_of_the_mean_variance_of_a_pixel) {
+  EXPECT_NEAR(noise(even(.99, {4, 0}, 16)), std::sqrt((4 / 16. + 0) / 2), 1e-12);
+  EXPECT_NEAR(noise(even(1.99, {4, 4}, 16)), std::sqrt(4 / 16. / 4), 1e-12);
+}
+
+// All pixels are off by .6; of its square, the golden's own noise causes 4 / 16.
+TEST(Compose, an_error_is_without_the_noise_of_what_it_is_measured_against) {
+  const Rendered golden = even(.99, {4, 4}, 16);
+  EXPECT_NEAR(error(even(1.59, {0, 0}, 1), golden), std::sqrt(.36 - .25), 1e-12);
+  EXPECT_EQ(error(even(1.09, {0, 0}, 1), golden), 0) << "less than the noise";
+  EXPECT_NEAR(mean_luminance(golden.film), .99, 1e-12);
+}
+
+// 1.96 / .1, squared, are 384 samples of variance 1 and mean 1: 13 batches of 32.
+TEST(Compose, adaptive_samples_are_whole_batches_up_to_the_most) {
+  pt::Film film = even(1, {1, 0, 4, 1, 2.5}, 64).film;
+  film.pixels[3].mean = {};
+  EXPECT_EQ(predicted_samples(film, {1024, 32, .1}),
+            (std::vector<int>{13 * 32, 32, 1024, 1024, 31 * 32}));
+}
+
+// Figures of invented pictures with equal pixels.
+class MadeUp : public NumbersTest {
+ protected:
+  MadeUp() {
+    const std::string scene = folder_.path() + "/room.dae";
+    pt::write_file(scene, "a room");
+    catalogue_.scenes["box"].own = scene;
+    for (const grader::Task& task : grader::tasks()) codes_.chosen.hash[task.slug] = "a";
+  }
+
+  // Writes a render of the unit that took this many seconds.
+  static void render(const Store& store, const Unit& unit, double seconds,
+                     const measure::RowHead& a_row, const std::vector<measure::RowPixel>& pixels) {
+    const measure::Spec& spec = unit.spec;
+    for (const measure::Band& band : store.begin(unit, 1)) {
+      for (int y = 0; y < spec.height; ++y) {
+        measure::Row row;
+        row.head = a_row;
+        row.head.cpu_seconds = seconds / spec.height;
+        for (int x = 0; x < spec.width; ++x) {
+          row.pixels.push_back(
+              pixels[static_cast<std::size_t>(y * spec.width + x) % pixels.size()]);
+        }
+        measure::append_row(band.file(), row);
+      }
+      measure::finish_band(band, {{}, std::string(name(spec.engine)), 14});
+    }
+  }
+
+  // Renders every picture as `each` describes it, and draws the figure.
+  template <class Each>
+  Drawn drawn_by(const Figure& figure,
+                 Drawn (*draw)(const Plan&, const Figure&, const std::filesystem::path&),
+                 Each each) const {
+    const Scenes scenes(catalogue_, "", "", "", false);
+    const Store store(folder_.path() + "/renders");
+    const Measurements measured(folder_.path() + "/measured", store);
+    const Plan plan(catalogue_, codes_, scenes, store, measured, Quality::draft);
+    each(plan);
+    return draw(plan, figure, folder_.path() + "/pages");
+  }
+
+  static Picture picture(const std::string& id, int samples) {
+    Picture picture;
+    picture.id = picture.label = id;
+    picture.scene = "box";
+    picture.spec.width = 4;
+    picture.spec.height = 3;
+    picture.spec.samples = samples;
+    return picture;
+  }
+};
+
+measure::RowPixel pixel(double luminance, int samples) {
+  const auto value = static_cast<float>(luminance);
+  return {{value, value, value}, 0, samples, -1};
+}
+
+// The best settings have 3 bounces: with 2, a tenth of the radiance would be missing.
+TEST_F(MadeUp, a_table_of_what_is_left_out_has_the_bias_of_one_bounce_less) {
+  Figure figure;
+  figure.id = "left_out";
+  figure.kind = "left_out";
+  figure.scenes = {"box"};
+  const json answer{
+      {"known", 0},
+      {"surfaces", 14},
+      {"best", {{"samples", 16}, {"light_samples", 2}, {"bounces", 3}, {"seconds", 1.5}}},
+      {"bias", {.5, .2, .1, .04, .01}},
+      {"course", {{"times", 2.5}}},
+      {"hemisphere", nullptr},
+      {"survivals", json::array()},
+      {"adaptive", .75},
+      {"without_tree", nullptr},
+      {"smooth", .25}};
+  const Drawn got = drawn(figure, "cheapest.json", answer.dump(), draw_measured);
+  ASSERT_EQ(got.problems, std::vector<std::string>{});
+  ASSERT_EQ(got.rows.size(), 1u);
+  EXPECT_EQ(got.rows[0], (std::vector<std::string>{"room", "2.5\u00d7", "\u2013", "\u2013",
+                                                   "0.75\u00d7", "\u2013", "25 %", "10 %"}));
+  EXPECT_EQ(got.numbers.at("box.course"), "2.5");
+  EXPECT_EQ(got.numbers.at("box.smooth"), "25");
+}
+
+// .1 ms per pixel without a tree, .01 ms with it: 480 x 360 pixels take 17.28 s and 1.728 s.
+TEST_F(MadeUp, a_tree_is_as_many_times_as_fast) {
+  Figure figure;
+  figure.id = "speedup";
+  figure.kind = "speedup";
+  figure.scenes = {"box"};
+  const Drawn got = drawn_by(figure, draw_speedup, [](const Plan& plan) {
+    const auto make = [&](pt::Engine engine, double seconds_a_pixel,
+                          const measure::RowHead& a_row) {
+      const Unit unit = plan.cell("box", engine);
+      render(plan.store(), unit, seconds_a_pixel * unit.spec.pixels(), a_row, {pixel(1, 1)});
+    };
+    make(pt::Engine::linear, 1e-4, {0, 10, 0, 120, 20, 0});
+    make(pt::Engine::task, 1e-5, {0, 10, 60, 20, 10, 0});
+    make(pt::Engine::wide, 1e-6, {0, 10, 0, 0, 0, 0});
+  });
+  EXPECT_EQ(got.problems, std::vector<std::string>{});
+  EXPECT_EQ(got.numbers.at("box"), "10");
+  EXPECT_EQ(got.numbers.at("box.linear"), "17.3");
+  EXPECT_EQ(got.numbers.at("box.tree"), "1.73");
+  EXPECT_EQ(got.numbers.at("box.linear_tests"), "14");
+  EXPECT_EQ(got.numbers.at("box.tests"), "9");
+  ASSERT_EQ(got.rows.size(), 1u);
+  EXPECT_EQ(got.rows[0], (std::vector<std::string>{"room", "14", "17.3", "1.73", "0.173",
+                                                   "10\u00d7", "14", "9"}));
+}
+
+// Twice the error in half the time: for the same error it takes twice as long as the other.
+TEST_F(MadeUp, a_method_costs_time_times_the_square_of_its_error) {
+  Figure figure;
+  figure.id = "methods";
+  figure.kind = "pictures";
+  figure.golden = picture("golden", 1024);
+  figure.pictures = {picture("slow", 16), picture("fast", 8)};
+  const Drawn got = drawn_by(figure, draw_pictures, [&](const Plan& plan) {
+    const auto make = [&](const Picture& of, double seconds, double luminance) {
+      render(plan.store(), plan.units(figure, of).at(0), seconds, {},
+             {pixel(luminance, of.spec.samples)});
+    };
+    make(*figure.golden, 100, .99);
+    make(figure.pictures[0], 2, 1.09);
+    make(figure.pictures[1], 1, 1.19);
+  });
+  EXPECT_EQ(got.problems, std::vector<std::string>{});
+  EXPECT_EQ(got.numbers.at("slow.error"), "10.0");
+  EXPECT_EQ(got.numbers.at("fast.error"), "20.0");
+  EXPECT_EQ(got.numbers.at("slow.factor"), "1.00");
+  EXPECT_EQ(got.numbers.at("fast.factor"), "2.00");
+}
+
+// Pixels that stop after one batch, or never, do not enter the ratio.
+TEST_F(MadeUp, rates_are_compared_where_they_could_be_others) {
+  Figure figure;
+  figure.id = "rates";
+  figure.kind = "pictures";
+  for (const double tolerance : {.1, .05}) {
+    figure.pictures.push_back(picture(tolerance == .1 ? "first" : "second", 1024));
+    figure.pictures.back().look = Look::rates;
+    figure.pictures.back().spec.adaptive = pt::AdaptiveSettings{1024, 32, tolerance};
+  }
+  const Drawn got = drawn_by(figure, draw_pictures, [&](const Plan& plan) {
+    const auto make = [&](const Picture& of, const std::vector<measure::RowPixel>& pixels) {
+      render(plan.store(), plan.units(figure, of).at(0), 1, {}, pixels);
+    };
+    make(figure.pictures[0], {pixel(1, 128), pixel(1, 32), pixel(1, 1024), pixel(1, 128)});
+    make(figure.pictures[1], {pixel(1, 192), pixel(1, 512), pixel(1, 32), pixel(1, 192)});
+  });
+  EXPECT_EQ(got.problems, std::vector<std::string>{});
+  EXPECT_EQ(got.numbers.at("first.ratio"), "1.00");
+  EXPECT_EQ(got.numbers.at("second.ratio"), "1.50");
+  EXPECT_EQ(got.numbers.at("second.average"), "232");
+  EXPECT_EQ(got.numbers.at("second.most"), "512");
+}
+
+}  // namespace
+}  // namespace writeup
