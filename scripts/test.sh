@@ -2,12 +2,14 @@
 # ./run test: builds what the tests need, and runs them. `./run` includes this file.
 # shellcheck disable=SC2154 # root and build are those of ./run
 
-# needs_of TEST...: the targets that these tests run, from the table that CMake has written; fails where there is no such test.
+# needs_of TEST...: the targets that these tests run, from the table that CMake has written. If there is no such test, it fails, and
+# prints the name.
 needs_of() {
   awk -v names="$*" '
     BEGIN { many = split(names, name, " ") }
-    { for (i = 1; i <= many; ++i) if (name[i] == $1) { found[i] = 1; for (k = 3; k <= NF; ++k) print $k } }
-    END { for (i = 1; i <= many; ++i) if (!(i in found)) { print name[i] >"/dev/stderr"; exit 1 } }' "$build/$preset/tests.txt"
+    { for (i = 1; i <= many; ++i) if (name[i] == $1) { found[i] = 1; for (k = 3; k <= NF; ++k) needs = needs $k "\n" } }
+    END { for (i = 1; i <= many; ++i) if (!(i in found)) { print name[i]; exit 1 }
+          printf "%s", needs }' "$build/$preset/tests.txt"
 }
 
 # say_how_long TIER: before anything is built.
@@ -21,7 +23,7 @@ say_how_long() {
 
 # run_tests [NAME ... | --all | --long] [--sanitize] [OPTIONS of ctest]
 run_tests() {
-  local preset=check tier=quick names=() options=() targets=() which word
+  local preset=check tier=quick names=() options=() targets=() which word said
   for word in "$@"; do
     case $word in
       --sanitize) preset=sanitize ;;
@@ -34,9 +36,8 @@ run_tests() {
     setup
     lock_tree
     configure "$preset" || { explain_configure "$preset"; exit 2; }
-    mapfile -t targets < <(needs_of "${names[@]}" 2>/dev/null)
-    needs_of "${names[@]}" >/dev/null 2>&1 ||
-      fail "there is no test '$(needs_of "${names[@]}" 2>&1 >/dev/null)'; build/$preset/tests.txt has their names"
+    said=$(needs_of "${names[@]}") || fail "there is no test '$said'; build/$preset/tests.txt has their names"
+    [ -z "$said" ] || mapfile -t targets <<<"$said"
     which=(-R "^($(IFS='|'; echo "${names[*]}"))\$")
   else
     say_how_long "$tier"

@@ -53,15 +53,12 @@ endforeach()
 
 # Submissions that attack the grader, and files that it must not take; variables that live on between
 # calls; a busy machine; four bugs that a write-up tells of; and what is right on average and too noisy.
-set(tier_of_busy long)  # fourteen endless loops beside it: minutes, in which nothing else gets on
-foreach(test hostile attack state busy noisy)
-  set(tier rest)
-  if(DEFINED tier_of_${test})
-    set(tier ${tier_of_${test}})
-  endif()
-  firstlight_test(${test}_test ${tier} PLAIN PATHS SOURCES ${service}/judging/${test}_test.cpp LIBRARIES grader_submissions
+foreach(test hostile attack state noisy)
+  firstlight_test(${test}_test rest PLAIN PATHS SOURCES ${service}/judging/${test}_test.cpp LIBRARIES grader_submissions
     NEEDS grade graded)
 endforeach()
+# Fourteen endless loops run beside it, and nothing else gets on.
+firstlight_test(busy_test long PLAIN PATHS SOURCES ${service}/judging/busy_test.cpp LIBRARIES grader_submissions NEEDS grade graded)
 firstlight_test(four_bugs_test rest PLAIN PATHS SOURCES grader/tasks/four_bugs_test.cpp LIBRARIES grader_submissions
   NEEDS grade graded)
 

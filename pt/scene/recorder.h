@@ -56,14 +56,6 @@ struct Recorder {
 
 extern constinit thread_local Recorder recorder;
 
-// Calls of a task in its recorded form go through the function here that has the task's signature.
-template <class Result, class Shape>
-Result record_call(Result (*task)(const Shape&, const Ray&), const Shape& shape, const Ray& ray);
-
-using DirectTask = Rgb(const Scene&, const SurfacePoint&, int, Sampler&);
-Rgb record_call(DirectTask* task, const Scene& scene, const SurfacePoint& point, int samples,
-                Sampler& sampler);
-
 inline void record_test(const Box& box) {
   ++recorder.count.boxes;
   if (recorder.tested != nullptr) recorder.tested->boxes.push_back(box);
@@ -78,6 +70,11 @@ inline void record_test(const Sphere& sphere) {
   ++recorder.count.spheres;
   if (recorder.tested != nullptr) recorder.tested->spheres.push_back(sphere);
 }
+
+// Calls of a task in its recorded form go through the function here that has the task's signature.
+using DirectTask = Rgb(const Scene&, const SurfacePoint&, int, Sampler&);
+Rgb record_call(DirectTask* task, const Scene& scene, const SurfacePoint& point, int samples,
+                Sampler& sampler);
 
 template <class Result, class Shape>
 Result record_call(Result (*task)(const Shape&, const Ray&), const Shape& shape, const Ray& ray) {
