@@ -47,6 +47,12 @@ class Crowd {
     all_.push_back(child);
     return child;
   }
+  // Adds a child that is stopped: its processor time, spent on the fork, grows no more.
+  pid_t add_stopped() {
+    const pid_t child = add([] { raise(SIGSTOP); });
+    EXPECT_EQ(waitpid(child, nullptr, WUNTRACED), child);
+    return child;
+  }
 
  private:
   cpu_set_t one_{};
@@ -65,9 +71,7 @@ void wait_for_ever() {
 
 TEST(process_time, counts_what_others_took_and_not_what_was_slept) {
   Crowd crowd;
-  const pid_t sleeper = crowd.add(wait_for_ever);
-  kill(sleeper, SIGSTOP);
-  ASSERT_EQ(waitpid(sleeper, nullptr, WUNTRACED), sleeper);
+  const pid_t sleeper = crowd.add_stopped();
   const nanoseconds before = time_of_tree(sleeper).waiting;
   const auto start = std::chrono::steady_clock::now();
   const pid_t family = crowd.add([] {
@@ -139,7 +143,8 @@ TEST(time_limit, ends_what_sleeps) {
 // Nobody has waited for the child here, so the limit does not count sleep: it had no processor.
 TEST(time_limit, says_that_the_machine_is_too_busy_and_not_that_the_program_is_too_slow) {
   Crowd crowd;
-  TimeLimit time(crowd.add(wait_for_ever), milliseconds(2));
+  const pid_t child = crowd.add_stopped();
+  TimeLimit time(child, milliseconds(2), time_of_tree(child).running);
   const auto start = TimeLimit::Clock::now();
   bool over = false;
   std::string said;
