@@ -55,17 +55,38 @@ explain_configure() {
 # another machine.
 forget_mixtures() { [ -s "$build/mixtures" ] && rm "$build/mixtures"; }
 
+# expect_task_files: fails if a file of the learner is gone.
+expect_task_files() {
+  local contract slug
+  for contract in "$root"/pt/tasks/*.h; do
+    slug=$(basename "$contract" .h)
+    [ -n "$(find "$root/student" -name "$slug.cpp" -print -quit)" ] ||
+      fail "student/*/$slug.cpp is gone: get it back (git checkout student), or write it again from pt/tasks/$slug.h"
+  done
+}
+
+# name_changed_files: names the files of a learners' edition, besides the learner's own, that make so much to build.
+name_changed_files() {
+  local changed
+  changed=$(cd "$root" && sha256sum --quiet -c .edition 2>/dev/null | sed -n 's|: FAILED.*||p' | grep -v '^student/' | head -n 5 |
+    paste -sd' ') || true
+  [ -z "$changed" ] || echo "Much is built again, because these files were changed: $changed (git checkout $changed takes them back)" >&2
+}
+
 # build PRESET TARGET...: prints nothing if there is nothing to do, and the compiler's messages if it fails.
 build() {
-  local preset=$1
+  local preset=$1 steps
   shift
+  case " $* " in *student*) expect_task_files ;; esac
   setup
   lock_tree
   configure "$preset" || { forget_mixtures && configure "$preset"; } || { explain_configure "$preset"; exit 2; }
-  if ! ninja -C "$build/$preset" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
+  steps=$(ninja -C "$build/$preset" -n "$@" 2>/dev/null) || true
+  if [[ $steps != *'no work to do'* ]]; then
+    [ ! -e "$root/.edition" ] || [ "$(wc -l <<<"$steps")" -lt 30 ] || name_changed_files
     if ! NINJA_STATUS='[%f/%t] ' with_progress "building $1 ($preset)" "$build/$preset/build.log" \
       ninja -C "$build/$preset" "$@"; then
-      grep -vE '^(ninja: |\[[0-9]+/[0-9]+\] )' "$build/$preset/build.log" >&2
+      grep -vE '^(ninja: |\[[0-9]+/[0-9]+\] )' "$build/$preset/build.log" | sed 's/\bunrecorded_//g' >&2
       fail "the build failed; the whole output is in build/$preset/build.log"
     fi
   fi

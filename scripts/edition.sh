@@ -71,30 +71,31 @@ update() {
   [ ${#saved[@]} -eq 0 ] || echo "You had changed other files; your versions are kept here: $(printf '%s\n' "${saved[@]}" | sort -u | paste -sd' ')"
 }
 
-# submit [FILE.zip]: packs the files of all tasks, and the last grade.
+# submit [FILE.zip]: grades the promises of all tasks, and packs their files with the table.
 submit() {
-  local target=${1:-firstlight-submission.zip} slug file half files=() last=$build/check/grader/graded/last changed
+  local target=${1:-firstlight-submission.zip} slug file files=() conflicts graded half status=0
   case $target in *.zip) ;; *) fail "the archive has to be a .zip: ./run submit mine.zip" ;; esac
   target=$(realpath -m -- "$target")
+  cd "$root"
   while read -r slug; do
-    file=$(cd "$root/student" && find . -mindepth 2 -maxdepth 2 -name "$slug.cpp" -printf '%P\n')
+    file=$(cd student && find . -mindepth 2 -maxdepth 2 -name "$slug.cpp" -printf '%P\n')
     [ -n "$file" ] || fail "there is no $slug.cpp in student/: all $(tasks_meant | wc -l) files have to be handed in, stubs too"
     files+=("$file")
   done < <(tasks_meant)
+  conflicts=$(cd student && grep -nE '^(<<<<<<<|>>>>>>>)( |$)' "${files[@]}" | cut -d: -f1,2 | paste -sd' ') || true
+  [ -z "$conflicts" ] || fail "a merge is not finished: remove the conflict markers first (student/: $conflicts)"
+  graded=$(grade --no-pictures) || status=$?
+  printf '%s\n' "$graded"
+  [ "$status" -lt 2 ] || fail "nothing was packed, because the files could not be graded"
   half=$(mktemp -d)
   # shellcheck disable=SC2064
   trap "rm -rf ${half@Q} ${target@Q}.half" EXIT
+  printf '%s\n' "$graded" >"$half/graded.txt"
   for file in "${files[@]}"; do
     mkdir -p "$half/$(dirname "$file")"
-    cp "$root/student/$file" "$half/$file"
+    cp "student/$file" "$half/$file"
   done
-  if [ -e "$last" ]; then
-    changed=$(cd "$root/student" && find "${files[@]}" -newer "$last" | paste -sd' ')
-    { cat "$last"; [ -z "$changed" ] || echo "Changed since then: $changed"; } >"$half/graded.txt"
-  else
-    echo "Not graded on this machine yet." >"$half/graded.txt"
-  fi
   (cd "$half" && cmake -E tar cf "$target.half" --format=zip -- graded.txt "${files[@]}") || fail "$target cannot be written"
   mv "$target.half" "$target"
-  echo "$target: ${#files[@]} files. $(paste -sd' ' "$half/graded.txt")"
+  echo "$target: ${#files[@]} files, and the table above. Pictures were not graded: ./run grade does that."
 }

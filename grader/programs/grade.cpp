@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -170,18 +169,6 @@ judging::GradeRequest request_for(const build::Config& config, const GradeOption
   return request;
 }
 
-// Keeps a sentence on a learner's last run, for ./run submit.
-void remember_run(const build::Config& config, const results::Results& results,
-                  const GradeOptions& options) {
-  if (options.submission != GradeOptions().submission) return;
-  const std::time_t now = std::time(nullptr);
-  char time[32] = "";
-  std::strftime(time, sizeof time, "%Y-%m-%d %H:%M", std::localtime(&now));
-  pt::write_file(config.work + "/last", std::string("Graded last: ") + time + ", " +
-                                            programs::command(options) + ": " +
-                                            results::verdict(results) + "\n");
-}
-
 // Shows how many verdicts there are, of how many in the end.
 void show_progress(report::StatusLine& line, const results::Results& so_far) {
   const results::Counts verdicts = results::verdicts(so_far);
@@ -220,7 +207,6 @@ int run(Words words) {
   line.reset();
   if (request.pictures) unfinished.end();
   report::remember_failures(config.work, results);
-  remember_run(config, results, options);
   return show(results, options);
 }
 

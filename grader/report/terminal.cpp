@@ -94,16 +94,17 @@ std::string labelled(const std::string& label, const std::vector<std::string>& l
   return text;
 }
 
-std::string failure_text(const results::Readable& readable) {
+std::string failure_text(const results::Readable& readable, const TerminalStyle& style) {
   const results::Failure& failure = readable.failure;
   std::vector<std::string> input = failure.input;
   if (readable.lines_left_out > 0) input.push_back(results::more_lines(readable.lines_left_out));
   std::string text;
   if (failure.integrated) text += fmt::format("  With all {} tasks yours:\n", tasks().size());
-  text += labelled("input", input);
+  if (!style.input_last) text += labelled("input", input);
   if (!failure.what.empty()) text += labelled("compared", {failure.what});
   text += labelled("got", {failure.got}) + labelled("expected", {failure.expected});
   if (!failure.off_by.empty()) text += labelled("off by", {failure.off_by});
+  if (style.input_last) text += labelled("input", input);
   return text + "\n";
 }
 
@@ -116,7 +117,7 @@ std::string promise_text(const results::TaskResult& task, const results::Promise
   text += "\n";
   if (promise.failures.empty()) return text + "  It failed, and there is no input to show.\n";
   for (const results::Failure& failure : promise.failures) {
-    text += failure_text(results::readable(failure));
+    text += failure_text(results::readable(failure), style);
     if (!style.all) break;
   }
   return text + labelled("replay", {promise.failures[0].replay}) +

@@ -12,6 +12,7 @@ struct TerminalStyle {
   bool color = false;
   bool all = false;  // every failure, not only the first
   std::size_t width = 100;
+  bool input_last = false;  // below "got" and "expected", where a small window cuts the text
 };
 
 // The results for a person in front of a terminal: a table, then failures in full.

@@ -57,6 +57,7 @@ std::string Verdicts::state(const std::string& slug) const {
 }
 
 std::string Verdicts::show(const std::string& slug) {
+  const std::string before = this->slug();
   for (std::size_t i = 0; i < tasks_.size(); ++i) {
     if (tasks_[i].slug == slug) task_ = i;
   }
@@ -64,13 +65,21 @@ std::string Verdicts::show(const std::string& slug) {
   promise_.clear();
   const std::vector<report::FailureText> all = items(task_);
   if (!all.empty()) return show_item(all[0]);
-  return find(slug) == nullptr ? "" : slug + " passes.\n" + next();
+  const results::TaskResult* result = find(slug);
+  if (result == nullptr) return "";
+  if (const results::TaskResult* blocker = first_blocker(*result)) {
+    return fmt::format("{} is blocked: correct {} first.\n", slug, blocker->slug) +
+           show(blocker->slug);
+  }
+  // If several files are saved at once, the failure of one must not give way to what comes next.
+  const results::TaskResult* shown = find(before);
+  const bool stays = before != slug && shown != nullptr && results::is_fault(shown->state);
+  return slug + " passes.\n" + (stays ? show(before) : show_first());
 }
 
 std::string Verdicts::show_first() {
   for (const results::TaskResult& task : known_.tasks) {
-    if (task.state != results::State::pass && task.state != results::State::not_attempted)
-      return show(task.slug);
+    if (results::is_fault(task.state)) return show(task.slug);
   }
   return next();
 }
@@ -93,11 +102,25 @@ const results::TaskResult* Verdicts::find(const std::string& slug) const {
   return nullptr;
 }
 
-// The failures of a task that remain to be corrected: none if it passes.
+// The first task that has to be corrected before a blocked task; null if the task is not blocked.
+const results::TaskResult* Verdicts::first_blocker(const results::TaskResult& task) const {
+  if (task.state != results::State::blocked) return nullptr;
+  for (const std::string& slug : task.blocked_by) {
+    const results::TaskResult* blocker = find(slug);
+    if (blocker != nullptr && results::is_fault(blocker->state)) return blocker;
+  }
+  return nullptr;
+}
+
+// The failures of a task that remain to be corrected: none if it passes, or is blocked by a task
+// whose failures are shown instead.
 std::vector<report::FailureText> Verdicts::items(std::size_t task) const {
   const build::TaskConfig& config = tasks_[task];
   const results::TaskResult* result = find(config.slug);
-  if (result != nullptr && result->state == results::State::pass) return {};
+  if (result != nullptr &&
+      (result->state == results::State::pass || first_blocker(*result) != nullptr)) {
+    return {};
+  }
   if (result == nullptr || result->state == results::State::not_attempted) {
     return {{config.slug, "",
              fmt::format("\n{} {} is not {} yet.\n  contract  pt/tasks/{}.h\n  file      {}/{}\n",

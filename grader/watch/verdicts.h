@@ -31,7 +31,8 @@ class Verdicts {
   // The state of the task; empty if it is not judged yet.
   std::string state(const std::string& slug) const;
 
-  // The first failure of the task. If there is none, a sentence that it passes, and next().
+  // The first failure of the task. If it passes, a sentence that says so, and then the failure that
+  // was shown before, or show_first(). If it is blocked, the first failure of the task that blocks it.
   std::string show(const std::string& slug);
 
   // The first failure of all tasks; if there is none, next().
@@ -47,6 +48,7 @@ class Verdicts {
 
  private:
   const results::TaskResult* find(const std::string& slug) const;
+  const results::TaskResult* first_blocker(const results::TaskResult& task) const;
   std::vector<report::FailureText> items(std::size_t task) const;
   std::string show_item(const report::FailureText& item);
 

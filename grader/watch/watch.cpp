@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     if (options.config.empty()) options.config = build::default_config_path();
     options.programs = std::filesystem::absolute(options.config).parent_path();
     options.style.width = std::clamp(watch::screen_size().columns, 40, 100);
+    options.style.input_last = true;
     options.style.color = report::terminal_has_color();
     const build::Config config = build::load_config(options.config);
     watch::RawTerminal terminal;

@@ -156,13 +156,6 @@ for change in 's/todo("diffuse_bsdf");/throw 1;/' '0,/todo("diffuse_bsdf");/s//r
 done
 [ -z "$("$grader/grade" --programs --from-results "$folder/whole.json")" ] || complain 'a report needs programs'
 
-# The last run of a learner is kept for ./run submit; a run of somebody else's code is not.
-kept=$folder/whole/work
-[ ! -e "$kept/last" ] || complain 'the run of a submission is taken for one of the learner'
-grades whole 1 camera_ray --no-pictures --seed 3
-grep -qE '^Graded last: [0-9-]{10} [0-9:]{5}, \./run grade camera_ray --no-pictures --seed 3: 0 of 1 tasks pass\.' \
-  "$kept/last" || complain "the last run is not kept: $(cat "$kept/last")"
-
 # Another project with the same cache: a change of a contract's code affects the tasks that may include it, a change of
 # its comments none.
 prepare changed

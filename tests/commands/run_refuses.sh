@@ -22,6 +22,7 @@ refuses "--from takes student or reference" grade hit_triangle --from
 refuses "--from takes student or reference" grade --from theirs hit_triangle
 refuses "--seed takes a whole number" grade hit_triangle --from student --seed one
 refuses "--html cannot be used with --from" grade hit_triangle --from student --html page.html
+refuses "there is no 'nosuch'; ./run help lists the commands" nosuch
 refuses "say which task" debug
 refuses "'hit_me' is not a task" debug hit_me
 command -v blender >/dev/null || refuses "blender is missing" bench cycles
@@ -65,6 +66,12 @@ for name in 'a "b"' 'a\b' 'a;b' 'a$b'; do
 done
 mkdir "$place/it's a b"
 cp -r run scripts "$place/it's a b"
-"$place/it's a b/run" help >/dev/null || complain "a path with spaces is refused"
+sh "$place/it's a b/run" help >/dev/null || complain "a path with spaces is refused, or sh"
+
+# A task file that is gone is named before anything is built.
+cp -r --parents student pt/tasks grader/tasks/*/task.json "$place/it's a b"
+rm "$place/it's a b/student/2_bvh/hit_box.cpp"
+cd "$place/it's a b"
+refuses 'student/*/hit_box.cpp is gone' grade hit_sphere --from student
 
 finish

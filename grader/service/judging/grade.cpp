@@ -44,7 +44,7 @@ std::vector<const build::TaskConfig*> to_judge(const build::Config& config,
 std::vector<std::string> versions(const build::Config& config) {
   std::vector<std::string> all{config.compiler_version};
   const process::CommandResult commit =
-      process::run_command({{"/usr/bin/git", "-C", config.root, "describe", "--always", "--dirty"},
+      process::run_command({{"/usr/bin/git", "-C", config.root, "describe", "--always", "--dirty=-changed"},
                             {"PATH=/usr/bin", "LANG=C.UTF-8"},
                             {},
                             "",

@@ -114,7 +114,6 @@ TEST_F(WatchTest, judges_everything_once_and_then_what_is_saved) {
   save("1_rays/hit_sphere", "// new");
   const std::string screen = terminal.expect("hit_sphere passes");
   EXPECT_THAT(screen, HasSubstr("[#..] 1 of 3 tasks pass"));
-  terminal.expect("2.1 build_bvh is not written yet");
   terminal.type("q");
   expect_exit(terminal, 0);
   EXPECT_THAT(pt::read_file(here_ + "/log"),
@@ -260,6 +259,54 @@ TEST_F(WatchTest, begins_with_what_fails_not_with_what_is_not_written) {
   answer("all", {unwritten, failing("1_rays", "1.4", "hit_sphere", {"four"})});
   PseudoTerminal terminal(command());
   EXPECT_THAT(terminal.expect("got for four"), Not(HasSubstr("not written yet")));
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, shows_the_failure_of_two_files_that_are_saved_at_once) {
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  pt::write_file(here_ + "/before", "until [ -e \"$here/go\" ]; do sleep 0.02; done\n");
+  save("1_rays/hit_triangle", "// wrong");
+  terminal.expect("checking hit_triangle");
+  save("1_rays/hit_sphere", "// right");
+  pt::write_file(here_ + "/go", "");
+  terminal.expect("got for three");
+  terminal.expect("hit_sphere passes");
+  EXPECT_THAT(terminal.expect("got for three"), Not(HasSubstr("not written")));
+  terminal.type("h");
+  terminal.expect("hint asked for: hit_triangle three");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+// hit_sphere does not call hit_triangle, but watch believes the results.
+TEST_F(WatchTest, shows_what_blocks_a_task_in_its_place) {
+  results::TaskResult blocked = failing("1_rays", "1.4", "hit_sphere", {});
+  blocked.state = results::State::blocked;
+  blocked.blocked_by = {"hit_triangle"};
+  blocked.reason = "right by itself";
+  answer("all", {blocked, triangle({"one"})});
+  answer("hit_sphere", {blocked});
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  save("1_rays/hit_sphere", "// right");
+  terminal.expect("hit_sphere is blocked: correct hit_triangle first.");
+  terminal.expect("got for one");
+  terminal.type("n");
+  EXPECT_THAT(terminal.expect("not judged yet"), Not(HasSubstr("right by itself")));
+  terminal.type("q");
+  expect_exit(terminal, 0);
+}
+
+TEST_F(WatchTest, shows_what_came_back_above_a_long_input) {
+  results::TaskResult task = triangle({"one"});
+  for (int i = 0; i < 40; ++i) {
+    task.promises[0].failures[0].input.push_back("value " + std::to_string(i));
+  }
+  answer("all", {task});
+  PseudoTerminal terminal(command());
+  EXPECT_THAT(terminal.expect("value 0"), HasSubstr("got for one"));
   terminal.type("q");
   expect_exit(terminal, 0);
 }
