@@ -6,7 +6,7 @@ endforeach()
 # Mistakes in the framework, each of which a test must find: that they fit their files, and, long, that they are found.
 firstlight_script_test(edits quick rules/edits.sh)
 firstlight_script_test(mutants_fit quick mutants/run.sh ARGUMENTS --check)
-firstlight_script_test(handbook rest rules/handbook.sh)
+firstlight_script_test(pages quick rules/pages.py)
 # Newer compilers bring fewer headers along than those of the tests.
 firstlight_script_test(std_includes quick rules/std_includes.py)
 # Where headers are precompiled, whole libraries are one file, and this sees the other files only.

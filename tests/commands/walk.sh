@@ -1,14 +1,36 @@
 #!/usr/bin/env bash
-# Walks what README promises, each command once, on a small input: rendering, grading alone and together with pictures, hints, a
-# class, the settings that a scene needs, the time of a call. ./run builds these programs, and starts them with the same words.
+# Walks what README and docs/commands.md promise, each command once, on a small input: rendering, grading alone and together with
+# pictures, hints, a class, the settings that a scene needs, the time of a call. ./run builds these programs, and starts them with
+# the same words. Every render that a page names is walked with its own options, on a few pixels.
 # walk.sh BUILD: whose programs are walked.
 set -euo pipefail
 # shellcheck source=tests/fixtures/shell.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
 build=$1
 
-expect 0 '' "$build/pt/render" scenes/box_spheres.dae -s 1 -m 2 -r 48 36 -f "$folder/one.png"
-expect 0 '' "$build/pt/compare" "$folder/one.png" "$folder/one.png"
+# What README and docs/commands.md name is a command of ./run, the help names it on docs/commands.md, and a line below or another
+# test walks it.
+walked=' render compare grade hint grade-class cheapest measure '
+elsewhere=' watch debug submit writeup converge ladder stability mesh bench handout gradescope-zip test lint format tidy bless help '
+named() { grep -ohE '\./run [a-z-]+' "$@" | cut -d' ' -f2 | sort -u; }
+for command in $(named README.md docs/commands.md); do
+  case $walked$elsewhere in *" $command "*) ;; *) complain "$command is on a page, and nothing walks it" ;; esac
+done
+./run help >"$folder/help"
+missing=$(comm -23 <(named "$folder/help") <(named docs/commands.md))
+[ -z "$missing" ] || complain "docs/commands.md has no line for:" $missing
+
+renders=0
+while IFS= read -r words; do
+  # The programs are built already, pictures are small, and adaptive sampling needs a batch.
+  words=$(sed -E 's/ --from [^ ]+//g; s/ -r [0-9]+ [0-9]+//; s/ -s [0-9]+//; s#-f ([^ ]+)#-f '"$folder"'/\1#' <<<"$words")
+  case $words in *' -a '*) words+=' -s 32 -r 4 3' ;; *) words+=' -s 1 -r 16 12' ;; esac
+  # shellcheck disable=SC2086
+  expect 0 '' "$build/pt/render" $words
+  renders=$((renders + 1))
+done < <(sed -nE 's/^    \.\/run render (scenes\/.*)$/\1/p; s/.*`\.\/run render (scenes\/[^`]*)`.*/\1/p' README.md docs/rendering.md student/*.md student/*/README.md | sort -u)
+[ "$renders" -ge 30 ] || complain "the pages have only $renders renders"
+expect 0 '' "$build/pt/compare" "$folder/box.png" "$folder/box.png"
 
 # A submission that is right but for one task, and has not written another one.
 cp -r reference "$folder/good"

@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""pages.py: checks that the pages of the project agree with its files. Every relative link and its anchor lead somewhere; every
+task has a chapter; every picture of the handbook has the command below it that makes it (writeup/handbook.json has its settings);
+a mistake that a page names exists; the points in sample tables can occur; and a page that says "more than N" of something that
+can be counted is right."""
+import glob
+import json
+import os
+import re
+import sys
+
+os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../.."))
+HANDOUT = "scripts/editions/handout_README.md"  # it is at the root of the handout
+complaints = []
+
+
+def read(name):
+    with open(name, encoding="utf-8") as file:
+        return file.read()
+
+
+def pages():
+    for folder, folders, files in os.walk("."):
+        folders[:] = [name for name in folders if name not in ("build", ".git")]
+        yield from (os.path.relpath(os.path.join(folder, name)) for name in files if name.endswith(".md"))
+
+
+def anchors(text):
+    """The anchors of a page's headings, as GitHub makes them."""
+    headings = re.findall(r"^#+ (.*)$", text, re.M)
+    return {re.sub(r"[^a-z0-9_-]", "", heading.lower().replace(" ", "-")) for heading in headings}
+
+
+def check_links(page, text):
+    folder = "." if page == HANDOUT else os.path.dirname(page)
+    for link in re.findall(r"\]\(([^)\s]+)\)", text):
+        if re.match(r"[a-z]+:", link):
+            continue
+        name, _, anchor = link.partition("#")
+        target = os.path.normpath(os.path.join(folder, name)) if name else page
+        if not os.path.exists(target):
+            complaints.append(f"{page}: nothing at '{link}'")
+        elif anchor and anchor not in anchors(read(target)):
+            complaints.append(f"{page}: no heading for '{link}'")
+
+
+def check_names(page, text):
+    for scene in re.findall(r"\./run .*?(scenes/[a-z_]+\.dae)", text):
+        if not os.path.exists(scene):
+            complaints.append(f"{page}: no scene '{scene}'")
+    for task, mistake in re.findall(r"^<!-- ([a-z_]+): ([a-z0-9_]+) -->$", text, re.M):
+        if not re.search(rf"^name    {mistake}$", read(f"grader/tasks/{task}/mistakes.txt"), re.M):
+            complaints.append(f"{page}: {task} has no mistake '{mistake}'")
+
+
+def check_points(page, text):
+    """The rows of a sample table have the number of possible points that follows from the usual worth of a promise and of a picture."""
+    for slug, got, possible in re.findall(r"^ +[1-9]\.[0-9]  ([a-z_]+) +[a-z]+ +([0-9]+)/([0-9]+)", text, re.M):
+        promises = len([line for line in re.findall(r"^//   - .*", read(f"pt/tasks/{slug}.h"), re.M) if "(bonus)" not in line])
+        pictures = len([line for line in re.findall(r'"tasks".*', read("scenes/recipes.json")) if f'"{slug}"' in line])
+        if int(possible) != promises + 3 * pictures or int(got) > int(possible):
+            complaints.append(f"{page}: {slug} has {promises + 3 * pictures} points, not {got}/{possible}")
+
+
+# Options of ./run render by the names of the settings.
+VALUES = {"samples": "-s", "bounces": "-m", "light_samples": "-l", "adaptive": "-a", "size": "-r", "camera": "--camera"}
+DEFAULTS = {"-m": "5", "-l": "1"}
+
+
+def options(words):
+    """The options of a command that change its picture: name -> value."""
+    found, name = {}, None
+    for word in words:
+        if re.match(r"--?[A-Za-z]", word):
+            name = word
+            found.setdefault(name, [])
+        elif name:
+            found[name].append(word)
+    return {name: " ".join(values) for name, values in found.items()}
+
+
+def expected_command(figure, plan, task):
+    """The scene and the options of the command that makes a picture in a handout. `task` has the mistake that the picture shows."""
+    picture = figure["pictures"][0]
+    settings = {**plan["defaults"], **figure.get("settings", {}), **picture}
+    expected = {option: " ".join(map(str, settings[name])) if isinstance(settings[name], list) else str(settings[name])
+                for name, option in VALUES.items() if name in settings}
+    if settings.get("hemisphere"):
+        expected["-H"] = ""
+    if "bounces" in picture:
+        expected.update({"--show": "bounce", "--bounce": str(picture["bounces"][0])})
+        expected.pop("-m")
+    elif "show" in settings:
+        expected["--show"] = settings["show"]
+    expected["--from"] = "reference" + (f" {task}=student" if "mistake" in settings else "")
+    return plan["scenes"][settings["scene"]]["own"], expected
+
+
+def check_pictures():
+    plan = json.loads(read("writeup/handbook.json"))
+    chapters = {name: read(name) for name in glob.glob("student/*/README.md")}
+    for figure in plan["figures"]:
+        file = figure["file"]
+        if not file.startswith("student/pictures/"):
+            continue
+        name = os.path.basename(file)
+        if os.path.getsize(file) > 120 * 1024:
+            complaints.append(f"{file} is larger than 120 KiB")
+        shown = [(page, text) for page, text in chapters.items() if f"pictures/{name})" in text]
+        if not shown:
+            complaints.append(f"no page shows {file}")
+        for page, text in shown:
+            # The first command below the picture. Sample-rate pictures are written next to the picture that a command names.
+            output = re.sub(r"_rate\.png$", ".png", name)
+            made = re.compile(rf"^    \./run render (\S+) (.*-f {re.escape(output)}\b.*)$", re.M)
+            command = made.search(text, text.index(f"pictures/{name})")) or made.search(text)
+            if not command:
+                complaints.append(f"{page}: no command makes {name}")
+                continue
+            # The name of the mistake is below its picture; a stub needs no name.
+            mistake = re.search(rf"pictures/{name}\)\n<!-- ([a-z_]+): {figure['pictures'][0].get('mistake')} -->", text)
+            scene, expected = expected_command(figure, plan, mistake[1] if mistake else "hit_sphere")
+            got = options(command[2].split())
+            del got["-f"]
+            for default in DEFAULTS.items():
+                got.setdefault(*default)
+                expected.setdefault(*default)
+            if command[1] != scene or got != expected:
+                differs = {key: (got.get(key), expected.get(key)) for key in {*got, *expected} if got.get(key) != expected.get(key)}
+                complaints.append(f"{page}: the command below {name} makes another picture: {command[1]}, {differs} (here, in handbook.json)")
+    known = {figure["file"] for figure in plan["figures"]}
+    for file in glob.glob("student/pictures/*.png"):
+        if file not in known:
+            complaints.append(f"writeup/handbook.json does not make {file}")
+
+
+def check_tasks():
+    chapters = [read(name) for name in glob.glob("student/*/README.md")]
+    for contract in glob.glob("pt/tasks/*.h"):
+        slug = os.path.basename(contract)[:-2]
+        if not any(re.search(rf"^## [0-9.]+ {slug}$", text, re.M) for text in chapters):
+            complaints.append(f"no chapter for {slug}")
+        if not any(f"tasks/{slug}.h" in text for text in chapters):
+            complaints.append(f"no link to {contract}")
+
+
+def count(pattern, files):
+    return sum(len(re.findall(pattern, read(name), re.M)) for name in glob.glob(files))
+
+
+COUNTED = {"promises": lambda: count(r"^//   - ", "pt/tasks/*.h"),
+           "wrong solutions": lambda: count(r"^name ", "grader/tasks/*/mistakes.txt"),
+           "correct variants": lambda: len(glob.glob("grader/tasks/*/right/*.cpp"))}
+
+
+def check_counts(page, text):
+    """"more than N things": there are more, and not many more."""
+    for number, things in re.findall(r"[Mm]ore than ([0-9]+) (%s)" % "|".join(COUNTED), " ".join(text.split())):
+        if not int(number) < COUNTED[things]() <= 1.1 * int(number):
+            complaints.append(f"{page}: there are {COUNTED[things]()} {things}, not 'more than {number}'")
+    return len(re.findall(r"[Mm]ore than [0-9]+ (?:%s)" % "|".join(COUNTED), " ".join(text.split())))
+
+
+def main():
+    names, counts = sorted(pages()), 0
+    for page in names:
+        text = read(page)
+        check_links(page, text)
+        check_names(page, text)
+        check_points(page, text)
+        counts += check_counts(page, text)
+    if len(names) < 20 or counts < 2:
+        complaints.append(f"only {len(names)} pages and {counts} counts found")
+    check_pictures()
+    check_tasks()
+    for complaint in complaints:
+        print(complaint)
+    print(f"{len(names)} pages, {len(complaints)} complaints")
+    return len(complaints) > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
