@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-// Maps from two uniform numbers to directions. Each says its density in steradians.
+// Maps from two uniform numbers to directions. Each says its density per steradian.
 
 namespace pt {
 
