@@ -53,8 +53,9 @@ if(NOT FIRSTLIGHT_LTO AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MA
   add_link_options(${FIRSTLIGHT_FAST_LINKER})
 endif()
 
+set(FIRSTLIGHT_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
 if(FIRSTLIGHT_SANITIZE)
-  set(flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  set(flags ${FIRSTLIGHT_SANITIZERS})
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # Code that sanitisers add makes g++ warn of std::regex (its manual: -fsanitize and false warnings).
     list(APPEND flags -Wno-maybe-uninitialized)
