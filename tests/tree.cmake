@@ -7,6 +7,7 @@ endforeach()
 firstlight_script_test(edits quick rules/edits.sh)
 firstlight_script_test(mutants_fit quick mutants/run.sh ARGUMENTS --check)
 firstlight_script_test(pages quick rules/pages.py)
+firstlight_script_test(english quick rules/english.py)
 firstlight_script_test(drawings quick ../scripts/drawings.py ARGUMENTS --check)
 # Newer compilers bring fewer headers along than those of the tests.
 firstlight_script_test(std_includes quick rules/std_includes.py)

@@ -51,8 +51,8 @@ double around(const Golden& golden, const Plane& plane, int x, int y) {
 }
 
 // The weight is mean over variance, both of the neighbours. With its own, a pixel in which the
-// golden has too many fireflies would weigh less, a pixel with too few more, and any sum would be
-// too dark.
+// golden has too many fireflies would weigh less, and a pixel with too few would weigh more. The
+// golden's sum would be too dark, and every right picture would seem too bright.
 void choose_weights(Golden& golden) {
   const std::size_t count = golden.samples.size();
   Plane variances;
