@@ -38,12 +38,12 @@ struct PixelEstimate {
 //   - stops where the interval is narrow: after the first batch that satisfies the condition,
 //     exactly, for any sequence of samples.
 //   - checks once a batch: n is a multiple of `batch`, or max_samples.
-//   - takes one batch of a constant: rounding errors in the variance do not keep it going.
+//   - takes one batch of a constant: rounding errors in the variance do not make it go on.
 //   - never exceeds the maximum: radiance() is called n times, and 1 <= n <= max_samples.
 //   - returns the mean of all samples: divided by n, wherever it stopped.
 //   - judges by luminance: not by one channel.
-//   - goes on while it is dark: unless all samples are zero, a small mean alone does not end a
-//     pixel.
+//   - does not stop just because it is dark: unless all samples are zero, a small mean alone does
+//     not end a pixel.
 //   - uses the batch and the tolerance given: for all allowed values.
 //   - passes the settings on: radiance() sees the view's scene and settings, and the same sampler,
 //     which has moved on afterwards.

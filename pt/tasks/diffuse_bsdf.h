@@ -46,7 +46,7 @@ struct BsdfSample {
 //   - pdf sums to one: over the side of wo. It is zero on the other side.
 //   - samples estimate the albedo: the mean of f cos(wi) / pdf is the albedo, with at most the
 //     noise above.
-//   - goes on with the sampler: consecutive samples are independent, and a sampler in the same
+//   - draws from the sampler alone: consecutive samples are independent, and a sampler in the same
 //     state gives the same sample again.
 Rgb diffuse_f(Rgb albedo, Vec3 wo, Vec3 wi);
 BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler);

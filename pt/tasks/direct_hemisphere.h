@@ -32,7 +32,8 @@ namespace pt {
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
-//   - sees the sky: rays that meet nothing bring its light; an upright wall sees half of it.
+//   - sees the sky: a ray that meets nothing counts the light of the sky; an upright wall sees half
+//     of the sky.
 //   - sees a light of known size: Lambert's formula for a rectangle, wherever it is.
 //   - sees lights of any brightness: from very dim to very bright, without clamping.
 //   - takes the emission of what is hit: not the emission of the shaded point, and not that of a
@@ -41,8 +42,9 @@ namespace pt {
 //   - sees what is in the way: a dark surface hides what is behind it, also just before a light; a
 //     dark surface just behind the light hides nothing.
 //   - sees only the bright side: a light is dark from behind.
-//   - turns with the surface: the answer is the same if the whole scene is rotated.
-//   - looks from the side it is seen on: also if this is the back of the surface.
+//   - works in every orientation: the answer is the same if the whole scene is rotated.
+//   - looks from the side it is seen on: rays leave on the side of wo, also if this is the back of
+//     the surface.
 //   - reflects the albedo: channel by channel.
 //   - takes the samples asked for: the mean does not depend on their number, and the noise falls
 //     with its square root, up to a thousand and more.
@@ -50,8 +52,8 @@ namespace pt {
 //     through anything close to it.
 //   - spreads evenly over the hemisphere: directions are uniform above the surface, down to the
 //     horizon.
-//   - goes on with the sampler: consecutive calls are independent; a sampler in the same state
-//     gives the same estimate again.
+//   - draws from the sampler alone: consecutive calls are independent, and a sampler in the same
+//     state gives the same estimate again.
 Rgb direct_hemisphere(const Scene& scene, const SurfacePoint& point, int samples, Sampler& sampler);
 
 }  // namespace pt

@@ -33,11 +33,12 @@ namespace pt {
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
-//   - matches a rectangle: Lambert's formula, wide and narrow, tilted and off to the side.
+//   - matches a rectangle: the mean agrees with Lambert's formula for rectangles that are wide or
+//     narrow, tilted, or off to the side.
 //   - matches a sphere: pi L (R / D)^2 irradiance on a surface that faces it.
 //   - matches a point light: intensity / distance^2 times the cosine, down to grazing angles.
 //   - matches a directional light: irradiance times the cosine, down to grazing angles.
-//   - matches the sky: an upright wall gets half of its light.
+//   - matches the sky: a level surface gets all of its light, an upright wall half of it.
 //   - adds the lights up: the sum of each light alone, for any number of lights and samples.
 //   - takes lights of any brightness: from very dim to very bright, without clamping.
 //   - averages over the samples: the mean does not depend on their number.
@@ -50,11 +51,11 @@ namespace pt {
 //   - keeps light on its side: no light comes from below the surface, also if the surface is seen
 //     from behind, and none from the dark side of a light.
 //   - reflects the albedo: channel by channel, and adds no emission of its own.
-//   - turns with the surface: the answer is the same if the whole scene is rotated.
+//   - works in every orientation: the answer is the same if the whole scene is rotated.
 //   - starts off the surface: at every scale, a surface never shadows itself, but anything close to
 //     it still shadows it.
-//   - goes on with the sampler: consecutive calls are independent; a sampler in the same state
-//     gives the same estimate again.
+//   - draws from the sampler alone: consecutive calls are independent, and a sampler in the same
+//     state gives the same estimate again.
 Rgb direct_lights(const Scene& scene, const SurfacePoint& point, int samples, Sampler& sampler);
 
 }  // namespace pt

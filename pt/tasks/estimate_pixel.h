@@ -31,9 +31,9 @@ namespace pt {
 //   - stays inside the pixel: every ray goes through the pixel's own square.
 //   - covers the whole pixel: with more samples, all points of the square are equally likely.
 //   - passes the settings on: radiance() sees the view's scene and settings.
-//   - draws from the caller's sampler: all random numbers come from `sampler` itself, not from a
-//     copy or a sampler with your own seed. Its state moves on with all draws: radiance() gets it
-//     after your draws, and the caller after all draws.
+//   - draws from the caller's sampler: never from a copy, or from a sampler with your own seed.
+//     radiance() gets the same sampler after your draws, and the caller has it back after all
+//     draws.
 //   - forgets the pixel before: the same arguments give the same answer, whatever came before.
 Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler);
 

@@ -25,17 +25,19 @@ namespace pt {
 //     an interval, however flat the angle to the side.
 //   - misses beside the box: a ray that passes the box has no interval.
 //   - gives the right interval: from where the ray enters to where it leaves, on every axis.
-//   - starts inside: if the origin is in the box or on a side of it, the interval starts at t_min.
+//   - begins at t_min inside the box: if the origin is in the box or on a side of it, the interval
+//     starts at t_min.
 //   - keeps to the ray's range: a box before t_min, behind the origin or beyond t_max is a miss,
 //     and the interval lies in the range.
-//   - takes rays along the axes: with components of 0 and of -0, beside and inside the slabs.
-//   - takes directions of any length: from a billionth to a billion.
+//   - takes rays along the axes: with components of 0 and of -0, inside and outside the slabs.
+//   - works for directions of any length: from a billionth to a billion.
 //   - works at every scale: boxes from a billionth to a billion across, also far from the world's
 //     origin, and up to a billion of their sizes away from the ray's.
 //   - takes flat boxes: with no thickness in one axis or more.
-//   - never misses by a rounding error (bonus): a triangle's box is hit whenever the triangle is,
-//     also by rays at edges and corners of the box (Ize 2013, Robust BVH Ray Traversal, JCGT 2(2)).
-//   - takes rays in its sides (bonus): the origin is in the plane of a side, and the direction's
+//   - never misses by a rounding error (bonus): if a ray hits a triangle, it hits the triangle's
+//     box too, also at edges and corners of the box (Ize 2013, Robust BVH Ray Traversal, JCGT
+//     2(2)).
+//   - hits rays in the plane of a side (bonus): the origin is in this plane, and the direction's
 //     component across it is 0 or -0. The plane belongs to the box.
 std::optional<Interval> hit_box(const Box& box, const Ray& ray);
 

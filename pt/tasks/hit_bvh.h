@@ -25,7 +25,7 @@ namespace pt {
 //
 // Promises:
 //   - finds the nearest hit: t is the same as from testing every primitive in turn. Among thousands
-//     of primitives, it tests less than half.
+//     of primitives it tests fewer than half.
 //   - says which primitive: index and normal belong to the primitive that was hit.
 //   - misses what is not there: no hit if testing every primitive finds none.
 //   - keeps t inside the ray: no hit before t_min or beyond t_max.
@@ -33,13 +33,13 @@ namespace pt {
 //   - takes a tree of any shape: lopsided, a thousand levels deep, with many primitives in a leaf,
 //     or a single leaf.
 //   - finds any hit: occluded_bvh returns true exactly if there is a hit in the range.
-//   - asks hit_box and hit_primitive: their answers decide what the ray meets.
+//   - calls hit_box and hit_primitive: only their answers decide what the ray meets.
 //   - tests few primitives: only primitives in leaves that the ray enters.
 //   - tests no box twice: it tests each box and each primitive at most once per query.
 //   - skips what lies outside the ray: if the ray does not enter a box, nothing below it is
 //     tested.
-//   - skips what lies behind a hit: in a stack of walls, one behind the other, it tests less than
-//     half, on average over trees with their children in any order.
+//   - skips what lies behind a hit: in a stack of walls it tests fewer than half, averaged over
+//     both orders of children.
 //   - stops at any hit: occluded_bvh does not go on after it has found a hit.
 std::optional<Hit> hit_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray);
 bool occluded_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray);

@@ -31,7 +31,7 @@ namespace pt {
 //   - hits from inside: a ray that starts inside, or whose range begins inside, hits the far point.
 //   - keeps t inside the ray: no hit before t_min, behind the origin, or beyond t_max.
 //   - returns the outward unit normal: at the point that is hit, also seen from inside.
-//   - counts t in the direction's length: if the direction is twice as long, t is half as large,
+//   - works for directions of any length: if the direction is twice as long, t is half as large,
 //     for lengths from 1e-9 to 1e9.
 //   - stays accurate at a distance: at a thousand radii the point lies on the sphere to 1e-6 radii.
 //   - stays accurate at any distance (bonus): to 1e-6 radii even at ten million radii (Haines,

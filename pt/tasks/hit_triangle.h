@@ -39,7 +39,7 @@ namespace pt {
 //   - returns a unit normal: also if the corner normals differ.
 //   - never flips the normal: it does not depend on where the ray comes from.
 //   - hits both faces: whatever the order of the corners.
-//   - counts t in the direction's length: if the direction is twice as long, t is half as large,
+//   - works for directions of any length: if the direction is twice as long, t is half as large,
 //     for lengths from 1e-9 to 1e9.
 //   - works at every scale: triangles from a millionth to a million across.
 //   - keeps double precision: t is right to 1e-9 of its size in well-shaped triangles.

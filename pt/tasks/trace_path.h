@@ -44,18 +44,21 @@ namespace pt {
 //   - matches the furnace: in a closed room of emission E and albedo a it adds
 //     E (a + a^2 + ... + a^to), for every `to`.
 //   - adds up the bounces asked for: only bounces from .. to, and nothing if from > to.
-//   - does not depend on survival: the mean is the same with survival .05 and with 1.
+//   - does not depend on survival: the mean is the same with survival .05 and with 1, and the noise
+//     stays within the limit above.
 //   - takes the first bounce always: roulette starts at the second point of the path.
-//   - ends at the cap: never more than `to` bounces, also where almost every path survives.
-//   - goes on up to the cap: in a closed room, only roulette ends a path before bounce `to`,
+//   - stops after the last bounce: it never adds bounce `to` + 1, also if almost every path
+//     survives.
+//   - reaches the last bounce: in a closed room, only roulette ends a path before bounce `to`,
 //     however large `to` is, and however small the throughput.
 //   - counts emission once: the emission of a surface that the path meets is not added to direct
 //     light.
 //   - tints at each bounce: by the albedo of the point that the path leaves, channel by channel.
 //   - weighs by the cosine: the light of a wall in the sun agrees with Lambert's formula.
-//   - uses the density of the sample: the pdf of diffuse_sample, whatever density it has.
+//   - divides by the pdf of the sample: the pdf that diffuse_sample returned, whatever its density
+//     is.
 //   - follows the new ray: the next point is where the chosen direction leads.
-//   - brings nothing from outside: a path that leaves the scene sees no sky.
+//   - adds no light from outside: a path that leaves the scene ends, and sees no sky.
 //   - keeps what it has found: if a path leaves the scene, the light that it found before counts.
 //   - takes any amount of light: 1e-4 or 1e6, from one light or forty, at every scale.
 //   - draws from the sampler alone: the same sampler state gives the same estimate, whatever was

@@ -33,7 +33,7 @@ def anchors(text):
 
 def check_links(page, text):
     folder = "." if page == HANDOUT else os.path.dirname(page)
-    for link in re.findall(r"\]\(([^)\s]+)\)", text):
+    for link in re.findall(r"\]\(([^)\s]+)\)", text) + re.findall(r'<img src="([^"]+)"', text):
         if re.match(r"[a-z]+:", link):
             continue
         name, _, anchor = link.partition("#")

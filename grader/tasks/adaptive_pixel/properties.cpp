@@ -124,7 +124,7 @@ PROMISE(adaptive_pixel, judges_by_luminance) {
       kCases / 2);
 }
 
-PROMISE(adaptive_pixel, goes_on_while_it_is_dark) {
+PROMISE(adaptive_pixel, does_not_stop_just_because_it_is_dark) {
   for_all(
       [] {
         const Case c = *rarely_lit();

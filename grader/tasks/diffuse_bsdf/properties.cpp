@@ -165,7 +165,7 @@ PROMISE(diffuse_bsdf, samples_estimate_the_albedo) {
       20);
 }
 
-PROMISE(diffuse_bsdf, goes_on_with_the_sampler) {
+PROMISE(diffuse_bsdf, draws_from_the_sampler_alone) {
   for_all(
       [] {
         const Vec3 wo = draw("wo", above());

@@ -112,7 +112,7 @@ PROMISE(direct_hemisphere, sees_only_the_bright_side) {
   for_all([&] { expect_estimate(*turned_round(Side::bright)); }, 1);
 }
 
-PROMISE(direct_hemisphere, turns_with_the_surface) {
+PROMISE(direct_hemisphere, works_in_every_orientation) {
   for_all([] { expect_estimate(*under_a_rectangle(pose(), rc::gen::just(0.0))); }, 9);
   for_all([] { expect_estimate(*smoothly_shaded_under_a_lamp()); }, 8);
 }
@@ -224,7 +224,7 @@ PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
       1);
 }
 
-PROMISE(direct_hemisphere, goes_on_with_the_sampler) {
+PROMISE(direct_hemisphere, draws_from_the_sampler_alone) {
   for_all(
       [] {
         const Situation s = *under_a_rectangle(unturned_pose(), rc::gen::just(0.0));

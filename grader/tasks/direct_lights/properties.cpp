@@ -224,7 +224,7 @@ PROMISE(direct_lights, reflects_the_albedo) {
   });
 }
 
-PROMISE(direct_lights, turns_with_the_surface) {
+PROMISE(direct_lights, works_in_every_orientation) {
   for_all([] { expect_always(*lit_by(point_light, pose()), 1); });
   for_all([] { expect_estimate(*lit_by(rectangle, pose()), any_samples()); }, kCases);
   for_all([] { expect_always(*lit_and_smoothly_shaded(), 1); }, 20);
@@ -238,7 +238,7 @@ PROMISE(direct_lights, starts_off_the_surface) {
   for_all([&] { expect_always(dark(*lit_by(under_a_lid, anywhere())), 1); });
 }
 
-PROMISE(direct_lights, goes_on_with_the_sampler) {
+PROMISE(direct_lights, draws_from_the_sampler_alone) {
   for_all(
       [] {
         const Situation s = *lit_by(half_hidden_lamp);

@@ -101,7 +101,7 @@ PROMISE(hit_box, gives_the_right_interval) {
       300);
 }
 
-PROMISE(hit_box, starts_inside) {
+PROMISE(hit_box, begins_at_t_min_inside_the_box) {
   once(expect_that_it_looks);
   for_all([] { expect_hit_and_interval(*starting_inside()); }, 200);
 }
@@ -168,7 +168,7 @@ PROMISE(hit_box, takes_rays_along_the_axes) {
   for_all([] { expect_miss(*along_axes(true)); }, 200);
 }
 
-PROMISE(hit_box, takes_directions_of_any_length) {
+PROMISE(hit_box, works_for_directions_of_any_length) {
   once(expect_that_it_looks);
   for_all([] { expect_hit_and_interval(*aimed_inside(Extreme::length)); }, 150);
   for_all([] { expect_miss(*passing(Extreme::length)); }, 100);
@@ -210,7 +210,7 @@ PROMISE(hit_box, never_misses_by_a_rounding_error_bonus) {
   for_all([] { expect_miss(*passing()); });
 }
 
-PROMISE(hit_box, takes_rays_in_its_sides_bonus) {
+PROMISE(hit_box, hits_rays_in_the_plane_of_a_side_bonus) {
   once(expect_that_it_looks);
   for_all(
       [] {

@@ -159,7 +159,7 @@ PROMISE(hit_bvh, finds_any_hit) {
   });
 }
 
-PROMISE(hit_bvh, asks_hit_box_and_hit_primitive) {
+PROMISE(hit_bvh, calls_hit_box_and_hit_primitive) {
   for_queries([] {
     const Case c = *some_tree();
     RandomNumbers make(draw("seed of the other ray", sampler_seed()));

@@ -224,7 +224,7 @@ void expect_scaled(const Scaled& c) {
   expect_near("t times the direction's length", hit->t * c.factor, unit->t, 2 * c.unit.slack);
 }
 
-PROMISE(hit_sphere, counts_t_in_the_directions_length) {
+PROMISE(hit_sphere, works_for_directions_of_any_length) {
   for_all([] {
     const Scaled c = *rc::gen::exec([] { return scaled(*chord(From::outside)); });
     expect_scaled(c);

@@ -216,7 +216,7 @@ void expect_scaled(const Aimed& aimed) {
   expect_near("t times the direction's length", hit->t * speed, t, 4 * aimed.tolerance * speed);
 }
 
-PROMISE(hit_triangle, counts_t_in_the_directions_length) {
+PROMISE(hit_triangle, works_for_directions_of_any_length) {
   for_all([] {
     expect_scaled(*changed(aimed_inside(), [](const Aimed& made) {
       return scaled(made, *rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9)));

@@ -158,13 +158,13 @@ PROMISE(trace_path, takes_the_first_bounce_always) {
       kCases);
 }
 
-PROMISE(trace_path, ends_at_the_cap) {
+PROMISE(trace_path, stops_after_the_last_bounce) {
   for_all(
       [] { expect_estimate(*asked_of(round_room(gray(0.8, 1)), bounces(1, 4), real(0.8, 0.95))); },
       kCases);
 }
 
-PROMISE(trace_path, goes_on_up_to_the_cap) {
+PROMISE(trace_path, reaches_the_last_bounce) {
   for_all(
       [] {
         const Case c = *far_along();
@@ -220,7 +220,7 @@ PROMISE(trace_path, weighs_by_the_cosine) {
   for_all([] { expect_estimate(*asked_of(wall_above_any_normal(), bounces(2, 2))); }, 20);
 }
 
-PROMISE(trace_path, uses_the_density_of_the_sample) {
+PROMISE(trace_path, divides_by_the_pdf_of_the_sample) {
   for_all([] { expect_estimate(*seen_from_straight_above()); }, kCases);
 }
 
@@ -228,7 +228,7 @@ PROMISE(trace_path, follows_the_new_ray) {
   for_all([] { expect_estimate(*asked_of(round_room(gray(0.3, 0.8)), bounces(2, 3))); }, 20);
 }
 
-PROMISE(trace_path, brings_nothing_from_outside) {
+PROMISE(trace_path, adds_no_light_from_outside) {
   for_all(
       [] {
         expect_estimate(
