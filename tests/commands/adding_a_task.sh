@@ -67,7 +67,7 @@ grep -qE 'sphere_area +not attempted' <<<"$said" || fail "the stub is not 'not a
 # Runs the tests that read the table of tasks, or all tasks.
 ninja -C build/check quick_tests rest_tests >"$1/said" 2>&1 || fail "the project is not built: $(tail -n 30 "$1/said")"
 tests='tasks_test|layers_test|hostile_test|four_bugs_test|wrong_and_right_test|right_work|naming|test_hints|'
-tests+='test_recipes|test_goldens|test_naming|test_report|test_intake|test_writeup|test_measure|handbook|help_pages|measure|writeup|'
+tests+='test_recipes|test_goldens|test_naming|test_report|test_intake|test_writeup|test_measure|pages|english|drawings|help_pages|measure|writeup|'
 tests+='grade_class|sample_tables|compiled_once|link_lists|check[.]sphere_area|graded[.]sphere_area'
 for name in ${tests//|/ }; do # a name of no test would be left out without a word
   [[ $(ctest --test-dir build/check -N -R "^$name\$") == *'Total Tests: 1' ]] || fail "'$name' in this list is not the name of one test"
