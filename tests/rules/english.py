@@ -9,7 +9,7 @@ import sys
 
 os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../.."))
 PAGES = ["README.md", "CONTRIBUTING.md", *sorted(glob.glob("docs/instructors/*.md")), "docs/README.md", "docs/commands.md", "docs/rendering.md",
-         "docs/platforms.md", "scripts/editions/handout_README.md", *sorted(glob.glob("student/*.md")), *sorted(glob.glob("student/*/README.md"))]
+         "docs/platforms.md", "docs/conventions.md", "docs/four_bugs.md", "scenes/README.md", "scripts/editions/handout_README.md", *sorted(glob.glob("student/*.md")), *sorted(glob.glob("student/*/README.md"))]
 MEAN = 14.5  # words per sentence, of a page
 LONG = 32  # words; a page has at most one such sentence in fifty, and none of half as many again
 RELATIVE = re.compile(r"\b(of|in|by|for|from|to|with|on|at) (which|whom|whose)\b")
