@@ -4,16 +4,16 @@
 # sources, as in the full tree.
 
 # The archives that the programs link; the objects of some are listed in grade.json and by the write-up.
-set(compiled_archives pt_base pt_scene pt_image pt_loader pt_film pt_render pt_rows pt_progress scene_meshes
+set(compiled_archives pt_base pt_scene pt_image pt_loader pt_film pt_render pt_render_options pt_rows pt_progress scene_meshes
   grader_tasks grader_base grader_process grader_users grader_sandbox grader_results grader_pictures grader_recipe_scenes
   grader_worker_rows grader_report grader_audit grader_build grader_judging grader_mistakes grader_closed_forms grader_check grader_counting
   grader_wire)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_film pt_render pt_rows scene_meshes
   grader_tasks grader_closed_forms)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
-  grader_worker grader_connection grader_serve recorder_calls)
+  grader_worker grader_connection grader_serve recorder_calls view_paths view_worker_main)
 set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/graded_picture pt/compare
-  scenes/generate)
+  scenes/generate view/view)
 foreach(slug IN LISTS FIRSTLIGHT_COUNTED)
   list(APPEND compiled_objects ${slug}.counting)
 endforeach()
@@ -61,7 +61,7 @@ endfunction()
 #   program <place> <file>
 # and compiled/links.cmake lists the links of the libraries.
 function(firstlight_describe_compiled)
-  if(FIRSTLIGHT_LTO OR FIRSTLIGHT_SANITIZE OR NOT FIRSTLIGHT_TESTS OR NOT FIRSTLIGHT_SERVICE OR NOT FIRSTLIGHT_MEASURE
+  if(FIRSTLIGHT_LTO OR FIRSTLIGHT_SANITIZE OR NOT FIRSTLIGHT_TESTS OR NOT FIRSTLIGHT_SERVICE OR NOT FIRSTLIGHT_MEASURE OR NOT FIRSTLIGHT_VIEW
       OR NOT FIRSTLIGHT_REFERENCE STREQUAL sources)
     return()
   endif()

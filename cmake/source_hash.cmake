@@ -14,7 +14,7 @@ endfunction()
 # One hash of the sources of all programs: cmake -DROOT=FOLDER -DOUTPUT=FILE -P source_hash.cmake writes it.
 function(firstlight_source_hash root result)
   file(GLOB_RECURSE files RELATIVE ${root} ${root}/pt/*.h ${root}/pt/*.cpp ${root}/grader/*.h ${root}/grader/*.cpp
-    ${root}/measure/*.h ${root}/measure/*.cpp ${root}/scenes/*.h ${root}/scenes/*.cpp ${root}/grader/report/page/* ${root}/grader/tasks/*/task.json)
+    ${root}/measure/*.h ${root}/measure/*.cpp ${root}/scenes/*.h ${root}/scenes/*.cpp ${root}/view/* ${root}/grader/report/page/* ${root}/grader/tasks/*/task.json)
   firstlight_hash_of(${root} hash ${files})
   set(${result} ${hash} PARENT_SCOPE)
 endfunction()

@@ -9,7 +9,7 @@
 #   FIRSTLIGHT_JUDGE_ANSWERS_<slug>  the calls that the judge answers while the task is judged alone
 #   FIRSTLIGHT_MOCKS_<slug>          the tasks that a mock replaces then
 #   FIRSTLIGHT_FUNCTIONS_<slug>      the functions of the contract
-# and the lists FIRSTLIGHT_RECORDED (calls can be recorded), FIRSTLIGHT_COUNTED (there is a counting version),
+# and the lists FIRSTLIGHT_RECORDED (calls can be recorded), FIRSTLIGHT_VIEWED (by the view alone), FIRSTLIGHT_COUNTED (there is a counting version),
 # FIRSTLIGHT_MOCKED (there is a mock) and FIRSTLIGHT_ANSWERED (the judge answers; also the slot radiance).
 set(FIRSTLIGHT_GENERATED ${PROJECT_BINARY_DIR}/generated)
 
@@ -75,6 +75,10 @@ foreach(i RANGE ${last})
   if(NOT missing AND recorded)
     list(APPEND FIRSTLIGHT_RECORDED ${slug})
   endif()
+  string(JSON viewed ERROR_VARIABLE missing GET "${table}" tasks ${i} viewed)
+  if(NOT missing AND viewed)
+    list(APPEND FIRSTLIGHT_VIEWED ${slug})
+  endif()
   if(EXISTS ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/counting.cpp)
     list(APPEND FIRSTLIGHT_COUNTED ${slug})
   endif()
@@ -110,11 +114,9 @@ function(firstlight_write_calls)
         set(kind DRAW)
       endif()
       string(APPEND TASK_CALLS " \\\n  ${kind}(${result}, ${function}, (${parameters}), (${names}))")
-      if(function STREQUAL slug)
-        set(FIRSTLIGHT_RESULT_${slug} "${result}" PARENT_SCOPE)
-        set(FIRSTLIGHT_PARAMETERS_${slug} "${parameters}" PARENT_SCOPE)
-        set(FIRSTLIGHT_ARGUMENTS_${slug} "${names}" PARENT_SCOPE)
-      endif()
+      set(FIRSTLIGHT_RESULT_${function} "${result}" PARENT_SCOPE)
+      set(FIRSTLIGHT_PARAMETERS_${function} "${parameters}" PARENT_SCOPE)
+      set(FIRSTLIGHT_ARGUMENTS_${function} "${names}" PARENT_SCOPE)
     endforeach()
     string(APPEND TASK_CALLS "\n")
   endforeach()
@@ -122,24 +124,41 @@ function(firstlight_write_calls)
 endfunction()
 firstlight_write_calls()
 
-# Writes the file in which calls of the task go through the recorder. `before` stands ahead of its code, `declared` says what
-# unrecorded_<slug> is, and `called` is the function that others call.
-function(firstlight_write_recorded file slug before declared called)
-  set(RESULT "${FIRSTLIGHT_RESULT_${slug}}")
-  set(PARAMETERS "${FIRSTLIGHT_PARAMETERS_${slug}}")
-  set(ARGUMENTS "${FIRSTLIGHT_ARGUMENTS_${slug}}")
+# Sets `result` to the function `called`, whose calls of unrecorded_<function> go through the recorder.
+function(firstlight_recorded_function function called result)
+  set(${result} "
+${FIRSTLIGHT_RESULT_${function}} ${called}(${FIRSTLIGHT_PARAMETERS_${function}}) {
+  return record_call(\"${function}\", &unrecorded_${function}, ${FIRSTLIGHT_ARGUMENTS_${function}});
+}
+" PARENT_SCOPE)
+endfunction()
+
+# Writes the file in which calls of the task go through the recorder. `before` stands ahead of its `functions`.
+function(firstlight_write_recorded file slug before functions)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/recorded.cpp.in ${file} @ONLY)
 endfunction()
 
 # The library <slug>.<name>.recorded: the same implementation, whose calls are recorded.
 function(firstlight_add_recorded slug name source)
-  if(slug IN_LIST FIRSTLIGHT_RECORDED)
+  if(slug IN_LIST FIRSTLIGHT_RECORDED OR slug IN_LIST FIRSTLIGHT_VIEWED)
     set(recorded ${CMAKE_CURRENT_BINARY_DIR}/recorded/${slug}.${name}.cpp)
+    set(declared)  # functions of one task may call each other
+    set(renamed)
+    set(undone)
+    set(functions)
+    foreach(function IN LISTS FIRSTLIGHT_FUNCTIONS_${slug})
+      string(APPEND declared "${FIRSTLIGHT_RESULT_${function}} unrecorded_${function}(${FIRSTLIGHT_PARAMETERS_${function}});\n")
+      string(APPEND renamed "#define ${function} unrecorded_${function}\n")
+      string(APPEND undone "#undef ${function}\n")
+      firstlight_recorded_function(${function} ${function} text)
+      string(APPEND functions "${text}")
+    endforeach()
     firstlight_write_recorded(${recorded} ${slug} "
-#define ${slug} unrecorded_${slug}
-#include \"${source}\"
-#undef ${slug}
-" "" ${slug})
+namespace pt {
+${declared}}
+
+${renamed}#include \"${source}\"
+${undone}" "${functions}")
     add_library(${slug}.${name}.recorded OBJECT EXCLUDE_FROM_ALL ${recorded})
     target_link_libraries(${slug}.${name}.recorded PRIVATE firstlight_options)
     set_property(SOURCE ${recorded} APPEND PROPERTY OBJECT_DEPENDS ${source})
@@ -176,16 +195,17 @@ function(firstlight_add_solution slug name)
   endif()
   add_library(${slug}.${name} OBJECT EXCLUDE_FROM_ALL ${source})
   target_link_libraries(${slug}.${name} PRIVATE firstlight_options)
+  firstlight_add_recorded(${slug} ${name} ${source})
 endfunction()
 
 # firstlight_link_tasks(<program> FROM <implementation> [RADIANCE <implementation>]
-#                       [CHOICES <slug>=<implementation> ...] [FAST] [RECORDED])
+#                       [CHOICES <slug>=<implementation> ...] [FAST] [RECORDED | VIEWED])
 # links one definition of every task, all FROM one implementation but for the CHOICES, and one of the
 # slot radiance (default: path; none: the program defines it itself). FAST takes the faster form of the
-# tasks that come FROM the reference and have one. RECORDED takes the recorded form of the tasks that have one. Sets
-# LINKED_<slug> to the library that was linked.
+# tasks that come FROM the reference and have one. RECORDED takes the recorded form of the FIRSTLIGHT_RECORDED tasks, VIEWED of
+# all tasks that have one. Sets LINKED_<slug> to the library that was linked.
 function(firstlight_link_tasks program)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "FAST;RECORDED" "FROM;RADIANCE" "CHOICES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "FAST;RECORDED;VIEWED" "FROM;RADIANCE" "CHOICES")
   if(NOT ARG_RADIANCE)
     set(ARG_RADIANCE path)
   endif()
@@ -209,7 +229,7 @@ function(firstlight_link_tasks program)
     if(NOT TARGET ${library})
       message(FATAL_ERROR "there is no implementation '${choice_${slug}}' of the task ${slug}")
     endif()
-    if(ARG_RECORDED AND TARGET ${library}.recorded)
+    if(TARGET ${library}.recorded AND (ARG_VIEWED OR (ARG_RECORDED AND slug IN_LIST FIRSTLIGHT_RECORDED)))
       set(library ${library}.recorded)
     endif()
     target_link_libraries(${program} PRIVATE ${library})
@@ -264,10 +284,11 @@ function(firstlight_add_recorder_calls)
     set(file ${CMAKE_CURRENT_BINARY_DIR}/recorder_calls/${slug}.cpp)
     set(result "${FIRSTLIGHT_RESULT_${slug}}")
     set(parameters "${FIRSTLIGHT_PARAMETERS_${slug}}")
+    firstlight_recorded_function(${slug} recorded_${slug} function)
     firstlight_write_recorded(${file} ${slug} "" "
 ${result} unrecorded_${slug}(${parameters}) asm(\"__real_${symbol}\");
 ${result} recorded_${slug}(${parameters}) asm(\"__wrap_${symbol}\");
-" recorded_${slug})
+${function}")
     list(APPEND files ${file})
   endforeach()
   firstlight_objects(recorder_calls ${files})

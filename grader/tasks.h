@@ -21,8 +21,9 @@ struct Task {
   std::vector<std::string> mocks{};      // tasks that a mock replaces then
   std::vector<std::string> framework{};  // functions of the renderer: "pt::Scene::closest"
   bool traces = false;                   // it sends rays through a scene, and so through a tree
-  // Three more words are not read here. `tracer`: pt/scene/tracer.cpp calls the task. `recorded` is
-  // for CMake: calls of the task can be recorded (pt/scene/recorder.h). `measured` is for
+  // Four more words are not read here. `tracer`: pt/scene/tracer.cpp calls the task. `recorded` and
+  // `viewed` are for CMake: calls of the task can be recorded (pt/scene/recorder.h), in all programs
+  // that count, or in the view alone. `measured` is for
   // ./run measure (measure/calls/tasks.h).
 
   std::string file() const { return part + "/" + slug + ".cpp"; }

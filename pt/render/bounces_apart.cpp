@@ -3,6 +3,8 @@
 #include "pt/scene/recorder.h"
 #include "pt/tasks/trace_path.h"
 
+#include <algorithm>
+
 namespace pt {
 
 namespace {
@@ -61,14 +63,22 @@ class Taping {
     tape.mode = PathTape::Mode::record;
     recorder.path = &tape;
   }
-  ~Taping() { recorder.path = nullptr; }
+  ~Taping() {
+    recorder.path = nullptr;
+    recorder.calls = calls_;
+  }
   Taping(const Taping&) = delete;
   Taping& operator=(const Taping&) = delete;
 
+  // What is played is not called once more.
   PathTape& to_play() {
     recorder.path->mode = PathTape::Mode::play;
+    recorder.calls = nullptr;
     return *recorder.path;
   }
+
+ private:
+  std::vector<Call>* calls_ = recorder.calls;
 };
 
 }  // namespace
@@ -86,6 +96,22 @@ BouncesApart trace_path_apart(const Scene& scene, const SurfacePoint& point,
   }
   apart.complete = add_up(apart) && is_only_direct_light(scene, point, settings, before, tape);
   return apart;
+}
+
+PathParts trace_path_in_parts(const Scene& scene, const SurfacePoint& point,
+                              const PathSettings& settings, Sampler& sampler) {
+  PathParts parts;
+  Taping taping(point.p);
+  const Sampler before = sampler;
+  parts.sum = trace_path(scene, point, settings, sampler);
+  PathTape& tape = taping.to_play();
+  int last = 0;
+  for (const PathTape::DirectLight& direct : tape.lights) last = std::max(last, direct.bounce);
+  for (int k = 1; k <= last; ++k) {
+    parts.bounces.push_back(played(scene, point, settings, {k, k}, before, tape));
+  }
+  parts.rest = played(scene, point, settings, {-1, -1}, before, tape);
+  return parts;
 }
 
 }  // namespace pt

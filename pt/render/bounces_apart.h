@@ -40,4 +40,15 @@ BouncesApart trace_path_apart(const Scene& scene, const SurfacePoint& point,
                               const PathSettings& settings, std::span<const BounceRange> ranges,
                               Sampler& sampler);
 
+// One estimate by any implementation of trace_path, with the part of every bounce: of `bounces`, entry i is what direct light
+// of bounce i + 1 adds to the sum. `rest` is what the task returns without any direct light: black, unless it adds something
+// else. While the path is walked for the first time, calls are kept as the recorder says.
+struct PathParts {
+  Rgb sum;
+  std::vector<Rgb> bounces;
+  Rgb rest;
+};
+PathParts trace_path_in_parts(const Scene& scene, const SurfacePoint& point,
+                              const PathSettings& settings, Sampler& sampler);
+
 }  // namespace pt

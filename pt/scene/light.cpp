@@ -2,6 +2,7 @@
 
 #include "pt/math/frame.h"
 #include "pt/sampling/directions.h"
+#include "pt/scene/recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +177,10 @@ MeshLight make_mesh_light(const std::vector<MeshLight::Face>& faces, Rgb radianc
 }
 
 LightSample sample_light(const Light& light, Vec3 p, Sampler& sampler) {
-  return std::visit([&](const auto& kind) { return sample(kind, p, sampler); }, light);
+  return keep_call(
+      "sample_light",
+      [&] { return std::visit([&](const auto& kind) { return sample(kind, p, sampler); }, light); },
+      &light, p, sampler);
 }
 
 void sample_light_group(const Light& light, Vec3 p, int count, Sampler& sampler,

@@ -28,13 +28,17 @@ Rgb played(PathTape& tape, Sampler& sampler) {
 
 }  // namespace
 
-Rgb record_call(DirectTask* task, const Scene& scene, const SurfacePoint& point, int samples,
-                Sampler& sampler) {
-  if (recorder.path == nullptr) return task(scene, point, samples, sampler);
+Rgb record_call(std::string_view name, DirectTask* task, const Scene& scene,
+                const SurfacePoint& point, int samples, Sampler& sampler) {
+  const auto run = [&] {
+    return keep_call(
+        name, [&] { return task(scene, point, samples, sampler); }, scene, point, samples, sampler);
+  };
+  if (recorder.path == nullptr) return run();
   if (recorder.path->mode == PathTape::Mode::play) return played(*recorder.path, sampler);
   // Its own rays do not belong to the path.
   PathTape& tape = *std::exchange(recorder.path, nullptr);
-  const Rgb light = task(scene, point, samples, sampler);
+  const Rgb light = run();
   recorder.path = &tape;
   tape.lights.push_back({bounce_at(tape, point.p), light, sampler.state()});
   return light;

@@ -53,13 +53,19 @@ std::optional<Hit> closest_by_tape(PathTape& tape, const Scene& scene, const Ray
 }  // namespace
 
 std::optional<Hit> Scene::closest(const Ray& ray) const {
-  return recorder.path == nullptr ? traced(*this, ray)
-                                  : closest_by_tape(*recorder.path, *this, ray);
+  return keep_call(
+      "closest",
+      [&] {
+        return recorder.path == nullptr ? traced(*this, ray)
+                                        : closest_by_tape(*recorder.path, *this, ray);
+      },
+      *this, ray);
 }
 
 bool Scene::occluded(const Ray& ray) const {
   ++ray_count.occluded;
-  return tracer.occluded(primitives, ray);
+  return keep_call(
+      "occluded", [&] { return tracer.occluded(primitives, ray); }, *this, ray);
 }
 
 std::uint32_t Scene::occluded(std::span<const Ray> rays) const {

@@ -1,0 +1,240 @@
+// The paths of pixels as the view records them: against closed forms, and against contracts. The program is linked with the
+// reference, with a mistake, or with right variants; VIEW_BREAKS is the promise that a red cell has to name, "none", or
+// "reference".
+#include "grader/results/promises.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "pt/render/choose_engine.h"
+#include "view/worker/answer.h"
+#include "view/worker/check.h"
+#include "view/worker/path.h"
+#include "view/worker/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace view {
+namespace {
+
+const std::filesystem::path kScenes = FIRSTLIGHT_SCENES;
+
+std::string breaks() {
+  const char* word = std::getenv("VIEW_BREAKS");
+  return word == nullptr ? "none" : word;
+}
+
+bool is_reference() { return breaks() == "reference"; }
+
+struct Room {
+  pt::LoadedScene loaded;
+  pt::Tracer exact;
+
+  explicit Room(const char* file) : loaded(pt::load_collada(kScenes / file)) {
+    choose_engine(loaded.scene, pt::Engine::task, 4);
+    exact = pt::Tracer(pt::Engine::wide, loaded.scene.primitives);
+  }
+
+  PixelPaths paths(Query query, int x, int y) const {
+    query["x"] = std::to_string(x);
+    query["y"] = std::to_string(y);
+    const Settings settings = settings_of(query);
+    const pt::View view = view_of(loaded, settings);
+    PixelPaths pixel = paths_of_pixel(view, settings);
+    check_calls(view, exact, pixel, settings);
+    return pixel;
+  }
+};
+
+const Query kQuery{{"w", "96"}, {"h", "72"}, {"samples", "8"}};
+
+// Calls `look` with the pixels of a grid over pictures of several scenes and settings.
+template <class Look>
+void for_pixels(const Look& look) {
+  for (const char* file : {"box_spheres.dae", "two_lights.dae", "furnace.dae", "bowl.dae"}) {
+    const Room room(file);
+    Query query = kQuery;
+    if (std::string_view(file) == "furnace.dae") query["camera"] = "file";
+    for (const bool hemisphere : {false, true}) {
+      if (hemisphere) query["hemisphere"] = "1";
+      query["light_samples"] = hemisphere ? "4" : "2";
+      for (int y = 2; y < 72; y += 9) {
+        for (int x = 3; x < 96; x += 9) look(file, room.paths(query, x, y));
+      }
+    }
+  }
+}
+
+std::string words(const Finding& finding) {
+  return finding.task + " " + finding.promise + ": " + finding.text + " (" + finding.cell + " of " +
+         std::to_string(finding.bounce) + ")";
+}
+
+TEST(Paths, have_a_red_cell_only_where_a_promise_is_broken) {
+  std::set<std::string> promises;
+  std::map<std::string, int> found;
+  for_pixels([&](const char* file, const PixelPaths& pixel) {
+    std::vector<Finding> all = pixel.findings;
+    for (const Path& path : pixel.paths) {
+      all.insert(all.end(), path.findings.begin(), path.findings.end());
+    }
+    for (const Finding& finding : all) {
+      promises.insert(finding.promise);
+      ++found[std::string(file) + ": " + words(finding)];
+    }
+  });
+  std::string shown;
+  for (const auto& [what, times] : found) {
+    if (shown.size() < 3000) shown += what + ", " + std::to_string(times) + " times\n";
+  }
+  if (breaks() == "none" || is_reference()) {
+    EXPECT_TRUE(promises.empty()) << shown;
+  } else {
+    EXPECT_TRUE(promises.contains(breaks())) << shown;
+  }
+}
+
+// Every implementation that walks one path, but for rounding; the reference bit for bit.
+TEST(Paths, add_up) {
+  int paths = 0;
+  for_pixels([&](const char*, const PixelPaths& pixel) {
+    for (const Path& path : pixel.paths) {
+      if (!path.is_one) continue;
+      ++paths;
+      EXPECT_TRUE(close(sum_of_parts(path), path.traced, 1e-5));
+      if (is_reference()) {
+        EXPECT_EQ(sum_of_parts(path), path.traced);
+        EXPECT_EQ(path.value, pt::Rgb{} + path.emission + path.traced);
+      }
+    }
+  });
+  if (is_reference()) {
+    EXPECT_GT(paths, 2000);
+  }
+}
+
+// In a room of albedo 1/2, with directions by the cosine, the throughput of point k is 2^(1 - k), divided by the survival at
+// each point but the first. Each point adds that times its direct light.
+TEST(Paths, have_the_throughput_of_the_furnace) {
+  if (!is_reference()) GTEST_SKIP() << "another density has another throughput";
+  const Room room("furnace.dae");
+  Query query = kQuery;
+  query.insert({{"camera", "file"}, {"samples", "64"}, {"survival", "0.6"}, {"bounces", "7"}});
+  std::size_t longest = 0;
+  for (const Path& path : room.paths(query, 40, 30).paths) {
+    EXPECT_EQ(path.emission, pt::gray(1));
+    longest = std::max(longest, path.bounces.size());
+    for (std::size_t k = 0; k < path.bounces.size(); ++k) {
+      const double survivals = std::pow(0.6, std::max(0.0, static_cast<double>(k) - 1));
+      const double throughput = std::pow(0.5, static_cast<double>(k)) / survivals;
+      EXPECT_NEAR(path.bounces[k].throughput.r, throughput, 1e-12);
+      ASSERT_EQ(path.bounces[k].direct.size(), 1U);
+      EXPECT_TRUE(close(path.bounces[k].part, throughput * path.bounces[k].direct[0].light, 1e-12));
+      if (k > 0 && k + 1 < path.bounces.size()) {
+        ASSERT_EQ(path.bounces[k].drawn.size(), 1U);
+        EXPECT_LT(path.bounces[k].drawn[0], 0.6);
+      }
+    }
+    if (path.bounces.size() < 7) {
+      ASSERT_EQ(path.bounces.back().drawn.size(), 1U);
+      EXPECT_GE(path.bounces.back().drawn[0], 0.6);
+    }
+  }
+  EXPECT_GE(longest, 4U);
+}
+
+// The mean over all pixels of the furnace is that of its closed form, 2 (1 - 2^-(m + 1)), within six standard errors.
+TEST(Pictures, show_the_light_of_the_furnace) {
+  if (!is_reference()) GTEST_SKIP();
+  const Room room("furnace.dae");
+  Query query = kQuery;
+  query.insert({{"camera", "file"}, {"bounces", "3"}});
+  query.erase("samples");
+  Picture picture = begin_picture(room.loaded, settings_of(query));
+  while (picture.samples < 6) improve(picture, std::chrono::milliseconds(50));
+  double mean = 0, squared_error = 0;
+  const auto pixels = static_cast<double>(picture.sums.size());
+  for (const Picture::Sum& sum : picture.sums) {
+    const auto n = static_cast<double>(sum.samples);
+    mean += luminance(sum.mean) / pixels;
+    squared_error += sum.squares / (n - 1) / n / (pixels * pixels);
+  }
+  EXPECT_NEAR(mean, 2 * (1 - 1.0 / 16), 6 * std::sqrt(squared_error));
+  EXPECT_LT(squared_error, 1e-4);
+}
+
+TEST(Pictures, show_numbers_in_place_of_light) {
+  if (!is_reference()) GTEST_SKIP();
+  const Room room("furnace.dae");
+  Query query = kQuery;
+  query.erase("samples");
+  query["camera"] = "file";
+  query["shown"] = "boxes";
+  Picture picture = begin_picture(room.loaded, settings_of(query));
+  while (picture.samples < 2) improve(picture, std::chrono::milliseconds(50));
+  EXPECT_GT(picture.shown[3 * 40 * 96], 1);
+}
+
+TEST(Settings, are_refused_with_one_sentence) {
+  const std::vector<Query> wrong{{{"w", "abc"}},
+                                 {{"w", "1e9"}},
+                                 {{"w", "4"}},
+                                 {{"x", "480"}},
+                                 {{"samples", "-1"}},
+                                 {{"bounces", "--help"}},
+                                 {{"show", "--help"}},
+                                 {{"show", "all"}},
+                                 {{"survival", "0"}},
+                                 {{"survival", "nan"}},
+                                 {{"eye", "1,2"}, {"target", "0,0,0"}, {"up", "0,1,0"}},
+                                 {{"eye", "1,2,inf"}, {"target", "0,0,0"}, {"up", "0,1,0"}},
+                                 {{"eye", "0,2,0"}, {"target", "0,0,0"}, {"up", "0,1,0"}},
+                                 {{"eye", "0,2,0"}},
+                                 {{"shown", "colours"}},
+                                 {{"output", "/tmp/x"}},
+                                 {{"adaptive", "32"}}};
+  for (const Query& query : wrong) {
+    try {
+      settings_of(query);
+      ADD_FAILURE() << query.begin()->first << " = " << query.begin()->second << " is accepted";
+    } catch (const pt::Error& error) {
+      const std::string text = error.what();
+      EXPECT_GT(text.size(), 10U);
+      EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    }
+  }
+}
+
+// The names that cells give to promises are those of the contracts.
+TEST(Findings, name_promises_of_contracts) {
+  for (const char* source : {"check_camera", "check_hits", "check_path"}) {
+    const std::string text =
+        pt::read_file(FIRSTLIGHT_ROOT "/view/worker/" + std::string(source) + ".cpp");
+    std::set<std::string> known;
+    for (const auto& entry : std::filesystem::directory_iterator(FIRSTLIGHT_ROOT "/pt/tasks")) {
+      for (const auto& promise : grader::results::promises_of(pt::read_file(entry.path()))) {
+        known.insert(promise.name);
+      }
+    }
+    int names = 0;
+    for (std::size_t at = text.find('"'); at != std::string::npos;) {
+      const std::size_t end = text.find('"', at + 1);
+      const std::string word = text.substr(at + 1, end - at - 1);
+      const bool is_name =
+          std::ranges::count(word, '_') >= 2 && word.find_first_of(" /.") == std::string::npos;
+      if (is_name) {
+        ++names;
+        EXPECT_TRUE(known.contains(word)) << source << ": " << word;
+      }
+      at = text.find('"', end + 1);
+    }
+    EXPECT_GT(names, 5);
+  }
+}
+
+}  // namespace
+}  // namespace view

@@ -1,0 +1,118 @@
+#include "view/child.h"
+
+#include "grader/service/process/spawn.h"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace view {
+
+namespace {
+
+// An answer takes a fraction of a second; pictures come in slices.
+constexpr std::chrono::seconds kPatience{20};
+
+void write_all(const grader::base::Descriptor& to, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(to.number(), text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) throw ChildEnded("the program of the tasks has ended");
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+}  // namespace
+
+Child::~Child() { end(); }
+
+void Child::restart() {
+  const std::lock_guard lock(one_at_a_time_);
+  end();
+}
+
+int Child::end() {
+  const int status = pid_ > 0 ? grader::process::kill_child(pid_) : 0;
+  pid_ = -1;
+  questions_.close();
+  answers_.close();
+  read_.clear();
+  return status;
+}
+
+void Child::start() {
+  grader::base::Pipe to = grader::base::make_pipe(), from = grader::base::make_pipe();
+  const grader::base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  grader::process::Child child;
+  child.command = command_;
+  for (char** entry = environ; *entry != nullptr; ++entry) child.environment.emplace_back(*entry);
+  // What a learner's code prints goes to the terminal.
+  child.descriptors = {nothing.number(), STDERR_FILENO, STDERR_FILENO, to.read_end.number(),
+                       from.write_end.number()};
+  pid_ = grader::process::spawn(child);
+  questions_ = std::move(to.write_end);
+  answers_ = std::move(from.read_end);
+}
+
+// Reads what has come, after at most kPatience.
+void Child::fill() {
+  pollfd ready{answers_.number(), POLLIN, 0};
+  const int count = poll(&ready, 1, static_cast<int>(kPatience / std::chrono::milliseconds(1)));
+  if (count == 0) {
+    end();
+    throw ChildEnded(
+        fmt::format("the tasks gave no answer for {} s, as in an endless loop, and were stopped",
+                    kPatience.count()));
+  }
+  std::array<char, 1 << 16> buffer{};
+  const ssize_t size = read(answers_.number(), buffer.data(), buffer.size());
+  if (size < 0 && errno == EINTR) return;
+  if (size > 0) {
+    read_.append(buffer.data(), static_cast<std::size_t>(size));
+    return;
+  }
+  int status = 0;
+  waitpid(pid_, &status, 0);
+  pid_ = -1;
+  end();
+  throw ChildEnded("the tasks crashed: " + grader::process::describe_status(status));
+}
+
+std::string Child::read_line() {
+  while (read_.find('\n') == std::string::npos) fill();
+  return read_bytes(read_.find('\n') + 1);
+}
+
+std::string Child::read_bytes(std::size_t size) {
+  while (read_.size() < size) fill();
+  std::string bytes = read_.substr(0, size);
+  read_.erase(0, size);
+  return bytes;
+}
+
+Reply Child::ask(const std::string& what, const std::map<std::string, std::string>& query) {
+  const std::lock_guard lock(one_at_a_time_);
+  if (pid_ < 0) start();
+  const nlohmann::json question{{"what", what}, {"query", query}};
+  const auto replace = nlohmann::json::error_handler_t::replace;
+  try {
+    write_all(questions_, question.dump(-1, ' ', false, replace) + "\n");
+  } catch (const ChildEnded&) {
+    fill();  // says how it ended
+    throw;
+  }
+  const nlohmann::json head = nlohmann::json::parse(read_line());
+  if (head.contains("error")) throw pt::Error(head["error"]);
+  Reply reply;
+  reply.bytes = read_bytes(head.at("size"));
+  reply.state = head.at("state");
+  return reply;
+}
+
+}  // namespace view

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "grader/base/descriptor.h"
+#include "pt/error.h"
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <sys/types.h>
+
+namespace view {
+
+struct Reply {
+  nlohmann::json state;
+  std::string bytes;
+};
+
+// The child crashed, or did not answer in time. The message is one sentence for the page.
+struct ChildEnded : pt::Error {
+  using pt::Error::Error;
+};
+
+// The process that runs the tasks (view/worker/main.cpp). It starts with the first question; if it ends, the next question
+// starts another one.
+class Child {
+ public:
+  explicit Child(std::vector<std::string> command) : command_(std::move(command)) {}
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  // One question at a time; others wait. Throws pt::Error with the child's sentence if the question cannot be answered.
+  Reply ask(const std::string& what, const std::map<std::string, std::string>& query);
+
+  // Ends the process, because its program has changed.
+  void restart();
+
+ private:
+  void start();
+  int end();
+  std::string read_line();
+  std::string read_bytes(std::size_t size);
+  void fill();
+
+  std::vector<std::string> command_;
+  std::mutex one_at_a_time_;
+  pid_t pid_ = -1;
+  grader::base::Descriptor questions_, answers_;
+  std::string read_;  // and not used yet
+};
+
+}  // namespace view

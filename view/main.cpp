@@ -1,0 +1,156 @@
+// ./run view: serves the page on which a person sees the light of a scene, or writes it as one file.
+#include "grader/report/embedded.h"
+#include "pt/end_of_program.h"
+#include "pt/file.h"
+#include "pt/image/tone_map.h"
+#include "view/options.h"
+#include "view/page.h"
+#include "view/server.h"
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <thread>
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <unistd.h>
+
+namespace view {
+namespace {
+
+using nlohmann::json;
+
+std::atomic<bool> interrupted = false;                  // set by Ctrl-C
+static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler could not set it
+
+std::vector<std::string> command_of(const std::filesystem::path& worker, const Options& options) {
+  std::vector<std::string> command{worker.string(), options.scene.string()};
+  if (options.lambertian) command.emplace_back("--lambertian");
+  return command;
+}
+
+json page_data(const Options& options, bool live) {
+  json data{{"live", live},
+            {"from", options.from},
+            {"scene_file", options.scene.string()},
+            {"reference", !options.reference.empty()},
+            {"settings", options.settings}};
+  if (options.pixel) data["pixel"] = {options.pixel->first, options.pixel->second};
+  return data;
+}
+
+// The picture of a reply as a file of the page.
+std::string png_of(const Reply& reply) {
+  pt::Image image(reply.state.at("width"), reply.state.at("height"));
+  const std::size_t size = 3 * sizeof(float) * image.pixels.size();
+  if (reply.bytes.size() != size) throw pt::Error("the picture of the tasks is not whole");
+  std::vector<float> values(3 * image.pixels.size());
+  std::memcpy(values.data(), reply.bytes.data(), size);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+  }
+  return grader::report::png_address(tone_map(image));
+}
+
+// Asks for the picture until it has some samples, but not for long.
+std::string settled_picture(Child& child, const std::map<std::string, std::string>& settings) {
+  constexpr int kSamples = 30;
+  constexpr std::chrono::seconds kMost{20};
+  const auto start = std::chrono::steady_clock::now();
+  for (;;) {
+    const Reply reply = child.ask("picture", settings);
+    const bool is_enough = reply.state.at("samples") >= kSamples || !reply.state.at("goes_on");
+    const bool has_light = reply.state.at("stage") > 1;
+    if (is_enough || (has_light && std::chrono::steady_clock::now() - start > kMost)) {
+      return png_of(reply);
+    }
+  }
+}
+
+void write_page(const Options& options, Child& own, Child* reference) {
+  pt::check_target(options.page);
+  std::map<std::string, std::string> of_picture = options.settings, of_pixel = options.settings;
+  of_picture.erase("samples");
+  const auto [x, y] =
+      options.pixel.value_or(std::pair(std::stoi(of_pixel["w"]) / 2, std::stoi(of_pixel["h"]) / 2));
+  of_pixel["x"] = std::to_string(x);
+  of_pixel["y"] = std::to_string(y);
+  json data = page_data(options, false);
+  data["pixel"] = {x, y};
+  data["paths"] = own.ask("paths", of_pixel).state;
+  if (reference != nullptr) data["reference_paths"] = reference->ask("paths", of_pixel).state;
+  data["scene"] = own.ask("scene", of_picture).state;
+  data["picture"] = settled_picture(own, of_picture);
+  pt::write_file(options.page, page_with(data));
+  fmt::print("wrote {}\n", pt::printable(options.page.string()));
+}
+
+// Opens the address where there is a screen.
+void open_browser(const std::string& address) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  std::string program = "xdg-open", word = address;
+  std::array<char*, 3> command{program.data(), word.data(), nullptr};
+  pid_t pid = 0;
+  posix_spawnp(&pid, program.c_str(), nullptr, nullptr, command.data(), environ);
+}
+
+// Waits for q on a terminal, or Ctrl-C.
+void wait_for_end() {
+  bool listens = isatty(STDIN_FILENO) != 0;
+  while (!interrupted) {
+    pollfd input{listens ? STDIN_FILENO : -1, POLLIN, 0};
+    if (poll(&input, 1, 200) <= 0 || input.revents == 0) continue;
+    char key = 0;
+    if (read(STDIN_FILENO, &key, 1) <= 0) listens = false;
+    if (key == 'q') return;
+  }
+}
+
+void serve(const Options& options, Child& own, Child* reference) {
+  const std::string token = random_token();
+  json data = page_data(options, true);
+  data["token"] = token;
+  Server server({page_with(data), token, &own, reference});
+  server.bind(options.port);
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  std::signal(SIGTERM, [](int) { interrupted = true; });
+  std::jthread listening([&] { server.listen(); });
+  fmt::print("{}\n(q and Enter, or Ctrl-C, ends it)\n", server.address());
+  std::fflush(stdout);
+  if (!options.no_browser) open_browser(server.address());
+  wait_for_end();
+  server.stop();
+}
+
+int run(int argc, const char* const* argv) {
+  const Options options = parse_options(argc, argv);
+  Child own(command_of(options.worker, options));
+  std::optional<Child> reference;
+  if (!options.reference.empty()) reference.emplace(command_of(options.reference, options));
+  Child* const beside = reference ? &*reference : nullptr;
+  std::signal(SIGPIPE, SIG_IGN);
+  std::map<std::string, std::string> settings = options.settings;
+  if (options.pixel) {
+    settings["x"] = std::to_string(options.pixel->first);
+    settings["y"] = std::to_string(options.pixel->second);
+  }
+  own.ask("scene", settings);  // a scene that cannot be read, or a pixel outside, ends it here
+  if (options.page.empty()) {
+    serve(options, own, beside);
+  } else {
+    write_page(options, own, beside);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace view
+
+int main(int argc, char** argv) {
+  return pt::run_program([&] { return view::run(argc, argv); });
+}

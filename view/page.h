@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace view {
+
+// The files of page/, as the build embeds them (cmake/embed.cmake).
+extern const std::string_view view_html;
+extern const std::string_view view_css;
+extern const std::string_view picture_js;
+extern const std::string_view scene_js;
+extern const std::string_view paths_js;
+extern const std::string_view view_js;
+
+// The page as one file. `data` says what it shows (view/page/view.js): with `live`, it asks the server; else it holds the answers.
+std::string page_with(const nlohmann::json& data);
+
+}  // namespace view

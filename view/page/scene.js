@@ -1,0 +1,117 @@
+
+// The camera, and lines in the scene.
+
+const plus = (a, b, s = 1) => a.map((value, i) => value + s * b[i]);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) =>
+  [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const scaled = (a, s) => a.map((value) => value * s);
+const unit = (a) => scaled(a, 1 / Math.hypot(...a));
+
+function turned(v, axis, angle) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return plus(plus(scaled(v, c), cross(axis, v), s), axis, dot(axis, v) * (1 - c));
+}
+
+// An eye of a camera of the file, that can be moved: it looks at the middle of the scene, or near it.
+function eye_of(scene) {
+  const { camera } = scene;
+  const middle = scaled(plus(scene.min, scene.max), 0.5);
+  const ahead = Math.max(dot(plus(camera.position, middle, -1), camera.z),
+    1e-3 * Math.hypot(...plus(scene.max, scene.min, -1)));
+  return { eye: camera.position, target: plus(camera.position, camera.z, -ahead), up: camera.y };
+}
+
+// Turns the eye around its target, by angles to the right and up.
+function orbit(view, right, up) {
+  const back = plus(view.eye, view.target, -1);
+  const x = unit(cross(view.up, back));
+  const around = turned(back, unit(view.up), -right);
+  const over = turned(around, turned(x, unit(view.up), -right), -up);
+  // Not over the pole.
+  const is_upright = Math.abs(dot(unit(over), unit(view.up))) < 0.998;
+  return { ...view, eye: plus(view.target, is_upright ? over : around) };
+}
+
+function moved(view, right, up) {
+  const back = plus(view.eye, view.target, -1);
+  const x = unit(cross(view.up, back));
+  const y = unit(cross(back, x));
+  const by = plus(scaled(x, right * Math.hypot(...back)), y, up * Math.hypot(...back));
+  return { ...view, eye: plus(view.eye, by), target: plus(view.target, by) };
+}
+
+function closer(view, factor) {
+  return { ...view, eye: plus(view.target, plus(view.eye, view.target, -1), factor) };
+}
+
+// Where a point is in the picture, in 0 .. 1 from the top left; null if it is behind the camera.
+function project(camera, p) {
+  const d = plus(p, camera.position, -1);
+  const z = -dot(d, camera.z);
+  if (!(z > 1e-9)) return null;
+  const half = (degrees) => Math.tan((degrees * Math.PI) / 360);
+  return [0.5 + dot(d, camera.x) / (2 * z * half(camera.hfov)),
+    0.5 - dot(d, camera.y) / (2 * z * half(camera.vfov))];
+}
+
+// The part of a line in front of the camera, projected.
+function project_line(camera, a, b) {
+  const [za, zb] = [a, b].map((p) => -dot(plus(p, camera.position, -1), camera.z));
+  const near = 1e-6 * Math.max(Math.abs(za), Math.abs(zb));
+  if (za <= near && zb <= near) return null;
+  const cut = (p, q, zp, zq) => (zp > near ? p : plus(p, plus(q, p, -1), (near * 2 - zp) / (zq - zp)));
+  const ends = [project(camera, cut(a, b, za, zb)), project(camera, cut(b, a, zb, za))];
+  return ends.includes(null) ? null : ends;
+}
+
+function draw_line(context, camera, a, b, color, dashed = false) {
+  const ends = project_line(camera, a, b);
+  if (!ends) return;
+  const { width, height } = context.canvas;
+  for (const [style, size] of [["rgb(0 0 0 / 0.7)", 4], [color, 2]]) {
+    context.beginPath();
+    context.setLineDash(dashed ? [6, 5] : []);
+    context.strokeStyle = style;
+    context.lineWidth = size * devicePixelRatio;
+    context.moveTo(ends[0][0] * width, ends[0][1] * height);
+    context.lineTo(ends[1][0] * width, ends[1][1] * height);
+    context.stroke();
+  }
+}
+
+function draw_point(context, camera, p, label) {
+  const at = project(camera, p);
+  if (!at) return;
+  const [x, y] = [at[0] * context.canvas.width, at[1] * context.canvas.height];
+  const size = devicePixelRatio;
+  context.beginPath();
+  context.setLineDash([]);
+  context.arc(x, y, 4 * size, 0, 7);
+  context.fillStyle = "#ffd84a";
+  context.strokeStyle = "#000";
+  context.lineWidth = size;
+  context.fill();
+  context.stroke();
+  context.font = `bold ${12 * size}px system-ui, sans-serif`;
+  context.lineWidth = 3 * size;
+  context.strokeText(label, x + 6 * size, y - 6 * size);
+  context.fillText(label, x + 6 * size, y - 6 * size);
+}
+
+// A path from its first point on, with the directions in which it looked for light. `size` is that of the scene.
+function draw_path(context, camera, path, size) {
+  const { bounces } = path;
+  bounces.forEach((bounce, i) => {
+    for (const draw of bounce.direct ? bounce.direct.draws : []) {
+      if (!draw.traced) continue;
+      const far = typeof draw.distance === "number" ? draw.distance : size;
+      const is_dark = draw.hidden || (draw.light < 0 && draw.radiance.every((c) => c === 0));
+      draw_line(context, camera, bounce.p, plus(bounce.p, draw.wi, far), is_dark ? "#ff5a4d" : "#52d273", is_dark);
+    }
+    const after = bounces[i + 1];
+    if (after) draw_line(context, camera, bounce.p, after.p, "#ffd84a");
+    else if (bounce.way) draw_line(context, camera, bounce.p, plus(bounce.p, bounce.way, 0.3 * size), "#ffd84a", true);
+  });
+  bounces.forEach((bounce, i) => draw_point(context, camera, bounce.p, String(i + 1)));
+}

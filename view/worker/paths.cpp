@@ -1,0 +1,233 @@
+#include "pt/render/bounces_apart.h"
+#include "pt/render/common_radiance.h"
+#include "pt/render/pixel_record.h"
+#include "pt/tasks/estimate_pixel.h"
+#include "view/worker/path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+// The paths of this thread's pixel while they are recorded.
+thread_local PixelPaths* recording = nullptr;
+
+// The numbers that take a sampler from one state to the other; none if they are more than a few.
+std::vector<double> numbers_between(const pt::Sampler::State& from, const pt::Sampler::State& to) {
+  constexpr int kMost = 16;
+  pt::Sampler sampler(from);
+  std::vector<double> numbers;
+  while (sampler.state() != to) {
+    if (numbers.size() == kMost) return {};
+    numbers.push_back(sampler.next_1d());
+  }
+  return numbers;
+}
+
+template <class... In>
+std::tuple<In...> in(const pt::Call& call) {
+  return std::any_cast<std::tuple<In...>>(call.in);
+}
+template <class Out>
+Out out(const pt::Call& call) {
+  return std::any_cast<Out>(call.out);
+}
+
+Draw light_draw(const pt::Scene& scene, const pt::SurfacePoint& point, const pt::Call& call) {
+  Draw draw;
+  const pt::Light* light = std::get<0>(in<const pt::Light*, pt::Vec3>(call));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (&scene.lights[i] == light) draw.light = static_cast<int>(i);
+  }
+  draw.sample = out<pt::LightSample>(call);
+  draw.cosine = dot(point.n, draw.sample.wi);
+  return draw;
+}
+
+Draw hemisphere_draw(const pt::Scene& scene, const pt::SurfacePoint& point, const pt::Call& call) {
+  Draw draw;
+  draw.ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
+  const auto hit = out<std::optional<pt::Hit>>(call);
+  draw.was_traced = true;
+  draw.sample.wi = draw.ray.direction;
+  draw.sample.distance = hit ? hit->t : pt::kInfinity;
+  draw.sample.radiance =
+      hit ? surface_point(scene, draw.ray, *hit).emission : background(scene, draw.ray.direction);
+  draw.sample.pdf = 1 / (2 * pt::kPi);
+  draw.hit = hit ? hit->primitive : -1;
+  draw.cosine = dot(point.n, draw.ray.direction);
+  return draw;
+}
+
+Direct direct_of(const pt::Scene& scene, const std::vector<pt::Call>& calls, std::size_t at) {
+  const auto [of, point, samples] = in<const pt::Scene*, pt::SurfacePoint, int>(calls[at]);
+  Direct direct{calls[at].name, samples, out<pt::Rgb>(calls[at]), true, {}};
+  for (std::size_t i = at + 1; i < calls[at].end; ++i) {
+    const pt::Call& call = calls[i];
+    direct.plain = direct.plain && call.name != "diffuse_sample";
+    if (call.name == "sample_light") direct.draws.push_back(light_draw(scene, point, call));
+    if (call.name == "closest") direct.draws.push_back(hemisphere_draw(scene, point, call));
+    if (call.name == "occluded" && !direct.draws.empty()) {
+      Draw& draw = direct.draws.back();
+      draw.ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
+      draw.was_traced = true;
+      draw.is_hidden = out<bool>(call);
+    }
+  }
+  return direct;
+}
+
+Bounce* bounce_at(Path& path, pt::Vec3 p) {
+  for (auto bounce = path.bounces.rbegin(); bounce != path.bounces.rend(); ++bounce) {
+    if (bounce->point.p == p) return &*bounce;
+  }
+  return nullptr;
+}
+
+// Puts the calls of trace_path, from calls[first] on, into the points of the path.
+void arrange(const pt::Scene& scene, Path& path, std::size_t first, const pt::Sampler::State& start,
+             const pt::Sampler::State& end) {
+  pt::Sampler::State last = start;
+  for (std::size_t i = first; i < path.calls.size(); i = path.calls[i].end) {
+    const pt::Call& call = path.calls[i];
+    Bounce& here = path.bounces.back();
+    if (call.name.starts_with("direct_")) {
+      const auto point = std::get<1>(in<const pt::Scene*, pt::SurfacePoint, int>(call));
+      Bounce* const bounce = bounce_at(path, point.p);
+      if (bounce != nullptr) bounce->direct.push_back(direct_of(scene, path.calls, i));
+      path.lost_point = path.lost_point || bounce == nullptr;
+      last = call.after;
+    } else if (call.name == "diffuse_sample") {
+      here.drawn = numbers_between(last, call.before);
+      here.wo = std::get<1>(in<pt::Rgb, pt::Vec3>(call));
+      here.next.push_back(out<pt::BsdfSample>(call));
+      last = call.after;
+    } else if (call.name == "closest") {
+      path.is_one = path.is_one && !here.ray;
+      const pt::Ray ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
+      here.ray = ray;
+      if (const auto hit = out<std::optional<pt::Hit>>(call)) {
+        Bounce next;
+        next.point = surface_point(scene, ray, *hit);
+        next.primitive = hit->primitive;
+        path.bounces.push_back(next);
+      }
+    }
+  }
+  Bounce& ended = path.bounces.back();
+  if (ended.next.empty()) ended.drawn = numbers_between(last, end);
+}
+
+// The throughput of each point by the calls, and the survival that follows from the part of the sum.
+void find_throughputs(Path& path, const pt::PathParts& parts, const pt::PathSettings& settings) {
+  pt::Rgb throughput = pt::gray(1);
+  for (std::size_t i = 0; i < path.bounces.size(); ++i) {
+    Bounce& bounce = path.bounces[i];
+    bounce.part = i < parts.bounces.size() ? parts.bounces[i] : pt::Rgb{};
+    bounce.throughput = throughput;
+    path.is_one = path.is_one && bounce.direct.size() <= 1 && bounce.next.size() <= 1;
+    if (bounce.next.empty()) continue;
+    throughput *= factor(bounce.next[0]);
+    if (i + 1 >= path.bounces.size()) continue;
+    // What the next point adds tells by what the light from there was divided.
+    const Bounce& after = path.bounces[i + 1];
+    const pt::Rgb undivided = after.direct.empty() ? pt::Rgb{} : throughput * after.direct[0].light;
+    const pt::Rgb part = i + 1 < parts.bounces.size() ? parts.bounces[i + 1] : pt::Rgb{};
+    const double ratio = luminance(undivided) / luminance(part);
+    const bool is_told = luminance(undivided) > 0 && luminance(part) > 0 && std::isfinite(ratio);
+    bounce.survival = is_told ? ratio : i > 0 && !bounce.drawn.empty() ? settings.survival : 1;
+    if (std::abs(bounce.survival - settings.survival) < 1e-12) bounce.survival = settings.survival;
+    if (std::abs(bounce.survival - 1) < 1e-12) bounce.survival = 1;
+    throughput /= bounce.survival;
+  }
+}
+
+Path walk(const pt::Scene& scene, const pt::Ray& ray, const pt::PathSettings& settings,
+          pt::Sampler& sampler) {
+  Path path;
+  path.ray = ray;
+  std::vector<pt::Call>* const outer = std::exchange(pt::recorder.calls, &path.calls);
+  const std::optional<pt::Hit> hit = scene.closest(ray);
+  if (hit) {
+    const pt::SurfacePoint point = surface_point(scene, ray, *hit);
+    const std::size_t first = path.calls.size();
+    const pt::Sampler::State start = sampler.state();
+    path.bounces.emplace_back();
+    path.bounces[0].point = point;
+    path.bounces[0].primitive = hit->primitive;
+    if (settings.from <= 0) path.emission = point.emission;
+    pt::PathParts parts;
+    if (settings.to >= 1) parts = trace_path_in_parts(scene, point, settings, sampler);
+    path.traced = parts.sum;
+    path.rest = parts.rest;
+    pt::recorder.calls = nullptr;
+    arrange(scene, path, first, start, sampler.state());
+    find_throughputs(path, parts, settings);
+  }
+  pt::recorder.calls = outer;
+  path.value = pt::Rgb{} + path.emission + path.traced;
+  return path;
+}
+
+// Keeps calls of the tasks between a pixel and its paths, as camera_ray.
+class Recording {
+ public:
+  explicit Recording(PixelPaths& pixel) {
+    recording = &pixel;
+    pt::recorder.calls = &pixel.calls;
+  }
+  ~Recording() {
+    recording = nullptr;
+    pt::recorder.calls = nullptr;
+  }
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+};
+
+}  // namespace
+
+pt::Rgb factor(const pt::BsdfSample& sample) {
+  return sample.f * (std::abs(sample.wi.z) / sample.pdf);
+}
+
+pt::Rgb sum_of_parts(const Path& path) {
+  pt::Rgb sum;
+  for (const Bounce& bounce : path.bounces) sum += bounce.part;
+  return sum + path.rest;
+}
+
+PixelPaths paths_of_pixel(const pt::View& view, const Settings& settings) {
+  PixelPaths pixel;
+  {
+    const Recording calls(pixel);
+    pt::Sampler sampler = pt::Sampler::for_pixel(settings.render.seed, settings.x, settings.y);
+    pixel.mean = estimate_pixel(view, settings.x, settings.y, settings.render.samples, sampler);
+  }
+  std::size_t next = 0;
+  for (const pt::Call& call : pixel.calls) {
+    if (call.name != "camera_ray" || next == pixel.paths.size()) continue;
+    const auto [camera, x, y] = in<pt::Camera, double, double>(call);
+    pixel.paths[next++].at = {x, y};
+  }
+  return pixel;
+}
+
+}  // namespace view
+
+namespace pt {
+
+// The slot of the seam (pt/render/radiance.h) in the view: `recorded`, which keeps the path while one is looked at.
+Rgb radiance(const Scene& scene, const Ray& ray, const PathSettings& settings, Sampler& sampler) {
+  if (view::recording == nullptr) {
+    return recorded(common_radiance(scene, ray, settings, sampler));
+  }
+  view::Path path = view::walk(scene, ray, settings, sampler);
+  const Rgb value = path.value;
+  view::recording->paths.push_back(std::move(path));
+  return recorded(value);
+}
+
+}  // namespace pt

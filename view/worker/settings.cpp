@@ -1,0 +1,138 @@
+#include "view/worker/settings.h"
+
+#include "pt/error.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+namespace view {
+
+namespace {
+
+// The words of a request that are options of ./run render.
+const std::map<std::string, std::string> kOptions{
+    {"show", "--show"},         {"bounce", "--bounce"}, {"bounces", "--bounces"},
+    {"samples", "--samples"},   {"engine", "--engine"}, {"light_samples", "--light-samples"},
+    {"survival", "--survival"}, {"seed", "--seed"},     {"leaf", "--leaf"},
+    {"camera", "--camera"}};
+
+const std::map<std::string, Shown> kShown{{"light", Shown::light},
+                                          {"boxes", Shown::boxes},
+                                          {"primitives", Shown::primitives_tested},
+                                          {"samples", Shown::samples},
+                                          {"deviation", Shown::deviation},
+                                          {"primitive", Shown::primitive},
+                                          {"distance", Shown::distance}};
+
+constexpr int kMinSide = 16, kMaxSide = 2048, kMaxBounces = 100, kMaxSamples = 1024;
+
+int whole_number(const std::string& name, const std::string& word, int least, int most) {
+  int value = 0;
+  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (problem != std::errc() || end != word.data() + word.size() || value < least || value > most) {
+    throw pt::Error("'" + name + "' takes a whole number from " + std::to_string(least) + " to " +
+                    std::to_string(most) + ", and not '" + word + "'");
+  }
+  return value;
+}
+
+// "x,y,z"
+pt::Vec3 vector(const std::string& name, const std::string& word) {
+  pt::Vec3 v;
+  const char* at = word.data();
+  const char* const end = at + word.size();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [next, problem] = std::from_chars(at, end, v[axis]);
+    const bool ends_well = axis == 2 ? next == end : next != end && *next == ',';
+    if (problem != std::errc() || !ends_well || !std::isfinite(v[axis])) {
+      throw pt::Error("'" + name + "' takes three numbers, as in 0,1,2.5, and not '" + word + "'");
+    }
+    at = next + 1;
+  }
+  return v;
+}
+
+pt::RenderOptions render_options(const Query& query) {
+  std::vector<std::string> words{"render", "scene.dae"};
+  for (const auto& [name, option] : kOptions) {
+    const auto found = query.find(name);
+    if (found != query.end()) words.push_back(option + "=" + found->second);
+  }
+  if (query.contains("hemisphere")) words.emplace_back("--hemisphere");
+  if (query.contains("adaptive")) {
+    const std::string& pair = query.at("adaptive");
+    const std::size_t comma = pair.find(',');
+    words.insert(words.end(), {"--adaptive", pair.substr(0, comma),
+                               comma == std::string::npos ? "" : pair.substr(comma + 1)});
+  }
+  std::vector<const char*> argv;
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  return pt::parse_options(static_cast<int>(argv.size()), argv.data());
+}
+
+std::optional<Eye> eye_of(const Query& query) {
+  if (!query.contains("eye")) return std::nullopt;
+  for (const char* name : {"target", "up"}) {
+    if (!query.contains(name))
+      throw pt::Error("'eye' is given without '" + std::string(name) + "'");
+  }
+  const Eye eye{vector("eye", query.at("eye")), vector("target", query.at("target")),
+                vector("up", query.at("up"))};
+  if (!(length(cross(eye.up, eye.position - eye.target)) > 0)) {
+    throw pt::Error("the camera has no direction: 'eye', 'target' and 'up' lie on one line");
+  }
+  return eye;
+}
+
+}  // namespace
+
+Settings settings_of(const Query& query) {
+  Settings settings;
+  const auto known = [](const std::string& name) {
+    static const std::array<const char*, 10> kOwn{
+        "w", "h", "x", "y", "eye", "target", "up", "shown", "hemisphere", "adaptive"};
+    for (const char* own : kOwn) {
+      if (name == own) return true;
+    }
+    return kOptions.contains(name);
+  };
+  for (const auto& [name, word] : query) {
+    if (!known(name)) throw pt::Error("there is no setting '" + name + "'");
+    if (word.starts_with('-')) throw pt::Error("'" + name + "' cannot be '" + word + "'");
+  }
+  const auto number = [&](const char* name, int usual, int least, int most) {
+    const auto found = query.find(name);
+    return found == query.end() ? usual : whole_number(name, found->second, least, most);
+  };
+  settings.render = render_options(query);
+  settings.render.width = number("w", 480, kMinSide, kMaxSide);
+  settings.render.height = number("h", 360, kMinSide, kMaxSide);
+  number("bounces", 0, 0, kMaxBounces);
+  number("samples", 1, 1, kMaxSamples);
+  number("light_samples", 1, 1, kMaxSamples);
+  settings.x = number("x", 0, 0, settings.render.width - 1);
+  settings.y = number("y", 0, 0, settings.render.height - 1);
+  settings.eye = eye_of(query);
+  if (query.contains("shown")) {
+    const auto found = kShown.find(query.at("shown"));
+    if (found == kShown.end()) throw pt::Error("nothing is shown as '" + query.at("shown") + "'");
+    settings.shown = found->second;
+  }
+  return settings;
+}
+
+pt::View view_of(const pt::LoadedScene& loaded, const Settings& settings) {
+  const pt::RenderOptions& render = settings.render;
+  pt::Camera camera = frame_camera(loaded, render.framing, render.width, render.height);
+  if (settings.eye) {
+    const pt::Vec3 z = normalize(settings.eye->position - settings.eye->target);
+    const pt::Vec3 x = normalize(cross(settings.eye->up, z));
+    camera.position = settings.eye->position;
+    camera.camera_to_world = {x, cross(z, x), z};
+  }
+  return {loaded.scene, camera, path_settings(render), render.width, render.height};
+}
+
+}  // namespace view

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "pt/render/options.h"
+#include "pt/scene/load_collada.h"
+#include "pt/scene/view.h"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace view {
+
+// The words of a request, by name.
+using Query = std::map<std::string, std::string>;
+
+// A camera that was moved away from where the file has it.
+struct Eye {
+  pt::Vec3 position, target, up;
+};
+
+// What a value of a pixel is: light, or a number that is shown in false colours.
+enum class Shown { light, boxes, primitives_tested, samples, deviation, primitive, distance };
+
+struct Settings {
+  pt::RenderOptions render;
+  std::optional<Eye> eye;
+  Shown shown = Shown::light;
+  int x = 0, y = 0;  // a pixel, as the tasks count: from the bottom left
+};
+
+// Reads a request, whose words are options of ./run render. Throws pt::Error with one sentence if one of them cannot be used.
+Settings settings_of(const Query& query);
+
+pt::View view_of(const pt::LoadedScene& loaded, const Settings& settings);
+
+}  // namespace view
