@@ -169,11 +169,11 @@ judging::GradeRequest request_for(const build::Config& config, const GradeOption
   return request;
 }
 
-// Shows how many verdicts there are, of how many in the end.
+// Shows how many verdicts there are, of how many in the end. Compiling is the first phase that ends.
 void show_progress(report::StatusLine& line, const results::Results& so_far) {
   const results::Counts verdicts = results::verdicts(so_far);
   const double part = static_cast<double>(verdicts.judged) / static_cast<double>(verdicts.all);
-  line.show(verdicts.judged == 0
+  line.show(so_far.phases.empty()
                 ? "judging: compiling the submission"
                 : fmt::format("judging: {} of {} verdicts", verdicts.judged, verdicts.all),
             part);

@@ -1,6 +1,7 @@
 #include "grader/report/hint_memory.h"
 
 #include "grader/base/wrap.h"
+#include "grader/results/order.h"
 #include "pt/file.h"
 
 #include <filesystem>
@@ -57,11 +58,8 @@ void remember_failures(const std::string& work, const results::Results& results)
     memory.seed = results.seed;
     // A file that does not compile says nothing about promises: earlier failures still count.
     if (task.compiler_output.empty()) memory.fails.clear();
-    for (const bool bonus : {false, true}) {
-      for (const results::PromiseResult& promise : task.promises) {
-        const bool failed = !promise.held && !promise.failures.empty();
-        if (failed && promise.bonus == bonus) memory.fails.push_back(promise.name);
-      }
+    for (const results::PromiseResult* promise : results::by_importance(task)) {
+      if (!promise->failures.empty()) memory.fails.push_back(promise->name);
     }
     remember(work, task.slug, memory);
   }

@@ -215,7 +215,7 @@ std::vector<FailureText> failure_texts(const results::TaskResult& task,
   }
   if (!reason.empty()) texts.push_back({task.slug, "", reason});
   if (!texts.empty() && !task.warnings.empty()) texts.front().text += warnings_text(task);
-  if (!texts.empty() && !task.printed.empty()) texts.back().text += printed_text(task);
+  if (!texts.empty() && !task.printed.empty()) texts.front().text += printed_text(task);
   return texts;
 }
 

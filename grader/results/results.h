@@ -149,7 +149,7 @@ struct TaskResult {
   bool operator==(const TaskResult&) const = default;
 };
 
-// A part of the run and its time: "properties", "pictures".
+// A part of the run that has ended, and its time: "compiling", "properties", "pictures".
 struct Phase {
   std::string name;
   double seconds = 0;

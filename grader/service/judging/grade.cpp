@@ -109,11 +109,14 @@ class Run {
     build::trim_cache_now_and_then(builder.cache());
     const auto report = [&] { progress(summary()); };
     report();
-    phase("properties", [&] {
+    phase("compiling", [&] {
       // Meanwhile git looks at every file of the project.
       auto judged_with = std::async(std::launch::async, [&] { return versions(config_); });
       compile_all(builder, request_, judged_);
       results_.versions = judged_with.get();
+    });
+    report();
+    phase("properties", [&] {
       if (!config_.no_reference.empty()) config_ = with_own_tasks(config_, judged_);
       judge_alone(config_, builder, request_, judged_, report);
       // Without a reference, a task may fail because of another task.

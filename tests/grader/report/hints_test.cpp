@@ -113,6 +113,14 @@ TEST(memory, holds_what_failed_last_and_forgets_hints_when_the_task_passes) {
   EXPECT_EQ(memory.fails, (std::vector<std::string>{"one", "two", "extra_bonus"}));
   EXPECT_EQ(memory.given, (std::map<std::string, int>{{"", 2}, {"misses_outside", 1}}));
 
+  // The report shows an exact answer before a mean, and a crash before both: the hint is about the first.
+  auto mean = failed("mean"), exact = failed("exact"), dead = failed("dead");
+  mean.failures[0].statistical = true;
+  dead.failures[0].cause = results::Cause::crash;
+  remember_failures(folder.path(), results_of(results::State::crash, {mean, exact, dead}));
+  EXPECT_EQ(recall(folder.path(), "hit_triangle").fails,
+            (std::vector<std::string>{"dead", "exact", "mean"}));
+
   results::Results broken = results_of(results::State::rejected, {});
   broken.tasks[0].compiler_output = "error: expected ';'";
   remember_failures(folder.path(), broken);

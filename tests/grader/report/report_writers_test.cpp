@@ -182,6 +182,18 @@ TEST_F(Writers, the_terminal_shows_the_first_failure) {
   EXPECT_THAT(text, HasSubstr("4 more; --all shows them.\n"));
 }
 
+// What a task prints helps with the failure that is shown.
+TEST_F(Writers, the_terminal_shows_what_a_task_printed_below_its_first_failure) {
+  results::Results results = run;
+  results.tasks.erase(results.tasks.begin(), results.tasks.begin() + 6);
+  results.tasks[0].printed = "det is 0\n" + std::string(5000, 'x');
+  const std::string text = to_text(results, {});
+  const std::size_t printed = text.find("\n  printed\n    det is 0\n    xxx");
+  EXPECT_LT(text.find("This block was 21.0 % too dark"), printed);
+  EXPECT_LT(printed, text.find("4 more; --all"));
+  EXPECT_THAT(text, Not(HasSubstr(std::string(500, 'x'))));
+}
+
 TEST_F(Writers, the_table_has_bonus_points_and_what_a_task_waits_for) {
   const std::string text = table(run, {});
   EXPECT_THAT(text, HasSubstr("estimate_pixel     pass              2/2  + 1 bonus\n"));
