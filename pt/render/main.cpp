@@ -4,6 +4,7 @@
 #include "pt/image/sample_map.h"
 #include "pt/printable.h"
 #include "pt/render/choose_engine.h"
+#include "pt/render/darkness.h"
 #include "pt/render/options.h"
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
@@ -78,21 +79,25 @@ void name_unwritten_tasks(const RenderOptions& options, const Scene& scene) {
              no_tree ? " (traced without a tree)" : "");
 }
 
+std::string note_on_no_light(const LoadedScene& loaded) {
+  return fmt::format(
+      "the scene has no light, so that the picture is black{}--show normals to see its surfaces",
+      loaded.ignores_emission ? ": emission colours in profile_COMMON are ignored; give "
+                                "--common-emission to make them shine, or "
+                              : "; give ");
+}
+
 int run(int argc, const char* const* argv) {
   const RenderOptions options = parse_options(argc, argv);
   check_image_target(options.output);
-  LoadedScene loaded = load_collada(options.scene, {options.lambertian});
+  LoadedScene loaded = load_collada(options.scene, {options.lambertian, options.common_emission});
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
   if (const std::string note = note_on_framing(loaded, options.framing); !note.empty()) {
     fmt::print(stderr, "{}\n", note);
   }
   if (options.show != Show::normals) {
     require_supported(loaded, options.scene);
-    if (loaded.scene.lights.empty()) {
-      fmt::print(stderr,
-                 "the scene has no light, so that the picture is black; give --show normals to see "
-                 "its surfaces\n");
-    }
+    if (loaded.scene.lights.empty()) fmt::print(stderr, "{}\n", note_on_no_light(loaded));
   }
   silence_todo();
   choose_engine(loaded.scene, options.engine, options.max_leaf);
@@ -114,6 +119,10 @@ int run(int argc, const char* const* argv) {
   }
   name_unwritten_tasks(options, loaded.scene);
   print_summary(result, options, loaded.scene);
+  if (options.show == Show::normals || !loaded.scene.lights.empty()) {
+    const std::string note = note_on_darkness(view, result.film, options.exposure);
+    if (!note.empty()) fmt::print(stderr, "{}\n", note);
+  }
   write_pictures(options, result.film);
   return 0;
 }

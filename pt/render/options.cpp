@@ -62,9 +62,10 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
                  "Factor on radiance in a .png; 1.4142 matches the course's pictures")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--camera", options.framing,
-                 "course: the course's framing rule; fit: the file's field of view from far enough "
-                 "to see everything; file: the file's own camera")
+  app.add_option(
+         "--camera", options.framing,
+         "course: the course's framing rule, for files in its dialect; fit: the file's field "
+         "of view from far enough to see everything; file: the file's own camera")
       ->transform(CLI::CheckedTransformer(kFramingWords, CLI::ignore_case).description(""))
       ->type_name("course|fit|file")
       ->default_str("course");
@@ -99,6 +100,8 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
       ->type_name("BATCH TOLERANCE");
   app.add_flag("--lambertian", options.lambertian,
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
+  app.add_flag("--common-emission", options.common_emission,
+               "Let surfaces emit the emission colour that exporters write (profile_COMMON)");
 }
 
 void describe_machine(CLI::App& app, RenderOptions& options) {

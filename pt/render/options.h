@@ -30,6 +30,7 @@ struct RenderOptions {
   int max_leaf = 4;
   Framing framing = Framing::course;
   bool lambertian = false;
+  bool common_emission = false;
   double exposure = 1;
   std::uint64_t seed = 0;
   int threads = 1;

@@ -31,8 +31,9 @@ Window course_window(const FileCamera& camera, int width, int height) {
   return {width / (2 * distance), height / (2 * distance)};
 }
 
-FileCamera default_camera() {
+FileCamera default_camera(Vec3 front) {
   FileCamera camera;
+  camera.camera_to_world = {cross({0, 1, 0}, front), {0, 1, 0}, front};
   camera.hfov_deg = 49.13434;
   camera.vfov_deg = fov_from(half_tangent(camera.hfov_deg) * 3 / 4);
   return camera;
@@ -60,7 +61,12 @@ Frame upright_frame(Vec3 z, const FileCamera& camera) {
 }  // namespace
 
 std::string note_on_framing(const LoadedScene& loaded, Framing framing) {
-  if (framing != Framing::course || !loaded.camera || loaded.has_asset) return "";
+  if (framing != Framing::course || !loaded.camera) return "";
+  if (!loaded.is_course) {
+    return "the file is not in the course's dialect: --camera course takes the file's own camera; "
+           "give --camera fit to see the whole scene.";
+  }
+  if (loaded.has_asset) return "";
   return "the file has no <asset>, which would name the program that exported it: --camera course "
          "takes it "
          "for one that was written by hand, seen along the camera's own axis.";
@@ -68,8 +74,12 @@ std::string note_on_framing(const LoadedScene& loaded, Framing framing) {
 
 Camera frame_camera(const LoadedScene& loaded, Framing framing, int width, int height) {
   assert(width > 0 && height > 0);
-  const FileCamera from = loaded.camera.value_or(default_camera());
-  if (!loaded.camera) framing = Framing::fit;
+  const FileCamera from = loaded.camera.value_or(default_camera(loaded.front));
+  if (!loaded.camera) {
+    framing = Framing::fit;
+  } else if (framing == Framing::course && !loaded.is_course) {
+    framing = Framing::file;
+  }
 
   const Window window = framing == Framing::course
                             ? course_window(from, width, height)

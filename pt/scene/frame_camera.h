@@ -13,15 +13,17 @@ namespace pt {
 //           box's diagonal, y up. In a file that a program exported, the eye is in the direction
 //           position - z axis, as in the course; else on the camera's own z axis. The fields of
 //           view are widened to 4:3 (the narrower grows). A picture 600 pixels high shows them
-//           whole, any other picture a window of that, pixel for pixel.
+//           whole, any other picture a window of that, pixel for pixel. A file that is not in the
+//           course's dialect is framed as `file`.
 //   fit     the same distance on the camera's own axis, with the file's whole field in the
 //           picture's shape.
 //   file    the file's own position, frame and clip range, and its whole field.
-// All pixels are square. A scene without a camera is seen from +z with the field of view of
+// All pixels are square. A scene without a camera is seen from its front with the field of view of
 // Blender's first camera (49.13 degrees, 4:3), whole, whatever the framing.
 enum class Framing { course, fit, file };
 
-// Says which rule of `course` is used if the file does not name its author; else empty.
+// Says which rule of `course` is used if the file does not name its author, or is not the course's;
+// else empty.
 std::string note_on_framing(const LoadedScene& loaded, Framing framing);
 
 // width and height in pixels, > 0.

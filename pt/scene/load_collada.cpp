@@ -6,6 +6,8 @@
 #include "pt/scene/collada/nodes.h"
 #include "pt/scene/collada/surfaces.h"
 
+#include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -15,20 +17,69 @@ namespace pt {
 
 namespace {
 
-// A node that is instanced several times causes the same notes every time.
-void append_new(std::vector<std::string>& notes, const std::vector<std::string>& more) {
-  std::unordered_set<std::string> known(notes.begin(), notes.end());
-  for (const std::string& note : more) {
-    if (known.insert(note).second) notes.push_back(note);
+// Notes are of one kind if they differ in names and numbers alone.
+std::string kind_of(const std::string& note) {
+  std::string kind;
+  bool is_name = false;
+  for (const char c : note) {
+    if (c == '\'') is_name = !is_name;
+    if (!is_name && std::string_view("0123456789.-+e ").find(c) == std::string_view::npos)
+      kind += c;
   }
+  return kind;
 }
 
-// <asset><contributor><authoring_tool>: exporters write it, people do not.
-bool names_authoring_tool(const XMLElement& root) {
+// The first note of each kind, and how many differ from it. A file can have 100,000 nodes or
+// materials with the same fault.
+std::vector<std::string> once_per_kind(const std::vector<std::string>& notes) {
+  std::vector<std::string> first;
+  std::vector<std::size_t> more;
+  std::unordered_map<std::string, std::size_t> kinds;
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& note : notes) {
+    if (!seen.insert(note).second) continue;
+    const auto [kind, is_new] = kinds.emplace(kind_of(note), first.size());
+    if (is_new) {
+      first.push_back(note);
+      more.push_back(0);
+    } else {
+      ++more[kind->second];
+    }
+  }
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (more[i] > 0) first[i] += " (" + std::to_string(more[i]) + " more like this.)";
+  }
+  return first;
+}
+
+void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
+// The name of the program that wrote the file, as exporters state it and people do not; else empty.
+std::string authoring_tool(const XMLElement& root) {
   const XMLElement* at = root.FirstChildElement("asset");
   at = at ? at->FirstChildElement("contributor") : nullptr;
   at = at ? at->FirstChildElement("authoring_tool") : nullptr;
-  return at != nullptr && at->GetText() != nullptr;
+  return at != nullptr && at->GetText() != nullptr ? at->GetText() : "";
+}
+
+// The course's files have its profile; those without materials or lights of its own are known by
+// the program that its handouts were exported with.
+bool is_course_file(const ColladaDocument& document) {
+  return document.has_course_profile() ||
+         authoring_tool(document.root()).starts_with("Blender 2.74");
+}
+
+// The notes say what the scene would have shown.
+[[noreturn]] void fail_without_surface(const ColladaDocument& document,
+                                       const std::vector<std::string>& notes) {
+  std::string reasons;
+  for (const std::string& note : once_per_kind(notes)) reasons += " " + note;
+  document.fail(document.root(),
+                "the scene shows no surface; " +
+                    (reasons.empty() ? std::string("put an <instance_geometry> in it")
+                                     : "change what these notes name:" + reasons));
 }
 
 }  // namespace
@@ -37,27 +88,29 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   const ColladaDocument document(file);
   Instances instances = read_nodes(document);
   LoadedScene loaded;
-  loaded.exported = names_authoring_tool(document.root());
+  loaded.exported = !authoring_tool(document.root()).empty();
   loaded.has_asset = document.root().FirstChildElement("asset") != nullptr;
+  loaded.is_course = is_course_file(document);
+  loaded.front = instances.front;
   loaded.camera = read_camera(document, instances.cameras, instances.notes);
-  append_new(loaded.notes, instances.notes);
+  std::vector<std::string> notes = instances.notes;
 
   Surfaces surfaces = read_surfaces(document, instances.geometries, options);
-  if (surfaces.primitives.size() == 0) {
-    document.fail(document.root(), "the scene shows no surface; put an <instance_geometry> in it");
-  }
-  LightNodes nodes = read_lights(document, instances.lights);
+  append(notes, surfaces.notes);
+  if (surfaces.primitives.size() == 0) fail_without_surface(document, notes);
+  LightNodes nodes = read_lights(document, instances.lights, bounds(surfaces.primitives));
   SceneLights lights = merge_lights(surfaces.emitters, nodes.nodes);
-  append_new(loaded.notes, surfaces.notes);
-  append_new(loaded.notes, nodes.notes);
-  append_new(loaded.notes, lights.notes);
-  if (const std::string ids = document.note_on_ids(); !ids.empty()) loaded.notes.push_back(ids);
+  append(notes, nodes.notes);
+  append(notes, lights.notes);
+  append(notes, document.notes());
+  loaded.notes = once_per_kind(notes);
 
   loaded.scene.primitives = std::move(surfaces.primitives);
   loaded.scene.material_of = std::move(surfaces.material_of);
   loaded.scene.materials = std::move(surfaces.materials);
   loaded.scene.lights = std::move(lights.lights);
   loaded.unsupported_lights = std::move(nodes.unsupported);
+  loaded.ignores_emission = surfaces.ignores_emission;
   return loaded;
 }
 

@@ -23,15 +23,19 @@ struct FileCamera {
 
 struct LoadOptions {
   bool lambertian = false;  // treat materials outside the model as albedo 0.5, and say so in notes
+  bool common_emission = false;  // let surfaces emit the emission colour of profile_COMMON
 };
 
 struct LoadedScene {
   Scene scene;  // complete except for the tracer, which is not built
   std::optional<FileCamera> camera;
-  bool exported = false;   // a program wrote the file, as its <authoring_tool> says
-  bool has_asset = false;  // the file has the <asset> that would say so
+  bool exported = false;          // a program wrote the file, as its <authoring_tool> says
+  bool has_asset = false;         // the file has the <asset> that would say so
+  bool is_course = false;         // one of the course's files, or a file in its dialect
+  Vec3 front{0, 0, 1};            // towards somebody who stands in front of the scene
+  bool ignores_emission = false;  // a material has an emission colour in profile_COMMON
   std::vector<std::string> unsupported_lights;  // "spot light 'Lamp'": lights outside the model
-  std::vector<std::string> notes;               // a sentence per correction or ignored thing
+  std::vector<std::string> notes;  // a sentence per kind of correction or ignored thing
 };
 
 // Reads a COLLADA 1.4.1 file; docs/scenes.md describes the dialect and the answer to each of its

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace tinyxml2 {
 class XMLDocument;
@@ -18,13 +19,20 @@ namespace pt {
 using tinyxml2::XMLElement;
 
 // A COLLADA file as a tree of elements, which live as long as the document does. Throws Error for a
-// file that is missing, not a regular file, empty, too large, not COLLADA or malformed.
+// file that is missing, not a regular file, empty, too large, not COLLADA or malformed. Elements have
+// their names without the prefix of a namespace.
 class ColladaDocument {
  public:
   explicit ColladaDocument(const std::filesystem::path& file);
   ~ColladaDocument();
 
   const XMLElement& root() const { return *root_; }
+
+  // Returns whether the file has something in the course's own technique.
+  bool has_course_profile() const { return has_course_profile_; }
+
+  // Returns whether numbers are written as 0,5. In such a file no number has a point.
+  bool has_decimal_commas() const { return has_commas_ && !has_points_; }
 
   // Throws Error: "file:line: what", with the element's line. `what` ends with what to do.
   [[noreturn]] void fail(const XMLElement& at, const std::string& what) const;
@@ -39,8 +47,12 @@ class ColladaDocument {
   // more than one.
   const XMLElement& resolve(const XMLElement& from, const char* attribute, const char* kind) const;
 
+  // "there is no <light> with the id that '#sun' names", or that it is in another file
+  std::string missing(std::string_view url, const char* kind) const;
+
   // The first two elements of that kind with the id of the url at `from`, null if there are fewer. In a mesh, only
-  // its own parts count if one has the id: some exporters give the parts of every mesh the same ids.
+  // its own parts count if one has the id: some exporters give the parts of every mesh the same ids. The url may
+  // begin with the name of the file itself.
   struct Identified {
     const XMLElement* first = nullptr;
     const XMLElement* second = nullptr;
@@ -50,20 +62,27 @@ class ColladaDocument {
   // "'#sun' may be the <light> of line 8 or that of line 9"
   static std::string ambiguity(std::string_view url, const Identified& found);
 
-  // A sentence about ids that several elements of one kind have; empty if there are none.
-  std::string note_on_ids() const;
+  // Sentences about ids that several elements have, parts with an <asset> of their own, and commas.
+  std::vector<std::string> notes() const;
 
  private:
   void parse(const std::string& text);
-  void index(const XMLElement& element);
+  void index(XMLElement& element);
+  void look_at_numbers(const XMLElement& element);
+  std::string_view own_part(std::string_view url) const;
 
   std::string file_;
   std::unique_ptr<tinyxml2::XMLDocument> xml_;
   const XMLElement* root_ = nullptr;
+  std::string prefix_;                                 // of all names: "ns0:", or nothing
   std::unordered_map<std::string, Identified> by_id_;  // "kind#id"
   std::map<std::pair<const XMLElement*, std::string>, Identified> in_mesh_;
   const XMLElement* first_duplicate_ = nullptr;
   std::size_t duplicates_ = 0;
+  bool has_course_profile_ = false;
+  bool has_commas_ = false;
+  bool has_points_ = false;
+  std::vector<const XMLElement*> assets_;  // of all elements, the file's own first
 };
 
 // The first child called `name` of the course's own techniques, extra/technique[@profile CGL or
@@ -73,7 +92,10 @@ const XMLElement* course_child(const XMLElement& element, const char* name);
 // The name of an element in messages: its name, else its id, in quotes, safe to print.
 std::string label(const XMLElement& element);
 
-// Text from a file in quotes: shortened, and without bytes that a terminal might obey.
+// The text of an element without the white space around it; empty if there is none.
+std::string_view trimmed_text(const XMLElement& element);
+
+// Text from a file in quotes: shortened, and without quotes and bytes that a terminal might obey.
 std::string quoted(std::string_view text);
 
 }  // namespace pt

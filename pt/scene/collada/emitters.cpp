@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace pt {
 
@@ -36,8 +37,7 @@ std::optional<RectangleLight> parallelogram(const Triangle& a, const Triangle& b
 
 }  // namespace
 
-Emitter mesh_emitter(const std::vector<Triangle>& triangles, Rgb radiance,
-                     const std::string& name) {
+Emitter mesh_emitter(std::span<const Triangle> triangles, Rgb radiance, const std::string& name) {
   Emitter emitter;
   emitter.name = name;
   std::vector<MeshLight::Face> faces;

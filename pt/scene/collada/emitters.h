@@ -4,8 +4,8 @@
 #include "pt/geometry/triangle.h"
 #include "pt/scene/light.h"
 
+#include <span>
 #include <string>
-#include <vector>
 
 namespace pt {
 
@@ -20,7 +20,7 @@ struct Emitter {
 };
 
 // The triangles have an area and world-space corners; each emits on its geometric normal's side.
-Emitter mesh_emitter(const std::vector<Triangle>& triangles, Rgb radiance, const std::string& name);
+Emitter mesh_emitter(std::span<const Triangle> triangles, Rgb radiance, const std::string& name);
 Emitter sphere_emitter(const Sphere& sphere, Rgb radiance, const std::string& name);
 
 }  // namespace pt

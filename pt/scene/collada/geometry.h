@@ -2,6 +2,7 @@
 
 #include "pt/math/vec3.h"
 #include "pt/scene/collada/document.h"
+#include "pt/scene/collada/sources.h"
 
 #include <cstddef>
 #include <optional>
@@ -17,17 +18,24 @@ struct FileTriangle {
   Vec3 n[3];
 };
 
-// The faces of a <polylist>, <triangles> or <polygons>, in order, as fans of triangles.
+// The faces of one set, in order, as triangles.
 struct MeshPart {
   std::string material_symbol;  // empty where the file has none
-  std::vector<FileTriangle> triangles;
-  std::size_t without_surface = 0;  // faces of fewer than three corners
+  const std::vector<Vec3>* positions = nullptr;
+  const std::vector<Vec3>* normals = nullptr;  // null where the file has none
+  std::vector<Corner> corners;                 // three per triangle
+  std::size_t without_surface = 0;             // faces of fewer than three corners
+  std::size_t crossing = 0;                    // faces that cross themselves
+
+  std::size_t size() const { return corners.size() / 3; }
+  FileTriangle triangle(std::size_t i) const;
 };
 
-// A mesh, or a sphere around the origin.
+// A mesh, or a sphere around the origin. The parts point into its sources.
 struct ColladaGeometry {
   std::vector<MeshPart> parts;
   std::optional<double> sphere_radius;
+  Sources sources;
   std::vector<std::string> notes;
 };
 

@@ -2,7 +2,9 @@
 
 #include "pt/scene/collada/numbers.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include <tinyxml2.h>
@@ -12,12 +14,43 @@ namespace pt {
 namespace {
 
 // <area>, <point>, ... : from the course's technique, else from technique_common.
-const XMLElement& kind_element(const ColladaDocument& document, const XMLElement& light) {
-  if (const XMLElement* course = course_child(light, "")) return *course;
+struct KindElement {
+  const XMLElement* element;
+  bool is_course;
+};
+
+KindElement kind_element(const ColladaDocument& document, const XMLElement& light) {
+  if (const XMLElement* course = course_child(light, "")) return {course, true};
   const XMLElement& common = document.child(light, "technique_common");
   const XMLElement* kind = common.FirstChildElement();
   if (kind == nullptr) document.fail(common, "light " + label(light) + " has no kind; write one");
-  return *kind;
+  return {kind, false};
+}
+
+// A light is divided by constant + linear d + quadratic d^2 at the distance d. Without any of them
+// it does not fall off (COLLADA 1.4.1, "point").
+struct FallOff {
+  double constant = 1, linear = 0, quadratic = 0;
+
+  double at(double d) const { return constant + linear * d + quadratic * d * d; }
+  bool is_inverse_square() const { return constant == 0 && linear == 0 && quadratic > 0; }
+};
+
+double read_attenuation(const ColladaDocument& document, const XMLElement& point, const char* name,
+                        double otherwise) {
+  const XMLElement* element = point.FirstChildElement(name);
+  if (element == nullptr) return otherwise;
+  const double value = read_number(document, *element);
+  if (!(value >= 0))
+    document.fail(*element, "an attenuation is negative; write a number from 0 up");
+  return value;
+}
+
+FallOff read_fall_off(const ColladaDocument& document, const XMLElement& point) {
+  const FallOff read{read_attenuation(document, point, "constant_attenuation", 1),
+                     read_attenuation(document, point, "linear_attenuation", 0),
+                     read_attenuation(document, point, "quadratic_attenuation", 0)};
+  return read.constant + read.linear + read.quadratic > 0 ? read : FallOff{};
 }
 
 // In its own frame a light is at the origin and shines along -z with y up. The sides of an area
@@ -50,30 +83,62 @@ DirectionalLight directional_light(const ColladaDocument& document, const Instan
 struct LightText {
   std::string_view kind;
   Rgb color;
+  std::optional<FallOff> fall_off{};  // of a point light of the common profile
 };
 
 LightText read_text(const ColladaDocument& document, const XMLElement& light) {
-  const XMLElement& kind_of = kind_element(document, light);
-  const std::string_view kind = kind_of.Name();
+  const KindElement found = kind_element(document, light);
+  const XMLElement& element = *found.element;
+  const std::string_view kind = element.Name();
   if (kind == "spot") return {kind, {}};
   if (kind != "area" && kind != "point" && kind != "directional" && kind != "ambient") {
-    document.fail(kind_of, "<" + std::string(kind) +
+    document.fail(element, "<" + std::string(kind) +
                                "> is not a kind of light; write area, point, "
                                "directional or ambient");
   }
-  return {kind, read_color(document, document.child(kind_of, "color"))};
+  LightText text{kind, read_color(document, document.child(element, "color"))};
+  if (kind == "point" && !found.is_course) text.fall_off = read_fall_off(document, element);
+  return text;
 }
 
-Light placed(const ColladaDocument& document, const Instance& instance, const LightText& text) {
+// The distance at which a point light is as bright as the file says.
+double reference_distance(Vec3 light, const Box& scene) {
+  return std::max(length(light - scene.center()), 0.5 * length(scene.extent()));
+}
+
+PointLight point_light(Vec3 position, const LightText& text, const Box& scene) {
+  if (!text.fall_off) return {position, text.color};
+  const FallOff& fall_off = *text.fall_off;
+  if (fall_off.is_inverse_square()) return {position, text.color / fall_off.quadratic};
+  const double d = reference_distance(position, scene);
+  return {position, text.color * (d * d / fall_off.at(d))};
+}
+
+std::string note_on_fall_off(Vec3 position, const LightText& text, const std::string& name,
+                             const Box& scene) {
+  if (!text.fall_off || text.fall_off->is_inverse_square()) return "";
+  const FallOff& f = *text.fall_off;
+  const bool is_even = f.linear == 0 && f.quadratic == 0;
+  return "point light " + name + " " +
+         (is_even ? "does not fall off with the distance in the file (COLLADA's default)"
+                  : "falls off as 1 / (" + shown(f.constant) + " + " + shown(f.linear) + " d + " +
+                        shown(f.quadratic) + " d^2) in the file") +
+         "; here it falls off as 1 / d^2, and is as bright as the file says at the distance " +
+         shown(reference_distance(position, scene)) + ".";
+}
+
+Light placed(const ColladaDocument& document, const Instance& instance, const LightText& text,
+             const Box& scene) {
   if (text.kind == "area") return area_light(document, instance, text.color);
-  if (text.kind == "point") return PointLight{instance.to_world.translation, text.color};
+  if (text.kind == "point") return point_light(instance.to_world.translation, text, scene);
   if (text.kind == "directional") return directional_light(document, instance, text.color);
   return AmbientLight{text.color};
 }
 
 }  // namespace
 
-LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances) {
+LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances,
+                       const Box& scene) {
   LightNodes lights;
   std::unordered_map<const XMLElement*, LightText> texts;
   if (instances.size() > kMaxLights) {
@@ -91,12 +156,13 @@ LightNodes read_lights(const ColladaDocument& document, const std::vector<Instan
       lights.notes.push_back("spot light " + name + " is outside the model and left out.");
       continue;
     }
-    const Light light = placed(document, instance, text);
+    const Light light = placed(document, instance, text, scene);
     if (is_black(text.color)) {
       lights.notes.push_back("light " + name + " is black and left out.");
       continue;
     }
-    lights.nodes.push_back({light, name, instance.to_world.translation});
+    const Vec3 position = instance.to_world.translation;
+    lights.nodes.push_back({light, name, position, note_on_fall_off(position, text, name, scene)});
   }
   return lights;
 }

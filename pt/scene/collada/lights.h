@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pt/geometry/box.h"
 #include "pt/scene/collada/emitters.h"
 #include "pt/scene/collada/nodes.h"
 
@@ -17,6 +18,7 @@ struct LightNode {
   Light light;
   std::string name;  // in quotes
   Vec3 position;
+  std::string note{};  // on how it is read, if it is a light of the scene
 };
 
 struct LightNodes {
@@ -25,7 +27,11 @@ struct LightNodes {
   std::vector<std::string> notes;
 };
 
-LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances);
+// A point light of the common profile may fall off in any way. Ours fall off with the squared
+// distance: in the middle of the scene, or half its diagonal away if that is further, they are as
+// bright as the file says. `scene` bounds all surfaces.
+LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances,
+                       const Box& scene);
 
 // All lights of a scene, each once. A light node on an emitting surface describes the same lamp a
 // second time: the surface is the light, and the node is left out. This concerns area lights

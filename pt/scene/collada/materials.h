@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pt/scene/collada/document.h"
+#include "pt/scene/load_collada.h"
 #include "pt/scene/material.h"
 
 #include <string>
@@ -8,9 +9,15 @@
 
 namespace pt {
 
-// The <material> as a Material: emission from the course's technique; the albedo from the course's
-// technique, else from profile_COMMON, else 0.5. Adds a note for each thing that it ignores.
-Material read_material(const ColladaDocument& document, const XMLElement& material,
-                       std::vector<std::string>& notes);
+struct FileMaterial {
+  Material material;
+  bool ignores_emission = false;  // an emission colour of profile_COMMON
+};
+
+// The <material> as a Material: emission from the course's technique, or from profile_COMMON if the
+// options ask for it; the albedo from the course's technique, else from profile_COMMON, else 0.5.
+// Adds a note for each thing that it ignores.
+FileMaterial read_material(const ColladaDocument& document, const XMLElement& material,
+                           const LoadOptions& options, std::vector<std::string>& notes);
 
 }  // namespace pt

@@ -84,6 +84,7 @@ SceneLights merge_lights(const std::vector<Emitter>& emitters,
       if (!note.empty()) merged.notes.push_back(note);
     } else {
       merged.lights.push_back(node.light);
+      if (!node.note.empty()) merged.notes.push_back(node.note);
     }
   }
   return merged;

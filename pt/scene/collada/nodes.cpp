@@ -1,6 +1,6 @@
 #include "pt/scene/collada/nodes.h"
 
-#include "pt/scene/collada/numbers.h"
+#include "pt/scene/collada/controllers.h"
 #include "pt/scene/collada/transforms.h"
 
 #include <algorithm>
@@ -24,6 +24,7 @@ struct Child {
   enum class Kind { node, geometry, light, camera } kind;
   const XMLElement* element;
   const XMLElement* target;
+  std::optional<Transform> before{};  // the node's own, applied to the target first
 };
 
 // The content of a node. It is read once, however often the node is instanced.
@@ -49,6 +50,17 @@ class NodeWalk {
       }
     }
     path_.pop_back();
+  }
+
+  // A child of the visual scene: a node, or what some exporters write in its place.
+  void visit_top(const XMLElement& child, const Transform& up) {
+    const std::optional<Child> kept = read_child(child);
+    if (!kept) return;
+    if (kept->kind == Child::Kind::node) {
+      visit(*kept->target, up);
+    } else {
+      place(*kept, child, up);
+    }
   }
 
   Instances take() { return std::move(found_); }
@@ -85,34 +97,32 @@ class NodeWalk {
     using Kind = Child::Kind;
     const std::string_view kind = child.Name();
     if (kind == "node") return Child{Kind::node, &child, &child};
-    if (kind == "instance_node") {
-      return Child{Kind::node, &child, &document_.resolve(child, "url", "node")};
-    }
-    if (kind == "instance_geometry") {
-      return Child{Kind::geometry, &child, &document_.resolve(child, "url", "geometry")};
-    }
-    if (kind == "instance_light") return optional_child(Kind::light, child, "light");
-    if (kind == "instance_camera") return optional_child(Kind::camera, child, "camera");
+    if (kind == "instance_node") return named_child(Kind::node, child, "node");
+    if (kind == "instance_geometry") return named_child(Kind::geometry, child, "geometry");
+    if (kind == "instance_light") return named_child(Kind::light, child, "light");
+    if (kind == "instance_camera") return named_child(Kind::camera, child, "camera");
     if (kind == "instance_controller") {
-      document_.fail(child,
-                     "an animated mesh (<instance_controller>) cannot be read; apply its "
-                     "modifiers and export it as a mesh");
+      const std::optional<BindPose> pose = bind_pose(document_, child, found_.notes);
+      if (pose) return Child{Kind::geometry, &child, pose->geometry, pose->shape};
     }
     return std::nullopt;
   }
 
-  // Exporters write instances of missing lights and cameras, and several with the same id. The scene can still
-  // be shown.
-  std::optional<Child> optional_child(Child::Kind kind, const XMLElement& child, const char* name) {
+  // Exporters write instances of things that are missing. The rest of the scene can still be shown;
+  // and if several lights or cameras have the same id, the scene can be shown with the first.
+  std::optional<Child> named_child(Child::Kind kind, const XMLElement& child, const char* name) {
     const std::string_view url = document_.attribute(child, "url");
     const ColladaDocument::Identified target = document_.find(child, url, name);
+    if (target.first == nullptr) {
+      found_.notes.push_back(document_.missing(url, name) + ": the instance is left out.");
+      return std::nullopt;
+    }
+    const bool is_surface = kind == Child::Kind::node || kind == Child::Kind::geometry;
+    if (is_surface) return Child{kind, &child, &document_.resolve(child, "url", name)};
     if (target.second != nullptr) {
       found_.notes.push_back(ColladaDocument::ambiguity(url, target) + ": the first is taken.");
     }
-    if (target.first != nullptr) return Child{kind, &child, target.first};
-    found_.notes.push_back(std::string("there is no <") + name + "> with the id that " +
-                           quoted(url) + " names: the instance is left out.");
-    return std::nullopt;
+    return Child{kind, &child, target.first};
   }
 
   void place(const Child& child, const XMLElement& node, const Transform& to_world) {
@@ -124,7 +134,9 @@ class NodeWalk {
     std::vector<Instance>& instances = child.kind == Child::Kind::geometry ? found_.geometries
                                        : child.kind == Child::Kind::light  ? found_.lights
                                                                            : found_.cameras;
-    instances.push_back({child.element, child.target, &node, to_world});
+    const Transform map = child.before ? to_world * *child.before : to_world;
+    if (child.before) check_finite(document_, node, map);
+    instances.push_back({child.element, child.target, &node, map});
   }
 
   const ColladaDocument& document_;
@@ -136,31 +148,64 @@ class NodeWalk {
 };
 
 // World space is right-handed with y up; each map is a rotation.
-Transform up_axis(const ColladaDocument& document) {
+struct UpAxis {
+  Transform to_world;
+  Vec3 front{0, 0, 1};  // the world's direction towards the viewer (COLLADA 1.4.1, "up_axis")
+};
+
+UpAxis up_axis(const ColladaDocument& document) {
   const XMLElement* asset = document.root().FirstChildElement("asset");
   const XMLElement* element = asset ? asset->FirstChildElement("up_axis") : nullptr;
   if (element == nullptr) return {};
-  const char* text = element->GetText();
-  const std::string_view axis = text ? text : "";
+  const std::string_view axis = trimmed_text(*element);
   if (axis == "Y_UP") return {};
-  if (axis == "Z_UP") return {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {}};
-  if (axis == "X_UP") return {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}, {}};
+  if (axis == "Z_UP") return {{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {}}, {0, 0, -1}};
+  if (axis == "X_UP") return {{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}, {}}, {0, 0, -1}};
   document.fail(*element, "up_axis is " + quoted(axis) + "; write X_UP, Y_UP or Z_UP");
+}
+
+// What <scene> names. Without it, the only <visual_scene> of the file, with a note.
+const XMLElement& find_visual_scene(const ColladaDocument& document,
+                                    std::vector<std::string>& notes) {
+  const XMLElement* scene = document.root().FirstChildElement("scene");
+  const XMLElement* instance = scene ? scene->FirstChildElement("instance_visual_scene") : nullptr;
+  const char* url = instance ? instance->Attribute("url") : nullptr;
+  const bool is_there =
+      url != nullptr && document.find(*instance, url, "visual_scene").first != nullptr;
+  if (is_there) return document.resolve(*instance, "url", "visual_scene");
+
+  std::vector<const XMLElement*> all;
+  for (const XMLElement* library = document.root().FirstChildElement("library_visual_scenes");
+       library != nullptr; library = library->NextSiblingElement("library_visual_scenes")) {
+    for (const XMLElement* found = library->FirstChildElement("visual_scene"); found != nullptr;
+         found = found->NextSiblingElement("visual_scene")) {
+      all.push_back(found);
+    }
+  }
+  if (all.size() != 1) {
+    document.fail(scene ? *scene : document.root(),
+                  "the file has no <scene> that names one of its " + std::to_string(all.size()) +
+                      " <visual_scene>s; add one");
+  }
+  notes.push_back("no <scene> names what is shown: it is the only <visual_scene> of the file.");
+  return *all[0];
 }
 
 }  // namespace
 
 Instances read_nodes(const ColladaDocument& document) {
-  const XMLElement& scene = document.child(document.root(), "scene");
-  const XMLElement& visual_scene =
-      document.resolve(document.child(scene, "instance_visual_scene"), "url", "visual_scene");
-  const Transform up = up_axis(document);
+  std::vector<std::string> notes;
+  const XMLElement& visual_scene = find_visual_scene(document, notes);
+  const UpAxis up = up_axis(document);
   NodeWalk walk(document);
-  for (const XMLElement* node = visual_scene.FirstChildElement("node"); node != nullptr;
-       node = node->NextSiblingElement("node")) {
-    walk.visit(*node, up);
+  for (const XMLElement* child = visual_scene.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    walk.visit_top(*child, up.to_world);
   }
-  return walk.take();
+  Instances instances = walk.take();
+  instances.front = up.front;
+  instances.notes.insert(instances.notes.end(), notes.begin(), notes.end());
+  return instances;
 }
 
 }  // namespace pt

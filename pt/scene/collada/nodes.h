@@ -18,6 +18,7 @@ struct Instance {
 };
 
 struct Instances {
+  Vec3 front{0, 0, 1};  // towards somebody who stands in front of the scene, in world space
   std::vector<Instance> geometries;
   std::vector<Instance> lights;
   std::vector<Instance> cameras;
@@ -25,7 +26,7 @@ struct Instances {
 };
 
 // All content of the file's visual scene, with nested and instanced nodes unfolded, in document
-// order. A light or a camera that is not in the file is left out, with a note.
+// order. What is not in the file is left out, with a note.
 Instances read_nodes(const ColladaDocument& document);
 
 }  // namespace pt

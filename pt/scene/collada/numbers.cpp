@@ -1,5 +1,6 @@
 #include "pt/scene/collada/numbers.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -14,44 +15,68 @@ bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; 
 
 std::string tag(const XMLElement& element) { return std::string("<") + element.Name() + ">"; }
 
-// The text of an element that contains only text: a comment in the middle would hide the rest.
-std::string_view only_text(const ColladaDocument& document, const XMLElement& element) {
-  const tinyxml2::XMLNode* first = element.FirstChild();
-  if (first == nullptr) return {};
-  if (first->ToText() == nullptr || first->NextSibling() != nullptr) {
-    document.fail(element, tag(element) + " holds more than numbers; leave only these");
-  }
-  return first->Value();
-}
-
 const char* end_of_word(const char* begin, const char* end) {
   while (begin != end && !is_space(*begin)) ++begin;
   return begin;
 }
 
 template <class Number>
-std::vector<Number> read_list(const ColladaDocument& document, const XMLElement& element,
-                              const char* kind) {
-  const std::string_view text = only_text(document, element);
-  std::vector<Number> numbers;
+struct Word {
+  Number number{};
+  bool is_number = false;
+};
+
+// A plus sign may stand in front; in some files the decimal point is a comma.
+template <class Number>
+Word<Number> read_word(const char* begin, const char* end, bool has_commas) {
+  std::string with_points;
+  if (has_commas) {
+    with_points.assign(begin, end);
+    std::replace(with_points.begin(), with_points.end(), ',', '.');
+    begin = with_points.data();
+    end = begin + with_points.size();
+  }
+  if (*begin == '+') ++begin;
+  Word<Number> word;
+  const auto [rest, error] = std::from_chars(begin, end, word.number);
+  word.is_number = error == std::errc{} && rest == end && std::isfinite(double(word.number));
+  return word;
+}
+
+// Appends the numbers of a text to the list.
+template <class Number>
+void append_words(const ColladaDocument& document, const XMLElement& element, const char* kind,
+                  std::vector<Number>& numbers, std::string_view text) {
   const char* at = text.data();
   const char* const end = at + text.size();
   while (true) {
     while (at != end && is_space(*at)) ++at;
-    if (at == end) return numbers;
-    const char* const word = at;
-    if (*at == '+') ++at;
-    Number number{};
-    const auto [rest, error] = std::from_chars(at, end, number);
-    const bool whole = error == std::errc{} && (rest == end || is_space(*rest));
-    if (!whole || !std::isfinite(static_cast<double>(number))) {
-      const std::string_view shown_word(word, end_of_word(word, end) - word);
-      document.fail(element,
-                    quoted(shown_word) + " in " + tag(element) + " is not " + kind + "; write one");
+    if (at == end) return;
+    const char* const word_end = end_of_word(at, end);
+    const Word<Number> word = read_word<Number>(at, word_end, document.has_decimal_commas());
+    if (!word.is_number) {
+      document.fail(element, quoted({at, word_end}) + " in " + tag(element) + " is not " + kind +
+                                 "; write one");
     }
-    numbers.push_back(number);
-    at = rest;
+    numbers.push_back(word.number);
+    at = word_end;
   }
+}
+
+// An element holds text and comments, which may stand between numbers.
+template <class Number>
+std::vector<Number> read_list(const ColladaDocument& document, const XMLElement& element,
+                              const char* kind) {
+  std::vector<Number> numbers;
+  for (const tinyxml2::XMLNode* part = element.FirstChild(); part != nullptr;
+       part = part->NextSibling()) {
+    if (part->ToComment() != nullptr) continue;
+    if (part->ToText() == nullptr) {
+      document.fail(element, tag(element) + " holds more than numbers; leave only these");
+    }
+    append_words(document, element, kind, numbers, part->Value());
+  }
+  return numbers;
 }
 
 }  // namespace

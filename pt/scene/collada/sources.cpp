@@ -3,6 +3,7 @@
 #include "pt/scene/collada/numbers.h"
 
 #include <algorithm>
+#include <array>
 
 #include <tinyxml2.h>
 
@@ -21,15 +22,44 @@ const XMLElement* find_input(const XMLElement& parent, std::string_view semantic
   return nullptr;
 }
 
-// The layout of the array by its accessor; without an accessor, each vector is three numbers.
+// Vector i of a source is made of the numbers offset + i * stride + slots[0..2] of its array.
 struct Accessor {
   std::size_t count, stride, offset;
+  std::array<std::size_t, 3> slots{0, 1, 2};
 };
 
-Accessor read_accessor(const ColladaDocument& document, const XMLElement& source,
-                       std::size_t numbers) {
+// The numbers of a vector that the file gives a name: the specification skips those without. Where
+// no number has a name, all count.
+std::array<std::size_t, 3> named_slots(const ColladaDocument& document, const XMLElement& accessor,
+                                       std::size_t stride, std::vector<std::string>& notes) {
+  std::vector<std::size_t> slots;
+  std::size_t slot = 0;
+  for (const XMLElement* param = accessor.FirstChildElement("param"); param != nullptr;
+       param = param->NextSiblingElement("param"), ++slot) {
+    const char* name = param->Attribute("name");
+    if (name != nullptr && *name != '\0' && slot < stride) slots.push_back(slot);
+  }
+  if (slots.empty()) return {0, 1, 2};
+  if (slots.size() < 3) {
+    document.fail(accessor, "<accessor> names " + std::to_string(slots.size()) +
+                                " numbers of a vector; name three with <param name>");
+  }
+  if (slots[2] != 2) {
+    notes.push_back("an <accessor> skips numbers, because their <param> has no name (line " +
+                    std::to_string(accessor.GetLineNum()) + ").");
+  }
+  return {slots[0], slots[1], slots[2]};
+}
+
+// The accessor of a source, or null.
+const XMLElement* find_accessor(const XMLElement& source) {
   const XMLElement* common = source.FirstChildElement("technique_common");
-  const XMLElement* element = common ? common->FirstChildElement("accessor") : nullptr;
+  return common ? common->FirstChildElement("accessor") : nullptr;
+}
+
+// Without an accessor, each vector is three numbers.
+Accessor read_accessor(const ColladaDocument& document, const XMLElement* element,
+                       std::size_t numbers, std::vector<std::string>& notes) {
   if (element == nullptr) return {numbers / 3, 3, 0};
   const std::size_t stride = read_count(document, *element, "stride").value_or(1);
   const std::size_t offset = read_count(document, *element, "offset").value_or(0);
@@ -42,34 +72,53 @@ Accessor read_accessor(const ColladaDocument& document, const XMLElement& source
                                 "array has " + std::to_string(fit) +
                                 "; correct the count, or copy the file again if it was cut off");
   }
-  return {count, stride, offset};
+  return {count, stride, offset, named_slots(document, *element, stride, notes)};
 }
 
-std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement& source) {
-  const XMLElement& array = document.child(source, "float_array");
+// The array that the accessor names, which may be that of another source; else the source's own.
+const XMLElement& find_array(const ColladaDocument& document, const XMLElement& source,
+                             const XMLElement* accessor, std::vector<std::string>& notes) {
+  const char* url = accessor ? accessor->Attribute("source") : nullptr;
+  const XMLElement* own = source.FirstChildElement("float_array");
+  if (url == nullptr) return document.child(source, "float_array");
+  const char* id = own ? own->Attribute("id") : nullptr;
+  if (id != nullptr && *url == '#' && std::string_view(id) == url + 1) return *own;
+  if (own == nullptr) return document.resolve(*accessor, "source", "float_array");
+  const ColladaDocument::Identified named = document.find(*accessor, url, "float_array");
+  if (named.first != nullptr) return document.resolve(*accessor, "source", "float_array");
+  notes.push_back("an <accessor> names no array of the file (" + quoted(url) +
+                  "): the array of its own source is read.");
+  return *own;
+}
+
+std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement& source,
+                               std::vector<std::string>& notes) {
+  const XMLElement* element = find_accessor(source);
+  const XMLElement& array = find_array(document, source, element, notes);
   const std::vector<double> numbers = read_numbers(document, array);
   const std::size_t announced = read_count(document, array, "count").value_or(numbers.size());
-  if (announced != numbers.size()) {
-    document.fail(array, "<float_array> announces " + std::to_string(announced) +
-                             " numbers and holds " + std::to_string(numbers.size()) +
-                             "; correct the count, or copy the file again if it was cut off");
+  const std::string both = "<float_array> announces " + std::to_string(announced) +
+                           " numbers and holds " + std::to_string(numbers.size());
+  if (announced > numbers.size()) {
+    document.fail(array, both + "; correct the count, or copy the file again if it was cut off");
   }
-  const Accessor accessor = read_accessor(document, source, numbers.size());
+  if (announced < numbers.size()) notes.push_back("a " + both + ": all are read.");
+  const Accessor accessor = read_accessor(document, element, numbers.size(), notes);
   std::vector<Vec3> vectors;
   vectors.reserve(accessor.count);
   for (std::size_t i = 0; i < accessor.count; ++i) {
     const double* v = numbers.data() + accessor.offset + i * accessor.stride;
-    vectors.push_back({v[0], v[1], v[2]});
+    vectors.push_back({v[accessor.slots[0]], v[accessor.slots[1]], v[accessor.slots[2]]});
   }
   return vectors;
 }
 
 const std::vector<Vec3>* shared_vectors(const ColladaDocument& document, const XMLElement& input,
-                                        Sources& sources) {
+                                        Sources& sources, std::vector<std::string>& notes) {
   const XMLElement& source = document.resolve(input, "source", "source");
   const auto known = sources.find(&source);
   if (known != sources.end()) return &known->second;
-  return &sources.emplace(&source, read_vectors(document, source)).first->second;
+  return &sources.emplace(&source, read_vectors(document, source, notes)).first->second;
 }
 
 int read_offset(const ColladaDocument& document, const XMLElement& input) {
@@ -80,19 +129,20 @@ int read_offset(const ColladaDocument& document, const XMLElement& input) {
   return static_cast<int>(*offset);
 }
 
-Vec3 checked(const ColladaDocument& document, const XMLElement& at, const std::vector<Vec3>& from,
-             int index, const char* what) {
+int checked(const ColladaDocument& document, const XMLElement& at, const std::vector<Vec3>& from,
+            int index, const char* what) {
   if (index < 0 || static_cast<std::size_t>(index) >= from.size()) {
     document.fail(at, std::string("a face asks for ") + what + " " + std::to_string(index) +
                           " of " + std::to_string(from.size()) +
                           " (counted from 0); export the mesh again");
   }
-  return from[static_cast<std::size_t>(index)];
+  return index;
 }
 
 }  // namespace
 
-FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources) {
+FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources,
+                       std::vector<std::string>& notes) {
   FaceInputs inputs;
   for (const XMLElement* input = faces.FirstChildElement("input"); input != nullptr;
        input = input->NextSiblingElement("input")) {
@@ -103,28 +153,29 @@ FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces,
   const XMLElement& vertices = document.resolve(*vertex, "source", "vertices");
   const XMLElement* position = find_input(vertices, "POSITION");
   if (position == nullptr) document.fail(vertices, "<vertices> has no input POSITION; add it");
-  inputs.positions = shared_vectors(document, *position, sources);
+  inputs.positions = shared_vectors(document, *position, sources, notes);
   inputs.position_offset = read_offset(document, *vertex);
 
   if (const XMLElement* normal = find_input(faces, "NORMAL")) {
-    inputs.normals = shared_vectors(document, *normal, sources);
+    inputs.normals = shared_vectors(document, *normal, sources, notes);
     inputs.normal_offset = read_offset(document, *normal);
   } else if (const XMLElement* vertex_normal = find_input(vertices, "NORMAL")) {
-    inputs.normals = shared_vectors(document, *vertex_normal, sources);
+    inputs.normals = shared_vectors(document, *vertex_normal, sources, notes);
     inputs.normal_offset = inputs.position_offset;
+  }
+  if (inputs.normals != nullptr && inputs.normals->empty()) inputs.normals = nullptr;
+  if (find_input(faces, "COLOR") != nullptr || find_input(vertices, "COLOR") != nullptr) {
+    notes.push_back("a mesh has colours at its corners (line " +
+                    std::to_string(faces.GetLineNum()) + "), which are ignored.");
   }
   return inputs;
 }
 
-Vec3 FaceInputs::position(const ColladaDocument& document, const XMLElement& at,
-                          const int* corner) const {
-  return checked(document, at, *positions, corner[position_offset], "position");
-}
-
-Vec3 FaceInputs::normal(const ColladaDocument& document, const XMLElement& at,
-                        const int* corner) const {
-  if (normals == nullptr || normals->empty()) return {};
-  return checked(document, at, *normals, corner[normal_offset], "normal");
+Corner FaceInputs::corner(const ColladaDocument& document, const XMLElement& at,
+                          const int* indices) const {
+  const int position = checked(document, at, *positions, indices[position_offset], "position");
+  if (normals == nullptr) return {position, 0};
+  return {position, checked(document, at, *normals, indices[normal_offset], "normal")};
 }
 
 }  // namespace pt

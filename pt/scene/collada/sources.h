@@ -3,6 +3,7 @@
 #include "pt/math/vec3.h"
 #include "pt/scene/collada/document.h"
 
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -11,8 +12,13 @@ namespace pt {
 // The vectors of each <source> that was read. Sets of faces share them.
 using Sources = std::unordered_map<const XMLElement*, std::vector<Vec3>>;
 
+// The indices of a corner in the lists of its set. The normal's means nothing if there are none.
+struct Corner {
+  int position;
+  int normal;
+};
+
 // The arrays that the corners of a set of faces point into, and the places of a corner's indices.
-// Indices are checked when they are used: an error names the element `at`.
 struct FaceInputs {
   const std::vector<Vec3>* positions = nullptr;
   const std::vector<Vec3>* normals = nullptr;  // null if the file has none
@@ -20,11 +26,13 @@ struct FaceInputs {
   int position_offset = 0;
   int normal_offset = 0;
 
-  Vec3 position(const ColladaDocument& document, const XMLElement& at, const int* corner) const;
-  Vec3 normal(const ColladaDocument& document, const XMLElement& at, const int* corner) const;
+  // Throws Error, which names the element `at`, if an index is outside its array.
+  Corner corner(const ColladaDocument& document, const XMLElement& at, const int* indices) const;
 };
 
-// Adds sources that were not read before to `sources`. The result points into it.
-FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources);
+// Adds sources that were not read before to `sources`, into which the result points, and a note
+// for each thing that it ignores or corrects.
+FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources,
+                       std::vector<std::string>& notes);
 
 }  // namespace pt

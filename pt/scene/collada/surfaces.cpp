@@ -7,6 +7,7 @@
 #include "pt/scene/collada/transforms.h"
 
 #include <map>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -60,12 +61,37 @@ class SurfaceReader {
   SurfaceReader(const ColladaDocument& document, const LoadOptions& options)
       : document_(document), options_(options) {}
 
-  void add(const Instance& instance) {
-    is_copy_ = geometries_.contains(instance.target);
-    const ColladaGeometry& geometry = read(*instance.target);
-    if (geometry.sphere_radius) {
-      add_sphere(instance, *geometry.sphere_radius);
-    } else {
+  // Reads the geometry, and counts its surfaces. Surfaces that are left out later count too,
+  // because they cost time.
+  void read(const Instance& instance) {
+    const bool is_copy = geometries_.contains(instance.target);
+    if (!is_copy) {
+      ColladaGeometry geometry = read_geometry(document_, *instance.target);
+      found_.notes.insert(found_.notes.end(), geometry.notes.begin(), geometry.notes.end());
+      geometries_.emplace(instance.target, std::move(geometry));
+    }
+    const ColladaGeometry& geometry = geometries_.at(instance.target);
+    std::size_t more = geometry.sphere_radius ? 1 : 0;
+    for (const MeshPart& part : geometry.parts) more += part.size();
+    placed_ += more;
+    if (placed_ > kMaxPrimitives) {
+      document_.fail(*instance.element, "the scene has more than 10 million surfaces; use fewer");
+    }
+    if (is_copy) copies_ += more;
+    if (copies_ > kMaxCopies) {
+      document_.fail(*instance.element,
+                     "more than 2 million surfaces of the scene are shown again by an instance of "
+                     "the same geometry; use fewer");
+    }
+  }
+
+  // Places what was read. A triangle takes 144 bytes, and ten million of them are stored once.
+  void place_all(const std::vector<Instance>& instances) {
+    found_.primitives.triangles.reserve(placed_);
+    found_.material_of.reserve(placed_);
+    for (const Instance& instance : instances) {
+      const ColladaGeometry& geometry = geometries_.at(instance.target);
+      if (geometry.sphere_radius) add_sphere(instance, *geometry.sphere_radius);
       for (const MeshPart& part : geometry.parts) add_part(instance, part);
     }
   }
@@ -87,28 +113,6 @@ class SurfaceReader {
   }
 
  private:
-  const ColladaGeometry& read(const XMLElement& element) {
-    const auto known = geometries_.find(&element);
-    if (known != geometries_.end()) return known->second;
-    ColladaGeometry geometry = read_geometry(document_, element);
-    found_.notes.insert(found_.notes.end(), geometry.notes.begin(), geometry.notes.end());
-    return geometries_.emplace(&element, std::move(geometry)).first->second;
-  }
-
-  // Surfaces that are left out count too, because they cost time.
-  void count(const Instance& instance, std::size_t more) {
-    placed_ += more;
-    if (placed_ > kMaxPrimitives) {
-      document_.fail(*instance.element, "the scene has more than 10 million surfaces; use fewer");
-    }
-    if (is_copy_) copies_ += more;
-    if (copies_ > kMaxCopies) {
-      document_.fail(*instance.element,
-                     "more than 2 million surfaces of the scene are shown again by an instance of "
-                     "the same geometry; use fewer");
-    }
-  }
-
   void check_bounds(const Instance& instance, const Box& box) const {
     if (!(max_abs(box.min) <= kMaxCoordinate && max_abs(box.max) <= kMaxCoordinate)) {
       document_.fail(*instance.element, "coordinates reach beyond 1e30; scale the scene down");
@@ -116,7 +120,6 @@ class SurfaceReader {
   }
 
   void add_sphere(const Instance& instance, double radius) {
-    count(instance, 1);
     const std::optional<Sphere> sphere = place_sphere(radius, instance.to_world);
     if (!sphere) {
       document_.fail(*instance.node, "sphere " + label(*instance.node) +
@@ -134,22 +137,21 @@ class SurfaceReader {
   }
 
   void add_part(const Instance& instance, const MeshPart& part) {
-    count(instance, part.triangles.size());
-    std::vector<Triangle> placed;
-    placed.reserve(part.triangles.size());
+    std::vector<Triangle>& all = found_.primitives.triangles;
+    const std::size_t before = all.size();
     Box box;
-    for (const FileTriangle& triangle : part.triangles) {
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const FileTriangle triangle = part.triangle(i);
       for (const Vec3 p : triangle.p) box.grow(instance.to_world.point(p));
-      if (const std::optional<Triangle> t = place(triangle, instance.to_world))
-        placed.push_back(*t);
+      if (const std::optional<Triangle> t = place(triangle, instance.to_world)) all.push_back(*t);
     }
     check_bounds(instance, box);
-    without_area_ += part.triangles.size() - placed.size();
+    const std::span<const Triangle> placed(all.begin() + static_cast<std::ptrdiff_t>(before),
+                                           all.end());
+    without_area_ += part.size() - placed.size();
     if (placed.empty()) return;
     const int material = material_index(instance, &part);
-    found_.primitives.triangles.insert(found_.primitives.triangles.end(), placed.begin(),
-                                       placed.end());
-    found_.material_of.resize(found_.primitives.triangles.size(), material);
+    found_.material_of.resize(all.size(), material);
     const Rgb emission = found_.materials[material].emission;
     if (!is_black(emission)) {
       check_winding(placed, label(*instance.node));
@@ -165,7 +167,7 @@ class SurfaceReader {
     }
   }
 
-  void check_winding(const std::vector<Triangle>& triangles, const std::string& name) {
+  void check_winding(std::span<const Triangle> triangles, const std::string& name) {
     double agreement = 0;
     for (const Triangle& t : triangles) agreement += dot(geometric_normal(t), t.n0 + t.n1 + t.n2);
     if (agreement < 0) {
@@ -198,8 +200,7 @@ class SurfaceReader {
     }
     const XMLElement* binding =
         find_binding(bindings_.at(instance.element), part ? part->material_symbol : "");
-    const XMLElement* element =
-        binding ? &document_.resolve(*binding, "target", "material") : nullptr;
+    const XMLElement* element = binding ? find_material(*binding) : nullptr;
     const auto known = materials_.find(element);
     if (known != materials_.end()) return {known->second, binding != nullptr};
     found_.materials.push_back(element ? read_supported(*element) : default_material());
@@ -208,8 +209,20 @@ class SurfaceReader {
     return {index, binding != nullptr};
   }
 
+  // A material that is not in the file is null, with a note.
+  const XMLElement* find_material(const XMLElement& binding) {
+    const std::string_view url = document_.attribute(binding, "target");
+    if (document_.find(binding, url, "material").first != nullptr) {
+      return &document_.resolve(binding, "target", "material");
+    }
+    found_.notes.push_back(document_.missing(url, "material") + ": the albedo is 0.5.");
+    return nullptr;
+  }
+
   Material read_supported(const XMLElement& element) {
-    Material material = read_material(document_, element, found_.notes);
+    FileMaterial read = read_material(document_, element, options_, found_.notes);
+    found_.ignores_emission = found_.ignores_emission || read.ignores_emission;
+    Material material = std::move(read.material);
     if (material.unsupported.empty()) return material;
     const std::string name = "material " + label(element) + " (" + material.unsupported + ")";
     if (options_.lambertian) {
@@ -225,7 +238,6 @@ class SurfaceReader {
   const LoadOptions& options_;
   Surfaces found_;
   std::vector<int> material_of_spheres_;
-  bool is_copy_ = false;  // the same surfaces were added before
   std::size_t placed_ = 0;
   std::size_t copies_ = 0;
   std::size_t without_area_ = 0;
@@ -242,7 +254,8 @@ class SurfaceReader {
 Surfaces read_surfaces(const ColladaDocument& document, const std::vector<Instance>& geometries,
                        const LoadOptions& options) {
   SurfaceReader reader(document, options);
-  for (const Instance& instance : geometries) reader.add(instance);
+  for (const Instance& instance : geometries) reader.read(instance);
+  reader.place_all(geometries);
   return reader.take();
 }
 

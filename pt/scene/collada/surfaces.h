@@ -15,6 +15,7 @@ struct Surfaces {
   std::vector<int> material_of;
   std::vector<Material> materials;
   std::vector<Emitter> emitters;
+  bool ignores_emission = false;  // of some material, in profile_COMMON
   std::vector<std::string> notes;
 };
 

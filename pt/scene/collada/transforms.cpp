@@ -24,25 +24,19 @@ double off_affine(const std::vector<double>& m) {
   return std::max({std::abs(m[12]), std::abs(m[13]), std::abs(m[14]), std::abs(m[15] - 1)});
 }
 
-// A row-major matrix, its last row 0 0 0 1. A camera's matrix may lack its last number. (One of the
-// course's files does; its rows are then shifted, so that the last row means nothing.)
-Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix, bool holds_camera,
-                      std::vector<std::string>& notes) {
-  std::vector<double> m = read_numbers(document, matrix);
-  if (m.size() == 15 && holds_camera) {
-    notes.push_back("the camera's matrix has 15 numbers: a 1 is added as the 16th.");
-    m.push_back(1);
-  } else if (m.size() != 16) {
-    document.fail(matrix, "<matrix> holds " + std::to_string(m.size()) + " numbers; write 16");
-  } else if (const double off = off_affine(m); off != 0) {
-    if (!(off <= kRounding)) {
-      document.fail(matrix,
-                    "the last row of <matrix> is not 0 0 0 1; write an affine map, row by row");
-    }
-    notes.push_back(
-        "a <matrix> ends in a row that is 0 0 0 1 but for rounding: it is read as that.");
+// The frame of an object at `eye` whose -z axis points to `interest`, with y as near to `up` as possible
+// (COLLADA 1.4.1, "lookat").
+Transform read_lookat(const ColladaDocument& document, const XMLElement& lookat) {
+  const std::vector<double> v = read_numbers(document, lookat, 9);
+  const Vec3 eye{v[0], v[1], v[2]}, interest{v[3], v[4], v[5]}, up{v[6], v[7], v[8]};
+  const Vec3 backwards = eye - interest, right = cross(up, backwards);
+  if (!std::isnormal(length_squared(backwards)) || !std::isnormal(length_squared(right))) {
+    document.fail(lookat,
+                  "<lookat> gives no direction; write an eye, another point and an up direction "
+                  "that is not parallel to the view");
   }
-  return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}, {m[3], m[7], m[11]}};
+  const Vec3 x = normalize(right), z = normalize(backwards);
+  return {x, cross(z, x), z, eye};
 }
 
 // About an axis by an angle in degrees, anticlockwise seen from the axis' tip (Rodrigues, 1840).
@@ -62,6 +56,27 @@ Transform read_rotate(const ColladaDocument& document, const XMLElement& rotate)
 
 }  // namespace
 
+// The last row is 0 0 0 1. (One of the course's files lacks a number of a camera's matrix; its rows
+// are then shifted, so that the last row means nothing.)
+Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix, bool holds_camera,
+                      std::vector<std::string>& notes) {
+  std::vector<double> m = read_numbers(document, matrix);
+  if (m.size() == 15 && holds_camera) {
+    notes.push_back("the camera's matrix has 15 numbers: a 1 is added as the 16th.");
+    m.push_back(1);
+  } else if (m.size() != 16) {
+    document.fail(matrix, "<matrix> holds " + std::to_string(m.size()) + " numbers; write 16");
+  } else if (const double off = off_affine(m); off != 0) {
+    if (!(off <= kRounding)) {
+      document.fail(matrix,
+                    "the last row of <matrix> is not 0 0 0 1; write an affine map, row by row");
+    }
+    notes.push_back(
+        "a <matrix> ends in a row that is 0 0 0 1 but for rounding: it is read as that.");
+  }
+  return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}, {m[3], m[7], m[11]}};
+}
+
 Transform node_transform(const ColladaDocument& document, const XMLElement& node,
                          std::vector<std::string>& notes) {
   const bool holds_camera = node.FirstChildElement("instance_camera") != nullptr;
@@ -78,8 +93,10 @@ Transform node_transform(const ColladaDocument& document, const XMLElement& node
     } else if (kind == "scale") {
       const Vec3 s = read_vec3(document, *step);
       map = map * Transform{{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}, {}};
-    } else if (kind == "lookat" || kind == "skew") {
-      document.fail(*step, "<" + std::string(kind) + "> cannot be read; write a <matrix>");
+    } else if (kind == "lookat") {
+      map = map * read_lookat(document, *step);
+    } else if (kind == "skew") {
+      document.fail(*step, "<skew> cannot be read; write a <matrix>");
     }
   }
   return map;

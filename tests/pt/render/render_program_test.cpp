@@ -31,7 +31,7 @@ const char* const kScene = R"(<?xml version="1.0"?>
  <asset><up_axis>Y_UP</up_axis></asset>
  <library_effects><effect id="e"><profile_COMMON/>%EFFECT%</effect></library_effects>
  <library_materials><material id="m" name="paint"><instance_effect url="#e"/></material></library_materials>
- <library_lights><light id="l"><technique_common><point><color>9 9 9</color></point></technique_common></light></library_lights>
+ <library_lights><light id="l"><extra><technique profile="CGL"><point><color>9 9 9</color></point></technique></extra></light></library_lights>
  <library_cameras><camera id="c"><optics><technique_common><perspective>
   <xfov>40</xfov><aspect_ratio>1.3333333333333333</aspect_ratio><znear>.1</znear><zfar>100</zfar>
  </perspective></technique_common></optics></camera></library_cameras>
@@ -197,6 +197,60 @@ TEST_F(RenderProgram, says_that_a_scene_has_no_light) {
   EXPECT_EQ(said().find("no light"), std::string::npos) << said();
   EXPECT_EQ(run("scene.dae -s 1 -r 8 6"), 0) << said();
   EXPECT_EQ(said().find("no light"), std::string::npos) << said();
+}
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return at == std::string::npos ? text : text.replace(at, old.size(), by);
+}
+
+const std::string kLightOfScene = "<instance_light url=\"#l\"/>";
+
+TEST_F(RenderProgram, lets_the_emission_of_other_programs_shine_if_it_is_asked_to) {
+  std::string glowing = replaced(
+      scene_with(""), "<profile_COMMON/>",
+      "<profile_COMMON><technique sid=\"c\"><constant><emission><color>2 2 2 1</color></emission>"
+      "</constant></technique></profile_COMMON>");
+  write("glowing.dae", replaced(glowing, kLightOfScene, ""));
+  EXPECT_EQ(run("glowing.dae -s 1 -r 8 6 -f a.exr"), 0) << said();
+  EXPECT_NE(said().find("emission colours in profile_COMMON are ignored; give --common-emission"),
+            std::string::npos)
+      << said();
+  EXPECT_EQ(run("glowing.dae -s 1 -r 8 6 -f a.exr --common-emission --camera file"), 0) << said();
+  EXPECT_EQ(said().find("ignored"), std::string::npos) << said();
+  EXPECT_EQ(pt::read_exr(folder_ / "a.exr").at(4, 3).mean.g, 2);
+}
+
+// The camera looks down at the floor from a height of 2; the light is at a height of 3.
+TEST_F(RenderProgram, says_why_a_picture_is_black) {
+  const auto note = [&](const std::string& old, const std::string& by,
+                        const std::string& options = "--camera file") {
+    write("black.dae", replaced(scene_with(""), old, by));
+    EXPECT_EQ(run("black.dae -s 1 -r 8 6 " + options), 0) << said();
+    const std::string text = said();
+    return text.substr(std::min(text.find("the picture is"), text.size()));
+  };
+  const auto begins = [](const std::string& text, const std::string& with) {
+    EXPECT_EQ(text.substr(0, with.size()), with);
+  };
+  begins(note("9 9 9", "9 9 9"), "");
+  begins(note("9 9 9", ".001 .001 .001"),
+         "the picture is too dark to see: its brightest pixel has the radiance 1.6e-05; give "
+         "--exposure 6.");
+  begins(note("<zfar>100", "<zfar>1.5"),
+         "the picture is black: the camera clips all surfaces, its zfar is 1.5 and the nearest is "
+         "2 away; give --camera fit");
+  begins(note("<znear>.1", "<znear>50"),
+         "the picture is black: the camera clips all surfaces, its znear is 50 and the farthest is "
+         "2.");
+  begins(note("1 0 0 -90", "1 0 0 90"), "the picture is black: the camera looks past all surfaces");
+  begins(note("1 0 0 -90", "1 0 0 90", "--show normals --camera file"),
+         "the picture is black: the camera looks past all surfaces");
+  begins(note("1 0 0 -90", "1 0 0 -90", "-m 0"),
+         "the picture is black: no light reaches the surfaces in view");
+  // What clips a file's own camera does not clip the others.
+  begins(note("<zfar>100", "<zfar>1.5", ""), "");
 }
 
 TEST_F(RenderProgram, says_in_its_help_that_the_courses_camera_crops) {

@@ -89,7 +89,7 @@ TEST(BadXml, is_named_with_its_line) {
   expect_error("<COLLADA>\n\n<a>\n</b></COLLADA>", ":3: the XML is malformed");
   std::string deep = "<COLLADA>";
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
-  expect_error(deep, "nested too deep");
+  expect_error(deep, "nested more than 100 deep");
 }
 
 TEST(BadNumbers, are_named) {
@@ -115,7 +115,6 @@ TEST(BadMeshes, are_named) {
   expect_error(one_triangle("<p>0 1</p>"), "announces 1 faces and holds 0");
   expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1", 9),
                "announces 9 numbers and holds 8");
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 0 4", 9), "and holds 10");
   expect_error(one_triangle("<input semantic=\"NORMAL\" source=\"#no\" offset=\"0\"/><p>0 1 2</p>"),
                "'#no'");
   expect_error(one_triangle("<input semantic=\"TEXCOORD\" offset=\"99999999\"/><p>0 1 2</p>"),
@@ -131,12 +130,8 @@ TEST(BadMeshes, are_named) {
   expect_error(polylist("2000000000 2000000000", "0 1 2"), "more indices than the 3");
   expect_error(polylist("2", "0 1"), "no surface");
   expect_error(polylist("-3", "0 1 2"), "a face has -3 corners");
-  text.geometries = mesh("g", "0 0 0", 3, "tristrips", "", "");
-  expect_error(text, "triangulate");
   text.geometries = mesh("g", "0 0 0", 3, "polygons", "", "<ph/>");
   expect_error(text, "holes");
-  text.geometries = "<geometry id=\"g\"><spline/></geometry>";
-  expect_error(text, "neither a mesh nor a sphere");
   text.geometries = mesh("g", "0 0 0 1 0 0 2 0 0", 9, "triangles", "", "<p>0 1 2</p>");
   expect_error(text, "no surface");
   text.geometries = mesh("g", "0 0 0", 3, "triangles", "count=\"-1\"", "<p>0 0 0</p>");
@@ -174,10 +169,7 @@ TEST(BadSpheres, are_named) {
 }
 
 TEST(BadReferences, are_named) {
-  expect_error(with_node(instance("none")), "no <geometry> with the id that '#none'");
-  expect_error(with_node("<instance_geometry url=\"tri\"/>"), "'tri'");
   expect_error(with_node("<instance_geometry/>"), "has no attribute url");
-  expect_error(with_node(instance("tri", "none")), "no <material>");
   expect_error(with_node("<instance_light/>"), "has no attribute url");
   SceneText twice = one_triangle("<p>0 1 2</p>");
   twice.geometries += twice.geometries;

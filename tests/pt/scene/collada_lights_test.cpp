@@ -56,8 +56,8 @@ TEST(LightNodes, of_an_area_shine_along_minus_z_also_when_mirrored) {
 }
 
 TEST(LightNodes, come_in_the_common_kinds) {
-  const auto point = only_light<PointLight>(
-      load_light(light("point"), "<translate>1 2 3</translate><scale>9 9 9</scale>"));
+  const auto point = only_light<PointLight>(load_light(
+      course_light("point", "3 4 5"), "<translate>1 2 3</translate><scale>9 9 9</scale>"));
   expect_near(point.position, {1, 2, 3});
   EXPECT_EQ(point.intensity, (Rgb{3, 4, 5}));
   const auto sun = only_light<DirectionalLight>(
@@ -67,6 +67,36 @@ TEST(LightNodes, come_in_the_common_kinds) {
   expect_near(sun.direction, {0, -1, 0});
   EXPECT_EQ(sun.irradiance, (Rgb{3, 4, 5}));
   EXPECT_EQ(only_light<AmbientLight>(load_light(light("ambient"), "")).radiance, (Rgb{3, 4, 5}));
+}
+
+// The triangle's bounding box is 1 x 1 x 0, with its middle at (.5, .5, 0). At (.5, .5, 10) the light
+// is 10 away from there; at the middle, half the diagonal counts: its square is .5.
+TEST(LightNodes, of_other_programs_are_as_bright_as_the_file_says_in_the_middle_of_the_scene) {
+  const auto intensity = [](const std::string& attenuations, const std::string& z,
+                            const std::string& note) {
+    const LoadedScene loaded =
+        load_light("<light id=\"l\"><technique_common><point><color>3 4 5</color>" + attenuations +
+                       "</point></technique_common></light>",
+                   "<translate>.5 .5 " + z + "</translate>");
+    EXPECT_EQ(has_note(loaded, "point light"), !note.empty()) << attenuations;
+    EXPECT_TRUE(note.empty() || has_note(loaded, note)) << loaded.notes.at(0);
+    return only_light<PointLight>(loaded).intensity.r;
+  };
+  const auto terms = [](const std::string& c, const std::string& l, const std::string& q) {
+    return "<constant_attenuation>" + c + "</constant_attenuation><linear_attenuation>" + l +
+           "</linear_attenuation><quadratic_attenuation>" + q + "</quadratic_attenuation>";
+  };
+  const std::string even = "'lamp' does not fall off with the distance in the file";
+  EXPECT_EQ(intensity("", "10", even), 300);
+  EXPECT_NEAR(intensity("", "0", even), 1.5, 1e-15);
+  EXPECT_EQ(intensity(terms("2", "0", "0"), "10", even), 150);
+  EXPECT_EQ(intensity(terms("0", "0", "0"), "10", even), 300);
+  EXPECT_EQ(intensity(terms("1", ".2", ".03"), "10",
+                      "falls off as 1 / (1 + 0.2 d + 0.03 d^2) in the file; here it falls off as 1 "
+                      "/ d^2, and is as bright as the file says at the distance 10."),
+            50);
+  EXPECT_EQ(intensity(terms("0", "0", "4"), "10", ""), .75);
+  EXPECT_THROW(intensity(terms("1", "-1", "0"), "10", ""), Error);
 }
 
 TEST(LightNodes, that_are_black_are_left_out_and_several_are_kept) {

@@ -98,7 +98,8 @@ TEST(SharedIds, that_are_referred_to_are_refused_with_both_lines) {
 TEST(SharedIds, of_lights_and_cameras_that_are_shown_are_noted) {
   const auto light = [](const char* color) {
     return std::string("<light id=\"sun\"><technique_common><point><color>") + color +
-           "</color></point></technique_common></light>\n";
+           "</color><constant_attenuation>0</constant_attenuation><quadratic_attenuation>1"
+           "</quadratic_attenuation></point></technique_common></light>\n";
   };
   const auto camera = [](const char* angle) {
     return std::string("<camera id=\"eye\"><optics><technique_common><perspective><xfov>") + angle +
@@ -259,6 +260,9 @@ TEST(MissingParts, that_choose_the_rule_of_the_course_are_noted) {
   text.cameras =
       "<camera id=\"c\"><optics><technique_common><perspective><xfov>60</xfov></perspective>"
       "</technique_common></optics></camera>";
+  EXPECT_TRUE(
+      contains(note_on_framing(load(text), Framing::course), "not in the course's dialect"));
+  text = with_material(text, "unused", course("<mirror/>"));
   EXPECT_EQ(note_on_framing(load(text), Framing::course), "");
   text.has_asset = false;
   EXPECT_TRUE(contains(note_on_framing(load(text), Framing::course), "the file has no <asset>"));

@@ -8,6 +8,7 @@ namespace {
 // A box of the course's size, 2 x 1.5 x 2, standing on the origin, and its camera.
 LoadedScene box(double aspect) {
   LoadedScene loaded;
+  loaded.is_course = true;
   loaded.scene.primitives.triangles = {flat_triangle({-1, 0, -1}, {1, 0, -1}, {1, 1.5, 1})};
   FileCamera camera;
   camera.position = {0, 0, 3};
@@ -128,6 +129,29 @@ TEST(FrameCamera, sees_a_scene_without_a_camera_from_the_front) {
     expect_near(camera.position, {0, 0.75, 1.5 * std::sqrt(10.25)});
     EXPECT_NEAR(camera.hfov_deg, 49.13434, 1e-12);
   }
+}
+
+TEST(FrameCamera, leaves_the_cameras_of_other_programs_where_they_are) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.is_course = false;
+  loaded.exported = true;
+  loaded.camera->position = {0, 0.5, 2.5};
+  const Camera camera = frame_camera(loaded, Framing::course, 480, 360);
+  expect_near(camera.position, {0, 0.5, 2.5});
+  EXPECT_EQ(camera.far_clip, 100);
+  EXPECT_NEAR(camera.hfov_deg, 49.13434, 1e-12);
+  loaded.camera.reset();
+  expect_near(frame_camera(loaded, Framing::course, 480, 360).camera_to_world.z, {0, 0, 1});
+}
+
+TEST(FrameCamera, sees_a_scene_without_a_camera_from_its_own_front) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.camera.reset();
+  loaded.front = {0, 0, -1};
+  const Camera camera = frame_camera(loaded, Framing::course, 480, 360);
+  expect_near(camera.position, {0, 0.75, -1.5 * std::sqrt(10.25)});
+  expect_near(camera.camera_to_world.x, {-1, 0, 0});
+  expect_near(camera.camera_to_world.y, {0, 1, 0});
 }
 
 // If the camera looks straight down, y cannot be up, so the file's own frame is kept.

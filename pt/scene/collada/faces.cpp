@@ -1,0 +1,137 @@
+#include "pt/scene/collada/faces.h"
+
+#include "pt/scene/collada/numbers.h"
+
+#include <string>
+
+#include <tinyxml2.h>
+
+namespace pt {
+
+namespace {
+
+void check_face_count(const ColladaDocument& document, const XMLElement& set,
+                      std::size_t faces_found) {
+  const std::optional<std::size_t> count = read_count(document, set, "count");
+  if (count && *count != faces_found) {
+    document.fail(set, std::string("<") + set.Name() + "> announces " + std::to_string(*count) +
+                           " faces and holds " + std::to_string(faces_found) +
+                           "; correct the count, or copy the file again if it was cut off");
+  }
+}
+
+Faces read_polylist(const ColladaDocument& document, const XMLElement& set) {
+  Faces faces;
+  if (const XMLElement* vcount = set.FirstChildElement("vcount")) {
+    faces.corners = read_integers(document, *vcount);
+  }
+  if (const XMLElement* p = set.FirstChildElement("p")) faces.indices = read_integers(document, *p);
+  check_face_count(document, set, faces.corners.size());
+  return faces;
+}
+
+Faces read_triangles(const ColladaDocument& document, const XMLElement& set, int stride) {
+  Faces faces;
+  if (const XMLElement* p = set.FirstChildElement("p")) faces.indices = read_integers(document, *p);
+  faces.corners.assign(faces.indices.size() / (3 * static_cast<std::size_t>(stride)), 3);
+  check_face_count(document, set, faces.corners.size());
+  return faces;
+}
+
+// The corners of each <p>, one after the other: a face, a strip or a fan.
+Faces read_lists(const ColladaDocument& document, const XMLElement& set, int stride) {
+  if (const XMLElement* holed = set.FirstChildElement("ph")) {
+    document.fail(*holed, "a face with holes (<ph>) cannot be read; triangulate the mesh");
+  }
+  Faces lists;
+  for (const XMLElement* p = set.FirstChildElement("p"); p != nullptr;
+       p = p->NextSiblingElement("p")) {
+    const std::vector<int> indices = read_integers(document, *p);
+    if (indices.size() % static_cast<std::size_t>(stride) != 0) {
+      document.fail(*p, "<p> ends in the middle of a corner; write " + std::to_string(stride) +
+                            " indices per corner");
+    }
+    lists.corners.push_back(static_cast<int>(indices.size()) / stride);
+    lists.indices.insert(lists.indices.end(), indices.begin(), indices.end());
+  }
+  check_face_count(document, set, lists.corners.size());
+  return lists;
+}
+
+// The triangles of strips (A B C, C B D, C D E, ...) or of fans (A B C, A C D, ...). A list of
+// fewer than three corners stays, so that it is counted.
+Faces unfold(const Faces& lists, int stride, bool are_strips) {
+  Faces triangles;
+  const auto add = [&](const int* corner) {
+    triangles.indices.insert(triangles.indices.end(), corner, corner + stride);
+  };
+  const int* list = lists.indices.data();
+  for (const int corners : lists.corners) {
+    if (corners < 3) {
+      triangles.corners.push_back(corners);
+      for (int i = 0; i < corners; ++i) add(list + i * stride);
+    }
+    for (int i = 0; i + 2 < corners; ++i) {
+      const bool is_turned = are_strips && i % 2 == 1;
+      const int first = are_strips ? i : 0, second = i + 1;
+      add(list + (is_turned ? second : first) * stride);
+      add(list + (is_turned ? first : second) * stride);
+      add(list + (i + 2) * stride);
+      triangles.corners.push_back(3);
+    }
+    list += corners * stride;
+  }
+  return triangles;
+}
+
+void check_sizes(const ColladaDocument& document, const XMLElement& set, const Faces& faces,
+                 int stride) {
+  const auto held = static_cast<long long>(faces.indices.size());
+  long long wanted = 0;
+  for (const int corners : faces.corners) {
+    if (corners < 0) {
+      document.fail(set, "a face has " + std::to_string(corners) + " corners; write at least 3");
+    }
+    wanted += static_cast<long long>(corners) * stride;
+    if (wanted > held) break;
+  }
+  if (wanted != held) {
+    document.fail(set, std::string("the faces need ") + (wanted > held ? "more" : "fewer") +
+                           " indices than the " + std::to_string(held) +
+                           " there are; export the mesh again, or copy the file again if it was "
+                           "cut off");
+  }
+}
+
+}  // namespace
+
+bool is_set_of_faces(const XMLElement& element) {
+  const std::string_view kind = element.Name();
+  return kind == "polylist" || kind == "triangles" || kind == "polygons" || kind == "tristrips" ||
+         kind == "trifans";
+}
+
+bool is_empty_set(const ColladaDocument& document, const XMLElement& set) {
+  if (read_count(document, set, "count").value_or(0) != 0) return false;
+  const XMLElement* p = set.FirstChildElement("p");
+  const XMLElement* vcount = set.FirstChildElement("vcount");
+  return set.FirstChildElement("ph") == nullptr && (p == nullptr || p->NoChildren()) &&
+         (vcount == nullptr || vcount->NoChildren());
+}
+
+Faces read_faces(const ColladaDocument& document, const XMLElement& set, int stride) {
+  const std::string_view kind = set.Name();
+  Faces faces;
+  if (kind == "polylist") {
+    faces = read_polylist(document, set);
+  } else if (kind == "triangles") {
+    faces = read_triangles(document, set, stride);
+  } else {
+    faces = read_lists(document, set, stride);
+  }
+  check_sizes(document, set, faces, stride);
+  if (kind == "tristrips" || kind == "trifans") return unfold(faces, stride, kind == "tristrips");
+  return faces;
+}
+
+}  // namespace pt
