@@ -2,7 +2,7 @@
 """pages.py: checks that the pages of the project agree with its files. Every relative link and its anchor lead somewhere; every
 task has a chapter; every picture of the handbook has the command below it that makes it (writeup/handbook.json has its settings);
 a mistake that a page names exists; the points in sample tables can occur; and a page that says "more than N" of something that
-can be counted is right."""
+can be counted is right. Promises that the view names are in a contract."""
 import glob
 import json
 import os
@@ -144,6 +144,16 @@ def check_tasks():
             complaints.append(f"no link to {contract}")
 
 
+def check_promises():
+    """Every promise that the view names is in a contract."""
+    contracts = "".join(read(name) for name in glob.glob("pt/tasks/*.h"))
+    promises = {re.sub(r"[^a-z0-9]+", "_", name.strip().replace("'", "").lower()) for name in re.findall(r"^//   - ([^:(]*)", contracts, re.M)}
+    for file in glob.glob("view/worker/*.cpp"):
+        for name in re.findall(r'"([a-z0-9]+(?:_[a-z0-9]+){2,})"', read(file)):
+            if name not in promises:
+                complaints.append(f"{file}: no contract has the promise '{name}'")
+
+
 def count(pattern, files):
     return sum(len(re.findall(pattern, read(name), re.M)) for name in glob.glob(files))
 
@@ -174,6 +184,7 @@ def main():
         complaints.append(f"only {len(names)} pages and {counts} counts found")
     check_pictures()
     check_tasks()
+    check_promises()
     for complaint in complaints:
         print(complaint)
     print(f"{len(names)} pages, {len(complaints)} complaints")

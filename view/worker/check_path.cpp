@@ -91,13 +91,13 @@ void explain(int bounce, double step, const Bounce& before, const pt::PathSettin
   if (close(step * cosine, 1)) return add("weighs_by_the_cosine", "the cosine is missing");
   if (close(step, cosine)) return add("weighs_by_the_cosine", "the cosine is there twice");
   if (close(step, sample.pdf)) {
-    return add("uses_the_density_of_the_sample", "it is not divided by the pdf");
+    return add("divides_by_the_pdf_of_the_sample", "it is not divided by the pdf");
   }
   if (bounce == 2 && close(step * settings.survival, 1)) {
     return add("takes_the_first_bounce_always", "it is divided by the survival");
   }
   if (bounce > 2) return add("does_not_depend_on_survival", "it is not divided by the survival");
-  add("uses_the_density_of_the_sample", "this is not f cos / pdf of the direction");
+  add("divides_by_the_pdf_of_the_sample", "this is not f cos / pdf of the direction");
 }
 
 // The parts of the sum against f cos / pdf and direct light. `settings.survival` need not be the task's own.
@@ -146,7 +146,8 @@ void check_way(const pt::PathSettings& settings, Path& path) {
     const auto add = [&](const char* cell, const char* promise, const std::string& text) {
       path.findings.push_back({bounce, cell, "trace_path", promise, text});
     };
-    if (bounce > settings.to) add("point", "ends_at_the_cap", "the path has too many points");
+    if (bounce > settings.to)
+      add("point", "stops_after_the_last_bounce", "the path has too many points");
     if (!at.direct.empty()) {
       const bool by_lights = settings.direct == pt::PathSettings::Direct::lights;
       if ((at.direct[0].task == "direct_lights") != by_lights) {
@@ -167,7 +168,7 @@ void check_way(const pt::PathSettings& settings, Path& path) {
     }
     const bool could_go_on = bounce < settings.to && !is_black(at.point.albedo);
     if (at.next.empty() && could_go_on && (bounce == 1 || at.drawn.empty())) {
-      add("survival", bounce == 1 ? "takes_the_first_bounce_always" : "goes_on_up_to_the_cap",
+      add("survival", bounce == 1 ? "takes_the_first_bounce_always" : "reaches_the_last_bounce",
           "the path ends here, and no random number says so");
     }
   }
