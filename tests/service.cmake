@@ -38,12 +38,14 @@ if(FIRSTLIGHT_SANITIZE)
 endif()
 
 # The limits of a session, on a worker whose calls crash and hang as they are told. It looks for the box in the folder of programs.
-add_library(hit_sphere.obedient OBJECT ${service}/wire/obedient_hit_sphere.cpp)
-target_link_libraries(hit_sphere.obedient PRIVATE firstlight_options firstlight_warnings)
+foreach(slug hit_sphere diffuse_bsdf)
+  add_library(${slug}.obedient OBJECT ${service}/wire/obedient_${slug}.cpp)
+  target_link_libraries(${slug}.obedient PRIVATE firstlight_options firstlight_warnings)
+endforeach()
 add_executable(obedient_worker)
 target_link_libraries(obedient_worker PRIVATE grader_worker grader_connection grader_serve pt_rows)
-firstlight_link_tasks(obedient_worker FROM reference CHOICES hit_sphere=obedient)
-firstlight_test(session_test quick SOURCES ${service}/wire/session_test.cpp LIBRARIES grader_wire CHOICES hit_sphere=remote
+firstlight_link_tasks(obedient_worker FROM reference CHOICES hit_sphere=obedient diffuse_bsdf=obedient)
+firstlight_test(session_test quick SOURCES ${service}/wire/session_test.cpp LIBRARIES grader_wire CHOICES hit_sphere=remote diffuse_bsdf=remote
   NEEDS obedient_worker box DEFINES FIRSTLIGHT_OBEDIENT_WORKER="$<TARGET_FILE:obedient_worker>")
 
 foreach(test build/precompiled build/ahead judging/blame)

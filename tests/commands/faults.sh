@@ -212,6 +212,33 @@ no_worker() {
   grades worker 0 "${asked[@]}" --isolation B
 }
 
+# The judge's program for one task dies, or takes too long, as answers could make it: that task has a reason, the other one
+# its verdict, and nothing is cached.
+judge_dies() {
+  local kind says
+  prepare dies
+  mkdir -p "$folder/dying"
+  for kind in 'kill -SEGV $$' 'while :; do :; done'; do
+    printf '#!/bin/bash\n%s\n' "$kind" >"$folder/dying/graded.hit_box"
+    chmod +x "$folder/dying/graded.hit_box"
+    cp "$folder/dies/grade.json" "$folder/dies/whole.json"
+    sed -i "s|\"[^\"]*/graded.hit_box\"|\"$folder/dying/graded.hit_box\"|" "$folder/dies/grade.json"
+    grades dies 1 camera_ray "${asked[@]}" --call-limit 100 --json "$folder/dies/results.json"
+    says=$(python3 -c '
+import json, sys
+for task in json.load(open(sys.argv[1]))["tasks"]:
+    kept = sum(promise["held"] for promise in task["promises"])
+    print(task["slug"], task["state"], kept, "of", len(task["promises"]) > 3, task["reason"])' "$folder/dies/results.json")
+    mv "$folder/dies/whole.json" "$folder/dies/grade.json"
+    case $kind in
+      kill*) grep -q '^hit_box crash 0 of True .*could not work with its answers: its program ended with signal 11' <<<"$says" ;;
+      *) grep -q '^hit_box timeout 0 of True .*could not work with its answers: its program took too long' <<<"$says" ;;
+    esac || complain "$kind:" "$says"
+    grep -q '^camera_ray pass' <<<"$says" || complain "$kind:" "$says"
+  done
+  grades dies 0 "${asked[@]}"
+}
+
 # Root judges as another user, who cannot enter a folder of root's.
 unreachable_work() {
   [ "$(id -u)" -eq 0 ] || return 0
@@ -332,6 +359,7 @@ named_programs
 full_disk
 killed_compiler
 no_worker
+judge_dies
 unreachable_work
 interrupted
 resumed_elsewhere

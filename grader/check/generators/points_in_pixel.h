@@ -51,7 +51,11 @@ class Cells {
   }
 
  private:
-  int index(double part) const { return std::clamp(static_cast<int>(part * side_), 0, side_ - 1); }
+  // A submission's point may be anywhere, or not a number.
+  int index(double part) const {
+    const double at = part * side_;
+    return at > 0 ? static_cast<int>(std::min(at, side_ - 1.0)) : 0;
+  }
 
   int side_;
   std::vector<int> counts_;

@@ -79,11 +79,11 @@ void judge_one(const build::Config& config, const build::Builder& builder,
   if (!worker.ok()) return refuse(result, results::State::fail, "it does not link", worker.error);
   const results::TaskResult found = try_worker(builder, {task, worker, false, request, {}});
   // Only promises with a property are judged. Another check proves that every promise has one.
-  std::erase_if(result.promises, [&](const results::PromiseResult& promise) {
-    return std::none_of(
-        found.promises.begin(), found.promises.end(),
-        [&](const results::PromiseResult& each) { return each.name == promise.name; });
-  });
+  if (!found.promises.empty()) {
+    std::erase_if(result.promises, [&](const results::PromiseResult& promise) {
+      return std::ranges::count(found.promises, promise.name, &results::PromiseResult::name) == 0;
+    });
+  }
   enter(found, request, result);
   judged.right_alone = result.state == results::State::pass;
 }
@@ -104,7 +104,10 @@ results::PromiseResult& entry(results::TaskResult& result, const results::Promis
 void enter(const results::TaskResult& found, const GradeRequest& request,
            results::TaskResult& result) {
   if (!found.printed.empty()) result.printed = found.printed;
-  if (found.state == results::State::not_attempted)
+  if (found.promises.empty()) {
+    for (results::PromiseResult& promise : result.promises) promise.held = false;
+  }
+  if (found.state == results::State::not_attempted || found.promises.empty())
     return refuse(result, found.state, found.reason);
   for (const results::PromiseResult& each : found.promises) {
     results::PromiseResult& promise = entry(result, each);

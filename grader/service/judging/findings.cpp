@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -62,12 +63,22 @@ bool was_killed(const results::TaskResult& task) {
   });
 }
 
+// The judge's own time for the answers of one task, in limits of a call; the calls themselves may
+// take 15. Right work takes seconds.
+constexpr int kMostTime = 150;
+
 results::TaskResult run_program(const Trial& trial, const std::string& report) {
-  const process::CommandResult result =
-      process::run_command({command(trial, report), sandbox::judges_environment(), {}, "", {}},
-                           process::kProgramTime, trial.stop);
+  const process::CommandResult result = process::run_command(
+      {command(trial, report), sandbox::judges_environment(), {}, "", {}},
+      kMostTime * std::chrono::milliseconds(trial.request.call_limit), trial.stop);
   const bool finished =
       !result.timed_out && WIFEXITED(result.status) && WEXITSTATUS(result.status) <= 1;
+  if (result.timed_out || WIFSIGNALED(result.status)) {
+    std::filesystem::remove(report);
+    results::TaskResult none;
+    std::tie(none.state, none.reason) = ended_by_answers(result);
+    return none;
+  }
   if (!finished || !std::filesystem::exists(report)) {
     std::filesystem::remove(report);
     throw pt::Error(
@@ -82,6 +93,13 @@ results::TaskResult run_program(const Trial& trial, const std::string& report) {
 
 }  // namespace
 
+std::pair<results::State, std::string> ended_by_answers(const process::CommandResult& ended) {
+  constexpr const char* kSentence = "the judge could not work with its answers: its program {}";
+  if (ended.timed_out) return {results::State::timeout, fmt::format(kSentence, "took too long")};
+  return {results::State::crash,
+          fmt::format(kSentence, "ended with " + process::describe_status(ended.status))};
+}
+
 results::TaskResult try_worker(const build::Builder& builder, const Trial& trial) {
   std::string key = build::content_stamp(trial.task.graded, builder.cache()) + trial.worker.key;
   for (const std::string& word : command(trial, "")) key += '\0' + word;
@@ -93,9 +111,10 @@ results::TaskResult try_worker(const build::Builder& builder, const Trial& trial
 
   const std::string report = pt::temporary_name(path);
   results::TaskResult found = run_program(trial, report);
-  if (was_killed(found)) found = run_program(trial, report);
+  const bool ended = found.promises.empty() && found.state == results::State::crash;
+  if (ended || was_killed(found)) found = run_program(trial, report);
   // Time and memory depend on the machine's load, so the next request tries again.
-  if (timed_out(found) || was_killed(found)) {
+  if (timed_out(found) || was_killed(found) || found.promises.empty()) {
     std::filesystem::remove(report);
   } else {
     std::filesystem::rename(report, path);

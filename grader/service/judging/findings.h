@@ -3,9 +3,11 @@
 #include "grader/results/results.h"
 #include "grader/service/build/builder.h"
 #include "grader/service/judging/grade.h"
+#include "grader/service/process/run_command.h"
 
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace grader::judging {
@@ -20,8 +22,12 @@ struct Trial {
 };
 
 // Runs the property program, unless the cache has its result, and returns its findings
-// (grader/programs/write_report.h). Safe from any thread. Throws pt::Error if the program cannot
-// judge.
+// (grader/programs/write_report.h). If the answers make the program itself die or take too long, there
+// are no promises, and a reason. Safe from any thread. Throws pt::Error if the program cannot judge.
 results::TaskResult try_worker(const build::Builder& builder, const Trial& trial);
+
+// The state of a task whose answers made a program of the judge die or take too long, and the reason.
+// This is that task's fault, or ours: the other tasks still get their verdicts.
+std::pair<results::State, std::string> ended_by_answers(const process::CommandResult& ended);
 
 }  // namespace grader::judging

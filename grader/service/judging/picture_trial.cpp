@@ -3,6 +3,7 @@
 #include "grader/base/sha256.h"
 #include "grader/results/read_json.h"
 #include "grader/service/build/cache.h"
+#include "grader/service/judging/findings.h"
 #include "grader/service/process/cause_of_end.h"
 #include "grader/service/process/run_command.h"
 #include "grader/service/sandbox/box.h"
@@ -71,7 +72,11 @@ results::PictureResult run_program(std::vector<std::string> words, const std::st
   words.insert(words.end(), {"--report", path});
   const process::CommandResult run = process::run_command(
       {words, sandbox::judges_environment(), {}, "", {}}, process::kProgramTime);
-  if (run.timed_out || !WIFEXITED(run.status) || WEXITSTATUS(run.status) > 1) {
+  if (run.timed_out || WIFSIGNALED(run.status)) {
+    const auto [state, why] = ended_by_answers(run);
+    return without_picture(trial.recipe, state, why);
+  }
+  if (WEXITSTATUS(run.status) > 1) {
     throw pt::Error(fmt::format("the picture {} could not be judged: {}", trial.recipe.name,
                                 process::fault_of(run)));
   }
@@ -79,6 +84,23 @@ results::PictureResult run_program(std::vector<std::string> words, const std::st
 }
 
 }  // namespace
+
+results::PictureResult not_judged(const pictures::Recipe& recipe) {
+  results::PictureResult result;
+  result.recipe = recipe.name;
+  result.title = recipe.title;
+  result.width = recipe.width;
+  result.height = recipe.height;
+  return result;
+}
+
+results::PictureResult without_picture(const pictures::Recipe& recipe, results::State state,
+                                       const std::string& why) {
+  results::PictureResult result = not_judged(recipe);
+  result.state = state;
+  result.text = why;
+  return result;
+}
 
 results::PictureResult try_picture(const build::Config& config, const build::Builder& builder,
                                    const GradeRequest& request, const PictureTrial& trial) {

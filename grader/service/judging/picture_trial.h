@@ -20,6 +20,11 @@ struct PictureTrial {
   int patience = kPatience;
 };
 
+// A recipe's result before it is rendered, and one that says why there is no picture.
+results::PictureResult not_judged(const pictures::Recipe& recipe);
+results::PictureResult without_picture(const pictures::Recipe& recipe, results::State state,
+                                       const std::string& why);
+
 // Runs the program graded_picture, unless the cache has its result. Safe from any thread. Throws
 // pt::Error if the program cannot judge, for example without a golden.
 results::PictureResult try_picture(const build::Config& config, const build::Builder& builder,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,23 +40,6 @@ std::vector<Exhibit> exhibits(const build::Config& config, const GradeRequest& r
   return all;
 }
 
-results::PictureResult not_judged(const pictures::Recipe& recipe) {
-  results::PictureResult result;
-  result.recipe = recipe.name;
-  result.title = recipe.title;
-  result.width = recipe.width;
-  result.height = recipe.height;
-  return result;
-}
-
-results::PictureResult without_picture(const pictures::Recipe& recipe, results::State state,
-                                       const std::string& why) {
-  results::PictureResult result = not_judged(recipe);
-  result.state = state;
-  result.text = why;
-  return result;
-}
-
 class Gallery {
  public:
   Gallery(const build::Config& config, const build::Builder& builder, const GradeRequest& request,
@@ -74,6 +58,7 @@ class Gallery {
       }
     }
     link_what_is_right();
+    base::for_each(judged_.size(), request_.threads, [&](std::size_t i) { try_first(judged_[i]); });
     base::for_each(exhibits_.size(), request_.threads, [&](std::size_t i) {
       judge(exhibits_[i]);
       const std::lock_guard lock(mutex_);
@@ -96,6 +81,28 @@ class Gallery {
     }
   }
 
+  // If a task did not answer its promises in time, its first picture decides whether the others are
+  // rendered: else a submission of endless loops would take ten minutes.
+  void try_first(Judged& task) {
+    if (task.result.state != results::State::timeout || !config_.no_reference.empty()) return;
+    const auto first = std::ranges::find_if(exhibits_, [&](const Exhibit& exhibit) {
+      return std::ranges::count(exhibit.tasks, &task) > 0;
+    });
+    if (first == exhibits_.end()) return;
+    const results::PictureResult found = look_at(first->recipe, task);
+    if (found.state != results::State::timeout) return;
+    for (const Exhibit& exhibit : exhibits_) {
+      if (std::ranges::count(exhibit.tasks, &task) == 0) continue;
+      const bool is_first = exhibit.recipe.name == found.recipe;
+      put(task, is_first ? found
+                         : without_picture(
+                               exhibit.recipe, found.state,
+                               fmt::format("not rendered: {} for {}", found.text, found.recipe)));
+    }
+    const std::lock_guard lock(mutex_);
+    silent_.insert(&task);
+  }
+
   // Without a reference, a wrong task spoils the pictures of all other tasks.
   bool waits(const Exhibit& exhibit) {
     if (config_.no_reference.empty()) return false;
@@ -113,7 +120,7 @@ class Gallery {
     if (waits(exhibit)) return;
     std::vector<Judged*> right;
     for (Judged* task : exhibit.tasks) {
-      if (!attempted(*task)) continue;
+      if (!attempted(*task) || silent_.contains(task)) continue;
       const bool by_itself = exhibit.recipe.adaptive || !task->right_alone;
       if (by_itself) {
         put(*task, task->right_alone ? judge_alone(exhibit.recipe, *task)
@@ -192,8 +199,7 @@ class Gallery {
     return trial(recipe, task, by_itself(task), task.content, false);
   }
 
-  // A picture of a wrong task gets one round, and little patience if it does not answer: else a
-  // submission of endless loops would take ten minutes.
+  // A picture of a wrong task gets one round, and little patience if it does not answer.
   results::PictureResult look_at(const pictures::Recipe& recipe, const Judged& task) const {
     return trial(recipe, task, by_itself(task), task.content, false, 1,
                  task.result.state == results::State::timeout ? 1 : kPatience);
@@ -221,6 +227,7 @@ class Gallery {
   const GradeRequest& request_;
   std::vector<Judged>& judged_;
   std::vector<Exhibit> exhibits_;
+  std::set<const Judged*> silent_;  // tasks whose pictures have their verdict: no answer in time
   build::Built together_;
   std::string content_;  // of all tasks that are right alone
   std::mutex mutex_;

@@ -122,7 +122,7 @@ class Integration {
   }
 
   void blame(Judged& judged) const {
-    if (!judged.result.compiler_output.empty()) return;
+    if (!judged.result.reason.empty()) return;  // it was not judged
     std::vector<std::string> failed;
     for (const results::PromiseResult& promise : judged.result.promises) {
       if (!promise.held && !promise.bonus) failed.push_back(promise.name);
@@ -134,6 +134,7 @@ class Integration {
       const results::TaskResult found =
           try_worker(builder_, {*judged.config, worker, true, request_, failed});
       const bool corrected =
+          !found.promises.empty() &&
           std::all_of(found.promises.begin(), found.promises.end(),
                       [](const results::PromiseResult& promise) { return promise.held; });
       if (corrected) judged.result.blamed.push_back(slug);

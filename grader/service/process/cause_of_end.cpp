@@ -3,6 +3,7 @@
 #include "grader/service/process/spawn.h"
 
 #include <csignal>
+#include <cstring>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -39,7 +40,7 @@ constexpr const char* kKilled = "the system killed it: perhaps no memory was lef
 std::string words(int signal, const std::string& last_words) {
   switch (signal) {
     case SIGSTKFLT:
-      return "endless recursion: the stack overflowed";
+      return "endless recursion: the stack overflowed, as a function called itself again and again";
     case SIGILL:
     case SIGTRAP:
       return "a function that has to return a value ended without a return";
@@ -60,7 +61,7 @@ std::string words(int signal, const std::string& last_words) {
     case SIGKILL:
       return kKilled;
     default:
-      return "it ended";
+      return fmt::format("it was ended by the signal \"{}\"", strsignal(signal));
   }
 }
 
@@ -70,7 +71,7 @@ std::string cause_of_end(int status, const std::string& last_words) {
   if (!WIFSIGNALED(status)) {
     return "the process ended by itself, with " + describe_status(status);
   }
-  return fmt::format("{} (signal {})", words(WTERMSIG(status), last_words), WTERMSIG(status));
+  return words(WTERMSIG(status), last_words);
 }
 
 bool was_killed(const std::string& cause) { return cause.find(kKilled) != std::string::npos; }

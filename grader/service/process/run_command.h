@@ -23,7 +23,7 @@ std::string fault_of(const CommandResult& result);
 
 inline constexpr std::size_t kMaxOutput = std::size_t{1} << 18;
 
-// For our own programs, whose own limits are far lower: reaching this one is a fault of ours.
+// For our own programs, whose own limits are far lower.
 inline constexpr std::chrono::seconds kProgramTime{1500};
 
 // Runs a command until it ends, or until it and its descendants have used the processor time

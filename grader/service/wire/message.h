@@ -17,10 +17,11 @@
 //   answer    judge to worker   type code, result, the sampler if there is one
 //   reply     worker to judge   ReplyHead, result(s), the sampler if there is one
 //   threw     worker to judge   the text of an exception: instead of a reply
+//   going_on  worker to judge   nothing: a call of a batch has ended, and the next has its own limit
 
 namespace grader::wire {
 
-enum class Kind : std::uint32_t { call = 1, ask, answer, reply, threw };
+enum class Kind : std::uint32_t { call = 1, ask, answer, reply, threw, going_on };
 
 inline constexpr std::uint32_t kMagic = 0x544c4631;  // "1FLT"
 

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t kMaxKnown = 256;                         // objects
 constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
-constexpr std::int64_t kMaxRays = std::int64_t{1} << 40;       // per call; sums do not overflow
 constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
 
 std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
@@ -164,17 +163,30 @@ std::string Session::converse(const Writer& call) {
       throw WorkerFailed{results::Cause::crash,
                          "it threw: " + base::printable(message.payload, 200), true};
     }
+    if (message.kind == Kind::going_on) {
+      go_on();
+      continue;
+    }
     if (!settings_.answers) throw BadMessage("it called the judge, which answers nothing here");
     const Writer reply = answer(settings_.task, message.payload, *this);
     worker_->send(Kind::answer, sequence_, reply.bytes());
   }
 }
 
+// The next call of the batch has the limit of a call again. All calls together have theirs.
+void Session::go_on() {
+  worker_->allow(settings_.call_limit);
+  if (running_ + worker_->running() <= settings_.total_limit) return;
+  keep_totals(results::Cause::timeout);
+  worker_.reset();
+  expect_total_time_left();
+}
+
 void Session::take_head(Reader& reply, std::uint64_t code) {
   const auto head = get<ReplyHead>(reply);
   if (head.code != code) throw BadMessage("the reply is of another type");
   for (const std::int64_t count : {head.closest, head.occluded}) {
-    if (count < 0 || count > kMaxRays) throw BadMessage("a count of rays that is impossible");
+    if (count < 0 || count > kMaxCount) throw BadMessage("a count of rays that is impossible");
   }
   for (std::size_t i = 0; i < kTasks.size(); ++i) {
     if (head.todo >> i & 1) record_.todo.emplace(kTasks[i]);

@@ -31,12 +31,11 @@ struct SessionSettings {
   // is no verdict then. Does not return.
   std::function<void(const std::string&)> at_fault = cannot_judge;
   // Limits of processor time (grader/service/process/time_limit.h).
-  std::chrono::milliseconds call_limit =
-      process::kCallLimit;                       // of one call, and of kBatch repetitions
-  std::chrono::milliseconds total_limit{30000};  // of all calls together
+  std::chrono::milliseconds call_limit = process::kCallLimit;  // of one call
+  std::chrono::milliseconds total_limit{30000};                // of all calls together
   // The worker is no longer called after this many calls without an answer or with a crash. They
   // are counted, because time would depend on the machine's load.
-  int max_timeouts = 3;
+  int max_timeouts = 2;
   int max_failures = 500;
   // The worker is no longer called after this many bytes, because the judge has to read them.
   std::uint64_t max_answered = std::numeric_limits<std::uint64_t>::max();
@@ -101,6 +100,7 @@ class Session {
   Writer message(Function function, std::uint64_t code, const CallBatch& batch,
                  const Writer& arguments);
   std::string converse(const Writer& call);
+  void go_on();
   void take_head(Reader& reply, std::uint64_t code);
   [[noreturn]] void fail(const WorkerFailed& failure);
 
@@ -122,8 +122,10 @@ class Session {
   results::Cause last_cause_ = results::Cause::timeout;
 };
 
-// The number of repetitions in one message: enough to make the message's cost small, and few enough
-// for all of them to share the limit of one call.
+// No call traces or tests more. Sums of such counts do not overflow.
+inline constexpr std::int64_t kMaxCount = std::int64_t{1} << 40;
+
+// The number of repetitions in one message: enough to make the message's cost small.
 inline constexpr int kBatch = 256;
 
 // The session of this program, opened once by main. While smaller inputs are tried for a failure,

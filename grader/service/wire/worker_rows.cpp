@@ -25,6 +25,10 @@ pt::PictureRows worker_rows(const pt::View& view, const pt::RowsRequest& request
       !none_or_all(rows.measured.variance_y) || !none_or_all(rows.measured.boxes)) {
     session().reject("rows of another size than the picture's");
   }
+  const auto& [boxes, triangles, spheres] = rows.measured.tests;
+  for (const long long count : {boxes, triangles, spheres, rows.measured.not_finite}) {
+    if (count < 0 || count > kMaxCount) session().reject("a count that is impossible");
+  }
   return rows;
 }
 

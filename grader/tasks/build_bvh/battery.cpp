@@ -33,19 +33,18 @@ struct Faults {
   double empty = 0, oversized_by_far = 0;
 };
 
-bool in_order(const Bvh& bvh, int i) { return i >= 0 && i < static_cast<int>(bvh.order.size()); }
-
 void look_at_leaf(const Bvh& bvh, const Boxes& boxes, const BvhNode& node, int max_leaf,
                   std::vector<int>& held, Faults& faults) {
   if (node.count > max_leaf) ++faults.too_large;
   faults.largest = std::max(faults.largest, static_cast<double>(node.count));
-  for (int i = node.first; i < node.first + std::min(node.count, 100000); ++i) {
-    if (!in_order(bvh, i) || bvh.order[i] < 0 || bvh.order[i] >= static_cast<int>(boxes.size())) {
+  for (int i = node.first; i < node.first + node.count; ++i) {
+    const int primitive = primitive_at(bvh, i, boxes.size());
+    if (primitive < 0) {
       ++faults.strangers;
       continue;
     }
-    ++held[bvh.order[i]];
-    if (!contains(node.box, boxes[bvh.order[i]])) ++faults.not_covered;
+    ++held[primitive];
+    if (!contains(node.box, boxes[primitive])) ++faults.not_covered;
   }
 }
 
@@ -97,7 +96,7 @@ double entered(const Bvh& bvh, const Boxes& boxes, int axis) {
 
 void ask(Battery& battery, const Boxes& boxes, int max_leaf, int across = -1) {
   battery.ask([&]() -> Battery::Numbers {
-    const Bvh bvh = pt::build_bvh(boxes, max_leaf);
+    const Bvh bvh = built(boxes, max_leaf);
     const Faults f = faults_of(bvh, boxes, max_leaf);
     const double n = static_cast<double>(boxes.size());
     // Right trees have at most 0.38 of n / max_leaf, in rows of rows. Bad trees have more, up to 2.
@@ -180,7 +179,7 @@ void alike(Battery& battery, RandomNumbers& make) {
 void too_wide(Battery& battery, RandomNumbers& make) {
   const Input input{scattered(40, make), 2};
   battery.ask([&]() -> Battery::Numbers {
-    const Bvh bvh = pt::build_bvh(input.boxes, input.max_leaf);
+    const Bvh bvh = built(input.boxes, input.max_leaf);
     const Below below = below_each_node(input, bvh);
     double most = 0;
     for (std::size_t i = 0; i < bvh.nodes.size() && below.all; ++i) {
@@ -205,7 +204,7 @@ void large_numbers(Battery& battery) {
   battery.ask([]() -> Battery::Numbers {
     expect_a_tree_at_all();
     const Input row = in_a_line(66000, 2);
-    const Faults f = faults_of(pt::build_bvh(row.boxes, row.max_leaf), row.boxes, row.max_leaf);
+    const Faults f = faults_of(built(row.boxes, row.max_leaf), row.boxes, row.max_leaf);
     return {flag(f.lost > 0), flag(f.doubled > 0), flag(f.bad_children > 0), flag(f.orphans > 0)};
   });
 }

@@ -17,7 +17,7 @@ struct Below {
 };
 
 inline Below below_each_node(const Input& input, const pt::Bvh& bvh) {
-  const auto n = static_cast<int>(input.boxes.size()), places = static_cast<int>(bvh.order.size());
+  const std::size_t n = input.boxes.size();
   Below below{std::vector<pt::Box>(bvh.nodes.size())};
   std::vector<int> times(n);
   std::vector<int> walk = walk_from_root(bvh);
@@ -25,8 +25,8 @@ inline Below below_each_node(const Input& input, const pt::Bvh& bvh) {
   for (const int i : walk) {
     const pt::BvhNode& node = bvh.nodes[i];
     for (int k = node.first; node.is_leaf() && k < node.first + node.count; ++k) {
-      const int primitive = k >= 0 && k < places ? bvh.order[k] : -1;
-      if (primitive < 0 || primitive >= n) continue;
+      const int primitive = primitive_at(bvh, k, n);
+      if (primitive < 0) continue;
       below.boxes[i].grow(input.boxes[primitive]);
       ++times[primitive];
     }
@@ -35,7 +35,7 @@ inline Below below_each_node(const Input& input, const pt::Bvh& bvh) {
       below.boxes[i].grow(below.boxes[node.right]);
     }
   }
-  below.all = std::ranges::count(times, 1) == n;
+  below.all = std::ranges::count(times, 1) == std::ssize(input.boxes);
   return below;
 }
 

@@ -1,5 +1,5 @@
 #include "grader/check/language/curve.h"
-#include "grader/tasks/build_bvh/walk.h"
+#include "grader/tasks/build_bvh/invariants.h"
 #include "pt/geometry/ray.h"
 
 #include <cmath>
@@ -15,7 +15,7 @@ std::vector<Method> splits() {
           {"right/swept_surface_area", "surface area heuristic"}};
 }
 
-double depth_of(const Input& input) { return depth(pt::build_bvh(input.boxes, 1)); }
+double depth_of(const Input& input) { return depth(built(input.boxes, 1)); }
 
 CURVE(build_bvh, halving) {
   return {.title = "Points, each half as far from the first corner as the one before",
@@ -77,8 +77,9 @@ double tests_of_a_line(const pt::Bvh& bvh, pt::Vec3 p, pt::Vec3 d) {
 
 double tests_of_a_line(const std::vector<pt::Box>& boxes) {
   constexpr int kLines = 200;
-  const pt::Bvh bvh = pt::build_bvh(boxes, 1);
-  walk_from_root(bvh);  // it is a tree
+  const pt::Bvh bvh = built(boxes, 1);
+  expect_nodes(bvh);
+  expect_one_tree(bvh);
   RandomNumbers make(*sampler_seed());
   double sum = 0;
   for (int i = 0; i < kLines; ++i) {

@@ -20,11 +20,12 @@ SEARCH(build_bvh, levels) {
             Input input = *boxes_of(kAll, 8, 500);
             input.max_leaf = 1;
             show_case(input);
-            const pt::Bvh bvh = pt::build_bvh(input.boxes, input.max_leaf);
+            const pt::Bvh bvh = built(input.boxes, input.max_leaf);
             for (const int i : walk_from_root(bvh)) {
               const pt::BvhNode& node = bvh.nodes[i];
               for (int k = node.first; k < node.first + node.count; ++k) {
-                if (!contains(node.box, input.boxes[bvh.order.at(k)])) return kBroken;
+                const int primitive = primitive_at(bvh, k, input.boxes.size());
+                if (primitive < 0 || !contains(node.box, input.boxes[primitive])) return kBroken;
               }
             }
             return depth(bvh) / std::ceil(std::log2(static_cast<double>(input.boxes.size())));

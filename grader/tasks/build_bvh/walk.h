@@ -6,16 +6,51 @@
 #include "pt/tasks/build_bvh.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
-// Walks an answer that may not be a tree. Every index is checked before it is used, and every node
-// is visited once, so that the walk ends for any answer of a submission.
+#include <fmt/format.h>
+
+// Takes a tree from a submission, and walks an answer that may not be a tree. Its numbers are bounded
+// when it comes in, every index is checked before it is used, and every node is visited once, so that
+// a walk ends soon for any answer of a submission.
 
 namespace grader::check::build_bvh_inputs {
 
 inline std::string name_of(int number) { return std::to_string(number); }
 inline std::string node_name(int index) { return "node " + name_of(index); }
+
+// Fails unless the sizes and the counts of a tree for `n` boxes are of the size that some tree has, so
+// that neither sums overflow nor loops over leaves are long. Wrong trees pass: promises judge them.
+inline void expect_bounded(const pt::Bvh& bvh, std::size_t n) {
+  const auto most = static_cast<int>(4 * n + 16);
+  expect(std::ssize(bvh.nodes) <= most && std::ssize(bvh.order) <= most,
+         fmt::format("at most {} nodes and {} entries in order for {} boxes",
+                     2 * std::max<std::size_t>(n, 1) - 1, n, n),
+         fmt::format("{} nodes and {} entries", bvh.nodes.size(), bvh.order.size()));
+  // A tree in which inner nodes hold what is below them has n entries on every level.
+  constexpr long long kLevels = 256;
+  long long held = 0;
+  for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
+    const pt::BvhNode& node = bvh.nodes[i];
+    if (!node.is_leaf()) continue;
+    expect(node.first >= -most && node.first <= most && node.count <= most,
+           fmt::format("leaves that hold a part of order, which has {} entries", bvh.order.size()),
+           fmt::format("{} begins at {} and holds {}", node_name(static_cast<int>(i)), node.first,
+                       node.count));
+    held += node.count;
+  }
+  expect(held <= kLevels * most, fmt::format("leaves that hold {} boxes in all", n),
+         fmt::format("{} in all", held));
+}
+
+// Returns the submission's tree: all calls of build_bvh by the judge are this one.
+inline pt::Bvh built(std::span<const pt::Box> boxes, int max_leaf) {
+  pt::Bvh bvh = pt::build_bvh(boxes, max_leaf);
+  expect_bounded(bvh, boxes.size());
+  return bvh;
+}
 
 inline bool contains(const pt::Box& outer, const pt::Box& inner) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -32,6 +67,13 @@ inline void expect_child(const pt::Bvh& bvh, int node, int child) {
       child >= 0 && child < count,
       "children that are nodes, 0 to " + name_of(count - 1) + ", of every node without primitives",
       node_name(node) + " holds no primitives and has the child " + name_of(child));
+}
+
+// Returns the primitive at place k of order, of `n` primitives; -1 if there is none.
+inline int primitive_at(const pt::Bvh& bvh, int k, std::size_t n) {
+  if (k < 0 || k >= std::ssize(bvh.order)) return -1;
+  const int primitive = bvh.order[k];
+  return primitive >= 0 && primitive < static_cast<int>(n) ? primitive : -1;
 }
 
 // A node without primitives and without children. A right tree has no such node; nothing is below
@@ -87,7 +129,7 @@ inline void expect_a_tree_at_all() {
     const int place = i * 389 % kBoxes;  // each place once, not in order
     row.boxes.push_back(around(pt::Vec3{3.0, 2.0, 1.0} * place, {0.1, 0.1, 0.1}));
   }
-  const pt::Bvh bvh = pt::build_bvh(row.boxes, row.max_leaf);
+  const pt::Bvh bvh = built(row.boxes, row.max_leaf);
   const std::string of = "before anything else, for 1,024 boxes in a row and max_leaf 2: ";
   expect(bvh.nodes.size() > kBoxes / 4, of + "a tree of some 1,000 nodes or more",
          std::to_string(bvh.nodes.size()) + " nodes");

@@ -5,8 +5,7 @@
 
 namespace pt {
 
-// Uses the test of the wide engine. Learners get this file, so it must not contain a solution of
-// the task.
+// Uses the test of the wide engine, which learners get anyway.
 std::optional<SurfaceHit> hit_triangle(const Triangle& triangle, const Ray& about) {
   grader::check::count(triangle);
   const Ray ray = grader::check::asked(about);

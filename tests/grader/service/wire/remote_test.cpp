@@ -6,9 +6,12 @@
 #include "grader/service/wire/message.h"
 #include "grader/service/wire/session.h"
 #include "grader/service/wire/worker_process.h"
+#include "grader/tasks/build_bvh/invariants.h"
 #include "pt/error.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <vector>
@@ -178,6 +181,44 @@ TEST(remote, answers_have_numbers) {
   EXPECT_TRUE(has_valid_numbers(std::optional<pt::Interval>({0, pt::kInfinity})));
   EXPECT_FALSE(has_valid_numbers(pt::Rgb{1, nan, 1}));
   EXPECT_FALSE(has_valid_numbers(pt::Bvh{{{{{0, 0, nan}, {}}, 0, 0, 0, 1}}, {0}}));
+}
+
+bool is_bounded(const pt::Bvh& bvh, std::size_t boxes) {
+  try {
+    check::build_bvh_inputs::expect_bounded(bvh, boxes);
+    return true;
+  } catch (const check::CaseFailed&) {
+    return false;
+  }
+}
+
+// A loop over such a leaf would take seconds, and its end is no int.
+TEST(remote, trees_have_numbers_that_loops_can_use) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  const auto leaf = [](int first, int count) { return pt::BvhNode{{}, -1, -1, first, count}; };
+  const std::vector<int> order{0, 1, 2, 3};
+  EXPECT_TRUE(is_bounded({{leaf(0, 4)}, order}, 4));
+  EXPECT_TRUE(is_bounded({{leaf(-1, 5)}, order}, 4)) << "wrong, and short";
+  EXPECT_FALSE(is_bounded({{leaf(0, kMost)}, order}, 4));
+  EXPECT_FALSE(is_bounded({{leaf(kMost, 1)}, order}, 4));
+  EXPECT_FALSE(is_bounded({{leaf(-kMost, 1)}, order}, 4));
+  EXPECT_FALSE(is_bounded({std::vector(1000, leaf(0, 4)), order}, 4));
+  EXPECT_FALSE(is_bounded({{leaf(0, 4)}, std::vector(1000, 0)}, 4));
+  // Each leaf holds all boxes.
+  EXPECT_FALSE(is_bounded({std::vector(4000, leaf(0, 1000)), std::vector(1000, 0)}, 1000));
+}
+
+// There are 2^71 ways from the root to the last node.
+TEST(remote, trees_are_walked_soon_however_many_ways_there_are) {
+  using namespace check::build_bvh_inputs;
+  pt::Bvh bvh{{}, std::vector<int>(16)};
+  std::iota(bvh.order.begin(), bvh.order.end(), 0);
+  for (int i = 0; i < 71; ++i) bvh.nodes.push_back({{}, i + 1, i + 1, 0, 0});
+  bvh.nodes.push_back({{}, -1, -1, 0, 16});
+  expect_bounded(bvh, 16);
+  EXPECT_EQ(depth(bvh), 71);
+  EXPECT_NO_THROW(expect_split({Boxes(16), 16}, bvh));
+  EXPECT_THROW(expect_one_tree(bvh), check::CaseFailed);
 }
 
 // A fast machine tries more smaller inputs than a slow one. They have their own session, so that

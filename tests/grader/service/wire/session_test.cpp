@@ -1,7 +1,9 @@
-// The limits of all calls of a session together. The worker crashes, hangs or answers, as the
-// radius of a sphere says (obedient_hit_sphere.cpp).
+// The limits of a call, and of all calls of a session together. The worker crashes, hangs or answers, as
+// the arguments say (obedient_hit_sphere.cpp, obedient_diffuse_bsdf.cpp).
 #include "grader/service/wire/session.h"
 
+#include "grader/check/language/repeat.h"
+#include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/hit_sphere.h"
 
 #include <string>
@@ -62,6 +64,31 @@ TEST(session, ends_after_as_many_crashes_as_are_allowed) {
   const GaveUp next = call(kAnswers);
   EXPECT_EQ(next.why, "not called any more: too many calls crashed or gave no answer");
   EXPECT_EQ(next.cause, Cause::crash);
+}
+
+// Draws samples in one message. Each call takes .03 s, or is endless if the albedo is 3.
+GaveUp sample(int calls, double albedo) {
+  try {
+    check::repeat<pt::diffuse_sample>(calls, 1, pt::gray(albedo), pt::Vec3{0, 0, 1});
+  } catch (const GaveUp& reason) {
+    return reason;
+  }
+  return {};
+}
+
+TEST(session, gives_each_call_of_a_message_the_limit_of_a_call) {
+  open_session(settings());
+  EXPECT_EQ(sample(20, 1).why, "");
+  EXPECT_EQ(sample(20, 3).why, "no answer within 0.1 s");
+}
+
+TEST(session, gives_all_calls_of_a_message_the_limit_of_all_calls) {
+  SessionSettings little = settings();
+  little.total_limit = std::chrono::milliseconds(300);
+  open_session(little);
+  const GaveUp reason = sample(200, 1);
+  EXPECT_EQ(reason.why.find("not called any more: all calls so far took "), 0u) << reason.why;
+  EXPECT_EQ(reason.cause, Cause::timeout);
 }
 
 // One answer takes some hundred bytes.
