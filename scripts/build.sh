@@ -25,23 +25,36 @@ unlock_tree() {
   tree_is_locked=
 }
 
+# settings: prints what CMake is told, besides the preset.
+settings() {
+  local mixtures=''
+  [ -e "$build/mixtures" ] && mixtures=$(sort -u "$build/mixtures" | paste -sd';')
+  echo "$mixtures ${FIRSTLIGHT_WERROR:-OFF}"
+}
+
+# has_settings PRESET, nothing_to_do PRESET TARGET...: succeed if CMake was told what it would be told now, and if the
+# targets are there. A build that another ./run does in the same folder does not disturb them.
+has_settings() {
+  [ ! "$root/CMakePresets.json" -nt "$build/$1/build.ninja" ] && [ "$(settings)" = "$(cat "$build/$1/settings" 2>/dev/null)" ]
+}
+nothing_to_do() { ninja -C "$build/$1" -n "${@:2}" 2>/dev/null | grep -q 'no work to do'; }
+
 # configure PRESET: runs CMake with all mixtures of implementations that were asked for, if one is new or a file that CMake
 # read has changed. FIRSTLIGHT_WERROR=ON makes warnings errors. Returns 2 if CMake fails; explain_configure shows why.
 configure() {
-  local preset=$1 folder=$build/$1 mixtures='' settings command=()
+  local preset=$1 folder=$build/$1 told command=()
   lock_tree
-  [ -e "$build/mixtures" ] && mixtures=$(sort -u "$build/mixtures" | paste -sd';')
-  settings="$mixtures ${FIRSTLIGHT_WERROR:-OFF}"
-  if [ "$root/CMakePresets.json" -nt "$folder/build.ninja" ] || [ "$settings" != "$(cat "$folder/settings" 2>/dev/null)" ]; then
-    command=(cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=$mixtures" "-DFIRSTLIGHT_WERROR=${FIRSTLIGHT_WERROR:-OFF}")
-  elif ! ninja -C "$folder" -n build.ninja 2>/dev/null | grep -q 'no work to do'; then
+  told=$(settings)
+  if ! has_settings "$preset"; then
+    command=(cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=${told% *}" "-DFIRSTLIGHT_WERROR=${told##* }")
+  elif ! nothing_to_do "$preset" build.ninja; then
     command=(ninja -C "$folder" build.ninja)
   else
     return 0
   fi
   mkdir -p "$folder"
   with_progress "configuring ($preset)" "$folder/configure.log" "${command[@]}" || return 2
-  printf '%s' "$settings" >"$folder/settings"
+  printf '%s' "$told" >"$folder/settings"
   [ ! -e "$folder/not_compiled" ] || cat "$folder/not_compiled" >&2
 }
 
@@ -73,12 +86,16 @@ name_changed_files() {
   [ -z "$changed" ] || echo "Much is built again, because these files were changed: $changed (git checkout $changed takes them back)" >&2
 }
 
-# build PRESET TARGET...: prints nothing if there is nothing to do, and the compiler's messages if it fails.
+# build PRESET TARGET...: prints nothing, and waits for nobody, if there is nothing to do; prints the compiler's messages if
+# it fails.
 build() {
   local preset=$1 steps
   shift
   case " $* " in *student* | *.sanitized*) expect_task_files ;; esac
   setup
+  if [ -z "$tree_is_locked" ] && has_settings "$preset" && nothing_to_do "$preset" build.ninja && nothing_to_do "$preset" "$@"; then
+    return 0
+  fi
   lock_tree
   configure "$preset" || { forget_mixtures && configure "$preset"; } || { explain_configure "$preset"; exit 2; }
   steps=$(ninja -C "$build/$preset" -n "$@" 2>/dev/null) || true

@@ -159,6 +159,14 @@ wait $first || complain "the first of two fails"
 wait $second || complain "the second of two fails"
 grep -q "waiting for './run grade', which is building" "$folder/second" || complain "the second says: $(cat "$folder/second")"
 [ "$(tr '\n' ' ' <"$folder/order")" = 'begin end begin end ' ] || complain "they build at the same time: $(cat "$folder/order")"
+# Who has nothing to build waits for nobody.
+program ninja <<<'case " $* " in *" -n "*) echo "no work to do"; exit ;; esac; exit 1'
+touch "$tree/build/release/build.ninja"
+exec 8>>"$tree/build/lock"
+flock 8
+said=$(PATH=$bin timeout 60 "$tree/run" compare a b 2>&1 8>&-) || complain "it waits for another, and has nothing to build: $said"
+[ "$said" = 'done a b' ] || complain "it has nothing to build, and says: $said"
+exec 8>&-
 # While the program itself runs, nobody waits.
 flock -n "$tree/build/lock" true || complain "the lock is still held"
 
