@@ -1,5 +1,7 @@
 #include "grader/results/changes.h"
 
+#include "grader/results/points.h"
+
 #include <algorithm>
 #include <map>
 
@@ -17,7 +19,7 @@ std::vector<Item> items_of(const TaskResult& task) {
   std::vector<Item> items;
   int sum = 0;
   for (const PromiseResult& promise : task.promises) {
-    const int earned = promise.held ? promise.points : 0;
+    const int earned = is_kept_by_itself(promise) ? promise.points : 0;
     items.push_back(
         {"promise " + promise.name, promise.words.empty() ? promise.name : promise.words, earned});
     sum += earned;

@@ -127,7 +127,7 @@ int spared_by(const TaskPoints& task, const TaskResult& result) {
   for (const PromiseResult& promise : result.promises) {
     if (promise.bonus) continue;
     all += promise.points;
-    lost += promise.held ? 0 : promise.points;
+    lost += is_kept_by_itself(promise) ? 0 : promise.points;
   }
   // In doubles .1 x 30 is a little more than 3: it stands for 3 points.
   const int most = static_cast<int>(std::ceil(task.one_cause * all - 1e-9));
@@ -162,13 +162,18 @@ bool is_left_out(const Points& points, const std::string& slug) {
          std::ranges::none_of(task.pictures, earns);
 }
 
+bool is_kept_by_itself(const PromiseResult& promise) {
+  return promise.held ||
+         (!promise.failures.empty() && std::ranges::all_of(promise.failures, &Failure::integrated));
+}
+
 void count_points(const Points& points, TaskResult& result) {
   const auto found = points.find(result.slug);
   const TaskPoints& task = found == points.end() ? TaskPoints{} : found->second;
   result.points = result.max_points = result.bonus_points = 0;
   for (PromiseResult& promise : result.promises) {
     promise.points = worth(task.promise, task.promises, promise.name);
-    const int earned = promise.held ? promise.points : 0;
+    const int earned = is_kept_by_itself(promise) ? promise.points : 0;
     (promise.bonus ? result.bonus_points : result.points) += earned;
     if (!promise.bonus) result.max_points += promise.points;
   }
@@ -176,7 +181,8 @@ void count_points(const Points& points, TaskResult& result) {
   result.points += result.spared;
   for (PictureResult& picture : result.pictures) {
     picture.max_points = worth(task.picture, task.pictures, picture.recipe);
-    picture.points = picture.state == State::pass ? picture.max_points
+    // A wrong picture is only called integrated if it is right with the reference elsewhere.
+    picture.points = picture.state == State::pass || picture.integrated ? picture.max_points
                      : picture.state == State::too_noisy
                          ? std::min(task.too_noisy, picture.max_points)
                          : 0;

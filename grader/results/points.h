@@ -34,7 +34,12 @@ Points load_points(const std::string& path);
 // Returns whether the task earns no points at all, for example in a part that the course leaves out.
 bool is_left_out(const Points& points, const std::string& slug);
 
-// Fills in the points of each promise and picture, and the sums. If a mistake is named, it is the
+// Returns whether the promise holds, at least with the reference in place of the other tasks.
+bool is_kept_by_itself(const PromiseResult& promise);
+
+// Fills in the points of each promise and picture, and the sums. What is right with the reference
+// elsewhere, and wrong only with the submission's other tasks, keeps its points: the mistake is
+// theirs, and counts there. If a mistake is named, it is the
 // one cause of all that is wrong: then broken promises together cost at most the share `one_cause`
 // of the points of the task's promises, rounded up to a whole point. Anything beyond that is given
 // back as `spared`: at most what the promises that hold earn, and nothing if the task always gives

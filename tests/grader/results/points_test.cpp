@@ -75,6 +75,23 @@ TEST(points, of_pictures_depend_on_their_state) {
   EXPECT_EQ(task.points, 1 + 3 + 2 + 0 + 1);  // no more for low noise than for a right result
 }
 
+// Another task's mistake counts there.
+TEST(points, are_kept_by_what_is_right_with_the_reference_elsewhere) {
+  Failure together;
+  together.integrated = true;
+  TaskResult task = example(4, 3);
+  task.promises[0].failures = {together, together};
+  task.promises[1].failures = {together, {}};  // also by itself
+  task.pictures = {picture("a", State::fail), picture("b", State::too_noisy),
+                   picture("c", State::fail)};
+  task.pictures[0].integrated = task.pictures[1].integrated = true;
+  TaskPoints points;
+  points.picture = 3;
+  task = counted(task, points);
+  EXPECT_EQ(task.points, 2 + 3 + 3);
+  EXPECT_EQ(task.max_points, 4 + 9);
+}
+
 TEST(points, that_one_named_cause_takes_are_bounded) {
   TaskPoints half;
   half.one_cause = 0.5;
