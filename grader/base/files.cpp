@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -66,9 +67,17 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
 
 namespace {
 
+// Compilers read UTF-8, and of anything else they name bytes that an editor does not show.
+Submitted as_source(Submitted file) {
+  const std::string_view text = file.text;
+  const bool is_wide = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
+                       text.substr(0, 4).find('\0') != text.npos;
+  return is_wide ? Submitted{true, "the file is UTF-16 or UTF-32; save it as UTF-8", ""} : file;
+}
+
 // The file at the end of a path of folders.
 Submitted read_along(int top, std::span<const std::string> way, const std::string& name) {
-  if (way.empty()) return read_plain_file(top, name, kMaxFile);
+  if (way.empty()) return as_source(read_plain_file(top, name, kMaxFile));
   const Descriptor inner(
       openat(top, way[0].c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (inner.is_open()) return read_along(inner.number(), way.subspan(1), name);
