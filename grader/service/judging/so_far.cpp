@@ -39,4 +39,21 @@ results::TaskResult so_far(const Judged& judged) {
   return result;
 }
 
+results::TaskResult without_folder(results::TaskResult result, const std::string& folder) {
+  const std::string path = folder + '/';
+  const auto hide = [&](std::string& text) {
+    for (std::size_t at = 0; (at = text.find(path, at)) != text.npos;) text.erase(at, path.size());
+  };
+  for (std::string* text :
+       {&result.reason, &result.printed, &result.compiler_output, &result.warnings})
+    hide(*text);
+  for (results::PromiseResult& promise : result.promises) {
+    for (results::Failure& failure : promise.failures) {
+      for (std::string* text : {&failure.what, &failure.got, &failure.expected}) hide(*text);
+    }
+  }
+  for (results::PictureResult& picture : result.pictures) hide(picture.text);
+  return result;
+}
+
 }  // namespace grader::judging

@@ -9,4 +9,8 @@ namespace grader::judging {
 // alone and with the submission's other tasks.
 results::TaskResult so_far(const Judged& judged);
 
+// The result without the folder in which the judge works: a program may print its own path, and so
+// may the loader that refuses to start it. Paths of pictures stay.
+results::TaskResult without_folder(results::TaskResult result, const std::string& folder);
+
 }  // namespace grader::judging

@@ -125,5 +125,20 @@ TEST(words, judge_a_task_again) {
   EXPECT_EQ(replay_command(request, "hit_box"), "./run grade hit_box --seed 7");
 }
 
+TEST(so_far, hides_where_the_judge_works) {
+  results::TaskResult task;
+  task.printed = "/home/ada/work/cache/a.worker: /home/ada/work/cache/a.worker: CPU ISA level";
+  results::PromiseResult& promise = task.promises.emplace_back();
+  promise.failures.emplace_back().got = "it died: /home/ada/work/x /home/ada/workshop";
+  results::PictureResult& picture = task.pictures.emplace_back();
+  picture.text = "/home/ada/work/a.worker";
+  picture.render = "/home/ada/work/a.exr";
+  task = without_folder(task, "/home/ada/work");
+  EXPECT_EQ(task.printed, "cache/a.worker: cache/a.worker: CPU ISA level");
+  EXPECT_EQ(task.promises[0].failures[0].got, "it died: x /home/ada/workshop");
+  EXPECT_EQ(task.pictures[0].text, "a.worker");
+  EXPECT_EQ(task.pictures[0].render, "/home/ada/work/a.exr");
+}
+
 }  // namespace
 }  // namespace grader::judging
