@@ -19,8 +19,12 @@ if(FIRSTLIGHT_CLASS)
   firstlight_test(test_intake quick LIBRARIES grader_intake LibArchive::LibArchive GTest::gmock SOURCES
     ${service}/intake/intake.cpp ${service}/intake/intake_platforms_test.cpp ${service}/intake/intake_archives_test.cpp
     ${service}/intake/intake_trees_test.cpp ${service}/intake/intake_names_test.cpp)
+  add_executable(forged_names ${service}/intake/forged_names_main.cpp)
+  target_link_libraries(forged_names PRIVATE grader_intake firstlight_warnings)
+  firstlight_add_test(forged_names quick COMMAND forged_names 20000 NEEDS forged_names)
   set(class NEEDS grade graded grade_class)
   firstlight_script_test(grade_class rest ${service}/classes/grade_class.sh ARGUMENTS ${programs}/grade_class ${class})
+  firstlight_script_test(three_doors rest ${service}/intake/three_doors.sh ARGUMENTS ${programs} ${class})
   firstlight_script_test(class_changes rest ${service}/classes/class_changes.sh ARGUMENTS ${programs} ${class})
   firstlight_script_test(class_faults rest ${service}/classes/class_faults.sh ARGUMENTS ${programs} ${class})
   firstlight_script_test(class_steps rest ${service}/classes/class_engines.sh ARGUMENTS ${programs} ${class})

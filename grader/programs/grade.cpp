@@ -11,6 +11,8 @@
 #include "grader/results/presentable.h"
 #include "grader/results/read_json.h"
 #include "grader/results/summary.h"
+#include "grader/service/intake/prepare_submission.h"
+#include "grader/service/intake/unpack_boxed.h"
 #include "grader/service/process/spawn.h"
 #include "grader/tasks.h"
 #include "pt/end_of_program.h"
@@ -26,6 +28,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace {
 
@@ -121,6 +124,50 @@ std::vector<std::string> asked_for(const build::Config& config, const GradeOptio
   return asked;
 }
 
+// The files of a submission that was named, wherever they are in it: as for a class. The folder
+// student/ is read as it is.
+class Intake {
+ public:
+  Intake(const build::Config& config, const GradeOptions& options)
+      : work_(fmt::format("{}/intake/{}", config.work, getpid())) {
+    if (!options.is_named) {
+      found_.folder = base::submission_root(options.submission);
+      return;
+    }
+    std::vector<intake::TaskFile> tasks;
+    for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
+    const intake::Unpack unpack = [&](const std::string& archive, const std::string& folder,
+                                      intake::Extent extent) {
+      return intake::unpack_boxed(config.root, config.work, base::programs_folder(),
+                                  options.require_isolation)(archive, folder, extent);
+    };
+    const auto next = [&] {
+      std::filesystem::create_directories(work_);
+      return std::filesystem::path(work_) / std::to_string(++folders_);
+    };
+    found_ =
+        intake::prepare_submission(options.submission, options.submission, {tasks, unpack, next});
+    const bool is_folder = std::filesystem::is_directory(options.submission);
+    // Somebody who has handed in nothing has attempted nothing.
+    if (found_.nothing && is_folder) found_ = {options.submission, "", found_.problem};
+    if (found_.problem.empty()) found_.folder = base::submission_root(found_.folder);
+  }
+  ~Intake() {
+    std::error_code ignored;
+    std::filesystem::remove_all(work_, ignored);
+  }
+  Intake(const Intake&) = delete;
+  Intake& operator=(const Intake&) = delete;
+
+  const intake::Prepared& found() const { return found_; }
+  bool is_copied() const { return folders_ > 0; }
+
+ private:
+  std::string work_;
+  int folders_ = 0;
+  intake::Prepared found_;
+};
+
 // Returns whether each function of the task begins with todo, as it was handed out. In doubt it does not: a comment
 // or a condition of the preprocessor can contain another version of the function.
 bool is_unwritten(const Task& task, const std::string& text) {
@@ -148,15 +195,21 @@ int name_programs(const build::Config& config, const GradeOptions& options) {
     fmt::print("graded.{0}\nknown.{0}\n", slug);
   }
   const bool pictures = !options.no_pictures;
-  if (pictures && may_be_rendered(asked, base::submission_root(options.submission))) {
+  const Intake intake(config, options);
+  const bool is_refused = !intake.found().problem.empty();
+  if (pictures && !is_refused && may_be_rendered(asked, intake.found().folder)) {
     fmt::print("graded_picture\n");
   }
   return 0;
 }
 
-judging::GradeRequest request_for(const build::Config& config, const GradeOptions& options) {
+judging::GradeRequest request_for(const build::Config& config, const GradeOptions& options,
+                                  const Intake& intake) {
   judging::GradeRequest request;
-  request.submission = base::submission_root(options.submission);
+  request.submission = intake.found().folder;
+  request.refused = intake.found().problem;
+  request.note = options.note.empty() ? intake.found().note : options.note;
+  if (intake.is_copied() || !request.refused.empty()) request.shown = options.submission;
   request.name = results::one_line(options.name);
   request.seed = options.seed;
   request.call_limit = options.call_limit;
@@ -193,7 +246,8 @@ int run(Words words) {
     report::check_targets(options.files);
   }
   if (options.programs) return name_programs(config, options);
-  const judging::GradeRequest request = request_for(config, options);
+  const Intake intake(config, options);
+  const judging::GradeRequest request = request_for(config, options, intake);
   if (request.pictures) unfinished.begin(words);
   report::ProgressReports reports(options.files);
   std::optional<report::StatusLine> line(std::in_place, options.quiet
@@ -207,6 +261,7 @@ int run(Words words) {
   line.reset();
   if (request.pictures) unfinished.end();
   report::remember_failures(config.work, results);
+  if (!request.note.empty()) fmt::print("Of the files, {}.\n", results::one_line(request.note));
   return show(results, options);
 }
 

@@ -19,8 +19,10 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   GradeOptions options;
   CLI::App app{"Judges a submission: every task, or those asked for", "./run grade"};
   app.add_option("what", options.what, "Tasks (hit_triangle), parts (1) or exercises (1.3)");
-  app.add_option("--submission", options.submission, "A folder with the tree of student/")
-      ->check(CLI::ExistingDirectory);
+  CLI::Option* submission =
+      app.add_option("--submission", options.submission,
+                     "A folder or an archive with the task files, however they lie in it")
+          ->check(CLI::ExistingPath);
   app.add_option("--name", options.name,
                  "Who handed it in: reports show this instead of a path of this machine");
   app.add_flag("--all", options.all, "Show every failure, not only the first");
@@ -47,12 +49,14 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_flag("--require-isolation", options.require_isolation,
                "Stop if only tier C (limits) works");
   app.add_flag("--resume", options.resume, "Continue the run that was interrupted");
+  app.add_option("--note", options.note, "Which of the files handed in are in it")->group("");
   app.add_flag("--programs", options.programs, "Name the programs for ./run")->group("");
   app.add_option("--config", options.config, "What CMake wrote (grade.json)");
   app.add_option("--work", options.work,
                  "The folder of compiled files and known results; default: as --config says");
   std::vector<std::string> reversed(words.rbegin(), words.rend());
   pt::parse(app, reversed);
+  options.is_named = submission->count() > 0;
   return options;
 }
 

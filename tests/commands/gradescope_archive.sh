@@ -41,7 +41,7 @@ bash "$autograder/source/setup.sh" >"$autograder/log" 2>&1 ||
 # Another user who knows every path can read only the box, and the files in its folder.
 readable=$(find "$autograder/source" -type f -print0 |
   setpriv --reuid 65534 --regid 65534 --clear-groups xargs -0 sh -c 'for file; do [ ! -r "$file" ] || echo "$file"; done' sh |
-  grep -vE '/build/check/grader/(box|box_probe|graded/.*)$' || true)
+  grep -vE '/build/check/grader/(box|box_probe|unpack|graded/.*)$' || true)
 [ -z "$readable" ] || complain "another user can read:" "$readable"
 
 for tier in A B; do

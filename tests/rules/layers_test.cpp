@@ -52,7 +52,7 @@ const std::map<std::string, std::set<std::string>> kOnly{
     {"grader/report", {"grader/base", "grader/results"}},
     {"grader/service/process", {"grader/base"}},
     {"grader/service/sandbox", {"grader/base", "grader/service/process"}},
-    {"grader/service/intake", {"grader/base"}},
+    {"grader/service/intake", {"grader/base", "grader/service/process", "grader/service/sandbox"}},
     {"grader/service/platforms", {"grader/results", "grader/report"}}};
 
 // Rooms whose namespace is not grader:: and the last part of their name.

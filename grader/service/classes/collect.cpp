@@ -41,7 +41,7 @@ std::string header(const build::Config& config) {
   for (const std::string& part : parts_of(config)) text += fmt::format(",{}_points", part);
   for (const build::TaskConfig& task : config.tasks)
     text += fmt::format(",{0},{0}_points", task.slug);
-  return text + ",problem\r\n";
+  return text + ",problem,note\r\n";
 }
 
 // The tasks whose part or slug is this name.
@@ -61,7 +61,8 @@ std::string points_of(const std::vector<results::TaskResult>& tasks) {
   return tasks.empty() ? "" : std::to_string(sums.points + sums.bonus_points);
 }
 
-std::string line(const build::Config& config, const Graded& graded, bool anonymous) {
+std::string line(const build::Config& config, const Graded& graded, bool anonymous,
+                 const std::string& note) {
   const bool judged = graded.problem.empty();
   const results::Results& results = graded.results;
   const results::Totals sums = results::totals(results.tasks);
@@ -79,7 +80,7 @@ std::string line(const build::Config& config, const Graded& graded, bool anonymo
     text += fmt::format(",{},{}", found.empty() ? "" : results::words(found[0].state),
                         points_of(found));
   }
-  return text + "," + field(graded.problem) + "\r\n";
+  return text + "," + field(graded.problem) + "," + field(note) + "\r\n";
 }
 
 // "handed_in" for handed_in.tar.gz. A folder's name may contain points.
@@ -97,7 +98,28 @@ Collector::Collector(const build::Config& config, const ClassPlan& plan, std::st
       plan_(plan),
       out_(std::move(out)),
       lines_(plan.everybody.size()),
-      for_platforms_(plan.everybody.size()) {}
+      for_platforms_(plan.everybody.size()) {
+  for (const Chunk& chunk : plan.chunks) {
+    for (const Equal& equal : chunk) {
+      std::vector<std::string> names;
+      for (const std::size_t i : equal) names.push_back(plan.everybody[i].name);
+      for (const std::size_t i : equal) {
+        std::vector<std::string> others = names;
+        std::erase(others, plan.everybody[i].name);
+        if (!others.empty()) equals_[i] = "the same files as " + some_of(others);
+      }
+    }
+  }
+}
+
+// The note says which files were judged, and who handed in the same ones. Of stubs, which earn
+// nothing, everybody has the same.
+std::string Collector::note_on(std::size_t i, const Graded& graded) const {
+  const auto equal = equals_.find(i);
+  const bool has_points = results::totals(graded.results.tasks).points > 0;
+  if (equal == equals_.end() || !has_points) return graded.by.note;
+  return graded.by.note + (graded.by.note.empty() ? "" : "; ") + equal->second;
+}
 
 void Collector::add(std::size_t i, const Graded& graded) {
   const bool judged = graded.problem.empty(), anonymous = !plan_.real_names.empty();
@@ -106,10 +128,11 @@ void Collector::add(std::size_t i, const Graded& graded) {
   for_platforms_[i] = {anonymous ? plan_.real_names[i] : graded.by.name, graded.by.id, judged,
                        sums.points + sums.bonus_points,
                        judged ? results::verdict(graded.results) : graded.by.problem};
+  const std::string note = note_on(i, graded);
   page_.add({graded.by.name, anonymous ? "" : graded.by.id, graded.by.name + ".html",
-             graded.problem, graded.by.late},
+             graded.problem, graded.by.late, note},
             graded.results);
-  lines_[i] = line(config_, graded, anonymous);
+  lines_[i] = line(config_, graded, anonymous, note);
   if (std::chrono::steady_clock::now() >= next_table_) write_table();
 }
 
@@ -145,7 +168,12 @@ std::vector<std::string> Collector::write() {
 
 // The worksheet filled in, if there is one.
 std::string Collector::moodle_table(const std::vector<platforms::GradeRow>& rows) {
-  if (plan_.worksheet.empty()) return platforms::moodle_csv(rows, max_points_);
+  if (plan_.worksheet.empty()) {
+    remarks_.emplace_back(
+        "moodle.csv goes by the numbers in the names of the files; where groups hand in, these "
+        "are not the participants': write --worksheet and Moodle's grading worksheet");
+    return platforms::moodle_csv(rows, max_points_);
+  }
   platforms::Worksheet::Filled filled =
       platforms::read_worksheet(plan_.worksheet).filled(rows, max_points_);
   if (filled.locked > 0) {

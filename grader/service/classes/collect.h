@@ -6,6 +6,8 @@
 #include "grader/service/platforms/platforms.h"
 
 #include <chrono>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +39,7 @@ class Collector {
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
+  std::string note_on(std::size_t i, const Graded& graded) const;
   void write_table();
   std::vector<std::string> write_returns();
   std::string moodle_table(const std::vector<platforms::GradeRow>& rows);
@@ -48,6 +51,7 @@ class Collector {
   std::vector<platforms::GradeRow> for_platforms_;
   platforms::ClassPage page_;
   int max_points_ = 0;
+  std::map<std::size_t, std::string> equals_;  // of submissions with equal files: whose
   std::vector<std::string> remarks_;
   std::chrono::steady_clock::time_point next_table_{};
 };

@@ -67,6 +67,7 @@ void hide_names(ClassPlan& plan, const std::string& out) {
     plan.real_names.push_back(by.name);
     by.name = all[i].first;
     by.problem = without_names(by.problem, by.folder);
+    by.note = without_names(by.note, by.folder);
   }
 }
 

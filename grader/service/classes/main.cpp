@@ -1,5 +1,6 @@
 // grade_class: grades every submission of a class, or does one step of that: plan, chunk, collect.
-// The exit status is 0 if every submission could be judged, else 2.
+// The exit status is 0 if every submission could be judged, and no file that may be work is
+// nobody's; else 2.
 #include "grader/report/status_line.h"
 #include "grader/service/classes/collect.h"
 #include "grader/service/classes/engine.h"
@@ -8,6 +9,7 @@
 #include "grader/service/classes/outcome_printer.h"
 #include "grader/service/classes/plan.h"
 #include "grader/service/intake/tree.h"
+#include "grader/service/judging/grade.h"
 #include "grader/service/platforms/worksheet.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
@@ -92,11 +94,16 @@ ClassPlan planned(ClassOptions& options, const build::Config& config,
       throw pt::Error("the reports in " + request.out +
                       " cannot be compared with themselves; write --out another folder");
     }
+    if (!fs::exists(request.former + "/plan.json")) {
+      throw pt::Error(request.former +
+                      " has no grading of a class; --compare takes the folder that --out named");
+    }
   }
   if (!request.worksheet.empty()) {
     request.worksheet = fs::absolute(request.worksheet);
     (void)platforms::read_worksheet(request.worksheet);  // checked before anything is judged
   }
+  judging::check_points(config);  // else everybody's report would say it
   pt::check_target(request.out + "/class.csv");
   ClassPlan plan =
       make_plan(config, programs_of(options), request, [&](std::size_t done, std::size_t all) {
@@ -162,7 +169,7 @@ int grade_all(ClassOptions options, const std::vector<std::string>& words) {
   const std::vector<std::string> files = collector.write();
   line.clear();
   print_files(collector, files);
-  return outcomes.all_judged() ? 0 : 2;
+  return outcomes.all_judged() && !plan.work_is_unclaimed ? 0 : 2;
 }
 
 int make_plan_only(ClassOptions options, const std::vector<std::string>& words) {

@@ -155,6 +155,7 @@ std::string run_grade(const Judging& judging, const intake::HandedIn& by, const 
                            [](const auto& word) { return word.starts_with("--threads"); })) {
     command.push_back("--threads=" + std::to_string(judging.threads));
   }
+  if (!by.note.empty()) command.push_back("--note=" + by.note);
   if (!judging.work.empty()) command.push_back("--work=" + judging.work);
   command.insert(command.end(), judging.words.begin(), judging.words.end());
   const auto run = [&] {

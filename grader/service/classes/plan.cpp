@@ -4,12 +4,13 @@
 #include "grader/base/json_text.h"
 #include "grader/base/sha256.h"
 #include "grader/service/classes/identity.h"
-#include "grader/service/classes/unpack_boxed.h"
+#include "grader/service/intake/unpack_boxed.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -104,6 +105,16 @@ std::vector<Chunk> chunks_of(const std::vector<Equal>& groups, std::size_t size)
   return chunks;
 }
 
+// Folders may have learners' names, so the plan of an anonymous class names links to them.
+void hide_folders(ClassPlan& plan, const fs::path& links) {
+  fs::create_directories(links);
+  for (intake::HandedIn& by : plan.everybody) {
+    if (by.folder.empty()) continue;
+    fs::create_directory_symlink(by.folder, links / by.name);
+    by.folder = links / by.name;
+  }
+}
+
 // A new folder for unpacking. The earlier plan's folder stays: another machine may still need it.
 std::string folder_to_unpack(const std::string& out) {
   const fs::path folder = out + "/unpacked";
@@ -135,18 +146,44 @@ std::string text_from(const json& from) {
 }
 
 json to_json(const intake::HandedIn& by) {
-  return {{"name", text_json(by.name)},        {"id", text_json(by.id)},
-          {"folder", text_json(by.folder)},    {"late", by.late},
-          {"problem", text_json(by.problem)},  {"platform", static_cast<int>(by.platform)},
-          {"feedback", text_json(by.feedback)}};
+  return {{"name", text_json(by.name)},         {"id", text_json(by.id)},
+          {"folder", text_json(by.folder)},     {"late", by.late},
+          {"problem", text_json(by.problem)},   {"platform", static_cast<int>(by.platform)},
+          {"feedback", text_json(by.feedback)}, {"note", text_json(by.note)}};
+}
+
+// The file, and the members of the plan in it, that tell who is who in an anonymous class.
+constexpr const char* kNames = "/plan.names";
+constexpr std::array kOfAll{"real_names", "former_names"};
+constexpr std::array kOfEach{"id", "feedback"};
+
+// Takes these members out of the plan.
+json taken_out(json& plan) {
+  json names{{"everybody", json::array()}};
+  const auto take = [](json& from, json& to, const char* key) {
+    to[key] = from.at(key);
+    from.erase(key);
+  };
+  for (const char* key : kOfAll) take(plan, names, key);
+  for (json& by : plan["everybody"]) {
+    json& each = names["everybody"].emplace_back(json::object());
+    for (const char* key : kOfEach) take(by, each, key);
+  }
+  return names;
+}
+
+void put_back(const json& names, json& plan) {
+  for (const char* key : kOfAll) plan[key] = names.at(key);
+  for (std::size_t i = 0; i < plan.at("everybody").size(); ++i)
+    plan["everybody"][i].update(names.at("everybody").at(i));
 }
 
 intake::HandedIn handed_in_from(const json& from) {
   return {
-      text_from(from.at("name")),    text_from(from.at("id")),
-      text_from(from.at("folder")),  from.at("late").get<bool>(),
-      text_from(from.at("problem")), static_cast<intake::Platform>(from.at("platform").get<int>()),
-      text_from(from.at("feedback"))};
+      text_from(from.at("name")),     text_from(from.at("id")),
+      text_from(from.at("folder")),   from.at("late").get<bool>(),
+      text_from(from.at("problem")),  static_cast<intake::Platform>(from.at("platform").get<int>()),
+      text_from(from.at("feedback")), text_from(from.at("note"))};
 }
 
 // Throws if the plan is invalid: another program may have written it.
@@ -199,16 +236,19 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   plan.worksheet = request.worksheet;
   std::vector<intake::TaskFile> tasks;
   for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
-  intake::HandedInByAll all =
-      intake::handed_in(request.input, folder_to_unpack(request.out), tasks,
-                        unpack_boxed(config, programs, request.must_isolate), progress);
+  const std::string unpacked = folder_to_unpack(request.out);
+  intake::HandedInByAll all = intake::handed_in(
+      request.input, unpacked, tasks,
+      intake::unpack_boxed(config.root, config.work, programs, request.must_isolate), progress);
   plan.everybody = std::move(all.everybody);
   plan.unclaimed = std::move(all.unclaimed);
+  plan.work_is_unclaimed = all.work_is_unclaimed;
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
   }
   if (request.anonymous) hide_names(plan, request.out);
   if (!plan.former.empty()) plan.former_names = former_names(plan);
+  if (request.anonymous) hide_folders(plan, fs::absolute(unpacked + "/links"));
   plan.chunks = chunks_of(groups_of(config, plan.everybody), request.chunk_size);
   return plan;
 }
@@ -230,6 +270,7 @@ void write_plan(const ClassPlan& plan, const std::string& out) {
   for (const intake::HandedIn& by : plan.everybody) all["everybody"].push_back(to_json(by));
   for (const std::string& name : plan.real_names) all["real_names"].push_back(text_json(name));
   for (const std::string& name : plan.former_names) all["former_names"].push_back(text_json(name));
+  if (!plan.salt.empty()) pt::write_file(out + kNames, taken_out(all).dump(1) + "\n");
   pt::write_file(out + "/plan.json", all.dump(1) + "\n");
 }
 
@@ -239,7 +280,9 @@ ClassPlan read_plan(const std::string& out) {
     throw pt::Error(out + " holds no plan; make one: ./run grade-class plan CLASS --out " + out);
   }
   try {
-    const json all = json::parse(pt::read_file(path));
+    json all = json::parse(pt::read_file(path));
+    if (!all.at("salt").get<std::string>().empty())
+      put_back(json::parse(pt::read_file(out + kNames)), all);
     ClassPlan plan;
     plan.input = text_from(all.at("input"));
     plan.words = all.at("words").get<std::vector<std::string>>();

@@ -32,7 +32,9 @@ struct ClassPlan {
   std::vector<std::string> real_names;      // of everybody, if the class is anonymous; else empty
   std::vector<std::string> former_names{};  // of everybody, in `former`; empty for newcomers
   std::vector<Chunk> chunks;                // of all submissions that can be judged
-  std::vector<std::string> unclaimed;  // files without an owner; not written to the plan's file
+  // Not written to the plan's file:
+  std::vector<std::string> unclaimed;  // files without an owner
+  bool work_is_unclaimed = false;      // some of them may be somebody's work
 };
 
 struct PlanRequest {
@@ -57,7 +59,8 @@ inline constexpr std::size_t kMaxChunks = 500;
 ClassPlan make_plan(const build::Config& config, const std::string& programs,
                     const PlanRequest& request, const intake::Progress& progress);
 
-// Both use <out>/plan.json. Reading throws pt::Error if the file is missing or not a plan.
+// Both use <out>/plan.json and, for an anonymous class, <out>/plan.names, which tells who is who.
+// Reading throws pt::Error if the file is missing or not a plan.
 void write_plan(const ClassPlan& plan, const std::string& out);
 ClassPlan read_plan(const std::string& out);
 

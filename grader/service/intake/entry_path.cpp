@@ -5,7 +5,6 @@
 #include "grader/service/intake/file_name.h"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
 namespace grader::intake {
@@ -33,12 +32,6 @@ std::vector<std::string> all_parts(std::string path) {
 }
 
 }  // namespace
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 std::vector<std::string> parts_before_hidden(const std::string& path) {
   if (leads_out(path)) return {};

@@ -21,6 +21,4 @@ std::size_t folders_around(const std::vector<std::vector<std::string>>& paths);
 // The first parts of a path, joined by /.
 std::string joined(const std::vector<std::string>& parts, std::size_t count);
 
-std::string lower_case(std::string text);
-
 }  // namespace grader::intake

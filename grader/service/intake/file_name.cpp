@@ -3,6 +3,8 @@
 #include "pt/printable.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <clocale>
 #include <cstdint>
 #include <cwctype>
@@ -33,6 +35,19 @@ bool is_mark(std::int32_t code) {
   };
   return within(0x300, 0x36f) || within(0x653, 0x655) || within(0x3099, 0x309a) ||
          within(0x1161, 0x1175) || within(0x11a8, 0x11c2);
+}
+
+constexpr std::array kArchives{".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",  ".txz",
+                               ".7z",  ".tar.bz2", ".tbz2",   ".rar", ".tar.zst", ".tzst"};
+constexpr std::array kOtherPacked{".gz",  ".zst", ".xz",  ".bz2", ".lz",  ".lzma", ".z",  ".br",
+                                  ".lz4", ".ace", ".arj", ".lzh", ".cab", ".dmg",  ".iso"};
+constexpr std::array kSources{".cpp", ".cpp.txt"};
+
+template <class Endings>
+bool has_ending(const std::string& name, const Endings& endings) {
+  const std::string small = lower_case(name);
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](const char* ending) { return small.ends_with(ending); });
 }
 
 std::string as_utf8(std::uint32_t code) {
@@ -73,6 +88,20 @@ std::string as_file_name(const std::string& name) {
   clean = cut_name(clean, kMaxName);
   return clean.empty() || clean[0] == '.' ? "_" + clean : clean;
 }
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool is_archive(const std::string& name) { return has_ending(name, kArchives); }
+
+bool is_packed(const std::string& name) {
+  return is_archive(name) || has_ending(name, kOtherPacked);
+}
+
+bool is_source(const std::string& name) { return has_ending(name, kSources); }
 
 std::string folded(const std::string& name) {
   static const locale_t letters = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);

@@ -16,6 +16,17 @@ std::string cut_name(const std::string& name, std::size_t most);
 // report: a name may have 255 bytes.
 std::string as_file_name(const std::string& name);
 
+std::string lower_case(std::string text);
+
+// Returns whether the name ends like an archive's: .zip, .tar.gz and so on.
+bool is_archive(const std::string& name);
+
+// Returns whether the name ends like that of any archive or packed file, supported or not.
+bool is_packed(const std::string& name);
+
+// Returns whether the name ends like a source file's: .cpp, .cpp.txt.
+bool is_source(const std::string& name);
+
 // Returns equal texts for names that differ only in upper and lower case (macOS, Windows).
 std::string folded(const std::string& name);
 

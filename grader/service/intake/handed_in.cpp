@@ -6,6 +6,7 @@
 #include "grader/service/intake/names_that_differ.h"
 #include "grader/service/intake/pieces.h"
 #include "grader/service/intake/prepare_submission.h"
+#include "grader/service/intake/unpack.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -47,12 +48,13 @@ std::string without_ending(const std::string& name) {
   return stem.ends_with(".tar") ? stem.substr(0, stem.size() - 4) : stem;
 }
 
-std::vector<std::string> files_of(const std::vector<fs::directory_entry>& entries) {
-  std::vector<std::string> names;
+Labels labels_of(const std::vector<fs::directory_entry>& entries) {
+  std::vector<std::string> files, folders;
   for (const fs::directory_entry& entry : entries) {
-    if (entry.is_regular_file()) names.push_back(entry.path().filename());
+    if (is_file(entry)) files.push_back(entry.path().filename());
+    if (is_folder(entry)) folders.push_back(entry.path().filename());
   }
-  return names;
+  return {files, folders};
 }
 
 class Intake {
@@ -71,7 +73,7 @@ class Intake {
     if (fs::exists(folder / kGradescopeList)) {
       add_gradescope(folder / kGradescopeList, entries);
     } else {
-      is_canvas_ = are_of_canvas(files_of(entries));
+      labels_ = labels_of(entries);
       add_all(entries);
     }
     if (result_.everybody.empty()) {
@@ -79,7 +81,7 @@ class Intake {
                       " has no submissions in it: there must be a folder or an archive for each");
     }
     name_hidden(folder);
-    result_.everybody = with_names_that_differ(std::move(result_.everybody));
+    result_.everybody = with_names_that_differ(with_ids_that_differ(std::move(result_.everybody)));
     return std::move(result_);
   }
 
@@ -103,14 +105,24 @@ class Intake {
       const std::vector<fs::directory_entry> entries = entries_of(folder);
       if (entries.size() != 1 || !is_folder(entries[0])) return folder;
       const fs::path& inner = entries[0].path();
+      if (labels_of(entries).of(inner.filename())) return folder;
       const bool is_class = holds_several(inner, tools_.tasks);
-      if (read_label(inner.filename()) || (is_submission(inner, tools_.tasks) && !is_class))
-        return folder;
+      if (is_submission(inner, tools_.tasks) && !is_class) return only_submission(folder, inner);
       const std::vector<fs::directory_entry> inside = entries_of(inner);
       if (inside.empty() || (inside.size() == 1 && !is_folder(inside[0]))) return folder;
       folder = inner;
     }
     return folder;
+  }
+
+  // A folder as Google Drive packs it has the files of all learners, without their names.
+  fs::path only_submission(const fs::path& folder, const fs::path& inner) const {
+    const std::string slug = numbered_twice(inner, tools_.tasks);
+    if (slug.empty()) return folder;
+    throw pt::Error(fmt::format(
+        "{} has several files that mean {}.cpp, and does not say whose they are; put the files of "
+        "each learner in a folder with the learner's name",
+        inner.filename().string(), slug));
   }
 
   // The reason why part of it could not be unpacked; empty if nothing is missing.
@@ -126,7 +138,7 @@ class Intake {
   void add_all(const std::vector<fs::directory_entry>& entries) {
     std::vector<fs::directory_entry> alone;
     for (const fs::directory_entry& entry : entries) {
-      const std::optional<Label> label = label_of(entry);
+      const std::optional<Label> label = labels_.of(entry.path().filename());
       if (label) add_piece({entry.path(), *label});
       if (!label) alone.push_back(entry);
     }
@@ -148,15 +160,6 @@ class Intake {
 
   void count() { progress_(++done_, all_); }
 
-  // The label of an entry; nothing if a learner can have only one such entry.
-  std::optional<Label> label_of(const fs::directory_entry& entry) const {
-    if (entry.is_symlink() || !(is_folder(entry) || is_file(entry))) return std::nullopt;
-    const std::optional<Label> label = read_label(entry.path().filename());
-    const bool is_known =
-        label && (label->platform != Platform::canvas || (is_canvas_ && is_file(entry)));
-    return is_known ? label : std::nullopt;
-  }
-
   void add(const fs::directory_entry& entry) {
     const std::string name = entry.path().filename();
     HandedIn by;
@@ -170,11 +173,16 @@ class Intake {
       add_prepared(by);
     } else if (is_file(entry) && (is_packed(name) || !by.problem.empty())) {
       by.name = is_packed(name) ? without_ending(name) : name;
-      if (by.problem.empty()) by = with(by, prepared_archive(by.name, entry.path()));
+      if (by.problem.empty()) by = with(by, prepare_submission(by.name, entry.path(), tools_));
       result_.everybody.push_back(by);
     } else {
-      result_.unclaimed.push_back(name);  // or a pipe or a device, which no platform exports
+      add_unclaimed(name);  // or a pipe or a device, which no platform exports
     }
+  }
+
+  void add_unclaimed(const std::string& name) {
+    result_.unclaimed.push_back(name);
+    result_.work_is_unclaimed = result_.work_is_unclaimed || is_source(name) || is_packed(name);
   }
 
   void add_prepared(const HandedIn& by) {
@@ -182,14 +190,8 @@ class Intake {
         by.problem.empty() ? with(by, prepare_submission(by.name, by.folder, tools_)) : by);
   }
 
-  Prepared prepared_archive(const std::string& name, const fs::path& file) const {
-    if (is_archive(file.filename())) return prepare_archive(name, file, tools_);
-    return {"", fmt::format("'{}' cannot be unpacked here; hand in a zip",
-                            as_file_name(file.filename()))};
-  }
-
   void add_piece(const Piece& piece) {
-    Pieces& pieces = pieces_[piece.label.key()];
+    Pieces& pieces = pieces_[piece.label.key];
     HandedIn& by = pieces.by;
     by.name = piece.label.name;
     by.id = piece.label.id;
@@ -232,7 +234,8 @@ class Intake {
       if (!base::is_hidden(name) || entry.is_symlink()) continue;
       const bool is_handed_in =
           is_folder(entry) ? is_submission(entry.path(), tools_.tasks) : is_archive(name);
-      if (is_handed_in) result_.unclaimed.push_back(name);
+      if (is_handed_in) add_unclaimed(name);
+      result_.work_is_unclaimed = result_.work_is_unclaimed || is_handed_in;
     }
     std::sort(result_.unclaimed.begin(), result_.unclaimed.end());
   }
@@ -247,7 +250,7 @@ class Intake {
   const Progress& progress_;
   std::size_t done_ = 0, all_ = 0;
   int folders_ = 0;
-  bool is_canvas_ = false;
+  Labels labels_;
   std::map<std::string, std::string> faults_;  // by path
   std::map<std::string, Pieces> pieces_;
   HandedInByAll result_;

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "grader/service/intake/owner.h"
-#include "grader/service/intake/tree.h"
-#include "grader/service/intake/unpack.h"
+#include "grader/service/intake/prepare_submission.h"
 
 #include <cstddef>
 #include <functional>
@@ -22,12 +21,8 @@ struct HandedIn {
   std::string problem;  // the reason why it cannot be judged, in one sentence; else empty
   Platform platform = Platform::none;
   std::string feedback{};  // the path under which the platform takes a page back; empty: none
+  std::string note{};      // which files count of those that differ, in one sentence; else empty
 };
-
-// Unpacks an archive to a new folder. Returns why that failed; else an empty text. Throws pt::Error
-// if the machine is at fault.
-using Unpack = std::function<std::string(const std::string& archive, const std::string& folder,
-                                         Extent extent)>;
 
 // Called when the number of submissions is known, and after each submission.
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
@@ -35,6 +30,7 @@ using Progress = std::function<void(std::size_t done, std::size_t all)>;
 struct HandedInByAll {
   std::vector<HandedIn> everybody;     // in alphabetical order
   std::vector<std::string> unclaimed;  // files without a known owner
+  bool work_is_unclaimed = false;      // some of them may be somebody's work
 };
 
 // Lists the submissions in a folder or an archive:
@@ -43,12 +39,13 @@ struct HandedInByAll {
 //   Gradescope  folders submission_123, and submission_metadata.yml with the names
 //   D2L         "12-34 - Ada Lovelace - Jan 15, 2027 1005 PM - hit_box.cpp"
 //   Blackboard  hw_ada_attempt_2027-01-15-22-05-00_hit_box.cpp
+//   Autolab     ada@school.edu_3_hit_box.cpp
 //   other       one folder or archive per submission
-// Leading folders that everything shares are skipped. Task files may be at any depth of a
-// submission; if there are none, an archive in it is unpacked. base::read_submitted finds them in
-// the resulting folder. Unpacked or copied files are put below `work`, from where files of an
-// earlier call are removed. A submission that is a link, cannot be read, or is ambiguous has a
-// problem. Throws pt::Error if there is no submission, or if the machine is at fault.
+// Leading folders that everything shares are skipped. prepare_submission finds the task files.
+// Unpacked or copied files are put below `work`, from where files of an earlier call are removed.
+// A submission that is a link, cannot be read, or is ambiguous has a problem, and so have two with
+// one ID: of them nobody knows whose is whose, so they lose the ID. Throws pt::Error if there is no
+// submission, or if the machine is at fault.
 HandedInByAll handed_in(
     const std::string& input, const std::string& work, const std::vector<TaskFile>& tasks,
     const Unpack& unpack, const Progress& progress = [](std::size_t, std::size_t) {});

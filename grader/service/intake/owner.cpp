@@ -1,115 +1,359 @@
 #include "grader/service/intake/owner.h"
 
 #include <algorithm>
-#include <ctime>
-#include <map>
-#include <regex>
+#include <array>
+#include <cctype>
+#include <functional>
+#include <limits>
 #include <set>
+#include <string_view>
+
+#include <fmt/format.h>
 
 namespace grader::intake {
 
 namespace {
 
-// Numbers of any length as texts that compare like the numbers.
-std::string padded(const std::string& digits) {
-  constexpr std::size_t kDigits = 24;
-  return std::string(kDigits - std::min(kDigits, digits.size()), '0') + digits;
+using Found = std::optional<Label>;
+constexpr std::size_t kMaxDigits = 20;
+
+// The digits at a place of a text; empty if there are none, or too many for a number.
+std::string digits_at(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(std::min(at, text.size()));
+  const std::size_t end = std::min(rest.find_first_not_of("0123456789"), rest.size());
+  return end > kMaxDigits ? "" : std::string(rest.substr(0, end));
 }
 
-// "Jan 15, 2027 1005 PM" as a text that compares like the time; empty if it is not a time.
-std::string time_order(const std::string& text) {
-  std::tm time{};
-  const char* end = strptime(text.c_str(), "%b %d, %Y %I%M %p", &time);
-  char order[32] = "";
-  if (end != nullptr) std::strftime(order, sizeof order, "%Y%m%d%H%M", &time);
+// Numbers of any length as texts that compare like the numbers.
+std::string padded(const std::string& digits) {
+  return std::string(kMaxDigits - std::min(kMaxDigits, digits.size()), '0') + digits;
+}
+
+// Canvas (lib/content_zipper.rb): NAME_[LATE_]ID_NUMBER_FILE, where the first `_` after the name is
+// at `at`; or NAME_[LATE_]ID_text.html for text that was typed.
+Found canvas_at(const std::string& name, std::size_t at) {
+  Label label;
+  label.platform = Platform::canvas;
+  label.name = name.substr(0, at++);
+  label.late = name.compare(at, 5, "LATE_") == 0;
+  if (label.late) at += 5;
+  label.id = digits_at(name, at);
+  at += label.id.size() + 1;
+  if (label.name.empty() || label.id.empty() || at >= name.size() || name[at - 1] != '_') return {};
+  label.key = label.name + '\n' + label.id;
+  label.file = name.substr(at);
+  label.text = label.file == "text.html" || label.file == "link.html";
+  if (label.text) return label;
+  const std::string number = digits_at(name, at);
+  at += number.size() + 1;
+  if (number.empty() || at >= name.size() || name[at - 1] != '_') return {};
+  label.order = padded(number);
+  label.file = name.substr(at);
+  return label;
+}
+
+// With anonymous grading: [LATE_]anon_aB3xz_[LATE_]NUMBER_FILE.
+Found anonymous(const std::string& name) {
+  constexpr std::size_t kSize = 10;
+  const std::size_t begin = name.starts_with("LATE_") ? 5 : 0;
+  const std::string id = name.substr(begin, kSize);
+  const bool is_id =
+      id.size() == kSize && id.starts_with("anon_") &&
+      std::all_of(id.begin() + 5, id.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
+  // Without a name and an ID, the rest is as usual.
+  const std::string rest = is_id ? name.substr(begin + kSize) : "";
+  const bool late = rest.starts_with("_LATE_");
+  Found label =
+      rest.starts_with("_") ? canvas_at("anon_0" + rest.substr(late ? 5 : 0), 4) : Found();
+  if (!label) return label;
+  label->name = label->id = label->key = id;
+  label->late = late || begin > 0;
+  return label;
+}
+
+double number(const std::string& digits) { return std::stod(digits); }
+
+// A name may end in a number: team_7_123_900_work.zip is work.zip of team_7 with the ID 123, and
+// ada_123_900_1_rays.zip is 1_rays.zip of ada. Canvas has far more files than users, so the number
+// of a file is larger than an ID, and mostly larger than what a learner's own name for it begins
+// with. `least` is the smallest number of a file that is known for certain.
+Found canvas_among(const std::string& name, double least) {
+  if (Found label = anonymous(name)) return label;
+  for (std::size_t at = name.find('_'); at != name.npos; at = name.find('_', at + 1)) {
+    const Found first = canvas_at(name, at);
+    if (!first) continue;
+    const Found second = first->late ? Found() : canvas_at(name, at + 1 + first->id.size());
+    const bool is_second = second && number(second->id) < least / 2 &&
+                           (second->text || number(second->order) > number(second->id));
+    Found label = is_second ? second : first;
+    label->certain = !second;
+    return label;
+  }
+  return {};
+}
+
+Found canvas(const std::string& name) {
+  return canvas_among(name, std::numeric_limits<double>::infinity());
+}
+
+// Moodle (mod/assign/classes/downloader.php): NAME_NUMBER_assignsubmission_file[_FILE]. Moodle
+// writes a blank for `_` in a name. The number is the participant's, or that of a group; learners
+// without a group have none.
+Found moodle(const std::string& name) {
+  constexpr std::string_view kWords = "_assignsubmission_";
+  const std::size_t at = name.find(kWords);
+  if (at == name.npos) return {};
+  Label label;
+  label.platform = Platform::moodle;
+  label.name = label.key = name.substr(0, at);
+  const std::size_t last = label.name.rfind('_');
+  if (last != label.name.npos && last + 1 < at) {
+    label.id = digits_at(label.name, last + 1);
+    if (last + 1 + label.id.size() != at) label.id.clear();
+    if (!label.id.empty()) label.name.resize(last);
+  }
+  const std::string rest = name.substr(at + kWords.size());
+  for (const std::string_view type : {"file", "onlinetext"}) {
+    if (!rest.starts_with(type) || (rest.size() > type.size() && rest[type.size()] != '_'))
+      continue;
+    label.text = type != "file";
+    label.file = rest.substr(std::min(rest.size(), type.size() + 1));
+    return label.name.empty() ? Found() : label;
+  }
+  return {};
+}
+
+struct Words {
+  std::vector<std::string> numbers, words;
+};
+
+Words words_of(const std::string& text) {
+  Words all;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto is = [&](unsigned char c) {
+      return std::isdigit(c) != 0 ? 1 : std::isalpha(c) != 0 || c >= 0x80 ? 2 : 0;
+    };
+    const int kind = is(static_cast<unsigned char>(text[i]));
+    std::string word;
+    for (; i < text.size() && is(static_cast<unsigned char>(text[i])) == kind; ++i) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
+    }
+    if (kind == 1) all.numbers.push_back(word);
+    if (kind == 2) all.words.push_back(word);
+  }
+  return all;
+}
+
+// A date of D2L, in the form that the course has chosen, without its colon: "Jan 15, 2027 1005 PM",
+// "15 January, 2027 2205", "2027-01-15 22 05". `order` compares like the time; it is empty if the
+// month is in another language.
+struct Date {
+  bool is_date = false;
+  std::string order;
+};
+
+Date date_of(const std::string& text) {
+  Words all = words_of(text);
+  std::vector<std::string>& numbers = all.numbers;
+  const auto year = std::ranges::find_if(numbers, [](const std::string& number) {
+    return number.size() == 4 && (number.starts_with("19") || number.starts_with("20"));
+  });
+  if (year == numbers.end() || numbers.size() < 3 || numbers.size() > 5) return {};
+  constexpr std::array kMonths{"jan", "feb", "mar", "apr", "may", "jun",
+                               "jul", "aug", "sep", "oct", "nov", "dec"};
+  const std::string first_number = *year;
+  const bool year_first = year == numbers.begin();
+  numbers.erase(year);
+  int month = 0;
+  for (const std::string& word : all.words) {
+    for (std::size_t i = 0; i < kMonths.size(); ++i) {
+      if (word.starts_with(kMonths[i])) month = static_cast<int>(i) + 1;
+    }
+  }
+  if (month == 0 && numbers.size() > 2 && numbers[0].size() <= 2 && numbers[1].size() <= 2) {
+    // Where the year is not the first, the day may be.
+    if (year_first) month = std::stoi(numbers[0]);
+    numbers.erase(numbers.begin());
+  }
+  if (numbers[0].size() > 2) return {};
+  // The rest is the time: 1005, or 10 and 05.
+  std::string time;
+  for (std::size_t i = 1; i < numbers.size(); ++i) time += numbers[i];
+  if (time.size() < 3 || time.size() > 4) return {};
+  if (month == 0) return {true, ""};
+  int hour = std::stoi(time.substr(0, time.size() - 2));
+  std::string half;  // "pm", also for p.m.
+  for (const std::string& word : all.words) half = half.size() == 1 ? half + word : word;
+  if (half == "am" || half == "pm") hour = hour % 12 + (half == "pm" ? 12 : 0);
+  return {true, fmt::format("{}{:02}{:0>2}{:02}{}", first_number, month, numbers[0], hour,
+                            time.substr(time.size() - 2))};
+}
+
+// D2L: "12-34 - Ada Lovelace - Jan 15, 2027 1005 PM[ - FILE]".
+Found d2l(const std::string& name) {
+  constexpr std::string_view kBetween = " - ";
+  const std::size_t id_end = name.find(kBetween);
+  if (id_end == name.npos) return {};
+  Label label;
+  label.id = name.substr(0, id_end);
+  const std::string user = digits_at(name, 0);
+  const std::string unit = digits_at(name, user.size() + 1);
+  if (user.empty() || unit.empty() || label.id != user + '-' + unit) return {};
+  std::size_t begin = name.find(kBetween, id_end + kBetween.size());
+  while (begin != name.npos) {
+    const std::size_t at = begin + kBetween.size();
+    const std::size_t end = std::min(name.find(kBetween, at), name.size());
+    label.dated = name.substr(at, end - at);
+    const Date date = date_of(label.dated);
+    if (date.is_date) {
+      const std::size_t from = id_end + kBetween.size();
+      label.name = name.substr(from, begin - from);
+      label.key = label.name + '\n' + label.id;
+      label.attempt = date.order;
+      label.file = name.substr(std::min(name.size(), end + kBetween.size()));
+      return label;
+    }
+    begin = end == name.size() ? name.npos : end;
+  }
+  return {};
+}
+
+bool is_blackboards_date(std::string_view text) {
+  constexpr std::string_view kForm = "0000-00-00-00-00-00";
+  return text.size() == kForm.size() &&
+         std::equal(text.begin(), text.end(), kForm.begin(), [](char c, char form) {
+           return form == '0' ? std::isdigit(static_cast<unsigned char>(c)) != 0 : c == form;
+         });
+}
+
+// Blackboard: ASSIGNMENT_USER_attempt_2027-01-15-22-05-00_FILE, or .txt for what was typed. Both
+// names may contain `_`. The label's name is both.
+Found blackboard(const std::string& name) {
+  constexpr std::string_view kWords = "_attempt_";
+  constexpr std::size_t kDate = 19;
+  std::size_t at = name.find(kWords);
+  while (at != name.npos &&
+         !is_blackboards_date(std::string_view(name).substr(at + kWords.size(), kDate)))
+    at = name.find(kWords, at + 1);
+  if (at == name.npos) return {};
+  Label label;
+  label.name = label.key = name.substr(0, at);
+  label.attempt = name.substr(at + kWords.size(), kDate);
+  const std::string rest = name.substr(at + kWords.size() + kDate);
+  label.text = rest == ".txt";
+  if (!label.text && (rest.size() < 2 || rest[0] != '_')) return {};
+  label.file = label.text ? "attempt.txt" : rest.substr(1);
+  return label.name.find('_') == label.name.npos ? Found() : label;
+}
+
+// Autolab: ada@school.edu_3_FILE, with the number of the attempt.
+Found autolab(const std::string& name) {
+  const std::size_t sign = name.find('@');
+  if (sign == name.npos || sign == 0) return {};
+  const std::size_t end = name.find('_', sign);
+  if (end == name.npos || name.substr(sign, end - sign).find('.') == name.npos) return {};
+  Label label;
+  label.name = label.id = label.key = name.substr(0, end);
+  const std::string number = digits_at(name, end + 1);
+  const std::size_t at = end + 1 + number.size() + 1;
+  if (number.empty() || at >= name.size() || name[at - 1] != '_' ||
+      label.name.find(' ') != name.npos)
+    return {};
+  label.attempt = padded(number);
+  label.file = name.substr(at);
+  return label;
+}
+
+// The last form has no words of its own, so it comes last where several fit all names.
+constexpr std::array kForms{moodle, d2l, blackboard, autolab, canvas};
+constexpr std::size_t kBlackboard = 2, kCanvas = 4;
+
+using Forms = std::array<Found, kForms.size()>;  // one name, as each platform would read it
+
+// Reads uncertain names of Canvas again, now that the numbers of the others' files are known.
+void read_again(std::map<std::string, Forms>& all) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [name, forms] : all) {
+    const Found& label = forms[kCanvas];
+    if (label && label->certain && !label->text) least = std::min(least, number(label->order));
+  }
+  for (auto& [name, forms] : all) {
+    Found& label = forms[kCanvas];
+    if (label && !label->certain) label = canvas_among(name, least);
+  }
+}
+
+// An export of Canvas has one number per file and one name per ID. Other files may have names of
+// the same form.
+bool is_consistent(const std::map<std::string, Forms>& all) {
+  std::set<std::string> numbers;
+  std::map<std::string, std::string> learners;
+  const auto fits = [&](bool certain) {
+    return std::ranges::all_of(all, [&](const auto& each) {
+      const Found& label = each.second[kCanvas];
+      if (!label || label->certain != certain) return true;
+      return (label->text || numbers.insert(label->order).second) &&
+             learners.try_emplace(label->id, label->name).first->second == label->name;
+    });
+  };
+  // A learner can only make the reading of a name uncertain.
+  return fits(true) && (!learners.empty() || fits(false));
+}
+
+// The forms, the one that most names have first.
+std::vector<std::size_t> by_number(const std::map<std::string, Forms>& all) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < kForms.size(); ++i) order.push_back(i);
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) {
+    return std::ranges::count_if(all, [&](const auto& each) { return each.second[i].has_value(); });
+  });
   return order;
 }
 
-std::optional<Label> canvas_label(const std::string& name) {
-  static const std::regex named(R"((.+?)_(LATE_)?(\d{1,20})_(\d{1,20})_(.+))");
-  static const std::regex anonymous(R"((LATE_)?(anon_[A-Za-z0-9]{5})_(LATE_)?(\d{1,20})_(.+))");
-  static const std::regex typed(R"((.+?)_(LATE_)?(\d{1,20})_((?:text|link)\.html))");
-  std::smatch found;
-  Label label;
-  const auto take = [&](std::size_t name_at, std::size_t id_at, bool late) {
-    label.platform = Platform::canvas;
-    label.name = found[name_at];
-    label.id = found[id_at];
-    label.late = late;
-    label.file = found[found.size() - 1];
-  };
-  if (std::regex_match(name, found, anonymous)) {
-    take(2, 2, found[1].matched || found[3].matched);
-  } else if (std::regex_match(name, found, named)) {
-    take(1, 3, found[2].matched);
-  } else if (std::regex_match(name, found, typed)) {
-    take(1, 3, found[2].matched);
-    label.text = true;
-  } else {
-    return std::nullopt;
+// The assignment's name is the beginning that all have in common.
+void split_names_of_blackboard(const std::vector<Label*>& labels) {
+  std::string common = labels.empty() ? "" : labels[0]->name;
+  for (const Label* label : labels) {
+    const auto differs = std::ranges::mismatch(common, label->name).in1;
+    common.erase(differs, common.end());
   }
-  if (!label.text) label.order = padded(found[4]);
-  return label;
-}
-
-std::optional<Label> moodle_label(const std::string& name) {
-  static const std::regex moodle(R"((.+)_(\d{1,20})_assignsubmission_(file|onlinetext)_?(.*))");
-  std::smatch found;
-  if (!std::regex_match(name, found, moodle)) return std::nullopt;
-  Label label;
-  label.platform = Platform::moodle;
-  label.name = found[1];
-  label.id = found[2];
-  label.text = found[3] == "onlinetext";
-  label.file = found[4];
-  return label;
-}
-
-std::optional<Label> dated_label(const std::string& name) {
-  static const std::regex d2l(
-      R"((\d+-\d+) - (.+?) - ([A-Z][a-z]{2,8} \d{1,2}, \d{4} \d{3,4} [AP]M)(?: - (.+))?)");
-  static const std::regex blackboard(R"(.+_([^_]+)_attempt_(\d{4}(?:-\d\d){5})(?:_(.+)|\.txt))");
-  std::smatch found;
-  Label label;
-  if (std::regex_match(name, found, d2l)) {
-    label.id = found[1];
-    label.name = found[2];
-    label.order = time_order(found[3]);
-    label.file = found[4];
-  } else if (std::regex_match(name, found, blackboard)) {
-    label.name = found[1];
-    label.order = found[2];
-    label.text = !found[3].matched;
-    label.file = label.text ? "attempt.txt" : found[3].str();
-  } else {
-    return std::nullopt;
+  const std::size_t end = common.rfind('_');
+  for (Label* label : labels) {
+    if (end != common.npos && end + 1 < label->name.size()) label->name.erase(0, end + 1);
   }
-  return label;
 }
 
 }  // namespace
 
-std::optional<Label> read_label(const std::string& name) {
-  const auto holds = [&](const char* words) { return name.find(words) != name.npos; };
-  std::optional<Label> label;  // computed once: regular expressions are slow
-  if (holds("_assignsubmission_")) label = moodle_label(name);
-  if (!label && (holds(" - ") || holds("_attempt_"))) label = dated_label(name);
-  if (!label) label = canvas_label(name);
-  if (label)
-    label->before = name.substr(0, name.size() - std::min(name.size(), label->file.size()));
-  return label;
+Labels::Labels(const std::vector<std::string>& files, const std::vector<std::string>& folders) {
+  std::map<std::string, Forms> all;
+  for (const std::vector<std::string>* names : {&files, &folders}) {
+    for (const std::string& name : *names) {
+      const auto [entry, is_new] = all.try_emplace(name);
+      const std::size_t forms = names == &files ? kForms.size() : kCanvas;  // Canvas has no folders
+      for (std::size_t i = 0; is_new && i < forms; ++i) entry->second[i] = kForms[i](name);
+    }
+  }
+  read_again(all);
+  if (!is_consistent(all)) {
+    for (auto& [name, forms] : all) forms[kCanvas].reset();
+  }
+  const std::vector<std::size_t> order = by_number(all);
+  std::vector<Label*> of_blackboard;
+  for (auto& [name, forms] : all) {
+    const auto form =
+        std::ranges::find_if(order, [&](std::size_t i) { return forms[i].has_value(); });
+    if (form == order.end()) continue;
+    Label& label = labels_[name] = *forms[*form];
+    label.before = name.substr(0, name.size() - std::min(name.size(), label.file.size()));
+    if (*form == kBlackboard) of_blackboard.push_back(&label);
+  }
+  split_names_of_blackboard(of_blackboard);
 }
 
-bool are_of_canvas(const std::vector<std::string>& names) {
-  std::set<std::string> numbers;
-  std::map<std::string, std::string> learners;
-  for (const std::string& name : names) {
-    const std::optional<Label> label = read_label(name);
-    if (!label || label->platform != Platform::canvas) continue;
-    if (!label->text && !numbers.insert(label->order).second) return false;
-    if (learners.try_emplace(label->id, label->name).first->second != label->name) return false;
-  }
-  return !numbers.empty();
+std::optional<Label> Labels::of(const std::string& name) const {
+  const auto found = labels_.find(name);
+  return found == labels_.end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace grader::intake

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,22 +13,30 @@ enum class Platform { none, canvas, moodle, gradescope };
 struct Label {
   Platform platform = Platform::none;
   std::string name, id;  // of the learner; the ID may be empty
+  std::string key;       // the same for all files of one learner, and for no other learner's
   std::string file;      // with the learner's name for it; empty: it is a folder
   std::string before;    // the text before that
-  std::string order;     // of equal names, the largest order counts
+  std::string attempt;   // of several attempts, the largest text is the last; empty: not known
+  std::string dated;     // the date of the attempt as it is written
+  std::string order;     // of equal names in one attempt, the largest order counts
   bool late = false;
-  bool text = false;  // typed into a form, not uploaded
-
-  // A text that is the same for all files of one learner.
-  std::string key() const { return name + '\n' + id; }
+  bool text = false;    // typed into a form, not uploaded
+  bool certain = true;  // the name cannot be read in another way
 };
 
-// Reads names as Canvas, Moodle, D2L and Blackboard write them; nothing for other names. For D2L
-// and Blackboard only names are supported: their platform is `none`.
-std::optional<Label> read_label(const std::string& name);
+// The labels of all files and folders of an export. The form of a name is decided for the class as
+// a whole, by the form that most names have: a learner chooses only the end of a name, and may
+// choose it so that it looks like the name of another learner's file on another platform.
+class Labels {
+ public:
+  Labels() = default;
+  Labels(const std::vector<std::string>& files, const std::vector<std::string>& folders);
 
-// Returns whether files with these names are an export of Canvas. Other files may have names of the
-// same form, but an export has one number per file and one ID per learner.
-bool are_of_canvas(const std::vector<std::string>& names);
+  // Nothing: no platform names its files so.
+  std::optional<Label> of(const std::string& name) const;
+
+ private:
+  std::map<std::string, Label> labels_;
+};
 
 }  // namespace grader::intake

@@ -1,7 +1,6 @@
 #include "grader/service/intake/owners.h"
 
 #include "grader/service/intake/entry_path.h"
-#include "grader/service/intake/owner.h"
 
 #include <algorithm>
 #include <map>
@@ -30,24 +29,18 @@ struct Begun {
 }  // namespace
 
 Owners::Owners(const std::vector<Place>& paths) : depth_(folders_around(paths)) {
-  std::vector<std::string> files;
+  std::vector<std::string> files, folders;
   for (const Place& path : paths) {
-    if (path.size() == depth_ + 1) files.push_back(path.back());
+    if (path.size() > depth_) (path.size() == depth_ + 1 ? files : folders).push_back(path[depth_]);
   }
-  std::sort(files.begin(), files.end());
-  files.erase(std::unique(files.begin(), files.end()), files.end());
-  is_canvas_ = are_of_canvas(files);
+  labels_ = Labels(files, folders);
   in_doubt_ = may_be_two(paths);
 }
 
 std::string Owners::key(const Place& place) const {
   const std::string& part = place[std::min(depth_, place.size() - 1)];
-  return is_labelled(part) ? read_label(part)->key() : part;
-}
-
-bool Owners::is_labelled(const std::string& part) const {
-  const std::optional<Label> label = read_label(part);
-  return label && (label->platform != Platform::canvas || is_canvas_);
+  const std::optional<Label> label = labels_.of(part);
+  return label ? label->key : part;
 }
 
 std::vector<Place> Owners::may_be_two(const std::vector<Place>& paths) const {
@@ -56,7 +49,7 @@ std::vector<Place> Owners::may_be_two(const std::vector<Place>& paths) const {
   for (const Place& path : paths) {
     const std::size_t count = std::min(depth_ + 1, path.size());
     const Place place(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count));
-    if (!is_ascii(place.back()) && !is_labelled(place.back())) {
+    if (!is_ascii(place.back()) && !labels_.of(place.back())) {
       Begun& begun = all[place];
       if (path.size() == count) {
         ++begun.files;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grader/service/intake/owner.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -30,12 +32,11 @@ class Owners {
   const std::vector<std::vector<std::string>>& in_doubt() const { return in_doubt_; }
 
  private:
-  bool is_labelled(const std::string& part) const;
   std::vector<std::vector<std::string>> may_be_two(
       const std::vector<std::vector<std::string>>& paths) const;
 
   std::size_t depth_ = 0;
-  bool is_canvas_ = false;
+  Labels labels_;
   std::vector<std::vector<std::string>> in_doubt_;
 };
 

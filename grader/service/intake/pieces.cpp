@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace grader::intake {
 
 namespace fs = std::filesystem;
@@ -25,32 +27,69 @@ std::pair<std::string, int> resubmission(const std::string& name,
   return {found[1].str() + found[3].str(), std::stoi(found[2])};
 }
 
-// A new folder for the files that count.
-fs::path copied(const std::vector<Piece>& all, const IntakeTools& tools) {
+// The folder of one attempt: its last folder if it has any, else a copy of its files.
+Prepared folder_of(const std::vector<const Piece*>& attempt, const IntakeTools& tools) {
   std::map<std::string, std::pair<int, const Piece*>> counts;
-  for (const Piece& piece : all) {
-    const auto [name, number] = resubmission(piece.label.file, tools.tasks);
+  Prepared result;
+  for (const Piece* piece : attempt) {
+    if (piece->label.file.empty() && fs::is_directory(piece->path)) result.folder = piece->path;
+    const auto [name, number] = resubmission(piece->label.file, tools.tasks);
     auto& [newest, one] = counts[name];
-    if (one == nullptr || number >= newest) std::tie(newest, one) = std::pair(number, &piece);
+    const Piece* former = one;
+    if (one == nullptr || number >= newest) std::tie(newest, one) = std::pair(number, piece);
+    if (former != nullptr && !are_equal(former->path, piece->path)) {
+      result.note = fmt::format("'{}' counts, and not '{}', which differs",
+                                as_file_name(one->path.filename()),
+                                as_file_name((one == piece ? former : piece)->path.filename()));
+    }
   }
-  fs::path folder = tools.next_folder();
-  fs::create_directories(folder);
+  if (!result.folder.empty()) return result;
+  result.folder = tools.next_folder();
+  fs::create_directories(result.folder);
   constexpr auto kAll = fs::copy_options::recursive | fs::copy_options::skip_existing |
                         fs::copy_options::copy_symlinks;
-  for (const auto& [name, one] : counts) {
-    fs::copy(one.second->path, folder / as_file_name(name), kAll);
+  for (const auto& [name, numbered] : counts) {
+    fs::copy(numbered.second->path, fs::path(result.folder) / as_file_name(name), kAll);
   }
-  return folder;
+  return result;
 }
 
-// The last folder, if there is any.
-fs::path last_folder(const std::vector<Piece>& all) {
-  const auto last = std::find_if(all.rbegin(), all.rend(),
-                                 [](const Piece& each) { return each.label.file.empty(); });
-  return last != all.rend() && fs::is_directory(last->path) ? last->path : fs::path();
+// The date of an attempt may be in a language that read_label does not know.
+bool dates_are_unknown(const std::vector<Piece>& all) {
+  const auto other = [&](const Piece& piece) { return piece.label.dated != all[0].label.dated; };
+  return all[0].label.attempt.empty() && std::any_of(all.begin(), all.end(), other);
+}
+
+Prepared prepared(const std::string& name, const std::vector<Piece>& all,
+                  const IntakeTools& tools) {
+  if (dates_are_unknown(all))
+    return {"", fmt::format(
+                    "it has several attempts, and their dates cannot be read ('{}'); keep the last",
+                    as_file_name(all[0].label.dated))};
+  std::map<std::string, std::vector<const Piece*>> attempts;
+  for (const Piece& piece : all) attempts[piece.label.attempt].push_back(&piece);
+  std::vector<fs::path> folders;
+  std::string note;
+  for (const auto& [attempt, pieces] : attempts) {
+    Prepared one = read_handed_in(name, "", [&] { return folder_of(pieces, tools); });
+    if (!one.problem.empty()) return one;
+    folders.emplace_back(one.folder);
+    note = one.note;
+  }
+  Prepared result = folders.size() == 1 ? prepare_submission(name, folders[0], tools)
+                                        : prepare_attempts(name, folders, tools);
+  result.note += (note.empty() || result.note.empty() ? "" : "; ") + note;
+  return result;
 }
 
 }  // namespace
+
+HandedIn with(HandedIn by, const Prepared& prepared) {
+  by.folder = prepared.folder;
+  by.problem = prepared.problem;
+  by.note = prepared.note;
+  return by;
+}
 
 HandedIn one_submission(Pieces pieces, const IntakeTools& tools) {
   HandedIn& by = pieces.by;
@@ -58,19 +97,15 @@ HandedIn one_submission(Pieces pieces, const IntakeTools& tools) {
   // Text from a form is a submission only if there is nothing else.
   const auto is_text = [](const Piece& each) { return each.label.text; };
   if (!std::all_of(all.begin(), all.end(), is_text)) std::erase_if(all, is_text);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Piece& a, const Piece& b) { return a.label.order < b.label.order; });
+  std::stable_sort(all.begin(), all.end(), [](const Piece& a, const Piece& b) {
+    return std::tie(a.label.attempt, a.label.order) < std::tie(b.label.attempt, b.label.order);
+  });
   const Label& last = all.back().label;
   if (by.platform != Platform::none) {
     // The platforms identify a file by the text before the learner's own name for it.
     by.feedback = last.before + (last.file.empty() ? "/report.html" : "report.html");
   }
-  if (!by.problem.empty()) return by;
-  by.folder = last_folder(all);
-  if (by.folder.empty()) {
-    by = with(by, read_handed_in(by.name, "", [&] { return Prepared{copied(all, tools), ""}; }));
-  }
-  return by.problem.empty() ? with(by, prepare_submission(by.name, by.folder, tools)) : by;
+  return by.problem.empty() ? with(by, prepared(by.name, all, tools)) : by;
 }
 
 }  // namespace grader::intake

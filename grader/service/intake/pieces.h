@@ -19,7 +19,10 @@ struct Pieces {
   std::vector<Piece> all;
 };
 
-// Makes one submission: the last folder, or a new one with the last version of each file.
+// Returns a submission with this folder, problem and note.
+HandedIn with(HandedIn by, const Prepared& prepared);
+
+// Makes one submission: the last version of each file of all attempts.
 HandedIn one_submission(Pieces pieces, const IntakeTools& tools);
 
 }  // namespace grader::intake

@@ -1,6 +1,5 @@
 #include "grader/service/intake/prepare_submission.h"
 
-#include "grader/base/descriptor.h"
 #include "grader/base/files.h"
 #include "grader/service/intake/file_name.h"
 #include "pt/error.h"
@@ -8,10 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace grader::intake {
 
@@ -51,67 +51,149 @@ std::string nothing_found(const Tree& tree, const std::vector<TaskFile>& tasks) 
                      more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
-// Copies the task files to the names that the judge reads.
-Prepared copy_tasks(const Tree& tree, const IntakeTools& tools) {
+// The task files of a submission, not yet copied.
+struct Work {
+  fs::path folder;                        // in which the judge finds them all; empty: in none
+  std::map<std::string, fs::path> files;  // by task
+  std::string problem;
+  bool nothing = false;
+  std::vector<std::string> notes{};
+  bool is_flat = false;  // without folders for the parts, as files of platforms are
+};
+
+// Copies the task files to names that the judge reads.
+Prepared copy_tasks(const Work& work, const IntakeTools& tools) {
   const fs::path to = tools.next_folder();
   for (const TaskFile& task : tools.tasks) {
-    const auto file = tree.files.find(task.slug);
-    if (file == tree.files.end()) continue;
+    const auto file = work.files.find(task.slug);
+    if (file == work.files.end()) continue;
     const fs::path& from = file->second;
-    const base::Descriptor folder(
-        open(from.parent_path().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-    const base::Submitted read =
-        base::read_plain_file(folder.number(), from.filename(), base::kMaxFile);
+    const base::Submitted read = read_file(from);
     if (!read.present || !read.rejected.empty()) {
       return {to, fmt::format("'{}': {}", as_file_name(from.filename()),
                               read.present ? read.rejected : "it cannot be read")};
     }
-    fs::create_directories(to / task.part);
-    pt::write_file(to / task.part / (task.slug + ".cpp"), read.text);
+    const fs::path folder = work.is_flat ? to : to / task.part;
+    fs::create_directories(folder);
+    pt::write_file(folder / (task.slug + ".cpp"), read.text);
   }
   return {to, ""};
 }
 
-Prepared settle_at(const fs::path& folder, const IntakeTools& tools, int depth);
+std::string sentence(const std::vector<std::string>& notes) {
+  constexpr std::size_t kMaxNotes = 3;
+  const auto first = notes.begin() + static_cast<std::ptrdiff_t>(std::min(notes.size(), kMaxNotes));
+  const std::string more =
+      notes.size() > kMaxNotes ? fmt::format("; and {} more", notes.size() - kMaxNotes) : "";
+  return fmt::format("{}{}", fmt::join(notes.begin(), first, "; "), more);
+}
 
-Prepared unpack_at(const fs::path& archive, const IntakeTools& tools, int depth) {
+Prepared prepared(const Work& work, const IntakeTools& tools) {
+  if (!work.problem.empty()) return {work.folder, work.problem, "", work.nothing};
+  Prepared result = work.folder.empty() ? copy_tasks(work, tools) : Prepared{work.folder, ""};
+  result.note = sentence(work.notes);
+  return result;
+}
+
+Work settle(const fs::path& folder, const IntakeTools& tools, int depth);
+
+Work unpack_at(const fs::path& archive, const IntakeTools& tools, int depth) {
+  if (depth > kMaxInside)
+    return {"", {}, fmt::format("it has archives in archives, more than {} deep", kMaxInside)};
+  if (!is_archive(archive.filename())) {
+    return {"",
+            {},
+            fmt::format("'{}' cannot be unpacked here; hand in a zip",
+                        as_file_name(archive.filename()))};
+  }
   const fs::path folder = tools.next_folder();
   const std::string problem = tools.unpack(archive, folder, Extent::one);
-  if (problem.empty()) return settle_at(folder, tools, depth + 1);
+  if (problem.empty()) return settle(folder, tools, depth + 1);
   fs::remove_all(folder);  // it may be incomplete
-  return {folder, problem};
+  return {folder, {}, problem};
 }
 
-// Prepares a folder without a task file, which may contain one archive.
-Prepared settle_archive(const fs::path& folder, const Tree& tree, const IntakeTools& tools,
-                        int depth) {
-  if (tree.archives.size() > 1) {
-    return {folder, fmt::format("it holds {} archives, '{}' and '{}' among them; keep one",
-                                tree.archives.size(), as_file_name(tree.archives[0].filename()),
-                                as_file_name(tree.archives[1].filename()))};
+// Adds the files of an archive that lies beside the task files. These count if both have a file.
+void add_archive(Work& work, const fs::path& archive, const IntakeTools& tools, int depth) {
+  const Work inner = unpack_at(archive, tools, depth);
+  const std::string name = as_file_name(archive.filename());
+  if (inner.nothing) return;
+  if (!inner.problem.empty())
+    return work.notes.push_back(
+        fmt::format("'{}' beside the files does not count: {}", name, inner.problem));
+  std::vector<std::string> added, other;
+  for (const auto& [slug, file] : inner.files) {
+    const auto [entry, is_new] = work.files.try_emplace(slug, file);
+    if (is_new) added.push_back(slug);
+    if (!is_new && !are_equal(file, entry->second)) other.push_back(slug);
   }
-  if (depth > kMaxInside) {
-    return {folder, fmt::format("it has archives in archives, more than {} deep", kMaxInside)};
+  if (!added.empty()) {
+    work.folder.clear();
+    work.notes.push_back(fmt::format("{} from '{}' beside the other files count{}",
+                                     fmt::join(added, ", "), name, added.size() == 1 ? "s" : ""));
   }
-  return unpack_at(tree.archives[0], tools, depth);
+  if (!other.empty())
+    work.notes.push_back(fmt::format("{} in '{}' do{} not count, as the file beside it does",
+                                     fmt::join(other, ", "), name, other.size() == 1 ? "es" : ""));
 }
 
-Prepared settle_at(const fs::path& folder, const IntakeTools& tools, int depth) {
+Work settle(const fs::path& folder, const IntakeTools& tools, int depth) {
   const Tree tree = look_inside(folder, tools.tasks);
-  if (!tree.problem.empty()) return {folder, tree.problem};
-  if (!tree.root.empty()) return {tree.root, ""};
-  if (!tree.files.empty()) return copy_tasks(tree, tools);
-  if (!tree.archives.empty()) return settle_archive(folder, tree, tools, depth);
-  return {folder, nothing_found(tree, tools.tasks)};
+  const std::vector<fs::path>& archives = tree.archives;
+  Work work{tree.root, tree.files, tree.problem, false, tree.notes};
+  const std::string several =
+      archives.size() < 2
+          ? ""
+          : fmt::format("it holds {} archives, '{}' and '{}' among them", archives.size(),
+                        as_file_name(archives[0].filename()), as_file_name(archives[1].filename()));
+  if (!work.problem.empty()) {
+    work.folder = folder;
+  } else if (work.files.empty() && archives.empty()) {
+    work = {folder, {}, nothing_found(tree, tools.tasks), true, {}};
+  } else if (work.files.empty() && archives.size() == 1) {
+    return unpack_at(archives[0], tools, depth);
+  } else if (work.files.empty()) {
+    work = {folder, {}, several + "; keep one", false, {}};
+  } else if (archives.size() == 1) {
+    add_archive(work, archives[0], tools, depth);
+  } else if (archives.size() > 1) {
+    work.notes.push_back(several + ", of which none is read, as there are files beside them");
+  }
+  return work;
+}
+
+// The files of a later attempt replace those of the earlier ones.
+Work settle_attempts(const std::vector<fs::path>& folders, const IntakeTools& tools) {
+  Work all;
+  std::set<std::string> earlier;
+  for (const fs::path& folder : folders) {
+    const Work work = settle(folder, tools, 0);
+    if (work.nothing && !all.files.empty()) {
+      all.notes.emplace_back("the last attempt holds no task file, so an earlier one counts");
+      continue;
+    }
+    if (!work.problem.empty() || all.files.empty()) {
+      all = work;
+      continue;
+    }
+    for (const auto& [slug, file] : all.files) earlier.insert(slug);
+    for (const auto& [slug, file] : work.files) {
+      earlier.erase(slug);
+      all.files[slug] = file;
+    }
+    all.folder.clear();
+    all.is_flat = true;
+    all.notes = work.notes;
+    all.notes.insert(all.notes.begin(),
+                     earlier.empty() ? "of several attempts the last counts"
+                                     : fmt::format("of several attempts the last counts, but for "
+                                                   "{}, which it does not hold",
+                                                   fmt::join(earlier, ", ")));
+  }
+  return all;
 }
 
 }  // namespace
-
-HandedIn with(HandedIn by, const Prepared& prepared) {
-  by.folder = prepared.folder;
-  by.problem = prepared.problem;
-  return by;
-}
 
 Prepared read_handed_in(const std::string& name, const fs::path& folder,
                         const std::function<Prepared()>& read) {
@@ -127,14 +209,18 @@ Prepared read_handed_in(const std::string& name, const fs::path& folder,
   }
 }
 
-Prepared prepare_submission(const std::string& name, const fs::path& folder,
+Prepared prepare_submission(const std::string& name, const fs::path& from,
                             const IntakeTools& tools) {
-  return read_handed_in(name, folder, [&] { return settle_at(folder, tools, 0); });
+  return read_handed_in(name, from, [&] {
+    return prepared(fs::is_directory(from) ? settle(from, tools, 0) : unpack_at(from, tools, 0),
+                    tools);
+  });
 }
 
-Prepared prepare_archive(const std::string& name, const fs::path& archive,
-                         const IntakeTools& tools) {
-  return read_handed_in(name, "", [&] { return unpack_at(archive, tools, 0); });
+Prepared prepare_attempts(const std::string& name, const std::vector<fs::path>& folders,
+                          const IntakeTools& tools) {
+  return read_handed_in(name, folders.back(),
+                        [&] { return prepared(settle_attempts(folders, tools), tools); });
 }
 
 }  // namespace grader::intake

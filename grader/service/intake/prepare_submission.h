@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/service/intake/handed_in.h"
+#include "grader/service/intake/tree.h"
 
 #include <filesystem>
 #include <functional>
@@ -8,6 +8,14 @@
 #include <vector>
 
 namespace grader::intake {
+
+// An archive holds the work of one learner or of the class.
+enum class Extent { one, everybody };
+
+// Unpacks an archive to a new folder. Returns why that failed; else an empty text. Throws pt::Error
+// if the machine is at fault.
+using Unpack = std::function<std::string(const std::string& archive, const std::string& folder,
+                                         Extent extent)>;
 
 // Settings for all submissions of a class.
 struct IntakeTools {
@@ -18,21 +26,22 @@ struct IntakeTools {
 
 // A submission as the judge reads it.
 struct Prepared {
-  std::string folder;   // of the task files; with a problem: the folder that has it
-  std::string problem;  // the reason why it cannot be judged, in one sentence; else empty
+  std::string folder;    // of the task files; with a problem: the folder that has it
+  std::string problem;   // the reason why it cannot be judged, in one sentence; else empty
+  std::string note{};    // which files count of those that differ, in one sentence; else empty
+  bool nothing = false;  // the problem is that it holds no task file
 };
 
-// Returns a submission with this folder and this problem.
-HandedIn with(HandedIn by, const Prepared& prepared);
-
-// Looks for the task files in a folder. They may be anywhere in it, packed, or have a name that is
-// nearly correct. `name` is the submission's, for messages.
-Prepared prepare_submission(const std::string& name, const std::filesystem::path& folder,
+// Looks for the task files in a folder or an archive. They may be anywhere in it, packed, or have a
+// name that is nearly correct. `name` is the submission's, for messages. A file that cannot be read
+// is the submission's problem. Throws pt::Error if the machine is at fault.
+Prepared prepare_submission(const std::string& name, const std::filesystem::path& folder_or_archive,
                             const IntakeTools& tools);
 
-// The same for an archive.
-Prepared prepare_archive(const std::string& name, const std::filesystem::path& archive,
-                         const IntakeTools& tools);
+// The same for several attempts, the last one last. Of two files for one task the later counts.
+Prepared prepare_attempts(const std::string& name,
+                          const std::vector<std::filesystem::path>& folders,
+                          const IntakeTools& tools);
 
 // Calls `read`, which reads files in the folder of the submission `name`, and returns its result. A
 // file that cannot be read is the submission's problem. Throws pt::Error if the machine is at

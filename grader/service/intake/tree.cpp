@@ -1,15 +1,15 @@
 #include "grader/service/intake/tree.h"
 
-#include "grader/base/files.h"
-#include "grader/service/intake/entry_path.h"
+#include "grader/base/descriptor.h"
 #include "grader/service/intake/file_name.h"
-#include "grader/service/intake/unpack.h"
 
 #include <algorithm>
 #include <regex>
+#include <set>
 #include <system_error>
 #include <tuple>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 namespace grader::intake {
@@ -37,16 +37,18 @@ std::string without_marks(std::string text) {
   return text;
 }
 
-Candidate candidate(const fs::path& path, const Meant& meant, const std::vector<TaskFile>& tasks) {
+// Nothing above `top`, the submission's folder, is the submission's.
+Candidate candidate(const fs::path& path, const Meant& meant, const std::vector<TaskFile>& tasks,
+                    const fs::path& top) {
   const auto task = std::find_if(tasks.begin(), tasks.end(),
                                  [&](const TaskFile& each) { return each.slug == meant.slug; });
   Candidate found{path, path.parent_path(), meant.is_exact, 2};
   const std::string folder = found.root.filename();
-  if (is_part(folder, tasks)) {
+  if (found.root != top && is_part(folder, tasks)) {
     found.way = folder == task->part ? 0 : 4;
     found.root = found.root.parent_path();
   }
-  if (found.root.filename() == "student") {
+  if (found.root != top && found.root.filename() == "student") {
     found.way = std::min(found.way + 1, 4);
     found.root = found.root.parent_path();
   }
@@ -59,16 +61,16 @@ bool is_project(const fs::path& folder) {
   return fs::is_directory(folder / "pt", error) && fs::is_directory(folder / "student", error);
 }
 
-void walk(const fs::path& folder, const std::vector<TaskFile>& tasks, Tree& tree,
-          Candidates& candidates) {
+void walk(const fs::path& folder, const fs::path& top, const std::vector<TaskFile>& tasks,
+          Tree& tree, Candidates& candidates) {
   const bool of_project = is_project(folder);
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename();
     if (base::is_hidden(name)) continue;
     if (entry.is_directory() && !entry.is_symlink()) {
-      if (!of_project || name == "student") walk(entry.path(), tasks, tree, candidates);
+      if (!of_project || name == "student") walk(entry.path(), top, tasks, tree, candidates);
     } else if (const Meant meant = meant_task(name, tasks)) {
-      candidates[meant.slug].push_back(candidate(entry.path(), meant, tasks));
+      candidates[meant.slug].push_back(candidate(entry.path(), meant, tasks, top));
     } else if (is_archive(name) && entry.is_regular_file() && !entry.is_symlink()) {
       tree.archives.push_back(entry.path());
     } else {
@@ -95,6 +97,14 @@ const Candidate* that_counts(std::vector<Candidate>& all) {
   return &first;
 }
 
+// The path of a file in the submission, for messages.
+std::string shown(const fs::path& file, const fs::path& folder) {
+  std::string clean;
+  for (const auto& part : file.lexically_relative(folder))
+    clean += (clean.empty() ? "" : "/") + as_file_name(part);
+  return clean;
+}
+
 std::string question(const fs::path& folder, const std::string& slug,
                      const std::vector<Candidate>& all) {
   if (all[0].path.parent_path() == all[1].path.parent_path()) {
@@ -102,18 +112,34 @@ std::string question(const fs::path& folder, const std::string& slug,
                        as_file_name(all[0].path.filename()), as_file_name(all[1].path.filename()),
                        slug);
   }
-  const auto shown = [&](const Candidate& each) {
-    const std::string text = each.path.lexically_relative(folder);
-    std::string clean;
-    for (const auto& part : fs::path(text))
-      clean += (clean.empty() ? "" : "/") + as_file_name(part);
-    return clean;
-  };
   return fmt::format("it has {}.cpp in {} places, '{}' and '{}'; keep one", slug, all.size(),
-                     shown(all[0]), shown(all[1]));
+                     shown(all[0].path, folder), shown(all[1].path, folder));
 }
 
 }  // namespace
+
+base::Submitted read_file(const fs::path& file) {
+  const base::Descriptor folder(open(file.parent_path().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  return base::read_plain_file(folder.number(), file.filename(), base::kMaxFile);
+}
+
+bool are_equal(const fs::path& a, const fs::path& b) {
+  const base::Submitted one = read_file(a), two = read_file(b);
+  const bool are_read = one.present && two.present && (one.rejected + two.rejected).empty();
+  return are_read && one.text == two.text;
+}
+
+std::string numbered_twice(const fs::path& folder, const std::vector<TaskFile>& tasks) {
+  std::set<std::string> found, numbered;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    const Meant meant = meant_task(name, tasks);
+    const bool second = meant && !found.insert(meant.slug).second;
+    if (meant && name.find('(') != name.npos) numbered.insert(meant.slug);
+    if (second && numbered.contains(meant.slug)) return meant.slug;
+  }
+  return "";
+}
 
 bool lies_in(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
@@ -132,14 +158,16 @@ Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks) {
   return {};
 }
 
-Tree look_inside(const fs::path& folder, const std::vector<TaskFile>& tasks) {
+Tree look_inside(const fs::path& given, const std::vector<TaskFile>& tasks) {
+  const fs::path folder = given.has_filename() ? given : given.parent_path();
   Tree tree;
   Candidates candidates;
-  walk(folder, tasks, tree, candidates);
+  walk(folder, folder, tasks, tree, candidates);
   std::sort(tree.archives.begin(), tree.archives.end());
   std::sort(tree.others.begin(), tree.others.end());
   bool stays = true;
   for (auto& [slug, all] : candidates) {
+    const std::vector<Candidate> before = all;
     const Candidate* counts = that_counts(all);
     if (counts == nullptr) {
       if (tree.problem.empty()) tree.problem = question(folder, slug, all);
@@ -148,6 +176,11 @@ Tree look_inside(const fs::path& folder, const std::vector<TaskFile>& tasks) {
     if (tree.files.empty()) tree.root = counts->root;
     stays = stays && counts->is_exact && counts->way < 4 && counts->root == tree.root;
     tree.files[slug] = counts->path;
+    for (const Candidate& other : before) {
+      if (other.path != counts->path && !are_equal(other.path, counts->path))
+        tree.notes.push_back(fmt::format("'{}' counts, and not '{}', which differs",
+                                         shown(counts->path, folder), shown(other.path, folder)));
+    }
   }
   if (!stays) tree.root.clear();
   return tree;

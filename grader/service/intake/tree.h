@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grader/base/files.h"
+
 #include <filesystem>
 #include <map>
 #include <string>
@@ -26,7 +28,8 @@ struct Tree {
   // The folder in which the judge finds all task files; empty: they have to be copied.
   std::filesystem::path root;
   std::map<std::string, std::filesystem::path> files;  // per task: the file that counts
-  std::string problem;  // why the files are ambiguous, in one sentence; else empty
+  std::string problem;             // why the files are ambiguous, in one sentence; else empty
+  std::vector<std::string> notes;  // which file counts of several that differ
   std::vector<std::filesystem::path> archives, others;  // files that belong to no task
 };
 
@@ -40,6 +43,16 @@ bool is_submission(const std::filesystem::path& folder, const std::vector<TaskFi
 // Returns whether several of its folders and archives are submissions. Then it is not one
 // submission, even with a task file or a repository at the top.
 bool holds_several(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
+
+// The first task of which there is a file and a numbered copy ("hit_box (1).cpp") in this folder:
+// where names of learners are lost, they are files of several learners. Empty: none.
+std::string numbered_twice(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
+
+// The text of a file that is not a link.
+base::Submitted read_file(const std::filesystem::path& file);
+
+// Returns whether both can be read, and have the same text.
+bool are_equal(const std::filesystem::path& a, const std::filesystem::path& b);
 
 // Returns whether a path is the folder, or is inside it.
 bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);

@@ -3,6 +3,7 @@
 #include "grader/base/descriptor.h"
 #include "grader/service/intake/archive_reader.h"
 #include "grader/service/intake/entry_path.h"
+#include "grader/service/intake/file_name.h"
 #include "grader/service/intake/owners.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -33,26 +34,9 @@ constexpr const char* kTwoOfThatName =
     "written; unpack the archive, and grade the folder";
 constexpr const char* kFaults = ".faults";  // hidden, so no entry can have this name
 
-constexpr std::array kArchives{".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",  ".txz",
-                               ".7z",  ".tar.bz2", ".tbz2",   ".rar", ".tar.zst", ".tzst"};
-constexpr std::array kOtherPacked{".gz",  ".zst", ".xz",  ".bz2", ".lz",  ".lzma", ".z",  ".br",
-                                  ".lz4", ".ace", ".arj", ".lzh", ".cab", ".dmg",  ".iso"};
-
-template <class Endings>
-bool has_ending(const std::string& name, const Endings& endings) {
-  const std::string small = lower_case(name);
-  return std::any_of(endings.begin(), endings.end(),
-                     [&](const char* ending) { return small.ends_with(ending); });
-}
-
 // The text in place of a link: its task is reported, and does not look as if it were not begun.
 constexpr const char* kNotAFile =
     "#error \"in the archive that was handed in, this is a link or a device; hand in the file\"\n";
-
-bool is_source(const std::string& name) {
-  const std::string small = lower_case(name);
-  return small.ends_with(".cpp") || small.ends_with(".cpp.txt");
-}
 
 bool is_useful(const std::string& name) {
   return is_source(name) || name == kGradescopeList || is_archive(name);
@@ -245,12 +229,6 @@ class Unpacking {
 };
 
 }  // namespace
-
-bool is_archive(const std::string& name) { return has_ending(name, kArchives); }
-
-bool is_packed(const std::string& name) {
-  return is_archive(name) || has_ending(name, kOtherPacked);
-}
 
 void unpack(const std::string& archive, const std::string& folder, Extent extent,
             const Limits& limits) {

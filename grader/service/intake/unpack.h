@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grader/service/intake/prepare_submission.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -11,15 +13,6 @@ namespace grader::intake {
 
 // Gradescope's list of who submitted which folder.
 inline constexpr const char* kGradescopeList = "submission_metadata.yml";
-
-// Returns whether the name ends like an archive's: .zip, .tar.gz and so on.
-bool is_archive(const std::string& name);
-
-// Returns whether the name ends like that of any archive or packed file, supported or not.
-bool is_packed(const std::string& name);
-
-// An archive holds the work of one learner or of the class.
-enum class Extent { one, everybody };
 
 struct Bounds {
   int entries = 0;

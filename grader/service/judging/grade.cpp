@@ -43,13 +43,13 @@ std::vector<const build::TaskConfig*> to_judge(const build::Config& config,
 // The versions that verdicts depend on, besides the submission.
 std::vector<std::string> versions(const build::Config& config) {
   std::vector<std::string> all{config.compiler_version};
-  const process::CommandResult commit =
-      process::run_command({{"/usr/bin/git", "-C", config.root, "describe", "--always", "--dirty=-changed"},
-                            {"PATH=/usr/bin", "LANG=C.UTF-8"},
-                            {},
-                            "",
-                            {}},
-                           std::chrono::seconds(5));
+  const process::CommandResult commit = process::run_command(
+      {{"/usr/bin/git", "-C", config.root, "describe", "--always", "--dirty=-changed"},
+       {"PATH=/usr/bin", "LANG=C.UTF-8"},
+       {},
+       "",
+       {}},
+      std::chrono::seconds(5));
   if (commit.ok()) all.push_back("Firstlight " + commit.output.substr(0, commit.output.find('\n')));
   return all;
 }
@@ -73,6 +73,10 @@ void check_names(const results::Points& points, const std::vector<Judged>& judge
 
 constexpr const char* kLearnersFolder = "student";
 
+std::string folder_shown(const GradeRequest& request) {
+  return request.shown.empty() ? request.submission : request.shown;
+}
+
 // One run of the judge.
 class Run {
  public:
@@ -80,7 +84,7 @@ class Run {
       : config_(config),
         request_(request),
         points_(results::load_points(config.root + "/grader/points.json")) {
-    results_.submission = request.name.empty() ? request.submission : request.name;
+    results_.submission = request.name.empty() ? folder_shown(request) : request.name;
     results_.seed = request.seed;
     results_.isolation = request.isolation.words;
     if (!config.no_reference.empty()) {
@@ -102,6 +106,7 @@ class Run {
   }
 
   results::Results judge(const std::function<void(const results::Results&)>& progress) {
+    if (!request_.refused.empty()) return refused(progress);
     const build::Builder builder(config_, request_.isolation.tier, request_.compile_limit);
     for (const std::string& folder : {config_.work, builder.cache(), config_.work + "/hints"}) {
       build::remove_left_overs(folder);
@@ -114,6 +119,7 @@ class Run {
       auto judged_with = std::async(std::launch::async, [&] { return versions(config_); });
       compile_all(builder, request_, judged_);
       results_.versions = judged_with.get();
+      if (!request_.note.empty()) results_.versions.push_back("of the files, " + request_.note);
     });
     report();
     phase("properties", [&] {
@@ -152,11 +158,29 @@ class Run {
     results_.phases.push_back({name, seconds_since(start)});
   }
 
+  // The results if it cannot be told which files are to be judged.
+  results::Results refused(const std::function<void(const results::Results&)>& progress) {
+    for (Judged& each : judged_) {
+      each.result.state = results::State::rejected;
+      each.result.reason = request_.refused;
+      each.settled = true;
+      for (results::PictureResult& picture : each.result.pictures) {
+        picture.state = results::State::not_attempted;
+        picture.text = "not rendered";
+      }
+    }
+    results::Results results = summary();
+    results.complete = true;
+    progress(results);
+    return results;
+  }
+
   // The results so far.
   results::Results summary() const {
     results::Results results = results_;
     for (const Judged& each : judged_) {
-      if (is_asked(each.config->slug)) results.tasks.push_back(so_far(each));
+      if (is_asked(each.config->slug))
+        results.tasks.push_back(without_folder(so_far(each), config_.work));
     }
     for (results::TaskResult& task : results.tasks) results::count_points(points_, task);
     results.seconds = seconds_since(start_);
@@ -178,8 +202,16 @@ results::Results grade(const build::Config& config, const GradeRequest& request,
   return Run(config, request).judge(progress);
 }
 
+void check_points(const build::Config& config) {
+  GradeRequest request;
+  for (const build::TaskConfig& task : config.tasks) {
+    if (!task.graded.empty()) request.asked.push_back(task.slug);
+  }
+  Run(config, request);
+}
+
 std::string shown_folder(const GradeRequest& request) {
-  return request.name.empty() ? request.submission : kLearnersFolder;
+  return request.name.empty() ? folder_shown(request) : kLearnersFolder;
 }
 
 std::string replay_command(const GradeRequest& request, const std::string& slug) {

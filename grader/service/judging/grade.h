@@ -14,6 +14,9 @@ namespace grader::judging {
 
 struct GradeRequest {
   std::string submission;          // a folder with the tree of student/
+  std::string shown{};             // the folder that reports show; empty: that one
+  std::string note{};              // which of several files are in it; may be empty
+  std::string refused{};           // the reason why nothing in it can be judged; else empty
   std::vector<std::string> asked;  // slugs
   std::uint64_t seed = 1;
   int call_limit = static_cast<int>(process::kCallLimit.count());  // milliseconds
@@ -39,6 +42,9 @@ std::vector<std::string> tasks_judged(const build::Config& config,
 // `progress` gets the results so far: first without a verdict, then after every verdict.
 results::Results grade(const build::Config& config, const GradeRequest& request,
                        const std::function<void(const results::Results&)>& progress);
+
+// Throws pt::Error if grader/points.json cannot be used, or names what does not exist.
+void check_points(const build::Config& config);
 
 // The slugs that a word means: a task, a part ("1", "1_rays"), or an exercise ("1.3"). Throws
 // pt::Error if there is none.

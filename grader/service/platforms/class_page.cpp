@@ -157,6 +157,7 @@ data row_data(const ClassPage::Entry& line, const std::vector<std::string>& task
   row.set("name", results::one_line(line.row.name));
   row.set("id", results::one_line(line.row.id));
   row.set("late", line.row.late);
+  row.set("files", line.row.note.empty() ? data(false) : data(results::one_line(line.row.note)));
   row.set("judged", judged);
   row.set("problem", judged ? data(false) : data(results::one_line(line.row.problem)));
   row.set("columns", std::to_string(tasks.size() + 2));

@@ -27,6 +27,7 @@ std::string canvas_csv(const std::vector<GradeRow>& rows, const std::string& ass
       fmt::format("Student,ID,SIS User ID,SIS Login ID,Section,{}\r\n", text_field(assignment));
   text += fmt::format("    Points Possible,,,,,{}\r\n", max_points);
   for (const GradeRow& row : rows) {
+    if (row.id.empty()) continue;
     text +=
         fmt::format("{},{},,,,{}\r\n", text_field(row.name), text_field(row.id), points_field(row));
   }
@@ -38,6 +39,7 @@ std::string moodle_csv(const std::vector<GradeRow>& rows, int max_points) {
       "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,"
       "Last modified (submission),Last modified (grade),Feedback comments\r\n";
   for (GradeRow row : rows) {
+    if (row.id.empty()) continue;
     row.points = std::min(row.points, max_points);
     text +=
         fmt::format("Participant {},{},,,{},{},Yes,-,-,{}\r\n", results::one_line(row.id),

@@ -14,6 +14,8 @@ struct GradeRow {
   std::string comment;  // one sentence
 };
 
+// Rows without an ID are left out of the tables of Canvas and Moodle.
+
 // The table that Canvas imports under Grades (Instructure's guide "How do I import grades in the
 // Gradebook?"). Its column of points is called `assignment`.
 std::string canvas_csv(const std::vector<GradeRow>& rows, const std::string& assignment,

@@ -7,6 +7,7 @@
 #include "pt/printable.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <map>
 #include <optional>
@@ -36,6 +37,27 @@ std::optional<double> points_in(std::string text) {
   return is_number ? std::optional(value) : std::nullopt;
 }
 
+// A name in a form in which Moodle's names of files and its table agree: letters and digits of ASCII
+// alone, if it has any. A report's name may have a number behind it: "Ada (55)".
+std::string plain(std::string name) {
+  for (std::size_t at = 0; name.ends_with(')') && (at = name.rfind(" (")) != name.npos;) {
+    const std::string number = name.substr(at + 2, name.size() - at - 3);
+    if (number.empty() || number.find_first_not_of("0123456789") != number.npos) break;
+    name.resize(at);
+  }
+  std::string text;
+  for (std::size_t at = 0; at < name.size();) {
+    const pt::FirstCharacter next = pt::first_character(std::string_view(name).substr(at));
+    const bool is_mark = next.code >= 0x300 && next.code <= 0x36f;  // on the letter before it
+    if (is_mark && !text.empty()) text.pop_back();
+    const bool is_ascii = next.code > 0 && next.code < 0x80;
+    if (is_ascii && std::isalnum(next.code) != 0)
+      text += static_cast<char>(std::tolower(next.code));
+    at += next.size;
+  }
+  return text.empty() ? name : text;
+}
+
 std::string shown(const CsvCell& cell) {
   constexpr std::size_t kMaxShown = 60;
   return std::string(pt::beginning(results::one_line(cell.value), kMaxShown));
@@ -51,7 +73,9 @@ Worksheet::Worksheet(std::string text, std::string path)
       grade_(column("Grade")),
       maximum_(column("Maximum Grade")),
       can_change_(column("Grade can be changed")),
-      comment_(column("Feedback comments", false)) {
+      comment_(column("Feedback comments", false)),
+      name_(column("Full name", false)),
+      group_(column("Group", false)) {
   std::set<std::string> known;
   for (std::size_t i = 1; i < table_.rows.size(); ++i) {
     const CsvRow& row = table_.rows[i];
@@ -98,9 +122,20 @@ void Worksheet::check_maximum(const CsvRow& row, int max_points) const {
                    shown(maximum), max_points, max_points));
 }
 
+// Moodle may write the name of a group before that of a learner.
+bool Worksheet::is_of(const GradeRow& learner, const CsvRow& row) const {
+  return group_ == kNone || name_ == kNone ||
+         plain(learner.name).ends_with(plain(row.cells[name_].value));
+}
+
 Worksheet::Filled Worksheet::filled(const std::vector<GradeRow>& rows, int max_points) const {
-  std::map<std::string, const GradeRow*> learners;
-  for (const GradeRow& row : rows) learners[row.id] = &row;
+  std::map<std::string, const GradeRow*> learners, groups;
+  std::set<const GradeRow*> strays;
+  for (const GradeRow& row : rows) {
+    if (!row.id.empty()) learners[row.id] = &row;
+    groups[plain(row.name)] = &row;
+    strays.insert(&row);
+  }
   Filled filled;
   std::size_t copied = 0;
   const auto put = [&](const CsvCell& cell, const std::string& value) {
@@ -110,9 +145,11 @@ Worksheet::Filled Worksheet::filled(const std::vector<GradeRow>& rows, int max_p
   for (std::size_t i = 1; i < table_.rows.size(); ++i) {
     const CsvRow& row = table_.rows[i];
     const auto found = learners.find(number_of(row.cells[identifier_]));
-    if (found == learners.end()) continue;
-    const GradeRow& learner = *found->second;
-    learners.erase(found);
+    const auto group = group_ == kNone ? groups.end() : groups.find(plain(row.cells[group_].value));
+    const bool alone = found != learners.end() && is_of(*found->second, row);
+    if (!alone && (group == groups.end() || group->first.empty())) continue;
+    const GradeRow& learner = alone ? *found->second : *group->second;
+    strays.erase(&learner);
     if (row.cells[can_change_].value == "No") {
       ++filled.locked;
       continue;
@@ -127,7 +164,9 @@ Worksheet::Filled Worksheet::filled(const std::vector<GradeRow>& rows, int max_p
     for (const auto& [column, value] : values) put(row.cells[column], value);
   }
   filled.text += text_.substr(copied);
-  for (const auto& [id, learner] : learners) filled.strays.push_back(learner->name);
+  for (const GradeRow& row : rows) {
+    if (strays.contains(&row)) filled.strays.push_back(row.name);
+  }
   return filled;
 }
 

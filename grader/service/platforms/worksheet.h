@@ -23,7 +23,9 @@ class Worksheet {
     std::vector<std::string> strays;  // names of learners who are not in the worksheet
   };
 
-  // Fills in each learner's grade and comment, by the participant's number. Everything else stays
+  // Fills in each learner's grade and comment, by the participant's number. The number in the name
+  // of a group's files is the group's: in a table with groups, where the participant with this
+  // number has another name, everybody in the group with that name gets the grade. Everything else stays
   // the same, byte for byte: rows of participants without a submission, the grade of a learner who
   // was not judged, and the times that show Moodle whether a grade was changed since. Throws
   // pt::Error if Moodle's maximum is not `max_points`.
@@ -33,11 +35,12 @@ class Worksheet {
   std::size_t column(const char* name, bool must_be = true) const;
   void check(const CsvRow& row) const;
   void check_maximum(const CsvRow& row, int max_points) const;
+  bool is_of(const GradeRow& learner, const CsvRow& row) const;
   [[noreturn]] void fail(int line, const std::string& what) const;
 
   std::string text_, path_;
   CsvTable table_;  // the first row names the columns
-  std::size_t identifier_, grade_, maximum_, can_change_, comment_;
+  std::size_t identifier_, grade_, maximum_, can_change_, comment_, name_, group_;
 };
 
 // Throws pt::Error if the file is missing, or is not a worksheet.

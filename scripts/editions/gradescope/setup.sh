@@ -13,4 +13,4 @@ closed() { find "$1" -mindepth 1 -maxdepth 1 "${@:2}" -exec chmod -R go-rwx {} +
 closed . ! -name build
 closed build ! -name check
 closed build/check ! -name grader
-closed build/check/grader ! -name graded ! -name box ! -name box_probe
+closed build/check/grader ! -name graded ! -name box ! -name box_probe ! -name unpack

@@ -58,6 +58,11 @@ if [ -z "$engine" ]; then
 
   # A promise is worth more, another one nothing. Nobody is judged again; gains and losses are shown.
   sed -i 's/"tasks": {}/"tasks": {"hit_sphere": {"promise": 2, "promises": {"PROMISE": 0}}}/' "$folder/root/grader/points.json"
+  # A name that is not a promise's is told once, and before anything is judged.
+  status=0
+  grade_class again || status=$?
+  [ "$status" -eq 2 ] && [ "$(grep -c 'PROMISE is not a promise of its task' "$folder/said")" -eq 1 ] && [ ! -e "$folder/again/plan.json" ] ||
+    complain "bad points: $status, $(cat "$folder/said")"
   broken=$(python3 -c 'import json, sys; print(next(p["name"] for p in json.load(open(sys.argv[1]))["tasks"][0]["promises"] if not p["held"] and not p["bonus"]))' \
     "$folder/here/learner 3.json")
   sed -i "s/PROMISE/$broken/" "$folder/root/grader/points.json"
@@ -93,9 +98,9 @@ END
   [ "$status" -eq 2 ] || complain 'it compares a folder with itself'
   grep -q 'cannot be compared with themselves' "$folder/said" || complain "$(cat "$folder/said")"
 
-  # Names appear only in the two files that may contain them.
+  # Names appear only in the files that may contain them.
   grade_class hidden --anonymous || true
-  ! grep -rlE 'learner [1-7]|nobody' "$folder/hidden" --include='*.html' --include='*.json' --include='class.csv' | grep -v plan.json ||
+  ! grep -rlE 'learner [1-7]|nobody' "$folder/hidden" --include='*.html' --include='*.json' --include='class.csv' ||
     complain 'an anonymous class has names'
   python3 - "$folder" <<'END' || complain "$(cat "$folder/hidden/names.csv")"
 import csv, os, sys

@@ -265,6 +265,27 @@ says 2 'would lie among the submissions'
 [ ! -e "$folder/class/graded" ] || complain 'the folder is made nevertheless'
 options='--jobs 1'
 says 0 '1 file in the class belongs to nobody: notes.txt'
+# A file that may be somebody's work is not passed over. Which of two files counts, and who has the same files, is said.
+cp reference/1_rays/hit_sphere.cpp "$folder/class/hit_sphere.cpp"
+says 2 '2 files in the class belong to nobody: hit_sphere.cpp, notes.txt'
+rm "$folder/class/hit_sphere.cpp"
+mkdir -p "$folder/class/"{bob,cy/old,stub,stub2}
+cp reference/1_rays/hit_sphere.cpp "$folder/class/bob"
+cp student/1_rays/hit_sphere.cpp "$folder/class/stub"
+cp student/1_rays/hit_sphere.cpp "$folder/class/stub2"
+{ cat reference/1_rays/hit_sphere.cpp; echo '// by cy'; } >"$folder/class/cy/hit_sphere.cpp"
+echo '// old' >"$folder/class/cy/old/hit_sphere.cpp"
+says 0 'ada: 1 of 2' 'stub2: 0 of 2'
+row 'row["ada"]["note"] == "the same files as bob" and row["bob"]["note"] == "the same files as ada"'
+row 'row["stub"]["note"] == row["stub2"]["note"] == ""'
+row 'row["cy"]["note"] == "\u0027hit_sphere.cpp\u0027 counts, and not \u0027old/hit_sphere.cpp\u0027, which differs"'
+grep -q 'old/hit_sphere.cpp' "$folder/class-graded/cy.html" || complain 'the page does not say which file counts'
+grep -q 'the same files as bob' "$folder/class-graded/class.html" || complain 'the page of the class does not say who has the same files'
+! grep -q bob "$folder/class-graded/ada.html" || complain "a learner's page names another learner"
+rm -r "$folder/class/"{bob,cy,stub,stub2}
+options="--jobs 1 --compare $folder/class"
+says 2 'has no grading of a class'
+options='--jobs 1'
 cp "$(readlink -f "$(command -v awk)")" "$folder/programs/unpack"
 echo words >"$folder/class/BEGIN { exit 3 } #.zip"
 options="--jobs 1 --config $folder/programs/grade.json"

@@ -73,8 +73,9 @@ std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
   std::map<std::string, Seen> all;
   const HandedInByAll handed = handed_in(input, folder_.path() + "/work", kTasks, unpack_here);
   unclaimed_ = handed.unclaimed;
+  work_is_unclaimed_ = handed.work_is_unclaimed;
   for (const HandedIn& each : handed.everybody) {
-    Seen one{each.id, each.problem, each.late, each.platform, each.feedback};
+    Seen one{each.id, each.problem, each.late, each.platform, each.feedback, each.note};
     if (each.problem.empty() && fs::exists(each.folder)) {
       for (const auto& file : fs::recursive_directory_iterator(each.folder)) {
         if (file.path().extension() != ".cpp" || file.is_symlink()) continue;

@@ -54,7 +54,7 @@ class Intake : public testing::Test {
     std::string id, problem;
     bool late = false;
     Platform platform = Platform::none;
-    std::string feedback{};
+    std::string feedback{}, note{};
     std::map<std::string, std::string> files{};
     std::map<std::string, std::string> judged{};  // what the judge reads, by task
   };
@@ -64,6 +64,7 @@ class Intake : public testing::Test {
   TemporaryFolder folder_;
   Limits limits_;
   mutable std::vector<std::string> unclaimed_;  // of the last call
+  mutable bool work_is_unclaimed_ = false;
 };
 
 }  // namespace grader::intake

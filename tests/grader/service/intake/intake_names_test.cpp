@@ -25,7 +25,7 @@ TEST_F(Intake, names_of_a_list_are_names_of_files) {
   add("submission_4/hit_box.cpp", "d");
   add(kGradescopeList,
       "submission_1:\n  :submitters:\n  - :name: \"x\\e[31m\\n\\0y\"\n    :sid: \"../../up\"\n"
-      "submission_2:\n  :submitters:\n  - :name: \"x\\e[31m\\n\\0y\"\n    :sid: \"../../up\"\n"
+      "submission_2:\n  :submitters:\n  - :name: \"x\\e[31m\\n\\0y\"\n    :sid: \"../../UP\"\n"
       "submission_3:\n  :submitters:\n  - :name: " +
           group +
           "\xc3\xa9\n    :sid: 1\n"
@@ -79,7 +79,7 @@ const char* const kWithMarks = "Zoe\xcc\x88";
 TEST_F(Intake, names_that_differ_in_accents_as_bytes_only_are_two) {
   for (const std::string& name : {std::string(kComposed), std::string(kWithMarks)}) {
     add(name + "/hit_box.cpp", name);
-    add(name + " K_7_assignsubmission_file_/hit_box.cpp", name + " K");
+    add(fmt::format("{} K_{}_assignsubmission_file_/hit_box.cpp", name, name.size()), name + " K");
   }
   add("Zo\xc3\xa9/hit_box.cpp", "another accent");
   add("zOE\xcc\x88/hit_box.cpp", "capital");

@@ -1,4 +1,5 @@
 // Exports of Canvas, Moodle, Gradescope and others become one folder per learner.
+#include "grader/service/intake/owner.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "tests/grader/service/intake/intake.h"
@@ -178,6 +179,247 @@ TEST_F(Intake, canvas_numbers_archives_and_equal_names) {
   auto all = seen();
   EXPECT_THAT(all["ada"].problem, HasSubstr("holds 2 archives"));
   EXPECT_EQ(all["bob"].files, (Files{{"hit_box.cpp", "last"}}));
+}
+
+// A platform's name for a file, and what it says.
+struct Form {
+  const char* file;
+  const char* name;
+  const char* id;
+  const char* called;  // by the learner
+  bool late = false;
+};
+
+TEST(labels, are_read_in_every_form_of_every_platform) {
+  const Form forms[] = {
+      {"lovelaceada_123_456_hit_box-1.cpp", "lovelaceada", "123", "hit_box-1.cpp"},
+      {"lovelaceada_LATE_123_456_work.zip", "lovelaceada", "123", "work.zip", true},
+      {"o_neil_123_456_work.zip", "o_neil", "123", "work.zip"},
+      {"team_7_123_900_work.zip", "team_7", "123", "work.zip"},
+      {"team_7_LATE_123_900_hit_box.cpp", "team_7", "123", "hit_box.cpp", true},
+      {"7_8_123_900_work.zip", "7_8", "123", "work.zip"},
+      {"bob__123_900_work.zip", "bob_", "123", "work.zip"},
+      {"ada_123_900_1_rays.zip", "ada", "123", "1_rays.zip"},
+      {"ada_123_900_2_3_rays.zip", "ada", "123", "2_3_rays.zip"},
+      {"ada_123_text.html", "ada", "123", "text.html"},
+      {"team_7_123_text.html", "team_7", "123", "text.html"},
+      {"team_7_123_link.html", "team_7", "123", "link.html"},
+      {"anon_aB3xz_901_hit_box.cpp", "anon_aB3xz", "anon_aB3xz", "hit_box.cpp"},
+      {"anon_12345_901_1_rays.zip", "anon_12345", "anon_12345", "1_rays.zip"},
+      {"LATE_anon_aB3xz_901_hit_box.cpp", "anon_aB3xz", "anon_aB3xz", "hit_box.cpp", true},
+      {"anon_aB3xz_LATE_901_hit_box.cpp", "anon_aB3xz", "anon_aB3xz", "hit_box.cpp", true},
+      {"anon_aB3xz_text.html", "anon_aB3xz", "anon_aB3xz", "text.html"},
+      {"Ada Lovelace_55_assignsubmission_file_hit_box.cpp", "Ada Lovelace", "55", "hit_box.cpp"},
+      {"Ada Lovelace_55_assignsubmission_file", "Ada Lovelace", "55", ""},
+      {"Ada Lovelace_55_assignsubmission_file_", "Ada Lovelace", "55", ""},
+      {"Participant_55_assignsubmission_onlinetext_", "Participant", "55", ""},
+      {"Default group_assignsubmission_file_hit_box.cpp", "Default group", "", "hit_box.cpp"},
+      {"Ada_5_assignsubmission_file_Bob_55_assignsubmission_file_x.cpp", "Ada", "5",
+       "Bob_55_assignsubmission_file_x.cpp"},
+      {"Ada_5_assignsubmission_file_a\nb.cpp", "Ada", "5", "a\nb.cpp"},
+      {"12-34 - Ada Ace - Jan 15, 2027 1005 PM - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
+      {"12-34 - Ada - Ace - 15 January, 2027 1005 PM - a - b.cpp", "Ada - Ace", "12-34",
+       "a - b.cpp"},
+      {"12-34 - Ada Ace - Jan 15, 2027 2205 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
+      {"12-34 - Ada Ace - 2027-01-15 22 05 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
+      {"12-34 - Ada Ace - 15 mai 2027 2205 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
+      {"12-34 - Ada Ace - 2027年1月15日 2205 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
+      {"12-34 - Ada Ace - 1 May 2027 905 p.m.", "Ada Ace", "12-34", ""},
+      {"12-34 - Ada Ace - 01-15-2027 1005 PM - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
+      {"HW 1_gus_attempt_2027-01-15-22-05-33_hit_box.cpp", "gus", "", "hit_box.cpp"},
+      {"HW_1_gus_attempt_2027-01-15-22-05-33.txt", "gus", "", "attempt.txt"},
+      {"HW1_gus_attempt_2027-01-15-22-05-33_HW1_eve_attempt_2027-01-16-22-05-33_hit_box.cpp", "gus",
+       "", "HW1_eve_attempt_2027-01-16-22-05-33_hit_box.cpp"},
+      {"s_smith@school.edu_3_hit_box.cpp", "s_smith@school.edu", "s_smith@school.edu",
+       "hit_box.cpp"},
+  };
+  for (const Form& form : forms) {
+    const auto label = Labels({form.file}, {}).of(form.file);
+    ASSERT_TRUE(label) << form.file;
+    EXPECT_EQ(label->name, form.name) << form.file;
+    EXPECT_EQ(label->id, form.id) << form.file;
+    EXPECT_EQ(label->file, form.called) << form.file;
+    EXPECT_EQ(label->late, form.late) << form.file;
+    EXPECT_EQ(label->before + label->file, form.called == std::string("attempt.txt")
+                                               ? label->before + "attempt.txt"
+                                               : form.file);
+  }
+  for (const char* name :
+       {"notes.txt", "hit_box.cpp", "ada.zip", "ada_1.zip", "_1_2_x", "1_2_x", "ada_1_2_",
+        "ada_1_2", "ada - bob - x.cpp", "12-34 - Ada - soon - x.cpp", "12-34 - Ada", "x_attempt_y",
+        "hw_attempt_2027-01-15-22-05-33_x.cpp", "a@b_3_x", "@b.c_3_x", "a@b.c_x",
+        "_assignsubmission_file_x", "Ada_5_assignsubmission_files"}) {
+    EXPECT_FALSE(Labels({name}, {}).of(name)) << name;
+  }
+}
+
+TEST(labels, of_several_attempts_are_in_the_order_of_their_dates) {
+  for (const auto& dates : std::vector<std::vector<std::string>>{
+           {"Jan 9, 2027 905 AM", "Jan 15, 2027 1205 AM", "Jan 15, 2027 905 AM",
+            "Jan 15, 2027 1205 PM", "Jan 15, 2027 905 PM", "Feb 1, 2027 905 AM"},
+           {"9 January, 2027 905 a.m.", "15 January, 2027 1205 AM", "15 January, 2027 905 p.m."},
+           {"Dec 31, 2026 2359", "Jan 1, 2027 0005", "Jan 1, 2027 2005"},
+           {"2027-01-09 22 05", "2027-01-15 09 05", "2027-02-01 00 05"}}) {
+    std::string before;
+    for (const std::string& date : dates) {
+      const std::string name = "1-2 - Ada - " + date + " - x.cpp";
+      const auto label = Labels({name}, {}).of(name);
+      ASSERT_TRUE(label) << date;
+      EXPECT_LT(before, label->attempt) << date;
+      before = label->attempt;
+    }
+  }
+}
+
+// The form of a name is that of the platform, not that which a learner has written into it.
+TEST_F(Intake, a_name_that_a_learner_chose_is_nobody_elses) {
+  const std::string stub = "stub", date = "2027-01-15-22-05-00";
+  const std::vector<std::pair<std::string, std::string>> classes{
+      {"Eve_5_assignsubmission_file_", "Bob_55_assignsubmission_file_"},
+      {"HW1_eve_attempt_" + date + "_", "HW1_bob_attempt_" + date + "_"},
+      {"eve_5_800_", "bob_55_901_"},
+      {"1-2 - Eve - Jan 15, 2027 1005 PM - ", "55-2 - Bob - Jan 15, 2027 1005 PM - "},
+      {"eve@x.org_1_", "bob@x.org_1_"}};
+  for (const auto& [eves, bobs] : classes) {
+    fs::remove_all(in());
+    add(bobs + "hit_box.cpp", "right");
+    const auto before = seen();
+    ASSERT_EQ(before.size(), 1U) << bobs;
+    for (const auto& [other, forged] : classes) {
+      fs::remove_all(in());
+      add(bobs + "hit_box.cpp", "right");
+      std::string prefix = eves;
+      for (const std::string& upload : {forged, other, std::string(), bobs}) {
+        add(prefix + upload + "hit_box.cpp", stub);
+        // Canvas numbers every file.
+        if (eves == "eve_5_800_") ++prefix[eves.size() - 2];
+      }
+      auto all = seen();
+      EXPECT_EQ(all.size(), 2U) << eves << forged;
+      int same = 0;
+      for (const auto& [name, row] : all) {
+        same += row.judged == Files{{"hit_box", "right"}} && row.problem.empty() &&
+                        row.id == before.begin()->second.id
+                    ? 1
+                    : 0;
+      }
+      EXPECT_EQ(same, 1) << eves << forged;
+    }
+  }
+}
+
+TEST_F(Intake, names_that_end_in_a_number_are_whole) {
+  add("jdoe_3_44_903_hit_box.cpp", "b");
+  add("jdoe_3_44_904_hit_sphere.cpp", "s");
+  add("team_7_123_905_work.zip", archive_of({{"hit_box.cpp", "t"}}));
+  add("carl_7_906_hit_box.cpp", "c");
+  auto all = seen();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all["jdoe_3"].files, (Files{{"hit_box.cpp", "b"}, {"hit_sphere.cpp", "s"}}));
+  EXPECT_EQ(all["jdoe_3"].id, "44");
+  EXPECT_EQ(all["team_7"].id, "123");
+  EXPECT_EQ(all["team_7"].judged, (Files{{"hit_box", "t"}}));
+  EXPECT_EQ(all["carl"].id, "7");
+  EXPECT_EQ(all["carl"].problem, "");
+}
+
+TEST_F(Intake, two_rows_with_one_id_are_named_and_have_none) {
+  add("Ada_55_assignsubmission_file_/hit_box.cpp", "a");
+  add("Bob_55_assignsubmission_file_/hit_box.cpp", "b");
+  add("Cy_56_assignsubmission_file_/hit_box.cpp", "c");
+  add("1-2 - Di - Jan 15, 2027 1005 PM/hit_box.cpp", "d");
+  add("1-2 - Eve - Jan 15, 2027 1005 PM/hit_box.cpp", "e");
+  auto all = seen();
+  ASSERT_EQ(all.size(), 5U);
+  EXPECT_THAT(all["Ada"].problem, HasSubstr("its ID '55' is also that of 'Bob'"));
+  EXPECT_THAT(all["Bob"].problem, HasSubstr("its ID '55' is also that of 'Ada'"));
+  for (const char* name : {"Ada", "Bob", "Di", "Eve"}) {
+    EXPECT_EQ(all[name].id, "") << name;
+    EXPECT_NE(all[name].problem, "") << name;
+  }
+  EXPECT_EQ(all["Cy"].problem, "");
+  fs::remove_all(in());
+  add("submission_1/hit_box.cpp", "a");
+  add("submission_2/hit_box.cpp", "b");
+  add(kGradescopeList,
+      "submission_1:\n  :submitters:\n  - :name: Ada\n    :sid: 7\n  - :name: Bob\n    :sid: 8\n"
+      "submission_2:\n  :submitters:\n  - :name: Bob\n    :sid: 8\n");
+  for (const auto& [name, one] : seen()) EXPECT_THAT(one.problem, HasSubstr("'8'")) << name;
+}
+
+TEST_F(Intake, user_names_of_blackboard_are_whole) {
+  add("HW1_s_smith_attempt_2027-01-15-22-05-33_hit_box.cpp", "s");
+  add("HW1_j_smith_attempt_2027-01-15-22-05-33_hit_box.cpp", "j");
+  auto all = seen();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all["s_smith"].judged, (Files{{"hit_box", "s"}}));
+  EXPECT_EQ(all["j_smith"].judged, (Files{{"hit_box", "j"}}));
+}
+
+// The name of each attempt begins with `before`, and %s is its date or number.
+TEST_F(Intake, of_several_attempts_the_last_counts) {
+  const auto zip = [](const Files& files) {
+    std::vector<Entry> entries;
+    for (const auto& [name, text] : files) entries.push_back({name, text});
+    return archive_of(entries);
+  };
+  const auto three = [](const std::string& before, const std::vector<std::string>& dates,
+                        const std::string& after) {
+    std::vector<std::string> all;
+    for (const std::string& date : dates) all.push_back(before + date + after);
+    return all;
+  };
+  const std::vector<std::vector<std::string>> platforms{
+      three("HW_ada_attempt_",
+            {"2027-01-01-00-00-00", "2027-01-02-00-00-00", "2027-01-03-00-00-00"}, "_"),
+      three("1-2 - Ada - ", {"Dec 1, 2026 905 PM", "Jan 2, 2027 905 AM", "Jan 2, 2027 905 PM"},
+            " - "),
+      three("ada@x.org_", {"2", "9", "10"}, "_")};
+  for (const std::vector<std::string>& at : platforms) {
+    SCOPED_TRACE(at[0]);
+    const auto judged = [&](const std::vector<std::pair<std::string, std::string>>& files) {
+      fs::remove_all(in());
+      add("bob/hit_box.cpp", "b");
+      for (std::size_t i = 0; i < files.size(); ++i) add(at[i] + files[i].first, files[i].second);
+      auto all = seen();
+      EXPECT_EQ(all.size(), 2U);
+      all.erase("bob");
+      return all.begin()->second;
+    };
+    const Files box{{"hit_box", "new"}}, both{{"hit_box", "new"}, {"hit_sphere", "old"}};
+    EXPECT_EQ(judged({{"hit_box.cpp", "old"}, {"work.zip", zip({{"hit_box.cpp", "new"}})}}).judged,
+              box);
+    EXPECT_EQ(judged({{"work.zip", zip({{"hit_box.cpp", "old"}})},
+                      {"work_v2.zip", zip({{"hit_box.cpp", "new"}})}})
+                  .judged,
+              box);
+    EXPECT_EQ(judged({{"work.zip", zip({{"hit_box.cpp", "old"}, {"a/hit_sphere.cpp", "old"}})},
+                      {"hit_box.cpp", "new"}})
+                  .judged,
+              both);
+    EXPECT_EQ(judged({{"hit_box.cpp", "old"}, {"hit_box (1).cpp", "new"}}).judged, box);
+    EXPECT_EQ(judged({{"hit_box.cpp", "old"}, {"hit_box.cpp", "new"}, {"report.pdf", "?"}}).judged,
+              box);
+    EXPECT_THAT(judged({{"hit_box.cpp", "old"}, {"hit_box.cpp", "new"}}).note,
+                HasSubstr("of several attempts the last counts"));
+    EXPECT_THAT(judged({{"hit_box.cpp", "old"}, {"work.zip", "broken"}}).problem,
+                HasSubstr("cannot be unpacked"));
+  }
+  fs::remove_all(in());
+  add("1-2 - Ada - 9 mai 2027 905 - hit_box.cpp", "?");
+  add("1-2 - Ada - 1 juin 2027 905 - hit_box.cpp", "?");
+  EXPECT_THAT(seen()["Ada"].problem, HasSubstr("their dates cannot be read"));
+}
+
+TEST_F(Intake, files_of_learners_without_names_are_refused) {
+  for (const char* second : {"hit_box(1).cpp", "hit_box (2).cpp", "Hit_Box(1).cpp"}) {
+    fs::remove_all(in());
+    add("HW1/hit_box.cpp", "a");
+    add(std::string("HW1/") + second, "b");
+    EXPECT_THAT([&] { seen(); },
+                testing::ThrowsMessage<pt::Error>(HasSubstr("does not say whose they are")))
+        << second;
+  }
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ TEST_F(Intake, a_submission_that_is_hidden_is_named) {
   add("__MACOSX/._ada/._hit_box.cpp", "?");
   EXPECT_EQ(seen().size(), 1U);
   EXPECT_THAT(unclaimed_, testing::ElementsAre(".bob", ".cy.zip"));
+  EXPECT_TRUE(work_is_unclaimed_);
 }
 
 TEST_F(Intake, an_empty_class_is_said_to_be_one) {
@@ -54,6 +55,19 @@ TEST_F(Intake, pipes_and_devices_are_nobodys) {
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all.begin()->first, "ada");
   EXPECT_EQ(unclaimed_, (std::vector<std::string>{"bob_1_2_hit_box.cpp", "carol.zip"}));
+}
+
+TEST_F(Intake, files_of_nobody_may_be_work) {
+  add("ada/hit_box.cpp", "a");
+  add("index.html", "of the platform");
+  seen();
+  EXPECT_FALSE(work_is_unclaimed_);
+  for (const char* name : {"hit_box.cpp", "hit_box.cpp.txt", "main.CPP"}) {
+    add(name, "?");
+    seen();
+    EXPECT_TRUE(work_is_unclaimed_) << name;
+    fs::remove(in(name));
+  }
 }
 
 TEST_F(Intake, folders_around_everything_are_entered) {
@@ -130,6 +144,36 @@ TEST_F(Intake, files_that_are_nearly_named_right_count) {
                                      {"2_bvh/hit_bvh.cpp", "v"}}));
   EXPECT_THAT(all["bob"].problem, HasSubstr("'hit_box (1).cpp' and 'hit_box (2).cpp' may both be"));
   EXPECT_EQ(all["cy"].files["hit_box.cpp"], "right");
+  EXPECT_EQ(all["cy"].note, "'hit_box.cpp' counts, and not 'hit_box-1.cpp', which differs");
+  EXPECT_EQ(all["ada"].note, "");
+}
+
+TEST_F(Intake, what_counts_of_several_files_is_said) {
+  const std::string packed = archive_of({{"a/hit_box.cpp", "packed"}, {"hit_sphere.cpp", "s"}});
+  add("ada/hit_box.cpp", "loose");
+  add("ada/rest.zip", packed);
+  add("bob/hit_box.cpp", "loose");
+  add("bob/old/hit_box.cpp", "old");
+  add("bob/same/hit_box.cpp", "loose");
+  add("cy/hit_box.cpp", "c");
+  add("cy/rest.zip", "broken");
+  add("di/hit_box.cpp", "d");
+  add("di/1.zip", packed);
+  add("di/2.zip", packed);
+  add("eve/hit_box.cpp", "e");
+  add("eve/report.zip", archive_of({{"report.pdf", "?"}}));
+  auto all = seen();
+  EXPECT_EQ(all["ada"].judged, (Files{{"hit_box", "loose"}, {"hit_sphere", "s"}}));
+  EXPECT_EQ(all["ada"].note,
+            "hit_sphere from 'rest.zip' beside the other files counts; hit_box in 'rest.zip' does "
+            "not count, as the file beside it does");
+  EXPECT_EQ(all["bob"].note, "'hit_box.cpp' counts, and not 'old/hit_box.cpp', which differs");
+  EXPECT_EQ(all["cy"].judged, (Files{{"hit_box", "c"}}));
+  EXPECT_THAT(all["cy"].note, HasSubstr("'rest.zip' beside the files does not count: "));
+  EXPECT_THAT(
+      all["di"].note,
+      HasSubstr("it holds 2 archives, '1.zip' and '2.zip' among them, of which none is read"));
+  EXPECT_EQ(all["eve"].note, "");
 }
 
 TEST_F(Intake, progress_counts_submissions) {

@@ -128,5 +128,31 @@ TEST(ReadCsv, says_where_each_cell_stands) {
   EXPECT_EQ(table.rows[1].cells[0].value, "");
 }
 
+// The number in the name of a group's files is the group's, not a participant's.
+TEST(Worksheet, a_groups_grade_is_for_its_members) {
+  const std::string head =
+      "Identifier,Full name,Group,Grade,Maximum Grade,Grade can be changed,Feedback comments\n";
+  const auto row = [](const char* who, const char* group, const char* grade) {
+    return fmt::format("{},{},{},20,Yes,{}\n", who, group, grade, *grade == 0 ? "" : "fine");
+  };
+  const std::vector<GradeRow> teams{{"Team A", "5", true, 9, "fine"},
+                                    {"Team É", "6", true, 8, "fine"},
+                                    {"Default group", "", true, 7, "fine"},
+                                    {"Zoë K (9)", "9", true, 6, "fine"},
+                                    {"Nobody", "8", true, 1, "fine"}};
+  const auto table = [&](bool done) {
+    const auto if_done = [&](const char* grade) { return done ? grade : ""; };
+    return head + row("Participant 5,Cy Ace", "Team É", if_done("8")) +
+           row("Participant 6,Di Ace", "Team A", if_done("9")) +
+           row("Participant 7,Eve Ace", "Team A", if_done("9")) +
+           row("Participant 8,Fay Ace", "Default group", if_done("7")) +
+           row("Participant 9,Zoe\xcc\x88 K", "Team A", if_done("6")) +
+           row("Participant 10,Gus Ace", "Team B", "");
+  };
+  const Worksheet::Filled filled = Worksheet(table(false), "sheet.csv").filled(teams, 20);
+  EXPECT_EQ(filled.text, table(true));
+  EXPECT_THAT(filled.strays, ElementsAre("Nobody"));
+}
+
 }  // namespace
 }  // namespace grader::platforms

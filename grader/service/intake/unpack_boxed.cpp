@@ -1,4 +1,4 @@
-#include "grader/service/classes/unpack_boxed.h"
+#include "grader/service/intake/unpack_boxed.h"
 
 #include "grader/base/descriptor.h"
 #include "grader/base/printable.h"
@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-namespace grader::classes {
+namespace grader::intake {
 
 namespace {
 
@@ -27,14 +27,12 @@ constexpr std::uint64_t kMaxFiles = 32;                      // open at a time
 constexpr std::size_t kMaxReason = 300;
 
 // The limit of processor time; the box ends a little earlier than the process that waits for it.
-std::uint64_t max_seconds(intake::Extent extent) {
-  return extent == intake::Extent::everybody ? 3600 : 60;
-}
+std::uint64_t max_seconds(Extent extent) { return extent == Extent::everybody ? 3600 : 60; }
 
 sandbox::Box box_for(const std::string& program, const std::string& name, int archive,
-                     const std::string& folder, intake::Extent extent) {
+                     const std::string& folder, Extent extent) {
   sandbox::Box box;
-  box.command = {program, name, extent == intake::Extent::everybody ? "everybody" : "one"};
+  box.command = {program, name, extent == Extent::everybody ? "everybody" : "one"};
   box.environment = {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"};
   box.descriptors = {archive};
   box.visible = {program};
@@ -56,7 +54,7 @@ bool is_of_archive(const process::CommandResult& run, int status) {
 }
 
 std::string unpack_one(const std::string& program, sandbox::Tier tier, const std::string& archive,
-                       const std::string& folder, intake::Extent extent) {
+                       const std::string& folder, Extent extent) {
   const std::string name = base::printable(fs::path(archive).filename().string(), kMaxReason);
   const base::Descriptor file(open(archive.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.is_open()) return fmt::format("'{}' cannot be read", name);
@@ -77,19 +75,25 @@ std::string unpack_one(const std::string& program, sandbox::Tier tier, const std
 
 }  // namespace
 
-intake::Unpack unpack_boxed(const build::Config& config, const std::string& programs,
-                            bool must_isolate) {
-  const sandbox::Isolation found = sandbox::probe_isolation(config.root, config.work);
+Unpack unpack_boxed(const std::string& root, const std::string& work, const std::string& programs,
+                    bool must_isolate) {
+  const std::string program = programs + "/unpack";
+  if (!fs::exists(program)) {
+    return [](const std::string& archive, const std::string&, Extent) {
+      return fmt::format("'{}' cannot be unpacked here; unpack it first",
+                         base::printable(fs::path(archive).filename().string(), kMaxReason));
+    };
+  }
+  const sandbox::Isolation found = sandbox::probe_isolation(root, work);
   if (must_isolate && found.tier == sandbox::Tier::limits) {
     throw pt::Error("nothing isolates submissions from this machine (" + found.why_not_better +
                     "); --not-isolated grades a class all the same");
   }
   // A sanitised program has no room for its shadow memory in a box.
   const sandbox::Tier tier = process::kSanitized ? sandbox::Tier::limits : found.tier;
-  return [program = programs + "/unpack", tier](const std::string& archive,
-                                                const std::string& folder, intake::Extent extent) {
+  return [program, tier](const std::string& archive, const std::string& folder, Extent extent) {
     return unpack_one(program, tier, archive, folder, extent);
   };
 }
 
-}  // namespace grader::classes
+}  // namespace grader::intake
