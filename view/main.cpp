@@ -115,7 +115,15 @@ void serve(const Options& options, Child& own, Child* reference) {
   const std::string token = random_token();
   json data = page_data(options, true);
   data["token"] = token;
-  Server server({page_with(data), token, &own, reference});
+  data["watched"] = !options.tasks.empty();
+  std::optional<Live> live;
+  if (!options.tasks.empty()) {
+    live.emplace(options.tasks,
+                 std::vector<std::string>{"/usr/bin/env", "ninja", "-C", options.build.string(),
+                                          options.worker.filename().string()},
+                 own);
+  }
+  Server server({page_with(data), token, &own, reference, live ? &*live : nullptr});
   server.bind(options.port);
   std::signal(SIGINT, [](int) { interrupted = true; });
   std::signal(SIGTERM, [](int) { interrupted = true; });

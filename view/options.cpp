@@ -49,6 +49,8 @@ Options parse_options(int argc, const char* const* argv) {
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
   app.add_option("--worker", options.worker, "Given by ./run")->required()->group("");
   app.add_option("--reference", options.reference, "Given by ./run")->group("");
+  app.add_option("--tasks", options.tasks, "Given by ./run")->group("");
+  app.add_option("--build", options.build, "Given by ./run")->group("");
   app.add_option("--mixture", options.from, "Given by ./run")->group("");
   pt::parse(app, argc, argv);
   options.settings["w"] = std::to_string(size.empty() ? 480 : size[0]);

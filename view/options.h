@@ -19,6 +19,8 @@ struct Options {
   std::filesystem::path page;  // to write; empty: serve
   // Given by ./run:
   std::filesystem::path worker, reference;
+  std::filesystem::path tasks,
+      build;  // the files of the tasks, and the folder where ninja compiles them
   std::string from = "reference";
 };
 

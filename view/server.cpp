@@ -113,11 +113,16 @@ Server::Server(Served served)
   http_->Get("/", [this](const Request&, Response& response) {
     response.set_content(served_.page, "text/html; charset=utf-8");
   });
-  for (const char* what : {"scene", "picture", "paths"}) {
+  for (const char* what : {"scene", "picture", "paths", "tree"}) {
     http_->Get(std::string("/") + what, [this, what](const Request& request, Response& response) {
       answer(served_, what, request, response);
     });
   }
+  http_->Get("/saved", [this](const Request&, Response& response) {
+    const Live::State state = served_.live == nullptr ? Live::State{} : served_.live->state();
+    const nlohmann::json told{{"saves", state.saves}, {"error", pt::printable(state.error)}};
+    response.set_content(told.dump(), "application/json");
+  });
   http_->set_error_handler([](const Request&, Response& response) {
     if (response.body.empty()) refuse(response, response.status, "there is nothing here");
   });

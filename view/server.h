@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view/child.h"
+#include "view/live.h"
 
 #include <memory>
 #include <string>
@@ -17,6 +17,7 @@ struct Served {
   std::string token;           // in every request
   Child* own = nullptr;        // the tasks that are looked at
   Child* reference = nullptr;  // beside them; none: they are the reference
+  Live* live = nullptr;        // compiles them when they are saved; none: nothing is watched
 };
 
 // A server for one person on this machine. It answers a request only with the token, addressed to this host, and not from a page

@@ -6,7 +6,7 @@
 edition_files() {
   local parts=(run README.md LICENSE CMakeLists.txt CMakePresets.json .clang-format .clangd compile_flags.txt
     .vscode .devcontainer
-    cmake docs golden grader measure pt scenes scripts student writeup)
+    cmake docs golden grader measure pt scenes scripts student view writeup)
   {
     git ls-files -- "${parts[@]}" 2>/dev/null | grep . ||
       find "${parts[@]}" -type f 2>/dev/null

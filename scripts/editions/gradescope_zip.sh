@@ -8,7 +8,7 @@ file=$(realpath -m "$2")
 mkdir -p "$(dirname "$file")"
 half=$(mktemp -d)
 trap 'rm -rf "$half" "$file.half"' EXIT
-edition_files "$only_for_us"'|\.png$|^writeup/' | copy_files "$half"
+edition_files "$only_for_us"'|\.png$|^(view|writeup)/' | copy_files "$half"
 copy_known "$1" "$half"
 { git ls-files reference fast 2>/dev/null | grep . || find reference fast -type f; } | copy_files "$half"
 cp scripts/editions/gradescope/setup.sh scripts/editions/gradescope/run_autograder "$half"

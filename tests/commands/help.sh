@@ -27,6 +27,7 @@ measure measure/measure
 mesh scenes/generate mesh
 render pt/render
 stability measure/stability
+view view/view
 watch grader/watch
 writeup writeup/writeup
 END

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Walks what README and docs/commands.md promise, each command once, on a small input: rendering, grading alone and together with
-# pictures, hints, a class, the settings that a scene needs, the time of a call. ./run builds these programs, and starts them with
+# pictures, the view, hints, a class, the settings that a scene needs, the time of a call. ./run builds these programs, and starts them with
 # the same words. Every render that a page names is walked with its own options, on a few pixels.
 # walk.sh BUILD: whose programs are walked.
 set -euo pipefail
@@ -10,8 +10,8 @@ build=$1
 
 # What README and docs/commands.md name is a command of ./run, the help names it on docs/commands.md, and a line below or another
 # test walks it.
-walked=' render compare grade hint grade-class cheapest measure '
-elsewhere=' watch view debug submit writeup converge ladder stability mesh bench handout gradescope-zip test lint format tidy bless help '
+walked=' render view compare grade hint grade-class cheapest measure '
+elsewhere=' watch debug submit writeup converge ladder stability mesh bench handout gradescope-zip test lint format tidy bless help '
 named() { grep -ohE '\./run [a-z-]+' "$@" | cut -d' ' -f2 | sort -u; }
 for command in $(named README.md docs/commands.md); do
   case $walked$elsewhere in *" $command "*) ;; *) complain "$command is on a page, and nothing walks it" ;; esac
@@ -31,6 +31,9 @@ while IFS= read -r words; do
 done < <(sed -nE 's/^    \.\/run render (scenes\/.*)$/\1/p; s/.*`\.\/run render (scenes\/[^`]*)`.*/\1/p' README.md docs/rendering.md student/*.md student/*/README.md | sort -u)
 [ "$renders" -ge 30 ] || complain "the pages have only $renders renders"
 expect 0 '' "$build/pt/compare" "$folder/box.png" "$folder/box.png"
+expect 0 'page.html' "$build/view/view" --worker "$build/view/view_worker.reference" scenes/box_spheres.dae -r 48 36 -s 2 \
+  --pixel 24 9 --export "$folder/page.html"
+grep -q '"same":true' "$folder/page.html" || complain 'the parts of a path do not add up to its light'
 
 # A submission that is right but for one task, and has not written another one.
 cp -r reference "$folder/good"

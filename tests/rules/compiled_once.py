@@ -8,7 +8,7 @@ import json
 import os
 import sys
 
-FOLDERS = ("pt", "scenes", "reference", "fast", "student", "grader", "measure", "writeup", "tests", "bench")
+FOLDERS = ("pt", "scenes", "reference", "fast", "student", "grader", "measure", "writeup", "view", "tests", "bench")
 
 # Recorded versions of a task are files of their own, made by CMake (cmake/recorded.cpp.in), and so are the kernels of pt/accel:
 # they need no exceptions. The files of student/ are compiled again under sanitizers.

@@ -31,13 +31,14 @@ const Rooms kService{
 const Rooms kMeasure{"measure/charts", "measure/renders", "measure/scene", "measure/calls",
                      "measure/failure"};
 const std::string kWriteup = "writeup";
+const std::string kView = "view";
 
 // These rooms contain programs, and nobody includes their headers.
 const Rooms kPrograms{"grader/watch", "grader/programs"};
 
 const Rooms kRooms = [] {
   Rooms all;
-  for (const Rooms& rooms : {kCore, kService, kMeasure, {kWriteup}, kPrograms})
+  for (const Rooms& rooms : {kCore, kService, kMeasure, {kWriteup}, {kView}, kPrograms})
     all.insert(all.end(), rooms.begin(), rooms.end());
   return all;
 }();
@@ -53,7 +54,8 @@ const std::map<std::string, std::set<std::string>> kOnly{
     {"grader/service/process", {"grader/base"}},
     {"grader/service/sandbox", {"grader/base", "grader/service/process"}},
     {"grader/service/intake", {"grader/base", "grader/service/process", "grader/service/sandbox"}},
-    {"grader/service/platforms", {"grader/results", "grader/report"}}};
+    {"grader/service/platforms", {"grader/results", "grader/report"}},
+    {kView, {"grader/base", "grader/report", "grader/service/process"}}};
 
 // Rooms whose namespace is not grader:: and the last part of their name.
 const std::map<std::string, std::string> kNamespaces{{"grader", "grader"},
@@ -62,6 +64,7 @@ const std::map<std::string, std::string> kNamespaces{{"grader", "grader"},
                                                      {"measure/renders", "measure"},
                                                      {"measure/scene", "measure::scene"},
                                                      {"writeup", "writeup"},
+                                                     {"view", "view"},
                                                      {"measure/calls", "measure::calls"},
                                                      {"measure/failure", "measure::failure"}};
 
@@ -79,6 +82,7 @@ const std::map<std::string, std::set<std::string>> kCallsOfTasks{
 const std::map<std::string, std::string> kElsewhere{
     {"grader/service/wire/call.h", "grader::check"},
     {"grader/service/wire/implementation.cpp", "pt"},
+    {"view/worker/paths.cpp", "pt"},
     {"measure/calls/serve.cpp", "grader::wire"}};
 
 struct Source {
@@ -103,7 +107,7 @@ bool is_ours(const std::string& path) {
 
 std::vector<Source> sources() {
   std::vector<Source> all;
-  for (const char* folder : {"grader", "measure", "writeup"}) {
+  for (const char* folder : {"grader", "measure", "writeup", "view"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(FIRSTLIGHT_ROOT) / folder)) {
       const std::string path = fs::relative(entry.path(), FIRSTLIGHT_ROOT);
       const std::string type = entry.path().extension();
@@ -116,7 +120,8 @@ std::vector<Source> sources() {
 
 // Returns the rooms whose headers a text includes, with the include line.
 std::map<std::string, std::string> included(const std::string& text) {
-  static const std::regex include(R"(^#include "((?:grader|measure|writeup|tests|bench)/.*)\".*)");
+  static const std::regex include(
+      R"(^#include "((?:grader|measure|writeup|view|tests|bench)/.*)\".*)");
   std::map<std::string, std::string> rooms;
   std::istringstream lines(text);
   std::smatch found;
@@ -203,7 +208,7 @@ bool may_open(const Source& source, const std::string& name) {
   const std::string own = namespace_of(source);
   const auto elsewhere = kElsewhere.find(source.path);
   return name == own || name.starts_with(own + "::") ||
-         !std::regex_match(name, std::regex("(grader|measure|writeup)(::.*)?")) ||
+         !std::regex_match(name, std::regex("(grader|measure|writeup|view)(::.*)?")) ||
          (elsewhere != kElsewhere.end() && elsewhere->second == name);
 }
 
@@ -232,7 +237,7 @@ TEST(layers, are_namespaces) {
 
 TEST(layers, of_the_renderer_point_downwards) {
   static const std::regex include(
-      R"(^#include "(pt|grader|measure|writeup|tests)/(?:(\w+)/)?(.*)\"$)");
+      R"(^#include "(pt|grader|measure|writeup|view|tests)/(?:(\w+)/)?(.*)\"$)");
   std::set<std::string> calls;
   for (const auto& entry : fs::recursive_directory_iterator(FIRSTLIGHT_ROOT "/pt")) {
     const std::string type = entry.path().extension();

@@ -13,7 +13,7 @@ function shown(value) {
   if (typeof value !== "number") return String(value);
   const size = Math.abs(value);
   const text = size === 0 ? "0" : size < 1e-3 || size >= 1e6 ? value.toExponential(2) : value.toPrecision(4);
-  return text.replace("-", "\u2212");
+  return text.replaceAll("-", "\u2212");
 }
 const column = (v) => (v ? v.map(shown).join("\n") : "");
 

@@ -80,6 +80,27 @@ function draw_line(context, camera, a, b, color, dashed = false) {
   }
 }
 
+// The boxes of one level of a tree: left children blue, right ones orange, leaves with thicker lines.
+function draw_boxes(context, camera, nodes, level) {
+  for (const [low, high, at, side, primitives] of nodes) {
+    if (at !== level) continue;
+    const corner = (i) => [0, 1, 2].map((axis) => ((i >> axis) & 1 ? high : low)[axis]);
+    context.setLineDash([]);
+    context.strokeStyle = side ? "#ff9f40" : "#6fb7ff";
+    context.lineWidth = (primitives > 0 ? 2.5 : 1.2) * devicePixelRatio;
+    context.beginPath();
+    for (let i = 0; i < 8; ++i) {
+      for (const bit of [1, 2, 4]) {
+        const ends = i & bit ? null : project_line(camera, corner(i), corner(i | bit));
+        if (!ends) continue;
+        context.moveTo(ends[0][0] * context.canvas.width, ends[0][1] * context.canvas.height);
+        context.lineTo(ends[1][0] * context.canvas.width, ends[1][1] * context.canvas.height);
+      }
+    }
+    context.stroke();
+  }
+}
+
 function draw_point(context, camera, p, label) {
   const at = project(camera, p);
   if (!at) return;

@@ -81,12 +81,25 @@ function show_picture() {
   show_lines();
 }
 
+// Pixels with samples that were not finite: a button goes there.
+function show_bad(state) {
+  by_id("bad").replaceChildren(...state.bad.map(([x, y]) => {
+    const button = element("button", `${x}, ${y}`);
+    button.type = "button";
+    button.addEventListener("click", () => {
+      now.pixel = [x, y];
+      walk();
+    });
+    return button;
+  }));
+}
+
 function status_of(state) {
   const rays = state.rays / Math.max(state.seconds, 1e-9);
   const words = [`${state.samples} samples per pixel`, `${shown(rays / 1e6)} M rays per second`, `${state.seconds.toFixed(1)} s`,
     `engine ${state.engine}`];
   if (state.unwritten.length) words.push(`not written yet: ${state.unwritten.join(", ")}`);
-  if (state.not_finite) words.push(`${state.not_finite} samples were not finite, first at ${state.bad[0].join(", ")}`);
+  if (state.not_finite) words.push(`${state.not_finite} samples were not finite`);
   return words.join(" \u00b7 ");
 }
 
@@ -116,6 +129,7 @@ async function improve() {
       complain("");
       show_picture();
       by_id("status").textContent = status_of(own) + value_under_pointer();
+      show_bad(own);
       stage.dataset.samples = own.samples;
       goes_on = own.goes_on;
     } catch (error) {
@@ -123,6 +137,22 @@ async function improve() {
       return;
     }
     await new Promise((resolve) => { setTimeout(resolve, document.hidden ? 1000 : 0); });
+  }
+}
+
+// After a save, the tasks are compiled and the page goes on with them.
+async function watch_saves() {
+  let known = 0;
+  for (;;) {
+    await new Promise((resolve) => { setTimeout(resolve, 500); });
+    const { saves, error } = await ask("saved", {}).catch(() => ({ saves: known, error: "" }));
+    if (saves === known) continue;
+    known = saves;
+    complain(error);
+    if (error) continue;
+    if (now.tree) show_tree().then(show_tree);
+    improve();
+    walk();
   }
 }
 
@@ -136,6 +166,7 @@ function show_lines() {
   const context = canvas.getContext("2d");
   const path = now.paths && now.paths.paths[now.which];
   const camera = now.camera;
+  if (now.tree && camera) draw_boxes(context, camera, now.tree.nodes, Number(by_id("level").value));
   if (path && camera && now.scene) {
     draw_path(context, camera, path, Math.hypot(...plus(now.scene.max, now.scene.min, -1)));
   }
@@ -148,6 +179,33 @@ function show_lines() {
     context.setLineDash([]);
     context.strokeRect(x * w - 2, (data.settings.h - 1 - y) * h - 2, w + 4, h + 4);
   }
+}
+
+async function show_tree() {
+  if (now.tree) {
+    now.tree = null;
+  } else {
+    try {
+      now.tree = await ask("tree", query());
+      now.other_tree = data.reference ? await ask("tree", { ...query(), from: "reference" }) : null;
+    } catch (error) {
+      complain(error.message);
+    }
+  }
+  by_id("tree").hidden = !now.tree;
+  if (now.tree) by_id("level").max = now.tree.depth;
+  show_level(0);
+}
+
+function show_level(step) {
+  if (now.tree) {
+    by_id("level").value = Number(by_id("level").value) + step;
+    const says = (tree) => `${tree.count} nodes, ${tree.depth + 1} levels, ${tree.leaves} leaves of at most ${tree.largest}; `
+      + `by areas ${shown(tree.boxes)} boxes and ${shown(tree.primitives)} primitives per ray`;
+    const beside = now.other_tree ? `. The reference: ${says(now.other_tree)}` : "";
+    by_id("level_says").textContent = `${by_id("level").value}: ${says(now.tree)}${beside}`;
+  }
+  show_lines();
 }
 
 // --- the paths of a pixel ---
@@ -258,6 +316,8 @@ function on_key(event) {
     move_eye((view) => (event.shiftKey ? moved(view, 0.05 * right, 0.05 * up) : orbit(view, -0.1 * right, -0.1 * up)));
   } else if (key === "+" || key === "-") move_eye((view) => closer(view, key === "+" ? 0.9 : 1 / 0.9));
   else if (key === "r") go_home();
+  else if (key === "t" && data.live) show_tree();
+  else if (key === "," || key === ".") show_level(key === "," ? -1 : 1);
   else if (key === "[" || key === "]") choose_path(now.which + (key === "[" ? -1 : 1));
   else if (data.live && kShows[key]) set("show", kShows[key]);
   else if (data.live && kColours[key]) set("shown", kColours[key]);
@@ -373,9 +433,12 @@ function begin() {
   });
   by_id("controls").addEventListener("submit", (event) => event.preventDefault());
   by_id("home").addEventListener("click", go_home);
+  by_id("show_tree").addEventListener("click", show_tree);
+  by_id("level").addEventListener("input", () => show_level(0));
   by_id("save").addEventListener("click", save);
   load_scene().then(improve).then(undefined, (error) => complain(error.message));
   walk();
+  if (data.watched) watch_saves();
 }
 
 begin();

@@ -5,6 +5,7 @@
 #include "pt/todo_list.h"
 #include "view/worker/check.h"
 #include "view/worker/json.h"
+#include "view/worker/tree.h"
 
 namespace view {
 
@@ -96,10 +97,16 @@ Answer Answers::paths(const Query& query) {
   return {state, ""};
 }
 
+Answer Answers::tree(const Query& query) {
+  trace_with(settings_of(query));
+  return {tree_of(loaded_.scene.tracer.bvh()), ""};
+}
+
 Answer Answers::answer(const std::string& what, const Query& query) {
   if (what == "scene") return scene(query);
   if (what == "picture") return picture(query);
   if (what == "paths") return paths(query);
+  if (what == "tree") return tree(query);
   throw pt::Error("nothing is known about '" + what + "'");
 }
 

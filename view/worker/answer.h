@@ -30,6 +30,7 @@ class Answers {
   Answer picture(const Query& query);
   Answer paths(const Query& query);
   Answer scene(const Query& query);
+  Answer tree(const Query& query);
 
   std::filesystem::path file_;
   pt::LoadedScene loaded_;

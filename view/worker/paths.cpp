@@ -121,26 +121,37 @@ void arrange(const pt::Scene& scene, Path& path, std::size_t first, const pt::Sa
   if (ended.next.empty()) ended.drawn = numbers_between(last, end);
 }
 
-// The throughput of each point by the calls, and the survival that follows from the part of the sum.
+// The number by which the light from the next point on was divided, as far as its part of the sum tells.
+std::optional<double> division(const Bounce& after, pt::Rgb undivided) {
+  if (after.direct.empty()) return std::nullopt;
+  const double light = luminance(undivided * after.direct[0].light), part = luminance(after.part);
+  if (!(light > 0 && part > 0 && std::isfinite(light / part))) return std::nullopt;
+  return light / part;
+}
+
+// The throughput of each point by the calls. Survival is that of the settings, unless the parts tell that the task has its own.
 void find_throughputs(Path& path, const pt::PathParts& parts, const pt::PathSettings& settings) {
+  constexpr double kRounding = 1e-6;
+  for (std::size_t i = 0; i < std::min(path.bounces.size(), parts.bounces.size()); ++i) {
+    path.bounces[i].part = parts.bounces[i];
+  }
   pt::Rgb throughput = pt::gray(1);
+  bool is_right = true;  // the first direction was weighed as the contract says
   for (std::size_t i = 0; i < path.bounces.size(); ++i) {
     Bounce& bounce = path.bounces[i];
-    bounce.part = i < parts.bounces.size() ? parts.bounces[i] : pt::Rgb{};
     bounce.throughput = throughput;
     path.is_one = path.is_one && bounce.direct.size() <= 1 && bounce.next.size() <= 1;
     if (bounce.next.empty()) continue;
     throughput *= factor(bounce.next[0]);
     if (i + 1 >= path.bounces.size()) continue;
-    // What the next point adds tells by what the light from there was divided.
-    const Bounce& after = path.bounces[i + 1];
-    const pt::Rgb undivided = after.direct.empty() ? pt::Rgb{} : throughput * after.direct[0].light;
-    const pt::Rgb part = i + 1 < parts.bounces.size() ? parts.bounces[i + 1] : pt::Rgb{};
-    const double ratio = luminance(undivided) / luminance(part);
-    const bool is_told = luminance(undivided) > 0 && luminance(part) > 0 && std::isfinite(ratio);
-    bounce.survival = is_told ? ratio : i > 0 && !bounce.drawn.empty() ? settings.survival : 1;
-    if (std::abs(bounce.survival - settings.survival) < 1e-12) bounce.survival = settings.survival;
-    if (std::abs(bounce.survival - 1) < 1e-12) bounce.survival = 1;
+    const std::optional<double> divided = division(path.bounces[i + 1], throughput);
+    if (i == 0) {
+      is_right = !divided || std::abs(*divided - 1) < kRounding;
+      continue;
+    }
+    const bool is_own = is_right && divided && *divided > 0 && *divided < 1 + kRounding &&
+                        std::abs(*divided - settings.survival) > kRounding;
+    bounce.survival = is_own ? *divided : bounce.drawn.empty() ? 1 : settings.survival;
     throughput /= bounce.survival;
   }
 }

@@ -5,72 +5,10 @@
 # page.sh EXAMPLE_PAGE: the program that writes the pages. Skipped (77) if Chromium is missing.
 set -euo pipefail
 
-for program in chromium chromedriver curl; do
-  command -v "$program" >/dev/null || {
-    echo "SKIPPED, the page was not tested: $program is missing (scripts/packages-test.txt)"
-    exit 77
-  }
-done
-
-folder=$(mktemp -d)
-driver=
-session=
-end() {
-  [ -z "$session" ] || curl -s -X DELETE "$session" >/dev/null || true
-  [ -z "$driver" ] || kill "$driver" 2>/dev/null || true
-  [ -z "$driver" ] || wait "$driver" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap end EXIT
-
+# shellcheck source=tests/fixtures/browser.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../fixtures/browser.sh"
 "$1" "$folder"
-: >"$folder/log"  # a busy machine may read it before the driver has begun
-HOME=$folder chromedriver --port=0 >"$folder/log" 2>&1 &
-driver=$!
-port=
-for _ in $(seq 300); do
-  port=$(sed -n 's/.*started successfully on port \([0-9]*\).*/\1/p' "$folder/log")
-  [ -z "$port" ] || break
-  sleep 0.1
-done
-[ -n "$port" ] || { cat "$folder/log"; exit 1; }
-
-failed=0
-post() { curl -sS --max-time 120 -H 'Content-Type: application/json' -d "$2" "$1"; }
-quoted() { sed 's/\\/\\\\/g; s/"/\\"/g' | tr '\n' ' '; }
-script() { post "$session/execute/sync" "{\"script\": \"$(quoted)\", \"args\": []}"; }
-# expect WHAT: the script on standard input returns true.
-expect() {
-  local answer
-  answer=$(script)
-  [ "$answer" = '{"value":true}' ] || { echo "FAILED: $1: $answer"; failed=1; }
-}
-# number: prints the script's result, rounded.
-number() { script | sed -n 's/.*"value":\(-\{0,1\}[0-9]*\).*/\1/p'; }
-element() {
-  post "$session/element" "{\"using\": \"css selector\", \"value\": \"$1\"}" |
-    sed -n 's/.*"element-6066-11e4-a52e-4f735466cecf":"\([^"]*\)".*/\1/p'
-}
-# pointer ELEMENT X Y [CLICK]: moves to a point, relative to the middle of the element.
-pointer() {
-  local click=${4:+, {\"type\": \"pointerDown\", \"button\": 0\}, {\"type\": \"pointerUp\", \"button\": 0\}}
-  post "$session/actions" "{\"actions\": [{\"type\": \"pointer\", \"id\": \"mouse\", \"actions\": [
-    {\"type\": \"pointerMove\", \"duration\": 0, \"x\": $2, \"y\": $3,
-     \"origin\": {\"element-6066-11e4-a52e-4f735466cecf\": \"$1\"}}$click]}]}" >/dev/null
-}
-
-sandbox=
-[ "$(id -u)" -ne 0 ] || sandbox='"--no-sandbox",'
-answer=$(post "http://127.0.0.1:$port/session" "{\"capabilities\": {\"alwaysMatch\": {
-  \"goog:loggingPrefs\": {\"browser\": \"ALL\"},
-  \"goog:chromeOptions\": {\"args\": [$sandbox \"--headless=new\", \"--disable-gpu\", \"--no-first-run\",
-    \"--disable-background-networking\", \"--disable-dev-shm-usage\", \"--window-size=1280,900\",
-    \"--user-data-dir=$folder/profile\"]}}}}")
-id=$(sed -n 's/.*"sessionId":"\([^"]*\)".*/\1/p' <<<"$answer")
-[ -n "$id" ] || { echo "Chromium did not start: $answer"; exit 1; }
-session=http://127.0.0.1:$port/session/$id
-
-post "$session/url" "{\"url\": \"file://$folder/page.html\"}" >/dev/null
+go "file://$folder/page.html"
 
 viewer="document.getElementById('direct_lights.penumbra').querySelector('.viewer')"
 expect 'the page has come to life' <<E2
@@ -169,7 +107,7 @@ return copy.checkVisibility() && copy.querySelector('.compare').style.getPropert
   && copy.querySelector('.where').textContent.startsWith('x 47, y 36 ');
 E2
 
-post "$session/url" "{\"url\": \"file://$folder/class.html\"}" >/dev/null
+go "file://$folder/class.html"
 expect 'a class of a thousand has a row each' <<'E2'
 return document.querySelectorAll('.class tbody tr').length === 1000
   && document.querySelectorAll('.class td.problem').length === 20;
@@ -202,7 +140,4 @@ return [...document.querySelectorAll('.class td.name a')].every(
     '/' + encodeURIComponent(link.textContent) + '.html'));
 E2
 
-console=$(post "$session/se/log" '{"type": "browser"}')
-[ "$console" = '{"value":[]}' ] || { echo "FAILED: the console says $console"; failed=1; }
-[ "$failed" -eq 0 ] && echo 'the page works'
-exit "$failed"
+finish_page

@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# A person's session with the page of ./run view: the picture, a click, the table, a mistake beside the reference, keys, a crash of
+# the tasks, a phone; then a page that was exported, without a server.
+# page.sh BUILD. Skipped (77) if Chromium is missing.
+set -euo pipefail
+# shellcheck source=tests/fixtures/browser.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/browser.sh"
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+programs=$1/view server=
+
+"$programs/view" --worker "$programs/view_no_cosine_worker" --reference "$programs/view_worker.reference" --mixture trace_path=no_cosine \
+  scenes/box_spheres.dae -r 96 72 -s 8 --no-browser >"$folder/said" </dev/null &
+server=$!
+also_end="kill $server"
+for _ in $(seq 100); do
+  address=$(grep -m1 '^http' "$folder/said") && break
+  sleep 0.1
+done
+go "$address"
+# until WHAT: as expect, but the script on standard input may take a while to become true.
+until_true() {
+  local words
+  words=$(cat)
+  for _ in $(seq 300); do
+    [ "$(script <<<"$words")" != '{"value":true}' ] || return 0
+    sleep 0.1
+  done
+  expect "$1" <<<"$words"
+}
+
+until_true 'samples are added up' <<<"return Number(document.getElementById('stage').dataset.samples) >= 6;"
+expect 'the picture is not black' <<'E2'
+const canvas = document.getElementById('picture');
+const { data } = canvas.getContext('2d').getImageData(0, 0, 96, 72);
+return canvas.width === 96 && data.filter((value, i) => i % 4 < 3 && value > 20).length > 10000;
+E2
+stage=$(element '#stage')
+pointer "$stage" 0 100 click
+until_true 'a click traces the paths of the pixel' <<'E2'
+return document.querySelectorAll('#own tbody tr').length > 0
+  && document.getElementById('pixel').textContent.startsWith('Paths of pixel x 4')
+  && !document.getElementById('reference').hidden;
+E2
+expect 'the parts of each path add up, also those of a mistake' <<'E2'
+return now.paths.paths.length === 8
+  && now.paths.paths.every((path) => path.one && path.sum.every((c, i) => Math.abs(c - path.traced[i]) <= 1e-9 * c))
+  && now.reference.paths.every((path) => path.same && path.findings.length === 0);
+E2
+script >/dev/null <<<"document.getElementById('red').click();"
+expect 'the cell of the mistake is red, with the promise and the command' <<'E2'
+return document.querySelectorAll('#own td.broken[data-cell="part"]').length > 0
+  && document.querySelectorAll('#reference td.broken').length === 0
+  && document.getElementById('findings').textContent.includes('weighs by the cosine')
+  && document.getElementById('findings').textContent.includes('./run grade trace_path');
+E2
+expect 'the first number that differs from the reference is outlined in both tables' <<'E2'
+return document.querySelectorAll('#own td.differs').length === 1
+  && document.querySelectorAll('#reference td.differs').length === 1
+  && document.querySelector('#own td.differs').dataset.cell === 'part';
+E2
+keys() { post "$session/element/$stage/value" "{\"text\": \"$1\"}" >/dev/null; }
+expect 'keys choose another path' <<'E2'
+const before = now.which;
+document.getElementById('stage').dispatchEvent(new KeyboardEvent('keydown', { key: ']', bubbles: true }));
+return now.which === (before + 1) % 8;
+E2
+keys '\uE014\uE014\uE007'
+until_true 'arrow keys and Enter trace the paths of another pixel' <<'E2'
+return now.paths.x === now.pixel[0] && document.getElementById('pixel').textContent.includes(`x ${now.pixel[0]},`);
+E2
+keys 'd'
+until_true 'D turns the camera, and R brings that of the file back' <<'E2'
+return now.view !== null && JSON.stringify(now.camera.position) !== JSON.stringify(now.scene.camera.position);
+E2
+keys 'r'
+until_true 'R brings the camera of the file back' <<'E2'
+return now.view === null && JSON.stringify(now.camera.position) === JSON.stringify(now.scene.camera.position);
+E2
+keys 'b'
+until_true 'B shows the boxes tested, with a legend' <<'E2'
+return !document.getElementById('legend').hidden && Number(document.getElementById('high').textContent) > 1;
+E2
+pkill -SEGV -P "$server" -f view_no_cosine_worker
+keys 'l'
+until_true 'a crash of the tasks is a sentence' <<'E2'
+const banner = document.getElementById('banner');
+return !banner.hidden && banner.textContent.includes('the tasks crashed: signal 11');
+E2
+keys '\uE007'
+until_true 'and the page goes on with them' <<'E2'
+return document.getElementById('banner').hidden && now.paths.paths.length === 8;
+E2
+post "$session/window/rect" '{"width": 500, "height": 844}' >/dev/null
+expect 'on a phone only the tables are wider than the page' <<'E2'
+return document.documentElement.scrollWidth <= innerWidth;
+E2
+
+"$programs/view" --worker "$programs/view_worker.reference" scenes/box_spheres.dae -r 96 72 -s 4 --pixel 48 20 \
+  --export "$folder/export.html" >/dev/null
+go "file://$folder/export.html"
+until_true 'an exported page shows its picture and its paths without a server' <<'E2'
+return document.getElementById('stage').dataset.ready === 'yes' && document.getElementById('picture').width === 96
+  && document.querySelectorAll('#own tbody tr').length > 0 && document.getElementById('sum').className === 'same';
+E2
+# The refused answer of the crash is in the console; nothing else is.
+script >/dev/null <<<''
+post "$session/se/log" '{"type": "browser"}' | grep -o '"message":"[^"]*"' | grep -v '503' && failed=1
+[ "$failed" -eq 0 ] && echo 'the page works'
+exit "$failed"
