@@ -3,6 +3,7 @@
 #include "grader/service/process/limits.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
@@ -23,11 +24,20 @@ FIRSTLIGHT_EDGE(begin_of_bss, "__start_firstlight_bss");
 FIRSTLIGHT_EDGE(end_of_bss, "__stop_firstlight_bss");
 }
 
+// The allocator of glibc, below malloc.
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* block, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* block);
+}
+
 namespace grader::wire {
 
 namespace {
 
-// An allocator that bypasses new and delete below.
+// An allocator that bypasses malloc and free below.
 template <class T>
 struct Malloc {
   using value_type = T;
@@ -35,8 +45,8 @@ struct Malloc {
   template <class Other>
   Malloc(const Malloc<Other>&) {}
   // NOLINTNEXTLINE(bugprone-sizeof-expression): T may be a pointer
-  T* allocate(std::size_t n) { return static_cast<T*>(std::malloc(n * sizeof(T))); }
-  void deallocate(T* p, std::size_t) { std::free(p); }
+  T* allocate(std::size_t n) { return static_cast<T*>(__libc_malloc(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t) { __libc_free(p); }
   bool operator==(const Malloc&) const { return true; }
 };
 
@@ -61,12 +71,13 @@ bool has_state() {
 
 // Empty if no state can be kept. Never destroyed: memory is freed until the end.
 Blocks& blocks() {
-  static Blocks& all = *new (std::malloc(sizeof(Blocks))) Blocks;
+  static Blocks& all = *new (__libc_malloc(sizeof(Blocks))) Blocks;
   return all;
 }
 
-void note(void* block, std::size_t size) {
-  if (has_state()) blocks()[reinterpret_cast<std::uintptr_t>(block)] = size;
+void* noted(void* block, std::size_t size) {
+  if (block != nullptr && has_state()) blocks()[reinterpret_cast<std::uintptr_t>(block)] = size;
+  return block;
 }
 void forget(void* block) {
   if (has_state()) blocks().erase(reinterpret_cast<std::uintptr_t>(block));
@@ -156,29 +167,30 @@ std::uint64_t kept_state() {
   return watched.look();
 }
 
-void* allocate(std::size_t size) {
-  while (true) {
-    if (void* block = std::malloc(std::max<std::size_t>(size, 1))) {
-      note(block, size);
-      return block;
-    }
-    const std::new_handler handler = std::get_new_handler();
-    if (handler == nullptr) throw std::bad_alloc();
-    handler();
-  }
-}
-
-void give_back(void* block) {
-  if (block == nullptr) return;
-  forget(block);
-  std::free(block);
-}
-
 }  // namespace grader::wire
 
-// Sanitisers have their own. The other forms of new and delete call these.
+// Every form of new calls one of these. Sanitisers have their own.
 #if !defined(__SANITIZE_ADDRESS__)
-void* operator new(std::size_t size) { return grader::wire::allocate(size); }
-void operator delete(void* block) noexcept { grader::wire::give_back(block); }
-void operator delete(void* block, std::size_t) noexcept { grader::wire::give_back(block); }
+extern "C" {
+void* malloc(std::size_t size) { return grader::wire::noted(__libc_malloc(size), size); }
+void* calloc(std::size_t count, std::size_t size) {
+  return grader::wire::noted(__libc_calloc(count, size), count * size);
+}
+void* realloc(void* block, std::size_t size) {
+  grader::wire::forget(block);
+  return grader::wire::noted(__libc_realloc(block, size), size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  return grader::wire::noted(__libc_memalign(alignment, size), size);
+}
+void* memalign(std::size_t alignment, std::size_t size) { return aligned_alloc(alignment, size); }
+int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
+  *block = aligned_alloc(alignment, size);
+  return *block == nullptr ? ENOMEM : 0;
+}
+void free(void* block) {
+  grader::wire::forget(block);
+  __libc_free(block);
+}
+}
 #endif

@@ -20,7 +20,8 @@ void insert(const Submission& submission, const std::string& slug, const std::st
   ASSERT_NE(begin, std::string::npos) << file;
   text.insert(text.find("{\n", begin) + 1, "\n" + lines);
   std::ofstream(file)
-      << "#include <array>\n#include <cstdio>\n#include <iostream>\n#include <map>\n"
+      << "#include <array>\n#include <cstdio>\n#include <cstdlib>\n#include <iostream>\n#include "
+         "<map>\n"
          "#include <memory>\n#include <mutex>\n#include <random>\n#include <string>\n"
          "#include <unordered_map>\n#include <vector>\n"
       << text;
@@ -51,6 +52,15 @@ TEST(state, that_is_kept_between_calls_is_found_wherever_it_is) {
       {"hit_box", "hit_box",
        "  static auto* const state = new std::map<int, double>;\n  (*state)[3] += ray.t_min + 1;\n",
        "'state'"},
+      {"estimate_pixel", "estimate_pixel",
+       "  static auto* const counts = static_cast<int*>(std::calloc(8, sizeof(int)));\n"
+       "  ++counts[1];\n  if (counts[1] < 0) std::puts(\"many\");\n",
+       "'counts'"},
+      {"direct_lights", "direct_lights",
+       "  struct alignas(64) Line {\n    double last[8];\n  };\n"
+       "  static Line* const line = new Line;\n  line->last[3] += samples;\n"
+       "  if (line->last[3] < 0) std::puts(\"many\");\n",
+       "'line'"},
       {"diffuse_bsdf", "diffuse_sample",
        "  static Sampler own(1);\n  if (own.next_1d() < 0) std::puts(\"this\");\n", "'own'"},
       {"hit_bvh", "hit_bvh",
