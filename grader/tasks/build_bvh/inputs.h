@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/random_numbers.h"
+#include "grader/check/generators/special.h"
 #include "grader/check/language/show.h"
 #include "pt/geometry/box.h"
 
@@ -42,6 +43,7 @@ enum class Kind {
   flat,
   nested,
   line,
+  from_a_corner,
   halving,
   both_ends,
   identical,
@@ -52,8 +54,9 @@ enum class Kind {
 };
 
 // A plane in the middle of the longest axis divides these kinds.
-inline const std::vector<Kind> kUsual{Kind::scattered, Kind::clustered, Kind::points,
-                                      Kind::flat,      Kind::nested,    Kind::line};
+inline const std::vector<Kind> kUsual{Kind::scattered,    Kind::clustered, Kind::points,
+                                      Kind::flat,         Kind::nested,    Kind::line,
+                                      Kind::from_a_corner};
 // A plane in the middle cuts off only one box, so that the tree has as many levels as boxes.
 inline const std::vector<Kind> kDeep{Kind::halving};
 // No plane separates all of these boxes.
@@ -76,6 +79,8 @@ inline const char* words(Kind kind) {
       return "of all sizes, most of them one inside the other";
     case Kind::line:
       return "in a line along one axis";
+    case Kind::from_a_corner:
+      return "of different sizes, with their lower corners in one place";
     case Kind::halving:
       return "points, each half as far from the first corner as the one before";
     case Kind::both_ends:
@@ -125,6 +130,10 @@ inline Place usual_place(Kind kind, int axis, RandomNumbers& make) {
       return {0.1 * p, std::pow(10, make.between(-4, 2)) * pt::Vec3{1, 1, 1}};
     case Kind::line:
       return {on_axis(axis, p.x), make.vector(0, 0.1)};
+    case Kind::from_a_corner: {
+      const pt::Vec3 half = make.vector(0.01, 3);
+      return {half, half};
+    }
     default:
       return {p, make.vector(0.01, 3)};
   }
@@ -231,6 +240,19 @@ inline Input in_a_line(int boxes, int max_leaf) {
   row.boxes.reserve(boxes);
   for (int i = 0; i < boxes; ++i) row.boxes.push_back(around({1.0 * i, 0, 0}, {0.4, 1, 1}));
   return row;
+}
+
+// The same with one number changed: the largest corner of the first, the last or any box, the number
+// of boxes, or max_leaf.
+inline Input changed(Input input) {
+  const int last = static_cast<int>(input.boxes.size()) - 1, kind = *whole(0, 5);
+  if (kind == 0) input.max_leaf = 2 * input.max_leaf + 1;
+  if (kind == 1) input.boxes.push_back(input.boxes[0]);
+  if (kind == 2 && last > 0) input.boxes.pop_back();
+  if (kind < 3) return input;
+  pt::Vec3& corner = input.boxes[kind == 3 ? 0 : kind == 4 ? last : *whole(0, last)].max;
+  make_one_of(changes_of(corner, 1e-3 + max_abs(corner)));
+  return input;
 }
 
 // Twenty boxes at two places: ten points at one and then ten at the other, or flat boxes in turn.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace grader::check {
 namespace {
@@ -15,6 +16,22 @@ using namespace build_bvh_inputs;
 pt::Bvh build(const Input& input) { return built(input.boxes, input.max_leaf); }
 
 using Check = void (*)(const Input&, const pt::Bvh&);
+
+// Checks the tree of a call that follows another one. The boxes of both are in the same memory.
+void check_second_of_two(Check check) {
+  if (testing::Test::HasFailure()) return;
+  for_all([=] {
+    const auto [before, now] = *in_turn(some_boxes(), changed);
+    Input input = before;
+    input.boxes.reserve(now.boxes.size());
+    build(input);
+    input.boxes = now.boxes;
+    input.max_leaf = now.max_leaf;
+    const pt::Bvh bvh = build(input);
+    expect_nodes(bvh);
+    check(now, bvh);
+  });
+}
 
 // Checks one invariant on every kind of boxes that a plane divides, up to the first kind that
 // fails. Other promises judge the other kinds.
@@ -32,6 +49,7 @@ void check_usual_boxes(Check check) {
         },
         cases);
   }
+  check_second_of_two(check);
 }
 
 void check_boxes_of(const std::vector<Kind>& kinds, int most) {
@@ -47,23 +65,31 @@ void check_boxes_of(const std::vector<Kind>& kinds, int most) {
       150);
 }
 
-// More boxes than 16 bits can count, and more nodes, since no leaf may hold more than two. The
-// boxes are in a line, so that every method has little to do.
-void check_more_than_16_bits_count() {
-  if (testing::Test::HasFailure()) return;
-  for_all(
-      [] {
-        const Input input = *rc::gen::exec([] { return in_a_line(66000, 2); });
-        const pt::Bvh bvh = build(input);
-        expect_nodes(bvh);
-        expect_every_primitive_once(input, bvh);
-      },
-      1);
+// More boxes, nodes and primitives in a leaf than 8 bits or 16 bits can count. The boxes are in a
+// line, so that every method has little to do.
+void check_large_numbers(Check check) {
+  struct Numbers {
+    int boxes, max_leaf;
+  };
+  constexpr int kNoLimit = std::numeric_limits<int>::max();
+  for (const auto& [boxes, max_leaf] :
+       {Numbers{300, 255}, Numbers{300, 256}, Numbers{600, 257}, Numbers{300, kNoLimit},
+        Numbers{66000, 1}, Numbers{66000, 65536}, Numbers{66000, 70000}}) {
+    if (testing::Test::HasFailure()) return;
+    for_all(
+        [&, boxes = boxes, max_leaf = max_leaf] {
+          const Input input = *rc::gen::exec([=] { return in_a_line(boxes, max_leaf); });
+          const pt::Bvh bvh = build(input);
+          expect_nodes(bvh);
+          check(input, bvh);
+        },
+        1);
+  }
 }
 
 PROMISE(build_bvh, keeps_every_primitive_once) {
   check_usual_boxes(expect_every_primitive_once);
-  check_more_than_16_bits_count();
+  check_large_numbers(expect_every_primitive_once);
 }
 PROMISE(build_bvh, covers_its_primitives) { check_usual_boxes(expect_covered); }
 PROMISE(build_bvh, is_one_tree) {
@@ -71,6 +97,7 @@ PROMISE(build_bvh, is_one_tree) {
 }
 PROMISE(build_bvh, keeps_leaves_small) {
   check_usual_boxes(expect_small_leaves);
+  check_large_numbers(expect_small_leaves);
   if (testing::Test::HasFailure()) return;
   for_all(
       [] {

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/cameras.h"
 #include "grader/check/generators/random_numbers.h"
+#include "grader/check/generators/special.h"
 
 #include <algorithm>
 #include <array>
@@ -40,10 +41,11 @@ inline pt::Camera camera_of(double hfov_deg, double vfov_deg, double near = 0,
   return {{}, {}, hfov_deg, vfov_deg, near, far};
 }
 
+// One of four has equal fields of view.
 inline rc::Gen<pt::Camera> unmoved() {
   return rc::gen::exec([] {
     const double hfov_deg = field_of_view(), vfov_deg = field_of_view();
-    return camera_of(hfov_deg, vfov_deg);
+    return camera_of(hfov_deg, *whole(0, 3) == 0 ? hfov_deg : vfov_deg);
   });
 }
 
@@ -52,7 +54,7 @@ inline pt::Vec3 position() {
     case 0:
       return {};
     case 1:
-      return *magnitude(1e-6, 1e6) * *direction();
+      return *magnitude(1e-12, 1e12) * *direction();
     default:
       return *point();
   }
@@ -68,18 +70,17 @@ inline pt::Frame axis_frame(int number) {
   return {x, y, cross(x, y)};
 }
 
-// A camera anywhere, turned by any rotation or along the axes. Its range may be a single point.
+// A camera anywhere, turned in any way. Its range may be a single point.
 inline rc::Gen<pt::Camera> moved() {
   return rc::gen::exec([] {
     pt::Camera made = *unmoved();
     made.position = position();
-    made.camera_to_world = *rotation();
+    made.camera_to_world = *any_frame();
     if (*whole(0, 3) == 0) made.camera_to_world = axis_frame(*whole(0, kAxisFrames - 1));
-    made.near_clip =
-        *rc::gen::element(0.0, 1.0, 1e-6) * *rc::gen::oneOf(real(0, 2), magnitude(1, 1e6));
+    made.near_clip = *rc::gen::oneOf(real(0, 2), magnitude(1e-12, 1e12), rc::gen::just(0.0));
     made.far_clip =
         made.near_clip +
-        *rc::gen::oneOf(magnitude(1e-3, 1e12), rc::gen::element(0.0, 10.0, 1000.0, pt::kInfinity));
+        *rc::gen::oneOf(magnitude(1e-9, 1e30), rc::gen::element(0.0, 10.0, 1000.0, pt::kInfinity));
     return made;
   });
 }
@@ -139,9 +140,52 @@ inline std::vector<pt::Camera> upright() {
 inline constexpr std::array<double, 2> kPlaces[] = {{.5, .5}, {0, .5},  {1, .5}, {.5, 0},
                                                     {.5, 1},  {.1, .8}, {1, 1},  {.7, .35}};
 
-// A coordinate on the picture, from 0 at one edge to 1 at the other, often an edge or the centre.
-inline double part_of_picture(const char* name) {
-  return draw(name, rc::gen::oneOf(real(0, 1), real(0, 1), rc::gen::element(0.0, 0.5, 1.0)));
+// A point of the picture, with each coordinate from 0 at one edge to 1 at the other. Every third
+// point is a corner, the middle of an edge or the centre, and many others are on an edge, or so close
+// to it that single precision does not see how close.
+inline pt::Vec2 point_of_picture() {
+  const auto special = rc::gen::element(0.0, 0.5, 1.0);
+  const auto any = rc::gen::oneOf(
+      real(0, 1), special, rc::gen::element(5e-324, 1e-9, 0.99999998, 1 - 0x1p-53, 0.5 + 1e-12));
+  const auto part = *whole(0, 2) == 0 ? special : any;
+  const double x = draw("x", part), y = draw("y", part);
+  return {x, y};
+}
+
+// A camera and a point of its picture.
+struct Aimed {
+  pt::Camera camera;
+  pt::Vec2 at;
+};
+
+inline void showValue(const Aimed& aimed, std::ostream& out) {
+  out << show(aimed.camera) << "\nx: " << show(aimed.at.x) << "\ny: " << show(aimed.at.y);
+}
+
+inline rc::Gen<Aimed> aimed(const rc::Gen<pt::Camera>& camera) {
+  return rc::gen::exec([=] {
+    const pt::Camera made = *camera;
+    return Aimed{made, point_of_picture()};
+  });
+}
+
+// The same with one number changed, or another frame.
+inline Aimed changed(Aimed aimed) {
+  auto& [camera, at] = aimed;
+  const double size = std::max(1.0, length(camera.position));
+  if (*whole(0, 7) == 0) {
+    const pt::Frame& f = camera.camera_to_world;
+    camera.camera_to_world = {f.y, f.z, f.x};
+    return aimed;
+  }
+  make_one_of(joined({changes_of(camera.position, size),
+                      {{&camera.hfov_deg, 0.5 * camera.hfov_deg},
+                       {&camera.vfov_deg, 0.5 * camera.vfov_deg},
+                       {&camera.near_clip, 0.5 * camera.near_clip},
+                       {&camera.far_clip, 2 * camera.far_clip + 1},
+                       {&at.x, 1 - 0.5 * at.x},
+                       {&at.y, 1 - 0.5 * at.y}}}));
+  return aimed;
 }
 
 // The size of the window, at distance 1.

@@ -14,15 +14,19 @@ namespace {
 
 using namespace camera_ray_inputs;
 
-pt::Ray some_ray(const pt::Camera& camera) {
-  const double x = part_of_picture("x"), y = part_of_picture("y");
-  return pt::camera_ray(camera, x, y);
+pt::Ray ray_of(const Aimed& aimed) { return pt::camera_ray(aimed.camera, aimed.at.x, aimed.at.y); }
+
+// The ray of a call that follows another one.
+pt::Ray second_ray(const InTurn<Aimed>& calls) {
+  ray_of(calls.before);
+  return ray_of(calls.now);
 }
 
 PROMISE(camera_ray, starts_at_the_camera) {
   for_all([] {
-    const pt::Camera c = *moved();
-    expect_near("the origin", some_ray(c).origin, c.position, kSingle * length(c.position));
+    const auto calls = *in_turn(aimed(moved()), changed);
+    const pt::Vec3 position = calls.now.camera.position;
+    expect_near("the origin", second_ray(calls).origin, position, kSingle * length(position));
   });
 }
 
@@ -41,8 +45,8 @@ PROMISE(camera_ray, has_a_unit_direction) {
   once(expect_a_picture);
   if (testing::Test::HasFailure()) return;
   for_all([] {
-    const pt::Camera c = *moved();
-    expect_near("the length of the direction", length(some_ray(c).direction), 1, kPrecision);
+    expect_near("the length of the direction", length(ray_of(*aimed(moved())).direction), 1,
+                kPrecision);
   });
 }
 
@@ -80,6 +84,18 @@ PROMISE(camera_ray, fills_the_field_of_view) {
     expect_half_angle("bottom", c.vfov_deg, at(0.5, 0).y, centre.y, window.height);
     expect_half_angle("top", c.vfov_deg, at(0.5, 1).y, centre.y, window.height);
   });
+  // The window of another camera, or another point of it, is forgotten.
+  for_all([] {
+    const auto calls = *in_turn(aimed(unmoved()), changed);
+    const auto& [c, at] = calls.now;
+    const Window window = window_of(c);
+    const pt::Vec2 right{(at.x - 0.5) * window.width, (at.y - 0.5) * window.height};
+    const pt::Vec2 got = on_plane(second_ray(calls).direction);
+    expect_near("x on the window, from its centre", got.x, right.x,
+                4 * tolerance(window.width, right));
+    expect_near("y on the window, from its centre", got.y, right.y,
+                4 * tolerance(window.height, right));
+  });
 }
 
 PROMISE(camera_ray, puts_x_to_the_right_and_y_up) {
@@ -98,32 +114,38 @@ PROMISE(camera_ray, puts_x_to_the_right_and_y_up) {
   });
 }
 
-PROMISE(camera_ray, keeps_the_picture_flat) {
-  for_all([] {
-    const pt::Camera c = *unmoved();
-    const Window window = window_of(c);
-    const auto at = [&](double x, double y) { return on_plane(pt::camera_ray(c, x, y).direction); };
-    const double x = part_of_picture("x"), y = part_of_picture("y");
-    const pt::Vec2 corner = at(0, 0), right = at(1, 0), up = at(0, 1), got = at(x, y);
-    expect(right.x != corner.x && up.y != corner.y, "different rays through different corners",
-           "the same ray");
-    const pt::Vec2 farthest{window.width / 2, window.height / 2};
-    expect_near("x on the window, compared with its corners", got.x,
-                corner.x + x * (right.x - corner.x) + y * (up.x - corner.x),
-                4 * tolerance(window.width, farthest));
-    expect_near("y on the window, compared with its corners", got.y,
-                corner.y + x * (right.y - corner.y) + y * (up.y - corner.y),
-                4 * tolerance(window.height, farthest));
-  });
+void expect_flat(const pt::Camera& c, double x, double y) {
+  const Window window = window_of(c);
+  const auto at = [&](double u, double v) { return on_plane(pt::camera_ray(c, u, v).direction); };
+  const pt::Vec2 corner = at(0, 0), right = at(1, 0), up = at(0, 1), got = at(x, y);
+  expect(right.x != corner.x && up.y != corner.y, "different rays through different corners",
+         "the same ray");
+  const pt::Vec2 farthest{window.width / 2, window.height / 2};
+  expect_near("x on the window, compared with its corners", got.x,
+              corner.x + x * (right.x - corner.x) + y * (up.x - corner.x),
+              4 * tolerance(window.width, farthest));
+  expect_near("y on the window, compared with its corners", got.y,
+              corner.y + x * (right.y - corner.y) + y * (up.y - corner.y),
+              4 * tolerance(window.height, farthest));
 }
 
-void expect_turned(const pt::Camera& c) {
-  pt::Camera at_origin = c;
-  at_origin.position = {};
-  at_origin.camera_to_world = {};
-  const double x = part_of_picture("x"), y = part_of_picture("y");
-  const pt::Vec3 direction = normalize(pt::camera_ray(c, x, y).direction);
-  const pt::Vec3 unturned = normalize(pt::camera_ray(at_origin, x, y).direction);
+PROMISE(camera_ray, keeps_the_picture_flat) {
+  for_all(
+      [] {
+        const Aimed c = *aimed(unmoved());
+        expect_flat(c.camera, c.at.x, c.at.y);
+      },
+      300);
+}
+
+void expect_turned(const InTurn<Aimed>& calls) {
+  const auto& [c, at] = calls.now;
+  Aimed moved_back = calls.now;
+  moved_back.camera.position = {};
+  moved_back.camera.camera_to_world = {};
+  const pt::Camera& at_origin = moved_back.camera;
+  const pt::Vec3 direction = normalize(second_ray(calls).direction);
+  const pt::Vec3 unturned = normalize(ray_of(moved_back).direction);
   const Window window = window_of(c);
   expect_near("the direction in the camera's frame, compared with a camera that is not turned",
               c.camera_to_world.to_local(direction), unturned,
@@ -134,18 +156,19 @@ void expect_turned(const pt::Camera& c) {
 }
 
 PROMISE(camera_ray, turns_with_the_camera) {
-  for_all([] { expect_turned(*moved()); });
+  for_all([] { expect_turned(*in_turn(aimed(moved()), changed)); });
   // Among these are cameras that look straight up and straight down.
   for (int number = 0; number < kAxisFrames; ++number) {
     if (testing::Test::HasFailure()) return;
-    for_all([=] { expect_turned(*along_the_axes(number)); }, 2);
+    for_all([=] { expect_turned(*in_turn(aimed(along_the_axes(number)), changed)); }, 2);
   }
 }
 
 PROMISE(camera_ray, keeps_the_clip_range) {
   for_all([] {
-    const pt::Camera c = *moved();
-    const pt::Ray ray = some_ray(c);
+    const auto calls = *in_turn(aimed(moved()), changed);
+    const pt::Camera& c = calls.now.camera;
+    const pt::Ray ray = second_ray(calls);
     expect_near("t_min", ray.t_min, c.near_clip, kSingle * c.near_clip);
     expect(ray.t_max == c.far_clip || std::abs(ray.t_max - c.far_clip) <= kSingle * c.far_clip,
            "t_max " + show(c.far_clip), "t_max " + show(ray.t_max));

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/random_numbers.h"
+#include "grader/check/generators/special.h"
 #include "pt/geometry/box.h"
 #include "pt/geometry/ray.h"
 
@@ -61,7 +62,7 @@ inline pt::Vec3 beyond(const pt::Box& box, pt::Vec3 p, int axis, double out, dou
   return p;
 }
 
-inline double zero() { return *rc::gen::element(0.0, -0.0); }
+inline double zero() { return *almost_zero(); }
 inline double sign() { return *rc::gen::element(1.0, -1.0); }
 
 inline double some_length(Extreme extreme = Extreme::none) {

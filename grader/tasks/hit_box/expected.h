@@ -35,29 +35,30 @@ struct Part {
 // A miss: the ray leaves before it enters.
 inline constexpr Part kNowhere{{1, 1}, {0, 0}};
 
-inline void cut_to_slab(Part& part, const pt::Box& box, const pt::Ray& ray, int axis) {
+inline void cut_to_slab(Part& part, const pt::Box& box, const pt::Ray& ray, int axis,
+                        double precision) {
   const long double o = ray.origin[axis], d = ray.direction[axis];
   if (d == 0) {
     if (!(o >= box.min[axis] && o <= box.max[axis])) part = kNowhere;
     return;
   }
   const long double a = (box.min[axis] - o) / d, b = (box.max[axis] - o) / d;
-  const long double error = kPrecision * size_of(box, ray) / std::abs(d);
+  const long double error = precision * size_of(box, ray) / std::abs(d);
   const long double enter = std::min(a, b), leave = std::max(a, b);
   part.enter = {std::max(part.enter.low, enter - error), std::max(part.enter.high, enter + error)};
   part.leave = {std::min(part.leave.low, leave - error), std::min(part.leave.high, leave + error)};
 }
 
 // Returns the part of the whole line that is inside the box, also behind the ray's origin.
-inline Part on_the_line(const pt::Box& box, const pt::Ray& ray) {
+inline Part on_the_line(const pt::Box& box, const pt::Ray& ray, double precision = kPrecision) {
   Part part;
-  for (int axis = 0; axis < 3; ++axis) cut_to_slab(part, box, ray, axis);
+  for (int axis = 0; axis < 3; ++axis) cut_to_slab(part, box, ray, axis, precision);
   return part;
 }
 
 // Returns the part of the ray that is inside the box and in the ray's range.
-inline Part expected(const pt::Box& box, const pt::Ray& ray) {
-  Part part = on_the_line(box, ray);
+inline Part expected(const pt::Box& box, const pt::Ray& ray, double precision = kPrecision) {
+  Part part = on_the_line(box, ray, precision);
   const long double first = ray.t_min, last = ray.t_max;
   part.enter = {std::max(part.enter.low, first), std::max(part.enter.high, first)};
   part.leave = {std::min(part.leave.low, last), std::min(part.leave.high, last)};

@@ -186,6 +186,63 @@ inline rc::Gen<Case> at_a_segment() {
   });
 }
 
+// A box and a ray of small whole numbers times powers of two, so that no method has to round. At
+// t = `way` the ray is, on each axis, in the middle of the box (0), on its lower side (-1) or on its
+// upper side (1), and it is never parallel to a side that it is on. A ray through the middle of a
+// cube meets all sides that it enters at the same t.
+inline Case whole_case(const std::array<int, 3>& places, double way) {
+  const double scale = *power_of_two(3), speed = *power_of_two(2);
+  const double width = *power_of_two(1), slope = *power_of_two(1);
+  const bool cube = *whole(0, 1) == 0;
+  const pt::Vec3 low = *whole_vector(4);
+  pt::Vec3 size, target, d;
+  for (int axis = 0; axis < 3; ++axis) {
+    size[axis] = 2 * (cube ? width : *power_of_two(1));
+    target[axis] = low[axis] + 0.5 * (1 + places[axis]) * size[axis];
+    const bool still = places[axis] == 0 && *whole(0, 2) == 0;
+    d[axis] = still ? 0 : sign() * (cube ? slope : *power_of_two(1));
+  }
+  if (d == pt::Vec3{}) d[*whole(0, 2)] = sign();
+  return {{scale * low, scale * (low + size)},
+          ray_to(scale * target, speed * with_other_zeros(d), scale / speed * way)};
+}
+
+inline rc::Gen<Case> through_the_middle(double way) {
+  return rc::gen::exec([=] { return whole_case({0, 0, 0}, way); });
+}
+
+// The ray starts exactly on a side, an edge or a corner, and goes in or out.
+inline rc::Gen<Case> from_a_side() {
+  return rc::gen::exec([] {
+    std::array<int, 3> places{};
+    while (places == std::array<int, 3>{}) places = {*whole(-1, 1), *whole(-1, 1), *whole(-1, 1)};
+    return whole_case(places, 0);
+  });
+}
+
+// The ray's range ends exactly where it enters the box, begins exactly where it leaves it, or both.
+inline rc::Gen<Case> touching_the_range() {
+  return rc::gen::exec([] {
+    Case c = whole_case({0, 0, 0}, 8);
+    const Part part = on_the_line(c.box, c.ray, 0);
+    const int kind = *whole(0, 3);
+    const long double t = kind < 2 ? part.enter.low : part.leave.low;
+    if (kind != 2) c.ray.t_max = static_cast<double>(t);
+    if (kind != 0) c.ray.t_min = static_cast<double>(t);
+    return c;
+  });
+}
+
+// The same with one number changed.
+inline Case changed(Case c) {
+  const double size = length(c.box.extent());
+  const Part part = on_the_line(c.box, c.ray);
+  const auto inside = static_cast<double>(std::max(part.leave.low, 0.0L));
+  make_one_of(joined({changes_of(c.box.min, -size), changes_of(c.box.max, size),
+                      changes_of(c.ray, size, inside)}));
+  return c;
+}
+
 inline double on_grid(double x) { return std::round(x * 0x1p20) * 0x1p-20; }
 
 inline pt::Vec3 grid_point(double size) {

@@ -75,6 +75,18 @@ void expect_hit_and_interval(const Case& c) {
   if (expected(c.box, c.ray).is_hit()) expect_interval(c);
 }
 
+// Judges the interval of a case in which no number is rounded.
+void expect_without_rounding(const Case& c) {
+  if (!expected(c.box, c.ray, 0).is_hit()) return;
+  expect_interval(c);
+}
+
+// The call before this one is forgotten.
+Case after_another(const InTurn<Case>& calls) {
+  pt::hit_box(calls.before.box, calls.before.ray);
+  return calls.now;
+}
+
 PROMISE(hit_box, hits_where_it_is_aimed) {
   once(expect_that_it_looks);
   for_all([] { expect_hit(*aimed_inside()); }, 300);
@@ -86,6 +98,7 @@ PROMISE(hit_box, misses_beside_the_box) {
   once(expect_that_it_looks);
   for_all([] { expect_miss(*passing()); }, 300);
   for_all([] { expect_miss(*crossing_on_the_way(false)); }, 200);
+  for_all([] { expect_miss(after_another(*in_turn(passing(), changed))); }, 100);
 }
 
 PROMISE(hit_box, gives_the_right_interval) {
@@ -99,11 +112,14 @@ PROMISE(hit_box, gives_the_right_interval) {
         expect_ends(c, *interval);
       },
       300);
+  for_all([] { expect_without_rounding(*through_the_middle(*rc::gen::element(1.0, 8.0))); }, 200);
+  for_all([] { expect_hit_and_interval(after_another(*in_turn(aimed_inside(), changed))); }, 200);
 }
 
 PROMISE(hit_box, begins_at_t_min_inside_the_box) {
   once(expect_that_it_looks);
   for_all([] { expect_hit_and_interval(*starting_inside()); }, 200);
+  for_all([] { expect_without_rounding(*from_a_side()); }, 200);
 }
 
 // A ray that starts behind the box, or whose range ends before the box or begins behind it.
@@ -160,6 +176,7 @@ PROMISE(hit_box, keeps_to_the_rays_range) {
            show(interval));
   });
   for_all([] { expect_hit_and_interval(*in_one_point()); }, 60);
+  for_all([] { expect_without_rounding(*touching_the_range()); });
 }
 
 PROMISE(hit_box, takes_rays_along_the_axes) {
@@ -216,9 +233,14 @@ PROMISE(hit_box, hits_rays_in_the_plane_of_a_side_bonus) {
       [] {
         Case c = *along_axes(false);
         const int axis = *whole(0, 2);
-        if (c.ray.direction[axis] != 0) return;
-        c.ray.origin[axis] = draw("the side", rc::gen::element(c.box.min[axis], c.box.max[axis]));
-        if (!expected(c.box, c.ray).is_hit()) return;
+        double& d = c.ray.direction[axis];
+        if (std::abs(d) > 1e-200) return;
+        const double side = draw("the side", rc::gen::element(c.box.min[axis], c.box.max[axis]));
+        c.ray.origin[axis] = side;
+        pt::Ray in_the_side = c.ray;
+        in_the_side.direction[axis] = 0;
+        if (!expected(c.box, in_the_side).is_hit()) return;
+        if (d != 0) d = std::copysign(d, side == c.box.max[axis] ? -1 : 1);  // inwards
         expect(pt::hit_box(c.box, c.ray).has_value(), "an interval", "none");
       },
       500);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/check/generators/generators.h"
+#include "grader/check/generators/special.h"
 #include "grader/tasks/hit_bvh/large_grid.h"
 #include "grader/tasks/hit_bvh/trees.h"
 #include "grader/tasks/hit_bvh/truth.h"
@@ -49,16 +50,27 @@ inline pt::Ray from_a_surface(const pt::Primitives& primitives, pt::Ray ray, Ran
   return {ray.at(truth.t()), away, 1e-2 / length(away), pt::kInfinity};
 }
 
+// A ray to a point, often along an axis or in a plane of two axes.
+inline pt::Ray ray_to(pt::Vec3 target, RandomNumbers& make) {
+  const pt::Vec3 origin = make.vector(-12, 12);
+  pt::Ray ray{origin, std::pow(10, make.between(-2.0, 2.0)) * (target - origin)};
+  const int still = make.whole(0, 2) == 0 ? make.whole(1, 2) : 0, first = make.whole(0, 2);
+  for (int i = first; i < first + still; ++i) {
+    ray.origin[i % 3] = target[i % 3];
+    ray.direction[i % 3] = kAlmostZero.at(make.whole(0, 3));
+  }
+  return ray;
+}
+
 // A ray close to the middle of a primitive, or anywhere. Its range may have limits.
 inline pt::Ray some_ray(const pt::Primitives& primitives, const Wanted& wanted,
                         RandomNumbers& make) {
-  const pt::Vec3 origin = make.vector(-12, 12);
   const pt::Box aim = bounds(primitives, make.whole(0, primitives.size() - 1));
   const bool at_one = make.whole(0, 3) > 0;
   const pt::Vec3 target = at_one ? aim.center() + 0.3 * make.vector(-1, 1) : make.vector(-8, 8);
-  pt::Ray ray{origin, std::pow(10, make.between(-2.0, 2.0)) * (target - origin)};
+  pt::Ray ray = ray_to(target, make);
   if (wanted.all_of_ray) return ray;
-  const double way = length(target - origin) / length(ray.direction);
+  const double way = length(target - ray.origin) / length(ray.direction);
   if (make.whole(0, 2) == 0) ray.t_min = way * make.between(0.0, 1.2);
   if (make.whole(0, 2) == 0) ray.t_max = ray.t_min + way * make.between(0.0, 1.2);
   return make.whole(0, 5) == 0 ? from_a_surface(primitives, ray, make) : ray;
@@ -196,12 +208,16 @@ inline rc::Gen<Case> large_tree() {
 
 // Walls in any order; the ray meets them one behind the other. Many are closer together than a
 // thousandth of their distance. Half of them slant, so that the ray enters their boxes long before.
+// Half of the rays are parallel to an axis, or almost.
 inline rc::Gen<Case> close_walls() {
   return rc::gen::exec([] {
     const auto [n, seed] = *some_lot(2, 30);
     RandomNumbers make(seed);
     Case c;
     c.ray = kThroughWalls;
+    if (make.whole(0, 1) == 0) {
+      c.ray.direction = {kAlmostZero.at(make.whole(0, 3)), kAlmostZero.at(make.whole(0, 3)), 1};
+    }
     for (int i = 0; i < n; ++i) {
       const pt::Vec3 met = c.ray.at(5 + std::pow(10, make.between(-6, 1)));
       const double steep = 0.5 * make.whole(0, 1);
@@ -237,8 +253,48 @@ inline rc::Gen<Case> range_with_a_wall_at_its_end() {
     const int wall = end == End::last ? 0 : end == End::first ? n - 1 : *whole(0, n - 1);
     const double speed = std::pow(2, *whole(-9, 9));
     RandomNumbers make(*sampler_seed());
-    return walls_and_range(axis, n, wall, end, speed, make);
+    Case c = walls_and_range(axis, n, wall, end, speed, make);
+    if (*whole(0, 2) == 0) start_at(c.ray, (4 + wall) / speed);
+    return c;
   });
+}
+
+inline rc::Gen<Case> walls_with_one_t() {
+  return rc::gen::exec([] {
+    const int walls = *whole(2, 5);
+    RandomNumbers make(*sampler_seed());
+    return walls_at_one_t(walls, make);
+  });
+}
+
+// More primitives in a leaf than fit into a byte, or into an array of a thousand.
+inline rc::Gen<Case> with_a_wide_leaf() {
+  return rc::gen::map(rc::gen::element(257, 513, 1025, 1300), wide_leaf);
+}
+
+// Makes a triangle or a sphere smaller, so that it stays inside its box.
+inline void shrink(pt::Primitives& primitives, int primitive) {
+  constexpr double kSmaller = 1e-3;
+  if (!primitives.is_triangle(primitive)) {
+    primitives.spheres[primitive - primitives.triangles.size()].radius *= kSmaller;
+    return;
+  }
+  pt::Triangle& made = primitives.triangles[primitive];
+  made.p1 = made.p0 + kSmaller * (made.p1 - made.p0);
+  made.p2 = made.p0 + kSmaller * (made.p2 - made.p0);
+}
+
+// The same with one number of the ray changed, or with the nearest primitive smaller. The tree stays
+// the same.
+inline Case changed(Case c) {
+  const Truth truth = truth_of(c);
+  const double t = truth.any() ? truth.t() : 1;
+  if (truth.any() && *whole(0, 3) == 0) {
+    shrink(c.primitives, truth.nearest);
+  } else {
+    make_one_of(changes_of(c.ray, t * length(c.ray.direction), t));
+  }
+  return c;
 }
 
 // A thousand walls and more.

@@ -39,11 +39,23 @@ void for_large_numbers(const std::vector<int>& places,
   }
 }
 
+// Another query of the same tree, and then the query itself. Both are judged.
+template <class Check>
+void expect_in_turn(const Check& check) {
+  const auto [before, now] = *in_turn(some_tree({.most = 12}), changed);
+  pt::hit_bvh(now.bvh, before.primitives, before.ray);
+  pt::occluded_bvh(now.bvh, before.primitives, before.ray);
+  check(now);
+  check(Case{before.primitives, now.bvh, before.ray, before.how});
+}
+
 PROMISE(hit_bvh, finds_the_nearest_hit) {
   for_queries([] { expect_nearest(*some_tree(kAny)); }, 2 * kCases);
   for_queries([] { expect_nearest(*close_walls()); }, 40);
   for_queries([] { expect_nearest(*walls_that_all_but_touch()); }, 60);
   for_queries([] { expect_nearest_at_an_end(*range_with_a_wall_at_its_end()); }, 40);
+  for_queries([] { expect_nearest(*walls_with_one_t()); }, 40);
+  for_queries([] { expect_in_turn(expect_as_all); });
   for_queries(
       [] {
         const Case c = *large_tree();
@@ -60,8 +72,7 @@ PROMISE(hit_bvh, finds_the_nearest_hit) {
 }
 
 PROMISE(hit_bvh, says_which_primitive) {
-  for_queries([] {
-    const Case c = *some_tree(kAny);
+  const auto expect_own = [](const Case& c) {
     const Truth truth = truth_of(c);
     if (!truth.any() || !truth.is_clear) return;
     const auto hit = ask(c);
@@ -73,7 +84,9 @@ PROMISE(hit_bvh, says_which_primitive) {
            "primitive " + std::to_string(hit->primitive) + ", which it misses");
     expect_near("t, against the t of the primitive named", hit->t, own.hit->t, t_error(own));
     expect_near("n, against the n of the primitive named", hit->n, own.hit->n, n_error(own));
-  });
+  };
+  for_queries([=] { expect_own(*some_tree(kAny)); });
+  for_queries([=] { expect_own(*walls_with_one_t()); }, 60);
   for_large_numbers({kFirstInGrid}, [](const AimedInGrid& aimed) {
     const auto hit = ask(aimed);
     expect(hit && hit->primitive == aimed.primitive(), "a hit of " + aim_of(aimed), shown(hit));
@@ -138,6 +151,7 @@ PROMISE(hit_bvh, takes_a_tree_of_any_shape) {
   for_queries([=] { check(*with_tree({Shape::chain, Shape::random, Shape::balanced}, kAny)); });
   for_queries([=] { check(*with_tree({Shape::leaf}, {.most = 12})); }, 100);
   for_queries([=] { check(*with_tree({Shape::leaf, Shape::balanced}, wide)); }, 40);
+  for_queries([=] { check(*with_a_wide_leaf()); }, 8);
   for_queries([=] { check(*deep_tree()); }, 8);
   for_queries([=] { check(*deep_pile()); }, 3);
 }
@@ -147,6 +161,7 @@ PROMISE(hit_bvh, finds_any_hit) {
   few.most = 12;
   for_queries([=] { expect_occluded_as_all(*some_tree(few)); }, 2 * kCases);
   for_queries([] { expect_occluded_at_an_end(*range_with_a_wall_at_its_end()); }, 40);
+  for_queries([] { expect_in_turn(expect_occluded_as_all); });
   for_queries(
       [] {
         const Case c = *large_tree();

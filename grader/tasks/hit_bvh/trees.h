@@ -122,9 +122,10 @@ inline pt::Bvh tree_of(const pt::Primitives& primitives, Shape shape, int max_le
   return maker.bvh;
 }
 
-// A tree that keeps the order of the primitives, with one of them in each leaf.
-inline pt::Bvh tree_in_order(const pt::Primitives& primitives, Shape shape, RandomNumbers& make) {
-  TreeMaker maker{primitives, shape, 1, 0, make};
+// A tree that keeps the order of the primitives.
+inline pt::Bvh tree_in_order(const pt::Primitives& primitives, Shape shape, RandomNumbers& make,
+                             int max_leaf = 1) {
+  TreeMaker maker{primitives, shape, max_leaf, 0, make};
   maker.bvh.order.resize(primitives.size());
   std::iota(maker.bvh.order.begin(), maker.bvh.order.end(), 0);
   maker.build(0, primitives.size());

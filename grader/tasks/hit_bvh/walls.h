@@ -2,6 +2,7 @@
 
 #include "grader/tasks/hit_bvh/trees.h"
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -24,6 +25,37 @@ inline Case walls_in_a_row(int walls) {
   Case c;
   for (int i = 0; i < walls; ++i) c.primitives.triangles.push_back(wall_at({0, 0, 1.0 * i}));
   c.ray = kThroughWalls;
+  return c;
+}
+
+// Walls, of which all but one are in one leaf, the nearest of them at its last place. The range ends
+// before the next wall.
+inline Case wide_leaf(int walls) {
+  RandomNumbers make(1);
+  Case c;
+  for (int i = 0; i < walls; ++i) {
+    c.primitives.triangles.push_back(wall_at({0, 0, 1.0 * (walls - i)}, 0, 0, 99));
+  }
+  c.primitives.triangles.push_back(wall_at({0, 0, walls + 9.0}, 0, 0, 99));
+  c.ray = kThroughWalls;
+  c.ray.t_max = 6.5;
+  c.bvh = tree_in_order(c.primitives, Shape::left_chain, make, walls);
+  c.how = "a leaf of " + std::to_string(walls) + " walls and a leaf of one";
+  return c;
+}
+
+// Walls with different slopes, all of which the ray meets at the same t. All numbers are whole
+// multiples of powers of two, so that every right hit_triangle computes this t without rounding.
+inline Case walls_at_one_t(int walls, RandomNumbers& make) {
+  constexpr std::array kSlopes{0.0, 0.25, -0.25, 0.5, -0.5};
+  Case c;
+  for (int i = 0; i < walls; ++i) {
+    const double slope = kSlopes.at(i), other = kSlopes.at(make.whole(0, 4));
+    c.primitives.triangles.push_back(wall_at({0.75, -0.5, 0}, slope, other, 16));
+  }
+  c.ray = {{0.25, 0.5, -4}, {0.125, -0.25, 1}};
+  c.bvh = tree_of(c.primitives, Shape::random, 2, 0, make);
+  c.how = std::string(words(Shape::random)) + ", walls that the ray meets at the same t";
   return c;
 }
 
@@ -93,6 +125,13 @@ inline const char* words(End end) {
   return end == End::last    ? "ends exactly at the first"
          : end == End::first ? "begins exactly at the last"
                              : "begins and ends exactly at one of them";
+}
+
+// The same ray, from exactly the wall where its range begins or ends.
+inline void start_at(pt::Ray& ray, double t) {
+  ray.origin = ray.at(t);
+  ray.t_min = std::max(0.0, ray.t_min - t);
+  ray.t_max -= t;
 }
 
 // Walls across an axis, one behind the other, in no order of the tree. All numbers are whole

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/random_numbers.h"
+#include "grader/check/generators/special.h"
 #include "grader/check/language/show.h"
 #include "pt/geometry/ray.h"
 #include "pt/geometry/sphere.h"
@@ -62,15 +63,6 @@ struct Domain {
   double far = 30;     // the largest distance
 };
 
-// Any rotation, or one along the axes with components that are exactly zero.
-inline pt::Frame turned() {
-  if (*whole(0, 3) > 0) return *rotation();
-  const double sign = *rc::gen::element(1.0, -1.0);
-  std::array<pt::Vec3, 3> axes{pt::Vec3{sign, 0, 0}, {0, 1, 0}, {0, 0, sign}};
-  std::rotate(axes.begin(), axes.begin() + *whole(0, 2), axes.end());
-  return {axes[0], axes[1], axes[2]};
-}
-
 // A number from 1 / range to range. In a large range it is often one of the ends.
 inline double within(double range) {
   if (range > 10 && *whole(0, 2) > 0) return *rc::gen::element(1 / range, range);
@@ -116,7 +108,7 @@ inline Chord chord_at(const pt::Sphere& sphere, const pt::Frame& frame, double h
 inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
   return rc::gen::exec([=] {
     const pt::Sphere sphere = any_sphere(domain.radius);
-    const pt::Frame frame = turned();
+    const pt::Frame frame = *any_frame();
     const double half =
         domain.round == 1 && *whole(0, 4) == 0 ? 1 : *magnitude(domain.flat, domain.round);
     const double start = start_of(from, half, domain);
@@ -128,8 +120,53 @@ inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
 inline rc::Gen<Chord> from_the_centre() {
   return rc::gen::exec([] {
     const pt::Sphere sphere = any_sphere(10);
-    return chord_at(sphere, turned(), 1, -1, 1);
+    return chord_at(sphere, *any_frame(), 1, -1, 1);
   });
+}
+
+// A ray along an axis that passes the centre at `offset` of `radius`, and starts `before` the point
+// that is closest to the centre. All numbers are small whole numbers times a power of two, so that
+// no method rounds the numbers that it compares.
+inline Chord whole_chord(double radius, double offset, double half, double before) {
+  const double scale = *power_of_two(1);
+  const int axis = *whole(0, 2), other = (axis + *whole(1, 2)) % 3;
+  pt::Vec3 along, aside;
+  along[axis] = *rc::gen::element(1.0, -1.0);
+  aside[other] = *rc::gen::element(1.0, -1.0);
+  const pt::Vec3 center = *whole(0, 3) == 0 ? pt::Vec3{} : *whole_vector(3);
+  return {{scale * center, scale * radius},
+          {scale * (center + offset * aside - before * along), with_other_zeros(along)},
+          half / radius,
+          scale * (before - half),
+          scale * (before + half),
+          scale * radius * slack_along(half / radius)};
+}
+
+// `before` counts in half chords: -1 is exactly at the far point, 0 in the middle, 1 exactly at the
+// near point, and more is outside.
+inline rc::Gen<Chord> exactly(double before) {
+  return rc::gen::exec([=] {
+    const int kind = *whole(0, 2);
+    if (kind == 0) return whole_chord(1, 0, 1, before);
+    return kind == 1 ? whole_chord(5, 3, 4, 4 * before) : whole_chord(5, 4, 3, 3 * before);
+  });
+}
+
+// A ray that touches the sphere, from outside. Both a hit there and a miss are right.
+inline rc::Gen<Chord> touching() {
+  return rc::gen::exec([] {
+    const double radius = *whole(1, 5);
+    return whole_chord(radius, radius, 0, *whole(1, 20));
+  });
+}
+
+// The same with one number changed.
+inline Chord changed(Chord chord) {
+  const double radius = chord.sphere.radius;
+  make_one_of(joined({changes_of(chord.sphere.center, 0.5 * radius),
+                      {{&chord.sphere.radius, 0.5 * radius}},
+                      changes_of(chord.ray, 0.5 * radius, chord.t_near)}));
+  return chord;
 }
 
 // A line of a fixed stream of random numbers. It passes the centre at `offset` radii, which may be
@@ -170,7 +207,7 @@ inline void showValue(const Passing& passing, std::ostream& out) {
 inline rc::Gen<Passing> passing(double low, double high, double far) {
   return rc::gen::exec([=] {
     const pt::Sphere sphere = any_sphere(10);
-    const pt::Frame frame = turned();
+    const pt::Frame frame = *any_frame();
     const double beside = 1 + *magnitude(low, high), along = *real(-far, far);
     const pt::Vec3 origin = sphere.center + sphere.radius * (beside * frame.x - along * frame.z);
     return Passing{sphere, {origin, frame.z}, {origin, pt::normalize(sphere.center - origin)}};
@@ -219,7 +256,7 @@ struct Ground {
 
 inline rc::Gen<Ground> ground(double radius) {
   return rc::gen::exec([=] {
-    const pt::Frame frame = turned();
+    const pt::Frame frame = *any_frame();
     const double slope = *real(0.05, 0.5 * pt::kPi), side = std::cos(slope), down = std::sin(slope);
     const pt::Vec3 direction = frame.to_world({side, 0, -down});
     // The nearer root of t^2 - 2 (radius + 1) down t + 2 radius + 1, without a difference of large

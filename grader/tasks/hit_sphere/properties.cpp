@@ -12,7 +12,7 @@ using namespace hit_sphere_inputs;
 
 // The case after `change`. It is drawn as one value, so that a failure shows the ray that failed.
 template <class Case, class Change>
-rc::Gen<Case> changed(const rc::Gen<Case>& made, const Change& change) {
+rc::Gen<Case> mapped(const rc::Gen<Case>& made, const Change& change) {
   return rc::gen::exec([=] { return change(*made); });
 }
 
@@ -29,16 +29,31 @@ void expect_miss(const pt::Sphere& sphere, const pt::Ray& ray, const std::string
 
 // Accepts both points of the line. The promise finds_the_near_side judges which of them is
 // returned.
+void expect_either_point(const Chord& c) {
+  const double t = expect_hit(c.sphere, c.ray).t;
+  const bool far = std::abs(t - c.t_far) < std::abs(t - c.t_near);
+  expect_near("t at the point aimed at", t, far ? c.t_far : c.t_near, c.slack);
+}
+
 PROMISE(hit_sphere, hits_where_it_is_aimed) {
   for (const Domain& domain : {Domain{.flat = kFlat, .far = kFar},
-                               Domain{.radius = 1e6, .speed = 1e9, .flat = kFlat, .far = kFar}}) {
-    for_all([=] {
-      const Chord c = *chord(From::outside, domain);
-      const double t = expect_hit(c.sphere, c.ray).t;
-      const bool far = std::abs(t - c.t_far) < std::abs(t - c.t_near);
-      expect_near("t at the point aimed at", t, far ? c.t_far : c.t_near, c.slack);
-    });
+                               Domain{.radius = 1e9, .speed = 1e9, .flat = kFlat, .far = kFar}}) {
+    for_all([=] { expect_either_point(*chord(From::outside, domain)); });
   }
+  for_all([] { expect_either_point(*exactly(3)); }, 60);
+  // The sphere and the ray of another call are forgotten.
+  for_all(
+      [] {
+        const auto [before, now] = *in_turn(chord(From::outside), changed);
+        pt::hit_sphere(before.sphere, before.ray);
+        expect_either_point(now);
+      },
+      200);
+  for_all([] {
+    const Chord c = *touching();
+    const auto hit = pt::hit_sphere(c.sphere, c.ray);
+    if (hit) expect_near("t where the ray touches the sphere", hit->t, c.t_near, c.slack);
+  });
   // Rays that nearly touch the sphere: they meet the surface at an angle of .011 to .3 degrees. The
   // second kind comes from the greatest distance, and is at most 1.2e-6 to 5e-6 radii inside.
   for (const Domain& domain : {Domain{.flat = std::sqrt(4 * kTouching), .round = kFlat, .far = 500},
@@ -71,19 +86,35 @@ PROMISE(hit_sphere, misses_beside_the_sphere) {
   }
 }
 
+void expect_near_side(const Chord& c) {
+  const double t = expect_hit(c.sphere, c.ray).t;
+  expect(std::abs(t - c.t_near) < 0.5 * c.length(),
+         "the nearer of the two points in the range, t about " + show(c.t_near),
+         "t " + show(t) + ", and the farther one is at " + show(c.t_far));
+}
+
 PROMISE(hit_sphere, finds_the_near_side) {
   for_all([] {
-    const Chord c = *changed(chord(From::outside), [](Chord made) {
+    expect_near_side(*mapped(chord(From::outside), [](Chord made) {
       const double before = std::max(0.0, made.t_near - 3 * made.slack);
       made.ray.t_min = before * *rc::gen::element(0.0, 0.5, 1.0);
       made.ray.t_max = made.t_far + 3 * made.slack + made.length() * *magnitude(1e-6, 1e6);
       return made;
-    });
-    const double t = expect_hit(c.sphere, c.ray).t;
-    expect(std::abs(t - c.t_near) < 0.5 * c.length(),
-           "the nearer of the two points in the range, t about " + show(c.t_near),
-           "t " + show(t) + ", and the farther one is at " + show(c.t_far));
+    }));
   });
+  for_all(
+      [] {
+        const auto [before, now] = *in_turn(chord(From::outside), changed);
+        pt::hit_sphere(before.sphere, before.ray);
+        expect_near_side(now);
+      },
+      200);
+}
+
+// The ray starts on the surface, and its range a little later.
+Chord beginning_later(Chord made) {
+  made.ray.t_min = made.slack * *rc::gen::element(4.0, 100.0);
+  return made;
 }
 
 void expect_far_side(const Chord& c, const std::string& from) {
@@ -95,9 +126,10 @@ void expect_far_side(const Chord& c, const std::string& from) {
 PROMISE(hit_sphere, hits_from_inside) {
   for_all([] { expect_far_side(*chord(From::inside), "inside the sphere"); });
   for_all([] { expect_far_side(*from_the_centre(), "the sphere's centre"); }, 20);
+  for_all([] { expect_far_side(*exactly(0), "the middle of the chord"); }, 60);
   // The near point is before t_min, so that the far point is the hit.
   for_all([] {
-    const Chord c = *changed(chord(From::outside), [](Chord made) {
+    const Chord c = *mapped(chord(From::outside), [](Chord made) {
       const double part = *rc::gen::element(0.0, 0.5, 1.0);
       made.ray.t_min = made.t_near + 3 * made.slack + part * (made.length() - 6 * made.slack);
       return made;
@@ -107,14 +139,22 @@ PROMISE(hit_sphere, hits_from_inside) {
     expect_near("t at the far side, since the near one is before t_min", hit->t, c.t_far, c.slack);
   });
   // The ray starts at a point of the surface. This point may count as a hit or not.
-  for_all([] {
-    const Chord c = *changed(chord(From::inside), [](Chord made) {
-      made.ray.origin = made.ray.at(made.t_near);
-      return made;
+  for (const auto& starting : {mapped(chord(From::inside),
+                                      [](Chord made) {
+                                        made.ray.origin = made.ray.at(made.t_near);
+                                        return made;
+                                      }),
+                               exactly(1)}) {
+    for_all([&] {
+      const Chord c = *starting;
+      const double t = expect_hit(c.sphere, c.ray).t;
+      expect(t >= 0 && (t <= 2 * c.slack || std::abs(t - c.length()) <= 2 * c.slack),
+             "t of the far side, " + show(c.length()) + ", or of the start itself", "t " + show(t));
     });
-    const double t = expect_hit(c.sphere, c.ray).t;
-    expect(t >= 0 && (t <= 2 * c.slack || std::abs(t - c.length()) <= 2 * c.slack),
-           "t of the far side, " + show(c.length()) + ", or of the start itself", "t " + show(t));
+  }
+  for_all([] {
+    const Chord c = *mapped(exactly(1), beginning_later);
+    expect_far_side(c, "a point of the surface, with t_min " + show(c.ray.t_min));
   });
 }
 
@@ -142,9 +182,14 @@ PROMISE(hit_sphere, keeps_t_inside_the_ray) {
       expect_miss(c.sphere, c.ray, "no point of the sphere is in the range of t");
     });
   }
+  // From the far point outwards.
+  for_all([] {
+    const Chord c = *mapped(exactly(-1), beginning_later);
+    expect_miss(c.sphere, c.ray, "the ray starts on the sphere and leaves it");
+  });
   // A range that begins right before the near point and ends right behind it contains the point.
   for_all([] {
-    const Chord c = *changed(chord(From::outside), [](Chord made) {
+    const Chord c = *mapped(chord(From::outside), [](Chord made) {
       made.ray.t_min = made.t_near - 2 * made.slack;
       made.ray.t_max = made.t_near + 2 * made.slack;
       return made;
@@ -170,10 +215,17 @@ PROMISE(hit_sphere, returns_the_outward_unit_normal) {
     const Chord c = *chord(From::outside);
     expect_outward_unit(c, expect_hit(c.sphere, c.ray));
   });
+  // From the middle of a chord or the centre, and rays that touch the sphere.
+  for (const auto& special : {exactly(0), from_the_centre(), touching()}) {
+    for_all([&] {
+      const Chord c = *special;
+      if (const auto hit = pt::hit_sphere(c.sphere, c.ray)) expect_outward_unit(c, *hit);
+    });
+  }
   // Seen from inside. The promise hits_from_inside judges whether there is a hit.
   for (const From from : {From::inside, From::outside}) {
     for_all([=] {
-      const Chord c = *changed(chord(from, {.radius = 1e6}), [=](Chord made) {
+      const Chord c = *mapped(chord(from, {.radius = 1e9}), [=](Chord made) {
         if (from == From::outside) made.ray.t_min = 0.5 * (made.t_near + made.t_far);
         return made;
       });

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/random_numbers.h"
+#include "grader/check/generators/special.h"
 #include "grader/check/language/show.h"
 #include "grader/tasks/hit_triangle/degenerate.h"
 #include "grader/tasks/hit_triangle/weights.h"
@@ -71,17 +72,6 @@ inline std::array<pt::Vec3, 3> corner_normals(double tilt = 0) {
   return normals;
 }
 
-// Any rotation, or one whose z is an axis, or so close to an axis that the other components are
-// nearly zero.
-inline pt::Frame orientation() {
-  const int kind = *whole(0, 3);
-  if (kind < 2) return *rotation();
-  pt::Vec3 z;
-  z[*whole(0, 2)] = *rc::gen::element(1.0, -1.0);
-  if (kind == 2) return pt::frame_from_normal(z);
-  return pt::frame_from_normal(normalize(z + *magnitude(1e-14, 1e-3) * *point(1)));
-}
-
 // The first edge has the length `size` and the direction of the frame's x. The third corner is
 // `along` sizes along this edge and `height` sizes away from it.
 inline pt::Triangle triangle_at(pt::Vec3 p0, const pt::Frame& frame, double size, double along,
@@ -93,7 +83,7 @@ inline pt::Triangle triangle_at(pt::Vec3 p0, const pt::Frame& frame, double size
 // The third corner is at most one size along the first edge and at least `thin` sizes away from it.
 inline pt::Triangle triangle_of(const Range& range) {
   const double size = *magnitude(1 / range.size, range.size);
-  const pt::Frame frame = orientation();
+  const pt::Frame frame = *any_frame();
   const pt::Vec3 p0 = size * *point(range.away);
   const double along = *real(0, 1), height = *magnitude(range.thin, range.thick);
   return triangle_at(p0, frame, size, along, height, corner_normals(range.tilt));
@@ -104,21 +94,26 @@ inline pt::Frame plane_of(const pt::Triangle& triangle) {
   return pt::frame_from_normal(normalize(geometric_normal(triangle)));
 }
 
-// `local` is the ray's unit direction in the frame of the triangle's plane.
-inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, pt::Vec3 local, double distance,
-                      double speed) {
+// The ray is at the point of these weights at t.
+inline Aimed aimed_along(const pt::Triangle& triangle, Weights w, pt::Vec3 direction, double t) {
   const pt::Vec3 target = w.b0 * triangle.p0 + w.b1 * triangle.p1 + w.b2 * triangle.p2;
-  const pt::Vec3 towards = plane_of(triangle).to_world(local);
-  const double size = length(triangle.p1 - triangle.p0);
-  const double height = length(geometric_normal(triangle)) / size;
+  const pt::Vec3 face = geometric_normal(triangle);
+  const double size = length(triangle.p1 - triangle.p0), speed = length(direction);
+  const double height = length(face) / size, distance = t * speed;
+  const double sine = std::abs(dot(face, direction)) / (length(face) * speed);
   const double error = kPrecision * std::max({max_abs(target), distance, size}) *
-                       std::max(1.0, size / height) / std::abs(local.z);
+                       std::max(1.0, size / height) / sine;
   const pt::Vec3 mean = w.b0 * triangle.n0 + w.b1 * triangle.n1 + w.b2 * triangle.n2;
   // Normalising a short mean magnifies its errors.
   const double n_error = (kNormalPrecision + 10 * error / height) / std::min(1.0, 2 * length(mean));
-  return {triangle,         {target - distance * towards, speed * towards},
-          distance / speed, normalize(mean),
-          error / speed,    n_error};
+  return {triangle, {target - t * direction, direction}, t, normalize(mean), error / speed,
+          n_error};
+}
+
+// `local` is the ray's unit direction in the frame of the triangle's plane.
+inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, pt::Vec3 local, double distance,
+                      double speed) {
+  return aimed_along(triangle, w, speed * plane_of(triangle).to_world(local), distance / speed);
 }
 
 inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, const Range& range) {

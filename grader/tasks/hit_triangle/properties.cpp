@@ -1,4 +1,5 @@
 #include "grader/check/language/property.h"
+#include "grader/tasks/hit_triangle/exact.h"
 #include "grader/tasks/hit_triangle/inputs.h"
 #include "pt/tasks/hit_triangle.h"
 
@@ -13,7 +14,7 @@ using namespace hit_triangle_inputs;
 
 // The case after `change`. It is drawn as one value, so that a failure shows the ray that failed.
 template <class Case, class Change>
-rc::Gen<Case> changed(const rc::Gen<Case>& made, const Change& change) {
+rc::Gen<Case> mapped(const rc::Gen<Case>& made, const Change& change) {
   return rc::gen::exec([=] { return change(*made); });
 }
 
@@ -75,6 +76,15 @@ PROMISE(hit_triangle, hits_where_it_is_aimed) {
   });
   // Slivers and flat angles together.
   for_all([] { expect_t(*aimed_inside(kFlatNeedle, in_the_middle)); });
+  for_all([] { expect_t(*exactly(inside_in_eighths)); }, 200);
+  // The triangle and the ray of another call are forgotten.
+  for_all(
+      [] {
+        const auto [before, now] = *in_turn(aimed_inside(), changed);
+        pt::hit_triangle(before.triangle, before.ray);
+        expect_t(now);
+      },
+      200);
 }
 
 PROMISE(hit_triangle, misses_outside) {
@@ -86,6 +96,12 @@ PROMISE(hit_triangle, misses_outside) {
                "a hit when the ray is turned to a point inside", "none");
       },
       300);
+  for_all(
+      [] {
+        const Aimed aimed = *exactly(outside_on_an_edges_line);
+        expect_miss(aimed.triangle, aimed.ray, "the ray is aimed beside the triangle");
+      },
+      200);
   for (const auto& [range, where] :
        {std::pair{kPrecise, &barely_outside}, std::pair{kMostPrecise, &a_hair_outside}}) {
     for_all(
@@ -100,30 +116,34 @@ PROMISE(hit_triangle, misses_outside) {
 PROMISE(hit_triangle, keeps_t_inside_the_ray) {
   const std::string none = "the point is not in the range of t";
   for_all([=] {
-    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+    const Aimed aimed = *mapped(aimed_inside(), [](Aimed made) {
       made.ray.t_max = (made.t - 2 * made.tolerance) * *rc::gen::element(1.0, 0.999, 0.5, 0.0);
       return made;
     });
     expect_miss(aimed.triangle, aimed.ray, none);
   });
   for_all([=] {
-    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+    const Aimed aimed = *mapped(aimed_inside(), [](Aimed made) {
       made.ray.t_min = (made.t + 2 * made.tolerance) * *rc::gen::element(1.0, 1.001, 1e3);
       return made;
     });
     expect_miss(aimed.triangle, aimed.ray, none);
   });
   for_all([=] {
-    const Aimed aimed = *changed(aimed_inside(), [](Aimed made) {
+    const Aimed aimed = *mapped(aimed_inside(), [](Aimed made) {
       made.ray.direction = -made.ray.direction;
       made.ray.t_max = *rc::gen::oneOf(magnitude(1e-3, 1e3), rc::gen::element(1.0, pt::kInfinity));
       return made;
     });
     expect_miss(aimed.triangle, aimed.ray, "the triangle is behind the origin");
   });
+  for_all([=] {
+    const Aimed aimed = *mapped(exactly(inside_in_eighths), from_the_plane);
+    expect_miss(aimed.triangle, aimed.ray, none);
+  });
   // A range that begins right before the point and ends right behind it contains the point.
   for_all([] {
-    expect_hit_from_either_side(*changed(aimed_inside(), [](Aimed made) {
+    expect_hit_from_either_side(*mapped(aimed_inside(), [](Aimed made) {
       made.ray.t_min = std::max(0.0, made.t - 2 * made.tolerance);
       made.ray.t_max = made.t + 2 * made.tolerance;
       return made;
@@ -146,6 +166,18 @@ PROMISE(hit_triangle, interpolates_the_corner_normals) {
     });
     if (testing::Test::HasFailure()) return;
   }
+  for_all([] {
+    const Aimed aimed = *exactly(inside_in_eighths);
+    if (const auto hit = hit_from_either_side(aimed)) expect_direction_of_n(aimed, *hit);
+  });
+  // Another call is forgotten, also if only its normals were different.
+  for_all(
+      [] {
+        const auto [before, now] = *in_turn(aimed_inside(), changed);
+        pt::hit_triangle(before.triangle, before.ray);
+        if (const auto hit = hit_from_either_side(now)) expect_direction_of_n(now, *hit);
+      },
+      200);
   // Normals that disagree, and points so close to an edge that one weight is almost zero. Other
   // promises judge whether there is a hit.
   for_all([] {
@@ -218,12 +250,12 @@ void expect_scaled(const Aimed& aimed) {
 
 PROMISE(hit_triangle, works_for_directions_of_any_length) {
   for_all([] {
-    expect_scaled(*changed(aimed_inside(), [](const Aimed& made) {
+    expect_scaled(*mapped(aimed_inside(), [](const Aimed& made) {
       return scaled(made, *rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9)));
     }));
   });
   for_all([] {
-    expect_scaled(*changed(aimed_inside({.near = 1e-4, .far = 1}), [](const Aimed& made) {
+    expect_scaled(*mapped(aimed_inside({.near = 1e-4, .far = 1}), [](const Aimed& made) {
       return scaled(made, *rc::gen::element(2.0, 0.5, 1e9, 1e-9, 1e-8));
     }));
   });
@@ -238,7 +270,7 @@ PROMISE(hit_triangle, works_at_every_scale) {
   // Needles at either end of the scale, with directions at either end of theirs.
   for_all(
       [] {
-        expect_t_from_either_side(*changed(aimed_inside(kNeedle), [](const Aimed& made) {
+        expect_t_from_either_side(*mapped(aimed_inside(kNeedle), [](const Aimed& made) {
           return scaled(resized(made, *rc::gen::element(1e-6, 1e6)),
                         *rc::gen::element(1e-9, 1.0, 1e9));
         }));

@@ -58,6 +58,18 @@ inline Weights barely_outside() { return very_close(-1); }
 inline Weights a_hair_inside() { return very_close(1, 9e-9, 2e-8); }
 inline Weights a_hair_outside() { return very_close(-1, 9e-9, 2e-8); }
 
+// Multiples of an eighth: of a point inside, and of a point beyond an edge that lies exactly on the
+// line of another edge.
+inline Weights inside_in_eighths() {
+  const int first = *whole(1, 6), second = *whole(1, 7 - first);
+  return {first / 8.0, second / 8.0, (8 - first - second) / 8.0};
+}
+inline Weights outside_on_an_edges_line() {
+  const double beyond = -*rc::gen::element(0.125, 0.25, 1.0, 4.0);
+  return *whole(0, 1) == 0 ? weights_of(beyond, 0, *whole(0, 2))
+                           : weights_of(0, beyond, *whole(0, 2));
+}
+
 // Fixed weights of points inside, and of points beyond each edge and each corner.
 inline constexpr Weights kInside[] = {{.2, .3, .5}, {.6, .1, .3}, {.1, .8, .1}};
 inline constexpr Weights kOutside[] = {{-.3, .6, .7},   {.6, -.3, .7},   {.6, .7, -.3},

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "grader/check/generators/generators.h"
+#include "pt/geometry/ray.h"
+
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <ostream>
+#include <vector>
+
+// Inputs that contracts allow and that random numbers hardly ever meet: components that are zero or
+// almost zero, that are equal, and numbers with which no method has to round; and two calls whose
+// inputs differ in a single number.
+
+namespace grader::check {
+
+// 0, -0, and numbers so close to it that their squares are zero. They can still divide a coordinate.
+inline constexpr std::array kAlmostZero{0.0, -0.0, 1e-250, -1e-250};
+
+inline rc::Gen<double> almost_zero() {
+  return rc::gen::map(whole(0, 3), [](int i) { return kAlmostZero.at(i); });
+}
+
+// Three whole numbers from -most to most, not all of them zero. With components of at most 1, this
+// is an axis, or exactly between two axes or three.
+inline rc::Gen<pt::Vec3> whole_vector(int most) {
+  return rc::gen::exec([=] {
+    pt::Vec3 v;
+    while (v == pt::Vec3{}) {
+      v = {*whole(-most, most) * 1.0, *whole(-most, most) * 1.0, *whole(-most, most) * 1.0};
+    }
+    return v;
+  });
+}
+
+// A power of two between 2^-most and 2^most.
+inline rc::Gen<double> power_of_two(int most) {
+  return rc::gen::map(whole(-most, most), [](int i) { return std::pow(2, i); });
+}
+
+// The same direction, with 0, -0 or almost zero for each component that is zero. It may be so small
+// that its inverse is infinite. Then a plane beside the ray is met at an infinite t: this is for
+// rays that meet what they are aimed at.
+inline pt::Vec3 with_other_zeros(pt::Vec3 v) {
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (v[axis] != 0) continue;
+    v[axis] = *whole(0, 2) == 0 ? *rc::gen::element(kSmallest, -kSmallest) : *almost_zero();
+  }
+  return v;
+}
+
+// Any rotation, or one whose z is an axis, almost an axis, or exactly between two axes or three.
+inline rc::Gen<pt::Frame> any_frame() {
+  return rc::gen::exec([] {
+    const int kind = *whole(0, 5);
+    if (kind < 3) return *rotation();
+    if (kind == 3) return pt::frame_from_normal(normalize(*whole_vector(1)));
+    pt::Vec3 z;
+    z[*whole(0, 2)] = *rc::gen::element(1.0, -1.0);
+    if (kind == 4) return pt::frame_from_normal(z);
+    return pt::frame_from_normal(normalize(z + *magnitude(1e-14, 1e-3) * *point(1)));
+  });
+}
+
+// A number of an input, and another value for it.
+struct Change {
+  double* number;
+  double value;
+};
+using Changes = std::vector<Change>;
+
+inline Changes changes_of(pt::Vec3& v, double by) {
+  return {{&v.x, v.x + by}, {&v.y, v.y + by}, {&v.z, v.z + by}};
+}
+
+// A ray that has a hit at t loses it if the range changes.
+inline Changes changes_of(pt::Ray& ray, double by, double t) {
+  Changes all = changes_of(ray.origin, by);
+  for (const Change& each : changes_of(ray.direction, 0.5 * length(ray.direction))) {
+    all.push_back(each);
+  }
+  all.insert(all.end(), {{&ray.t_min, 2 * t}, {&ray.t_max, 0.5 * t}});
+  return all;
+}
+
+inline Changes joined(std::initializer_list<Changes> parts) {
+  Changes all;
+  for (const Changes& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+inline void make_one_of(const Changes& changes) {
+  const Change& change = changes[*whole(0, static_cast<int>(changes.size()) - 1)];
+  *change.number = change.value;
+}
+
+// Two calls, one after the other. What a task remembers of the first, by whatever part of it, must
+// not be its answer to the second.
+template <class Case>
+struct InTurn {
+  Case before, now;
+};
+
+template <class Case>
+void showValue(const InTurn<Case>& calls, std::ostream& out) {
+  out << "after a call with another input:\n";
+  showValue(calls.before, out);
+  out << "\nthe call itself:\n";
+  showValue(calls.now, out);
+}
+
+// The case `now`, and before it the same case after `change`.
+template <class Case, class Change>
+rc::Gen<InTurn<Case>> in_turn(const rc::Gen<Case>& now, const Change& change) {
+  return rc::gen::exec([=] {
+    const Case made = *now;
+    return InTurn<Case>{change(made), made};
+  });
+}
+
+}  // namespace grader::check
