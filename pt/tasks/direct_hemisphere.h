@@ -48,8 +48,8 @@ namespace pt {
 //   - reflects the albedo: channel by channel.
 //   - takes the samples asked for: the mean does not depend on their number, and the noise falls
 //     with its square root, up to a thousand and more.
-//   - starts off the surface: at every scale, no ray meets the surface that it leaves, or passes
-//     through anything close to it.
+//   - starts off the surface: at every scale, and also where n is not the normal of the true surface,
+//     no ray meets the surface that it leaves, or passes through anything close to it.
 //   - spreads evenly over the hemisphere: directions are uniform above the surface, down to the
 //     horizon.
 //   - draws from the sampler alone: consecutive calls are independent, and a sampler in the same

@@ -52,8 +52,8 @@ namespace pt {
 //     from behind, and none from the dark side of a light.
 //   - reflects the albedo: channel by channel, and adds no emission of its own.
 //   - works in every orientation: the answer is the same if the whole scene is rotated.
-//   - starts off the surface: at every scale, a surface never shadows itself, but anything close to
-//     it still shadows it.
+//   - starts off the surface: at every scale, and also where n is not the normal of the true surface,
+//     a surface never shadows itself, but anything close to it still shadows it.
 //   - draws from the sampler alone: consecutive calls are independent, and a sampler in the same
 //     state gives the same estimate again.
 Rgb direct_lights(const Scene& scene, const SurfacePoint& point, int samples, Sampler& sampler);

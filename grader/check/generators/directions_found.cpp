@@ -65,7 +65,7 @@ std::vector<Region> regions_of(const std::vector<DirectionCell>& cells) {
 
 }  // namespace
 
-void expect_spread(const std::vector<DirectionCell>& cells) {
+void expect_spread(const std::vector<DirectionCell>& cells, const std::string& source) {
   double chi_square = 0, all = 0, expected = 0;
   for (const DirectionCell& cell : cells) {
     const double off = cell.found - cell.expected;
@@ -83,11 +83,11 @@ void expect_spread(const std::vector<DirectionCell>& cells) {
         fmt::format("a pattern: of {} cells of the hemisphere, some have too many directions, "
                     "others too few",
                     cells.size()),
-        fmt::format("{:.0f} directions without a pattern", expected));
+        fmt::format("{:.0f} directions without a pattern{}", expected, source));
   }
   fail_statistical("where the directions are",
                    fmt::format("{:.0f} of {:.0f} directions {}", worst.found, all, worst.name),
-                   fmt::format("{:.0f}, give or take {:.0f}", worst.expected, by_chance));
+                   fmt::format("{:.0f}, give or take {:.0f}{}", worst.expected, by_chance, source));
 }
 
 }  // namespace grader::check

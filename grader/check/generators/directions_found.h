@@ -20,7 +20,8 @@ struct DirectionCell {
 
 // Makes the case fail if the directions are not spread as expected. The chi-square test fails right
 // directions with a probability of 1e-9. The failure names the region that is most wrong, for
-// example "0 directions within 20 degrees of the normal".
-void expect_spread(const std::vector<DirectionCell>& cells);
+// example "0 directions within 20 degrees of the normal". `source` says where the expected numbers come
+// from, for example ", by your pdf".
+void expect_spread(const std::vector<DirectionCell>& cells, const std::string& source = "");
 
 }  // namespace grader::check

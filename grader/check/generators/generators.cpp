@@ -168,6 +168,20 @@ rc::Gen<pt::Frame> rotation() {
                       });
 }
 
+rc::Gen<pt::Frame> rotation_of_axes() {
+  return rc::gen::map(whole(0, 23), [](int i) {
+    const auto axis = [](int a, int sign) {
+      pt::Vec3 v;
+      v[a] = sign;
+      return v;
+    };
+    const int first = i % 3, second = (first + 1 + i / 3 % 2) % 3;
+    const pt::Vec3 x = axis(first, i / 6 % 2 == 0 ? 1 : -1);
+    const pt::Vec3 y = axis(second, i / 12 == 0 ? 1 : -1);
+    return pt::Frame{x, y, cross(x, y) + pt::Vec3{}};  // the sum has no -0
+  });
+}
+
 rc::Gen<pt::Rgb> color(double low, double high) {
   return rc::gen::map(rc::gen::tuple(real(low, high), real(low, high), real(low, high)),
                       [](const std::tuple<double, double, double>& c) {

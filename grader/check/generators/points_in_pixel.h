@@ -2,6 +2,7 @@
 
 #include "grader/check/language/property.h"
 #include "grader/check/language/repetition.h"
+#include "grader/check/language/two_numbers.h"
 #include "grader/check/scenes/closed_forms.h"
 #include "pt/math/vec3.h"
 
@@ -138,6 +139,17 @@ inline void expect_even(const Points& points) {
   }
   expect_no_frequent_point(points);
   expect_different_coordinates(points, fmt::format("{} points", points.size()));
+}
+
+// How many calls of two samples expect_independent_axes needs, and the point of each.
+inline constexpr int kIndependentPoints = 1200;
+
+// Fails the case if x and y of a point follow from one random number. The points are of different
+// calls, so that they are independent.
+inline void expect_independent_axes(const Points& points) {
+  std::vector<NumberPair> pairs;
+  for (const pt::Vec2 at : points) pairs.push_back({at.x, at.y});
+  expect_two_numbers("x and y of a point in the pixel", pairs);
 }
 
 // Fails the case if none of 16,000 points lies in the outermost 1.2 thousandths at one of the edges,

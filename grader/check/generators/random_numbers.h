@@ -1,8 +1,10 @@
 #pragma once
 
+#include "grader/check/generators/generators.h"
 #include "pt/math/vec3.h"
 #include "pt/sampling/sampler.h"
 
+#include <bit>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -38,5 +40,32 @@ class RandomNumbers {
  private:
   pt::Sampler sampler_;
 };
+
+// A sampler whose number `place` (from 0) is xi; the numbers before and after it are random. So a
+// number that is hardly ever drawn, such as 0, can be tried.
+inline pt::Sampler sampler_that_draws(double xi, int place, std::uint64_t seed) {
+  // The state before number `place` (pt/sampling/sampler.h): the sum of two words makes the number.
+  pt::Sampler::State state = pt::Sampler(seed).state();
+  const std::uint64_t bits = static_cast<std::uint64_t>(xi * 0x1p53) << 11;
+  state[3] = std::rotr(bits - state[0], 23) - state[0];
+  // The states before it, one by one: each operation of the generator undone.
+  for (int i = 0; i < place; ++i) {
+    const auto [a, b, c, d] = state;
+    const std::uint64_t mixed = std::rotr(d, 45);
+    const std::uint64_t s0 = a ^ mixed, folded = b ^ c;
+    const std::uint64_t s1 = folded ^ folded << 17 ^ folded << 34 ^ folded << 51;
+    state = {s0, s1, b ^ s1 ^ s0, mixed ^ s1};
+  }
+  return pt::Sampler(state);
+}
+
+// A sampler of which one of the first `places` numbers is hardly ever drawn: `smallest`, the largest
+// one, or a number that single precision rounds to 1.
+inline pt::Sampler sampler_of_a_rare_number(int places, double smallest = 0) {
+  const double xi =
+      draw("a rare random number", rc::gen::element(smallest, 1 - 0x1p-53, 1 - 0x1p-26));
+  const int place = draw("numbers drawn before it", whole(0, places - 1));
+  return sampler_that_draws(xi, place, draw("seed", sampler_seed()));
+}
 
 }  // namespace grader::check

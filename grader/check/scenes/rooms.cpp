@@ -3,6 +3,7 @@
 #include "grader/check/generators/generators.h"
 #include "grader/check/scenes/channels.h"
 #include "grader/check/scenes/closed_forms.h"
+#include "grader/check/scenes/smooth_shading.h"
 
 #include <cmath>
 #include <utility>
@@ -16,6 +17,16 @@ using pt::Vec3;
 using Direct = pt::PathSettings::Direct;
 
 namespace {
+
+// Where a point is seen from. The mock diffuse_sample draws by another density if that is exactly the
+// normal (grader/tasks/diffuse_bsdf/mock.cpp), and only the promise about densities judges that.
+Vec3 any_view() { return *direction_above_at(real(0.07, 0.999)); }
+
+// A place on a sphere, often exactly on an axis: the normal there is an axis.
+Vec3 any_place() {
+  const auto exact = rc::gen::map(rotation_of_axes(), [](const pt::Frame& f) { return f.z; });
+  return *rc::gen::oneOf(direction(), exact);
+}
 
 // A point with the normal n on the side of wo. wo is local, with n as z.
 pt::SurfacePoint point_on(const pt::Scene& scene, Vec3 p, Vec3 n, Vec3 geometric_normal, Rgb albedo,
@@ -43,7 +54,7 @@ pt::Scene inside_of_a_ball(const Pose& pose, Rgb albedo) {
 pt::SurfacePoint point_on_the_inside(const pt::Scene& scene, Vec3 outwards) {
   const pt::Sphere& ball = scene.primitives.spheres[0];
   return point_on(scene, ball.center + ball.radius * outwards, -outwards, outwards,
-                  scene.materials[0].albedo, *direction_above());
+                  scene.materials[0].albedo, any_view());
 }
 
 // The irradiance at the point `at` of a ball of radius 1, from a point light of intensity 1. The
@@ -93,7 +104,7 @@ rc::Gen<Room> round_room(const rc::Gen<Rgb>& albedo, const Ranges& ranges) {
     Room room;
     room.direct = Direct::lights;
     room.scene = inside_of_a_ball(around, *albedo);
-    const Vec3 at = *direction();
+    const Vec3 at = any_place();
     const int lights = ranges.max_lights > 1 ? *whole(1, ranges.max_lights) : 1;
     const Rgb of_walls = room.scene.materials[0].albedo;
     room.text = fmt::format("in a ball around {}, radius {:.4g}, albedo {}\n", brief(around.shift),
@@ -142,11 +153,11 @@ rc::Gen<Room> room_around_a_lamp(const rc::Gen<Rgb>& albedo, const rc::Gen<Direc
     room.scene.lights.emplace_back(pt::SphereLight{lamp.center, lamp.radius, radiance});
     room.scene = ready(std::move(room.scene));
 
-    const Vec3 at = *direction();
+    const Vec3 at = any_place();
     const bool on_lamp = *rc::gen::arbitrary<bool>();
-    room.point = on_lamp ? point_on(room.scene, lamp.center + lamp.radius * at, at, at, of_lamp,
-                                    *direction_above())
-                         : point_on_the_inside(room.scene, at);
+    room.point =
+        on_lamp ? point_on(room.scene, lamp.center + lamp.radius * at, at, at, of_lamp, any_view())
+                : point_on_the_inside(room.scene, at);
     if (on_lamp) room.point.emission = radiance;
 
     const double q = ratio * ratio, c = std::sqrt(1 - q);
@@ -176,7 +187,7 @@ rc::Gen<Room> glowing_room(const rc::Gen<Rgb>& albedo) {
     const Rgb of_walls = *albedo, radiance = *color(0.25, 4);
     SceneMaker maker(*pose());
     for (const Rectangle& wall : cube()) maker.surface(wall, of_walls, radiance);
-    const Situation made = maker.patch(of_walls, *direction_above(), false, radiance).done();
+    const Situation made = maker.patch(of_walls, any_view(), false, radiance).done();
     const Rgb direct = of_walls * radiance;
     return Room{made.scene,
                 made.point,
@@ -184,6 +195,23 @@ rc::Gen<Room> glowing_room(const rc::Gen<Rgb>& albedo) {
                 {{of_walls, direct, {}, squared(direct) / 3, {1}}},
                 fmt::format("a closed room of {} surfaces, all of albedo {} and emission {}\n",
                             made.scene.primitives.size(), brief(of_walls), brief(radiance))};
+  });
+}
+
+// The room is so large beside the point's own surface that this hides nothing of it.
+rc::Gen<Room> glowing_room_around_a_smooth_point() {
+  return rc::gen::exec([] {
+    SceneMaker maker(*pose());
+    const Rgb of_walls = *color(0.2, 0.5), radiance = *color(0.25, 4), of_point = *color(0.7, 1);
+    for (const Rectangle& wall : cube_around()) maker.surface(wall, of_walls, radiance);
+    const Situation s = strongly_interpolated(maker, of_point, 1e-3);
+    const Rgb here = of_point * radiance, on_walls = of_walls * radiance;
+    return Room{s.scene,
+                s.point,
+                Direct::hemisphere,
+                {{of_point, here, {}, squared(here) / 3, {0, 1}},
+                 {of_walls, on_walls, {}, squared(on_walls) / 3, {0, 1}}},
+                s.text};
   });
 }
 
@@ -201,7 +229,7 @@ struct Wall {
     const Vec3 n = around.direction({0, 0, 1});
     const double seen = cosine_of_polygon(shape.corners(), {}, {0, 0, 1}) / pt::kPi;
     return {made.scene,
-            point_on(made.scene, around.shift, n, n, of_point, *direction_above()),
+            point_on(made.scene, around.shift, n, n, of_point, any_view()),
             direct,
             {{of_point, here, {}, {}, {0, seen}}, {albedo, from_wall, {}, variance, {}}},
             made.text};

@@ -80,6 +80,10 @@ rc::Gen<Room> room_around_a_lamp(const rc::Gen<pt::Rgb>& albedo,
 // empty.
 rc::Gen<Room> glowing_room(const rc::Gen<pt::Rgb>& albedo);
 
+// A furnace around a point whose normal is far from that of its own, small surface. The walls have
+// another albedo than the point.
+rc::Gen<Room> glowing_room_around_a_smooth_point();
+
 // A wall in the sun, above a point that is on no surface of the scene. Usually a second sun lights
 // the point itself. A path goes to the wall or leaves the scene. The direction to the wall is at
 // most `tilt` from straight up.

@@ -37,7 +37,7 @@ pt::Scene ready(pt::Scene scene) {
 
 rc::Gen<Pose> pose(double range, double far) {
   return rc::gen::exec([range, far] {
-    const pt::Frame turn = *rotation();
+    const pt::Frame turn = *rc::gen::oneOf(rotation(), rotation_of_axes());
     const double size = *magnitude(1 / range, range);
     return Pose{turn, size * *point(far), size};
   });
@@ -50,13 +50,29 @@ rc::Gen<Pose> unturned_pose() {
   });
 }
 
+namespace {
+
+// The normal itself, or a direction in the plane of two axes: one or two of its components are exactly 0.
+rc::Gen<Vec3> exact_direction_above(double tilt) {
+  return rc::gen::map(rc::gen::pair(real(0, tilt), whole(0, 7)),
+                      [](const std::pair<double, int>& at) {
+                        const auto& [angle, way] = at;
+                        if (way > 3) return kUp;
+                        const double r = way % 2 == 0 ? std::sin(angle) : -std::sin(angle);
+                        return way < 2 ? Vec3{r, 0, std::cos(angle)} : Vec3{0, r, std::cos(angle)};
+                      });
+}
+
+}  // namespace
+
 rc::Gen<Vec3> direction_above(double tilt) {
-  return rc::gen::map(rc::gen::pair(real(0, tilt), real(-pt::kPi, pt::kPi)), [](const std::pair<
-                                                                                 double, double>&
-                                                                                    angles) {
-    const double r = std::sin(angles.first);
-    return Vec3{r * std::cos(angles.second), r * std::sin(angles.second), std::cos(angles.first)};
-  });
+  const auto any = rc::gen::map(rc::gen::pair(real(0, tilt), real(-pt::kPi, pt::kPi)),
+                                [](const std::pair<double, double>& angles) {
+                                  const double r = std::sin(angles.first);
+                                  return Vec3{r * std::cos(angles.second),
+                                              r * std::sin(angles.second), std::cos(angles.first)};
+                                });
+  return rc::gen::oneOf(any, any, exact_direction_above(tilt));
 }
 
 rc::Gen<Vec3> direction_above_at(const rc::Gen<double>& height) {
@@ -82,6 +98,12 @@ std::vector<Rectangle> cube() {
   return {{{0, 0, 1}, {0, 2, 0}, {2, 0, 0}},    {{1, 0, 0.5}, {0, 0, 1}, {0, 2, 0}},
           {{-1, 0, 0.5}, {0, 2, 0}, {0, 0, 1}}, {{0, 1, 0.5}, {2, 0, 0}, {0, 0, 1}},
           {{0, -1, 0.5}, {0, 0, 1}, {2, 0, 0}}, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}};
+}
+
+std::vector<Rectangle> cube_around() {
+  std::vector<Rectangle> walls = cube();
+  for (Rectangle& wall : walls) wall.center = wall.center - Vec3{0, 0, 0.5};
+  return walls;
 }
 
 Rectangle Rectangle::part(double a0, double a1, double b0, double b1) const {
@@ -237,11 +259,13 @@ void SceneMaker::is_met(Rgb emission) {
   }
 }
 
-// A dark square around a position, facing the origin.
+// A dark square around a position, facing the origin. The position is not on its diagonal, which is
+// the edge of two triangles: a ray that meets just an edge may miss both.
 void SceneMaker::shade(Vec3 position) {
   const pt::Frame frame = pt::frame_from_normal(normalize(position));
   const double width = 0.4 * length(position);
-  surface({position, width * frame.x, width * frame.y}, any_albedo_of_a_shade());
+  const Rectangle around{position, width * frame.x, width * frame.y};
+  surface(around.part(-0.05, 1, 0, 1), any_albedo_of_a_shade());
 }
 
 SceneMaker& SceneMaker::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
@@ -267,7 +291,15 @@ SceneMaker& SceneMaker::dark_ball(Vec3 center, double radius) {
   return *this;
 }
 
+// Surfaces that look alike are of one material.
 int SceneMaker::material(Rgb albedo, Rgb emission) {
+  const auto is_alike = [&](const pt::Material& other) {
+    return other.albedo == albedo && other.emission == emission;
+  };
+  const auto found = std::ranges::find_if(scene_.materials, is_alike);
+  if (found != scene_.materials.end()) {
+    return static_cast<int>(found - scene_.materials.begin());
+  }
   scene_.materials.push_back({"", albedo, emission, ""});
   return static_cast<int>(scene_.materials.size()) - 1;
 }

@@ -31,7 +31,7 @@ struct Pose {
   pt::Vec3 point(pt::Vec3 local) const { return shift + size * direction(local); }
 };
 
-// A pose with any rotation, a size from 1 / range to range, and a position of up to `far` times the
+// A pose with any rotation, of which half take axes to axes, a size from 1 / range to range, and a position of up to `far` times the
 // size.
 rc::Gen<Pose> pose(double range = 1e2, double far = 1e2);
 
@@ -67,7 +67,11 @@ rc::Gen<Rectangle> rectangle_above(double tilt, double narrow, double wide);
 // The walls of a closed cube above the origin, which is the middle of its floor; all face inwards.
 std::vector<Rectangle> cube();
 
-// A unit direction, at most `tilt` from +z.
+// The same cube, with the origin in its middle.
+std::vector<Rectangle> cube_around();
+
+// A unit direction, at most `tilt` from +z. A third of them are exactly +z or have an x or a y of
+// exactly 0.
 rc::Gen<pt::Vec3> direction_above(double tilt = 1.5);
 
 // A unit direction whose z, the height above the horizon, is drawn from `height`.

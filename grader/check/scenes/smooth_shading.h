@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace grader::check {
 
 // The same point, as on a mesh that is shaded smoothly: the normal of the true surface is 0.3 to
@@ -24,6 +26,21 @@ inline pt::SurfacePoint smoothly_shaded(pt::SurfacePoint point) {
 inline Situation smoothly_shaded(Situation s) {
   s.point = smoothly_shaded(s.point);
   s.text += "the normal of the true surface is not the shading normal\n";
+  return s;
+}
+
+// The same, but the normal of the true surface is up to 1.3 radians away from n, as at the corner of
+// a coarse mesh, and the point is seen from between the two. Many directions above n lead below the
+// true surface. The point is on a dark square of the given side, which hides nothing from it.
+inline Situation strongly_interpolated(SceneMaker maker, pt::Rgb albedo, double side) {
+  const double tilt = *real(0.8, 1.3), azimuth = *real(-pt::kPi, pt::kPi), r = std::sin(tilt);
+  const pt::Vec3 n{r * std::cos(azimuth), r * std::sin(azimuth), std::cos(tilt)};
+  const pt::Frame true_frame = pt::frame_from_normal(n);
+  maker.surface({{}, side * true_frame.x, side * true_frame.y}, albedo);
+  Situation s = maker.point(albedo, normalize(n + pt::Vec3{0, 0, 1})).done();
+  const pt::Triangle& own = s.scene.primitives.triangles.back();
+  s.point.geometric_normal = normalize(cross(own.p1 - own.p0, own.p2 - own.p0));
+  s.text += fmt::format("the point is on a small surface whose true normal is {}\n", brief(n));
   return s;
 }
 

@@ -35,8 +35,9 @@ struct Case {
 
 inline void showValue(const Case& c, std::ostream& out) {
   out << fmt::format(
-      "pixel ({}, {}) of {} x {}, batch {}, at most {} samples, tolerance {:.4g}\n{}", c.x, c.y,
-      c.width, c.height, c.settings.batch, c.settings.max_samples, c.settings.tolerance, c.kind);
+      "pixel ({}, {}) of {} x {}, batch {}, at most {} samples, tolerance {:.4g}\nsamples: {}", c.x,
+      c.y, c.width, c.height, c.settings.batch, c.settings.max_samples, c.settings.tolerance,
+      c.kind);
 }
 
 inline std::string brief(Rgb c) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", c.r, c.g, c.b); }
@@ -128,6 +129,9 @@ inline AdaptiveSettings tight() {
 
 inline AdaptiveSettings ten_thousand() { return {10000, 10000, 0.01}; }
 
+// A counter of two bytes is too small for the batch or, at least, for all samples.
+inline AdaptiveSettings more_than_two_bytes_count() { return {70000, 65537, 0.01}; }
+
 // A pixel of any camera.
 inline Case pixel(const std::string& kind, const AdaptiveSettings& settings, const Script& script) {
   Case c;
@@ -178,7 +182,8 @@ inline rc::Gen<Case> two_values(Settings settings = any_settings) {
   return rc::gen::exec([=] {
     const Rgb low = any_radiance(), high = *real(1.01, 10) * low;
     const double share = *real(0.2, 0.8);
-    return pixel(fmt::format("{}, or with the chance {:.4g} {}", brief(low), share, brief(high)),
+    return pixel(fmt::format("{} with probability {:.2f}, {} with {:.2f}", brief(low), 1 - share,
+                             brief(high), share),
                  settings(), [=](int, double xi) { return xi < share ? high : low; });
   });
 }

@@ -6,6 +6,7 @@
 #include "grader/tasks/adaptive_pixel/threshold.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -74,6 +75,7 @@ PROMISE(adaptive_pixel, takes_one_batch_of_a_constant) {
   for_all([&] { property(tight); }, kCases);
   for_all([&] { property(many_samples); }, kLongCases);
   for_all([&] { property(ten_thousand); }, 1);
+  for_all([&] { property(more_than_two_bytes_count); }, 1);
 }
 
 PROMISE(adaptive_pixel, never_exceeds_the_maximum) {
@@ -224,6 +226,20 @@ PROMISE(adaptive_pixel, covers_the_whole_pixel) {
         },
         1);
   }
+  // The second of two samples, many times.
+  for_all(
+      [] {
+        Case c = *rc::gen::exec([] {
+          return pixel("always 1", {2, 2, 1e-3}, always(pt::gray(1)));
+        });
+        c = in_picture(c, 1, 1);
+        Points seconds;
+        for (int i = 0; i < kIndependentPoints; ++i, ++c.seed) {
+          seconds.push_back(points_inside(c).back());
+        }
+        expect_independent_axes(seconds);
+      },
+      1);
   for_all(
       [] {
         const auto [width, height] =
@@ -242,7 +258,9 @@ PROMISE(adaptive_pixel, forgets_the_pixel_before) {
         const Case before = *anything();
         const auto [c, samples] = *maybe_known();
         const Answer first = ask(c);
-        ask(before);
+        Case same_place = before;  // the same pixel of another picture, with the same sampler
+        std::tie(same_place.x, same_place.y, same_place.seed) = std::tie(c.x, c.y, c.seed);
+        ask(*rc::gen::arbitrary<bool>() ? before : same_place);
         const Answer again = ask(c);
         if (samples > 0) expect_equal("the samples", samples_of(first), samples);
         expect_equal("the samples, asked for a second time", samples_of(again), samples_of(first));

@@ -4,6 +4,7 @@
 #include "grader/check/language/property.h"
 #include "grader/check/language/repeat.h"
 #include "grader/check/language/repetition.h"
+#include "grader/check/language/two_numbers.h"
 #include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
@@ -43,6 +44,15 @@ inline std::vector<DirectionCell> expected_by_pdf(Vec3 wo) {
   return cells;
 }
 
+// Says where the expected numbers come from, and whether they can be right.
+inline std::string by_the_pdf(const std::vector<DirectionCell>& cells) {
+  double sum = 0;
+  for (const DirectionCell& cell : cells) sum += cell.expected / kSamples;
+  const bool is_one = std::abs(sum - 1) < 5e-3;
+  return is_one ? ", by your diffuse_pdf"
+                : fmt::format(", by your diffuse_pdf (which sums to {:.3g}, not 1)", sum);
+}
+
 // Counts the samples in each cell. Samples below the surface are in no cell.
 inline void count_samples(std::vector<DirectionCell>& cells,
                           const std::vector<pt::BsdfSample>& samples) {
@@ -77,6 +87,21 @@ inline void expect_different_samples(const std::vector<pt::BsdfSample>& samples)
   };
   expect_different(heights, "heights above the surface");
   expect_different(azimuths, "angles around the normal");
+}
+
+// Whatever the density is, all angles around the normal are equally likely at every height, if a sample
+// counts in proportion to cos(wi) / pdf.
+inline void expect_independent_angles(const std::vector<pt::BsdfSample>& samples) {
+  // Uniform samples have a uniform height, and cosine-weighted ones a uniform squared height.
+  for (const bool is_squared : {false, true}) {
+    std::vector<NumberPair> pairs;
+    for (const auto& [wi, f, pdf] : samples) {
+      if (!(pdf > 0)) continue;
+      const double angle = std::atan2(wi.y, wi.x) / (2 * pt::kPi);
+      pairs.push_back({is_squared ? wi.z * wi.z : wi.z, angle, wi.z / (pt::kPi * pdf)});
+    }
+    expect_two_numbers("the height of a sample and its angle around the normal", pairs);
+  }
 }
 
 // Cosine-weighted samples are so rare close to the horizon that the histogram shows little there.

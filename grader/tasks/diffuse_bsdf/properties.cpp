@@ -1,4 +1,5 @@
 #include "grader/check/generators/generators.h"
+#include "grader/check/generators/random_numbers.h"
 #include "grader/check/language/in_a_row.h"
 #include "grader/check/language/property.h"
 #include "grader/check/language/repeat.h"
@@ -32,6 +33,19 @@ PROMISE(diffuse_bsdf, f_reflects_the_albedo) {
                     tolerance(albedo));
       },
       20);
+  // The same, of two surfaces that have some channels in common.
+  for_all(
+      [] {
+        const Rgb albedo = draw("albedo", color(0.1, 1));
+        Rgb other = draw("albedo of the second surface", color(0.1, 1));
+        const int same = *whole(0, 2);
+        other[same] = albedo[same];
+        for (const Rgb each : {albedo, other, albedo}) {
+          expect_near("f along the normal", pt::diffuse_f(each, {0, 0, 1}, {0, 0, 1}),
+                      each / pt::kPi, tolerance(each));
+        }
+      },
+      12);
 }
 
 // Any constant is the same for all directions. So f has to be a BSDF of the albedo, at least to a
@@ -92,9 +106,27 @@ void expect_samples_all_around(const rc::Gen<Rgb>& albedos) {
   }
 }
 
+// Returns whether one of the next numbers of the sampler is 0.
+bool draws_zero(pt::Sampler sampler, int numbers) {
+  for (int i = 0; i < numbers; ++i) {
+    if (sampler.next_1d() == 0) return true;
+  }
+  return false;
+}
+
 PROMISE(diffuse_bsdf, samples_the_side_of_wo) {
   for_all([] { expect_samples_all_around(any_albedo()); }, 9);
   for_all([] { expect_samples_all_around(rc::gen::just(Rgb{})); }, 1);
+  // Only the number 0 may give a direction along the surface, as uniform_hemisphere does.
+  for_all([] {
+    const Rgb albedo = draw("albedo", any_albedo());
+    const Vec3 wo = draw("wo", above());
+    pt::Sampler sampler = sampler_of_a_rare_number(4);
+    const bool zero = draws_zero(sampler, 4);
+    const Vec3 wi = pt::diffuse_sample(albedo, wo, sampler).wi;
+    expect_near("the length of wi", length(wi), 1, kColorPrecision);
+    expect(wi.z > 0 || (zero && wi.z == 0), "wi above the surface, like wo", show(wi));
+  });
 }
 
 PROMISE(diffuse_bsdf, a_sample_knows_its_own_f_and_pdf) {
@@ -119,10 +151,17 @@ PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
         const auto samples =
             repeat<pt::diffuse_sample>(kSamples, draw("seed", sampler_seed()), pt::gray(0.5), wo);
         count_samples(cells, samples);
-        expect_spread(cells);
+        expect_spread(cells, by_the_pdf(cells));
         expect_different_samples(samples);
       },
       4);
+  for_all(
+      [] {
+        const Vec3 wo = draw("wo", above());
+        expect_independent_angles(
+            repeat<pt::diffuse_sample>(1500, draw("seed", sampler_seed()), pt::gray(0.5), wo));
+      },
+      1);
   for_all(
       [] {
         const Vec3 wo = draw("wo", above());

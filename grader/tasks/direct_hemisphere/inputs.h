@@ -209,6 +209,34 @@ inline rc::Gen<Situation> beside_lights_without_surfaces() {
   });
 }
 
+// A point of a mesh that is shaded smoothly, in a closed room whose walls all glow. Its own surface is
+// small and dark.
+inline rc::Gen<Situation> smooth_point_in_a_glowing_room() {
+  return rc::gen::exec([] {
+    SceneMaker maker(*pose());
+    const pt::Rgb radiance = any_radiance(), albedo = *color(0.1, 1);
+    for (const Rectangle& wall : cube_around()) maker.surface(wall, pt::gray(0.5), radiance);
+    Situation s = strongly_interpolated(maker, albedo, 0.125);
+    s.expected = albedo * radiance;
+    return s;
+  });
+}
+
+// Two surfaces of one material side by side. One turns its glowing side to the patch, the other its
+// back.
+inline rc::Gen<Situation> under_front_and_back_of_a_material() {
+  return rc::gen::exec([] {
+    SceneMaker maker(*unturned_pose());
+    const pt::Rgb albedo = *color(), radiance = any_radiance();
+    const Rectangle front{{-1, 0, 1}, {0, 2, 0}, {2, 0, 0}}, back{{1, 0, 1}, {2, 0, 0}, {0, 2, 0}};
+    maker.surface(front, albedo, radiance).surface(back, albedo, radiance);
+    Situation s = maker.patch(*color(0.1, 1), *direction_above()).done();
+    s.expected =
+        s.point.albedo * radiance / pt::kPi * cosine_of_polygon(front.corners(), {}, {0, 0, 1});
+    return s;
+  });
+}
+
 // A dark lid close above the patch. Only directions within 0.01 radians of the surface pass it.
 inline rc::Gen<Situation> under_a_lid(const rc::Gen<Pose>& poses) {
   return rc::gen::exec([poses] {
@@ -219,10 +247,20 @@ inline rc::Gen<Situation> under_a_lid(const rc::Gen<Pose>& poses) {
   });
 }
 
-// Returns a strip that stands upright on the horizon, 45 degrees high. Its width is in radians of azimuth.
-inline Rectangle upright_strip(double azimuth, double width) {
+// Returns a strip that stands upright on the horizon at a distance of 1. Its width is in radians of
+// azimuth.
+inline Rectangle upright_strip(double azimuth, double width, double height = 1) {
   const double x = std::cos(azimuth), y = std::sin(azimuth);
-  return {{x, y, 0.5}, {width * y, -width * x, 0}, {0, 0, 1}};
+  return {{x, y, height / 2}, {width * y, -width * x, 0}, {0, 0, height}};
+}
+
+// Strips side by side that stand all around, up to 76 degrees above the horizon.
+inline std::vector<Rectangle> strips_all_around(int count) {
+  std::vector<Rectangle> strips;
+  for (int i = 0; i < count; ++i) {
+    strips.push_back(upright_strip(2 * pt::kPi * (i + 0.5) / count, 2 * pt::kPi / count, 4));
+  }
+  return strips;
 }
 
 // Upright strips of 0.2 degrees of azimuth, 9 degrees apart on the average, up to 45 degrees above

@@ -1,8 +1,10 @@
 #include "grader/check/generators/directions_found.h"
 #include "grader/check/generators/generators.h"
+#include "grader/check/generators/random_numbers.h"
 #include "grader/check/language/in_a_row.h"
 #include "grader/check/language/property.h"
 #include "grader/check/language/repeat.h"
+#include "grader/check/language/two_numbers.h"
 #include "grader/check/scenes/closed_forms.h"
 #include "grader/check/scenes/scenes.h"
 #include "grader/check/scenes/textbook.h"
@@ -108,6 +110,7 @@ PROMISE(direct_hemisphere, sees_only_the_bright_side) {
   const auto turned_round = [](Side side) {
     return rc::gen::map(under_one_side_of_a_light(side), with_corner_normals_turned_round);
   };
+  for_all([] { expect_estimate(*under_front_and_back_of_a_material(), 16); }, 3);
   for_all([&] { expect_dark(*turned_round(Side::dark)); }, 1);
   for_all([&] { expect_estimate(*turned_round(Side::bright)); }, 1);
 }
@@ -135,6 +138,16 @@ PROMISE(direct_hemisphere, reflects_the_albedo) {
         expect_estimate(s);
       },
       kCases);
+  // A surface that is dark in all channels is not black.
+  for_all(
+      [] {
+        Situation s = *patch_with(lamp);
+        const double part = *magnitude(1e-8, 1e-3);
+        s.point.albedo *= part;
+        s.expected *= part;
+        expect_estimate(s, 16);
+      },
+      3);
 }
 
 // In a room that glows everywhere, one direction gives 2 albedo L cos, and cos is uniform. Relative
@@ -159,6 +172,18 @@ PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
   for_all([&] { expect_estimate(*under_a_small_lamp(), 1000); }, 1);
   // The noise of this many samples shows a hidden maximum.
   for_all([&] { expect_samples(4000, 100); }, 1);
+  // A counter of two bytes leaves one of these samples. By chance, the mean of so many is off by seven of
+  // its deviations less than once in a hundred billion times.
+  for_all(
+      [] {
+        constexpr int kMost = 65537;
+        const Situation s = *in_a_glowing_room(pose(1));
+        const double off = 7 / std::sqrt(3.0 * kMost) * max_channel(s.expected) + tolerance(s);
+        for (const Rgb& one : estimates(s, 4, kMost)) {
+          expect_near(fmt::format("each estimate of {} samples", kMost), one, s.expected, 2 * off);
+        }
+      },
+      1);
 }
 
 PROMISE(direct_hemisphere, starts_off_the_surface) {
@@ -166,7 +191,9 @@ PROMISE(direct_hemisphere, starts_off_the_surface) {
   const auto anywhere = [] { return rc::gen::oneOf(pose(1e6), pose(1e6, 1e4)); };
   for_all(
       [&] {
-        const Situation s = *in_a_glowing_room(anywhere());
+        const bool smooth = *rc::gen::element(false, false, true);
+        const Situation s =
+            smooth ? *smooth_point_in_a_glowing_room() : *in_a_glowing_room(anywhere());
         Rgb sum{};
         for (const Rgb& one : estimates(s, 200, 1)) {
           expect(max_channel(one) > 0, "light from every direction",
@@ -209,9 +236,36 @@ void expect_even(const std::vector<Rectangle>& pieces, int calls) {
   expect_spread(cells);
 }
 
+// The estimate gives the height of its direction, and its hue the azimuth. Within a strip, any azimuth
+// may stand for that of the direction.
+void expect_independent_angles() {
+  constexpr int kStrips = 1024, kDirections = 1500;
+  const Situation s = *in_a_colored_room(strips_all_around(kStrips));
+  RandomNumbers within(draw("seed", sampler_seed()));
+  std::vector<NumberPair> pairs;
+  for (const Rgb& one : estimates(s, kDirections, 1)) {
+    if (!(one.r > 0)) continue;  // it went above the strips
+    const double height = one.r / (2 * s.point.albedo.r), strip = std::round(one.g / one.r) - 1;
+    pairs.push_back({height, (strip + within.between(0, 1)) / kStrips});
+  }
+  expect(pairs.size() > kDirections / 2, "directions up to 76 degrees above the horizon", "few");
+  expect_two_numbers("the height of a direction and its angle around the normal", pairs);
+}
+
 PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
   for_all([] { expect_even(dome(6), 6000); }, 4);
   for_all([] { expect_even(*rc::gen::exec(narrow_strips), 12000); }, 1);
+  for_all(expect_independent_angles, 1);
+  // A direction is one of the hemisphere whatever the random numbers are.
+  for_all([] {
+    const Situation s = *in_a_glowing_room(unturned_pose());
+    pt::Sampler sampler = sampler_of_a_rare_number(4);
+    const Rgb one = pt::direct_hemisphere(s.scene, s.point, 1, sampler);
+    for (int channel = 0; channel < 3; ++channel) {
+      expect(one[channel] >= 0 && one[channel] <= 2.001 * s.expected[channel],
+             "light of one direction above the surface", brief(one));
+    }
+  });
   // A bright strip at the horizon, less than a tenth of a degree high. About 50 directions meet it.
   for_all(
       [] {

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "grader/check/generators/generators.h"
+#include "grader/check/generators/random_numbers.h"
 #include "grader/check/language/property.h"
 #include "grader/check/language/repeat.h"
+#include "grader/check/language/two_numbers.h"
+#include "grader/check/scenes/closed_forms.h"
 #include "grader/check/scenes/scenes.h"
 #include "grader/check/scenes/textbook.h"
 #include "pt/tasks/direct_lights.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -45,6 +49,103 @@ inline void expect_estimate(const Situation& s, int samples) {
   expect_mean(fmt::format("the mean, {} samples per call", samples),
               mean_of(estimates(s, calls, samples)), s.expected, noise_of_lights(s, samples),
               tolerance(s) + missed(s, calls * samples));
+}
+
+// Two lamps, level and one above the point: along x in front of it, and along y beside it. The light
+// that a draw of a lamp brings falls along its longer side, so it tells where the draw was. The
+// other side is so narrow that it does not matter.
+enum class Lamp { along_x, along_y };
+
+inline constexpr double kLampWidth = 1e-3, kLampLength = 2.7, kLampFrom = 0.3;
+
+inline Rectangle long_lamp(Lamp lamp, bool narrow_u) {
+  const pt::Vec3 along = lamp == Lamp::along_x ? pt::Vec3{1, 0, 0} : pt::Vec3{0, 1, 0};
+  const pt::Vec3 aside = cross({0, 0, 1}, along);
+  const pt::Vec3 center = (kLampFrom + kLampLength / 2) * along + pt::Vec3{0, 0, 1};
+  if (narrow_u) return {center, kLampWidth * aside, kLampLength * along};
+  return {center, kLampLength * along, -kLampWidth * aside};
+}
+
+// Adds a surface that hides one half of the lamp, along its middle.
+inline void hide_a_half(SceneMaker& maker, const Rectangle& lamp, bool narrow_u) {
+  const Rectangle half =
+      narrow_u ? lamp.part(-0.5, 0.5, -0.1, 1.1) : lamp.part(-0.1, 1.1, -0.5, 0.5);
+  maker.surface(half.scaled(0.5), pt::gray(0.5));
+}
+
+// Judges where the draws of a lamp were along it, and whether another draw, or the same one, was in the
+// half of a lamp that is not hidden. `light` is that of the whole lamp, whose solid angle is given.
+// The number that chose the place is uniform on the lamp or, if draws are uniform in solid angle, in
+// the sine of the angle to the normal. Each half stands for any number of its half of [0, 1).
+inline void expect_independent_halves(const std::string& what, const std::vector<double>& light,
+                                      const std::vector<bool>& is_lit, double solid_angle) {
+  const double area = kLampWidth * kLampLength;
+  const auto sine = [](double x) { return x / std::sqrt(1 + x * x); };
+  const double nearest = sine(kLampFrom), farthest = sine(kLampFrom + kLampLength);
+  RandomNumbers within(draw("seed of the halves", sampler_seed()));
+  for (const bool by_area : {true, false}) {
+    std::vector<NumberPair> pairs;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      if (!(light[i] > 0)) continue;  // a method that draws more than lights may miss it
+      const double cosine = std::min(1.0, light[i] * pt::kPi / solid_angle);
+      const double squared = std::sqrt(area / (pt::kPi * light[i])) - 1;  // the distance along it
+      const double place = by_area
+                               ? (std::sqrt(std::max(0.0, squared)) - kLampFrom) / kLampLength
+                               : (std::sqrt(1 - cosine * cosine) - nearest) / (farthest - nearest);
+      pairs.push_back({place, within.between(is_lit[i] ? 0 : 0.5, is_lit[i] ? 0.5 : 1)});
+    }
+    expect_two_numbers(what, pairs);
+  }
+}
+
+// The solid angle of a lamp, seen from the point.
+inline double solid_angle_of(const Rectangle& lamp) {
+  const std::vector<pt::Vec3> c = lamp.corners();
+  return solid_angle(c[0], c[1], c[2], {}) + solid_angle(c[0], c[2], c[3], {});
+}
+
+inline constexpr int kDrawsOfLamps = 1500;
+
+// The same draws with one half of the lamp hidden and with none.
+inline void expect_independent_sides(bool narrow_u) {
+  const Pose around = *pose();
+  const auto seed = draw("seed", sampler_seed());
+  const Rectangle lamp = long_lamp(Lamp::along_x, narrow_u);
+  std::vector<Rgb> found[2];
+  for (const bool hides : {false, true}) {
+    SceneMaker maker(around);
+    maker.rectangle(lamp, pt::gray(1), Body::none);
+    if (hides) hide_a_half(maker, lamp, narrow_u);
+    const Situation s = maker.point(pt::gray(1), {0, 0, 1}).done();
+    found[hides] = repeat<pt::direct_lights>(kDrawsOfLamps, seed, s.scene, s.point, 1);
+  }
+  std::vector<double> light;
+  std::vector<bool> is_lit;
+  for (int i = 0; i < kDrawsOfLamps; ++i) {
+    light.push_back(found[0][i].g);
+    is_lit.push_back(found[1][i].g > 0);
+  }
+  expect_independent_halves("where the draws of a rectangle are on its two sides", light, is_lit,
+                            solid_angle_of(lamp));
+}
+
+// A red lamp, and a green one of which a half is hidden.
+inline void expect_independent_lights(bool hidden_first) {
+  SceneMaker maker(*pose());
+  const Rectangle red = long_lamp(Lamp::along_x, true), green = long_lamp(Lamp::along_y, false);
+  if (!hidden_first) maker.rectangle(red, {1, 0, 0}, Body::none);
+  maker.rectangle(green, {0, 1, 0}, Body::none);
+  if (hidden_first) maker.rectangle(red, {1, 0, 0}, Body::none);
+  hide_a_half(maker, green, false);
+  const Situation s = maker.point(pt::gray(1), {0, 0, 1}).done();
+  std::vector<double> light;
+  std::vector<bool> is_lit;
+  for (const Rgb& one : estimates(s, kDrawsOfLamps, 1)) {
+    light.push_back(one.r);
+    is_lit.push_back(one.g > 0);
+  }
+  expect_independent_halves("where the draws of two lights are", light, is_lit,
+                            solid_angle_of(red));
 }
 
 // Without randomness, every single estimate has to be right.

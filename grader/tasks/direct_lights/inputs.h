@@ -87,8 +87,18 @@ inline void any_delta_light(SceneMaker& maker) {
   *rc::gen::arbitrary<bool>() ? point_light(maker) : directional_light(maker);
 }
 
-// A point that is shaded smoothly, under a point or directional light above the horizons of its
-// shading normal and of its true surface.
+// A point of a mesh that is shaded smoothly, under a point or directional light that is above its
+// shading normal's horizon, and often below its true surface. Its own surface is small and dark.
+inline rc::Gen<Situation> lit_and_strongly_interpolated(double size) {
+  return rc::gen::exec([size] {
+    SceneMaker maker(*pose(size));
+    any_delta_light(maker);
+    return strongly_interpolated(maker, *color(0.1, 1), 0.125);
+  });
+}
+
+// A point that is shaded a little smoothly, under a point or directional light above the horizons of
+// its shading normal and of its true surface.
 inline rc::Gen<Situation> lit_and_smoothly_shaded() {
   return rc::gen::exec([] {
     SceneMaker maker(*pose());
@@ -199,6 +209,29 @@ inline void light_below(SceneMaker& maker) {
 // A light above the patch that emits away from it.
 inline void light_turned_away(SceneMaker& maker) {
   maker.rectangle((*rectangle_above(0.8, 0.2, 1)).flipped(), any_radiance(), Body::none);
+}
+
+// A rectangle whose plane the point lies in, exactly: its corners are on two axes.
+inline void light_edge_on(SceneMaker& maker) {
+  const double wide = *real(0.5, 2), tall = *real(0.5, 2);
+  const Rectangle upright{{wide, 0, tall}, {wide, 0, 0}, {0, 0, tall}};
+  maker.rectangle(*rc::gen::arbitrary<bool>() ? upright : upright.flipped(), any_radiance(),
+                  Body::none);
+}
+
+// The same light twice, in the same place.
+inline void twins(SceneMaker& maker) {
+  const int kind = *whole(0, 4);
+  const pt::Vec3 towards = *direction_above(1.0);
+  const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
+  const pt::Rgb radiance = any_radiance();
+  for (int i = 0; i < 2; ++i) {
+    if (kind == 0) maker.point_light(2 * towards, radiance);
+    if (kind == 1) maker.directional_light(towards, radiance);
+    if (kind == 2) maker.ball(2 * towards, 0.5, radiance, Body::none);
+    if (kind == 3) maker.mesh(shape, radiance, Body::none);
+    if (kind == 4) maker.rectangle(shape, radiance, Body::none);
+  }
 }
 
 // An upright rectangle that continues below the horizon.

@@ -28,6 +28,9 @@ PROMISE(direct_lights, matches_a_rectangle) {
     for_all([=] { expect_estimate(*lit_without_surfaces(rectangle, size), 1); }, 1);
   }
   for_all([] { expect_estimate(*lit_by(small_rectangle), any_samples()); }, 5);
+  for (const bool narrow_u : {true, false}) {
+    for_all([=] { expect_independent_sides(narrow_u); }, 1);
+  }
 }
 
 PROMISE(direct_lights, matches_a_sphere) {
@@ -70,8 +73,12 @@ PROMISE(direct_lights, adds_the_lights_up) {
       },
       30);
   for_all([&] { expect_lights(100, 1); }, 1);
+  for_all([] { expect_estimate(*lit_by(twins), any_samples()); }, 20);
+  for (const bool hidden_first : {true, false}) {
+    for_all([=] { expect_independent_lights(hidden_first); }, 1);
+  }
   for_all([&] {
-    const int lights = draw("lights", rc::gen::element(0, 1, 2, 3, 5, 17, 40, 100));
+    const int lights = draw("lights", rc::gen::element(0, 1, 2, 3, 5, 17, 40, 100, 300));
     const Situation s = *lit_by([lights](SceneMaker& maker) {
       for (int k = 0; k < lights; ++k) any_delta_light(maker);
     });
@@ -149,6 +156,18 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
         }
       },
       3);
+  // A counter of two bytes leaves one of these samples. By chance, the mean of so many is off by seven of
+  // its deviations less than once in a hundred billion times.
+  for_all(
+      [] {
+        constexpr int kMost = 65537;
+        const Situation s = *lit_by(lamp);
+        const double off = 7 * max_channel(noise_of_lights(s, kMost).deviation) + tolerance(s);
+        for (const Rgb& one : estimates(s, 6, kMost)) {
+          expect_near(fmt::format("each estimate of {} samples", kMost), one, s.expected, 2 * off);
+        }
+      },
+      1);
   // The samples are for each light, however many lights there are.
   for_all(
       [] {
@@ -200,6 +219,9 @@ PROMISE(direct_lights, keeps_light_on_its_side) {
       },
       50);
   for_all(
+      [&] { expect_always(*lit_by(light_edge_on, unturned_pose(), either_side()), any_samples()); },
+      10);
+  for_all(
       [&] {
         const Situation s = *lit_by(light_across_the_horizon, unturned_pose(), either_side());
         expect_estimate(s, any_samples());
@@ -222,6 +244,17 @@ PROMISE(direct_lights, reflects_the_albedo) {
     }
     expect_always(s, 1);
   });
+  // A surface that is dark in all channels is not black.
+  for_all(
+      [] {
+        Situation s = *white_patch(false);
+        const double part = *magnitude(1e-8, 1e-3);
+        s.point.albedo *= part;
+        s.expected *= part;
+        s.facing *= part;
+        expect_always(s, 1);
+      },
+      10);
 }
 
 PROMISE(direct_lights, works_in_every_orientation) {
@@ -234,6 +267,7 @@ PROMISE(direct_lights, starts_off_the_surface) {
   // Small and large scenes, close to the world's origin and far from it.
   const auto anywhere = [] { return rc::gen::oneOf(pose(1e6), pose(1e6, 1e4)); };
   for_all([&] { expect_always(*lit_by(point_light, anywhere()), 1); }, 200);
+  for_all([] { expect_always(*lit_and_strongly_interpolated(1e6), 1); }, 50);
   // A dark lid close above the patch.
   for_all([&] { expect_always(dark(*lit_by(under_a_lid, anywhere())), 1); });
 }

@@ -132,7 +132,8 @@ inline void beside_a_wall(SceneMaker& maker) {
 inline void under_a_lid(SceneMaker& maker) {
   const pt::Vec3 towards = *direction_above(1.4);
   maker.point_light(*real(0.5, 4) * towards, any_radiance());
-  maker.surface({{0, 0, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
+  // Its diagonal is not above the point: a ray that meets just an edge may miss both triangles.
+  maker.surface({{0.02, 0.01, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
 }
 
 }  // namespace grader::check::direct_lights_inputs

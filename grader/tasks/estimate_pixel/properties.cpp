@@ -1,4 +1,5 @@
 #include "grader/check/generators/points_in_pixel.h"
+#include "grader/check/generators/random_numbers.h"
 #include "grader/check/language/property.h"
 #include "grader/tasks/estimate_pixel/inputs.h"
 
@@ -17,6 +18,9 @@ using namespace estimate_pixel_inputs;
 
 // Numbers of samples that reveal a hidden maximum or a counter of one byte. All of them are tested.
 constexpr std::array kMany{64, 100, 255, 256, 257, 1000, 1024, 4097};
+
+// One more than a counter of two bytes can hold.
+constexpr int kMost = 65537;
 
 constexpr std::array kChannels{"red", "green", "blue"};
 
@@ -67,7 +71,7 @@ PROMISE(estimate_pixel, takes_the_samples_asked_for) {
   for (const int samples : kMany) {
     for_all([=] { expect_calls(samples); }, 1);
   }
-  for_all([] { expect_calls(10000); }, 1);
+  for_all([] { expect_calls(kMost); }, 1);
 }
 
 // The promise stays_inside_the_pixel judges which pixel the ray goes through. This one judges only
@@ -83,8 +87,8 @@ PROMISE(estimate_pixel, sends_one_sample_through_the_centre) {
   });
 }
 
-void expect_inside(const Pixel& p, int samples) {
-  const Estimate e = estimate(p, samples, pt::Sampler(draw("seed", sampler_seed())));
+void expect_inside(const Pixel& p, int samples, const pt::Sampler& sampler) {
+  const Estimate e = estimate(p, samples, sampler);
   expect_a_call(e);
   const pt::Vec2 off = slack(p);
   for (const RadianceCall& call : e.calls) {
@@ -99,10 +103,15 @@ void expect_inside(const Pixel& p, int samples) {
 PROMISE(estimate_pixel, stays_inside_the_pixel) {
   for_all([] {
     const Pixel p = *pixel();
-    expect_inside(p, some_samples());
+    expect_inside(p, some_samples(), pt::Sampler(draw("seed", sampler_seed())));
   });
   // There are so many points that a pixel two thousandths too wide is seen.
-  for_all([] { expect_inside(*whole_picture(), 4000); }, 1);
+  for_all([] { expect_inside(*whole_picture(), 4000, pt::Sampler(draw("seed", sampler_seed()))); },
+          1);
+  for_all([] {
+    const Pixel p = *pixel();
+    expect_inside(p, some_samples(), sampler_of_a_rare_number(6));
+  });
 }
 
 // The points of some calls. The promise stays_inside_the_pixel judges which pixel the rays go
@@ -148,6 +157,17 @@ PROMISE(estimate_pixel, covers_the_whole_pixel) {
       [] {
         const Pixel p = *large_pixel();
         expect_random_points(p, draw("seed", sampler_seed()));
+      },
+      1);
+  // The second point of each of many calls.
+  for_all(
+      [] {
+        const Pixel p = *whole_picture();
+        const auto seed = draw("seed", sampler_seed());
+        const Points points = points_of_calls(p, 2, kIndependentPoints, seed);
+        Points seconds;
+        for (std::size_t i = 1; i < points.size(); i += 2) seconds.push_back(points[i]);
+        expect_independent_axes(seconds);
       },
       1);
   for_all(
@@ -225,7 +245,12 @@ PROMISE(estimate_pixel, forgets_the_pixel_before) {
     };
     const Estimate before = estimate(first, n, sampler, by_direction);
     expect_a_call(before);
-    estimate(second, other, pt::Sampler(1), by_direction);
+    // In another picture, the same pixel with the same sampler has another answer.
+    if (draw("the second is the same pixel of another picture", rc::gen::arbitrary<bool>())) {
+      estimate({*camera(), first.width, first.height, first.x, first.y}, n, sampler, by_direction);
+    } else {
+      estimate(second, other, pt::Sampler(1), by_direction);
+    }
     const Estimate after = estimate(first, n, sampler, by_direction);
     expect_near("the mean, asked again after another pixel", after.mean, before.mean, 0);
     expect_equal("calls of radiance(), asked again after another pixel",

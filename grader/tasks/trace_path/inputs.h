@@ -143,6 +143,22 @@ inline rc::Gen<Case> seen_from_straight_above() {
   });
 }
 
+// The same in a room that absorbs little. A path that goes on in a steep direction carries more light
+// than one: f cos / pdf of a uniform direction is up to twice the albedo.
+inline rc::Gen<Case> bright_and_seen_from_straight_above() {
+  return rc::gen::exec([] {
+    Case made = *asked_of(round_room(gray(0.8, 1)), rc::gen::just(Bounces{3, 3}), real(0.5, 1));
+    made.room = seen_at(made.room, 1);
+    return made;
+  });
+}
+
+// A room that absorbs almost everything.
+inline rc::Gen<Case> in_a_dark_room() {
+  const rc::Gen<Rgb> dark = rc::gen::map(magnitude(1e-8, 1e-3), pt::gray);
+  return asked_of(round_room(dark), rc::gen::just(Bounces{2, 2}));
+}
+
 // One channel is bright everywhere, so that roulette by the throughput keeps enough paths. One is
 // black.
 inline rc::Gen<Case> tinted(int bright, int black, const rc::Gen<Bounces>& which) {

@@ -1,3 +1,4 @@
+#include "grader/check/generators/random_numbers.h"
 #include "grader/tasks/trace_path/estimates.h"
 #include "grader/tasks/trace_path/half_lights.h"
 #include "grader/tasks/trace_path/inputs.h"
@@ -164,7 +165,23 @@ PROMISE(trace_path, stops_after_the_last_bounce) {
       kCases);
 }
 
+// A path that goes on at a number of roulette close to 1 also goes on at one that is closer.
+void expect_light_at_the_largest_numbers() {
+  const Case c =
+      *asked_of(round_room(gray(0.5, 1)), rc::gen::just(Bounces{3, 3}), rc::gen::just(1.0));
+  const int place = draw("random numbers before it", whole(0, 7));
+  const auto light_at = [&](double xi) {
+    pt::Sampler sampler = sampler_that_draws(xi, place, c.seed);
+    return max_channel(pt::trace_path(c.room.scene, c.room.point, c.settings, sampler));
+  };
+  if (light_at(1 - 1e-6) > 0) {
+    expect(light_at(1 - 0x1p-26) > 0, "a path that goes on, with survival 1",
+           "none, where a random number is so large that a float rounds it to 1");
+  }
+}
+
 PROMISE(trace_path, reaches_the_last_bounce) {
+  for_all(expect_light_at_the_largest_numbers);
   for_all(
       [] {
         const Case c = *far_along();
@@ -207,6 +224,7 @@ PROMISE(trace_path, tints_at_each_bounce) {
         expect_estimate(*tinted(bright, bright, bounces(2, 4)));
       },
       9);
+  for_all([] { expect_estimate(*in_a_dark_room(), 1000); }, 4);
   for (int black = 0; black < 3; ++black) {
     for_all(
         [=] {
@@ -222,10 +240,17 @@ PROMISE(trace_path, weighs_by_the_cosine) {
 
 PROMISE(trace_path, divides_by_the_pdf_of_the_sample) {
   for_all([] { expect_estimate(*seen_from_straight_above()); }, kCases);
+  for_all([] { expect_estimate(*bright_and_seen_from_straight_above()); }, 4);
 }
 
 PROMISE(trace_path, follows_the_new_ray) {
   for_all([] { expect_estimate(*asked_of(round_room(gray(0.3, 0.8)), bounces(2, 3))); }, 20);
+  for_all(
+      [] {
+        expect_estimate(
+            *asked_of(glowing_room_around_a_smooth_point(), rc::gen::just(Bounces{2, 2})));
+      },
+      6);
 }
 
 PROMISE(trace_path, adds_no_light_from_outside) {
@@ -289,6 +314,12 @@ PROMISE(trace_path, stays_finite) {
         expect(lit, "light in some of 500 estimates", "none");
       },
       2 * kCases);
+  for_all([] {
+    const Case c = *grazed_and_black();
+    pt::Sampler sampler = sampler_of_a_rare_number(16, 0x1p-53);
+    const Rgb one = pt::trace_path(c.room.scene, c.room.point, c.settings, sampler);
+    expect(pt::is_finite(one), "a finite estimate whatever the random numbers are", show(one));
+  });
 }
 
 }  // namespace

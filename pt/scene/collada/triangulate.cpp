@@ -13,7 +13,7 @@ namespace {
 // tested against the triangle. The tests per corner are limited, so that a file of any size ends.
 constexpr std::size_t kMaxTests = 4000;
 
-constexpr double kRounding = 1e-9;  // of the face's area
+constexpr double kProductRounding = 1e-9;  // of the face's area
 
 // Twice the area of the face along its normal, whatever its shape (Newell's method: Sutherland,
 // Sproull, Schumacker 1974).
@@ -35,7 +35,7 @@ Triangulation fan(std::size_t corners, bool crosses) {
 
 // A fan covers the face if all of its triangles face one way.
 bool is_covered_by_fan(std::span<const Vec3> face, Vec3 normal) {
-  const double least = -kRounding * length_squared(normal);
+  const double least = -kProductRounding * length_squared(normal);
   const bool has_normal = std::isnormal(length_squared(normal));
   for (std::size_t i = 1; i + 1 < face.size(); ++i) {
     const Vec3 triangle = cross(face[i] - face[0], face[i + 1] - face[0]);
@@ -138,7 +138,7 @@ Triangulation triangulate(std::span<const Vec3> face) {
   const Vec3 normal = doubled_area(face);
   if (is_covered_by_fan(face, normal)) return fan(face.size(), false);
   if (!std::isnormal(length_squared(normal))) return fan(face.size(), true);
-  const double rounding = kRounding * max_abs(normal);
+  const double rounding = kProductRounding * max_abs(normal);
   std::optional<std::vector<int>> cut = cut_ears(flatten(face, normal), rounding);
   if (!cut) return fan(face.size(), true);
   return {std::move(*cut), false};

@@ -1,0 +1,95 @@
+#include "grader/check/language/two_numbers.h"
+
+#include "grader/check/language/fail.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace grader::check {
+
+namespace {
+
+constexpr int kMaxSlope = 2100;  // beyond it, the precision of the contracts hides the lines
+constexpr int kMaxWaves = 2;     // along the other axis: lines in each half of a divided pixel
+
+struct Complex {
+  double re = 0, im = 0;
+};
+
+Complex times(Complex a, Complex b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+// e^(2 pi i part)
+Complex on_circle(double part) {
+  return {std::cos(2 * pt::kPi * part), std::sin(2 * pt::kPi * part)};
+}
+
+// A line x = slope y + constant, and how many of the pairs lie close to it, as a part of all.
+struct Line {
+  int slope = 0;
+  double part = 0;
+};
+
+// Adds up e^(2 pi i (k y - m x)) for each whole k but 0, and returns the largest sum, relative to the
+// sum of the weights. Where all pairs lie on m x = k y + constant, it is 1.
+Line strongest_line(const std::vector<NumberPair>& pairs, int m) {
+  std::vector<Complex> sums(2 * kMaxSlope + 1);
+  double all = 0;
+  for (const NumberPair& pair : pairs) {
+    const Complex step = on_circle(pair.y);
+    Complex wave = on_circle(-kMaxSlope * pair.y - m * pair.x);
+    for (Complex& sum : sums) {
+      sum.re += pair.weight * wave.re;
+      sum.im += pair.weight * wave.im;
+      wave = times(wave, step);
+    }
+    all += pair.weight;
+  }
+  Line strongest;
+  for (int k = -kMaxSlope; k <= kMaxSlope; ++k) {
+    const Complex sum = sums[static_cast<std::size_t>(k + kMaxSlope)];
+    const double part = std::hypot(sum.re, sum.im) / all;
+    if (k != 0 && !(part <= strongest.part)) strongest = {k, part};
+  }
+  return strongest;
+}
+
+NumberPair exchanged(NumberPair pair) { return {pair.y, pair.x, pair.weight}; }
+
+// If one number is uniform whatever the other is, each term of a sum has the mean 0. A sum of real
+// terms of up to w_i exceeds t sqrt(sum w_i^2) with a probability of 2 exp(-t^2 / 2) at most
+// (Hoeffding 1963). A complex sum that exceeds r has a real or an imaginary part above r / sqrt(2).
+double largest_by_chance(const std::vector<NumberPair>& pairs) {
+  constexpr double kSums = 2.0 * kMaxWaves * 2 * kMaxSlope;
+  double all = 0, squares = 0;
+  for (const NumberPair& pair : pairs) {
+    all += pair.weight;
+    squares += pair.weight * pair.weight;
+  }
+  return 2 * std::sqrt(squares * std::log(4 * kSums / 1e-9)) / all;
+}
+
+}  // namespace
+
+void expect_two_numbers(const std::string& what, const std::vector<NumberPair>& pairs) {
+  const double by_chance = largest_by_chance(pairs);
+  std::vector<NumberPair> other_way(pairs.size());
+  std::ranges::transform(pairs, other_way.begin(), exchanged);
+  for (int m = 1; m <= kMaxWaves; ++m) {
+    for (const bool other : {false, true}) {
+      const Line found = strongest_line(other ? other_way : pairs, m);
+      if (found.part <= by_chance) continue;
+      fail_statistical(
+          what,
+          fmt::format("one that follows from the other: it is {:.4g} times it, but for "
+                      "whole numbers",
+                      static_cast<double>(found.slope) / m),
+          "two random numbers that do not depend on each other");
+    }
+  }
+}
+
+}  // namespace grader::check
