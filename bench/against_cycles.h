@@ -42,7 +42,7 @@ struct LongRender {
 };
 
 // The error of a picture of `samples` samples: the root of relMSE, the mean over the pixels of (x -
-// g)^2 / (g + .01)^2 in luminance, without the noise of g.
+// g)^2 / (g + d)^2 in luminance (d: pt::dark_of), without the noise of g.
 struct ErrorAfter {
   int samples = 0;
   double cpu_seconds = 0;    // the median of the repeats, without the fixed time

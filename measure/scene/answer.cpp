@@ -24,31 +24,44 @@ constexpr double kWorthTrying = 0.7;  // of error^2: with more bias there is no 
 constexpr int kFewerBounces = 3;      // smaller numbers that are tried
 constexpr double kFlat = 0.99985;     // cosine of 1 degree
 
+constexpr double kGain = 0.03;  // of the price: a promise of the model that is worth a render
+constexpr int kMaxFurther = 2;  // such renders per way
+
 Option look_at(Study& study, const Way& way, const std::vector<int>& light_samples, double bias2,
                double error) {
-  Option option{way, study.try_out(way, light_samples), {}, {}};
-  option.model = model_of(option.tried, bias2);
-  option.choice = cheapest_choice(option.model, error);
+  return option_of(way, study.try_out(way, light_samples), bias2, error);
+}
+
+// The model may promise a cheaper number of light samples between those that were measured, or
+// beyond. Its lines are approximate, so that number is measured before it can be the answer.
+Option refined(Study& study, Option option, double error) {
+  for (int i = 0; i < kMaxFurther; ++i) {
+    const std::optional<int> l = worth_measuring(option.tried, option.model, kGain);
+    if (!l) break;
+    option.tried.push_back(study.try_out(option.way, {*l})[0]);
+    std::ranges::sort(option.tried, {}, &Tried::light_samples);
+    option = option_of(option.way, option.tried, option.model.bias2, error);
+  }
   return option;
 }
 
-// If the best number of light samples is beyond the tried numbers, it is tried too: a line is less
-// certain outside its points.
-void try_the_best(Study& study, Option& option, double error) {
-  if (!option.choice || option.choice->light_samples <= option.tried.back().light_samples) return;
-  option.tried.push_back(study.try_out(option.way, {option.choice->light_samples})[0]);
-  option.model = model_of(option.tried, option.model.bias2);
-  option.choice = cheapest_choice(option.model, error);
-}
-
-// Two numbers of light samples, for ways that differ from a known way in another setting.
+// Two numbers of light samples for ways that differ from a known way in another setting: the best
+// of that, and the course's.
 std::vector<int> pair_beside(const Option& known, bool delta_lights) {
-  if (delta_lights) return {1, 2};
-  return {1, std::max(kCourseLightSamples, known.choice ? known.choice->light_samples : 1)};
+  if (delta_lights) return {1};
+  const int best = known.choice ? known.choice->light_samples : 1;
+  if (best == kCourseLightSamples) return {1, best};
+  return {std::min(best, kCourseLightSamples), std::max(best, kCourseLightSamples)};
 }
 
-bool is_better(const Option& a, const Option& b) {
-  return a.choice && (!b.choice || a.choice->seconds < b.choice->seconds);
+// "3 hours of one processor".
+std::string duration(double seconds) {
+  const std::pair<double, const char*> units[] = {
+      {365.25 * 86400, "years"}, {86400, "days"}, {3600, "hours"}, {60, "minutes"}};
+  for (const auto& [unit, name] : units) {
+    if (seconds > 2 * unit) return fmt::format("{:.2g} {} of one processor", seconds / unit, name);
+  }
+  return fmt::format("{:.2g} seconds of one processor", seconds);
 }
 
 int bounces_needed(const Study& study, double error) {
@@ -64,11 +77,23 @@ Option look_at_hemisphere(Study& study, const Way& way, double bias2, double err
       look_at(study, {Direct::hemisphere, way.bounces, way.survival}, {1, 8}, bias2, error);
   const Uncertain& seen = option.tried.back().bias2;
   if (seen.value > bias2 + kSignificant * seen.error) {
-    option.model.bias2 = seen.value;
-    option.choice = cheapest_choice(option.model, error);
+    option = option_of(option.way, option.tried, seen.value, error);
   }
-  try_the_best(study, option, error);
-  return option;
+  return option.choice ? refined(study, option, error) : option;
+}
+
+// The course's number of light samples; with delta lights, one is as good.
+std::vector<Tried>::const_iterator find_course(const std::vector<Tried>& tried, bool delta_lights) {
+  const int l = delta_lights ? 1 : kCourseLightSamples;
+  return std::ranges::find(tried, l, &Tried::light_samples);
+}
+
+Option look_at_course(Study& study, const Answer& answer, const std::vector<int>& pair,
+                      double error) {
+  const Option& first = answer.survivals[0];
+  const bool known =
+      first.way == kCourse && find_course(first.tried, answer.delta_lights) != first.tried.end();
+  return known ? first : look_at(study, kCourse, pair, study.bias2_at(kCourse.bounces), error);
 }
 
 std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best, double error) {
@@ -81,11 +106,17 @@ std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best,
   settings.tolerance = tolerance_for(noise, settings, left);
   const pt::PathSettings path = path_of(best.way, choice.light_samples);
   AdaptiveOption option{
-      settings, study.check(path, {1, settings, 0, 1}, choice.seconds, best.model.bias2), 1};
+      settings, study.check(path, {1, settings, 0, 1}, choice.seconds, best.model.bias2), 1, {}};
   // The variance of a mean of n samples falls as 1 / n, also where n depends on the pixel.
   const double variance =
       std::max(option.checked.error.value * option.checked.error.value - best.model.bias2, 0.0);
   option.times = option.checked.seconds * variance / left / choice.seconds;
+  std::vector<double> squares;
+  for (const Study::PixelNoise& pixel : noise) {
+    squares.push_back(pixel.relative / option.checked.samples);
+  }
+  option.uniform = pt::pixel_errors(std::move(squares));
+  option.best_possible = best_possible(noise);
   return option;
 }
 
@@ -115,8 +146,8 @@ void choose_survival(Study& study, Answer& answer, double bias2, const std::vect
   for (const double survival : {0.3, 0.5, 0.85, 1.0}) {
     answer.survivals.push_back(look_at(study, {Direct::lights, answer.best.way.bounces, survival},
                                        pair, bias2, answer.error));
-    if (is_better(answer.survivals.back(), answer.best)) answer.best = answer.survivals.back();
   }
+  answer.best = cheapest_of(answer.survivals, answer.best);
 }
 
 void choose_bounces(Study& study, Answer& answer, const std::vector<int>& pair) {
@@ -127,11 +158,37 @@ void choose_bounces(Study& study, Answer& answer, const std::vector<int>& pair) 
     if (bias2 > kWorthTrying * answer.error * answer.error) break;
     answer.bounces.push_back(
         look_at(study, {Direct::lights, m, way.survival}, pair, bias2, answer.error));
-    if (is_better(answer.bounces.back(), answer.best)) answer.best = answer.bounces.back();
   }
+  answer.best = cheapest_of(answer.bounces, answer.best);
 }
 
 }  // namespace
+
+Option option_of(const Way& way, std::vector<Tried> tried, double bias2, double error) {
+  Option option{way, std::move(tried), {}, {}};
+  option.model = model_of(option.tried, bias2);
+  option.choice = cheapest_choice(option.tried, bias2, error);
+  return option;
+}
+
+Option cheapest_of(const std::vector<Option>& others, Option best) {
+  for (const Option& other : others) {
+    if (!other.choice) continue;
+    if (!best.choice || other.choice->seconds < best.choice->seconds) best = other;
+  }
+  return best;
+}
+
+void expect_reachable(const Tried& tried, double error, double pixels) {
+  const double samples = tried.variance.value / (error * error);
+  if (samples <= kMaxSamples) return;
+  const double least = std::sqrt(tried.variance.value / kMaxSamples);
+  throw pt::Error(fmt::format(
+      "an error of {:.2g} % would take {:.2g} samples per pixel, {}; the most that can be rendered "
+      "is {}, for an error of about {:.2g} %: ask for a larger error with --error",
+      100 * error, samples, duration(samples * tried.seconds.value * pixels), kMaxSamples,
+      100 * least));
+}
 
 bool is_unwritten(const Answer& answer, const std::string& task) {
   const std::vector<std::string>& tasks = answer.unwritten;
@@ -145,12 +202,12 @@ Answer find_cheapest(Study& study, const pt::View& view, const Options& options)
   answer.bias2 = study.bias2();
   answer.delta_lights =
       std::all_of(view.scene.lights.begin(), view.scene.lights.end(), pt::is_delta);
-  const std::vector<int> tried = answer.delta_lights ? std::vector{1, 2} : options.light_samples;
+  const std::vector<int> tried = answer.delta_lights ? std::vector{1} : options.light_samples;
 
   const int bounces = bounces_needed(study, error);
   const double bias2 = study.bias2_at(bounces);
   answer.best = look_at(study, {Direct::lights, bounces, kCourse.survival}, tried, bias2, error);
-  if (!answer.delta_lights) try_the_best(study, answer.best, error);
+  if (!answer.delta_lights) answer.best = refined(study, answer.best, error);
   const std::vector<int> pair = pair_beside(answer.best, answer.delta_lights);
   answer.survivals.push_back(answer.best);
   choose_survival(study, answer, bias2, pair);
@@ -158,17 +215,14 @@ Answer find_cheapest(Study& study, const pt::View& view, const Options& options)
   answer.hemisphere = look_at_hemisphere(study, answer.best.way, answer.best.model.bias2, error);
   answer.unwritten = unwritten_tasks();
   if (is_unwritten(answer, "direct_hemisphere")) answer.hemisphere.choice.reset();
-  if (is_better(answer.hemisphere, answer.best)) answer.best = answer.hemisphere;
+  answer.course = look_at_course(study, answer, pair, error);
+  answer.best = cheapest_of({answer.hemisphere, answer.course}, answer.best);
   if (!answer.best.choice) {
-    throw pt::Error(
-        fmt::format("an error of {:g} % needs more than {} samples per pixel; ask for a larger one "
-                    "with --error",
-                    100 * error, kMaxSamples));
+    expect_reachable(cheapest_of(answer.best.tried), error,
+                     static_cast<double>(view.width) * view.height);
   }
-  answer.course = bounces == kCourse.bounces
-                      ? answer.survivals[0]
-                      : look_at(study, kCourse, pair, study.bias2_at(kCourse.bounces), error);
-  answer.course.choice = cheapest_choice_with(answer.course.model, error, kCourseLightSamples);
+  answer.course.choice = choice_with(*find_course(answer.course.tried, answer.delta_lights),
+                                     answer.course.model.bias2, error);
 
   const Choice& choice = *answer.best.choice;
   answer.checked = study.check(path_of(answer.best.way, choice.light_samples),

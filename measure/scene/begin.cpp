@@ -1,10 +1,12 @@
 #include "measure/scene/begin.h"
 
 #include "measure/renders/spec.h"
+#include "measure/scene/answer.h"
 #include "measure/scene/converge.h"
 #include "measure/scene/print.h"
 #include "pt/error.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -52,7 +54,24 @@ Measuring::Measuring(pt::LoadedScene scene, const Options& options, int bounces,
 
 namespace {
 
+constexpr double kSurelyReached = 1e-3;  // an error that needs no look before
+
+// A look of a second tells of an error that is out of reach, before the minute of measuring.
+void look_whether_reachable(const Options& options) {
+  if (options.error >= kSurelyReached) return;
+  Options quick = options;
+  quick.seconds = std::min(options.seconds, 1.0);
+  quick.pixels = std::min(options.pixels, 300);
+  quick.out.clear();
+  Measuring scene(load_scene(quick), quick, kAllBounces);
+  const Tried tried =
+      scene.study.try_out({pt::PathSettings::Direct::lights, kAllBounces, .7}, {1})[0];
+  scene.progress.clear();
+  expect_reachable(tried, options.error, static_cast<double>(options.width) * options.height);
+}
+
 void run_cheapest(const Options& options) {
+  look_whether_reachable(options);
   Measuring scene(load_scene(options), options, kAllBounces);
   const Answer answer = find_cheapest(scene.study, scene.view, options);
   scene.progress.clear();

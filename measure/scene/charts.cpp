@@ -68,17 +68,17 @@ std::vector<ChartLine> curves(const Answer& answer) {
   return all;
 }
 
-// The points of each line are predicted from A + B / l, c0 + c1 l and the bias.
+// The points of each line follow from what was measured with its light samples, and the bias.
 void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
   std::string csv = "title,light_samples,samples,seconds,error\n", plot;
   int block = 0;
   for (const ChartLine& curve : curves(answer)) {
-    const SampleModel& model = curve.option->model;
+    const Choice& choice = *curve.option->choice;
     if (block > 0) csv += "\n\n";
     for (int s = kFewestSamples; s <= 1 << 14; s *= 2) {
       csv += fmt::format("{},{},{},{:.6g},{:.6g}\n", curve.title, curve.light_samples, s,
-                         pixels * s * model.seconds.at(curve.light_samples),
-                         std::sqrt(model.variance(curve.light_samples) / s + model.bias2));
+                         pixels * s * choice.seconds / choice.samples,
+                         std::sqrt(choice.variance / s + curve.option->model.bias2));
     }
     plot += fmt::format(
         "\"options.csv\" index {} using 4:5 with lines lc rgb \"{}\" lw {} title \"{}\", ", block,

@@ -172,6 +172,56 @@ Factors factors(const MethodCurve& curve, const MethodCurve& beside) {
   return {time, {root, time.error / (2 * root)}, ratio(curve.error2_ray, beside.error2_ray)};
 }
 
+std::vector<Efficiency> efficiencies(const MethodCurve& curve, const MethodCurve& first) {
+  std::vector<Efficiency> all;
+  for (const Checked& point : curve.points) {
+    all.push_back({point.seconds, ratio(first.error2_second, product(point.error, point.seconds))});
+  }
+  return all;
+}
+
+std::vector<const MethodCurve*> seven_of(const std::vector<MethodCurve>& curves) {
+  const MethodCurve& first = curves[0];
+  std::vector<const MethodCurve*> others, hemisphere, survivals, chosen{&first};
+  const MethodCurve *adaptive = nullptr, *engine = nullptr;
+  for (const MethodCurve& curve : curves) {
+    const Method& method = curve.method;
+    if (&curve == &first) continue;
+    if (method.adaptive) {
+      adaptive = &curve;
+    } else if (method.engine) {
+      engine = engine == nullptr ? &curve : engine;
+    } else if (method.way.direct == Direct::hemisphere) {
+      hemisphere.push_back(&curve);
+    } else {
+      (method.way == first.method.way ? others : survivals).push_back(&curve);
+    }
+  }
+  const auto cost = [](const MethodCurve* curve) { return curve->error2_second.value; };
+  const auto add_cheapest = [&](const std::vector<const MethodCurve*>& group) {
+    if (!group.empty()) chosen.push_back(*std::ranges::min_element(group, {}, cost));
+  };
+  add_cheapest(others);
+  if (others.size() > 1) chosen.push_back(*std::ranges::max_element(others, {}, cost));
+  add_cheapest(hemisphere);
+  add_cheapest(survivals);
+  if (adaptive != nullptr) chosen.push_back(adaptive);
+  if (engine != nullptr) chosen.push_back(engine);
+  return chosen;
+}
+
+std::vector<Checked> pareto_front(const std::vector<MethodCurve>& curves) {
+  std::vector<Checked> all, front;
+  for (const MethodCurve& curve : curves) {
+    all.insert(all.end(), curve.points.begin(), curve.points.end());
+  }
+  std::ranges::sort(all, {}, [](const Checked& c) { return std::pair(c.seconds, c.error.value); });
+  for (const Checked& point : all) {
+    if (front.empty() || point.error.value < front.back().error.value) front.push_back(point);
+  }
+  return front;
+}
+
 const MethodCurve& fastest(const std::vector<MethodCurve>& curves) {
   return *std::min_element(curves.begin(), curves.end(),
                            [](const MethodCurve& a, const MethodCurve& b) {

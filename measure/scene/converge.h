@@ -55,6 +55,23 @@ Factors factors(const MethodCurve& curve, const MethodCurve& beside);
 // The method with the least time for the same error.
 const MethodCurve& fastest(const std::vector<MethodCurve>& curves);
 
+// A place of a method's line in the chart of efficiencies: 1 / (time x error^2), over that of the
+// first method. It is the same at all times where the error falls as 1 / sqrt(time), and bends where
+// a bias or a pixel that stops too early begins to count.
+struct Efficiency {
+  double seconds = 0;  // per pixel
+  Uncertain value;
+};
+std::vector<Efficiency> efficiencies(const MethodCurve& curve, const MethodCurve& first);
+
+// At most seven curves to draw, each unlike the others: light sampling with l = 1, the cheapest other l
+// and the dearest, the cheapest hemisphere sampling, the cheapest other survival, adaptive sampling,
+// and the next engine.
+std::vector<const MethodCurve*> seven_of(const std::vector<MethodCurve>& curves);
+
+// The points that no other beats in both time and error, by their time.
+std::vector<Checked> pareto_front(const std::vector<MethodCurve>& curves);
+
 // The tolerances, or numbers of samples, of a curve's points.
 inline constexpr int kSamples[] = {4, 16, 64, 256};
 inline constexpr double kTolerances[] = {0.8, 0.4, 0.2, 0.1};

@@ -5,6 +5,7 @@
 #include "pt/file.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -49,6 +50,46 @@ set key bmargin center horizontal maxcols 3 Left reverse samplen 1.5 font ",11" 
 plot {}
 )gp";
 
+// A line and its band of one standard error for each of seven methods, with its name at its end.
+// Colours that people with any kind of sight tell apart (Okabe and Ito 2008).
+const char* const kSeven[] = {"#000000", "#d55e00", "#0072b2", "#009e73",
+                              "#cc79a7", "#e69f00", "#56b4e9"};
+const char* const kEfficiencyChart = R"gp(set terminal svg size 760,440 font "sans-serif,13"
+set logscale xy
+set format x "%g"
+set xlabel "processor seconds"
+set ylabel "efficiency beside lights, l = 1"
+set key off
+set rmargin 26
+set style fill transparent solid 0.2 noborder
+{}plot {}
+)gp";
+
+void draw_efficiencies(const std::vector<MethodCurve>& curves, double pixels,
+                       const std::filesystem::path& folder) {
+  std::string csv = "method,seconds,efficiency,error_of_it\n", labels, plots;
+  int i = 0;
+  for (const MethodCurve* curve : seven_of(curves)) {
+    if (i > 0) csv += "\n\n";
+    const std::vector<Efficiency> places = efficiencies(*curve, curves[0]);
+    for (const Efficiency& at : places) {
+      csv += fmt::format("\"{}\",{:.6g},{:.5g},{:.3g}\n", curve->method.title, at.seconds * pixels,
+                         at.value.value, at.value.error);
+    }
+    labels += fmt::format("set label \" {}\" at {:.6g},{:.5g} left tc rgb \"{}\" noenhanced\n",
+                          curve->method.title, places.back().seconds * pixels,
+                          places.back().value.value, kSeven[i]);
+    plots += fmt::format(
+        "{0}\"efficiency.csv\" index {1} using 2:($3-$4):($3+$4) skip {2} with filledcurves lc rgb "
+        "\"{3}\", \"\" index {1} using 2:3 skip {2} with linespoints lc rgb \"{3}\" lw 2 pt 7 ps "
+        ".4",
+        plots.empty() ? "" : ", ", i, i == 0 ? 1 : 0, kSeven[i]);
+    ++i;
+  }
+  pt::write_file(folder / "efficiency.csv", csv);
+  draw(folder, "efficiency", fmt::format(fmt::runtime(kEfficiencyChart), labels, plots));
+}
+
 // Blue: light sampling; green: other chances of survival; red: hemisphere sampling; black: adaptive.
 std::string plot(const std::vector<MethodCurve>& curves, int column) {
   std::string text;
@@ -69,6 +110,11 @@ std::string plot(const std::vector<MethodCurve>& curves, int column) {
         "dt {} title \"{}\"",
         text.empty() ? "" : ", ", i, column, ink, by_tree ? 2 : 1, method.title);
   }
+  if (column == kSecondsColumn) {
+    text +=
+        ", \"front.csv\" using 1:2 skip 1 with lines lc rgb \"#000000\" lw 1.5 dt 3 title "
+        "\"front\"";
+  }
   return text;
 }
 
@@ -87,6 +133,27 @@ void write_factors(const std::vector<MethodCurve>& curves, const std::filesystem
   pt::write_file(file, csv);
 }
 
+// The last picture of each method: what its error is made of, and how even it is.
+std::string parts_text(const std::vector<MethodCurve>& curves) {
+  std::string text = fmt::format(
+      "\nThe last picture of each method:\n  {:<35}{:>9}{:>9}{:>9}  {:>9}{:>9}{:>9}{:>10}\n", "",
+      "samples", "error", "bias", "median", "99 %", "largest", "on black");
+  for (const MethodCurve& curve : curves) {
+    if (curve.method.engine) continue;
+    const Checked& last = curve.points.back();
+    const bool biased = last.bias2.value > kSignificant * last.bias2.error;
+    text += fmt::format("  {:<35}{:>9.4g}{:>9}{:>9}  {:>9}{:>9}{:>9}{:>10}\n", curve.method.title,
+                        last.samples, percent(last.error.value),
+                        biased ? percent(std::sqrt(last.bias2.value)) : "-",
+                        percent(last.pixel_errors.median), percent(last.pixel_errors.most),
+                        percent(last.pixel_errors.largest), percent(last.black_samples));
+  }
+  return text +
+         "Bias: the part of the error that is not noise, where it can be seen. Median, 99 %, "
+         "largest: the noise\nof single pixels. On black: the samples in pixels that see no light "
+         "at all.\n";
+}
+
 }  // namespace
 
 std::string to_text(const std::vector<MethodCurve>& curves, const Options& options) {
@@ -100,6 +167,7 @@ std::string to_text(const std::vector<MethodCurve>& curves, const Options& optio
   for (const int samples : kSamples) text += fmt::format("{:>9}", fmt::format("s = {}", samples));
   text += fmt::format("  {:>14} {:>8} {:>8}\n", "slope", "time", "error");
   for (const MethodCurve& curve : curves) text += row(curve, beside);
+  text += parts_text(curves);
   text += fmt::format(
       "\nAdaptive sampling: batches of {}, at most {} samples, tolerances {:g}, {:g}, {:g}, {:g} "
       "in place of s.\n"
@@ -124,6 +192,12 @@ void write_curves(const std::vector<MethodCurve>& curves, const Options& options
   }
   pt::write_file(folder / "converge.csv", csv);
   write_factors(curves, folder / "factors.csv");
+  csv = "seconds,error\n";
+  for (const Checked& point : pareto_front(curves)) {
+    csv += fmt::format("{:.6g},{:.6g}\n", point.seconds * pixels, point.error.value);
+  }
+  pt::write_file(folder / "front.csv", csv);
+  draw_efficiencies(curves, pixels, folder);
   struct Axis {
     const char *file, *format, *label;
   };

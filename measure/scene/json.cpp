@@ -56,11 +56,21 @@ double off_the_line(const Option& option) {
   return most;
 }
 
+// The same for the times, c0 + c1 l.
+double off_the_time_line(const Option& option) {
+  double most = 0;
+  for (const Tried& tried : option.tried) {
+    const double line = option.model.seconds.at(tried.light_samples);
+    most = std::max(most, std::abs(tried.seconds.value / line - 1));
+  }
+  return most;
+}
+
 }  // namespace
 
 json to_json(const Answer& answer, int surfaces, double pixels) {
   const SampleModel& model = answer.survivals[0].model;
-  const Uncertain& variance = answer.best.tried.back().variance;
+  const Uncertain& variance = cheapest_of(answer.best.tried).variance;
   json out{{"error", answer.error},
            {"surfaces", surfaces},
            {"pixels", pixels},
@@ -73,7 +83,9 @@ json to_json(const Answer& answer, int surfaces, double pixels) {
            {"c0", model.seconds.at_zero},
            {"c1", model.seconds.slope},
            {"off_the_line", off_the_line(answer.survivals[0])},
+           {"off_the_time_line", off_the_time_line(answer.survivals[0])},
            {"best_light_samples", best_light_samples(model, kMaxLightSamples)},
+           {"measured_light_samples", cheapest_of(answer.survivals[0].tried).light_samples},
            {"bias", json::array()},
            {"survivals", json::array()},
            {"hemisphere", of(answer.hemisphere, answer.best, pixels)},

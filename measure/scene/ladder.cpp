@@ -18,11 +18,6 @@ constexpr double kOfLights = 0.05, kOfEngines = 0.15, kOfPictures = 0.35;
 
 constexpr int kMaxAdaptive = 16;  // factor of the other rungs' samples
 
-// The model of light sampling with `survival`, from short renders.
-SampleModel model_with(Study& study, int bounces, double survival, const std::vector<int>& l) {
-  return model_of(study.try_out({Direct::lights, bounces, survival}, l), 0);
-}
-
 Chosen choose(Measuring& scene, int bounces) {
   const std::vector<pt::Light>& lights = scene.loaded.scene.lights;
   Chosen chosen;
@@ -34,16 +29,13 @@ Chosen choose(Measuring& scene, int bounces) {
   double least = 0;
   for (const double survival : {1.0, 0.85, 0.7, 0.5, 0.3}) {
     if (bounces <= 2) break;  // there is no roulette
-    const SampleModel model = model_with(scene.study, bounces, survival, {1, 4});
-    const double product = model.variance(1) * model.seconds.at(1);
+    const Way way{Direct::lights, bounces, survival};
+    const double product = price(scene.study.try_out(way, {1})[0]).value;
     if (least > 0 && product >= least) continue;
     least = product;
     chosen.survival = survival;
   }
-  if (std::all_of(lights.begin(), lights.end(), pt::is_delta)) return chosen;
-  const SampleModel model = model_with(scene.study, bounces, chosen.survival, {1, 2, 4, 8});
-  chosen.best_light_samples = best_light_samples(model, kMaxLightSamples);
-  chosen.light_samples = static_cast<int>(std::lround(chosen.best_light_samples));
+  if (!std::all_of(lights.begin(), lights.end(), pt::is_delta)) chosen.light_samples = 2;
   return chosen;
 }
 
@@ -72,28 +64,28 @@ class Starter {
   std::vector<Worker> started_;
 };
 
-// Chooses the ideas for light samples that pay here, and their numbers of samples. Solid angles are
-// kept if they pay with low-discrepancy samples: that rung's program has both.
+// Chooses the ideas for light samples that pay here, and their numbers of samples, by what the rungs'
+// own programs take. Solid angles are kept if they pay with low-discrepancy samples: that rung's
+// program has both.
 void choose_lights(Chosen& chosen, Starter& starter, const Turning& turning) {
   Rung plain{"", "reference"};
   plain.way = {Direct::lights, chosen.bounces, chosen.survival};
-  std::vector<std::pair<LightIdea, int>> tried{{LightIdea::none, 1}};
-  if (chosen.light_samples > 1) tried.emplace_back(LightIdea::more_samples, 1);
+  std::vector<LightTried> tried{{LightIdea::none, 1}};
+  if (chosen.light_samples > 1) {
+    for (const int l : {2, 4, 8}) tried.push_back({LightIdea::more_samples, l});
+  }
   if (chosen.rectangles) {
-    for (const int l : {2, 3, 4, 6}) tried.emplace_back(LightIdea::spread, l);
+    for (const int l : {2, 3, 4, 6}) tried.push_back({LightIdea::spread, l});
   }
   if (tried.size() == 1) return;
   std::vector<Worker> workers;
-  for (const auto& [idea, l] : tried) {
-    chosen.spread_samples = l;
-    workers.push_back(starter.start(with_lights(plain, idea, chosen)));
+  for (const LightTried& each : tried) {
+    chosen.spread_samples = chosen.light_samples = each.light_samples;
+    workers.push_back(starter.start(with_lights(plain, each.idea, chosen)));
   }
   const std::vector<double> costs = costs_of(workers, turning);
-  const auto least = [&](auto begin) {
-    return std::min_element(begin, costs.end()) - costs.begin();
-  };
-  chosen.lights = tried[least(costs.begin())].first;
-  if (chosen.rectangles) chosen.spread_samples = tried[least(costs.end() - 4)].second;
+  for (std::size_t i = 0; i < tried.size(); ++i) tried[i].cost = costs[i];
+  chosen = with_cheapest_lights(chosen, tried);
 }
 
 // Adaptive sampling, as accurate as the same number of samples everywhere.

@@ -42,12 +42,14 @@ std::string best_text(const Ladder& ladder) {
 }
 
 std::string notes(const Ladder& ladder) {
-  std::string text = fmt::format(
+  std::string text =
       "Worth is time x variance of the last rung before this one that is kept, divided by that of\n"
       "this one. Rungs in brackets are not kept. Engines change no picture: only their time is\n"
-      "compared. Light samples\n"
-      "at which time x variance is least: {:.2g}.\n",
-      ladder.chosen.best_light_samples);
+      "compared.\n"
+      "The rungs are the short code of the reference and of right solutions. ./run render has "
+      "faster "
+      "forms of\n"
+      "direct_lights and camera_ray: its best settings are those of ./run cheapest.\n";
   if (!ladder.chosen.hemisphere) {
     text +=
         "Hemisphere sampling would miss lights that have no surface: all rungs sample the "

@@ -1,5 +1,7 @@
 #include "measure/scene/ladder_rungs.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace measure::scene {
@@ -31,8 +33,26 @@ void add_engines(std::vector<Rung>& rungs, const Rung& plain) {
 
 }  // namespace
 
+Chosen with_cheapest_lights(Chosen chosen, const std::vector<LightTried>& tried) {
+  const auto cheapest = [&](LightIdea idea) {
+    const LightTried* best = nullptr;
+    for (const LightTried& each : tried) {
+      if (each.idea == idea && (best == nullptr || each.cost < best->cost)) best = &each;
+    }
+    return best;
+  };
+  const auto* const more = cheapest(LightIdea::more_samples);
+  const auto* const spread = cheapest(LightIdea::spread);
+  chosen.light_samples = more != nullptr ? more->light_samples : 1;
+  chosen.more_pay = more != nullptr && more->cost < tried[0].cost;
+  if (spread != nullptr) chosen.spread_samples = spread->light_samples;
+  chosen.lights = std::ranges::min_element(tried, {}, &LightTried::cost)->idea;
+  return chosen;
+}
+
 Rung with_lights(Rung rung, LightIdea idea, const Chosen& chosen) {
-  rung.light_samples = idea == LightIdea::none ? 1 : chosen.light_samples;
+  const bool more = idea == LightIdea::more_samples || chosen.more_pay;
+  rung.light_samples = idea != LightIdea::none && more ? chosen.light_samples : 1;
   switch (idea) {
     case LightIdea::none:
       break;
@@ -77,7 +97,8 @@ std::vector<Rung> rungs_of(const Chosen& chosen) {
        {LightIdea::more_samples, LightIdea::solid_angle, LightIdea::spread}) {
     if (idea == LightIdea::more_samples ? chosen.light_samples == 1 : !chosen.rectangles) continue;
     rungs.push_back(with_lights(rung, idea, chosen));
-    rungs.back().kept = idea <= chosen.lights;
+    const bool pays = idea != LightIdea::more_samples || chosen.more_pay;
+    rungs.back().kept = pays && idea <= chosen.lights;
   }
   rung = with_lights(rung, chosen.lights, chosen);
   const std::string lights = rung.mixture;

@@ -42,6 +42,16 @@ FreeLine free_line(const Sums& s) {
 
 }  // namespace
 
+Uncertain price(const Tried& tried) {
+  const double value = tried.variance.value * tried.seconds.value;
+  return {value, std::hypot(tried.variance.error * tried.seconds.value,
+                            tried.seconds.error * tried.variance.value)};
+}
+
+const Tried& cheapest_of(const std::vector<Tried>& tried) {
+  return *std::ranges::min_element(tried, {}, [](const Tried& each) { return price(each).value; });
+}
+
 FreeLine fit_free_line(std::span<const LinePoint> points) { return free_line(sums_of(points)); }
 
 Line fit_line(std::span<const LinePoint> points) {
@@ -61,25 +71,47 @@ double best_light_samples(const SampleModel& model, int most) {
   return std::clamp(std::sqrt(b_c0 / a_c1), 1.0, static_cast<double>(most));
 }
 
-std::optional<Choice> cheapest_choice_with(const SampleModel& model, double error,
-                                           int light_samples) {
-  const double left = error * error - model.bias2;
-  if (!(left > 0)) return std::nullopt;
-  const double variance = model.variance(light_samples);
-  const double samples = std::max(std::ceil(variance / left), double{kFewestSamples});
-  if (!(samples <= kMaxSamples)) return std::nullopt;
-  return Choice{light_samples, static_cast<int>(samples),
-                std::sqrt(variance / samples + model.bias2),
-                samples * model.seconds.at(light_samples)};
+std::optional<int> worth_measuring(const std::vector<Tried>& tried, const SampleModel& model,
+                                   double by) {
+  std::optional<int> best;
+  double least = (1 - by) * price(cheapest_of(tried)).value;
+  for (int l = 1; l <= kMaxLightSamples; ++l) {
+    if (std::ranges::any_of(tried, [&](const Tried& t) { return t.light_samples == l; })) continue;
+    const double product = model.variance(l) * model.seconds.at(l);
+    if (product < least) best = l;
+    least = std::min(least, product);
+  }
+  return best;
 }
 
-std::optional<Choice> cheapest_choice(const SampleModel& model, double error) {
+std::optional<Choice> choice_with(const Tried& tried, double bias2, double error) {
+  const double left = error * error - bias2;
+  if (!(left > 0)) return std::nullopt;
+  const double variance = tried.variance.value;
+  const double samples = std::max(std::ceil(variance / left), double{kFewestSamples});
+  if (!(samples <= kMaxSamples)) return std::nullopt;
+  return Choice{tried.light_samples, static_cast<int>(samples),
+                std::sqrt(variance / samples + bias2), samples * tried.seconds.value, variance};
+}
+
+std::optional<Choice> cheapest_choice(const std::vector<Tried>& tried, double bias2, double error) {
   std::optional<Choice> best;
-  for (int l = 1; l <= kMaxLightSamples; ++l) {
-    const std::optional<Choice> choice = cheapest_choice_with(model, error, l);
+  for (const Tried& each : tried) {
+    const std::optional<Choice> choice = choice_with(each, bias2, error);
     if (choice && (!best || choice->seconds < best->seconds)) best = choice;
   }
   return best;
+}
+
+SampleModel model_of(const std::vector<Tried>& tried, double bias2) {
+  std::vector<LinePoint> noise, seconds;
+  for (const Tried& each : tried) {
+    noise.push_back({1.0 / each.light_samples, each.variance.value,
+                     std::max(each.variance.error, 1e-6 * each.variance.value + 1e-12)});
+    seconds.push_back(
+        {static_cast<double>(each.light_samples), each.seconds.value, each.seconds.error});
+  }
+  return {fit_line(noise), fit_line(seconds), bias2};
 }
 
 }  // namespace measure::scene

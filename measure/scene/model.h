@@ -2,11 +2,34 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 // A model of the error and the time of a picture, from their parts. Errors are relative: the root
-// of relMSE, which is the mean of (x - g)^2 / (g + .01)^2 over all pixels, in luminance.
+// of relMSE, which is the mean of (x - g)^2 / (g + d)^2 over all pixels, in luminance. d is 4 % of the
+// mean of g (pt::dark_of), so that the brightness of the lamps does not matter.
 
 namespace measure::scene {
+
+// A measured number and its standard error.
+struct Uncertain {
+  double value = 0;
+  double error = 0;
+};
+
+// Short renders with one way: their cost and their noise.
+struct Tried {
+  int light_samples = 1;
+  Uncertain variance;  // relative, per camera sample
+  Uncertain seconds;   // of processor time, per camera sample
+  Uncertain bias2;     // the square of the relative bias, from these renders alone
+  double rays = 0;     // per camera sample
+};
+
+// Time x variance of a camera sample: the price of a picture, whatever its error.
+Uncertain price(const Tried& tried);
+
+// The number of light samples with the lowest price of those that were measured.
+const Tried& cheapest_of(const std::vector<Tried>& tried);
 
 // y = at_zero + slope x.
 struct Line {
@@ -43,26 +66,34 @@ struct SampleModel {
   double variance(int light_samples) const { return noise.at(1.0 / light_samples); }
 };
 
-// The number of light samples at which time x variance is least: sqrt(B c0 / (A c1)), between 1 and
-// `most`; not whole.
+// The number of light samples at which the model's time x variance is least: sqrt(B c0 / (A c1)),
+// between 1 and `most`; not whole.
 double best_light_samples(const SampleModel& model, int most);
 
-// Numbers of samples, and the predictions for them.
+// The number of light samples that the model finds cheaper than everything measured, by more than
+// `by` of the price; nothing if there is none. It is worth a measurement.
+std::optional<int> worth_measuring(const std::vector<Tried>& tried, const SampleModel& model,
+                                   double by);
+
+// Numbers of samples, and what follows from the measurements with as many light samples.
 struct Choice {
   int light_samples = 1;
   int samples = 1;
-  double error = 0;    // root of relMSE
-  double seconds = 0;  // of processor time, per pixel
+  double error = 0;     // root of relMSE
+  double seconds = 0;   // of processor time, per pixel
+  double variance = 0;  // relative, per camera sample
 };
 
 inline constexpr int kMaxLightSamples = 100;  // as in trace_path
 inline constexpr int kMaxSamples = 1 << 24;   // as in ./run render
 inline constexpr int kFewestSamples = 2;      // one goes through the centre of the pixel
 
-// The numbers that reach the error in the least time; nothing if none can.
-std::optional<Choice> cheapest_choice(const SampleModel& model, double error);
-// The same for a given number of light samples.
-std::optional<Choice> cheapest_choice_with(const SampleModel& model, double error,
-                                           int light_samples);
+// The number of camera samples that reaches the error; nothing if none does.
+std::optional<Choice> choice_with(const Tried& tried, double bias2, double error);
+// The same with the number of light samples that takes the least time of those that were measured.
+std::optional<Choice> cheapest_choice(const std::vector<Tried>& tried, double bias2, double error);
+
+// The model from the measurements, with the bias of their way.
+SampleModel model_of(const std::vector<Tried>& tried, double bias2);
 
 }  // namespace measure::scene

@@ -19,9 +19,10 @@ namespace measure::scene {
 namespace {
 
 const char* kError =
-    "The error is relative: the root of the mean over the pixels of (x - g)^2 / (g + .01)^2, where "
+    "The error is relative: the root of the mean over the pixels of (x - g)^2 / (g + d)^2, where "
     "g is\n"
-    "what the picture would be without noise. Times are of one processor.\n\nExamples:\n";
+    "what the picture would be without noise and d 4 % of its mean, so that the lamps' brightness "
+    "does not\nmatter. Times are of one processor.\n\nExamples:\n";
 const char* kCheapestExamples =
     "  ./run cheapest scenes/box_spheres.dae\n"
     "  ./run cheapest scenes/box_spheres.dae --error 1% --out box\n"

@@ -53,7 +53,7 @@ std::string settings_text(const Answer& answer, const Options& options) {
       command(answer.best, choice, options), percent(choice.error), choice.seconds * pixels,
       fmt::format("{} \u00b1 {:.2g}", percent(checked.error.value), 100 * checked.error.error),
       checked.seconds * pixels, checked.pixels, pixels);
-  const Uncertain& variance = answer.best.tried.back().variance;
+  const Uncertain& variance = cheapest_of(answer.best.tried).variance;
   const double unknown = variance.error / (2 * variance.value);
   if (unknown > kUnknown) {
     text += fmt::format(
@@ -70,26 +70,26 @@ std::string light_samples_text(const Answer& answer) {
     return "Light samples: all lights are points or directions: one sample is enough.\n";
   }
   const SampleModel& model = answer.survivals[0].model;
-  const double best = best_light_samples(model, kMaxLightSamples);
+  const std::vector<Tried>& all = answer.survivals[0].tried;
+  const Tried& best = cheapest_of(all);
   std::string text = fmt::format(
-      "Light samples: a camera sample has the relative variance {:.4g} + {:.4g} / l, and takes\n"
-      "  {:.3g} + {:.3g} l microseconds: time x variance is least at l = {:.2g}.\n"
-      "      l   variance  the line    microseconds  the line\n",
+      "Light samples: of those measured, l = {} has the least time x variance, m {} and survival "
+      "{:g}.\n"
+      "  A camera sample has the relative variance {:.4g} + {:.4g} / l, and takes about\n"
+      "  {:.3g} + {:.3g} l microseconds. These lines only say which other l to measure.\n"
+      "      l   variance  the line    microseconds  the line    time x variance\n",
+      best.light_samples, answer.survivals[0].way.bounces, answer.survivals[0].way.survival,
       model.noise.at_zero, model.noise.slope, 1e6 * model.seconds.at_zero,
-      1e6 * model.seconds.slope, best);
-  for (const Tried& tried : answer.survivals[0].tried) {
-    text +=
-        fmt::format("    {:>3}   {:<8.4g}  {:<8.4g}    {:<12.3g}  {:.3g}\n", tried.light_samples,
-                    tried.variance.value, model.variance(tried.light_samples),
-                    1e6 * tried.seconds.value, 1e6 * model.seconds.at(tried.light_samples));
+      1e6 * model.seconds.slope);
+  const double least = price(best).value;
+  for (const Tried& tried : all) {
+    text += fmt::format(
+        "    {:>3}   {:<8.4g}  {:<8.4g}    {:<12.3g}  {:<8.3g}    {:.3f} \u00b1 {:.3f}\n",
+        tried.light_samples, tried.variance.value, model.variance(tried.light_samples),
+        1e6 * tried.seconds.value, 1e6 * model.seconds.at(tried.light_samples),
+        price(tried).value / least, price(tried).error / least);
   }
-  const auto product = [&](int l) { return model.variance(l) * model.seconds.at(l); };
-  const double least = product(static_cast<int>(std::lround(best)));
-  for (const int l : {1, 4, 8, 32}) {
-    text += fmt::format("{}l = {}: {:.3g}", l == 1 ? "  Time x variance beside the best: " : ", ",
-                        l, product(l) / least);
-  }
-  return text + "\n";
+  return text;
 }
 
 std::string bounces_text(const Answer& answer) {
@@ -122,6 +122,12 @@ std::string roulette_text(const Answer& answer) {
   return text;
 }
 
+// A word on the part of an error that more samples would not reduce, where it can be seen.
+std::string bias_text(const Checked& checked) {
+  if (checked.bias2.value < kSignificant * checked.bias2.error) return "";
+  return fmt::format(" (bias {})", percent(std::sqrt(checked.bias2.value)));
+}
+
 std::string adaptive_text(const Answer& answer) {
   if (is_unwritten(answer, "adaptive_pixel")) {
     return "Adaptive sampling: adaptive_pixel is not written yet.\n";
@@ -130,11 +136,27 @@ std::string adaptive_text(const Answer& answer) {
     return "Adaptive sampling: so few samples are enough that there is nothing to save.\n";
   }
   const AdaptiveOption& option = *answer.adaptive;
-  return fmt::format(
-      "Adaptive sampling: -s {} -a {} {:.3g} has an error of {} with {:.3g} samples per pixel;\n"
-      "  at the same error {}\n",
+  const Checked& checked = option.checked;
+  std::string text = fmt::format(
+      "Adaptive sampling: -s {} -a {} {:.3g} has an error of {}{} with {:.3g} samples per pixel;\n"
+      "  at the same error {}\n"
+      "  noise of single pixels    the median   99 % below   largest\n",
       option.settings.max_samples, option.settings.batch, option.settings.tolerance,
-      percent(option.checked.error.value), option.checked.samples, times(option.times));
+      percent(checked.error.value), bias_text(checked), checked.samples, times(option.times));
+  for (const auto& [name, pixels] :
+       {std::pair{"adaptive", checked.pixel_errors}, {"as many everywhere", option.uniform}}) {
+    text += fmt::format("    {:<22}  {:<12} {:<12} {}\n", name, percent(pixels.median),
+                        percent(pixels.most), percent(pixels.largest));
+  }
+  text += fmt::format(
+      "  The best numbers of samples, in proportion to sigma / g, would take {:.2f} of uniform "
+      "sampling's;\n  those of the rule, (sigma / g)^2, can only draw, but for the worst pixels.\n",
+      option.best_possible);
+  if (checked.black_pixels > 0) {
+    text += fmt::format("  {} of the samples are in the {} of the pixels that see no light.\n",
+                        percent(checked.black_samples), percent(checked.black_pixels));
+  }
+  return text;
 }
 
 // A sentence if the number of bounces is why the course's settings take so long.

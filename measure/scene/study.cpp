@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace measure::scene {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr int kFewestPixels = 300;  // of a check
 constexpr int kTurns = 3;
-constexpr double kBlack = 0.01;  // of relMSE
 
 // Shares of the time.
 constexpr double kOfBounces = 0.25, kOfOneRender = 0.025;
@@ -108,8 +108,13 @@ void Study::look_at_bounces(int bounces) {
       golden_[half][i] -= rest[half][bounces + 1][i];
     }
   }
+  double sum = 0;
+  for (const std::vector<double>& golden : golden_) {
+    sum = std::accumulate(golden.begin(), golden.end(), sum);
+  }
+  const double dark = pt::dark_of(sum / (2 * static_cast<double>(pixels_.size())));
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const double g = (golden_[0][i] + golden_[1][i]) / 2 + kBlack;
+    const double g = (golden_[0][i] + golden_[1][i]) / 2 + dark;
     weight_.push_back(1 / (g * g));
   }
   // The noise of two independent means does not bias their product.
@@ -206,11 +211,27 @@ Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& set
       against_golden.error < against_itself.error ? against_golden : against_itself;
   const double error = std::sqrt(std::max(square.value, square.error));
   const auto n = static_cast<double>(2 * some.size());
-  return {{error, error > 0 ? square.error / (2 * error) : 0},
-          (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
-          static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples()) / n,
-          static_cast<double>(pictures[0].rays + pictures[1].rays) / n,
-          some.size()};
+  Checked checked{{error, error > 0 ? square.error / (2 * error) : 0},
+                  (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
+                  static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples()) / n,
+                  static_cast<double>(pictures[0].rays + pictures[1].rays) / n,
+                  some.size(),
+                  mean_of(products(x, y, step)),
+                  {}};
+  std::vector<double> squares;
+  double black_samples = 0;
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    const std::size_t i = k * step;
+    squares.push_back(weight_[i] / 2 *
+                      (pictures[0].variance[k] / pictures[0].samples[k] +
+                       pictures[1].variance[k] / pictures[1].samples[k]));
+    if (golden_[0][i] > 0 || golden_[1][i] > 0) continue;
+    checked.black_pixels += 2 / n;
+    black_samples += pictures[0].samples[k] + pictures[1].samples[k];
+  }
+  checked.pixel_errors = pt::pixel_errors(std::move(squares));
+  checked.black_samples = black_samples / (n * checked.samples);
+  return checked;
 }
 
 Uncertain Study::times_as_long(const pt::Scene& other, const Way& way, int light_samples) {
@@ -272,17 +293,6 @@ int Study::samples_in(double seconds, const pt::View& view) {
                     [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
                       return made(view, settings, some).cpu_seconds;
                     });
-}
-
-SampleModel model_of(const std::vector<Tried>& tried, double bias2) {
-  std::vector<LinePoint> noise, seconds;
-  for (const Tried& each : tried) {
-    noise.push_back({1.0 / each.light_samples, each.variance.value,
-                     std::max(each.variance.error, 1e-6 * each.variance.value + 1e-12)});
-    seconds.push_back(
-        {static_cast<double>(each.light_samples), each.seconds.value, each.seconds.error});
-  }
-  return {fit_line(noise), fit_line(seconds), bias2};
 }
 
 }  // namespace measure::scene

@@ -2,6 +2,7 @@
 
 #include "measure/scene/model.h"
 #include "measure/scene/pixels_apart.h"
+#include "pt/image/compare.h"
 
 #include <cstdint>
 #include <functional>
@@ -24,23 +25,8 @@ struct Way {
 
 pt::PathSettings path_of(const Way& way, int light_samples);
 
-// A measured number and its standard error.
-struct Uncertain {
-  double value = 0;
-  double error = 0;
-};
-
 // The mean of some numbers, with the standard error from their spread.
 Uncertain mean_of(const std::vector<double>& values);
-
-// Short renders with one way: their cost and their noise.
-struct Tried {
-  int light_samples = 1;
-  Uncertain variance;  // relative, per camera sample
-  Uncertain seconds;   // of processor time, per camera sample
-  Uncertain bias2;     // the square of the relative bias, from these renders alone
-  double rays = 0;     // per camera sample
-};
 
 // Some pixels of a picture, made with the chosen numbers.
 struct Checked {
@@ -49,6 +35,10 @@ struct Checked {
   double samples = 0;  // per pixel
   double rays = 0;     // per pixel
   std::size_t pixels = 0;
+  Uncertain bias2;               // the square of the relative bias, which is a part of error^2
+  pt::PixelErrors pixel_errors;  // without the bias
+  // The pixels that see no light at all, and the samples that they took: parts of all.
+  double black_pixels = 0, black_samples = 0;
 };
 
 // The number of bounces that are measured separately. All later bounces are one rest.
@@ -87,7 +77,7 @@ class Study {
 
   // The noise of each pixel: the variance of a camera sample.
   struct PixelNoise {
-    double relative = 0;     // v / (g + .01)^2, as in relMSE
+    double relative = 0;     // v / (g + d)^2, as in relMSE
     double over_square = 0;  // v / g^2, as in adaptive sampling
   };
   std::vector<PixelNoise> pixel_noise(const Way& way, int light_samples);
@@ -102,10 +92,10 @@ class Study {
   // The time of the same picture with the tracer of `other`, over the usual time. Both take turns.
   Uncertain times_as_long(const pt::Scene& other, const Way& way, int light_samples);
 
-  // 1 / (g + .01)^2 of each pixel, the weights of relMSE.
+  // 1 / (g + d)^2 of each pixel, the weights of relMSE.
   const std::vector<double>& weights() const { return weight_; }
 
-  // (a - g)(b - g') / (g + .01)^2 of each `step`-th pixel, for two goldens g and g': its mean is
+  // (a - g)(b - g') / (g + d)^2 of each `step`-th pixel, for two goldens g and g': its mean is
   // relMSE if a and b are the same picture, and the square of the bias if they are independent.
   std::vector<double> products(const std::vector<double>& a, const std::vector<double>& b,
                                std::size_t step) const;
@@ -136,11 +126,8 @@ class Study {
   double cpu_seconds_ = 0;
   std::vector<PixelAt> pixels_;
   std::vector<double> golden_[2];  // two independent means of each pixel, with all bounces
-  std::vector<double> weight_;     // 1 / (g + .01)^2
+  std::vector<double> weight_;     // 1 / (g + d)^2
   std::vector<Uncertain> bias2_;
 };
-
-// The model from the renders, with the bias of their way.
-SampleModel model_of(const std::vector<Tried>& tried, double bias2);
 
 }  // namespace measure::scene

@@ -7,15 +7,22 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 // Compares a picture a with a picture b that is assumed to be right.
 
 namespace pt {
 
+// relMSE adds this part of the right picture's mean to its divisor: dark pixels stay bounded, and the
+// error is the same for a scene and for the same scene under lamps ten times as bright.
+inline constexpr double kDark = 0.04;
+inline double dark_of(double mean) { return kDark * mean; }
+
 // Results over all channels of the pixels that are finite in both pictures; 0 if there are none.
 struct Comparison {
   double mse = 0;      // mean of (a - b)^2
-  double rel_mse = 0;  // mean of (a - b)^2 / (|b| + 0.01)^2
+  double rel_mse = 0;  // mean of (a - b)^2 / (|b| + dark)^2
+  double dark = 0;     // dark_of the mean luminance of b
   Rgb mean_a, mean_b;
   // The largest |a - b|: x from the left, y from the top, channel 0 r, 1 g, 2 b.
   struct {
@@ -27,6 +34,13 @@ struct Comparison {
 
 // Throws pt::Error if the sizes differ.
 Comparison compare(const Image& a, const Image& b);
+
+// The errors of single pixels, the roots of these squares: half of the pixels have at most `median`,
+// 99 of 100 at most `most`.
+struct PixelErrors {
+  double median = 0, most = 0, largest = 0;
+};
+PixelErrors pixel_errors(std::vector<double> squares);
 
 // The difference of the mean luminances of two renders, compared with their noise. If they differ
 // only by noise, z is about normal.
@@ -41,7 +55,7 @@ struct MeanTest {
 // variance. Throws pt::Error if the sizes differ.
 std::optional<MeanTest> compare_means(const Film& a, const Film& b);
 
-// (a - b) / (|b| + 0.01): bounded where b is dark.
+// (a - b) / (|b| + 0.01), for pictures of a difference: bounded where b is dark.
 double relative_difference(double a, double b);
 
 // Blue where a is darker, orange where it is brighter, white where they agree; full at `full`, and

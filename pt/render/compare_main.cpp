@@ -15,7 +15,7 @@ namespace {
 
 void print(const pt::Comparison& c) {
   std::printf("MSE      %.6g\n", c.mse);
-  std::printf("relMSE   %.6g   (mean of (A - B)^2 / (B + 0.01)^2)\n", c.rel_mse);
+  std::printf("relMSE   %.6g   (mean of (A - B)^2 / (B + %.3g)^2)\n", c.rel_mse, c.dark);
   std::printf("mean A   %.6g %.6g %.6g\n", c.mean_a.r, c.mean_a.g, c.mean_a.b);
   std::printf("mean B   %.6g %.6g %.6g\n", c.mean_b.r, c.mean_b.g, c.mean_b.b);
   if (c.largest.a != c.largest.b) {

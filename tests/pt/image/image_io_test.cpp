@@ -445,7 +445,7 @@ TEST_F(ImageIo, compare_says_how_far_and_in_which_direction) {
   write_image(a, film);
   EXPECT_EQ(said_by_compare(a + " " + b),
             "MSE      0.0208333\n"
-            "relMSE   0.0204228   (mean of (A - B)^2 / (B + 0.01)^2)\n"
+            "relMSE   0.0192616   (mean of (A - B)^2 / (B + 0.04)^2)\n"
             "mean A   1 0.875 1\n"
             "mean B   1 1 1\n"
             "largest  -0.5 at x 0, y 1 (from the top left), channel g: A 0.5, B 1\n"

@@ -201,7 +201,9 @@ TEST(Compare, has_the_values_worked_out_by_hand) {
   b.at(1, 0) = {2, 0, 1.5};
   const Comparison c = compare(a, b);
   EXPECT_DOUBLE_EQ(c.mse, (0.0625 + 0.25) / 6);
-  EXPECT_DOUBLE_EQ(c.rel_mse, (0.0625 / (0.26 * 0.26) + 0.25 / (1.51 * 1.51)) / 6);
+  const double dark = 0.04 * luminance({1.5, 0.125, 0.75});
+  EXPECT_DOUBLE_EQ(c.rel_mse,
+                   (0.0625 / std::pow(0.25 + dark, 2) + 0.25 / std::pow(1.5 + dark, 2)) / 6);
   EXPECT_EQ(c.mean_a, (Rgb{1.5, 0.25, 0.5}));
   EXPECT_EQ(c.mean_b, (Rgb{1.5, 0.125, 0.75}));
   EXPECT_EQ(c.largest.x, 1);
@@ -210,6 +212,27 @@ TEST(Compare, has_the_values_worked_out_by_hand) {
   EXPECT_EQ(c.largest.a, 1);
   EXPECT_EQ(c.largest.b, 1.5);
   EXPECT_EQ(c.not_finite, 0u);
+}
+
+TEST(Compare, has_the_same_relative_error_for_dimmed_pictures) {
+  Image a(2, 1), b(2, 1), dim_a(2, 1), dim_b(2, 1);
+  for (int x = 0; x < 2; ++x) {
+    a.at(x, 0) = {0.5, 0.1 * x, 1};
+    b.at(x, 0) = {0.4, 0.2, 0.001};
+    dim_a.at(x, 0) = 0.1 * a.at(x, 0);
+    dim_b.at(x, 0) = 0.1 * b.at(x, 0);
+  }
+  EXPECT_NEAR(compare(dim_a, dim_b).rel_mse, compare(a, b).rel_mse, 1e-9 * compare(a, b).rel_mse);
+  EXPECT_EQ(compare(Image(2, 1), Image(2, 1)).rel_mse, 0) << "both are black";
+}
+
+TEST(Compare, errors_of_pixels_are_the_roots_in_order) {
+  std::vector<double> squares;
+  for (int i = 100; i >= 1; --i) squares.push_back(i * i);
+  const PixelErrors errors = pixel_errors(squares);
+  EXPECT_EQ(errors.median, 50);
+  EXPECT_EQ(errors.most, 99);
+  EXPECT_EQ(errors.largest, 100);
 }
 
 TEST(Compare, leaves_out_what_is_not_finite_and_says_so) {
