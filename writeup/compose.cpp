@@ -7,8 +7,6 @@ namespace writeup {
 
 namespace {
 
-constexpr double kDark = 0.01;  // added to the divisor, as in pt/image/compare.h
-
 void add(Rendered& sum, const Rendered& layer) {
   for (std::size_t i = 0; i < sum.film.pixels.size(); ++i) {
     pt::FilmPixel& into = sum.film.pixels[i];
@@ -26,10 +24,19 @@ void add(Rendered& sum, const Rendered& layer) {
   if (sum.failed.empty()) sum.failed = layer.failed;
 }
 
-// The variance of the mean of a pixel, over the square of the divisor of its errors.
-double relative_variance(const pt::FilmPixel& pixel) {
-  const double scale = pt::luminance(pixel.mean) + kDark;
-  return pixel.variance_y / std::max(pixel.samples, 1) / (scale * scale);
+// The variance of the mean of a pixel.
+double variance(const pt::FilmPixel& pixel) {
+  return pixel.variance_y / std::max(pixel.samples, 1);
+}
+
+// The divisors of the errors of pixels, where this is the picture without noise.
+std::vector<double> scales(const Rendered& golden) {
+  const double dark = pt::dark_of(mean_luminance(golden.film));
+  std::vector<double> all;
+  for (const pt::FilmPixel& pixel : golden.film.pixels) {
+    all.push_back(pt::luminance(pixel.mean) + dark);
+  }
+  return all;
 }
 
 }  // namespace
@@ -44,20 +51,66 @@ Composed compose(const Store& store, const std::vector<Unit>& units) {
 }
 
 double noise(const Rendered& picture) {
+  const std::vector<double> scale = scales(picture);
   double sum = 0;
-  for (const pt::FilmPixel& pixel : picture.film.pixels) sum += relative_variance(pixel);
-  return std::sqrt(sum / static_cast<double>(picture.film.pixels.size()));
+  for (std::size_t i = 0; i < scale.size(); ++i) {
+    sum += variance(picture.film.pixels[i]) / (scale[i] * scale[i]);
+  }
+  return std::sqrt(sum / static_cast<double>(scale.size()));
 }
 
 double error(const Rendered& picture, const Rendered& golden) {
+  const std::vector<double> scale = scales(golden);
   double sum = 0;
-  for (std::size_t i = 0; i < picture.film.pixels.size(); ++i) {
+  for (std::size_t i = 0; i < scale.size(); ++i) {
     const pt::FilmPixel& right = golden.film.pixels[i];
-    const double y = pt::luminance(right.mean);
-    const double off = (pt::luminance(picture.film.pixels[i].mean) - y) / (y + kDark);
-    sum += off * off - relative_variance(right);
+    const double off = pt::luminance(picture.film.pixels[i].mean) - pt::luminance(right.mean);
+    sum += (off * off - variance(right)) / (scale[i] * scale[i]);
   }
-  return std::sqrt(std::max(0.0, sum) / static_cast<double>(picture.film.pixels.size()));
+  return std::sqrt(std::max(0.0, sum) / static_cast<double>(scale.size()));
+}
+
+double bias(const Rendered& picture, const Rendered& golden) {
+  const std::vector<double> scale = scales(golden);
+  double sum = 0;
+  for (std::size_t i = 0; i < scale.size(); ++i) {
+    sum +=
+        (pt::luminance(picture.film.pixels[i].mean) - pt::luminance(golden.film.pixels[i].mean)) /
+        scale[i];
+  }
+  return sum / static_cast<double>(scale.size());
+}
+
+pt::PixelErrors pixel_noise(const Rendered& picture, const Rendered& golden) {
+  const std::vector<double> scale = scales(golden);
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < scale.size(); ++i) {
+    squares.push_back(variance(picture.film.pixels[i]) / (scale[i] * scale[i]));
+  }
+  return pt::pixel_errors(std::move(squares));
+}
+
+Black on_black(const Rendered& picture, const Rendered& golden) {
+  double pixels = 0, samples = 0, all = 0;
+  for (std::size_t i = 0; i < golden.film.pixels.size(); ++i) {
+    const int count = picture.film.pixels[i].samples;
+    all += count;
+    if (pt::luminance(golden.film.pixels[i].mean) > 0) continue;
+    ++pixels;
+    samples += count;
+  }
+  return {pixels / static_cast<double>(golden.film.pixels.size()), samples / all};
+}
+
+double mean_on_lamps(const pt::Film& film, const pt::Film& lamps) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    if (!(pt::luminance(lamps.pixels[i].mean) > 0)) continue;
+    sum += pt::luminance(film.pixels[i].mean);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
 }
 
 double mean_luminance(const pt::Film& film) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pt/image/compare.h"
 #include "writeup/plan.h"
 
 namespace writeup {
@@ -18,7 +19,19 @@ Composed compose(const Store& store, const std::vector<Unit>& units);
 double noise(const Rendered& picture);                          // from its own variance
 double error(const Rendered& picture, const Rendered& golden);  // without the golden's noise
 
+// The mean signed distance, in which noise vanishes: what a picture is too bright.
+double bias(const Rendered& picture, const Rendered& golden);
+// The noise of single pixels, from the picture's own variances.
+pt::PixelErrors pixel_noise(const Rendered& picture, const Rendered& golden);
+// The pixels in which the golden sees no light, and the samples that they took: parts of all.
+struct Black {
+  double pixels = 0, samples = 0;
+};
+Black on_black(const Rendered& picture, const Rendered& golden);
+
 double mean_luminance(const pt::Film& film);
+// The same over the pixels that see a lamp.
+double mean_on_lamps(const pt::Film& film, const pt::Film& lamps);
 
 // The samples per pixel that an adaptive render would take if it knew the variance.
 std::vector<int> predicted_samples(const pt::Film& uniform, const pt::AdaptiveSettings& settings);

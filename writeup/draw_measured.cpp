@@ -81,8 +81,8 @@ Drawn draw_converge(const Plan& plan, const Figure& figure, const fs::path& fold
   Drawn drawn;
   const Measurement measurement = plan.measurements(figure).at(0);
   if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return drawn;
-  take_files(plan, measurement, figure.id, {"samples.svg", "seconds.svg", "rays.svg"},
-             {"converge.csv", "factors.csv"}, folder, drawn);
+  take_files(plan, measurement, figure.id, {"efficiency.svg", "samples.svg", "seconds.svg", "rays.svg"},
+             {"efficiency.csv", "converge.csv", "factors.csv"}, folder, drawn);
   const json all = plan.measured().load(measurement);
   drawn.columns = {"",
                    "s = 4",
@@ -235,10 +235,13 @@ Drawn draw_scene_needs(const Plan& plan, const Figure& figure, const fs::path& f
   const auto enter = [&](const char* name, const std::string& value) {
     drawn.numbers[name] = value;
   };
-  for (const char* name : {"a", "b", "best_light_samples"}) enter(name, digits(answer.at(name)));
+  for (const char* name : {"a", "b", "best_light_samples", "measured_light_samples"}) {
+    enter(name, digits(answer.at(name)));
+  }
   enter("c0", digits(1e6 * answer.at("c0").get<double>()));
   enter("c1", digits(1e6 * answer.at("c1").get<double>()));
   enter("off_the_line", digits(100 * answer.at("off_the_line").get<double>()));
+  enter("off_the_time_line", digits(100 * answer.at("off_the_time_line").get<double>()));
   enter("error", digits(100 * answer.at("error").get<double>()));
   drawn.columns = {"most bounces, m", "missing radiance"};
   const json& bias = answer.at("bias");

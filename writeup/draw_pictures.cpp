@@ -52,7 +52,11 @@ class Artist {
 
   Drawn draw() {
     std::vector<Composed> composed;
-    for (const Picture& picture : figure_.pictures) composed.push_back(of(picture));
+    for (const Picture& picture : figure_.pictures) {
+      composed.push_back(of(picture));
+      const bool lamps = picture.spec.path.to == 0 && picture.look == Look::radiance;
+      if (lamps && composed.back().complete) lamps_ = composed.back();
+    }
     find_scale(composed);
     for (std::size_t i = 0; i < composed.size(); ++i) draw(figure_.pictures[i], composed[i]);
     add_table();
@@ -111,10 +115,18 @@ class Artist {
     drawn_.pictures.push_back(shown);
   }
 
-  // A picture that is named after its scene gets the name of the scene that replaces it, if there is one.
+  // A picture that is named after its scene gets the name of the scene that replaces it, if there is
+  // one; and the number of samples is that of the render, which is smaller in a draft.
   std::string label(const Picture& picture) const {
-    const bool by_scene = picture.label == picture.scene;
-    return by_scene ? plan_.scenes().short_name(picture.scene) : picture.label;
+    if (picture.label == picture.scene) return plan_.scenes().short_name(picture.scene);
+    const std::string written = fmt::format("s = {}", picture.spec.samples);
+    std::string label = picture.label;
+    const std::size_t at = label.find(written);
+    if (at != label.npos && plan_.unavailable(picture).empty()) {
+      const int samples = units(picture)[0].spec.samples;
+      label.replace(at, written.size(), fmt::format("s = {}", samples));
+    }
+    return label;
   }
 
   std::string problem(const Picture& picture, const Composed& composed) const {
@@ -153,15 +165,22 @@ class Artist {
     enter("samples", std::to_string(spec.samples));
     enter("rays", short_number(1e-6 * static_cast<double>(composed.sum.total.rays)));
     enter("mean", fmt::format("{:.4f}", mean_luminance(composed.sum.film)));
+    enter("triangles", std::to_string(composed.sum.primitives));
+    if (spec.adaptive) {
+      enter("batch", std::to_string(spec.adaptive->batch));
+      enter("tolerance", fmt::format("{:g}", 100 * spec.adaptive->tolerance));
+    }
     if (picture.look != Look::radiance) {
-      const std::vector<float> all = values(picture, composed.sum);
+      std::vector<float> all = values(picture, composed.sum);
+      enter_ratio(picture, all);
       double sum = 0;
       for (const float value : all) sum += value;
       enter("average", short_number(sum / static_cast<double>(all.size())));
-      enter("most", short_number(*std::max_element(all.begin(), all.end())));
-      enter_ratio(picture, all);
-    } else if (composed.sum.has_variance) {
-      enter("noise", short_number(100 * noise(composed.sum)));
+      std::ranges::sort(all);
+      enter("median", short_number(all[all.size() / 2]));
+      enter("most", short_number(all.back()));
+    } else if (lamps_ && lamps_->sum.film.pixels.size() == composed.sum.film.pixels.size()) {
+      enter("lamp", fmt::format("{:.4f}", mean_on_lamps(composed.sum.film, lamps_->sum.film)));
     }
     if (has_error(picture, composed)) {
       const Unit first = units(picture)[0];
@@ -169,8 +188,26 @@ class Artist {
                           plan_.store().key(first) == plan_.store().key(golden_units_[0]);
       const double off = itself ? noise(golden_->sum) : error(composed.sum, golden_->sum);
       enter("error", short_number(100 * off));
+      enter_pixels(picture, composed);
       errors_.push_back({label(picture), composed.sum.seconds, off});
     }
+  }
+
+  // Enters the parts of the error, and the noise of single pixels.
+  void enter_pixels(const Picture& picture, const Composed& composed) {
+    const auto enter = [&](const char* name, double part) {
+      drawn_.numbers[picture.id + "." + name] = short_number(100 * part);
+    };
+    const double off = bias(composed.sum, golden_->sum);
+    drawn_.numbers[picture.id + ".bias"] = fmt::format("{:.2g}", 100 * off);
+    const Black black = on_black(composed.sum, golden_->sum);
+    enter("black_pixels", black.pixels);
+    enter("black_samples", black.samples);
+    if (!composed.sum.has_variance) return;
+    const pt::PixelErrors pixels = pixel_noise(composed.sum, golden_->sum);
+    enter("pixel_median", pixels.median);
+    enter("pixel_most", pixels.most);
+    enter("pixel_largest", pixels.largest);
   }
 
   // Enters its samples over those of the figure's first map, in pixels where the first map is
@@ -246,6 +283,7 @@ class Artist {
   const fs::path& folder_;
   std::vector<Unit> golden_units_;
   std::optional<Composed> golden_;
+  std::optional<Composed> lamps_;  // the figure's picture without a bounce
   float low_ = 0, high_ = 0;
   std::vector<float> first_rates_;
   std::vector<PictureCost> errors_;

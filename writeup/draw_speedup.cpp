@@ -86,6 +86,7 @@ std::string factor_of(const Cell& linear, const Cell& tree) {
 }
 
 void enter_numbers(const std::string& scene, const Cell& linear, const Cell& tree, Drawn& drawn) {
+  drawn.numbers[scene + ".triangles"] = std::to_string(tree.primitives);
   drawn.numbers[scene] = factor_of(linear, tree);
   drawn.numbers[scene + ".linear"] = digits(linear.seconds);
   drawn.numbers[scene + ".tree"] = digits(tree.seconds);

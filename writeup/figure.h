@@ -1,5 +1,6 @@
 #pragma once
 
+#include "writeup/markdown.h"
 #include "writeup/plan.h"
 
 #include <filesystem>
@@ -37,8 +38,6 @@ struct Drawn {
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Drawn, pictures, columns, rows, charts, tables, problems,
                                    numbers, seconds)
-
-inline constexpr const char* kDash = "\u2013";  // there is no number
 
 // Three digits: "0.0123", "12345".
 std::string digits(double value);

@@ -2,6 +2,9 @@
 
 #include "pt/error.h"
 
+#include <cctype>
+#include <cstdlib>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -17,22 +20,146 @@ namespace {
 // private use).
 std::string mark(std::size_t figure) { return fmt::format("\uE000{}\uE001", figure); }
 
+// Marks in a sentence, from the same range: a number that is not measured, and an untrue condition.
+const std::string kUnmeasured = "\uE002", kUntrue = "\uE003";
+
+std::string number_of(const std::string& name, const Names& names, const std::string& place) {
+  const std::string number = names.number(name);
+  if (number.empty()) throw pt::Error(fmt::format("{}: there is no number '{}'", place, name));
+  return number;
+}
+
+// The value of "0.5", "NAME" or "2*NAME"; nothing if it is not measured.
+std::optional<double> value_of(const std::string& words, const Names& names,
+                               const std::string& place) {
+  char* end = nullptr;
+  const double factor = std::strtod(words.c_str(), &end);
+  if (*end == '\0') return factor;
+  const bool has_factor = end != words.c_str() && *end == '*';
+  const std::string text = number_of(has_factor ? end + 1 : words, names, place);
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str()) return {};
+  return has_factor ? factor * value : value;
+}
+
+// "A < B" or "A > B": nothing if it is true, else a mark.
+std::string judged(const std::string& condition, const Names& names, const std::string& place) {
+  static const std::regex form(R"((\S+)\s*([<>])\s*(\S+))");
+  std::smatch found;
+  if (!std::regex_match(condition, found, form)) {
+    throw pt::Error(fmt::format("{}: '{}' is not a condition like A < B", place, condition));
+  }
+  const std::optional<double> a = value_of(found[1], names, place);
+  const std::optional<double> b = value_of(found[3], names, place);
+  if (!a || !b) return kUnmeasured;
+  return (found[2] == "<" ? *a < *b : *a > *b) ? "" : kUntrue;
+}
+
 // The names in one line, replaced by numbers.
 std::string with_numbers(const std::string& line, const Names& names, const std::string& place) {
   static const std::regex name(R"(\{\{\s*([^{}]*?)\s*\}\})");
   std::string out;
   std::size_t end = 0;
   for (std::sregex_iterator it(line.begin(), line.end(), name), last; it != last; ++it) {
-    const std::string number = names.number((*it)[1]);
-    if (number.empty()) {
-      throw pt::Error(fmt::format("{}: there is no number '{}'", place, (*it)[1].str()));
-    }
+    const std::string word = (*it)[1];
+    std::string number = word.starts_with("if ") ? judged(word.substr(3), names, place)
+                                                 : number_of(word, names, place);
+    if (number == kDash) number = kUnmeasured;
     const auto at = static_cast<std::size_t>(it->position());
     out += line.substr(end, at - end);
     out += number;
     end = at + it->length();
   }
   return out + line.substr(end);
+}
+
+bool has(const std::string& text, const std::string& mark) {
+  return text.find(mark) != std::string::npos;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// Bold words and brackets close behind a full stop, and a condition stands there.
+std::size_t end_of_closing(const std::string& text, std::size_t at) {
+  while (at < text.size()) {
+    if (text[at] == '*' || text[at] == ')') {
+      ++at;
+    } else if (text.compare(at, kUntrue.size(), kUntrue) == 0 ||
+               text.compare(at, kUnmeasured.size(), kUnmeasured) == 0) {
+      at += kUntrue.size();
+    } else {
+      break;
+    }
+  }
+  return at;
+}
+
+// The end of the sentence that begins here, with the space behind it. Bold words with a full stop are
+// a sentence of their own.
+std::size_t end_of_sentence(const std::string& text, std::size_t at) {
+  for (; at < text.size(); ++at) {
+    if (std::string(".?!:").find(text[at]) == std::string::npos) continue;
+    std::size_t next = at + 1;
+    next = end_of_closing(text, next);
+    if (next >= text.size() || std::isspace(static_cast<unsigned char>(text[next])) == 0) continue;
+    while (next < text.size() && std::isspace(static_cast<unsigned char>(text[next])) != 0) ++next;
+    const auto letter = static_cast<unsigned char>(next < text.size() ? text[next] : 'A');
+    if (text[at] == ':' || (std::islower(letter) != 0)) continue;
+    return next;
+  }
+  return text.size();
+}
+
+// A paragraph or an item of a list without the sentences that have a mark. The bold words before a
+// sentence stay. `left_out` counts the sentences without a number.
+struct Kept {
+  std::string text;
+  int left_out = 0;
+};
+Kept true_sentences(const std::string& unit) {
+  if (unit.starts_with("|")) return {replaced(unit, kUnmeasured, kDash)};
+  Kept kept;
+  bool any = false;
+  for (std::size_t at = 0; at < unit.size();) {
+    const std::size_t end = end_of_sentence(unit, at);
+    const std::string sentence = unit.substr(at, end - at);
+    at = end;
+    const bool unmeasured = has(sentence, kUnmeasured);
+    if (unmeasured && !has(sentence, kUntrue)) ++kept.left_out;
+    if (!unmeasured && !has(sentence, kUntrue)) {
+      kept.text += sentence;
+      any = true;
+    } else if (sentence.starts_with("- ")) {
+      kept.text += "- ";
+    }
+  }
+  if (!any) kept.text.clear();
+  if (!kept.text.empty() && kept.text.back() != '\n') kept.text += '\n';
+  return kept;
+}
+
+// All paragraphs and items, without the sentences that have a mark.
+Kept true_text(const std::string& markdown) {
+  Kept kept;
+  std::string unit;
+  const auto finish = [&] {
+    const Kept part = true_sentences(unit);
+    kept.text += part.text;
+    kept.left_out += part.left_out;
+    unit.clear();
+  };
+  std::istringstream lines(markdown);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.starts_with("- ") || line.starts_with("|")) finish();
+    line.empty() ? kept.text += '\n' : unit += line + '\n';
+  }
+  finish();
+  return kept;
 }
 
 }  // namespace
@@ -69,7 +196,15 @@ std::string page_from_text(const std::string& file, const std::string& text, con
     markdown += fmt::format("\n{}\n\n", mark(figures.size()));
     figures.push_back(html);
   }
-  std::string html = html_from_markdown(markdown);
+  const Kept kept = true_text(markdown);
+  std::string html = html_from_markdown(kept.text);
+  if (kept.left_out > 0) {
+    html += fmt::format(
+        "<p class=\"note\">{} of this text {} left out here, because {} numbers were not measured "
+        "for these pages.</p>\n",
+        kept.left_out == 1 ? "A sentence" : fmt::format("{} sentences", kept.left_out),
+        kept.left_out == 1 ? "is" : "are", kept.left_out == 1 ? "its" : "their");
+  }
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const std::string paragraph = fmt::format("<p>{}</p>", mark(i));
     const std::size_t at = html.find(paragraph);

@@ -4,12 +4,17 @@
 #include <string>
 
 // The text of a page: Markdown in which a line {{figure NAME}} stands for a figure, and {{NAME}} in a
-// sentence for a number that was measured.
+// sentence for a number that was measured. {{if A < B}} or {{if A > B}} in a sentence says when it is
+// true; A and B are names, numbers, or a number times a name: 2*NAME. A sentence that is not true, or
+// whose numbers are not measured, is left out.
 
 namespace writeup {
 
+inline constexpr const char* kDash = "\u2013";  // there is no number
+
 struct Names {
-  // HTML of a figure; text of a number. Empty if there is none of that name.
+  // HTML of a figure; text of a number, kDash if it is not measured. Empty if there is none of that
+  // name.
   std::function<std::string(const std::string&)> figure, number;
 };
 

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <future>
 
+#include <sys/wait.h>
+
 namespace writeup {
 
 namespace fs = std::filesystem;
@@ -46,7 +48,7 @@ fs::path Measurements::folder(const Measurement& measurement) const {
 }
 
 nlohmann::json Measurements::load(const Measurement& measurement) const {
-  const fs::path file = folder(measurement) / (measurement.command + ".json");
+  const fs::path file = folder(measurement) / result_of(measurement);
   return nlohmann::json::parse(pt::read_file(file, kMaxMeasured));
 }
 
@@ -96,7 +98,10 @@ bool make_one(const Measurements& measurements, const Measurement& measurement, 
   const auto result =
       grader::process::run_command({words, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}},
                                    std::chrono::milliseconds(static_cast<long long>(1000 * limit)));
-  if (result.ok()) {
+  // Code that is measured and found wrong or crashing ends with 1, and its numbers are there.
+  const bool has_numbers = fs::exists(unfinished / Measurements::result_of(measurement));
+  const bool judged = WIFEXITED(result.status) && WEXITSTATUS(result.status) == 1 && has_numbers;
+  if (result.ok() || (judged && !result.timed_out)) {
     fs::rename(unfinished, folder);
   } else {
     measurements.fail(measurement, reason_of(result, limit));

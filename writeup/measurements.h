@@ -25,6 +25,10 @@ class Measurements {
   std::string key(const Measurement& measurement) const;
   // The folder of its files: charts, tables and, except for `measure`, <command>.json.
   std::filesystem::path folder(const Measurement& measurement) const;
+  // The file that a measurement writes last.
+  static std::string result_of(const Measurement& measurement) {
+    return measurement.command + (measurement.command == "measure" ? ".csv" : ".json");
+  }
   nlohmann::json load(const Measurement& measurement) const;
 
   bool is_complete(const Measurement& measurement) const;

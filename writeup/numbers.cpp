@@ -32,7 +32,15 @@ Words of_converge() {
 }
 
 Words of_scene_needs() {
-  Words names{"a", "b", "c0", "c1", "best_light_samples", "off_the_line", "error"};
+  Words names{"a",
+              "b",
+              "c0",
+              "c1",
+              "best_light_samples",
+              "measured_light_samples",
+              "off_the_line",
+              "off_the_time_line",
+              "error"};
   for (int m = 0; m <= 16; ++m) names.push_back('m' + std::to_string(m));
   return names;
 }
@@ -49,7 +57,7 @@ std::vector<std::string> number_names(const Figure& figure) {
   for (const Price& price : figure.prices) add(names, price.id, {".time", ".work"});
   for (const std::string& scene : figure.scenes) {
     if (figure.kind == "speedup") {
-      add(names, scene, {"", ".linear", ".tree", ".linear_tests", ".tests"});
+      add(names, scene, {"", ".linear", ".tree", ".linear_tests", ".tests", ".triangles"});
     } else {
       add(names, scene,
           {".samples", ".light_samples", ".bounces", ".seconds", ".surfaces", ".course",
@@ -58,8 +66,10 @@ std::vector<std::string> number_names(const Figure& figure) {
   }
   for (const Picture& picture : figure.pictures) {
     add(names, picture.id,
-        {".seconds", ".samples", ".rays", ".mean", ".average", ".most", ".ratio", ".noise",
-         ".error", ".factor"});
+        {".seconds",       ".samples",      ".rays",       ".mean",          ".average",
+         ".median",        ".most",         ".ratio",      ".error",         ".factor",
+         ".bias",          ".pixel_median", ".pixel_most", ".pixel_largest", ".black_pixels",
+         ".black_samples", ".lamp",         ".triangles",  ".batch",         ".tolerance"});
   }
   return names;
 }

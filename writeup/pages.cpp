@@ -125,6 +125,20 @@ std::string scenes_text(const Site& site, const Figure& figure) {
   return text + ".";
 }
 
+// The number FIGURE.NAME: as measured, a dash if it was not measured, "" if there is no such name.
+std::string number(const Site& site, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) return "";
+  const Figure* figure = site.catalogue.find(name.substr(0, dot));
+  if (figure == nullptr) return "";
+  const std::string rest = name.substr(dot + 1);
+  const std::vector<std::string> names = number_names(*figure);
+  if (std::find(names.begin(), names.end(), rest) == names.end()) return "";
+  const auto found = site.figures.find(figure->id);
+  if (found == site.figures.end() || !found->second.numbers.contains(rest)) return kDash;
+  return found->second.numbers.at(rest);
+}
+
 std::string html_of(const Site& site, const Figure& figure) {
   const auto found = site.figures.find(figure.id);
   const Drawn drawn = found == site.figures.end() ? Drawn{} : found->second;
@@ -144,7 +158,9 @@ std::string html_of(const Site& site, const Figure& figure) {
   out.set("columns", texts(drawn.columns));
   out.set("rows", rows_data(drawn));
   out.set("has_anything", found != site.figures.end());
-  out.set("caption", html_from_markdown(figure.caption));
+  out.set("caption", page_from_text("the caption of " + figure.id, figure.caption,
+                                    {[](const std::string&) { return std::string(); },
+                                     [&](const std::string& name) { return number(site, name); }}));
   out.set("scenes", scenes_text(site, figure));
   out.set("seconds", drawn.seconds > 0 ? fmt::format("{:.{}f} s of processor time.", drawn.seconds,
                                                      drawn.seconds < 10 ? 1 : 0)
@@ -154,20 +170,6 @@ std::string html_of(const Site& site, const Figure& figure) {
   out.set("has_files", files.is_non_empty_list());
   out.set("files", files);
   return render(figure_html, out);
-}
-
-// The number FIGURE.NAME: as measured, a dash if it was not measured, "" if there is no such name.
-std::string number(const Site& site, const std::string& name) {
-  const std::size_t dot = name.find('.');
-  if (dot == std::string::npos) return "";
-  const Figure* figure = site.catalogue.find(name.substr(0, dot));
-  if (figure == nullptr) return "";
-  const std::string rest = name.substr(dot + 1);
-  const std::vector<std::string> names = number_names(*figure);
-  if (std::find(names.begin(), names.end(), rest) == names.end()) return "";
-  const auto found = site.figures.find(figure->id);
-  if (found == site.figures.end() || !found->second.numbers.contains(rest)) return "\u2013";
-  return found->second.numbers.at(rest);
 }
 
 struct Page {

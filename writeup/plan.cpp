@@ -13,7 +13,9 @@ namespace writeup {
 namespace {
 
 constexpr int kDraftSize = 4;                    // times fewer pixels on each side
-constexpr int kDraftSamples = 16;                // times fewer
+constexpr int kDraftSamples = 16;                // times fewer, where a pixel is adaptive
+constexpr int kDraftAsMany = 64;                 // up to so many samples, a draft has as many
+constexpr int kDraftFewer = 8;                   // times fewer, above that
 constexpr double kDraftSeconds = 40;             // times less time for a measurement
 constexpr double kDraftCurves = 8;               // times less time for curves
 constexpr const char* kReference = "reference";  // in place of a mistake: no mistake
@@ -27,9 +29,10 @@ measure::Spec draft(measure::Spec spec) {
   if (spec.width <= kSmall) return spec;
   spec.width /= kDraftSize;
   spec.height = std::max(spec.height / kDraftSize, 1);
-  spec.samples = std::max(spec.samples / kDraftSamples, 1);
-  if (spec.adaptive) {
-    spec.samples = std::max(spec.samples, 32);
+  if (!spec.adaptive) {
+    spec.samples = std::min(spec.samples, std::max(kDraftAsMany, spec.samples / kDraftFewer));
+  } else {
+    spec.samples = std::max(spec.samples / kDraftSamples, 32);
     spec.adaptive->batch = 8;
     spec.adaptive->tolerance *= std::sqrt(kDraftSamples);  // as accurate as so few samples can be
     spec.adaptive->max_samples = spec.samples;

@@ -94,7 +94,9 @@ TEST_F(NumbersTest, a_remedy_costs_the_mean_factor_of_all_cases) {
   EXPECT_FALSE(got.numbers.contains("far.work"));
 }
 
-// Pictures of luminance .99, so that .01 more is 1, the divisor of errors.
+// The divisor of errors is the luminance and 4 % of the mean: 1 in an even picture of this luminance.
+constexpr double kUnit = 1 / 1.04;
+
 Rendered even(double luminance, const std::vector<double>& variances, int samples) {
   Rendered picture;
   picture.film = pt::Film(static_cast<int>(variances.size()), 1);
@@ -105,16 +107,46 @@ Rendered even(double luminance, const std::vector<double>& variances, int sample
 }
 
 TEST(Compose, noise_is_the_root_of_the_mean_variance_of_a_pixel) {
-  EXPECT_NEAR(noise(even(.99, {4, 0}, 16)), std::sqrt((4 / 16. + 0) / 2), 1e-12);
-  EXPECT_NEAR(noise(even(1.99, {4, 4}, 16)), std::sqrt(4 / 16. / 4), 1e-12);
+  EXPECT_NEAR(noise(even(kUnit, {4, 0}, 16)), std::sqrt((4 / 16. + 0) / 2), 1e-12);
+  EXPECT_NEAR(noise(even(2 * kUnit, {4, 4}, 16)), std::sqrt(4 / 16. / 4), 1e-12);
 }
 
 // All pixels are off by .6; of its square, the golden's own noise causes 4 / 16.
 TEST(Compose, an_error_is_without_the_noise_of_what_it_is_measured_against) {
-  const Rendered golden = even(.99, {4, 4}, 16);
-  EXPECT_NEAR(error(even(1.59, {0, 0}, 1), golden), std::sqrt(.36 - .25), 1e-12);
-  EXPECT_EQ(error(even(1.09, {0, 0}, 1), golden), 0) << "less than the noise";
-  EXPECT_NEAR(mean_luminance(golden.film), .99, 1e-12);
+  const Rendered golden = even(kUnit, {4, 4}, 16);
+  EXPECT_NEAR(error(even(kUnit + .6, {0, 0}, 1), golden), std::sqrt(.36 - .25), 1e-12);
+  EXPECT_EQ(error(even(kUnit + .1, {0, 0}, 1), golden), 0) << "less than the noise";
+  EXPECT_NEAR(mean_luminance(golden.film), kUnit, 1e-12);
+}
+
+TEST(Compose, errors_are_those_of_a_dimmed_picture) {
+  for (const double dim : {1., .1}) {
+    const Rendered golden = even(dim * kUnit, {0, 0}, 16);
+    EXPECT_NEAR(error(even(dim * (kUnit + .3), {0, 0}, 1), golden), .3, 1e-12);
+    EXPECT_NEAR(bias(even(dim * (kUnit - .3), {0, 0}, 1), golden), -.3, 1e-12);
+  }
+}
+
+// The noise of one pixel is 1 / 4, that of the other 1 / 2.
+TEST(Compose, errors_of_pixels_are_apart_from_a_bias) {
+  const pt::PixelErrors errors = pixel_noise(even(3, {1, 4}, 16), even(kUnit, {0, 0}, 16));
+  EXPECT_NEAR(errors.median, .25, 1e-12);
+  EXPECT_NEAR(errors.largest, .5, 1e-12);
+}
+
+// One pixel of four sees nothing and takes 96 of 128 samples; another is the lamp.
+TEST(Compose, black_pixels_and_lamps_are_found) {
+  Rendered golden = even(1, {1, 1, 1, 1}, 64), picture = even(.5, {1, 1, 1, 1}, 8);
+  golden.film.pixels[2].mean = {};
+  picture.film.pixels[2].samples = 96;
+  picture.film.pixels[3].samples = 16;
+  EXPECT_NEAR(on_black(picture, golden).pixels, .25, 1e-12);
+  EXPECT_NEAR(on_black(picture, golden).samples, .75, 1e-12);
+  Rendered lamps = even(0, {0, 0, 0, 0}, 1);
+  EXPECT_EQ(mean_on_lamps(picture.film, lamps.film), 0);
+  lamps.film.pixels[1].mean = {5, 5, 5};
+  picture.film.pixels[1].mean = {.2, .2, .2};
+  EXPECT_NEAR(mean_on_lamps(picture.film, lamps.film), .2, 1e-12);
 }
 
 // 1.96 / .1, squared, are 384 samples of variance 1 and mean 1: 13 batches of 32.
@@ -248,15 +280,40 @@ TEST_F(MadeUp, a_method_costs_time_times_the_square_of_its_error) {
       render(plan.store(), plan.units(figure, of).at(0), seconds, {},
              {pixel(luminance, of.spec.samples)});
     };
-    make(*figure.golden, 100, .99);
-    make(figure.pictures[0], 2, 1.09);
-    make(figure.pictures[1], 1, 1.19);
+    make(*figure.golden, 100, kUnit);
+    make(figure.pictures[0], 2, kUnit + .1);
+    make(figure.pictures[1], 1, kUnit + .2);
   });
   EXPECT_EQ(got.problems, std::vector<std::string>{});
   EXPECT_EQ(got.numbers.at("slow.error"), "10.0");
   EXPECT_EQ(got.numbers.at("fast.error"), "20.0");
   EXPECT_EQ(got.numbers.at("slow.factor"), "1.00");
   EXPECT_EQ(got.numbers.at("fast.factor"), "2.00");
+  EXPECT_EQ(got.numbers.at("fast.bias"), "20");
+  EXPECT_EQ(got.numbers.at("fast.pixel_largest"), "0");
+}
+
+// In a draft, pictures that differ in s are different pictures, and their labels are true.
+TEST_F(MadeUp, a_draft_has_the_samples_of_its_labels) {
+  Figure figure;
+  figure.id = "rates";
+  figure.kind = "pictures";
+  for (const int samples : {1, 2, 4, 8, 16, 64, 1024}) {
+    figure.pictures.push_back(picture("s" + std::to_string(samples), samples));
+    figure.pictures.back().label = "s = " + std::to_string(samples);
+    figure.pictures.back().spec.width = 480;
+  }
+  const Drawn got = drawn_by(figure, draw_pictures, [&](const Plan& plan) {
+    for (const Picture& each : figure.pictures) {
+      const Unit unit = plan.units(figure, each).at(0);
+      render(plan.store(), unit, 1, {}, {pixel(1, unit.spec.samples)});
+    }
+  });
+  std::vector<std::string> labels;
+  for (const Shown& shown : got.pictures) labels.push_back(shown.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"s = 1", "s = 2", "s = 4", "s = 8", "s = 16",
+                                              "s = 64", "s = 128"}));
+  EXPECT_EQ(got.numbers.at("s1024.samples"), "128");
 }
 
 // Pixels that stop after one batch, or never, do not enter the ratio.
@@ -280,6 +337,8 @@ TEST_F(MadeUp, rates_are_compared_where_they_could_be_others) {
   EXPECT_EQ(got.numbers.at("first.ratio"), "1.00");
   EXPECT_EQ(got.numbers.at("second.ratio"), "1.50");
   EXPECT_EQ(got.numbers.at("second.average"), "232");
+  EXPECT_EQ(got.numbers.at("second.median"), "192");
+  EXPECT_EQ(got.numbers.at("second.tolerance"), "5");
   EXPECT_EQ(got.numbers.at("second.most"), "512");
 }
 
