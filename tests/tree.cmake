@@ -27,7 +27,7 @@ if(FIRSTLIGHT_SANITIZE)  # some of the programs are not built then
   return()
 endif()
 firstlight_script_test(walk quick commands/walk.sh ${build}
-  NEEDS render view view_worker.reference compare check.hit_sphere.sanitized grade graded_programs hint grade_class accuracy_boxed measure)
+  NEEDS render view view_worker.reference compare check.hit_sphere.sanitized grade graded_programs hint grade_class)
 firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade hint watch box render view compare generate writeup
   accuracy.reference measure stability bless grade_class ladder)
 firstlight_script_test(resume rest commands/resume.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded grade_class)

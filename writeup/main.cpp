@@ -26,12 +26,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Only one process at a time may write to the renders.
+// Only one process at a time may write to the renders and take the time of code. Another one waits,
+// whichever folder its pages go to.
 void lock(const fs::path& work) {
   fs::create_directories(work);
   const int file = open((work / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (file < 0 || flock(file, LOCK_EX | LOCK_NB) != 0) {
-    throw pt::Error("another ./run writeup is running here: wait until it has ended");
+  if (file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0) return;
+  fmt::print(stderr, "another ./run writeup is running: this one waits until it has ended\n");
+  if (file < 0 || flock(file, LOCK_EX) != 0) {
+    throw pt::Error("the folder of renders cannot be locked: " + work.string());
   }
 }
 
@@ -196,7 +199,7 @@ int run(Options options) {
   const Catalogue catalogue =
       read_catalogue(options.handbook ? "writeup/handbook.json" : "writeup/figures.json");
   const std::vector<const Figure*> figures = figures_meant(catalogue, options.what);
-  lock(work);
+  if (!options.list) lock(work);
   const Codes codes = read_codes(options, catalogue);
   const Scenes scenes(catalogue, options.scenes, work / "scenes", options.generate, options.draft);
   const Store store(work / "renders");

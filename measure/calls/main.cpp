@@ -1,5 +1,6 @@
 // measure [TASK ...]: the time of each implementation of a task against its error or noise. Each
-// runs in the box, none in this process.
+// runs in the box, none in this process. The exit status is 1 if somebody's own code has no numbers, or
+// is wrong.
 #include "grader/service/process/process_time.h"
 #include "grader/service/process/spawn.h"
 #include "grader/service/sandbox/probe.h"
@@ -64,6 +65,7 @@ int run(int argc, const char* const* argv) {
   stay_on_this_processor();
   pt::Progress progress;
   std::vector<Results> all;
+  bool good = true;
   for (const Contest& contest : contests) {
     const auto done = static_cast<double>(all.size());
     all.push_back(measure_contest(contest, materials.tier, seconds, [&](double part) {
@@ -72,10 +74,11 @@ int run(int argc, const char* const* argv) {
     progress.clear();
     fmt::print("{}", to_text(all.back()));
     pt::flush_standard_output();
+    good = good && !own_code_fails(all.back());
     if (!options.out.empty()) draw_charts(all.back(), options.out);
   }
   if (!options.out.empty()) pt::write_file(options.out / "measure.csv", to_csv(all));
-  return 0;
+  return good ? 0 : 1;
 }
 
 }  // namespace

@@ -15,7 +15,10 @@ namespace {
 const char* kFooter =
     "Each runs in a process of its own, in the box of ./run grade, and takes turns with the others "
     "in short\nbatches. A task is compared with the reference and with other right solutions;\n"
-    "* marks those that no other one beats in both time and error.\n\nExamples:\n"
+    "* marks those that no other one beats in both time and error.\n\nExit codes: 0 measured, 1 "
+    "your own code "
+    "has no numbers or is wrong, 2 the arguments cannot be used.\n\nExamples:\n"
+    "  ./run measure --list\n"
     "  ./run measure hit_sphere --from student\n"
     "  ./run measure hit_sphere.half_b hit_sphere.textbook\n"
     "  ./run measure 3 --submission DIR --out charts\n";

@@ -53,6 +53,16 @@ std::string mistake(const About& about, const Row& row) {
   return fmt::format("its mean is {:.3g} of the right one", row.mean.value);
 }
 
+bool own_code_fails(const Results& results) {
+  for (const Table& table : results.tables) {
+    for (const Row& row : table.rows) {
+      const bool fails = !row.problem.empty() || !mistake(*results.about, row).empty();
+      if (row.is_own && fails) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<std::vector<bool>> pareto_fronts(const About& about, const std::vector<Table>& tables) {
   std::vector<std::vector<bool>> fronts;
   for (const Table& table : tables) {

@@ -38,6 +38,10 @@ Ranged accuracy(const About& about, const Row& row);
 // A sentence on answers that a right solution does not give; empty if there are none.
 std::string mistake(const About& about, const Row& row);
 
+// Returns whether somebody's own code gave no numbers (it crashed, did not end, is not written) or
+// wrong answers.
+bool own_code_fails(const Results& results);
+
 // For each row of each table: whether no right row beats it. It would be clearly better in time or
 // accuracy, and not clearly worse in the other. Tables with one front are compared together.
 std::vector<std::vector<bool>> pareto_fronts(const About& about, const std::vector<Table>& tables);

@@ -24,6 +24,15 @@ std::string quoted(std::string text) {
   return '"' + text + '"';
 }
 
+// The noise of the reference at a place, where the error is a mean of random numbers.
+double noise_at(const Chart& chart, double place) {
+  constexpr double kRounding = 1e-9;
+  for (const Point& point : chart.points[0]) {
+    if (std::abs(place / point.place - 1) < kRounding) return point.noise;
+  }
+  return 0;
+}
+
 Range range_of(const Charts& charts, const Chart& chart) {
   double least = 1e300, most = 0;
   bool has_zeros = false;
@@ -46,7 +55,9 @@ Range range_of(const Charts& charts, const Chart& chart) {
   // The edge of a promise is shown near lines; a limit far above all lines fills the column.
   const double above = 100 * most;
   for (const Promised& promised : chart.promised) {
-    for (const auto& corner : promised.corners) grow(std::min(corner.limit, above));
+    for (const auto& [place, limit] : promised.corners) {
+      grow(std::min(limit + kErrors * noise_at(chart, place), above));
+    }
   }
   // The value at a part of the axis's height.
   const double part = std::pow(3 * most / least, 0.08);
@@ -99,12 +110,14 @@ Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line) {
 
 const char* color_of(const Promised& promised) { return promised.bonus ? "#fde8c8" : "#d9f0d3"; }
 
-// A filled area down to the axis: all errors that the contract allows. A limit of 0 reaches to the
-// tic 0, and a promise for a single place gets some width.
-std::string area_of(const Promised& promised, const Range& range) {
+// A filled area down to the axis: all errors that the contract allows, with as many standard errors
+// as a right mean may be off by chance. A limit of 0 reaches to the tic 0, and a promise for a single
+// place gets some width.
+std::string area_of(const Chart& chart, const Promised& promised, const Range& range) {
   constexpr double kHalfWidth = 1.12;
   const double zero = std::sqrt(range.zero * range.zero * range.zero / range.bottom);
   auto corners = promised.corners;
+  for (auto& [place, limit] : corners) limit += kErrors * noise_at(chart, place);
   if (corners.size() == 2 && corners[0].place == corners[1].place) {
     corners[0].place /= kHalfWidth;
     corners[1].place *= kHalfWidth;
@@ -140,7 +153,7 @@ std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
   if (is_short(range.zero, range.top)) commands += "set format y \"%g\"\n";
   for (const bool bonus : {true, false}) {
     for (const Promised& promised : chart.promised) {
-      if (promised.bonus == bonus) commands += area_of(promised, range);
+      if (promised.bonus == bonus) commands += area_of(chart, promised, range);
     }
   }
   return commands;

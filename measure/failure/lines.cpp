@@ -127,7 +127,7 @@ std::vector<Point> points_of(const json& curve) {
     points.push_back(
         {at.at("place"),
          error.is_null() ? std::numeric_limits<double>::quiet_NaN() : error.get<double>(),
-         at.at("noise"), at.at("cases"), at.at("without"), at.at("reason")});
+         at.at("noise"), at.at("cases"), at.at("without"), at.at("reason"), at.at("ended")});
   }
   return points;
 }
@@ -221,9 +221,6 @@ std::optional<double> limit_at(const Promised& promised, double place) {
   return {};
 }
 
-// A right mean is this many standard errors off once in fifteen thousand places.
-constexpr double kErrors = 4;
-
 bool is_broken(const Promised& promised, const Point& point) {
   const std::optional<double> limit = limit_at(promised, point.place);
   if (!limit || point.cases == 0) return false;
@@ -244,6 +241,22 @@ std::vector<BrokenPromise> broken_promises(const Charts& charts, const Chart& ch
     }
   }
   return all;
+}
+
+bool fails(const Charts& charts) {
+  for (std::size_t i = 0; i < charts.lines.size(); ++i) {
+    if (charts.lines[i].kind != CurveLine::Kind::submission) continue;
+    if (!charts.lines[i].unusable.empty()) return true;
+    for (const Chart& chart : charts.charts) {
+      if (std::ranges::any_of(chart.points[i], &Point::ended)) return true;
+      const std::vector<BrokenPromise> broken = broken_promises(charts, chart);
+      if (std::ranges::any_of(
+              broken, [&](const BrokenPromise& each) { return each.line == i && !each.bonus; })) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 bool is_shown(const Charts& charts, const Chart& chart, std::size_t line) {

@@ -38,6 +38,7 @@ struct Point {
   double place = 0, error = 0, noise = 0;
   int cases = 0, without = 0;
   std::string reason;
+  bool ended = false;  // the code crashed, or gave no answer in time
 };
 
 // A promise of the contract as the corners of its upper edge, from left to right. Every place of
@@ -75,6 +76,9 @@ bool is_named(const Charts& charts, const Chart& chart, std::size_t line);
 // other charts are not in it.
 bool is_shown(const Charts& charts, const Chart& chart, std::size_t line);
 
+// A right mean is this many standard errors off once in fifteen thousand places.
+inline constexpr double kErrors = 4;
+
 // The first place at which a line breaks a promise: a larger error, or a case without a number.
 struct BrokenPromise {
   std::size_t line = 0;
@@ -83,8 +87,12 @@ struct BrokenPromise {
 };
 
 // Broken promises of the chart's lines; lines without a name may lack a bonus. A mean of random
-// numbers may be some standard errors above the limit by chance.
+// numbers may be kErrors standard errors above the limit by chance.
 std::vector<BrokenPromise> broken_promises(const Charts& charts, const Chart& chart);
+
+// Returns whether a submission is wrong or ends its program: it cannot be measured, breaks a promise of the
+// contract, crashes at some place, or gives no answer there. A bonus need not be kept.
+bool fails(const Charts& charts);
 
 // A search for bad inputs (grader/check/language/bad_inputs.h) of the reference or the submission.
 struct Search {

@@ -1,6 +1,7 @@
 // stability [TASK | PART] ... [--submission DIR]: where methods fail, as curves. Measures each task's
 // curves (grader/tasks/<task>/curves.cpp) with the reference, a submission, and the solutions that are
-// kept in the tree, all in boxes. The exit status is 1 if a task of the submission cannot be measured.
+// kept in the tree, all in boxes. The exit status is 1 if the submission cannot be measured, is wrong,
+// or ends its program.
 #include "grader/base/files.h"
 #include "grader/service/process/process_time.h"
 #include "grader/service/sandbox/probe.h"
@@ -91,7 +92,7 @@ int run(Options options) {
   request.judge.isolation = grader::sandbox::probe_isolation(config.root, config.work);
   if (options.search) return search(config, tasks, options);
   if (!options.out.empty()) fs::create_directories(options.out);
-  bool all_measured = true;
+  bool good = true;
   std::vector<Charts> all;
   pt::Progress progress;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -103,13 +104,13 @@ int run(Options options) {
     fmt::print("{}", to_text(charts));
     std::fflush(stdout);
     if (!options.out.empty()) write_charts(charts, options.out);
-    for (const CurveLine& line : charts.lines) all_measured = all_measured && line.unusable.empty();
+    good = good && !fails(charts);
   }
   if (!options.out.empty()) {
     pt::write_file(fs::path(options.out) / "stability.json", to_json(all, cpu_seconds()));
     fmt::print("charts and numbers: {}\n", options.out);
   }
-  return all_measured ? 0 : 1;
+  return good ? 0 : 1;
 }
 
 }  // namespace
@@ -121,8 +122,12 @@ int main(int argc, char** argv) {
   CLI::App app{"Shows where methods fail: the error of each task by how hard its input is",
                "./run stability"};
   app.footer(
-      "Examples:\n  ./run stability hit_sphere\n  ./run stability 1 --from student --out curves\n"
-      "  ./run stability hit_sphere --submission FOLDER");
+      "Examples:\n  ./run stability --list\n  ./run stability hit_sphere\n  ./run stability 1 "
+      "--from student --out curves\n"
+      "  ./run stability hit_sphere --submission FOLDER\n\nExit codes: 0 measured, 1 the "
+      "submission "
+      "cannot be measured, breaks a promise, crashes, or gives no answer\nin time, 2 the arguments "
+      "cannot be used.");
   app.add_option("what", options.what, "tasks (hit_sphere), parts (1) or exercises (1.3)");
   app.add_option("--submission", options.request.submission,
                  "a folder with the tree of student/: its lines are drawn too")

@@ -16,8 +16,8 @@ using nlohmann::json;
 
 // NaN becomes null.
 json to_json(const check::MeasuredPlace& at) {
-  return {{"place", at.place}, {"error", at.error},     {"noise", at.noise},
-          {"cases", at.cases}, {"without", at.without}, {"reason", at.reason}};
+  return {{"place", at.place},     {"error", at.error},   {"noise", at.noise}, {"cases", at.cases},
+          {"without", at.without}, {"reason", at.reason}, {"ended", at.ended}};
 }
 
 // The corners from left to right: [place, limit], at the curve's places and the promise's ends.

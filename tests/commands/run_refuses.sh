@@ -39,6 +39,14 @@ for command in $(./run | sed -nE 's/^  [.]\/run ([a-z-]+)( [|] ([a-z-]+))?.*/\1 
   failures=$((failures + 1))
 done
 
+# Lists build nothing either.
+for words in 'writeup speedup' 'stability hit_sphere far_away' 'measure hit_sphere.half_b'; do
+  read -r command words <<<"$words"
+  expect 0 "${words% *}" env PATH=/usr/bin:/bin timeout 20 ./run "$command" --list
+  ! grep -q building "$folder/said" || complain "$command --list builds: $(head -3 "$folder/said")"
+done
+expect 0 'bug_t' ./run writeup --list --from hit_bvh=student
+
 # A missing tool of ./run lint is a failure only where warnings are errors.
 for werror in ON OFF; do
   status=0

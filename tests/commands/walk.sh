@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Walks what README and docs/commands.md promise, each command once, on a small input: rendering, grading alone and together with
-# pictures, the view, hints, a class, the settings that a scene needs, the time of a call. ./run builds these programs, and starts them with
-# the same words. Every render that a page names is walked with its own options, on a few pixels.
+# pictures, the view, hints, a class. What measures is walked by tests/measure/submissions.sh. ./run builds these programs, and
+# starts them with the same words. Every render that a page names is walked with its own options, on a few pixels.
 # walk.sh BUILD: whose programs are walked.
 set -euo pipefail
 # shellcheck source=tests/fixtures/shell.sh
@@ -10,8 +10,8 @@ build=$1
 
 # What README and docs/commands.md name is a command of ./run, the help names it on docs/commands.md, and a line below or another
 # test walks it.
-walked=' render view compare grade hint grade-class cheapest measure '
-elsewhere=' watch debug submit writeup converge ladder stability mesh bench handout gradescope-zip test lint format tidy bless help '
+walked=' render view compare grade hint grade-class '
+elsewhere=' watch debug submit writeup cheapest measure converge ladder stability mesh bench handout gradescope-zip test lint format tidy bless help '
 named() { grep -ohE '\./run [a-z-]+' "$@" | cut -d' ' -f2 | sort -u; }
 for command in $(named README.md docs/commands.md); do
   case $walked$elsewhere in *" $command "*) ;; *) complain "$command is on a page, and nothing walks it" ;; esac
@@ -56,9 +56,5 @@ mkdir -p "$folder/class/ada" "$folder/class/bob"
 cp reference/1_rays/hit_sphere.cpp "$folder/class/ada"
 cp student/1_rays/hit_sphere.cpp "$folder/class/bob"
 expect 0 'bob' "$build/grader/grade_class" "$folder/class" --out "$folder/out" --seed 7 --not-isolated -- hit_sphere --no-pictures
-
-small=(scenes/box_spheres.dae --seconds 1 --pixels 300 -r 48 36)
-expect 0 './run render scenes/box_spheres.dae -s ' "$build/measure/accuracy_boxed" cheapest "${small[@]}" --error 10% --submission "$folder/good"
-expect 0 'hit_box' "$build/measure/measure" hit_box --seconds 1 --submission "$folder/good" --out "$folder/measured"
 
 finish

@@ -41,12 +41,12 @@ sed 's/\/ samples/\/ (2.0 * samples)/' reference/1_rays/estimate_pixel.cpp >"$ow
 ! cmp -s reference/1_rays/estimate_pixel.cpp "$own/1_rays/estimate_pixel.cpp" || complain 'the reference is not as it was'
 cp student/3_direct/diffuse_bsdf.cpp "$own/3_direct"
 
-expect 0 'somebody   ' "$program" hit_sphere.half_b --submission "$own" --seconds 1 --out "$folder/hit_sphere"
+expect 1 'somebody   ' "$program" hit_sphere.half_b --submission "$own" --seconds 1 --out "$folder/hit_sphere"
 grep -q 'somebody .*signal 11' "$folder/said" || complain "the crash is not named: $(cat "$folder/said")"
-expect 0 'it does not compile: ' "$program" camera_ray.single_precision --submission "$own" --seconds 1 --out "$folder/camera_ray"
-expect 0 'it is not written yet' "$program" 3.1 diffuse_bsdf.uniform --submission "$own" --seconds 1 --out "$folder/bsdf"
-expect 0 'its mean is 0.' "$program" estimate_pixel.running_mean --submission "$own" --seconds 1 --out "$folder/pixel"
-expect 0 'there is no 2_bvh/hit_box.cpp' "$program" hit_box.some_ulps_wider --submission "$own" --seconds 1
+expect 1 'it does not compile: ' "$program" camera_ray.single_precision --submission "$own" --seconds 1 --out "$folder/camera_ray"
+expect 1 'it is not written yet' "$program" 3.1 diffuse_bsdf.uniform --submission "$own" --seconds 1 --out "$folder/bsdf"
+expect 1 'its mean is 0.' "$program" estimate_pixel.running_mean --submission "$own" --seconds 1 --out "$folder/pixel"
+expect 1 'there is no 2_bvh/hit_box.cpp' "$program" hit_box.some_ulps_wider --submission "$own" --seconds 1
 
 # The closed forms: right solutions have no mistake and only small errors.
 expect 0 'hit_bvh' "$program" hit_triangle.watertight hit_box.inverse_direction hit_bvh.recursive_unordered direct_lights.stratified \

@@ -40,6 +40,19 @@ Row row(const std::string& name, double nanoseconds, double error) {
   return row;
 }
 
+// A crash of somebody's own code, or a wrong answer, is told by the exit status; those of others are not.
+TEST(measure, own_code_fails_if_it_has_no_numbers_or_is_wrong) {
+  const About& about = about_of("hit_sphere");
+  Row good = row("mine", 10, 1e-12), crashed = row("mine", 10, 1e-12), other = crashed;
+  good.is_own = crashed.is_own = true;
+  crashed.problem = other.problem = "signal 11";
+  Row wrong = good;
+  wrong.found.wrong = .5;
+  EXPECT_FALSE(own_code_fails({&about, {{"", {good, other}}}}));
+  EXPECT_TRUE(own_code_fails({&about, {{"", {good}}, {"", {crashed}}}}));
+  EXPECT_TRUE(own_code_fails({&about, {{"", {wrong}}}}));
+}
+
 TEST(measure, median_and_mean_of_known_numbers) {
   EXPECT_EQ(median_of({3, 1, 2}).value, 2);
   EXPECT_EQ(median_of({4, 1, 2, 3}).value, 2.5);

@@ -80,6 +80,7 @@ MeasuredPlace measure_place(const Curve& curve, double place, rc::Random& random
       }
     } catch (const CaseFailed& failed) {
       nothing(failed.failure.got);
+      measured.ended = measured.ended || failed.failure.cause != results::Cause::wrong;
     }
   }
   if (curve.statistic == Statistic::bias && !errors.empty())

@@ -67,6 +67,7 @@ struct MeasuredPlace {
   int cases = 0;       // all cases
   int without = 0;     // cases without a finite number: no hit, NaN, a crash, a time-out
   std::string reason;  // of the first case without a number
+  bool ended = false;  // the code crashed, or gave no answer in time
 };
 
 struct CurveSettings {
