@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/json_text.h"
 #include "grader/base/sha256.h"
+#include "grader/service/classes/folders.h"
 #include "grader/service/classes/identity.h"
 #include "grader/service/intake/unpack_boxed.h"
 #include "pt/end_of_program.h"
@@ -27,8 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-constexpr std::size_t kKeptUnpacked = 2;
 
 // An unreadable seed is an error: else everybody would be judged again, and nobody would know why.
 std::optional<std::uint64_t> seed_in(const std::string& folder) {
@@ -103,29 +102,6 @@ std::vector<Chunk> chunks_of(const std::vector<Equal>& groups, std::size_t size)
     chunks.back().push_back(group);
   }
   return chunks;
-}
-
-// Folders may have learners' names, so the plan of an anonymous class names links to them.
-void hide_folders(ClassPlan& plan, const fs::path& links) {
-  fs::create_directories(links);
-  for (intake::HandedIn& by : plan.everybody) {
-    if (by.folder.empty()) continue;
-    fs::create_directory_symlink(by.folder, links / by.name);
-    by.folder = links / by.name;
-  }
-}
-
-// A new folder for unpacking. The earlier plan's folder stays: another machine may still need it.
-std::string folder_to_unpack(const std::string& out) {
-  const fs::path folder = out + "/unpacked";
-  std::vector<fs::path> former;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) former.push_back(entry.path());
-  }
-  std::ranges::sort(former, std::ranges::greater{},
-                    [](const fs::path& path) { return fs::last_write_time(path); });
-  for (std::size_t i = kKeptUnpacked - 1; i < former.size(); ++i) fs::remove_all(former[i]);
-  return folder / random_text();
 }
 
 // A file's name may contain any bytes, JSON only UTF-8: other names become lists of numbers.
@@ -236,7 +212,7 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   plan.worksheet = request.worksheet;
   std::vector<intake::TaskFile> tasks;
   for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
-  const std::string unpacked = folder_to_unpack(request.out);
+  const std::string unpacked = fs::absolute(folder_to_unpack(request.out));
   intake::HandedInByAll all = intake::handed_in(
       request.input, unpacked, tasks,
       intake::unpack_boxed(config.root, config.work, programs, request.must_isolate), progress);
@@ -248,7 +224,8 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   }
   if (request.anonymous) hide_names(plan, request.out);
   if (!plan.former.empty()) plan.former_names = former_names(plan);
-  if (request.anonymous) hide_folders(plan, fs::absolute(unpacked + "/links"));
+  keep_task_files(config, plan, unpacked);
+  if (request.anonymous) hide_folders(plan, unpacked);
   plan.chunks = chunks_of(groups_of(config, plan.everybody), request.chunk_size);
   return plan;
 }

@@ -165,6 +165,9 @@ class=$folder/rays.v2.tar.gz
 says 2 'lovelace: 2 of 2' '(as before)'
 head -1 "$folder/class-graded/canvas.csv" | grep -q ',rays\.v2.$' || complain "$(head -1 "$folder/class-graded/canvas.csv")"
 [ "$(find "$folder/class-graded/unpacked" -mindepth 1 -maxdepth 1 | wc -l)" -eq 2 ] || complain 'not two plans are unpacked'
+# Of what was unpacked, only the files that are judged stay.
+left=$(find "$(find "$folder/class-graded/unpacked" -mindepth 1 -maxdepth 1 -printf '%T@ %p\n' | sort -n | tail -1 | cut -d' ' -f2-)" -type f ! -name 'hit_*.cpp')
+[ -z "$left" ] || complain "it is left from unpacking: $left"
 rm -r "$folder/class-graded"
 class=$folder/moodle
 mkdir -p "$class/"{"Zoë 北_7_assignsubmission_file_","Nobody_8_assignsubmission_file_"}
