@@ -2,6 +2,8 @@
 
 #include "pt/end_of_program.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <httplib.h>
 #include <sys/random.h>

@@ -81,7 +81,8 @@ Drawn draw_converge(const Plan& plan, const Figure& figure, const fs::path& fold
   Drawn drawn;
   const Measurement measurement = plan.measurements(figure).at(0);
   if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return drawn;
-  take_files(plan, measurement, figure.id, {"efficiency.svg", "samples.svg", "seconds.svg", "rays.svg"},
+  take_files(plan, measurement, figure.id,
+             {"efficiency.svg", "samples.svg", "seconds.svg", "rays.svg"},
              {"efficiency.csv", "converge.csv", "factors.csv"}, folder, drawn);
   const json all = plan.measured().load(measurement);
   drawn.columns = {"",

@@ -15,7 +15,7 @@ struct GradeOptions {
   std::string submission = "student";
   bool is_named = false;  // on the command line
   std::string note;       // which of the files handed in are in the folder; of a class
-  std::string name;  // of the learner who handed it in
+  std::string name;       // of the learner who handed it in
   report::ReportFiles files;
   std::string from_results;
   std::string config;

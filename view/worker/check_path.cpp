@@ -1,6 +1,8 @@
 #include "pt/geometry/spawn_ray.h"
 #include "view/worker/check.h"
 
+#include <cstdio>
+
 namespace view {
 
 namespace {
