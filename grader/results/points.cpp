@@ -179,13 +179,14 @@ void count_points(const Points& points, TaskResult& result) {
   }
   result.spared = spared_by(task, result);
   result.points += result.spared;
+  const double share = result.max_points > 0 ? 1.0 * result.points / result.max_points : 1;
   for (PictureResult& picture : result.pictures) {
     picture.max_points = worth(task.picture, task.pictures, picture.recipe);
+    const int most = static_cast<int>(std::lround(share * picture.max_points));
     // A wrong picture is only called integrated if it is right with the reference elsewhere.
-    picture.points = picture.state == State::pass || picture.integrated ? picture.max_points
-                     : picture.state == State::too_noisy
-                         ? std::min(task.too_noisy, picture.max_points)
-                         : 0;
+    picture.points = picture.state == State::pass || picture.integrated ? most
+                     : picture.state == State::too_noisy ? std::min(task.too_noisy, most)
+                                                         : 0;
     result.points += picture.points;
     result.max_points += picture.max_points;
   }

@@ -39,7 +39,8 @@ bool is_kept_by_itself(const PromiseResult& promise);
 
 // Fills in the points of each promise and picture, and the sums. What is right with the reference
 // elsewhere, and wrong only with the submission's other tasks, keeps its points: the mistake is
-// theirs, and counts there. If a mistake is named, it is the
+// theirs, and counts there. A picture earns at most the share of its points that the promises of its
+// task earn of theirs, rounded. If a mistake is named, it is the
 // one cause of all that is wrong: then broken promises together cost at most the share `one_cause`
 // of the points of the task's promises, rounded up to a whole point. Anything beyond that is given
 // back as `spared`: at most what the promises that hold earn, and nothing if the task always gives

@@ -38,6 +38,10 @@ WrongConstant constant_error(const Golden& golden, const Moments& round, std::si
 std::vector<WrongConstant> wrong_constants(const Golden& golden, const Moments& round,
                                            const std::vector<pt::Image>& images);
 
+// Returns whether the picture is nearer to the golden than independent samples can be, however good: the
+// golden is not that near to the truth.
+bool is_too_near(const Comparison& pictures);
+
 // The noise of a picture as its batches show it, in luminance and without the constant pixels. All
 // 0 if every pixel is constant.
 struct Noise {

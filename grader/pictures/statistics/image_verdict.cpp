@@ -25,10 +25,13 @@ struct Suspicion {
   std::vector<WrongConstant> constants;
   bool correlated = false;
   bool noisy = false;
+  bool too_near = false;
   double energy_off = 0;              // of a noisy picture; 0: as it should be
   std::vector<MeasuredCell> blatant;  // of a noisy picture: blocks that no noise explains
 
-  bool any() const { return !cells.empty() || !constants.empty() || correlated || noisy; }
+  bool any() const {
+    return !cells.empty() || !constants.empty() || correlated || noisy || too_near;
+  }
 };
 
 std::vector<WrongConstant> also_before(const std::vector<WrongConstant>& now,
@@ -127,6 +130,7 @@ bool Judge::judge(const Batches& batches) {
   now.constants = wrong_constants(golden_, round, batches.images);
   now.correlated = !(noise.correlation <= kMaxCorrelation);
   now.noisy = !(noise.ratio <= most_noise_);
+  now.too_near = is_too_near(pictures);
   if (std::abs(noise.energy_t) > 5 && std::abs(noise.energy_off) > 0.03) {
     now.energy_off = noise.energy_off;
   }
@@ -138,6 +142,7 @@ bool Judge::judge(const Batches& batches) {
     now.constants = also_before(now.constants, suspicion_.constants);
     now.correlated = now.correlated && suspicion_.correlated;
     now.noisy = now.noisy && suspicion_.noisy;
+    now.too_near = now.too_near && suspicion_.too_near;
     now.blatant = blatant(repeated(pictures, suspicion_.blatant, kRoundLevels[number]));
     now.energy_off = agreed(now.energy_off, suspicion_.energy_off);
   }
@@ -155,6 +160,10 @@ void Judge::decide() {
   const int rounds = verdict_.rounds;
   if (!suspicion_.any()) return;
   verdict_.outcome = Outcome::wrong;
+  if (suspicion_.too_near) {
+    verdict_.sentence = too_near_sentence(rounds);
+    return;
+  }
   const bool wrong_anyway = !suspicion_.constants.empty() || !suspicion_.blatant.empty();
   if (suspicion_.noisy && !wrong_anyway) {
     // Much noise hides small errors of a part, but not those of the whole.

@@ -86,6 +86,11 @@ std::string correlated_sentence(int renders) {
          ": they share random numbers, or a value is kept from one pixel to the next";
 }
 
+std::string too_near_sentence(int renders) {
+  return "the picture was nearer to the golden than random samples can be" + times(renders) +
+         ": it has to be made of samples, not of the golden";
+}
+
 std::string too_noisy_sentence(double ratio) {
   return fmt::format(
       "right on average, but too noisy: a sample has {:.1f} times the variance that "

@@ -19,6 +19,7 @@ std::string sentence(const std::vector<MeasuredCell>& all,
 std::string sentence(const std::vector<WrongConstant>& constants, const Golden& golden,
                      int renders);
 std::string correlated_sentence(int renders);
+std::string too_near_sentence(int renders);
 std::string too_noisy_sentence(double ratio);
 std::string noisy_and_wrong_sentence(double ratio, double energy_off, int renders);
 

@@ -1,9 +1,11 @@
 // The guards of the verdict on a picture: each sees its own kind of error and no other.
+#include "grader/pictures/statistics/guards.h"
 #include "tests/grader/pictures/judged_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -109,6 +111,47 @@ TEST_F(Judged, pixels_that_vary_together_are_found) {
   }));
   EXPECT_EQ(verdict.outcome, Outcome::wrong);
   EXPECT_NE(verdict.sentence.find("vary together"), std::string::npos) << verdict.sentence;
+}
+
+// A picture that is made of the golden, with a little noise so that no two batches are alike. With half
+// of the golden's error or more it could be a very good one.
+TEST_F(Judged, a_picture_of_the_golden_is_found) {
+  const auto copy = [&](double part) {
+    return [&, part](int round, int batches, int samples) {
+      Draw draw(100 * round);
+      std::normal_distribution<double> normal;
+      Batches result{samples, std::vector<pt::Image>(batches, pt::Image(kWidth, kHeight))};
+      for (pt::Image& image : result.images) {
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+          const pt::FilmPixel& pixel = golden_.pixels[i];
+          const double error = std::sqrt(batches * pixel.variance.g / pixel.samples);
+          image.pixels[i] =
+              pixel.mean +
+              std::max(-pixel.mean.g, part * error * normal(draw.random())) * pt::gray(1);
+        }
+      }
+      return result;
+    };
+  };
+  for (const double part : {1e-12, 1e-3, 0.3}) {
+    const ImageVerdict verdict = judge(copy(part));
+    EXPECT_EQ(verdict.outcome, Outcome::wrong) << part;
+    EXPECT_NE(verdict.sentence.find("nearer to the golden"), std::string::npos) << verdict.sentence;
+  }
+  EXPECT_EQ(judge(copy(1)).outcome, Outcome::pass);
+}
+
+// The other extreme: the truth itself, from which only the golden deviates.
+TEST(image_guards, a_picture_without_noise_is_not_too_near) {
+  for (const Spread spread : {Spread::diffuse, Spread::fireflies, Spread::mostly_zero}) {
+    const SyntheticScene scene = synthetic_scene(spread, 48, 36);
+    pt::Image truth(48, 36);
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+      truth.pixels[i] = scene.pixels[i].direct + scene.pixels[i].indirect;
+    }
+    const Golden golden = prepare(Draw(100).golden(scene, 4096));
+    EXPECT_FALSE(is_too_near(compare(golden, moments({truth, truth}, 1))));
+  }
 }
 
 TEST_F(Judged, noise_is_a_verdict_of_its_own) {

@@ -88,8 +88,26 @@ TEST(points, are_kept_by_what_is_right_with_the_reference_elsewhere) {
   TaskPoints points;
   points.picture = 3;
   task = counted(task, points);
-  EXPECT_EQ(task.points, 2 + 3 + 3);
+  EXPECT_EQ(task.points, 2 + 2 + 2);  // each picture has the share of the promises: half
   EXPECT_EQ(task.max_points, 4 + 9);
+}
+
+// A picture can be copied from its golden; promises cannot.
+TEST(points, of_a_picture_are_at_most_the_share_that_promises_earn) {
+  TaskPoints points;
+  points.picture = 3;
+  points.too_noisy = 1;
+  for (const auto& [broken, each] : {std::pair{0, 3}, {1, 3}, {6, 2}, {8, 1}, {11, 0}, {12, 0}}) {
+    TaskResult task = example(12, broken);
+    task.pictures = {picture("a", State::pass), picture("b", State::too_noisy)};
+    task = counted(task, points);
+    EXPECT_EQ(task.pictures[0].points, each) << broken;
+    EXPECT_EQ(task.pictures[1].points, std::min(1, each)) << broken;
+    EXPECT_EQ(task.max_points, 12 + 3 + 3) << broken;
+  }
+  TaskResult pictures_alone = example(0, 0);
+  pictures_alone.pictures = {picture("a", State::pass)};
+  EXPECT_EQ(counted(pictures_alone, points).points, 3);
 }
 
 TEST(points, that_one_named_cause_takes_are_bounded) {
