@@ -18,9 +18,10 @@ SEARCH(camera_ray, window) {
   return {.title = "a ray of any camera: how far it meets the window from its point",
           .measure = "1 is what the contract allows",
           .badness = [] {
-            const auto [c, point] = *aimed(moved());
-            const auto [x, y] = point;
-            show_input([&, x = x, y = y] { return show(c) + "\nx " + show(x) + ", y " + show(y); });
+            const Aimed made = *aimed(moved());
+            const pt::Camera& c = made.camera;
+            const double x = made.at.x, y = made.at.y;
+            show_input([&] { return show(c) + "\nx " + show(x) + ", y " + show(y); });
             const pt::Ray ray = pt::camera_ray(c, x, y);
             const Exact3 d = ray.direction;
             const Exact z = -dot(d, Exact3(c.camera_to_world.z));
