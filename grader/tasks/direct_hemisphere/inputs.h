@@ -16,6 +16,14 @@ namespace grader::check::direct_hemisphere_inputs {
 
 inline pt::Rgb any_radiance() { return *color(0.25, 4); }
 
+// A pose in which the patch has this unit normal, exactly.
+inline rc::Gen<Pose> pose_on(pt::Vec3 normal) {
+  return rc::gen::map(pose(), [normal](Pose pose) {
+    pose.turn = pt::frame_from_normal(normal);
+    return pose;
+  });
+}
+
 // Makes a patch, after the lights and surfaces that `add` adds to its scene.
 template <class Add>
 rc::Gen<Situation> patch_with(Add add, const rc::Gen<Pose>& poses = unturned_pose(),
