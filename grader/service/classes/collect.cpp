@@ -103,11 +103,8 @@ Collector::Collector(const build::Config& config, const ClassPlan& plan, std::st
     for (const Equal& equal : chunk) {
       std::vector<std::string> names;
       for (const std::size_t i : equal) names.push_back(plan.everybody[i].name);
-      for (const std::size_t i : equal) {
-        std::vector<std::string> others = names;
-        std::erase(others, plan.everybody[i].name);
-        if (!others.empty()) equals_[i] = "the same files as " + some_of(others);
-      }
+      if (equal.size() == 1) continue;
+      for (const std::size_t i : equal) equals_[i] = "the same files: " + some_of(names);
     }
   }
 }

@@ -279,11 +279,11 @@ cp student/1_rays/hit_sphere.cpp "$folder/class/stub2"
 { cat reference/1_rays/hit_sphere.cpp; echo '// by cy'; } >"$folder/class/cy/hit_sphere.cpp"
 echo '// old' >"$folder/class/cy/old/hit_sphere.cpp"
 says 0 'ada: 1 of 2' 'stub2: 0 of 2'
-row 'row["ada"]["note"] == "the same files as bob" and row["bob"]["note"] == "the same files as ada"'
+row 'row["ada"]["note"] == row["bob"]["note"] == "the same files: ada, bob"'
 row 'row["stub"]["note"] == row["stub2"]["note"] == ""'
 row 'row["cy"]["note"] == "\u0027hit_sphere.cpp\u0027 counts, and not \u0027old/hit_sphere.cpp\u0027, which differs"'
 grep -q 'old/hit_sphere.cpp' "$folder/class-graded/cy.html" || complain 'the page does not say which file counts'
-grep -q 'the same files as bob' "$folder/class-graded/class.html" || complain 'the page of the class does not say who has the same files'
+grep -q 'the same files: ada, bob' "$folder/class-graded/class.html" || complain 'the page of the class does not say who has the same files'
 ! grep -q bob "$folder/class-graded/ada.html" || complain "a learner's page names another learner"
 rm -r "$folder/class/"{bob,cy,stub,stub2}
 options="--jobs 1 --compare $folder/class"

@@ -101,7 +101,7 @@ for name, row in rows.items():
     for task in results["tasks"]:
         if not row["problem"]:
             assert task["state"].replace("_", " ") == row[task["slug"]], (name, task)
-    for sentence in (row["problem"], row["note"].split("the same files as")[0].rstrip("; ")):
+    for sentence in (row["problem"], row["note"].split("the same files:")[0].rstrip("; ")):
         assert sentence in text.replace("\n", " ") and sentence in said, (name, sentence, text, said)
 right = int(rows["plain"]["hit_sphere_points"])
 assert right > 0
