@@ -54,7 +54,7 @@ std::string note_on_darkness(const View& view, const Film& film, double exposure
         "--exposure {:.2g}",
         brightest, 1 / brightest);
   }
-  const std::string advice = "; give --camera fit to see the whole scene";
+  const std::string advice = "; give another --camera, such as fit, which clips nothing";
   const Reach reach = reach_of_view(view);
   if (reach.nearest == kInfinity) {
     return "the picture is black: the camera looks past all surfaces" + advice;
@@ -70,6 +70,10 @@ std::string note_on_darkness(const View& view, const Film& film, double exposure
         "the picture is black: the camera clips all surfaces, its znear is {:.4g} and the farthest "
         "is {:.4g} away{}",
         view.camera.near_clip, reach.farthest, advice);
+  }
+  if (view.settings.show_normals) {
+    return "the picture is black: the surfaces in view are smaller than a pixel; give a larger -r, "
+           "or --camera fit";
   }
   return "the picture is black: no light reaches the surfaces in view by the bounces that are "
          "shown (-m, --show); a lamp shines only to the side from which its corners run "

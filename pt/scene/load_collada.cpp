@@ -29,27 +29,22 @@ std::string kind_of(const std::string& note) {
   return kind;
 }
 
-// The first note of each kind, and how many differ from it. A file can have 100,000 nodes or
+// The first note of each kind, and how many others differ from it. A file can have 100,000 nodes or
 // materials with the same fault.
 std::vector<std::string> once_per_kind(const std::vector<std::string>& notes) {
-  std::vector<std::string> first;
-  std::vector<std::size_t> more;
-  std::unordered_map<std::string, std::size_t> kinds;
-  std::unordered_set<std::string_view> seen;
+  std::vector<const std::string*> first;
+  std::unordered_map<std::string, std::unordered_set<std::string_view>> kinds;
   for (const std::string& note : notes) {
-    if (!seen.insert(note).second) continue;
-    const auto [kind, is_new] = kinds.emplace(kind_of(note), first.size());
-    if (is_new) {
-      first.push_back(note);
-      more.push_back(0);
-    } else {
-      ++more[kind->second];
-    }
+    std::unordered_set<std::string_view>& kind = kinds[kind_of(note)];
+    if (kind.empty()) first.push_back(&note);
+    kind.insert(note);
   }
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (more[i] > 0) first[i] += " (" + std::to_string(more[i]) + " more like this.)";
+  std::vector<std::string> result;
+  for (const std::string* note : first) {
+    const std::size_t more = kinds.at(kind_of(*note)).size() - 1;
+    result.push_back(*note + (more == 0 ? "" : " (" + std::to_string(more) + " more like this.)"));
   }
-  return first;
+  return result;
 }
 
 void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {

@@ -1,16 +1,10 @@
 #include "pt/scene/collada/document.h"
 
 #include "pt/error.h"
-#include "pt/scene/collada/attributes.h"
-#include "pt/scene/collada/utf16.h"
+#include "pt/scene/collada/text.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <optional>
-#include <system_error>
 
 #include <tinyxml2.h>
 
@@ -18,56 +12,10 @@ namespace pt {
 
 namespace {
 
-// A mesh of a million triangles needs about 80 MB. Markup takes far more memory than its length in
-// the file, so it has a separate limit.
-constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
-constexpr std::ptrdiff_t kMaxMarkup = 2'000'000;
-constexpr std::size_t kMaxAttributes = 250;  // of one tag; COLLADA knows some ten
-constexpr std::size_t kHeadBytes = 64 * 1024;
-
 bool is_course_profile(const XMLElement& technique) {
   const char* profile = technique.Attribute("profile");
   return profile != nullptr &&
          (std::strcmp(profile, "CGL") == 0 || std::strcmp(profile, "CMU462") == 0);
-}
-
-// The tag may have the prefix of a namespace.
-bool has_collada_tag(std::string_view text) {
-  return text.find("<COLLADA") != text.npos || text.find(":COLLADA") != text.npos;
-}
-
-// Checks the file before it reads all of it. A file that is not COLLADA is recognised by its
-// beginning, so that a large file of something else costs nothing.
-std::string read_file(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw Error(name + ": no such file; check the path");
-  if (std::filesystem::is_directory(status)) {
-    throw Error(name + ": is a directory; name a .dae file in it");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw Error(name + ": is not a regular file; name a .dae file");
-  }
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw Error(name + ": cannot be read (" + error.message() + "); check the path");
-  if (size == 0) throw Error(name + ": is empty; export the scene again");
-  if (size > kMaxBytes) throw Error(name + ": is larger than 512 MiB; split the scene");
-
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw Error(name + ": cannot be opened; check its permissions");
-  std::string text(std::min<std::size_t>(size, kHeadBytes), '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!has_collada_tag(utf8_from_utf16(text).value_or(text))) {
-    throw Error(name +
-                ":1: is not a COLLADA file (no <COLLADA> near its beginning); name a .dae file");
-  }
-  const std::size_t head = text.size();
-  text.resize(size);
-  in.read(text.data() + head, static_cast<std::streamsize>(size - head));
-  if (size > head && !in) throw Error(name + ": cannot be read to its end; copy it again");
-  if (std::optional<std::string> converted = utf8_from_utf16(text)) return std::move(*converted);
-  return text;
 }
 
 // A URL writes a space as "%20": exporters write spaces and letters outside ASCII like this.
@@ -82,30 +30,6 @@ std::string decoded(std::string_view url) {
     if (is_code) i += 2;
   }
   return text;
-}
-
-// How the numbers of a list are written. Other text, and a single number, have no style.
-struct NumberStyle {
-  bool points = false;
-  bool commas = false;  // each within a number, and at most one per number: 0,5 1,25
-};
-
-NumberStyle number_style(std::string_view text) {
-  NumberStyle style;
-  bool is_list = false;
-  std::size_t commas = 0;  // in this word
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (!std::strchr("0123456789+-eE., \t\r\n", c)) return {};
-    const bool is_space = c <= ' ';
-    is_list = is_list || (is_space && style.points + commas > 0);
-    if (is_space) commas = 0;
-    if (c == '.') style.points = true;
-    if (c != ',') continue;
-    if (++commas > 1 || i + 1 == text.size() || text[i + 1] < '0' || text[i + 1] > '9') return {};
-    style.commas = true;
-  }
-  return is_list ? style : NumberStyle{};
 }
 
 // Adds an element to the elements with its id. Returns whether it is the first.
@@ -128,20 +52,19 @@ const XMLElement* mesh_around(const XMLElement& element) {
   return nullptr;
 }
 
-// The up axis, or the length of the unit, of an <asset> (null: none); both have a default.
-std::string setting_of(const XMLElement* asset, const char* name) {
-  const XMLElement* found = asset ? asset->FirstChildElement(name) : nullptr;
-  if (std::strcmp(name, "up_axis") == 0) {
-    return std::string(found ? trimmed_text(*found) : "Y_UP");
-  }
-  return std::to_string(found ? found->DoubleAttribute("meter", 1) : 1);
+// The up axis and the unit that an <asset> states, with their defaults.
+std::pair<std::string, double> settings(const XMLElement* asset) {
+  const XMLElement* axis = asset ? asset->FirstChildElement("up_axis") : nullptr;
+  const XMLElement* unit = asset ? asset->FirstChildElement("unit") : nullptr;
+  return {std::string(axis ? trimmed_text(*axis) : "Y_UP"),
+          unit ? unit->DoubleAttribute("meter", 1) : 1};
 }
 
 }  // namespace
 
 ColladaDocument::ColladaDocument(const std::filesystem::path& file)
     : file_(file.string()), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
-  parse(read_file(file));
+  parse(read_text(file));
   XMLElement* root = xml_->RootElement();
   const std::string_view name = root ? root->Name() : "";
   const std::size_t prefix = name.find(':') == name.npos ? 0 : name.find(':') + 1;
@@ -156,17 +79,7 @@ ColladaDocument::ColladaDocument(const std::filesystem::path& file)
 ColladaDocument::~ColladaDocument() = default;
 
 void ColladaDocument::parse(const std::string& text) {
-  if (text.find('\0') != std::string::npos) {
-    throw Error(file_ + ": holds a zero byte, so it is not text; export the scene again");
-  }
-  if (std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; }) >
-      kMaxMarkup) {
-    throw Error(file_ + ": has more than two million tags and attributes; split the scene");
-  }
-  if (const auto line = line_of_too_many_attributes(text, kMaxAttributes)) {
-    throw Error(file_ + ":" + std::to_string(*line) + ": a tag has more than " +
-                std::to_string(kMaxAttributes) + " attributes; keep those that COLLADA knows");
-  }
+  has_decimal_commas_ = pt::has_decimal_commas(text);
   const tinyxml2::XMLError error = xml_->Parse(text.data(), text.size());
   if (error == tinyxml2::XML_SUCCESS) return;
   const std::string where = file_ + ":" + std::to_string(xml_->ErrorLineNum()) + ": ";
@@ -185,7 +98,6 @@ void ColladaDocument::index(XMLElement& element) {
   const std::string_view name = element.Name();
   if (name == "asset") assets_.push_back(&element);
   if (name == "technique" && is_course_profile(element)) has_course_profile_ = true;
-  look_at_numbers(element);
   if (const char* id = element.Attribute("id")) {
     const std::string key = std::string(name) + "#" + id;
     if (!is_new(by_id_[key], element) && duplicates_++ == 0) first_duplicate_ = &element;
@@ -195,14 +107,6 @@ void ColladaDocument::index(XMLElement& element) {
        child = child->NextSiblingElement()) {
     index(*child);
   }
-}
-
-void ColladaDocument::look_at_numbers(const XMLElement& element) {
-  const tinyxml2::XMLNode* first = element.FirstChild();
-  const tinyxml2::XMLText* text = first ? first->ToText() : nullptr;
-  const NumberStyle style = text ? number_style(text->Value()) : NumberStyle{};
-  has_points_ = has_points_ || style.points;
-  has_commas_ = has_commas_ || style.commas;
 }
 
 void ColladaDocument::fail(const XMLElement& at, const std::string& what) const {
@@ -290,16 +194,12 @@ std::vector<std::string> ColladaDocument::notes() const {
     notes.push_back("the file's numbers have decimal commas, which are read as points.");
   }
   for (const XMLElement* asset : assets_) {
-    if (asset->Parent() == root_) continue;
-    for (const char* setting : {"unit", "up_axis"}) {
-      if (asset->FirstChildElement(setting) == nullptr) continue;
-      if (setting_of(asset, setting) == setting_of(root_->FirstChildElement("asset"), setting)) {
-        continue;
-      }
-      notes.push_back("the <asset> of a <" + std::string(asset->Parent()->Value()) +
-                      "> states its own " + setting + " (line " +
-                      std::to_string(asset->GetLineNum()) + "), which is ignored.");
-    }
+    const bool states_some =
+        asset->FirstChildElement("up_axis") || asset->FirstChildElement("unit");
+    if (!states_some || settings(asset) == settings(root_->FirstChildElement("asset"))) continue;
+    notes.push_back("the <asset> of a <" + std::string(asset->Parent()->Value()) +
+                    "> states its own up_axis or unit (line " +
+                    std::to_string(asset->GetLineNum()) + "), which is ignored.");
   }
   return notes;
 }

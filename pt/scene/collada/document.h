@@ -32,7 +32,7 @@ class ColladaDocument {
   bool has_course_profile() const { return has_course_profile_; }
 
   // Returns whether numbers are written as 0,5. In such a file no number has a point.
-  bool has_decimal_commas() const { return has_commas_ && !has_points_; }
+  bool has_decimal_commas() const { return has_decimal_commas_; }
 
   // Throws Error: "file:line: what", with the element's line. `what` ends with what to do.
   [[noreturn]] void fail(const XMLElement& at, const std::string& what) const;
@@ -68,7 +68,6 @@ class ColladaDocument {
  private:
   void parse(const std::string& text);
   void index(XMLElement& element);
-  void look_at_numbers(const XMLElement& element);
   std::string_view own_part(std::string_view url) const;
 
   std::string file_;
@@ -80,9 +79,8 @@ class ColladaDocument {
   const XMLElement* first_duplicate_ = nullptr;
   std::size_t duplicates_ = 0;
   bool has_course_profile_ = false;
-  bool has_commas_ = false;
-  bool has_points_ = false;
-  std::vector<const XMLElement*> assets_;  // of all elements, the file's own first
+  bool has_decimal_commas_ = false;
+  std::vector<const XMLElement*> assets_;  // of all elements
 };
 
 // The first child called `name` of the course's own techniques, extra/technique[@profile CGL or

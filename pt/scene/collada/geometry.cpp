@@ -67,10 +67,10 @@ void read_set(const ColladaDocument& document, const XMLElement& set, const std:
                              " faces of fewer than three corners, which are left out.");
   }
   if (part.crossing > 0) {
-    geometry.notes.push_back("geometry " + name + " has " + std::to_string(part.crossing) +
-                             " faces that cross themselves (the set in line " +
-                             std::to_string(set.GetLineNum()) +
-                             "): each is shown as a fan around its first corner.");
+    geometry.notes.push_back(
+        "geometry " + name + " has " + std::to_string(part.crossing) +
+        " faces that cross themselves, or are far from flat (the set in line " +
+        std::to_string(set.GetLineNum()) + "): each is shown as a fan around its first corner.");
   }
   if (part.size() > 0) geometry.parts.push_back(std::move(part));
 }

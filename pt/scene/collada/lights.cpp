@@ -118,12 +118,11 @@ std::string note_on_fall_off(Vec3 position, const LightText& text, const std::st
                              const Box& scene) {
   if (!text.fall_off || text.fall_off->is_inverse_square()) return "";
   const FallOff& f = *text.fall_off;
-  const bool is_even = f.linear == 0 && f.quadratic == 0;
-  return "point light " + name + " " +
-         (is_even ? "does not fall off with the distance in the file (COLLADA's default)"
-                  : "falls off as 1 / (" + shown(f.constant) + " + " + shown(f.linear) + " d + " +
-                        shown(f.quadratic) + " d^2) in the file") +
-         "; here it falls off as 1 / d^2, and is as bright as the file says at the distance " +
+  return "point light " + name + " falls off as 1 / (" + shown(f.constant) + " + " +
+         shown(f.linear) + " d + " + shown(f.quadratic) +
+         " d^2) in the file (COLLADA's default is 1, not at all); here it falls off as 1 / d^2, "
+         "and "
+         "is as bright as the file says at the distance d = " +
          shown(reference_distance(position, scene)) + ".";
 }
 

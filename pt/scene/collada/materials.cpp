@@ -18,7 +18,7 @@ std::string plain_label(const XMLElement& element) {
   return name.substr(1, name.size() - 2);
 }
 
-// What the channels of a material's shader are read from. `shader` is null if there is none.
+// The elements that the channels of a material's shader are read from. `shader` is null if there is none.
 struct Shader {
   const XMLElement* instance;  // <instance_effect>
   const XMLElement* effect;
@@ -108,12 +108,9 @@ bool is_see_through(const Shader& shader) {
   const Loose c = read_loosely(transparent.value);
   const char* text = transparent.value->Parent()->ToElement()->Attribute("opaque");
   const std::string_view mode = text ? text : "A_ONE";
-  const auto rgb = [&](double wanted) {
-    return c.v[0] * t == wanted && c.v[1] * t == wanted && c.v[2] * t == wanted;
-  };
-  if (mode == "RGB_ZERO") return !rgb(0);
-  if (mode == "RGB_ONE") return !rgb(1);
-  return c.v[3] * t != (mode == "A_ZERO" ? 0 : 1);
+  const int first = mode.starts_with("RGB") ? 0 : 3, last = mode.starts_with("RGB") ? 2 : 3;
+  const double opaque = mode.ends_with("ZERO") ? 0 : 1;
+  return std::any_of(c.v + first, c.v + last + 1, [&](double v) { return v * t != opaque; });
 }
 
 void note_what_is_ignored(const Shader& shader, const std::string& name,

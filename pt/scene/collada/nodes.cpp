@@ -52,17 +52,6 @@ class NodeWalk {
     path_.pop_back();
   }
 
-  // A child of the visual scene: a node, or what some exporters write in its place.
-  void visit_top(const XMLElement& child, const Transform& up) {
-    const std::optional<Child> kept = read_child(child);
-    if (!kept) return;
-    if (kept->kind == Child::Kind::node) {
-      visit(*kept->target, up);
-    } else {
-      place(*kept, child, up);
-    }
-  }
-
   Instances take() { return std::move(found_); }
 
  private:
@@ -70,7 +59,7 @@ class NodeWalk {
     if (std::find(path_.begin(), path_.end(), &node) != path_.end()) {
       document_.fail(node, "node " + label(node) + " contains itself; remove one <instance_node>");
     }
-    if (path_.size() >= kMaxDepth) {
+    if (path_.size() > kMaxDepth) {
       document_.fail(node, "nodes are nested more than 200 deep; flatten the scene");
     }
     if (++visited_ > kMaxNodes) {
@@ -158,13 +147,13 @@ UpAxis up_axis(const ColladaDocument& document) {
   const XMLElement* element = asset ? asset->FirstChildElement("up_axis") : nullptr;
   if (element == nullptr) return {};
   const std::string_view axis = trimmed_text(*element);
-  if (axis == "Y_UP") return {};
+  if (axis == "Y_UP" || axis.empty()) return {};
   if (axis == "Z_UP") return {{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {}}, {0, 0, -1}};
   if (axis == "X_UP") return {{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}, {}}, {0, 0, -1}};
   document.fail(*element, "up_axis is " + quoted(axis) + "; write X_UP, Y_UP or Z_UP");
 }
 
-// What <scene> names. Without it, the only <visual_scene> of the file, with a note.
+// The one that <scene> names. Without it, the only <visual_scene> of the file, with a note.
 const XMLElement& find_visual_scene(const ColladaDocument& document,
                                     std::vector<std::string>& notes) {
   const XMLElement* scene = document.root().FirstChildElement("scene");
@@ -198,10 +187,8 @@ Instances read_nodes(const ColladaDocument& document) {
   const XMLElement& visual_scene = find_visual_scene(document, notes);
   const UpAxis up = up_axis(document);
   NodeWalk walk(document);
-  for (const XMLElement* child = visual_scene.FirstChildElement(); child != nullptr;
-       child = child->NextSiblingElement()) {
-    walk.visit_top(*child, up.to_world);
-  }
+  // A visual scene is read as a node: some exporters put instances straight into it.
+  walk.visit(visual_scene, up.to_world);
   Instances instances = walk.take();
   instances.front = up.front;
   instances.notes.insert(instances.notes.end(), notes.begin(), notes.end());

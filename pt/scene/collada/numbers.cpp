@@ -20,27 +20,17 @@ const char* end_of_word(const char* begin, const char* end) {
   return begin;
 }
 
-template <class Number>
-struct Word {
-  Number number{};
-  bool is_number = false;
-};
-
 // A plus sign may stand in front; in some files the decimal point is a comma.
 template <class Number>
-Word<Number> read_word(const char* begin, const char* end, bool has_commas) {
-  std::string with_points;
-  if (has_commas) {
-    with_points.assign(begin, end);
-    std::replace(with_points.begin(), with_points.end(), ',', '.');
-    begin = with_points.data();
-    end = begin + with_points.size();
-  }
+std::optional<Number> read_word(std::string word, bool has_commas) {
+  if (has_commas) std::replace(word.begin(), word.end(), ',', '.');
+  const char* begin = word.data();
+  const char* const end = begin + word.size();
   if (*begin == '+') ++begin;
-  Word<Number> word;
-  const auto [rest, error] = std::from_chars(begin, end, word.number);
-  word.is_number = error == std::errc{} && rest == end && std::isfinite(double(word.number));
-  return word;
+  Number number{};
+  const auto [rest, error] = std::from_chars(begin, end, number);
+  const bool is_number = error == std::errc{} && rest == end && std::isfinite(double(number));
+  return is_number ? std::optional(number) : std::nullopt;
 }
 
 // Appends the numbers of a text to the list.
@@ -53,12 +43,12 @@ void append_words(const ColladaDocument& document, const XMLElement& element, co
     while (at != end && is_space(*at)) ++at;
     if (at == end) return;
     const char* const word_end = end_of_word(at, end);
-    const Word<Number> word = read_word<Number>(at, word_end, document.has_decimal_commas());
-    if (!word.is_number) {
+    const auto number = read_word<Number>({at, word_end}, document.has_decimal_commas());
+    if (!number) {
       document.fail(element, quoted({at, word_end}) + " in " + tag(element) + " is not " + kind +
                                  "; write one");
     }
-    numbers.push_back(word.number);
+    numbers.push_back(*number);
     at = word_end;
   }
 }

@@ -83,9 +83,9 @@ const XMLElement& find_array(const ColladaDocument& document, const XMLElement& 
   if (url == nullptr) return document.child(source, "float_array");
   const char* id = own ? own->Attribute("id") : nullptr;
   if (id != nullptr && *url == '#' && std::string_view(id) == url + 1) return *own;
-  if (own == nullptr) return document.resolve(*accessor, "source", "float_array");
-  const ColladaDocument::Identified named = document.find(*accessor, url, "float_array");
-  if (named.first != nullptr) return document.resolve(*accessor, "source", "float_array");
+  if (own == nullptr || document.find(*accessor, url, "float_array").first != nullptr) {
+    return document.resolve(*accessor, "source", "float_array");
+  }
   notes.push_back("an <accessor> names no array of the file (" + quoted(url) +
                   "): the array of its own source is read.");
   return *own;

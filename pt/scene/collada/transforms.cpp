@@ -26,16 +26,21 @@ double off_affine(const std::vector<double>& m) {
 
 // The frame of an object at `eye` whose -z axis points to `interest`, with y as near to `up` as possible
 // (COLLADA 1.4.1, "lookat").
-Transform read_lookat(const ColladaDocument& document, const XMLElement& lookat) {
+Transform read_lookat(const ColladaDocument& document, const XMLElement& lookat,
+                      std::vector<std::string>& notes) {
   const std::vector<double> v = read_numbers(document, lookat, 9);
   const Vec3 eye{v[0], v[1], v[2]}, interest{v[3], v[4], v[5]}, up{v[6], v[7], v[8]};
-  const Vec3 backwards = eye - interest, right = cross(up, backwards);
-  if (!std::isnormal(length_squared(backwards)) || !std::isnormal(length_squared(right))) {
-    document.fail(lookat,
-                  "<lookat> gives no direction; write an eye, another point and an up direction "
-                  "that is not parallel to the view");
+  const Vec3 backwards = eye - interest;
+  if (!std::isnormal(length_squared(backwards))) {
+    document.fail(lookat, "<lookat> looks at its own place; write an eye and another point");
   }
-  const Vec3 x = normalize(right), z = normalize(backwards);
+  const Vec3 z = normalize(backwards);
+  Vec3 right = cross(up, z);
+  if (!(length(right) > 1e-9 * length(up))) {
+    notes.push_back("a <lookat> has an up direction along its view: another is taken.");
+    right = std::abs(z.y) < 0.9 ? cross(Vec3{0, 1, 0}, z) : Vec3{1, 0, 0};
+  }
+  const Vec3 x = normalize(right - dot(right, z) * z);
   return {x, cross(z, x), z, eye};
 }
 
@@ -94,7 +99,7 @@ Transform node_transform(const ColladaDocument& document, const XMLElement& node
       const Vec3 s = read_vec3(document, *step);
       map = map * Transform{{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}, {}};
     } else if (kind == "lookat") {
-      map = map * read_lookat(document, *step);
+      map = map * read_lookat(document, *step, notes);
     } else if (kind == "skew") {
       document.fail(*step, "<skew> cannot be read; write a <matrix>");
     }

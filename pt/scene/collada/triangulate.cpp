@@ -73,7 +73,7 @@ Ring flatten(std::span<const Vec3> face, Vec3 normal) {
   return ring;
 }
 
-// What may be cut off. Corners on a straight line come last, and so do corners that another part
+// The corners that may be cut off. Those on a straight line come last, and so do those that another part
 // of the polygon touches.
 enum class Ear { proper, any };
 

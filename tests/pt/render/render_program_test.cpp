@@ -236,11 +236,11 @@ TEST_F(RenderProgram, says_why_a_picture_is_black) {
   };
   begins(note("9 9 9", "9 9 9"), "");
   begins(note("9 9 9", ".001 .001 .001"),
-         "the picture is too dark to see: its brightest pixel has the radiance 1.6e-05; give "
-         "--exposure 6.");
+         "the picture is too dark to see: its brightest pixel has the radiance 1.8e-05; give "
+         "--exposure 5.");
   begins(note("<zfar>100", "<zfar>1.5"),
          "the picture is black: the camera clips all surfaces, its zfar is 1.5 and the nearest is "
-         "2 away; give --camera fit");
+         "2 away; give another --camera");
   begins(note("<znear>.1", "<znear>50"),
          "the picture is black: the camera clips all surfaces, its znear is 50 and the farthest is "
          "2.");
@@ -249,7 +249,7 @@ TEST_F(RenderProgram, says_why_a_picture_is_black) {
          "the picture is black: the camera looks past all surfaces");
   begins(note("1 0 0 -90", "1 0 0 -90", "-m 0"),
          "the picture is black: no light reaches the surfaces in view");
-  // What clips a file's own camera does not clip the others.
+  // A file's own camera is clipped, and the others are not.
   begins(note("<zfar>100", "<zfar>1.5", ""), "");
 }
 

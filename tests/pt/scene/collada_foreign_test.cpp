@@ -239,10 +239,15 @@ TEST(Transforms, that_look_at_a_point_have_z_away_from_it) {
   const Triangle t = load(text).scene.primitives.triangles.at(0);
   expect_near(t.p1, {1, 2, 4});  // x to the right of somebody who looks along x
   expect_near(t.p2, {1, 3, 3});
-  for (const char* nowhere : {"1 2 3 1 2 3 0 1 0", "0 0 0 0 1 0 0 1 0", "0 0 0 0 1 0 0 0 0"}) {
-    text.nodes = node("<lookat>" + std::string(nowhere) + "</lookat>" + instance("tri"));
-    EXPECT_TRUE(contains(error_of(text.str()), "<lookat> gives no direction")) << nowhere;
+  for (const char* up : {"0 0 1", "0 0 0"}) {
+    text.nodes = node("<lookat>0 0 0 0 0 -9 " + std::string(up) + "</lookat>" + instance("tri"));
+    expect_one_triangle(load(text));
+    EXPECT_TRUE(has_note(load(text), "up direction along its view")) << up;
   }
+  text.nodes = node("<lookat>0 0 0 0 9 0 0 -2 0</lookat>" + instance("tri"));
+  expect_near(load(text).scene.primitives.triangles.at(0).n0, {0, -1, 0});
+  text.nodes = node("<lookat>1 2 3 1 2 3 0 1 0</lookat>" + instance("tri"));
+  EXPECT_TRUE(contains(error_of(text.str()), "<lookat> looks at its own place"));
 }
 
 // A source as exporters write it: an array with an id, and an accessor that names it.
@@ -330,6 +335,7 @@ TEST(UpAxis, may_have_blanks_around_it_and_says_where_the_front_is) {
     return load(text).front;
   };
   EXPECT_EQ(front("\n   Y_UP\t\n"), (Vec3{0, 0, 1}));
+  EXPECT_EQ(front(" "), (Vec3{0, 0, 1}));
   EXPECT_EQ(front(" Z_UP"), (Vec3{0, 0, -1}));
   EXPECT_EQ(front("X_UP "), (Vec3{0, 0, -1}));
 }
@@ -369,16 +375,17 @@ TEST(Spellings, of_characters_may_have_16_bits) {
   for (const bool big : {false, true}) {
     for (const bool mark : {false, true}) expect_one_triangle(load_text(as_utf16(text, big, mark)));
   }
-  // A letter of two bytes, one of three, a pair, half a pair and half a unit, in references.
+  // A letter of two bytes, one of three, a pair of units and half a pair, in references.
   const auto named = [&](const std::string& units) {
     const std::string parts = replaced(text, "tri\"", "?\"");
     std::string out = as_utf16(parts, false, true);
     return replaced(out, std::string("?\0\"", 3), units + std::string("\"", 1));
   };
-  for (const std::string& name : {std::string("\xfc\0", 2), std::string("\xac\x20"),
-                                  std::string("\x3d\xd8\x00\xde", 4), std::string("\x3d\xd8")}) {
+  for (const std::string& name :
+       {std::string("\xfc\0", 2), std::string("\xac\x20"), std::string("\x3d\xd8\x00\xde", 4)}) {
     expect_one_triangle(load_text(named(name)));
   }
+  EXPECT_TRUE(contains(error_of(named("\x3d\xd8")), "is not valid UTF-16"));
   EXPECT_TRUE(contains(error_of(as_utf16("hello", false, true)), "not a COLLADA file"));
 }
 

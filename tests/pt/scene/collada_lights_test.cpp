@@ -86,14 +86,14 @@ TEST(LightNodes, of_other_programs_are_as_bright_as_the_file_says_in_the_middle_
     return "<constant_attenuation>" + c + "</constant_attenuation><linear_attenuation>" + l +
            "</linear_attenuation><quadratic_attenuation>" + q + "</quadratic_attenuation>";
   };
-  const std::string even = "'lamp' does not fall off with the distance in the file";
+  const std::string even = "1 + 0 d + 0 d^2) in the file (COLLADA's default is 1, not at all)";
   EXPECT_EQ(intensity("", "10", even), 300);
   EXPECT_NEAR(intensity("", "0", even), 1.5, 1e-15);
-  EXPECT_EQ(intensity(terms("2", "0", "0"), "10", even), 150);
+  EXPECT_EQ(intensity(terms("2", "0", "0"), "10", "1 / (2 + 0 d + 0 d^2)"), 150);
   EXPECT_EQ(intensity(terms("0", "0", "0"), "10", even), 300);
   EXPECT_EQ(intensity(terms("1", ".2", ".03"), "10",
-                      "falls off as 1 / (1 + 0.2 d + 0.03 d^2) in the file; here it falls off as 1 "
-                      "/ d^2, and is as bright as the file says at the distance 10."),
+                      "here it falls off as 1 / d^2, and is as bright as the file says at the "
+                      "distance d = 10."),
             50);
   EXPECT_EQ(intensity(terms("0", "0", "4"), "10", ""), .75);
   EXPECT_THROW(intensity(terms("1", "-1", "0"), "10", ""), Error);
