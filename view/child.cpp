@@ -16,9 +16,6 @@ namespace view {
 
 namespace {
 
-// An answer takes a fraction of a second; pictures come in slices.
-constexpr std::chrono::seconds kPatience{20};
-
 void write_all(const grader::base::Descriptor& to, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(to.number(), text.data(), text.size());
@@ -31,6 +28,10 @@ void write_all(const grader::base::Descriptor& to, std::string_view text) {
 }  // namespace
 
 Child::~Child() { end(); }
+
+void Child::stop() {
+  if (const pid_t pid = pid_; pid > 0) grader::process::end_child(pid);
+}
 
 void Child::restart() {
   const std::lock_guard lock(one_at_a_time_);
@@ -60,15 +61,15 @@ void Child::start() {
   answers_ = std::move(from.read_end);
 }
 
-// Reads what has come, after at most kPatience.
+// Reads what has come, after at most patience_.
 void Child::fill() {
   pollfd ready{answers_.number(), POLLIN, 0};
-  const int count = poll(&ready, 1, static_cast<int>(kPatience / std::chrono::milliseconds(1)));
+  const int count = poll(&ready, 1, static_cast<int>(patience_.count()));
   if (count == 0) {
     end();
     throw ChildEnded(
         fmt::format("the tasks gave no answer for {} s, as in an endless loop, and were stopped",
-                    kPatience.count()));
+                    static_cast<double>(patience_.count()) / 1000));
   }
   std::array<char, 1 << 16> buffer{};
   const ssize_t size = read(answers_.number(), buffer.data(), buffer.size());
@@ -107,11 +108,16 @@ Reply Child::ask(const std::string& what, const std::map<std::string, std::strin
     fill();  // says how it ended
     throw;
   }
-  const nlohmann::json head = nlohmann::json::parse(read_line());
-  if (head.contains("error")) throw pt::Error(head["error"]);
   Reply reply;
-  reply.bytes = read_bytes(head.at("size"));
-  reply.state = head.at("state");
+  try {
+    const nlohmann::json head = nlohmann::json::parse(read_line());
+    if (head.contains("error")) throw pt::Error(head.at("error").get<std::string>());
+    reply.bytes = read_bytes(head.at("size"));
+    reply.state = head.at("state");
+  } catch (const nlohmann::json::exception&) {
+    end();
+    throw ChildEnded("the tasks have written into the answers of their program, and were stopped");
+  }
   return reply;
 }
 

@@ -3,6 +3,8 @@
 #include "grader/base/descriptor.h"
 #include "pt/error.h"
 
+#include <atomic>
+#include <chrono>
 #include <map>
 #include <mutex>
 #include <string>
@@ -27,7 +29,10 @@ struct ChildEnded : pt::Error {
 // starts another one.
 class Child {
  public:
-  explicit Child(std::vector<std::string> command) : command_(std::move(command)) {}
+  // An answer takes a fraction of a second, because pictures come in slices. After `patience` it is not waited for any longer.
+  explicit Child(std::vector<std::string> command,
+                 std::chrono::milliseconds patience = std::chrono::seconds(20))
+      : command_(std::move(command)), patience_(patience) {}
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -38,6 +43,9 @@ class Child {
   // Ends the process, because its program has changed.
   void restart();
 
+  // The same, even while a question waits for its answer.
+  void stop();
+
  private:
   void start();
   int end();
@@ -46,8 +54,9 @@ class Child {
   void fill();
 
   std::vector<std::string> command_;
+  std::chrono::milliseconds patience_;
   std::mutex one_at_a_time_;
-  pid_t pid_ = -1;
+  std::atomic<pid_t> pid_ = -1;
   grader::base::Descriptor questions_, answers_;
   std::string read_;  // and not used yet
 };

@@ -133,6 +133,8 @@ void serve(const Options& options, Child& own, Child* reference) {
   if (!options.no_browser) open_browser(server.address());
   wait_for_end();
   server.stop();
+  own.stop();
+  if (reference != nullptr) reference->stop();
 }
 
 int run(int argc, const char* const* argv) {

@@ -3,6 +3,7 @@
 #include "pt/end_of_program.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 #include <httplib.h>

@@ -3,15 +3,19 @@
 
 #include "view/page.h"
 
+#include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
+#include <unistd.h>
 
 namespace view {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -21,6 +25,8 @@ while read -r line <&3; do
   case $line in
     *crash*) kill -SEGV $$ ;;
     *wrong*) printf '{"size":0,"error":"that is wrong"}\n' >&4 ;;
+    *endless*) sleep 100 ;;
+    *garbage*) printf 'printed by a task\n' >&4 ;;
     *bytes*) printf '{"size":5,"state":{"width":1}}\nabcde' >&4 ;;
     *) printf '{"size":0,"state":{"seen":"yes"}}\n' >&4 ;;
   esac
@@ -29,7 +35,7 @@ done)";
 class ServerTest : public testing::Test {
  protected:
   ServerTest()
-      : child_({"/bin/bash", "-c", kScript}),
+      : child_({"/bin/bash", "-c", kScript}, std::chrono::milliseconds(1000)),
         server_({page_with({{"live", true}}), kToken, &child_, nullptr}),
         port_(server_.bind(0)),
         listening_([this] { server_.listen(); }),
@@ -104,6 +110,46 @@ TEST_F(ServerTest, survives_a_crash_of_the_tasks) {
   EXPECT_EQ(status, 503);
   EXPECT_THAT(sentence, HasSubstr("the tasks crashed: signal 11"));
   EXPECT_EQ(get("/scene" + with_token_).first, 200);
+}
+
+TEST_F(ServerTest, survives_an_endless_loop_and_what_tasks_print) {
+  const auto [status, sentence] = get("/picture" + with_token_ + "&show=endless");
+  EXPECT_EQ(status, 503);
+  EXPECT_THAT(sentence, HasSubstr("no answer for 1 s, as in an endless loop"));
+  EXPECT_EQ(get("/scene" + with_token_).first, 200);
+  EXPECT_EQ(get("/picture" + with_token_ + "&show=garbage").first, 503);
+  EXPECT_EQ(get("/scene" + with_token_).first, 200);
+}
+
+TEST(Live, compiles_what_is_saved_and_starts_the_tasks_anew) {
+  const fs::path folder = fs::temp_directory_path() / ("view_live_" + std::to_string(getpid()));
+  fs::create_directories(folder / "1_rays");
+  const fs::path task = folder / "1_rays" / "hit_box.cpp";
+  std::ofstream(task) << "first";
+  Child child({"/bin/bash", "-c", kScript});
+  child.ask("scene", {});
+  // A compiler that finds an error in what is saved second.
+  Live live(folder,
+            {"/bin/bash", "-c",
+             "! grep -q wrong " + task.string() + " || { echo 'x.cpp:1: error: no'; exit 1; }"},
+            child);
+  const auto save = [&](const char* text, int saves) {
+    std::ofstream(task) << text;
+    for (int i = 0; i < 600 && live.state().saves < saves; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return live.state();
+  };
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_EQ(live.state().saves, 0);
+  const Live::State wrong = save("wrong", 1);
+  EXPECT_EQ(wrong.saves, 1);
+  EXPECT_EQ(wrong.error, "x.cpp:1: error: no");
+  const Live::State right = save("better", 2);
+  EXPECT_EQ(right.saves, 2);
+  EXPECT_EQ(right.error, "");
+  EXPECT_EQ(child.ask("scene", {}).state.at("seen"), "yes");
+  fs::remove_all(folder);
 }
 
 TEST(Tokens, differ_and_are_long) {

@@ -52,7 +52,7 @@ function command() {
   if (words.light_samples) options.push(`-l ${words.light_samples}`);
   if (words.hemisphere) options.push("-H");
   for (const name of ["show", "bounce", "survival", "engine", "camera"]) if (words[name]) options.push(`--${name} ${words[name]}`);
-  if (data.from !== "reference") data.from.split("+").forEach((each) => options.push(`--from ${each}`));
+  for (const each of data.from.split("+")) if (each !== "reference") options.push(`--from ${each}`);
   return now.view ? "none, because the camera was moved" : `${options.join(" ")} -s 64`;
 }
 

@@ -97,7 +97,7 @@ void check_calls(const pt::View& view, const pt::Tracer& exact, PixelPaths& pixe
         }
       }
       const int number = static_cast<int>(i) + 1;
-      check_sample(number, bounce, path.findings);
+      if (path.is_one) check_sample(number, bounce, path.findings);
       check_direct(view.scene, exact, number, bounce, path.findings);
     }
     check_path(view.settings, path);

@@ -1,6 +1,7 @@
 #include "pt/geometry/spawn_ray.h"
 #include "view/worker/check.h"
 
+#include <array>
 #include <cstdio>
 
 namespace view {
@@ -148,7 +149,9 @@ void check_way(const pt::PathSettings& settings, Path& path) {
     const auto add = [&](const char* cell, const char* promise, const std::string& text) {
       path.findings.push_back({bounce, cell, "trace_path", promise, text});
     };
-    if (bounce > settings.to)
+    // Some find the next point before they see that it is not wanted.
+    const bool is_used = !at.direct.empty() || !at.next.empty();
+    if (bounce > settings.to && is_used)
       add("point", "stops_after_the_last_bounce", "the path has too many points");
     if (!at.direct.empty()) {
       const bool by_lights = settings.direct == pt::PathSettings::Direct::lights;

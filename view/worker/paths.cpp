@@ -27,6 +27,11 @@ std::vector<double> numbers_between(const pt::Sampler::State& from, const pt::Sa
   return numbers;
 }
 
+void add_numbers(Bounce& bounce, const pt::Sampler::State& from, const pt::Sampler::State& to) {
+  const std::vector<double> numbers = numbers_between(from, to);
+  bounce.drawn.insert(bounce.drawn.end(), numbers.begin(), numbers.end());
+}
+
 template <class... In>
 std::tuple<In...> in(const pt::Call& call) {
   return std::any_cast<std::tuple<In...>>(call.in);
@@ -87,6 +92,19 @@ Bounce* bounce_at(Path& path, pt::Vec3 p) {
   return nullptr;
 }
 
+// Returns whether a ray leaves a point, but for the offset of its origin.
+bool leaves(const pt::Ray& ray, const pt::SurfacePoint& point) {
+  return length(ray.origin - point.p) <= 1e-6 * point.scale;
+}
+
+// A ray from a point before the last one begins a second path.
+bool begins_another(const Path& path, const pt::Ray& ray) {
+  if (path.bounces.back().ray) return true;
+  if (leaves(ray, path.bounces.back().point)) return false;
+  return std::ranges::any_of(path.bounces,
+                             [&](const Bounce& bounce) { return leaves(ray, bounce.point); });
+}
+
 // Puts the calls of trace_path, from calls[first] on, into the points of the path.
 void arrange(const pt::Scene& scene, Path& path, std::size_t first, const pt::Sampler::State& start,
              const pt::Sampler::State& end) {
@@ -96,18 +114,20 @@ void arrange(const pt::Scene& scene, Path& path, std::size_t first, const pt::Sa
     Bounce& here = path.bounces.back();
     if (call.name.starts_with("direct_")) {
       const auto point = std::get<1>(in<const pt::Scene*, pt::SurfacePoint, int>(call));
+      // Some walk the whole path first.
+      if (here.next.empty()) add_numbers(here, last, call.before);
       Bounce* const bounce = bounce_at(path, point.p);
       if (bounce != nullptr) bounce->direct.push_back(direct_of(scene, path.calls, i));
       path.lost_point = path.lost_point || bounce == nullptr;
       last = call.after;
     } else if (call.name == "diffuse_sample") {
-      here.drawn = numbers_between(last, call.before);
+      add_numbers(here, last, call.before);
       here.wo = std::get<1>(in<pt::Rgb, pt::Vec3>(call));
       here.next.push_back(out<pt::BsdfSample>(call));
       last = call.after;
     } else if (call.name == "closest") {
-      path.is_one = path.is_one && !here.ray;
       const pt::Ray ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
+      path.is_one = path.is_one && !begins_another(path, ray);
       here.ray = ray;
       if (const auto hit = out<std::optional<pt::Hit>>(call)) {
         Bounce next;
@@ -118,7 +138,7 @@ void arrange(const pt::Scene& scene, Path& path, std::size_t first, const pt::Sa
     }
   }
   Bounce& ended = path.bounces.back();
-  if (ended.next.empty()) ended.drawn = numbers_between(last, end);
+  if (ended.next.empty()) add_numbers(ended, last, end);
 }
 
 // The number by which the light from the next point on was divided, as far as its part of the sum tells.
