@@ -80,13 +80,12 @@ keys 'b'
 until_true 'B shows the boxes tested, with a legend' <<'E2'
 return !document.getElementById('legend').hidden && Number(document.getElementById('high').textContent) > 1;
 E2
-pkill -SEGV -P "$server" -f view_no_cosine_worker
-keys 'l'
+pkill -SEGV -P "$server" -f view_no_cosine_worker  # while it improves the picture
 until_true 'a crash of the tasks is a sentence' <<'E2'
 const banner = document.getElementById('banner');
 return !banner.hidden && banner.textContent.includes('the tasks crashed: signal 11');
 E2
-keys '\uE007'
+keys 'l\uE007'
 until_true 'and the page goes on with them' <<'E2'
 return document.getElementById('banner').hidden && now.paths.paths.length === 8;
 E2

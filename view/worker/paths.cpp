@@ -77,7 +77,10 @@ Direct direct_of(const pt::Scene& scene, const std::vector<pt::Call>& calls, std
     if (call.name == "closest") direct.draws.push_back(hemisphere_draw(scene, point, call));
     if (call.name == "occluded" && !direct.draws.empty()) {
       Draw& draw = direct.draws.back();
-      draw.ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
+      const pt::Ray ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
+      // A ray in another direction does not ask about this draw.
+      if (draw.was_traced || !(length(normalize(ray.direction) - draw.sample.wi) < 1e-3)) continue;
+      draw.ray = ray;
       draw.was_traced = true;
       draw.is_hidden = out<bool>(call);
     }
