@@ -103,10 +103,15 @@ Black on_black(const Rendered& picture, const Rendered& golden) {
 }
 
 double mean_on_lamps(const pt::Film& film, const pt::Film& lamps) {
-  double sum = 0;
+  constexpr double kWhole = 0.9;  // of the brightest: the lamp fills the pixel
+  double sum = 0, brightest = 0;
   int count = 0;
+  for (const pt::FilmPixel& pixel : lamps.pixels) {
+    brightest = std::max(brightest, pt::luminance(pixel.mean));
+  }
   for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-    if (!(pt::luminance(lamps.pixels[i].mean) > 0)) continue;
+    const double lamp = pt::luminance(lamps.pixels[i].mean);
+    if (lamp == 0 || lamp < kWhole * brightest) continue;
     sum += pt::luminance(film.pixels[i].mean);
     ++count;
   }

@@ -30,7 +30,7 @@ struct Black {
 Black on_black(const Rendered& picture, const Rendered& golden);
 
 double mean_luminance(const pt::Film& film);
-// The same over the pixels that see a lamp.
+// The same over the pixels that see nothing but a lamp.
 double mean_on_lamps(const pt::Film& film, const pt::Film& lamps);
 
 // The samples per pixel that an adaptive render would take if it knew the variance.

@@ -145,6 +145,7 @@ TEST(Compose, black_pixels_and_lamps_are_found) {
   Rendered lamps = even(0, {0, 0, 0, 0}, 1);
   EXPECT_EQ(mean_on_lamps(picture.film, lamps.film), 0);
   lamps.film.pixels[1].mean = {5, 5, 5};
+  lamps.film.pixels[0].mean = {2, 2, 2};  // the edge of the lamp, with other light in it
   picture.film.pixels[1].mean = {.2, .2, .2};
   EXPECT_NEAR(mean_on_lamps(picture.film, lamps.film), .2, 1e-12);
 }
