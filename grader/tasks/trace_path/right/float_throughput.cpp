@@ -1,4 +1,5 @@
-// right: throughput and sum in float.
+// right: throughput and sum in float. Roulette compares in double: rounded to 1, its number would end paths
+// of survival 1.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_hemisphere.h"
@@ -29,7 +30,7 @@ Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings
     if (bounce == settings.to) break;
     float survival = 1;
     if (bounce > 1) survival = static_cast<float>(settings.survival);
-    if (bounce > 1 && static_cast<float>(sampler.next_1d()) >= survival) break;
+    if (bounce > 1 && sampler.next_1d() >= survival) break;
     const Vec3 wo = point.frame.to_local(point.wo);
     const BsdfSample sample = diffuse_sample(point.albedo, wo, sampler);
     if (sample.pdf == 0) break;
