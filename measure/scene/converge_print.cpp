@@ -65,10 +65,30 @@ set style fill transparent solid 0.2 noborder
 {}plot {}
 )gp";
 
+// The heights of the names beside the chart: those of the lines' ends, with room for a name between.
+std::vector<double> label_heights(const std::vector<MethodCurve>& curves) {
+  constexpr double kRow = 0.05;  // of the axis
+  std::vector<std::pair<double, std::size_t>> ends;
+  for (const MethodCurve* curve : seven_of(curves)) {
+    const double end = efficiencies(*curve, curves[0]).back().value.value;
+    ends.emplace_back(std::log10(end), ends.size());
+  }
+  std::ranges::sort(ends);
+  const double row = kRow * std::max(1.0, std::ceil(ends.back().first) - std::floor(ends[0].first));
+  std::vector<double> heights(ends.size());
+  double below = -INFINITY;
+  for (const auto& [end, i] : ends) {
+    below = std::max(end, below + row);
+    heights[i] = std::pow(10, below);
+  }
+  return heights;
+}
+
 void draw_efficiencies(const std::vector<MethodCurve>& curves, double pixels,
                        const std::filesystem::path& folder) {
   std::string csv = "method,seconds,efficiency,error_of_it\n", labels, plots;
   int i = 0;
+  const std::vector<double> heights = label_heights(curves);
   for (const MethodCurve* curve : seven_of(curves)) {
     if (i > 0) csv += "\n\n";
     const std::vector<Efficiency> places = efficiencies(*curve, curves[0]);
@@ -76,9 +96,9 @@ void draw_efficiencies(const std::vector<MethodCurve>& curves, double pixels,
       csv += fmt::format("\"{}\",{:.6g},{:.5g},{:.3g}\n", curve->method.title, at.seconds * pixels,
                          at.value.value, at.value.error);
     }
-    labels += fmt::format("set label \" {}\" at {:.6g},{:.5g} left tc rgb \"{}\" noenhanced\n",
-                          curve->method.title, places.back().seconds * pixels,
-                          places.back().value.value, kSeven[i]);
+    labels +=
+        fmt::format("set label \"{}\" at graph 1.02, first {:.5g} left tc rgb \"{}\" noenhanced\n",
+                    curve->method.title, heights[i], kSeven[i]);
     plots += fmt::format(
         "{0}\"efficiency.csv\" index {1} using 2:($3-$4):($3+$4) skip {2} with filledcurves lc rgb "
         "\"{3}\", \"\" index {1} using 2:3 skip {2} with linespoints lc rgb \"{3}\" lw 2 pt 7 ps "
