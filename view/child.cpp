@@ -82,7 +82,8 @@ void Child::fill() {
   waitpid(pid_, &status, 0);
   pid_ = -1;
   end();
-  throw ChildEnded("the tasks crashed: " + grader::process::describe_status(status));
+  const char* const how = WIFSIGNALED(status) ? "crashed" : "ended their program";
+  throw ChildEnded(fmt::format("the tasks {}: {}", how, grader::process::describe_status(status)));
 }
 
 std::string Child::read_line() {

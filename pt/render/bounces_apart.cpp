@@ -70,7 +70,7 @@ class Taping {
   Taping(const Taping&) = delete;
   Taping& operator=(const Taping&) = delete;
 
-  // What is played is not called once more.
+  // Calls are not kept while the path is played.
   PathTape& to_play() {
     recorder.path->mode = PathTape::Mode::play;
     recorder.calls = nullptr;
