@@ -196,7 +196,8 @@ TEST(Settings, are_refused_with_one_sentence) {
                                  {{"eye", "0,2,0"}},
                                  {{"shown", "colours"}},
                                  {{"output", "/tmp/x"}},
-                                 {{"adaptive", "32"}}};
+                                 {{"adaptive", "32"}},
+                                 {{"adaptive", "--help,1"}}};
   for (const Query& query : wrong) {
     try {
       settings_of(query);
@@ -207,6 +208,13 @@ TEST(Settings, are_refused_with_one_sentence) {
       EXPECT_EQ(text.find('\n'), std::string::npos) << text;
     }
   }
+}
+
+TEST(Settings, place_the_camera_anywhere) {
+  const Settings settings =
+      settings_of({{"eye", "-1,-2.5,3e-1"}, {"target", "-4,0,0"}, {"up", "0,-1,0"}});
+  ASSERT_TRUE(settings.eye);
+  EXPECT_EQ(settings.eye->position, (pt::Vec3{-1, -2.5, 0.3}));
 }
 
 // The names that cells give to promises are those of the contracts.

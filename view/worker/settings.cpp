@@ -64,6 +64,10 @@ pt::RenderOptions render_options(const Query& query) {
   if (query.contains("adaptive")) {
     const std::string& pair = query.at("adaptive");
     const std::size_t comma = pair.find(',');
+    if (pair.find_first_not_of("0123456789.,") != std::string::npos) {
+      throw pt::Error("'adaptive' takes a batch and a tolerance, as in 32,0.05, and not '" + pair +
+                      "'");
+    }
     words.insert(words.end(), {"--adaptive", pair.substr(0, comma),
                                comma == std::string::npos ? "" : pair.substr(comma + 1)});
   }
@@ -98,9 +102,8 @@ Settings settings_of(const Query& query) {
     }
     return kOptions.contains(name);
   };
-  for (const auto& [name, word] : query) {
-    if (!known(name)) throw pt::Error("there is no setting '" + name + "'");
-    if (word.starts_with('-')) throw pt::Error("'" + name + "' cannot be '" + word + "'");
+  for (const auto& setting : query) {
+    if (!known(setting.first)) throw pt::Error("there is no setting '" + setting.first + "'");
   }
   const auto number = [&](const char* name, int usual, int least, int most) {
     const auto found = query.find(name);
