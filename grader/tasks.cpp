@@ -18,8 +18,8 @@ using nlohmann::json;
 using Names = std::vector<std::string>;
 
 // A word that nobody reads would do nothing, so it is an error.
-constexpr std::array kWords{"slug",  "number",   "part",   "functions", "calls",   "judge_answers",
-                            "mocks", "recorded", "traces", "tracer",    "measured"};
+constexpr std::array kWords{"slug",  "number",   "part",   "functions", "calls",  "judge_answers",
+                            "mocks", "recorded", "viewed", "traces",    "tracer", "measured"};
 
 // Functions of the renderer that every task may call that traces.
 constexpr std::array kScene{"pt::Scene::closest", "pt::Scene::occluded", "pt::surface_point",
