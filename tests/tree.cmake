@@ -6,6 +6,8 @@ endforeach()
 # Mistakes in the framework, each of which a test must find: that they fit their files, and, long, that they are found.
 firstlight_script_test(edits quick rules/edits.sh)
 firstlight_script_test(mutants_fit quick mutants/run.sh ARGUMENTS --check)
+# Small changes of correct solutions, each of which a promise must find: that the reasons for others fit, and, long, that they are found.
+firstlight_script_test(small_changes_fit quick mutants/small_changes.py ARGUMENTS ${PROJECT_BINARY_DIR} --list)
 firstlight_script_test(pages quick rules/pages.py)
 firstlight_script_test(english quick rules/english.py)
 firstlight_script_test(drawings quick ../scripts/drawings.py ARGUMENTS --check)
@@ -36,4 +38,5 @@ firstlight_script_test(faults rest commands/faults.sh ${build} NEEDS grade grade
 firstlight_script_test(handout long commands/handout.sh ${build} NEEDS compiled graded reference_objects)
 firstlight_script_test(gradescope_archive long commands/gradescope_archive.sh ${build} NEEDS graded)
 firstlight_script_test(mutants long mutants/run.sh ARGUMENTS ${PROJECT_BINARY_DIR}/mutants TIMEOUT 14400)
+firstlight_script_test(small_changes long mutants/small_changes.py ARGUMENTS ${PROJECT_BINARY_DIR} TIMEOUT 28800)
 firstlight_script_test(adding_a_task long commands/adding_a_task.sh ARGUMENTS ${PROJECT_BINARY_DIR}/../adding_a_task)

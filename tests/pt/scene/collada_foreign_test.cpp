@@ -9,13 +9,6 @@
 namespace pt {
 namespace {
 
-SceneText one_triangle() {
-  SceneText text;
-  text.geometries = triangle_mesh();
-  text.nodes = node(instance("tri"));
-  return text;
-}
-
 std::string error_of(const std::string& text) {
   try {
     load_text(text);
@@ -23,10 +16,6 @@ std::string error_of(const std::string& text) {
   } catch (const Error& error) {
     return error.what();
   }
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 std::string replaced(std::string text, const std::string& old, const std::string& by) {

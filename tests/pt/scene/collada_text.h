@@ -145,4 +145,15 @@ inline void expect_near(Vec3 a, Vec3 b, double tolerance = 1e-14) {
   EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
+inline SceneText one_triangle() {
+  SceneText text;
+  text.geometries = triangle_mesh();
+  text.nodes = node(instance("tri"));
+  return text;
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 }  // namespace pt

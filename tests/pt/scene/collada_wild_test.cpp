@@ -12,13 +12,6 @@
 namespace pt {
 namespace {
 
-SceneText one_triangle() {
-  SceneText text;
-  text.geometries = triangle_mesh();
-  text.nodes = node(instance("tri"));
-  return text;
-}
-
 SceneText with_last_row(const std::string& row) {
   SceneText text = one_triangle();
   text.nodes = node("<matrix>1 0 0 4 0 1 0 5 0 0 1 6 " + row + "</matrix>" + instance("tri"));
@@ -32,10 +25,6 @@ std::string error_of(const SceneText& text) {
   } catch (const Error& error) {
     return error.what();
   }
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(LastRows, that_an_exporter_rounded_are_read_with_a_note) {
