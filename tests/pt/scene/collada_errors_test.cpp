@@ -22,8 +22,8 @@ void expect_error(const SceneText& text, const std::string& what) {
   expect_error(text.str(), what);
 }
 
-SceneText one_triangle(const std::string& faces, const std::string& positions = "0 0 0 1 0 0 0 1 0",
-                       int count = 9) {
+SceneText triangle_of(const std::string& faces, const std::string& positions = "0 0 0 1 0 0 0 1 0",
+                      int count = 9) {
   SceneText text;
   text.geometries = mesh("tri", positions, count, "triangles", "count=\"1\"", faces);
   text.nodes = node(instance("tri"));
@@ -31,7 +31,7 @@ SceneText one_triangle(const std::string& faces, const std::string& positions = 
 }
 
 SceneText with_node(const std::string& content) {
-  SceneText text = one_triangle("<p>0 1 2</p>");
+  SceneText text = triangle_of("<p>0 1 2</p>");
   text.nodes += node(content);
   return text;
 }
@@ -84,7 +84,7 @@ TEST(BadFiles, with_too_many_attributes_in_a_tag_are_refused_at_once) {
 }
 
 TEST(BadXml, is_named_with_its_line) {
-  const std::string good = one_triangle("<p>0 1 2</p>").str();
+  const std::string good = triangle_of("<p>0 1 2</p>").str();
   expect_error(good.substr(0, good.size() / 2), "malformed");
   expect_error("<COLLADA>\n\n<a>\n</b></COLLADA>", ":3: the XML is malformed");
   std::string deep = "<COLLADA>";
@@ -93,14 +93,14 @@ TEST(BadXml, is_named_with_its_line) {
 }
 
 TEST(BadNumbers, are_named) {
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 nan"), "'nan' in <float_array>");
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 inf"), "is not a finite number");
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 1e999"), "is not a finite number");
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 2m"), "'2m' in");
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 1e200"), "beyond 1e30");
-  expect_error(one_triangle("<p>0 1 2.5</p>"), "is not an integer");
-  expect_error(one_triangle("<p>0 1 99999999999</p>"), "is not an integer");
-  expect_error(one_triangle("<p>0 <b/> 1 2</p>"), "more than numbers");
+  expect_error(triangle_of("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 nan"), "'nan' in <float_array>");
+  expect_error(triangle_of("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 inf"), "is not a finite number");
+  expect_error(triangle_of("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 1e999"), "is not a finite number");
+  expect_error(triangle_of("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 2m"), "'2m' in");
+  expect_error(triangle_of("<p>0 1 2</p>", "0 0 0 1 0 0 0 1 1e200"), "beyond 1e30");
+  expect_error(triangle_of("<p>0 1 2.5</p>"), "is not an integer");
+  expect_error(triangle_of("<p>0 1 99999999999</p>"), "is not an integer");
+  expect_error(triangle_of("<p>0 <b/> 1 2</p>"), "more than numbers");
   expect_error(with_node("<scale>1 1</scale>"), "holds 2 numbers; write 3");
   expect_error(with_node("<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0</matrix>"), "holds 15 numbers");
   expect_error(with_node("<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1</matrix>"), "last row");
@@ -109,15 +109,15 @@ TEST(BadNumbers, are_named) {
 }
 
 TEST(BadMeshes, are_named) {
-  expect_error(one_triangle("<p>0 1 3</p>"), "position 3 of 3");
-  expect_error(one_triangle("<p>0 1 -1</p>"), "position -1 of 3");
-  expect_error(one_triangle("<p>0 1 2 0</p>"), "fewer indices than the 4");
-  expect_error(one_triangle("<p>0 1</p>"), "announces 1 faces and holds 0");
-  expect_error(one_triangle("<p>0 1 2</p>", "0 0 0 1 0 0 0 1", 9),
+  expect_error(triangle_of("<p>0 1 3</p>"), "position 3 of 3");
+  expect_error(triangle_of("<p>0 1 -1</p>"), "position -1 of 3");
+  expect_error(triangle_of("<p>0 1 2 0</p>"), "fewer indices than the 4");
+  expect_error(triangle_of("<p>0 1</p>"), "announces 1 faces and holds 0");
+  expect_error(triangle_of("<p>0 1 2</p>", "0 0 0 1 0 0 0 1", 9),
                "announces 9 numbers and holds 8");
-  expect_error(one_triangle("<input semantic=\"NORMAL\" source=\"#no\" offset=\"0\"/><p>0 1 2</p>"),
+  expect_error(triangle_of("<input semantic=\"NORMAL\" source=\"#no\" offset=\"0\"/><p>0 1 2</p>"),
                "'#no'");
-  expect_error(one_triangle("<input semantic=\"TEXCOORD\" offset=\"99999999\"/><p>0 1 2</p>"),
+  expect_error(triangle_of("<input semantic=\"TEXCOORD\" offset=\"99999999\"/><p>0 1 2</p>"),
                "offset");
   SceneText text;
   text.nodes = node(instance("g"));
@@ -140,7 +140,7 @@ TEST(BadMeshes, are_named) {
 
 TEST(BadAccessors, are_named) {
   const auto with_accessor = [](const std::string& attributes) {
-    SceneText text = one_triangle("<p>0 1 2</p>");
+    SceneText text = triangle_of("<p>0 1 2</p>");
     const std::string end = "</float_array>";
     text.geometries.insert(text.geometries.find(end) + end.size(),
                            "<technique_common><accessor " + attributes + "/></technique_common>");
@@ -171,17 +171,17 @@ TEST(BadSpheres, are_named) {
 TEST(BadReferences, are_named) {
   expect_error(with_node("<instance_geometry/>"), "has no attribute url");
   expect_error(with_node("<instance_light/>"), "has no attribute url");
-  SceneText twice = one_triangle("<p>0 1 2</p>");
+  SceneText twice = triangle_of("<p>0 1 2</p>");
   twice.geometries += twice.geometries;
   expect_error(twice, "'#tri' may be the <geometry> of line");
 }
 
 TEST(BadNodes, that_contain_themselves_or_never_end_are_named) {
-  SceneText text = one_triangle("<p>0 1 2</p>");
+  SceneText text = triangle_of("<p>0 1 2</p>");
   text.nodes += "<node id=\"a\"><instance_node url=\"#a\"/></node>";
   expect_error(text, "contains itself");
 
-  text = one_triangle("<p>0 1 2</p>");
+  text = triangle_of("<p>0 1 2</p>");
   text.library_nodes =
       "<node id=\"a\"><instance_node url=\"#b\"/></node>"
       "<node id=\"b\"><instance_node url=\"#a\"/></node>";
@@ -233,7 +233,7 @@ TEST(BadCamerasAndLights, are_named) {
   }
   expect_error(light("<area><color>1 1 1</color></area>", "0 1 1"), "no area");
   expect_error(light("<directional><color>1 1 1</color></directional>", "1 1 0"), "no direction");
-  SceneText up = one_triangle("<p>0 1 2</p>");
+  SceneText up = triangle_of("<p>0 1 2</p>");
   up.up_axis = "W_UP";
   expect_error(up, "write X_UP, Y_UP or Z_UP");
 }
