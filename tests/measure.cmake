@@ -4,7 +4,7 @@ firstlight_test(test_accuracy quick SOURCES measure/accuracy_test.cpp
 if(TARGET measure)
   firstlight_test(test_measure quick SOURCES measure/measure_test.cpp LIBRARIES measure_calls)
 endif()
-firstlight_test(test_writeup quick LIBRARIES writeup_figures GTest::gmock SOURCES
+firstlight_test(test_writeup quick PATHS LIBRARIES writeup_figures GTest::gmock SOURCES
   writeup/writeup_text_test.cpp writeup/writeup_store_test.cpp writeup/writeup_numbers_test.cpp)
 if(FIRSTLIGHT_SANITIZE)
   return()

@@ -50,7 +50,7 @@ expect 0 '?' "$build/grader/hint" --config "$folder/grade.json" hit_triangle
 
 # ./run grade TASK --from student --sanitize: of the program, the learner's file alone is under sanitizers.
 expect 1 'hit_sphere' "$build/grader/check.hit_sphere.sanitized" --gtest_brief=1
-nm "$build/grader/check.hit_sphere.sanitized" | grep -q 'U __asan' || complain 'no sanitizer is in it'
+nm "$build/grader/check.hit_sphere.sanitized" | grep -c 'U __asan' >/dev/null || complain 'no sanitizer is in it'
 
 mkdir -p "$folder/class/ada" "$folder/class/bob"
 cp reference/1_rays/hit_sphere.cpp "$folder/class/ada"

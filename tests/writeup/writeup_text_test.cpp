@@ -86,7 +86,7 @@ TEST(Texts, a_sentence_without_its_number_is_left_out) {
 }
 
 std::string part(const std::string& name) {
-  return pt::read_file("writeup/" + name + ".md", 1 << 20);
+  return pt::read_file(FIRSTLIGHT_ROOT "/writeup/" + name + ".md", 1 << 20);
 }
 
 // The pages of the reference, with numbers of other pictures: what was true is not said any more.

@@ -141,7 +141,7 @@ inline void expect_even(const Points& points) {
   expect_different_coordinates(points, fmt::format("{} points", points.size()));
 }
 
-// How many calls of two samples expect_independent_axes needs, and the point of each.
+// The number of calls of two samples that expect_independent_axes needs.
 inline constexpr int kIndependentPoints = 1200;
 
 // Fails the case if x and y of a point follow from one random number. The points are of different

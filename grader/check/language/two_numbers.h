@@ -11,7 +11,7 @@
 
 namespace grader::check {
 
-// What two random numbers became, both on a scale from 0 to 1: the place of a point on two axes, or
+// The results of two random numbers, both on a scale from 0 to 1: the place of a point on two axes, or
 // a height and an azimuth. Pairs may be weighted.
 struct NumberPair {
   double x = 0, y = 0;

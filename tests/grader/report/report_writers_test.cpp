@@ -182,7 +182,7 @@ TEST_F(Writers, the_terminal_shows_the_first_failure) {
   EXPECT_THAT(text, HasSubstr("4 more; --all shows them.\n"));
 }
 
-// What a task prints helps with the failure that is shown.
+// The output of a task helps with the failure that is shown.
 TEST_F(Writers, the_terminal_shows_what_a_task_printed_below_its_first_failure) {
   results::Results results = run;
   results.tasks.erase(results.tasks.begin(), results.tasks.begin() + 6);
