@@ -64,20 +64,28 @@ struct Work {
 // Copies the task files to names that the judge reads.
 Prepared copy_tasks(const Work& work, const IntakeTools& tools) {
   const fs::path to = tools.next_folder();
+  std::vector<std::string> refused;
+  bool is_empty = true;
   for (const TaskFile& task : tools.tasks) {
     const auto file = work.files.find(task.slug);
     if (file == work.files.end()) continue;
     const fs::path& from = file->second;
     const base::Submitted read = read_file(from);
-    if (!read.present || !read.rejected.empty()) {
-      return {to, fmt::format("'{}': {}", as_file_name(from.filename()),
-                              read.present ? read.rejected : "it cannot be read")};
-    }
     const fs::path folder = work.is_flat ? to : to / task.part;
     fs::create_directories(folder);
-    pt::write_file(folder / (task.slug + ".cpp"), read.text);
+    const fs::path copy = folder / (task.slug + ".cpp");
+    if (!read.present || !read.rejected.empty()) {
+      refused.push_back(fmt::format("'{}': {}", as_file_name(from.filename()),
+                                    read.present ? read.rejected : "it cannot be read"));
+      // The judge rejects a link, so this file costs its own task only.
+      fs::create_symlink("refused", copy);
+      continue;
+    }
+    pt::write_file(copy, read.text);
+    is_empty = false;
   }
-  return {to, ""};
+  if (is_empty && !refused.empty()) return {to, refused[0]};
+  return {to, "", fmt::format("{}", fmt::join(refused, "; "))};
 }
 
 std::string sentence(const std::vector<std::string>& notes) {
@@ -91,7 +99,9 @@ std::string sentence(const std::vector<std::string>& notes) {
 Prepared prepared(const Work& work, const IntakeTools& tools) {
   if (!work.problem.empty()) return {work.folder, work.problem, "", work.nothing};
   Prepared result = work.folder.empty() ? copy_tasks(work, tools) : Prepared{work.folder, ""};
-  result.note = sentence(work.notes);
+  std::vector<std::string> notes = work.notes;
+  if (!result.note.empty()) notes.insert(notes.begin(), result.note);
+  result.note = sentence(notes);
   return result;
 }
 
