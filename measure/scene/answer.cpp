@@ -180,14 +180,17 @@ Option cheapest_of(const std::vector<Option>& others, Option best) {
 }
 
 void expect_reachable(const Tried& tried, double error, double pixels) {
+  constexpr double kMaxSeconds = 120;  // of the check, on its fewest pixels in two pictures
   const double samples = tried.variance.value / (error * error);
-  if (samples <= kMaxSamples) return;
-  const double least = std::sqrt(tried.variance.value / kMaxSamples);
+  const double most =
+      std::min<double>(kMaxSamples, kMaxSeconds / (2 * kFewestPixels * tried.seconds.value));
+  if (samples <= most) return;
+  const double least = std::sqrt(tried.variance.value / most);
   throw pt::Error(fmt::format(
       "an error of {:.2g} % would take {:.2g} samples per pixel, {}; the most that can be rendered "
       "is {}, for an error of about {:.2g} %: ask for a larger error with --error",
-      100 * error, samples, duration(samples * tried.seconds.value * pixels), kMaxSamples,
-      100 * least));
+      100 * error, samples, duration(samples * tried.seconds.value * pixels),
+      static_cast<int>(most), 100 * least));
 }
 
 bool is_unwritten(const Answer& answer, const std::string& task) {

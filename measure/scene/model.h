@@ -85,6 +85,7 @@ struct Choice {
 };
 
 inline constexpr int kMaxLightSamples = 100;  // as in trace_path
+inline constexpr int kFewestPixels = 300;     // of a check
 inline constexpr int kMaxSamples = 1 << 24;   // as in ./run render
 inline constexpr int kFewestSamples = 2;      // one goes through the centre of the pixel
 

@@ -11,7 +11,6 @@ namespace measure::scene {
 
 namespace {
 
-constexpr int kFewestPixels = 300;  // of a check
 constexpr int kTurns = 3;
 
 // Shares of the time.

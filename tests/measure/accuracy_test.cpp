@@ -162,9 +162,9 @@ TEST(Model, an_error_out_of_reach_is_told_with_what_it_would_take) {
   EXPECT_EQ(
       said,
       "an error of 0.0001 % would take 1e+12 samples per pixel, 32 years of one processor; the "
-      "most that can be rendered is 16777216, for an error of about 0.024 %: ask for a larger "
+      "most that can be rendered is 200000, for an error of about 0.22 %: ask for a larger "
       "error with --error");
-  EXPECT_NO_THROW(expect_reachable(tried_with(1, 1, 1), 1e-3, 1000));
+  EXPECT_NO_THROW(expect_reachable(tried_with(1, 1, 1e-9), 1e-3, 1000));
 }
 
 // Uneven noise: pixels of all brightnesses, whose samples deviate by a tenth or by ten times that.
