@@ -123,12 +123,12 @@ json.dump(about, open(golden + ".json", "w"))
 END
 grades wrong --compare "$folder/promise"
 [ "$(asked)" = graded_picturerays_spheres, ] || complain "the golden of rays_spheres has changed, and it asks: $(asked)"
-[ "$(changes wrong)" = "other hit_sphere picture rays_spheres 2 0
+[ "$(changes wrong)" = "other hit_sphere picture rays_spheres 3 0
 right hit_sphere picture rays_spheres 3 0" ] || complain "$(changes wrong)"
 cp golden/rays_spheres.{exr,json} "$folder/root/golden"
 grades golden --compare "$folder/wrong"
 [ -z "$(asked)" ] || complain "what this golden says was known, and it asks: $(asked)"
-[ "$(changes golden)" = "other hit_sphere picture rays_spheres 0 2
+[ "$(changes golden)" = "other hit_sphere picture rays_spheres 0 3
 right hit_sphere picture rays_spheres 0 3" ] || complain "$(changes golden)"
 cp "$folder/root/golden/rays_smooth.exr" "$folder/root/golden/rays_spheres.exr"
 grades golden
