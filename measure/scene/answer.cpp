@@ -182,15 +182,19 @@ Option cheapest_of(const std::vector<Option>& others, Option best) {
 void expect_reachable(const Tried& tried, double error, double pixels) {
   constexpr double kMaxSeconds = 120;  // of the check, on its fewest pixels in two pictures
   const double samples = tried.variance.value / (error * error);
-  const double most =
-      std::min<double>(kMaxSamples, kMaxSeconds / (2 * kFewestPixels * tried.seconds.value));
-  if (samples <= most) return;
-  const double least = std::sqrt(tried.variance.value / most);
+  const double check = 2 * kFewestPixels * samples * tried.seconds.value;
+  if (samples <= kMaxSamples && check <= kMaxSeconds) return;
+  const double least = std::sqrt(tried.variance.value / kMaxSamples);
+  const std::string why =
+      samples > kMaxSamples
+          ? fmt::format("the most that can be rendered is {}, for an error of about {:.2g} %",
+                        kMaxSamples, 100 * least)
+          : fmt::format("the check on {} pixels alone would take {}", kFewestPixels,
+                        duration(check));
   throw pt::Error(fmt::format(
-      "an error of {:.2g} % would take {:.2g} samples per pixel, {}; the most that can be rendered "
-      "is {}, for an error of about {:.2g} %: ask for a larger error with --error",
-      100 * error, samples, duration(samples * tried.seconds.value * pixels),
-      static_cast<int>(most), 100 * least));
+      "an error of {:.2g} % would take {:.2g} samples per pixel, {}; {}: ask for a larger error "
+      "with --error",
+      100 * error, samples, duration(samples * tried.seconds.value * pixels), why));
 }
 
 bool is_unwritten(const Answer& answer, const std::string& task) {
@@ -220,10 +224,8 @@ Answer find_cheapest(Study& study, const pt::View& view, const Options& options)
   if (is_unwritten(answer, "direct_hemisphere")) answer.hemisphere.choice.reset();
   answer.course = look_at_course(study, answer, pair, error);
   answer.best = cheapest_of({answer.hemisphere, answer.course}, answer.best);
-  if (!answer.best.choice) {
-    expect_reachable(cheapest_of(answer.best.tried), error,
-                     static_cast<double>(view.width) * view.height);
-  }
+  expect_reachable(cheapest_of(answer.best.tried), error,
+                   static_cast<double>(view.width) * view.height);
   answer.course.choice = choice_with(*find_course(answer.course.tried, answer.delta_lights),
                                      answer.course.model.bias2, error);
 

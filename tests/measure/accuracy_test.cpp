@@ -162,9 +162,23 @@ TEST(Model, an_error_out_of_reach_is_told_with_what_it_would_take) {
   EXPECT_EQ(
       said,
       "an error of 0.0001 % would take 1e+12 samples per pixel, 32 years of one processor; the "
-      "most that can be rendered is 200000, for an error of about 0.22 %: ask for a larger "
+      "most that can be rendered is 16777216, for an error of about 0.024 %: ask for a larger "
       "error with --error");
   EXPECT_NO_THROW(expect_reachable(tried_with(1, 1, 1e-9), 1e-3, 1000));
+}
+
+// A picture in which few paths find light: a million samples of a microsecond.
+TEST(Model, an_error_that_takes_too_long_to_check_is_told_with_what_it_would_take) {
+  std::string said;
+  try {
+    expect_reachable(tried_with(1, 1, 1e-6), 1e-3, 1000);
+  } catch (const pt::Error& error) {
+    said = error.what();
+  }
+  EXPECT_EQ(said,
+            "an error of 0.1 % would take 1e+06 samples per pixel, 17 minutes of one processor; "
+            "the check on 300 pixels alone would take 10 minutes of one processor: ask for a "
+            "larger error with --error");
 }
 
 // Uneven noise: pixels of all brightnesses, whose samples deviate by a tenth or by ten times that.
