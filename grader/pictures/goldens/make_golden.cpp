@@ -57,7 +57,8 @@ GoldenState read(const std::string& bytes) {
   return state;
 }
 
-// Returns nothing if there is no state of this picture. A file that cannot be read counts as missing.
+// The kept state of this picture. Nothing if its file is missing, cannot be read, or has the state of
+// another picture.
 std::optional<GoldenState> load(const std::filesystem::path& file, const GoldenState& fresh,
                                 int most_parts) {
   if (!std::filesystem::exists(file)) return {};

@@ -42,7 +42,7 @@ struct Recipe {
 // what is wrong; what to do", if it is not JSON, and "file: recipe 'name': ..." for all other faults.
 std::vector<Recipe> load_recipes(const std::filesystem::path& file);
 
-// Throws pt::Error, with all names, if there is no such recipe.
+// Throws pt::Error, which lists all names, if no recipe has this one.
 const Recipe& find(const std::vector<Recipe>& recipes, const std::string& name);
 
 // The slugs of all tasks, in the order of the course.
