@@ -68,12 +68,14 @@ explain_configure() {
 # another machine.
 forget_mixtures() { [ -s "$build/mixtures" ] && rm "$build/mixtures"; }
 
+# task_file TASK: the learner's file of the task, from student/ on; nothing if it is gone.
+task_file() { (cd "$root/student" && find . -mindepth 2 -maxdepth 2 -name "$1.cpp" -printf '%P\n'); }
+
 # expect_task_files: fails if a file of the learner is gone.
 expect_task_files() {
-  local contract slug
-  for contract in "$root"/pt/tasks/*.h; do
-    slug=$(basename "$contract" .h)
-    [ -n "$(find "$root/student" -name "$slug.cpp" -print -quit)" ] ||
+  local slug
+  for slug in $(tasks_meant); do
+    [ -n "$(task_file "$slug")" ] ||
       fail "student/*/$slug.cpp is gone: get it back (git checkout student), or write it again from pt/tasks/$slug.h"
   done
 }

@@ -78,7 +78,7 @@ submit() {
   target=$(realpath -m -- "$target")
   cd "$root"
   while read -r slug; do
-    file=$(cd student && find . -mindepth 2 -maxdepth 2 -name "$slug.cpp" -printf '%P\n')
+    file=$(task_file "$slug")
     [ -n "$file" ] || fail "there is no $slug.cpp in student/: all $(tasks_meant | wc -l) files have to be handed in, stubs too"
     files+=("$file")
   done < <(tasks_meant)

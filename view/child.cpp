@@ -52,7 +52,7 @@ void Child::start() {
   const grader::base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   grader::process::Child child;
   child.command = command_;
-  for (char** entry = environ; *entry != nullptr; ++entry) child.environment.emplace_back(*entry);
+  child.environment = grader::process::own_environment();
   // What a learner's code prints goes to the terminal.
   child.descriptors = {nothing.number(), STDERR_FILENO, STDERR_FILENO, to.read_end.number(),
                        from.write_end.number()};

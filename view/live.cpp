@@ -6,8 +6,6 @@
 #include <map>
 #include <sstream>
 
-#include <unistd.h>
-
 namespace view {
 
 namespace {
@@ -54,7 +52,7 @@ Live::State Live::state() {
 void Live::compile(const std::stop_token& stop) {
   grader::process::Child build;
   build.command = command_;
-  for (char** entry = environ; *entry != nullptr; ++entry) build.environment.emplace_back(*entry);
+  build.environment = grader::process::own_environment();
   const auto result = grader::process::run_command(build, grader::process::kProgramTime, stop);
   if (result.ok()) child_.restart();
   const std::lock_guard lock(reading_);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <string>
 
 namespace grader::base {
@@ -24,9 +26,13 @@ Submitted read_plain_file(int folder, const std::string& name, std::size_t most)
 
 inline constexpr std::size_t kMaxFile = std::size_t{1} << 20;
 
+// The folders of a submission in which a task file of this part may lie. The first that has it counts:
+// 1_rays, student/1_rays, the top, student.
+std::array<std::filesystem::path, 4> places_of(const std::string& part);
+
 // Reads the file of a task, without following a link below the folder: anything but a regular file,
-// and a file larger than kMaxFile, are rejected. It is the first that exists of <part>/<slug>.cpp,
-// student/<part>/<slug>.cpp, <slug>.cpp and student/<slug>.cpp. Throws pt::Error if there is no such folder.
+// and a file larger than kMaxFile, are rejected. It is looked for in places_of(part). Throws pt::Error if
+// there is no such folder.
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
 

@@ -194,10 +194,9 @@ int name_programs(const build::Config& config, const GradeOptions& options) {
   for (const std::string& slug : judging::tasks_judged(config, asked)) {
     fmt::print("graded.{0}\nknown.{0}\n", slug);
   }
-  const bool pictures = !options.no_pictures;
+  if (options.no_pictures) return 0;
   const Intake intake(config, options);
-  const bool is_refused = !intake.found().problem.empty();
-  if (pictures && !is_refused && may_be_rendered(asked, intake.found().folder)) {
+  if (intake.found().problem.empty() && may_be_rendered(asked, intake.found().folder)) {
     fmt::print("graded_picture\n");
   }
   return 0;

@@ -12,8 +12,7 @@
 namespace grader::watch {
 
 Running::Running(const std::vector<std::string>& command) {
-  process::Child child{command, {}, {}, "", {}};
-  for (char** entry = environ; *entry != nullptr; ++entry) child.environment.push_back(*entry);
+  process::Child child{command, process::own_environment(), {}, "", {}};
   const base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   base::Pipe pipe = base::make_pipe();
   child.descriptors = {nothing.number(), pipe.write_end.number(), pipe.write_end.number()};

@@ -38,8 +38,11 @@ std::string time_of_day() {
 // Asks a browser to show the file. Returns whether that worked.
 bool open_in_browser(const std::string& path) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
-  process::Child child{{"/bin/sh", "-c", "exec xdg-open \"$1\"", "sh", path}, {}, {}, "", {}};
-  for (char** entry = environ; *entry != nullptr; ++entry) child.environment.push_back(*entry);
+  process::Child child{{"/bin/sh", "-c", "exec xdg-open \"$1\"", "sh", path},
+                       process::own_environment(),
+                       {},
+                       "",
+                       {}};
   return process::run_command(std::move(child), std::chrono::seconds(5)).ok();
 }
 

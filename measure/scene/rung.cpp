@@ -22,8 +22,7 @@ RungProgram::RungProgram(std::vector<std::string> command, const std::string& mi
   }
   command.insert(command.end(), {"--engine", std::string(name(engine))});
   grader::base::Pipe in = grader::base::make_pipe(), out = grader::base::make_pipe();
-  grader::process::Child child{command, {}, {}, "", {}};
-  for (char** entry = environ; *entry != nullptr; ++entry) child.environment.emplace_back(*entry);
+  grader::process::Child child{command, grader::process::own_environment(), {}, "", {}};
   child.descriptors = {in.read_end.number(), out.write_end.number(), STDERR_FILENO};
   pid_ = grader::process::spawn(child);
   requests_ = std::move(in.write_end);

@@ -49,7 +49,7 @@ MEMBERS = {"x": "y", "y": "z", "z": "x", "r": "g", "g": "b", "b": "r", "min": "m
            "t_max": "t_min", "p0": "p1", "p1": "p2", "p2": "p0", "n0": "n1", "n1": "n2", "n2": "n0", "wi": "wo", "wo": "wi",
            "origin": "direction", "direction": "origin", "from": "to", "to": "from"}
 NAMES = {"min": ["max"], "max": ["min"], "sin": ["cos"], "cos": ["sin"], "floor": ["ceil"], "ceil": ["floor"],
-         "double": ["float"], "true": ["false"], "false": ["true"]}
+         "true": ["false"], "false": ["true"]}
 
 
 class Token:
@@ -138,7 +138,7 @@ def changes(source):
                 yield token.start, token.end, other
         elif token.kind == "name" and previous.text in (".", "->") and text in MEMBERS and tokens[i + 1].text != "(":
             yield token.start, token.end, MEMBERS[text]
-        elif token.kind == "name" and text in NAMES and text != "double":
+        elif token.kind == "name" and text in NAMES:
             for other in NAMES[text]:
                 yield token.start, token.end, other
         elif token.kind == "name" and previous.text not in (".", "->", "::") and i not in places:

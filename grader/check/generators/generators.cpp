@@ -168,17 +168,19 @@ rc::Gen<pt::Frame> rotation() {
                       });
 }
 
+pt::Frame axis_frame(int number) {
+  pt::Vec3 x, y;
+  const int axis = number % 3, other = (axis + 1 + number / 3 % 2) % 3;
+  x[axis] = number / 6 % 2 == 0 ? 1 : -1;
+  y[other] = number / 12 == 0 ? 1 : -1;
+  return {x, y, cross(x, y)};
+}
+
 rc::Gen<pt::Frame> rotation_of_axes() {
-  return rc::gen::map(whole(0, 23), [](int i) {
-    const auto axis = [](int a, int sign) {
-      pt::Vec3 v;
-      v[a] = sign;
-      return v;
-    };
-    const int first = i % 3, second = (first + 1 + i / 3 % 2) % 3;
-    const pt::Vec3 x = axis(first, i / 6 % 2 == 0 ? 1 : -1);
-    const pt::Vec3 y = axis(second, i / 12 == 0 ? 1 : -1);
-    return pt::Frame{x, y, cross(x, y) + pt::Vec3{}};  // the sum has no -0
+  return rc::gen::map(whole(0, kAxisFrames - 1), [](int number) {
+    pt::Frame frame = axis_frame(number);
+    frame.z += pt::Vec3{};  // the sum has no -0
+    return frame;
   });
 }
 

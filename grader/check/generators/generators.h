@@ -41,8 +41,11 @@ rc::Gen<pt::Vec3> direction();
 // Three orthonormal axes, any rotation; shrinks towards the world's axes.
 rc::Gen<pt::Frame> rotation();
 
-// A rotation that takes each axis of the world to an axis of the world, or to its opposite. Its numbers
-// are exactly 0, 1 and -1.
+// The frames whose axes are those of the world, in any order and direction: 0 to 23.
+inline constexpr int kAxisFrames = 24;
+pt::Frame axis_frame(int number);
+
+// One of them. Its numbers are exactly 0, 1 and -1.
 rc::Gen<pt::Frame> rotation_of_axes();
 
 // A colour with each channel in [low, high]. Each channel is usually different from the other two.

@@ -113,11 +113,11 @@ pid_t start(const std::vector<std::string>& command, const std::string& log) {
   const base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   const base::Descriptor file(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
   if (!file.is_open()) throw pt::Error(log + ": cannot be written");
-  process::Child child{command, {}, {nothing.number(), file.number(), file.number()}, "", {}};
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    child.environment.emplace_back(*variable);
-  }
-  return process::spawn(child);
+  return process::spawn({command,
+                         process::own_environment(),
+                         {nothing.number(), file.number(), file.number()},
+                         "",
+                         {}});
 }
 
 void run_elsewhere(const Judging& judging, const ClassPlan& plan, const EngineRequest& request,

@@ -41,8 +41,8 @@ void keep_task_files(const build::Config& config, ClassPlan& plan, const std::st
     const fs::path root = base::submission_root(by.folder), to = kept / std::to_string(i);
     fs::create_directories(to);
     for (const build::TaskConfig& task : config.tasks) {
-      const fs::path file = task.slug + ".cpp", in_part = task.part / file;
-      for (const fs::path& way : {in_part, "student" / in_part, file, "student" / file}) {
+      for (const fs::path& place : base::places_of(task.part)) {
+        const fs::path way = place / (task.slug + ".cpp");
         if (!fs::exists(fs::symlink_status(root / way))) continue;
         fs::create_directories((to / way).parent_path());
         fs::rename(root / way, to / way);

@@ -107,6 +107,12 @@ void reap_orphans() {
 
 }  // namespace
 
+std::vector<std::string> own_environment() {
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry != nullptr; ++entry) all.emplace_back(*entry);
+  return all;
+}
+
 pid_t spawn(const Child& child) {
   const std::vector<char*> command = pointers(child.command);
   const std::vector<char*> environment = pointers(child.environment);

@@ -24,6 +24,9 @@ struct Child {
   std::shared_ptr<const void> held{};
 };
 
+// The whole environment of this process, for programs of our own.
+std::vector<std::string> own_environment();
+
 // Starts the child in a process group of its own. It dies with the thread that started it, gains no
 // privileges, leaves no core, and ignores SIGPIPE. All programs start here; those of a submission
 // start in a box (grader/service/sandbox/box.h). Throws pt::Error if no process can be made; a

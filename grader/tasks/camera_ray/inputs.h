@@ -60,16 +60,6 @@ inline pt::Vec3 position() {
   }
 }
 
-// The frames whose axes are those of the world, in any order and direction: 0 to 23.
-inline constexpr int kAxisFrames = 24;
-inline pt::Frame axis_frame(int number) {
-  pt::Vec3 x, y;
-  const int axis = number % 3, other = (axis + 1 + number / 3 % 2) % 3;
-  x[axis] = number / 6 % 2 == 0 ? 1 : -1;
-  y[other] = number / 12 == 0 ? 1 : -1;
-  return {x, y, cross(x, y)};
-}
-
 // A camera anywhere, turned in any way. Its range may be a single point.
 inline rc::Gen<pt::Camera> moved() {
   return rc::gen::exec([] {

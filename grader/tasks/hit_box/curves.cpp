@@ -1,5 +1,6 @@
 #include "grader/check/language/curve.h"
 #include "grader/check/language/property.h"
+#include "grader/tasks/hit_box/exact.h"
 #include "grader/tasks/hit_box/inputs.h"
 #include "pt/tasks/hit_box.h"
 

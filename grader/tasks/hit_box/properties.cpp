@@ -1,4 +1,5 @@
 #include "grader/check/language/property.h"
+#include "grader/tasks/hit_box/exact.h"
 #include "grader/tasks/hit_box/inputs.h"
 #include "pt/tasks/hit_box.h"
 

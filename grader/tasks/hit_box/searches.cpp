@@ -1,6 +1,6 @@
 #include "grader/check/language/bad_inputs.h"
 #include "grader/check/language/exact.h"
-#include "grader/tasks/hit_box/inputs.h"
+#include "grader/tasks/hit_box/exact.h"
 #include "pt/tasks/hit_box.h"
 
 namespace grader::check {

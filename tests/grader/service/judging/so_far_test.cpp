@@ -127,17 +127,17 @@ TEST(words, judge_a_task_again) {
 
 TEST(so_far, hides_where_the_judge_works) {
   results::TaskResult task;
-  task.printed = "/home/ada/work/cache/a.worker: /home/ada/work/cache/a.worker: CPU ISA level";
+  task.printed = "/judge/work/cache/a.worker: /judge/work/cache/a.worker: CPU ISA level";
   results::PromiseResult& promise = task.promises.emplace_back();
-  promise.failures.emplace_back().got = "it died: /home/ada/work/x /home/ada/workshop";
+  promise.failures.emplace_back().got = "it died: /judge/work/x /judge/workshop";
   results::PictureResult& picture = task.pictures.emplace_back();
-  picture.text = "/home/ada/work/a.worker";
-  picture.render = "/home/ada/work/a.exr";
-  task = without_folder(task, "/home/ada/work");
+  picture.text = "/judge/work/a.worker";
+  picture.render = "/judge/work/a.exr";
+  task = without_folder(task, "/judge/work");
   EXPECT_EQ(task.printed, "cache/a.worker: cache/a.worker: CPU ISA level");
-  EXPECT_EQ(task.promises[0].failures[0].got, "it died: x /home/ada/workshop");
+  EXPECT_EQ(task.promises[0].failures[0].got, "it died: x /judge/workshop");
   EXPECT_EQ(task.pictures[0].text, "a.worker");
-  EXPECT_EQ(task.pictures[0].render, "/home/ada/work/a.exr");
+  EXPECT_EQ(task.pictures[0].render, "/judge/work/a.exr");
 }
 
 }  // namespace

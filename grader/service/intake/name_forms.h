@@ -1,0 +1,40 @@
+#pragma once
+
+#include "grader/service/intake/owner.h"
+
+#include <optional>
+#include <string>
+
+// The form that each platform gives to the names of the files in its exports.
+
+namespace grader::intake {
+
+// A name as a platform would read it; nothing if it has another form.
+using Found = std::optional<Label>;
+
+// A name may end in a number: team_7_123_900_work.zip is work.zip of team_7 with the ID 123, and
+// ada_123_900_1_rays.zip is 1_rays.zip of ada. Canvas has far more files than users, so the number
+// of a file is larger than an ID, and mostly larger than what a learner's own name for it begins
+// with. `least` is the smallest number of a file that is known for certain.
+Found canvas_among(const std::string& name, double least);
+Found canvas(const std::string& name);
+
+// Moodle (mod/assign/classes/downloader.php): NAME_NUMBER_assignsubmission_file[_FILE]. Moodle
+// writes a blank for `_` in a name. The number is the participant's, or that of a group; learners
+// without a group have none.
+Found moodle(const std::string& name);
+
+// D2L: "12-34 - Ada Lovelace - Jan 15, 2027 1005 PM[ - FILE]".
+Found d2l(const std::string& name);
+
+// Blackboard: ASSIGNMENT_USER_attempt_2027-01-15-22-05-00_FILE, or .txt for what was typed. Both
+// names may contain `_`. The label's name is both.
+Found blackboard(const std::string& name);
+
+// Autolab: ada@school.edu_3_FILE, with the number of the attempt.
+Found autolab(const std::string& name);
+
+// The value of digits as in Label::order.
+double number(const std::string& digits);
+
+}  // namespace grader::intake
