@@ -141,11 +141,11 @@ inline void expect_even(const Points& points) {
   expect_different_coordinates(points, fmt::format("{} points", points.size()));
 }
 
-// The number of calls of two samples that expect_independent_axes needs.
+// The number of points that expect_independent_axes needs.
 inline constexpr int kIndependentPoints = 1200;
 
 // Fails the case if x and y of a point follow from one random number. The points are of different
-// calls, so that they are independent.
+// calls, so that they are independent, and spread evenly over the pixel.
 inline void expect_independent_axes(const Points& points) {
   std::vector<NumberPair> pairs;
   for (const pt::Vec2 at : points) pairs.push_back({at.x, at.y});
