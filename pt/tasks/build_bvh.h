@@ -2,6 +2,7 @@
 
 #include "pt/geometry/box.h"
 #include "pt/geometry/bvh.h"
+#include "pt/geometry/bvh_builder.h"
 
 #include <span>
 
@@ -11,7 +12,8 @@ namespace pt {
 //
 // In:  any number of boxes of primitives, in world space; the number may be zero. No box is empty,
 //      but boxes may be flat or single points. max_leaf >= 1.
-// Out: the tree. No leaf holds more than max_leaf primitives, whatever the boxes are.
+// Out: the tree. No leaf holds more than max_leaf primitives, whatever the boxes are. A BvhBuilder
+//      (pt/geometry/bvh_builder.h) makes one from its leaves up, and keeps the invariants.
 //
 // Any rule may split the boxes: the midpoint of the longest axis of the box of all centroids, the
 // mean, the median, the surface area heuristic. If no plane separates some boxes, the function must

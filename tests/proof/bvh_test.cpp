@@ -189,5 +189,30 @@ TEST(BuildBvh, separates_along_the_longest_axis) {
   }
 }
 
+// Nodes in an order that the reference does not use.
+TEST(BvhBuilder, makes_a_tree_of_leaves_in_any_order) {
+  std::vector<Box> boxes;
+  for (int i = 0; i < 5; ++i) boxes.push_back(at(i, 1));
+  BvhBuilder tree(boxes);
+  const int c = tree.leaf(std::vector{4}), a = tree.leaf(std::vector{2, 0});
+  const int b = tree.leaf(std::vector{1, 3});
+  const int upper = tree.inner(b, c);
+  const Bvh bvh = tree.finish(tree.inner(a, upper));
+  expect_tree(bvh, boxes, 2);
+  EXPECT_EQ(bvh.order, (std::vector{4, 2, 0, 1, 3}));
+  EXPECT_EQ(bvh.nodes[bvh.nodes[0].left].box.max.y, 2);
+}
+
+TEST(BvhBuilder, refuses_nodes_that_are_not_there) {
+  const std::vector<Box> boxes{at(0, 0), at(1, 0)};
+  BvhBuilder tree(boxes);
+  EXPECT_THROW(tree.leaf({}), std::logic_error);
+  EXPECT_THROW(tree.finish(0), std::logic_error);
+  const int leaf = tree.leaf(std::vector{0, 1});
+  EXPECT_THROW(tree.inner(leaf, -1), std::logic_error);
+  const int other = tree.leaf(std::vector{0});
+  EXPECT_THROW(tree.inner(other, other), std::logic_error) << "it would have two parents";
+}
+
 }  // namespace
 }  // namespace pt::proof
