@@ -1,43 +1,55 @@
 #include "pt/command_line.h"
+#include "pt/file.h"
 #include "pt/image/compare.h"
 #include "pt/image/image_io.h"
 
-#include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
-// compare A B [-o difference.png]: prints how far picture A is from picture B, which is assumed to
+// compare A B [-o difference.png] [--page FOLDER]: prints how far picture A is from picture B, which is assumed to
 // be right. Exit code 0 whatever the difference, 2 for input that cannot be used.
 
 namespace {
 
-void print(const pt::Comparison& c) {
-  std::printf("MSE      %.6g\n", c.mse);
-  std::printf("relMSE   %.6g   (mean of (A - B)^2 / (B + %.3g)^2)\n", c.rel_mse, c.dark);
-  std::printf("mean A   %.6g %.6g %.6g\n", c.mean_a.r, c.mean_a.g, c.mean_a.b);
-  std::printf("mean B   %.6g %.6g %.6g\n", c.mean_b.r, c.mean_b.g, c.mean_b.b);
+struct Options {
+  std::string a, b, difference;
+  std::string page;                        // a folder, or empty
+  std::string name_a = "A", name_b = "B";  // on the page
+};
+
+std::string described(const pt::Comparison& c) {
+  std::string text = fmt::format(
+      "MSE      {:.6g}\n"
+      "relMSE   {:.6g}   (mean of (A - B)^2 / (B + {:.3g})^2)\n"
+      "mean A   {:.6g} {:.6g} {:.6g}\n"
+      "mean B   {:.6g} {:.6g} {:.6g}\n",
+      c.mse, c.rel_mse, c.dark, c.mean_a.r, c.mean_a.g, c.mean_a.b, c.mean_b.r, c.mean_b.g,
+      c.mean_b.b);
   if (c.largest.a != c.largest.b) {
-    std::printf("largest  %.6g at x %d, y %d (from the top left), channel %c: A %.6g, B %.6g\n",
-                c.largest.a - c.largest.b, c.largest.x, c.largest.y, "rgb"[c.largest.channel],
-                c.largest.a, c.largest.b);
+    text += fmt::format(
+        "largest  {:.6g} at x {}, y {} (from the top left), channel {}: A {:.6g}, B {:.6g}\n",
+        c.largest.a - c.largest.b, c.largest.x, c.largest.y, "rgb"[c.largest.channel], c.largest.a,
+        c.largest.b);
   } else {
-    std::printf("largest  0: all pixels are equal\n");
+    text += "largest  0: all pixels are equal\n";
   }
   if (c.not_finite > 0) {
-    std::printf("left out %zu pixels that are not finite in A or B\n", c.not_finite);
+    text += fmt::format("left out {} pixels that are not finite in A or B\n", c.not_finite);
   }
+  return text;
 }
 
-void print_means(const std::optional<pt::MeanTest>& test) {
+std::string described(const std::optional<pt::MeanTest>& test) {
   if (!test) {
-    std::printf(
-        "z        not known: A or B has pixels without a variance, or that are not finite\n");
-    return;
+    return "z        not known: A or B has pixels without a variance, or that are not finite\n";
   }
-  std::printf("z        %.3g: the mean luminance differs by %.6g, with a standard error of %.3g\n",
-              test->z, test->difference, test->standard_error);
+  return fmt::format(
+      "z        {:.3g}: the mean luminance differs by {:.6g}, with a standard error of {:.3g}\n",
+      test->z, test->difference, test->standard_error);
 }
 
 // A picture of any format, and its film if the file has one.
@@ -52,29 +64,68 @@ Read read(const std::string& path) {
   return {mean(film), film};
 }
 
-void run(const std::string& path_a, const std::string& path_b, const std::string& output) {
-  const auto [a, film_a] = read(path_a);
-  const auto [b, film_b] = read(path_b);
-  print(pt::compare(a, b));
-  if (film_a && film_b) print_means(pt::compare_means(*film_a, *film_b));
-  if (output.empty()) return;
-  pt::write_png(output, pt::difference_picture(a, b));
-  std::printf(
-      "%s: the difference in luminance, blue where A is darker, orange where it is brighter, "
-      "full at 20 %%\n",
-      output.c_str());
+// Writes both pictures, their difference and the numbers as a page. The names are words of the
+// caller's command.
+void write_page(const std::filesystem::path& folder, const Options& options, const pt::Image& a,
+                const pt::Image& b, const std::string& numbers) {
+  std::filesystem::create_directories(folder);
+  pt::write_png(folder / "a.png", a);
+  pt::write_png(folder / "b.png", b);
+  pt::write_png(folder / "difference.png", pt::difference_picture(a, b));
+  const auto figure = [](const std::string& file, const std::string& words) {
+    return fmt::format(
+        "<figure><img src=\"{0}.png\" alt=\"{1}\"><figcaption>{1}</figcaption></figure>\n", file,
+        words);
+  };
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width\"><title>Two codes, one scene</title>\n"
+      "<style>:root { color-scheme: light dark; font: 16px/1.5 sans-serif } body { margin: 1rem }\n"
+      "main { display: flex; flex-wrap: wrap; gap: 1rem } figure { margin: 0 }\n"
+      "img { max-width: 100%; image-rendering: pixelated } pre { overflow-x: auto "
+      "}</style>\n<main>\n";
+  page += figure("a", "A: " + options.name_a) + figure("b", "B: " + options.name_b);
+  page += figure("difference",
+                 "The difference in luminance: blue where A is darker, orange where it is "
+                 "brighter, full at 20 %");
+  page += fmt::format("</main>\n<pre>{}</pre></html>\n", numbers);
+  pt::write_file(folder / "index.html", page);
+}
+
+void run(const Options& options) {
+  const auto [a, film_a] = read(options.a);
+  const auto [b, film_b] = read(options.b);
+  std::string numbers = described(pt::compare(a, b));
+  if (film_a && film_b) numbers += described(pt::compare_means(*film_a, *film_b));
+  fmt::print("{}", numbers);
+  if (!options.difference.empty()) {
+    pt::write_png(options.difference, pt::difference_picture(a, b));
+    fmt::print(
+        "{}: the difference in luminance, blue where A is darker, orange where it is brighter, "
+        "full at 20 %\n",
+        options.difference);
+  }
+  if (!options.page.empty()) write_page(options.page, options, a, b, numbers);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("How far picture A is from picture B, which is taken for right", "./run compare");
-  std::string a, b, output;
-  app.add_option("A", a, "PNG, JPEG, BMP or EXR")->required();
-  app.add_option("B", b, "the picture to compare with")->required();
-  app.add_option("-o,--output", output, "write the signed relative difference to this PNG");
+  app.footer(
+      "./run compare SCENE.dae [--from student] [--against reference] [RENDER OPTIONS] renders a "
+      "scene "
+      "with\ntwo codes on the same random numbers, and shows both pictures on a page.");
+  Options options;
+  app.add_option("A", options.a, "PNG, JPEG, BMP or EXR")->required();
+  app.add_option("B", options.b, "the picture to compare with")->required();
+  app.add_option("-o,--output", options.difference,
+                 "write the signed relative difference to this PNG");
+  app.add_option("--page", options.page)->group("");
+  app.add_option("--name-a", options.name_a)->group("");
+  app.add_option("--name-b", options.name_b)->group("");
   return pt::run_command_line(app, argc, argv, [&] {
-    run(a, b, output);
+    run(options);
     return 0;
   });
 }

@@ -467,6 +467,23 @@ TEST_F(ImageIo, compare_draws_blue_where_the_first_is_darker) {
   EXPECT_LT(drawn.at(1, 0).b, drawn.at(1, 0).r);
 }
 
+TEST_F(ImageIo, compare_shows_both_pictures_and_the_numbers_on_a_page) {
+  const std::string a = in_folder("a.png"), b = in_folder("b.png");
+  Image flat(2, 1);
+  for (const auto& [file, value] : {std::pair{a, 0.25}, {b, 1.0}}) {
+    flat.pixels.assign(2, gray(value));
+    write_png(file, flat);
+  }
+  const std::string numbers =
+      said_by_compare(a + " " + b + " --page " + in_folder("page").string() + " --name-a mine");
+  const std::string page = read_file(in_folder("page/index.html"), 10000);
+  EXPECT_NE(page.find("A: mine"), std::string::npos);
+  EXPECT_NE(page.find("<pre>" + numbers + "</pre>"), std::string::npos);
+  EXPECT_EQ(read_image(in_folder("page/a.png")).at(0, 0), read_image(a).at(0, 0));
+  EXPECT_EQ(read_image(in_folder("page/b.png")).at(0, 0), read_image(b).at(0, 0));
+  EXPECT_GT(read_image(in_folder("page/difference.png")).at(0, 0).b, 0);
+}
+
 TEST_F(ImageIo, compare_exits_with_2_for_what_it_cannot_use) {
   const std::string a = in_folder("a.exr"), b = in_folder("b.png"), c = in_folder("c.exr");
   write_image(a, random_film(4, 4));

@@ -1,0 +1,39 @@
+# shellcheck shell=bash disable=SC2154
+# ./run compare SCENE.dae: renders a scene with two codes and shows both pictures on a page. `./run` includes this file.
+
+# compare_codes SCENE.dae [--from ...] [--against ...] RENDER OPTIONS
+compare_codes() {
+  local a=() b=() options=() name folder
+  while [ $# -gt 0 ]; do
+    case $1 in
+      --from | --against) [ $# -gt 1 ] || fail "$1 takes an implementation, or task=implementation" ;;
+    esac
+    case $1 in
+      --from) a+=(--from "$2"); shift 2 ;;
+      --from=*) a+=("$1"); shift ;;
+      --against) b+=(--from "$2"); shift 2 ;;
+      --against=*) b+=("--from=${1#--against=}"); shift ;;
+      -f | --output | -f* | --output=*) fail "the pictures of two codes have their own places: leave out $1" ;;
+      *) case $1 in *.dae) name=$(basename "$1" .dae) ;; esac
+         options+=("$1"); shift ;;
+    esac
+  done
+  [ ${#a[@]} -gt 0 ] || a=(--from student)
+  [ ${#b[@]} -gt 0 ] || b=(--from reference)
+  choose_mixture "${b[@]}"
+  local name_b=$mixture render_b=render.${mixture//=/-}
+  [ "$mixture" != "$default_mixture" ] || render_b=render
+  choose_mixture "${a[@]}"
+  local name_a=$mixture render_a=render.${mixture//=/-}
+  [ "$mixture" != "$default_mixture" ] || render_a=render
+  build release compare "$render_a" "$render_b"
+  folder=$build/compare/$name
+  mkdir -p "$folder"
+  echo "A: $name_a"
+  "$build/release/pt/$render_a" "${options[@]}" -f "$folder/a.exr" || exit
+  echo "B: $name_b"
+  "$build/release/pt/$render_b" "${options[@]}" -f "$folder/b.exr" || exit
+  "$build/release/pt/compare" "$folder/a.exr" "$folder/b.exr" --page "$folder" --name-a "$name_a" --name-b "$name_b" || exit
+  echo "$folder/index.html"
+  if [ -n "${DISPLAY-}${WAYLAND_DISPLAY-}" ] && command -v xdg-open >/dev/null; then xdg-open "$folder/index.html"; fi
+}
