@@ -53,18 +53,29 @@ std::vector<Measurement> missing_measurements(const Plan& plan,
   return missing;
 }
 
+// Seconds that the renders and the measurements take, about.
+struct Time {
+  double renders = 0, measurements = 0;
+};
+
+Time expected_time(const Plan& plan, const std::vector<Unit>& units,
+                   const std::vector<Measurement>& measurements, int threads) {
+  Time time;
+  for (const Unit& unit : units) time.renders += plan.store().seconds(unit) / threads;
+  for (const Measurement& each : measurements) time.measurements += each.seconds;
+  return time;
+}
+
 void print_plan(const Plan& plan, const std::vector<const Figure*>& figures,
                 const std::vector<Unit>& units, const std::vector<Measurement>& measurements,
-                int threads) {
+                const Time& time, int threads) {
   int unsettled = 0;
   for (const Figure* figure : figures) unsettled += is_settled(plan, *figure) ? 0 : 1;
-  double seconds = 0;
-  for (const Unit& unit : units) seconds += plan.store().seconds(unit) / threads;
-  for (const Measurement& each : measurements) seconds += each.seconds;
   fmt::print(
       "{} of {} figures to make, {} renders and {} measurements: about {:.1f} minutes on {} "
       "processors\n",
-      unsettled, figures.size(), units.size(), measurements.size(), seconds / 60, threads);
+      unsettled, figures.size(), units.size(), measurements.size(),
+      (time.renders + time.measurements) / 60, threads);
   std::fflush(stdout);
 }
 
@@ -152,21 +163,24 @@ bool make_missing(const Plan& plan, const std::vector<const Figure*>& figures,
   std::vector<Unit> units = missing_units(plan, figures);
   const std::vector<Measurement> measurements = missing_measurements(plan, figures);
   if (units.empty() && measurements.empty()) return false;
-  print_plan(plan, figures, units, measurements, options.threads);
+  const Time time = expected_time(plan, units, measurements, options.threads);
+  print_plan(plan, figures, units, measurements, time, options.threads);
+  const double renders = time.renders / (time.renders + time.measurements);  // their part of all
+  pt::Progress progress;
   // Some renders are settled only when the times of others are known.
+  double done = 0;
   while (!units.empty()) {
-    pt::Progress progress;
     WorkSettings settings;
     settings.threads = options.threads;
     if (options.draft) settings.least_seconds = kDraftPatience;
-    settings.progress = [&](double part) { progress.show(part); };
+    settings.progress = [&](double part) { progress.show(std::max(done, renders * part)); };
     make(plan.store(), units, settings);
-    progress.clear();
+    done = renders;
     units = missing_units(plan, figures);
   }
   // Measurements of time come last, when nothing else runs.
-  pt::Progress progress;
-  make(plan.measured(), measurements, options.threads, [&](double part) { progress.show(part); });
+  make(plan.measured(), measurements, options.threads,
+       [&](double part) { progress.show(renders + (1 - renders) * part); });
   progress.clear();
   return true;
 }

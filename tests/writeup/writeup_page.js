@@ -27,6 +27,12 @@ addEventListener("load", async () => {
         key("f");
         key("f");
         expect(id + ": flips", figure.querySelectorAll(".compare .layer:not([hidden])").length === 1);
+        const step = figure.querySelector(".compare input[aria-valuetext]");
+        step.value = pictures.length - 1;
+        step.dispatchEvent(new Event("input"));
+        expect(id + ": steps to the last picture", ![...figure.querySelectorAll(".compare .layer")].at(-1).hidden);
+        const dots = [...figure.querySelectorAll(".curve circle")];
+        expect(id + ": marks its error", dots.length === 0 || dots.at(-1).classList.contains("here"));
       }
       key("0");
       expect(id + ": takes it back", !group.hidden && getComputedStyle(group).getPropertyValue("--zoom").trim() === "1");

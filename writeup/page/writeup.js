@@ -86,7 +86,7 @@ class Group {
     if (this.can_stack()) {
       mode("all", "side by side");
       mode("slider", "slider");
-      mode("flip", "flip");
+      mode("flip", this.pictures.length > 2 ? "steps" : "flip");
     }
     this.tools.append(button("+", () => this.zoom_by(2)), button("\u2212", () => this.zoom_by(0.5)));
     this.tools.children[this.tools.children.length - 2].setAttribute("aria-label", "zoom in");
@@ -133,10 +133,43 @@ class Group {
       return select;
     });
     this.next = button("next", () => this.turn());
-    this.compare.append(stage, this.split, this.names);
+    this.step = element("input");
+    Object.assign(this.step, { type: "range", min: 0, max: this.pictures.length - 1, step: 1 });
+    this.step.setAttribute("aria-label", "which picture is shown");
+    this.step.addEventListener("input", () => { this.first = Number(this.step.value); this.arrange(); });
+    this.curve = this.draw_curve();
+    this.compare.append(stage, this.split, this.step, this.names, ...(this.curve ? [this.curve] : []));
     this.root.before(this.compare);
     this.listen(stage);
     this.paint();
+  }
+
+  // The error of each picture, from the figure's table: a line with a point for each, on a scale of powers. Nothing without
+  // at least three errors.
+  draw_curve() {
+    const table = this.figure.querySelector("table");
+    const column = table ? [...table.tHead.rows[0].cells].findIndex((cell) => cell.textContent === "error") : -1;
+    if (column < 0) return null;
+    const errors = this.pictures.map((picture) => {
+      const row = [...table.tBodies[0].rows].find((each) => each.cells[0].textContent === picture.label);
+      return row ? parseFloat(row.cells[column].textContent) : NaN;
+    });
+    if (this.pictures.length < 3 || !errors.every((error) => error > 0)) return null;
+    const logs = errors.map(Math.log), [low, high] = [Math.min(...logs), Math.max(...logs)];
+    if (low === high) return null;
+    const made = (name, attributes, text) => {
+      const each = document.createElementNS("http://www.w3.org/2000/svg", name);
+      for (const [key, value] of Object.entries(attributes)) each.setAttribute(key, value);
+      if (text) each.textContent = text;
+      return each;
+    };
+    const points = logs.map((log, i) => [20 + (560 * i) / (logs.length - 1), 20 + (60 * (high - log)) / (high - low)]);
+    const picture = made("svg", { viewBox: "0 0 600 110", class: "curve", role: "img", "aria-label": "the error of each picture; the table has the numbers" });
+    picture.append(made("polyline", { points: points.map((each) => each.join()).join(" ") }));
+    points.forEach(([x, y], i) => {
+      picture.append(made("circle", { cx: x, cy: y, r: 5 }), made("text", { x, y: y - 10 }, `${errors[i]} %`), made("text", { x, y: 104 }, this.pictures[i].label));
+    });
+    return picture;
   }
 
   show(mode) {
@@ -153,6 +186,14 @@ class Group {
     const slider = this.mode === "slider";
     this.split.hidden = this.line.hidden = !slider;
     this.split.style.display = slider ? "" : "none";
+    this.step.hidden = slider;
+    this.step.style.display = slider ? "none" : "";
+    this.step.value = this.first;
+    this.step.setAttribute("aria-valuetext", this.pictures[this.first].label);
+    if (this.curve) {
+      this.curve.style.display = slider ? "none" : "";
+      this.curve.querySelectorAll("circle").forEach((dot, i) => dot.classList.toggle("here", i === this.first));
+    }
     const [left, right] = this.choices.map((choice) => Number(choice.value));
     this.layers.forEach((layer, i) => {
       layer.hidden = slider ? i !== left && i !== right : i !== this.first;
