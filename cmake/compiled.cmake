@@ -7,13 +7,14 @@
 set(compiled_archives pt_base pt_scene pt_image pt_loader pt_film pt_render pt_render_options pt_rows pt_progress scene_meshes
   grader_tasks grader_base grader_process grader_users grader_sandbox grader_results grader_pictures grader_recipe_scenes
   grader_worker_rows grader_report grader_audit grader_build grader_judging grader_submitted grader_mistakes grader_closed_forms grader_check grader_counting
-  grader_wire)
+  grader_wire measure_charts measure_renders measure_scene measure_pixels_here measure_calls_tasks)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_film pt_render pt_rows scene_meshes
-  grader_tasks grader_closed_forms)
+  grader_tasks grader_closed_forms measure_renders measure_scene measure_pixels_here measure_calls_tasks)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
-  grader_worker grader_connection grader_serve recorder_calls view_paths view_worker_main)
+  grader_worker grader_connection grader_serve recorder_calls view_paths view_worker_main
+  measure_render_main measure_scene_main measure_calls_worker measure_calls_pixels)
 set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/graded_picture pt/compare
-  scenes/generate view/view)
+  scenes/generate view/view measure/measure measure/stability measure/writeup_boxed measure/accuracy_boxed writeup/writeup)
 foreach(slug IN LISTS FIRSTLIGHT_COUNTED)
   list(APPEND compiled_objects ${slug}.counting)
 endforeach()
@@ -95,7 +96,7 @@ function(firstlight_compiled_misfit folder result)
   firstlight_source_hash(${PROJECT_SOURCE_DIR} here)
   file(READ ${folder}/sources there)
   if(NOT why AND NOT here STREQUAL there)
-    set(why "other sources in pt/, grader/ or scenes/")
+    set(why "other sources than those here")
   endif()
   foreach(place IN LISTS compiled_programs)
     get_filename_component(program ${place} NAME)
@@ -114,8 +115,8 @@ function(firstlight_add_compiled)
   if(NOT EXISTS ${folder}/stamp)
     return()
   endif()
-  file(GLOB_RECURSE sources ${PROJECT_SOURCE_DIR}/pt/*.cpp ${PROJECT_SOURCE_DIR}/grader/*.cpp ${PROJECT_SOURCE_DIR}/grader/*.h
-    ${PROJECT_SOURCE_DIR}/scenes/*.cpp ${PROJECT_SOURCE_DIR}/scenes/*.h)
+  firstlight_sources(${PROJECT_SOURCE_DIR} sources)
+  list(TRANSFORM sources PREPEND ${PROJECT_SOURCE_DIR}/)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/stamp ${folder}/sources ${sources})
   firstlight_compiled_misfit(${folder} why)
   if(why)

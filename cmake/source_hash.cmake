@@ -11,10 +11,20 @@ function(firstlight_hash_of root result)
   set(${result} ${hash} PARENT_SCOPE)
 endfunction()
 
-# One hash of the sources of all programs: cmake -DROOT=FOLDER -DOUTPUT=FILE -P source_hash.cmake writes it.
+# Sets the sources of all programs, below the root.
+function(firstlight_sources root result)
+  set(patterns view/* writeup/page/* grader/report/page/* grader/tasks/*/task.json)
+  foreach(room pt grader measure scenes writeup)
+    list(APPEND patterns ${room}/*.h ${room}/*.cpp)
+  endforeach()
+  list(TRANSFORM patterns PREPEND ${root}/)
+  file(GLOB_RECURSE files RELATIVE ${root} ${patterns})
+  set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
+# One hash of them: cmake -DROOT=FOLDER -DOUTPUT=FILE -P source_hash.cmake writes it.
 function(firstlight_source_hash root result)
-  file(GLOB_RECURSE files RELATIVE ${root} ${root}/pt/*.h ${root}/pt/*.cpp ${root}/grader/*.h ${root}/grader/*.cpp
-    ${root}/measure/*.h ${root}/measure/*.cpp ${root}/scenes/*.h ${root}/scenes/*.cpp ${root}/view/* ${root}/grader/report/page/* ${root}/grader/tasks/*/task.json)
+  firstlight_sources(${root} files)
   firstlight_hash_of(${root} hash ${files})
   set(${result} ${hash} PARENT_SCOPE)
 endfunction()

@@ -156,7 +156,7 @@ void make_absolute(Options& options) {
   for (std::string* path : {&options.scenes, &options.submission, &options.out, &options.texts}) {
     if (!path->empty()) *path = fs::absolute(*path).lexically_normal().string();
   }
-  fs::current_path(FIRSTLIGHT_ROOT);
+  fs::current_path(options.root);
 }
 
 // Makes the missing renders, and the pages. Returns whether nothing is missing.

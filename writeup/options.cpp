@@ -51,6 +51,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("-t,--threads", options.threads, "Renders at a time; default: one per processor")
       ->check(CLI::Range(1, 1024));
   app.add_option("--from", options.from)->group("");
+  app.add_option("--root", options.root)->group("");
   app.add_option("--renderer", options.renderer)->group("");
   app.add_option("--accuracy", options.accuracy)->group("");
   app.add_option("--stability", options.stability)->group("");

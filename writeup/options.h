@@ -14,6 +14,7 @@ struct Options {
   std::string from = "reference";  // a mixture, as in ./run
   int threads = 1;
   // Set by ./run.
+  std::string root = ".";  // of the project: the catalogues are in its folder writeup/
   std::string renderer, accuracy, stability, measure, generate, mistakes, work, boxed;
 };
 

@@ -57,7 +57,7 @@ fi
 
 # The compiled parts are used: only the learner's files have a rule.
 grades 1 'not attempted' hit_triangle
-if grep -E '^build [^:]*[.]o:' "$folder/build/check/build.ninja" | grep -vE 'student/|writeup/|measure/|recorded/'; then
+if grep -E '^build [^:]*[.]o:' "$folder/build/check/build.ninja" | grep -vE 'student/|recorded/'; then
   complain "more than the learner's files is compiled"
 fi
 said=$(cd "$folder" && ./run render scenes/box_spheres.dae -f none.png -s 1 -r 16 12 2>&1) || complain "the stubs cannot be rendered: $said"
@@ -68,6 +68,20 @@ grep -q '^not written yet: ' <<<"$said" || complain "a render of the stubs says:
 cmp "$folder/reference.exr" "$folder/sources.exr" || complain "what is compiled renders another picture"
 said=$(cd "$folder" && ./run measure hit_sphere --seconds 1 2>&1) || complain "nothing can be measured: $said"
 grep -q '^. reference  *[0-9]' <<<"$said" && grep -q '^  student .*not written yet' <<<"$said" || complain "./run measure says: $said"
+said=$(cd "$folder" && ./run writeup normals --quality draft 2>&1) || [ $? -eq 1 ] || complain "./run writeup says: $said"
+# The commands of the handbook make the pictures that it shows, but those that need a learner's mistake.
+shown=0
+while read -r command; do
+  picture=$(sed -E 's/.* -f ([^ ]*[.]png).*/\1/' <<<"$command")
+  [ -e "student/pictures/$picture" ] || continue
+  said=$(cd "$folder" && bash -c "$command" 2>&1) || complain "$command says: $said"
+  # Some of the handbook's pictures are stored with 256 colours.
+  "$build/pt/compare" "$folder/$picture" "student/pictures/$picture" | awk '$1 == "relMSE" && $2 < 1e-3 { same = 1 } END { exit !same }' ||
+    complain "$command makes another picture than the handbook shows"
+  shown=$((shown + 1))
+done < <(sed -n 's,^    \(./run render .* -f .*[.]png .*--from reference\)$,\1,p' student/*/README.md | grep -v =student)
+[ "$shown" -ge 20 ] || complain "$shown commands of the handbook make a picture: this looks for hardly any"
+rm -f "$folder"/*.png
 [ -z "$(git -C "$folder" status --porcelain)" ] || complain "git sees what ./run makes: $(git -C "$folder" status --porcelain)"
 cp reference/1_rays/hit_triangle.cpp "$folder/student/1_rays/"
 grades 0 'pass' hit_triangle

@@ -52,7 +52,7 @@ chmod +x "$folder/stability" "$folder/measure"
 writeup() {
   local name=$1
   shift
-  ${go-} "$build/writeup/writeup" --quality draft --from "$name" --renderer "$folder/writeup/$name" \
+  ${go-} "$build/writeup/writeup" --quality draft --root "$root" --from "$name" --renderer "$folder/writeup/$name" \
     --accuracy "$folder/writeup/$name.accuracy" --stability "$folder/stability" --measure "$folder/measure" --mistakes "$build/writeup" --generate "$build/scenes/generate" \
     --work "$made" --text "${texts:-$root/writeup}" "$@"
 }
@@ -162,7 +162,7 @@ expect 2 "there is no folder '$made/renders/times'" writeup thief soft_shadows
 
 # The kept pictures are exactly the pictures of the plan.
 handbook() {
-  "$build/writeup/writeup" --handbook --from reference --renderer "$folder/writeup/reference" \
+  "$build/writeup/writeup" --handbook --root "$root" --from reference --renderer "$folder/writeup/reference" \
     --mistakes "$build/writeup" --generate "$build/scenes/generate" --work "$made" "$@"
 }
 expect 0 '' handbook --check 1 2
