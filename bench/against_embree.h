@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/goals.h"
+#include "bench/report.h"
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct BenchSettings {
 };
 
 // Measures rays of each kind, ours and Embree's in turns, on blobs with these numbers of triangles and
-// in scene files. Prints a table and writes rays.csv. Also: build time, memory, float against double.
+// in scene files. Prints a table and writes rays.csv. Also: build time and memory.
 std::vector<Goal> compare_rays(const BenchSettings& settings, const std::vector<int>& blobs,
                                const std::vector<std::string>& files);
 

@@ -1,11 +1,9 @@
 #include "bench/against_embree.h"
 #include "bench/embree.h"
-#include "bench/precision_tree.h"
-#include "bench/ray_sets.h"
 #include "bench/report.h"
+#include "bench/test_scenes.h"
 #include "pt/accel/wide_bvh.h"
 #include "pt/render/cpu_time.h"
-#include "pt/tasks/build_bvh.h"
 
 #include <cmath>
 #include <cstdio>
@@ -74,47 +72,6 @@ struct Ours {
     sink = hits;
   }
 };
-
-// Compares float with double in a binary tree, on the bounce rays.
-template <class Real>
-struct BinaryRays {
-  PrecisionTree<Real> tree;
-  std::vector<typename PrecisionTree<Real>::Line> lines;
-
-  BinaryRays(const Bvh& bvh, const Primitives& primitives, const std::vector<Ray>& rays)
-      : tree(bvh, primitives) {
-    const double margin = 0x1p-16 * max_abs(bounds(primitives).extent());
-    for (const Ray& ray : rays) lines.push_back(tree.convert(ray, margin));
-  }
-  void closest() const {
-    long long hits = 0;
-    for (const auto& line : lines) hits += tree.closest(line) < line.t_max;
-    sink = hits;
-  }
-};
-
-void compare_precisions(const TestScene& test, const RaySets& rays, int rounds, Csv& csv) {
-  const Primitives& primitives = test.scene.primitives;
-  if (!primitives.spheres.empty() || rays.bounce.empty()) return;
-  std::vector<Box> boxes;
-  boxes.reserve(static_cast<std::size_t>(primitives.size()));
-  for (int i = 0; i < primitives.size(); ++i) boxes.push_back(bounds(primitives, i));
-  const Bvh bvh = build_bvh(boxes, 4);
-  const BinaryRays<double> in_double(bvh, primitives, rays.bounce);
-  const BinaryRays<float> in_float(bvh, primitives, rays.bounce);
-  const auto seconds =
-      interleave({[&] { in_double.closest(); }, [&] { in_float.closest(); }}, rounds);
-  const double million = 1e-6 * static_cast<double>(rays.bounce.size());
-  const double slow = median(seconds[0]), fast = median(seconds[1]);
-  const double times = ratio(seconds[0], seconds[1]).median;
-  std::printf("  bounce, binary tree: double %.2f M/s, float %.2f M/s, ratio %.2f\n",
-              million / slow, million / fast, times);
-  char row[300];
-  std::snprintf(row, sizeof row, "%s,%d,%s,%.4g,%.4g,%.3f,,,,,,", test.name.c_str(),
-                primitives.size(), "binary float (and double)", 1e3 * fast / million,
-                1e3 * slow / million, times);
-  csv.row(row);
-}
 
 struct Line {
   const char* kind;
@@ -199,7 +156,6 @@ Result compare(TestScene& test, const BenchSettings& settings, Csv& csv) {
     result.lines.push_back({l.kind, 1e3 * l.ours / million, l.ratio.median});
     report(test, l, million, costs, costs_embree, csv);
   }
-  compare_precisions(test, rays, settings.rounds, csv);
   return result;
 }
 

@@ -1,7 +1,10 @@
 #include "bench/test_scenes.h"
 
+#include "pt/geometry/spawn_ray.h"
+#include "pt/sampling/directions.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
+#include "pt/tasks/camera_ray.h"
 #include "tests/pt/accel/generated_meshes.h"
 
 #include <filesystem>
@@ -27,6 +30,27 @@ void add_box(Scene& scene) {
   add_quad(scene, {-a, -a, -a}, {b, 0, 0}, {0, b, 0}, 0);
   add_quad(scene, {-a, -a, a}, {0, 0, -b}, {0, b, 0}, 1);
   add_quad(scene, {a, -a, -a}, {0, 0, b}, {0, b, 0}, 2);
+}
+
+constexpr int kWidth = 480;
+constexpr int kHeight = 360;
+
+// Adds rays towards random lights, if light from them arrives.
+void add_shadow_rays(const Scene& scene, const SurfacePoint& point, Sampler& sampler,
+                     std::vector<Ray>& rays) {
+  if (scene.lights.empty()) return;
+  std::vector<Ray> group;
+  for (int attempt = 0; attempt < 4 * kShadowGroup; ++attempt) {
+    const auto which =
+        static_cast<std::size_t>(sampler.next_1d() * static_cast<double>(scene.lights.size()));
+    const LightSample sample = sample_light(scene.lights[which], point.p, sampler);
+    if (!(dot(sample.wi, point.n) > 0) || is_black(sample.radiance)) continue;
+    group.push_back(shadow_ray(point, sample.wi, sample.distance));
+    if (group.size() == kShadowGroup) {
+      rays.insert(rays.end(), group.begin(), group.end());
+      return;
+    }
+  }
 }
 
 }  // namespace
@@ -60,6 +84,31 @@ TestScene file_scene(const std::string& file, int width, int height) {
   result.camera = frame_camera(loaded, Framing::course, width, height);
   result.scene = std::move(loaded.scene);
   return result;
+}
+
+RaySets make_rays(const TestScene& test, int count) {
+  RaySets sets;
+  Sampler sampler(1);
+  const Scene& scene = test.scene;
+  const int pixels = kWidth * kHeight;
+  const auto wanted = static_cast<std::size_t>(count);
+  const auto full = [&](const std::vector<Ray>& rays) { return rays.size() >= wanted; };
+  for (int i = 0; i < 64 * count && !(full(sets.primary) && full(sets.bounce)); ++i) {
+    const int pixel = static_cast<int>(static_cast<long long>(i) * pixels / count) % pixels;
+    const Vec2 xi = sampler.next_2d();
+    const int x = pixel % kWidth, y = pixel / kWidth;
+    Ray ray = camera_ray(test.camera, (x + xi.x) / kWidth, (y + xi.y) / kHeight);
+    if (!full(sets.primary)) sets.primary.push_back(ray);
+    for (int bounce = 0; bounce < 2; ++bounce) {
+      const std::optional<Hit> hit = scene.closest(ray);
+      if (!hit) break;
+      const SurfacePoint point = surface_point(scene, ray, *hit);
+      if (i % 8 == 0 && !full(sets.shadow)) add_shadow_rays(scene, point, sampler, sets.shadow);
+      ray = spawn_ray(point, point.frame.to_world(cosine_hemisphere(sampler.next_2d())));
+      if (!full(sets.bounce)) sets.bounce.push_back(ray);
+    }
+  }
+  return sets;
 }
 
 }  // namespace pt

@@ -4,7 +4,9 @@ foreach(test property_test curve_test search_test)
 endforeach()
 
 firstlight_test(test_recipes quick PATHS SOURCES grader/pictures/recipes_test.cpp LIBRARIES grader_recipe_scenes GTest::gmock)
-include(grader/pictures/synthetic.cmake)
+# Pictures and sample maps drawn from known distributions.
+firstlight_library(synthetic_pictures EXCLUDE_FROM_ALL grader/pictures/synthetic_maps.cpp grader/pictures/synthetic_pictures.cpp)
+target_link_libraries(synthetic_pictures PUBLIC grader_pictures)
 firstlight_test(image_verdict_test rest PATHS LIBRARIES synthetic_pictures GTest::gmock SOURCES
   grader/pictures/image_verdict_test.cpp grader/pictures/image_failing_cells_test.cpp grader/pictures/image_guards_test.cpp)
 firstlight_test(sample_map_verdict_test quick SOURCES grader/pictures/sample_map_verdict_test.cpp

@@ -1,2 +1,0 @@
-#define PT_KERNEL plain
-#include "bench/ray_cost_kernel.h"

@@ -1,2 +1,0 @@
-#define PT_KERNEL v3
-#include "bench/ray_cost_kernel.h"
