@@ -4,16 +4,19 @@
 # `./run grade <slug> --submission build/mistakes/<slug>/<name>`. An edit that does not fit its base is an error.
 set(FIRSTLIGHT_MISTAKES ${PROJECT_SOURCE_DIR}/build/mistakes)
 
-# Relatives of the mistakes (grader/tasks/<slug>/relatives.txt), which test their names, are made in
-# build/relatives in the same way.
+# A close relative of a mistake, with another number or operator (`vary`), tests its name. These are made in build/relatives.
 
-# firstlight_make_edits(<table> <folder> <task> <needed> <result>): makes the files of a table, whose entries all have the
-# `needed` fields, removes other files, and sets `result` to the names; empty if there is no table.
-function(firstlight_make_edits table folder task needed result)
-  set(${result} "" PARENT_SCOPE)
+# firstlight_make_edits(<what> <table> <task>): makes the files of a table, with <what> "out" the mistakes and with "relatives" these,
+# removes other files, and sets `names` to their names; empty if there is no table, as in a handout.
+function(firstlight_make_edits what table task)
+  set(names "" PARENT_SCOPE)
   get_filename_component(root ${table} DIRECTORY)
   get_filename_component(file ${task} NAME)
   set(reference ${PROJECT_SOURCE_DIR}/reference/${task}.cpp)
+  set(folder ${FIRSTLIGHT_MISTAKES}/${file})
+  if(what STREQUAL "relatives")
+    set(folder ${PROJECT_SOURCE_DIR}/build/relatives/${file})
+  endif()
   if(NOT EXISTS ${table} OR NOT EXISTS ${reference})
     return()
   endif()
@@ -22,30 +25,31 @@ function(firstlight_make_edits table folder task needed result)
   file(GLOB folders LIST_DIRECTORIES true ${root}/right ${root}/wrong ${root}/noisy)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
     ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table} ${reference} ${bases} ${folders})
-  execute_process(COMMAND awk -v root=${root} -v reference=${reference} -v needed=${needed}
-    -v out=${folder} -v file=${file}.cpp -f ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table}
+  execute_process(COMMAND awk -v root=${root} -v reference=${reference} "-vneeded=breaks says hint base"
+    -v ${what}=${folder} -v file=${file}.cpp -f ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table}
     OUTPUT_VARIABLE names ERROR_VARIABLE why RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${why}")
   endif()
   string(REGEX MATCHALL "[^\n]+" names "${names}")
+  list(JOIN names "|" kept)
   file(GLOB made RELATIVE ${folder} ${folder}/*)
-  list(REMOVE_ITEM made ${names})
+  list(FILTER made EXCLUDE REGEX "^(${kept})$")
   list(TRANSFORM made PREPEND ${folder}/)
   if(made)
     file(REMOVE_RECURSE ${made})
   endif()
-  set(${result} ${names} PARENT_SCOPE)
+  set(names ${names} PARENT_SCOPE)
 endfunction()
 
-# Sets FIRSTLIGHT_MISTAKES_<slug>, the names of the mistakes of each task; empty if there is no table, as in a handout.
+# Sets FIRSTLIGHT_MISTAKES_<slug>, the names of the mistakes of each task.
 function(firstlight_make_mistakes)
   foreach(task IN LISTS FIRSTLIGHT_TASKS)
     get_filename_component(slug ${task} NAME)
-    set(tables ${PROJECT_SOURCE_DIR}/grader/tasks/${slug})
-    firstlight_make_edits(${tables}/mistakes.txt ${FIRSTLIGHT_MISTAKES}/${slug} ${task} "breaks says hint base" names)
+    set(table ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/mistakes.txt)
+    firstlight_make_edits(relatives ${table} ${task})
+    firstlight_make_edits(out ${table} ${task})
     set(FIRSTLIGHT_MISTAKES_${slug} ${names} PARENT_SCOPE)
-    firstlight_make_edits(${tables}/relatives.txt ${PROJECT_SOURCE_DIR}/build/relatives/${slug} ${task} "breaks says base" relatives)
   endforeach()
 endfunction()
 

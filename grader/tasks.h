@@ -44,7 +44,7 @@ const std::vector<std::string>& needs(std::string_view slug);
 const std::vector<std::string>& tracing_tasks();
 
 // The file of a known mistake of a task, which the build makes of mistakes.txt (cmake/mistakes.cmake). `root` is the folder of the
-// project; `made` is "relatives" for a relative of a mistake.
+// project; `made` is "relatives" for the relative of the mistake.
 std::filesystem::path mistake_file(const std::filesystem::path& root, const std::string& slug,
                                    const std::string& name, const std::string& made = "mistakes");
 

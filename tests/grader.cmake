@@ -120,7 +120,7 @@ target_link_libraries(right_work PRIVATE firstlight_warnings grader_right_work C
 firstlight_add_test(right_work rest NEEDS right_work grade graded COMMAND right_work --mixtures 4 --whole-seeds 1 --first-seed 5001
   --out ${PROJECT_BINARY_DIR}/tests/right_work.csv)
 
-# Tests what `grade` names mistakes, relatives of theirs and right solutions. All of them take half an hour; the test tries one
+# Tests what `grade` names mistakes, their relatives and right solutions. All of them take half an hour; the test tries one
 # of each kind for each task.
 add_executable(naming grader/mistakes/naming.cpp)
 target_link_libraries(naming PRIVATE firstlight_warnings grader_submissions grader_judging CLI11::CLI11)

@@ -22,14 +22,15 @@ fail() {
 }
 
 # edits WHAT: what cmake/edits.awk says of the table.
-edits() { awk -v "root=$root" -v needed="says base old target test" "$@" -f "$root/cmake/edits.awk" "$table"; }
+edits() { awk -v "root=$root" -v needed="says base old test" "$@" -f "$root/cmake/edits.awk" "$table"; }
 
 # The table, into arrays.
 names=() files=() targets=() tests=() whys=()
 read_table() {
   local rows name file target test why
-  rows=$(edits -v list="name base target test says") || exit 2
-  while IFS=$'\t' read -r name file target test why; do
+  rows=$(edits -v list="name base test says target") || exit 2
+  while IFS=$'\t' read -r name file test why target; do
+    [ -n "$target" ] || { target=${test%% *} target=${target#tests/}; }
     names+=("$name") files+=("$file") targets+=("$target") tests+=("$test") whys+=("$why")
   done <<<"$rows"
   [ "${#names[@]}" -ge "$least" ] || fail "$table: ${#names[@]} mistakes are fewer than $least; keep more"

@@ -17,11 +17,12 @@ printf '// right: a\n#include "a.h"\n\nint a() {\n  int i = 1;\n\n  return i + i
 cat >"$folder/table" <<'END'
 # A comment.
 
+breaks  a_promise
+
 name    two_places
 says    It says
         so.
 hint    Look.
-breaks  a_promise
 base    right.cpp
 include <cmath>
 old     int i = 1;
@@ -30,13 +31,22 @@ new     int i = 2;
           int j = 3;
 old     + i;
 new     + j;
+vary    int j = 3 => int j = 4
+
+breaks  another_promise
 
 name    as_it_is
 says    Nothing changes.
 base    reference
+
+name    one_more
+says    It changes the first.
+base    two_places
+old     i + j
+new     j + j
 END
 edits -v out="$folder/made" -v file=a.cpp >"$folder/names"
-printf 'two_places\nas_it_is\n' | diff - "$folder/names" || complain 'other names'
+printf 'two_places\nas_it_is\none_more\n' | diff - "$folder/names" || complain 'other names'
 diff - "$folder/made/two_places/a.cpp" <<'END' || complain 'another file'
 // breaks: a_promise
 // It says
@@ -54,7 +64,13 @@ int a() {
 }
 END
 [ "$(edits -v only=two_places | sed -n 1p)" = '// right: a' ] || complain 'one file has lost its first line'
-[ "$(edits -v list="name says")" = "$(printf 'two_places\tIt says so.\nas_it_is\tNothing changes.')" ] || complain 'another list'
+[ "$(edits -v list="name breaks")" = "$(printf 'two_places\ta_promise\nas_it_is\tanother_promise\none_more\tanother_promise')" ] ||
+  complain 'another list'
+[ "$(edits -v only=one_more | sed -n '2p;$p')" = $'#include <cmath>\n}' ] && edits -v only=one_more | grep -qx '  return j + j;' ||
+  complain 'an edit of an edit is another file'
+[ "$(edits -v relatives="$folder/relatives" -v file=a.cpp)" = two_places ] || complain 'other relatives'
+sed 's/int j = 3/int j = 4/; 2,4d; 1s/.*/\/\/ breaks: two_places/' "$folder/made/two_places/a.cpp" | diff - "$folder/relatives/two_places/a.cpp" ||
+  complain 'another relative'
 touch -d 2001-01-01 "$folder/made/two_places/a.cpp"
 edits -v out="$folder/made" -v file=a.cpp >/dev/null
 [ "$(date -r "$folder/made/two_places/a.cpp" +%Y)" = 2001 ] || complain 'a file that has not changed is written again'
@@ -74,6 +90,9 @@ refuses "is 2 times" <<<"${entry}old     int"$'\n'"new     j"
 refuses "after the edits above it" <<<"${entry}old     1;"$'\n'"new     1 + i;"$'\n'"old     + i;"$'\n'"new     ;"
 refuses "are the same" <<<"${entry}old     1;"$'\n'"new     1;"
 refuses "say where the code is now" <<<"${entry/right.cpp/gone.cpp}old     1;"$'\n'"new     2;"
+refuses "not once" <<<"${entry}vary    int => long"
+refuses "above the entries" <<<"${entry}breaks  a_promise"
+refuses "say where the code is now" <<<"${entry/right.cpp/a}old     1;"$'\n'"new     2;"
 refuses "has no 'says'" <<<$'name    a\nbase    right.cpp'
 refuses "two of the name a" <<<"$entry"$'\n'"$entry"
 refuses "is not a label" <<<"${entry}colour  red"

@@ -1,6 +1,6 @@
 // naming: hands in kept solutions with new random numbers, and tests the names that `grade` gives:
 // for a mistake, only its own or that of a mistake with equal results; for a right solution, none;
-// for a relative of a mistake (grader/tasks/<slug>/relatives.txt), only names that are true of it.
+// for a relative of a mistake (`vary` in mistakes.txt), only the name of that mistake.
 #include "grader/mistakes/naming.h"
 
 #include "grader/base/parallel.h"
@@ -21,7 +21,6 @@
 #include <atomic>
 #include <cstdio>
 #include <map>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -178,18 +177,11 @@ class Score {
   }
 
  private:
-  // A mistake's own sentence is true of it, and so is the sentence of a mistake with the same
-  // answers. A relative's file lists the sentences that are true of the relative.
+  // A mistake's own sentence is true of it and of its relative, and so is the sentence of a mistake
+  // with the same answers.
   static bool says_the_truth(const mistakes::KnownTask& known, const KeptSolution& kept,
                              const mistakes::Fingerprint& print) {
     if (kept.kind == "right" || kept.kind == "noisy") return false;
-    if (kept.kind == "relative") {
-      std::istringstream names(first_line(kept.file, "// breaks: "));
-      for (std::string name; names >> name;) {
-        if (name == print.name || sentence(known, name) == print.sentence) return true;
-      }
-      return false;
-    }
     return print.name == kept.name || print.sentence == sentence(known, kept.name);
   }
 
