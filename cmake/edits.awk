@@ -7,7 +7,7 @@
 #
 #     name    far_root_reported
 #     base    right/textbook.cpp       the file that is changed: from the folder `root`; `reference` is the file of that name, and
-#                                      the name of an entry above stands for that entry's changed file
+#                                      the name of another entry stands for that entry's changed file
 #     include <limits>                 a header that the change needs, if any
 #     old     t1 : t2;                 stands exactly once in the file,
 #     new     t2 : t1;                 and this takes its place. There may be several such pairs, or none: the file as it is.
@@ -84,7 +84,11 @@ function occurrences(text, part,    n, at) {
 # Returns the file of an entry after its edits.
 function changed(i,    path, text, before, k, at) {
   path = base_of(i)
-  if (!(path in kept)) kept[path] = named[field[i, "base"]] + 0 > 0 && named[field[i, "base"]] < i ? changed(named[field[i, "base"]]) : contents(path)
+  if (!(path in kept)) {
+    if (busy[i]++) fail(line_of[i], field[i, "name"] ": its base is an edit of itself; name a file")
+    text = field[i, "base"] in named ? changed(named[field[i, "base"]]) : contents(path)
+    kept[path] = text
+  }
   text = before = kept[path]
   if (text == "") fail(line_of[i], field[i, "name"] ": there is no " path "; say where the code is now")
   for (k = 1; k <= edits[i]; ++k) {

@@ -20,9 +20,9 @@ function(firstlight_make_edits what table task)
   if(NOT EXISTS ${table} OR NOT EXISTS ${reference})
     return()
   endif()
-  file(GLOB bases ${root}/right/*.cpp ${root}/wrong/*.cpp ${root}/noisy/*.cpp)
+  file(GLOB bases ${root}/right/*.cpp ${root}/noisy/*.cpp)
   # A folder is newer where a file has come or gone.
-  file(GLOB folders LIST_DIRECTORIES true ${root}/right ${root}/wrong ${root}/noisy)
+  file(GLOB folders LIST_DIRECTORIES true ${root}/right ${root}/noisy)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
     ${PROJECT_SOURCE_DIR}/cmake/edits.awk ${table} ${reference} ${bases} ${folders})
   execute_process(COMMAND awk -v root=${root} -v reference=${reference} "-vneeded=breaks says hint base"

@@ -289,7 +289,7 @@ std::string charts_hash(const build::Config& config, const build::TaskConfig& ta
                         const Request& request) {
   std::string text = base::stamp("/proc/self/exe") + base::stamp(program_of(task));
   for (const std::string& object : task.reference) text += base::stamp(object);
-  for (const char* kind : {"methods/", "right/", "wrong/", "mistakes.txt"}) {
+  for (const char* kind : {"methods/", "right/", "mistakes.txt"}) {
     const std::string path = folder_of(config, task) + kind;
     if (fs::is_regular_file(path)) text += base::stamp(path);
     for (const fs::path& file : base::sources_in(path)) text += base::stamp(file.string());

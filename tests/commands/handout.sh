@@ -30,7 +30,7 @@ if scripts/editions/handout.sh "$build" "$folder" 2>/dev/null; then
 fi
 grep -q 'todo(' "$folder/student/1_rays/hit_triangle.cpp" || complain "there are no stubs"
 for gone in reference fast tests bench grader/programs/bless.cpp grader/service/classes grader/service/intake/handed_in.cpp \
-  grader/tasks/hit_box/wrong grader/tasks/hit_box/right grader/tasks/trace_path/noisy; do
+  grader/tasks/hit_box/mistakes.txt grader/tasks/hit_box/right grader/tasks/trace_path/noisy; do
   [ ! -e "$folder/$gone" ] || complain "$gone is in it"
 done
 
