@@ -29,13 +29,12 @@ firstlight_test(test_render_program quick SOURCES pt/render/render_program_test.
     STUBS_RENDER_PROGRAM="$<TARGET_FILE:render_stubs>" FIRSTLIGHT_SCENES="${PROJECT_SOURCE_DIR}/scenes")
 
 # Held to closed forms, and to brute force.
-foreach(proof furnace interreflection area_lights samplers brute_force bvh stability camera determinism box)
+foreach(proof furnace interreflection area_lights samplers brute_force stability determinism)
   firstlight_test(test_${proof} quick SOURCES proof/${proof}_test.cpp)
 endforeach()
 foreach(proof delta_lights light_samplers worst_inputs allocation agreement)
   firstlight_test(test_${proof} rest SOURCES proof/${proof}_test.cpp)
 endforeach()
-firstlight_test(test_pixel quick RADIANCE none SOURCES proof/pixel_test.cpp LIBRARIES pt_scene)
 
 # Pictures of several numbers of bounces from one walk: of the reference, of right ways to write trace_path, and
 # of a wrong one with which it cannot be.

@@ -1,104 +1,61 @@
-#include "tests/grader/tasks/right_work.h"
-
-#include "grader/base/sha256.h"
+// Grades right work, as much as the options say: mixtures of right variants, each variant alone, and
+// the reference, with many seeds, also next to busy loops. The judge keeps its verdicts, so the program
+// can be stopped and started at any time. Exit status 1: right work has failed, so the judge is wrong.
+//
+// After a change to a promise, a contract or a picture: nice right_work --variant-seeds 10
+// --mixtures 200 --mixtures-with-pictures 40 --reference-seeds 300
+// --reference-seeds-with-pictures 100, and the same with --busy 30.
+#include "grader/base/parallel.h"
 #include "grader/base/sources_in.h"
+#include "grader/service/judging/grade.h"
+#include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/sampling/sampler.h"
-#include "tests/fixtures/task_folder.h"
+#include "tests/grader/service/judging/busy_loops.h"
 
 #include <algorithm>
-#include <fstream>
+#include <cstdio>
+#include <filesystem>
 #include <map>
 #include <mutex>
-#include <sstream>
+#include <string>
+#include <vector>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-
-namespace grader::tests {
-
-namespace fs = std::filesystem;
+#include <unistd.h>
 
 namespace {
 
-constexpr int kColumns = 9;
+using namespace grader;
+namespace fs = std::filesystem;
 
 // With many busy loops running, a right task takes longer by the clock, but not in its own time.
 constexpr int kCallLimit = 2000;
 
-RightJob all_reference(const Choices& choices) {
-  RightJob job;
-  for (const auto& [slug, files] : choices) job.files[slug] = files.front();
-  return job;
-}
-
-// Thousands of jobs need the hashes of the same programs, which do not change meanwhile.
-const std::string& file_hash(const std::string& path) {
-  static std::mutex lock;
-  static std::map<std::string, std::string> hashes;
-  const std::lock_guard guard(lock);
-  std::string& hash = hashes[path];
-  if (hash.empty()) hash = base::sha256(pt::read_file(path));
-  return hash;
-}
-
-std::string judge_hash(const build::Config& config, const RightJob& job) {
-  std::string text;
-  for (const auto& [slug, file] : job.files) text += slug + '\0' + file_hash(file);
-  for (const build::TaskConfig& task : config.tasks) {
-    const bool judged = std::count(job.asked.begin(), job.asked.end(), task.slug) > 0;
-    if (judged) text += file_hash(task.graded);
-  }
-  if (job.pictures) {
-    text += file_hash(config.picture) + file_hash(config.root + "/scenes/recipes.json");
-  }
-  return base::sha256(text).substr(0, 12);
-}
-
-// A submission may be twelve files without folders.
-class Folder {
- public:
-  Folder(const std::string& path, const RightJob& job) : path_(path) {
-    fs::create_directories(path_);
-    for (const auto& [slug, file] : job.files) {
-      fs::copy_file(file, path_ / (slug + ".cpp"), fs::copy_options::overwrite_existing);
-    }
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
- private:
-  fs::path path_;
+struct Options {
+  int mixtures = 0, mixtures_with_pictures = 0;
+  int variant_seeds = 0;
+  int reference_seeds = 0, reference_seeds_with_pictures = 0;
+  int first_seed = 1;
+  int busy = 0;
+  int threads = 2;
 };
 
-// One line without commas, because people open the file in spreadsheets.
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r' || c == ',' || c == '"') c = ' ';
-  }
-  return text;
-}
+// One submission and how it is graded.
+struct RightJob {
+  std::string kind;                          // "mixture", "variant" or "reference"
+  std::string name;                          // "17", "hit_sphere.half_b", "reference"
+  std::map<std::string, std::string> files;  // path of each task's file by slug
+  std::vector<std::string> asked;            // the slugs that are judged
+  std::uint64_t seed = 1;
+  bool pictures = false;
+};
 
-std::string faults_of(const RightJob& job, const results::TaskResult& task) {
-  std::string text = fmt::format("{}: {}", task.slug, name(task.state));
-  if (!task.reason.empty()) text += ", " + task.reason;
-  for (const results::PromiseResult& promise : task.promises) {
-    if (promise.held || promise.bonus) continue;
-    text += ", " + promise.name;
-    for (const results::Failure& failure : promise.failures) {
-      text += fmt::format(" ({} got {} expected {})", failure.what, failure.got, failure.expected);
-    }
-  }
-  for (const results::PictureResult& picture : task.pictures) {
-    if (picture.state != results::State::pass)
-      text += ", picture " + picture.recipe + " " + picture.text;
-  }
-  const fs::path file = job.files.at(task.slug);
-  return one_line(text + " [" + file.stem().string() + "]");
-}
-
-}  // namespace
+// The candidate files for each task, in alphabetical order: the reference's file, then the files in
+// grader/tasks/<slug>/right.
+using Choices = std::map<std::string, std::vector<fs::path>>;
 
 Choices right_choices(const build::Config& config) {
   Choices choices;
@@ -113,6 +70,12 @@ Choices right_choices(const build::Config& config) {
     choices[task.slug].insert(choices[task.slug].end(), variants.begin(), variants.end());
   }
   return choices;
+}
+
+RightJob all_reference(const Choices& choices) {
+  RightJob job;
+  for (const auto& [slug, files] : choices) job.files[slug] = files.front();
+  return job;
 }
 
 RightJob reference_job(const Choices& choices, std::uint64_t seed) {
@@ -139,24 +102,7 @@ std::vector<RightJob> variant_jobs(const Choices& choices, std::uint64_t seed) {
   return jobs;
 }
 
-std::vector<RightJob> whole_jobs(const build::Config& config, std::uint64_t seed) {
-  std::vector<RightJob> jobs;
-  for (const auto& folder : fs::directory_iterator(config.root + "/tests/fixtures/right")) {
-    RightJob job;
-    job.kind = "whole";
-    job.name = folder.path().filename();
-    job.seed = seed;
-    for (const build::TaskConfig& task : config.tasks) {
-      job.files[task.slug] = folder.path() / (task.slug + ".cpp");
-      job.asked.push_back(task.slug);
-    }
-    jobs.push_back(job);
-  }
-  std::sort(jobs.begin(), jobs.end(),
-            [](const RightJob& a, const RightJob& b) { return a.name < b.name; });
-  return jobs;
-}
-
+// All files of a task are equally likely. A number means the same mixture until a file is added.
 RightJob mixture_job(const Choices& choices, int number) {
   RightJob job;
   job.kind = "mixture";
@@ -171,56 +117,64 @@ RightJob mixture_job(const Choices& choices, int number) {
   return job;
 }
 
-std::string RightRow::key() const {
-  return fmt::format("{},{},{},{:d},{},{}", kind, name, seed, pictures, busy, judge);
+// Cheap jobs come first, and some of every kind early.
+std::vector<RightJob> find_jobs(const build::Config& config, const Options& options) {
+  const Choices choices = right_choices(config);
+  std::vector<RightJob> jobs;
+  const auto seed_of = [&](int i) { return static_cast<std::uint64_t>(options.first_seed + i); };
+  for (int i = 0; i < options.variant_seeds; ++i) {
+    for (RightJob& job : variant_jobs(choices, seed_of(i))) jobs.push_back(std::move(job));
+  }
+  for (int i = 0; i < std::max(options.mixtures, options.mixtures_with_pictures); ++i) {
+    jobs.push_back(mixture_job(choices, options.first_seed + i));
+    jobs.back().pictures = i < options.mixtures_with_pictures;
+  }
+  const int references = std::max(options.reference_seeds, options.reference_seeds_with_pictures);
+  for (int i = 0; i < references; ++i) {
+    jobs.push_back(reference_job(choices, seed_of(i)));
+    jobs.back().pictures = i < options.reference_seeds_with_pictures;
+  }
+  return jobs;
 }
 
-RightRow row_of(const build::Config& config, const RightJob& job, int busy) {
-  RightRow row;
-  row.kind = job.kind;
-  row.name = job.name;
-  row.seed = job.seed;
-  row.pictures = job.pictures;
-  row.busy = busy;
-  row.judge = judge_hash(config, job);
-  return row;
-}
-
-std::string to_line(const RightRow& row) {
-  return fmt::format("{},{:d},{:.2f},{}", row.key(), row.passed, row.seconds, row.faults);
-}
-
-std::vector<RightRow> read_right_rows(const fs::path& path) {
-  std::vector<RightRow> rows;
-  std::ifstream file(path);
-  int number = 1;
-  for (std::string line; std::getline(file, line) && !file.eof(); ++number) {
-    std::istringstream in(line);
-    std::vector<std::string> words(kColumns);
-    for (std::string& word : words) std::getline(in, word, ',');
-    try {
-      RightRow row;
-      row.kind = words[0];
-      row.name = words[1];
-      row.seed = std::stoull(words[2]);
-      row.pictures = words[3] == "1";
-      row.busy = std::stoi(words[4]);
-      row.judge = words[5];
-      row.passed = words[6] == "1";
-      row.seconds = std::stod(words[7]);
-      row.faults = words[8];
-      rows.push_back(row);
-    } catch (const std::logic_error&) {
-      throw pt::Error(fmt::format("{}:{}: this is not a row of right_work; choose another --out",
-                                  path.string(), number));
+// A submission may be twelve files without folders.
+class Folder {
+ public:
+  Folder(const std::string& path, const RightJob& job) : path_(path) {
+    fs::create_directories(path_);
+    for (const auto& [slug, file] : job.files) {
+      fs::copy_file(file, path_ / (slug + ".cpp"), fs::copy_options::overwrite_existing);
     }
   }
-  return rows;
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+ private:
+  fs::path path_;
+};
+
+std::string faults_of(const RightJob& job, const results::TaskResult& task) {
+  std::string text = fmt::format("{}: {}", task.slug, name(task.state));
+  if (!task.reason.empty()) text += ", " + task.reason;
+  for (const results::PromiseResult& promise : task.promises) {
+    if (promise.held || promise.bonus) continue;
+    text += ", " + promise.name;
+    for (const results::Failure& failure : promise.failures) {
+      text += fmt::format(" ({} got {} expected {})", failure.what, failure.got, failure.expected);
+    }
+  }
+  for (const results::PictureResult& picture : task.pictures) {
+    if (picture.state != results::State::pass)
+      text += ", picture " + picture.recipe + " " + picture.text;
+  }
+  const fs::path file = job.files.at(task.slug);
+  return text + " [" + file.stem().string() + "]";
 }
 
-RightRow grade_right(const build::Config& config, const sandbox::Isolation& isolation,
-                     const RightJob& job, int busy) {
-  RightRow row = row_of(config, job, busy);
+// Grades the job in a temporary folder below config.work. Returns the faults; none if it passed.
+std::string grade_right(const build::Config& config, const sandbox::Isolation& isolation,
+                        const RightJob& job) {
   const std::string path = pt::temporary_name(
       fmt::format("{}/right/{}.{}.{}", config.work, job.kind, job.name, job.seed));
   const Folder folder(path, job);
@@ -233,13 +187,78 @@ RightRow grade_right(const build::Config& config, const sandbox::Isolation& isol
   request.pictures = job.pictures;
   request.isolation = isolation;
   const results::Results results = judging::grade(config, request, [](const results::Results&) {});
-  row.passed = results::passes(results);
-  row.seconds = results.seconds;
+  if (results::passes(results)) return "";
+  std::string faults;
   for (const results::TaskResult& task : results.tasks) {
     if (task.state == results::State::pass) continue;
-    row.faults += (row.faults.empty() ? "" : "; ") + faults_of(job, task);
+    faults += (faults.empty() ? "" : "; ") + faults_of(job, task);
   }
-  return row;
+  return faults.empty() ? "it does not pass" : faults;
 }
 
-}  // namespace grader::tests
+// The verdicts by kind, for the last lines.
+struct Count {
+  int graded = 0, failed = 0;
+};
+
+int run(const Options& options) {
+  build::Config config = build::load_config(build::default_config_path());
+  // Verdicts in the judge's cache say nothing about a busy machine.
+  if (options.busy > 0) config.work += "/right-busy-" + std::to_string(getpid());
+  fs::create_directories(config.work);
+  const sandbox::Isolation isolation = sandbox::probe_isolation(config.root, config.work);
+  const std::vector<RightJob> jobs = find_jobs(config, options);
+  if (jobs.empty()) throw pt::Error("nothing was asked for: see right_work --help");
+
+  std::map<std::string, Count> counts;
+  std::size_t ended = 0, failed = 0;
+  {
+    const tests::BusyLoops loops(options.busy);
+    std::mutex writing;
+    base::for_each(jobs.size(), options.threads, [&](std::size_t i) {
+      const RightJob& job = jobs[i];
+      const std::string faults = grade_right(config, isolation, job);
+      const std::lock_guard lock(writing);
+      Count& count = counts[job.kind + (job.pictures ? " with pictures" : " by properties")];
+      ++count.graded;
+      if (!faults.empty()) {
+        ++count.failed;
+        ++failed;
+        fmt::print("{} {}, seed {}: {}\n", job.kind, job.name, job.seed, faults);
+      }
+      std::fprintf(stderr, "\r%zu of %zu, %zu failed", ++ended, jobs.size(), failed);
+    });
+    std::fprintf(stderr, "\n");
+  }
+  if (options.busy > 0) fs::remove_all(config.work);
+  for (const auto& [what, count] : counts) {
+    fmt::print("{:<40} {:>5} graded, {} failed\n", what, count.graded, count.failed);
+  }
+  return failed > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Grades right work: the judge is wrong if any of it fails"};
+  app.add_option("--mixtures", options.mixtures, "So many mixtures of variants, by properties")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--mixtures-with-pictures", options.mixtures_with_pictures,
+                 "The first so many of them by pictures too")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--variant-seeds", options.variant_seeds, "Every variant with so many seeds")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--reference-seeds", options.reference_seeds, "The reference with so many seeds")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--reference-seeds-with-pictures", options.reference_seeds_with_pictures,
+                 "The first so many of them by pictures too")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--first-seed", options.first_seed,
+                 "The first seed of all, and the number of the first mixture")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--busy", options.busy, "Endless loops that run beside it; nothing is cached")
+      ->check(CLI::Range(0, 1000));
+  app.add_option("--threads", options.threads, "Submissions at a time")->check(CLI::Range(1, 256));
+  return pt::run_command_line(app, argc, argv, [&] { return run(options); });
+}
