@@ -102,14 +102,6 @@ firstlight_add_test(wrong_and_right_test long COMMAND wrong_and_right_test ${nee
 firstlight_script_test(debug rest commands/debug.sh NEEDS ${programs}
   ARGUMENTS ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/tests/hit_triangle.objects)
 
-# A benchmark, built on request: the wrong solutions that each picture sees.
-add_executable(verdict_mistakes EXCLUDE_FROM_ALL grader/pictures/verdict_mistakes.cpp grader/pictures/mistake_rows.cpp
-  grader/pictures/map_figures.cpp)
-target_link_libraries(verdict_mistakes PRIVATE
-  firstlight_warnings grader_submissions grader_judging grader_judge_recipe CLI11::CLI11)
-firstlight_link_tasks(verdict_mistakes FROM reference)
-add_dependencies(verdict_mistakes grade graded)
-
 # Right work of every kind, graded as a class hands it in: a little of it by the tests, as much as is
 # asked for by hand. Of these mixtures two have uniform directions, with which the furnace's last bounces are noisy.
 add_executable(right_work grader/tasks/right_work.cpp)
