@@ -1,5 +1,6 @@
 # The renderer and the reference.
 firstlight_test(test_math quick SOURCES pt/math/math_test.cpp)
+firstlight_test(test_bvh_builder quick SOURCES pt/geometry/bvh_builder_test.cpp)
 firstlight_test(test_accel quick SOURCES pt/accel/accel_test.cpp)
 firstlight_test(test_child_choice quick SOURCES pt/accel/child_choice_test.cpp)
 firstlight_test(test_accel_truth quick SOURCES pt/accel/accel_truth_test.cpp)

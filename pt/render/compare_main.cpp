@@ -64,14 +64,14 @@ Read read(const std::string& path) {
   return {mean(film), film};
 }
 
-// Writes both pictures, their difference and the numbers as a page. The names are words of the
+// Writes both pictures and the numbers as a page, which shows difference.png too. The names are words of the
 // caller's command.
-void write_page(const std::filesystem::path& folder, const Options& options, const pt::Image& a,
-                const pt::Image& b, const std::string& numbers) {
+void write_page(const Options& options, const pt::Image& a, const pt::Image& b,
+                const std::string& numbers) {
+  const std::filesystem::path folder = options.page;
   std::filesystem::create_directories(folder);
   pt::write_png(folder / "a.png", a);
   pt::write_png(folder / "b.png", b);
-  pt::write_png(folder / "difference.png", pt::difference_picture(a, b));
   const auto figure = [](const std::string& file, const std::string& words) {
     return fmt::format(
         "<figure><img src=\"{0}.png\" alt=\"{1}\"><figcaption>{1}</figcaption></figure>\n", file,
@@ -98,14 +98,17 @@ void run(const Options& options) {
   std::string numbers = described(pt::compare(a, b));
   if (film_a && film_b) numbers += described(pt::compare_means(*film_a, *film_b));
   fmt::print("{}", numbers);
+  const pt::Picture difference = pt::difference_picture(a, b);
   if (!options.difference.empty()) {
-    pt::write_png(options.difference, pt::difference_picture(a, b));
+    pt::write_png(options.difference, difference);
     fmt::print(
         "{}: the difference in luminance, blue where A is darker, orange where it is brighter, "
         "full at 20 %\n",
         options.difference);
   }
-  if (!options.page.empty()) write_page(options.page, options, a, b, numbers);
+  if (options.page.empty()) return;
+  write_page(options, a, b, numbers);
+  pt::write_png(std::filesystem::path(options.page) / "difference.png", difference);
 }
 
 }  // namespace
