@@ -59,10 +59,15 @@ endforeach()
 
 # Submissions that attack the grader, and files that it must not take; variables that live on between
 # calls; a busy machine; four bugs that a write-up tells of; and what is right on average and too noisy.
-foreach(test hostile attack state noisy)
+foreach(test hostile state noisy)
   firstlight_test(${test}_test rest PLAIN PATHS SOURCES ${service}/judging/${test}_test.cpp LIBRARIES grader_submissions
     NEEDS grade graded)
 endforeach()
+# Each attack in one tier, and then all of them in both.
+firstlight_test(attack_test long PLAIN PATHS SOURCES ${service}/judging/attack_test.cpp LIBRARIES grader_submissions
+  NEEDS grade graded)
+set(tried_in_the_other_tier *at_run_time/B:*commands_and_flags/A:*directives/B:*names_and_files/A:*compiling_for_ever/B)
+firstlight_add_test(attacks rest COMMAND attack_test --gtest_filter=-${tried_in_the_other_tier} NEEDS attack_test grade graded)
 # Fourteen endless loops run beside it, and nothing else gets on.
 firstlight_test(busy_test long PLAIN PATHS SOURCES ${service}/judging/busy_test.cpp LIBRARIES grader_submissions NEEDS grade graded)
 firstlight_test(four_bugs_test rest PLAIN PATHS SOURCES grader/tasks/four_bugs_test.cpp LIBRARIES grader_submissions
