@@ -164,7 +164,7 @@ bool make_pages(const Plan& plan, const Catalogue& catalogue,
                 const std::vector<const Figure*>& figures, const Options& options,
                 const std::string& command) {
   const fs::path work = options.work;
-  Site site{catalogue, plan.scenes(), {}, options.draft, command, options.texts};
+  Site site{catalogue, plan.scenes(), {}, options.draft, command, options.texts, options.by};
   const fs::path out =
       options.out.empty() ? work / (options.draft ? "draft" : "pages") : fs::path(options.out);
   fs::create_directories(out);

@@ -52,6 +52,7 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 1024));
   app.add_option("--from", options.from)->group("");
   app.add_option("--root", options.root)->group("");
+  app.add_option("--by", options.by)->group("");
   app.add_option("--renderer", options.renderer)->group("");
   app.add_option("--accuracy", options.accuracy)->group("");
   app.add_option("--stability", options.stability)->group("");

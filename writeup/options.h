@@ -15,7 +15,7 @@ struct Options {
   int threads = 1;
   // Set by ./run.
   std::string root = ".";  // of the project: the catalogues are in its folder writeup/
-  std::string renderer, accuracy, stability, measure, generate, mistakes, work, boxed;
+  std::string renderer, accuracy, stability, measure, generate, mistakes, work, boxed, by;
 };
 
 // Prints help and exits for --help; throws pt::Error for what it cannot use.

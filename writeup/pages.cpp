@@ -7,6 +7,8 @@
 #include "writeup/page/sources.h"
 
 #include <algorithm>
+#include <chrono>
+#include <regex>
 #include <set>
 
 #include <fmt/chrono.h>
@@ -22,6 +24,7 @@ using kainjow::mustache::mustache;
 namespace {
 
 constexpr std::size_t kMaxPage = std::size_t{1} << 22;
+constexpr std::size_t kMaxChart = std::size_t{1} << 24;
 constexpr int kStops = 9;  // of the colours of a map
 
 std::string render(std::string_view source, const data& values) {
@@ -215,6 +218,38 @@ Page make_page(const Site& site, const std::string& name) {
   return page;
 }
 
+// Gives each chart the size that its file states, so that a page that is loading keeps its places.
+std::string with_chart_sizes(const std::string& html, const fs::path& folder) {
+  static const std::regex chart(R"re(<img class="chart" src="(figures/[^"]*\.svg)")re");
+  static const std::regex size(R"re(viewBox="0 0 ([0-9.]+) ([0-9.]+)")re");
+  std::string text;
+  std::smatch found, stated;
+  auto from = html.cbegin();
+  for (; std::regex_search(from, html.cend(), found, chart); from = found[0].second) {
+    text.append(from, found[0].second);
+    const fs::path file = folder / found.str(1);
+    if (!fs::exists(file)) continue;
+    const std::string head = pt::read_file(file, kMaxChart).substr(0, 2000);
+    if (std::regex_search(head, stated, size)) {
+      text += fmt::format(" width=\"{}\" height=\"{}\"", stated.str(1), stated.str(2));
+    }
+  }
+  return text.append(from, html.cend());
+}
+
+// The command, who ran it where, and the date of the newest figure.
+std::string foot(const Site& site, const fs::path& folder) {
+  std::string text = "Made by: " + site.command + (site.by.empty() ? "" : " · " + site.by);
+  if (!fs::exists(folder / "figures")) return text;
+  fs::file_time_type newest{};
+  for (const fs::directory_entry& file : fs::directory_iterator(folder / "figures")) {
+    newest = std::max(newest, file.last_write_time());
+  }
+  if (newest == fs::file_time_type{}) return text;
+  const auto time = std::chrono::file_clock::to_sys(newest);
+  return text + fmt::format(" · {:%F}", std::chrono::time_point_cast<std::chrono::seconds>(time));
+}
+
 std::string short_name(const Page& page) {
   if (page.name == "index") return "Overview";
   const std::size_t colon = page.title.find(": ");
@@ -232,6 +267,7 @@ const std::vector<std::string>& page_names() {
 void write_pages(const Site& site, const fs::path& folder) {
   std::vector<Page> pages;
   for (const std::string& name : page_names()) pages.push_back(make_page(site, name));
+  const std::string made = foot(site, folder);
   for (const Page& page : pages) {
     data links{data::type::list};
     for (const Page& other : pages) {
@@ -245,8 +281,8 @@ void write_pages(const Site& site, const fs::path& folder) {
     out.set("title", page.title);
     out.set("pages", links);
     out.set("draft", site.draft);
-    out.set("content", page.content);
-    out.set("made", "Made by: " + site.command);
+    out.set("content", with_chart_sizes(page.content, folder));
+    out.set("made", made);
     pt::write_file(folder / (page.name + ".html"), render(page_html, out));
   }
   pt::write_file(folder / "writeup.css", style());

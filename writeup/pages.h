@@ -15,6 +15,7 @@ struct Site {
   bool draft = false;
   std::string command;  // ./run writeup and the options that this site was made with
   std::filesystem::path texts;
+  std::string by;  // author, machine and commit, for the foot of the pages
 };
 
 // The pages of a write-up, beside a folder "figures" that has their files: index.html, part1.html

@@ -52,7 +52,7 @@ chmod +x "$folder/stability" "$folder/measure"
 writeup() {
   local name=$1
   shift
-  ${go-} "$build/writeup/writeup" --quality draft --root "$root" --from "$name" --renderer "$folder/writeup/$name" \
+  ${go-} "$build/writeup/writeup" --quality draft --root "$root" --by 'an author' --from "$name" --renderer "$folder/writeup/$name" \
     --accuracy "$folder/writeup/$name.accuracy" --stability "$folder/stability" --measure "$folder/measure" --mistakes "$build/writeup" --generate "$build/scenes/generate" \
     --work "$made" --text "${texts:-$root/writeup}" "$@"
 }
@@ -99,6 +99,8 @@ while read -r file; do
   [ -s "$made/draft/$file" ] || complain "a page names $file, which is not there"
 done < <(grep -ohE '(src|href)="figures/[^"]+' "$made"/draft/*.html | cut -d'"' -f2 | sort -u)
 if grep -n 'class="problem"' "$made"/draft/*.html; then complain "the reference has problems"; fi
+if grep -no 'class="chart" src="[^"]*" alt' "$made"/draft/*.html; then complain "charts without a size make a page jump"; fi
+grep -q 'Made by: .* · an author · [0-9-]*</p>' "$made/draft/index.html" || complain "the foot does not say who made the pages, and when"
 
 # Nothing has changed, so nothing is made.
 expect 0 'draft/index.html' writeup reference
