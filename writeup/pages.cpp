@@ -198,6 +198,29 @@ std::string with_page_links(std::string html) {
   return html;
 }
 
+// A page of many charts begins with all of them, small; each opens its own place on the page.
+std::string contents(const Site& site, const std::set<std::string>& shown) {
+  constexpr std::size_t kMany = 12;
+  data charts{data::type::list};
+  for (const Figure& figure : site.catalogue.figures) {
+    const auto found = site.figures.find(figure.id);
+    if (!shown.contains(figure.id) || found == site.figures.end()) continue;
+    if (found->second.charts.empty()) continue;
+    data item;
+    item.set("id", figure.id);
+    item.set("title", figure.title);
+    item.set("chart", found->second.charts[0]);
+    charts.push_back(item);
+  }
+  if (charts.list_value().size() < kMany) return "";
+  data out;
+  out.set("charts", charts);
+  return render(
+      "<nav class=\"contents\" aria-label=\"Charts\">{{#charts}}<a href=\"#{{id}}\">"
+      "<img src=\"figures/{{chart}}\" alt=\"\" loading=\"lazy\">{{title}}</a>\n{{/charts}}</nav>\n",
+      out);
+}
+
 Page make_page(const Site& site, const std::string& name) {
   const fs::path file = site.texts / (name + ".md");
   const std::string text = pt::read_file(file, kMaxPage);
@@ -215,6 +238,8 @@ Page make_page(const Site& site, const std::string& name) {
   for (const Figure& figure : site.catalogue.figures) {
     if (figure.part == part && !shown.contains(figure.id)) page.content += html_of(site, figure);
   }
+  const std::size_t first = page.content.find("<h2");
+  if (first != std::string::npos) page.content.insert(first, contents(site, shown));
   return page;
 }
 

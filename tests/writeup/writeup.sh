@@ -100,6 +100,7 @@ while read -r file; do
 done < <(grep -ohE '(src|href)="figures/[^"]+' "$made"/draft/*.html | cut -d'"' -f2 | sort -u)
 if grep -n 'class="problem"' "$made"/draft/*.html; then complain "the reference has problems"; fi
 if grep -no 'class="chart" src="[^"]*" alt' "$made"/draft/*.html; then complain "charts without a size make a page jump"; fi
+[ "$(grep -c '^<nav class="contents"\|^<a href="#' "$made/draft/stability.html")" -gt 12 ] || complain "stability has no contents"
 grep -q 'Made by: .* · an author · [0-9-]*</p>' "$made/draft/index.html" || complain "the foot does not say who made the pages, and when"
 
 # Nothing has changed, so nothing is made.
