@@ -186,8 +186,14 @@ std::string title_of(const std::string& text, const std::string& name) {
   return text.substr(start + 2, text.find('\n', start) - start - 2);
 }
 
-// Texts link to files of texts; pages have to link to pages.
+constexpr std::string_view kDrawings = "student/drawings/";  // of the handbook
+
+// Texts link to files of texts and to drawings of the handbook; pages have to link to pages, and to drawings beside them.
 std::string with_page_links(std::string html) {
+  const std::string drawings = fmt::format("../{}", kDrawings);
+  for (std::size_t at = html.find(drawings); at != html.npos; at = html.find(drawings, at)) {
+    html.replace(at, drawings.size(), "drawings/");
+  }
   for (const std::string& name : page_names()) {
     const std::string text = fmt::format("href=\"{}.md\"", name);
     const std::string page = fmt::format("href=\"{}.html\"", name);
@@ -310,6 +316,8 @@ void write_pages(const Site& site, const fs::path& folder) {
     out.set("made", made);
     pt::write_file(folder / (page.name + ".html"), render(page_html, out));
   }
+  fs::copy(kDrawings, folder / "drawings",
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   pt::write_file(folder / "writeup.css", style());
   pt::write_file(folder / "writeup.js", writeup_js);
 }
