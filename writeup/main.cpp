@@ -1,20 +1,26 @@
 // writeup: plans the figures of the write-up, makes what is missing or out of date, and writes the
 // pages. ./run writeup builds what it needs and starts it.
+#include "grader/base/files.h"
+#include "grader/base/sha256.h"
 #include "grader/service/process/run_command.h"
 #include "grader/tasks.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/printable.h"
 #include "writeup/boxed_code.h"
-#include "writeup/check_build.h"
+#include "writeup/code.h"
 #include "writeup/handbook.h"
 #include "writeup/make_site.h"
+#include "writeup/options.h"
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <set>
+#include <sstream>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -23,6 +29,38 @@
 
 namespace writeup {
 namespace {
+
+// Programs of the grading build, which compile and run tasks in their own boxes. The functions
+// return nothing if the programs have not been built, or their folder is not named.
+
+// The program that measures curves. Its hash has everything that the curves of a task depend on. If
+// the write-up is not about the reference, the curves have a line for its code.
+std::optional<Code> code_of_stability(const Options& options) {
+  if (options.stability.empty() || !std::filesystem::exists(options.stability)) return {};
+  Code code;
+  code.command = {options.stability};
+  if (!options.submission.empty()) {
+    code.command.insert(code.command.end(), {"--submission", options.submission});
+  } else if (options.from.find("student") != std::string::npos) {
+    code.command.insert(code.command.end(), {"--submission", "student"});
+  }
+  std::vector<std::string> words = code.command;
+  words.push_back("--keys");
+  const auto result = grader::process::run_command(
+      {words, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}}, std::chrono::minutes(1));
+  if (!result.ok()) throw pt::Error(options.stability + ": " + result.output);
+  std::istringstream lines(result.output);
+  for (std::string task, hash; lines >> task >> hash;) code.hash[task] = hash;
+  return code;
+}
+
+// The program that times the right solutions of the tree. `code` is the reference's.
+std::optional<Code> code_of_measure(const Options& options, const Code& code) {
+  if (options.measure.empty() || !std::filesystem::exists(options.measure)) return {};
+  std::string text = grader::base::stamp(options.measure);
+  for (const auto& [task, hash] : code.hash) text += task + hash;
+  return Code{{options.measure}, {{"framework", grader::base::sha256(text)}}, {}};
+}
 
 namespace fs = std::filesystem;
 

@@ -3,19 +3,22 @@
 // kept in the tree, all in boxes. The exit status is 1 if the submission cannot be measured, is wrong,
 // or ends its program.
 #include "grader/base/files.h"
+#include "grader/base/sha256.h"
 #include "grader/service/process/process_time.h"
 #include "grader/service/sandbox/probe.h"
+#include "measure/failure/lines.h"
 #include "measure/failure/print.h"
-#include "measure/failure/search.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/render/progress.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace measure::failure {
@@ -24,6 +27,54 @@ namespace {
 namespace fs = std::filesystem;
 namespace build = grader::build;
 namespace judging = grader::judging;
+using nlohmann::json;
+
+constexpr std::size_t kShown = 2;
+
+std::string text_of(const std::string& slug, const json& search) {
+  std::string text =
+      fmt::format("{}: {}\n  {}\n  {} inputs in {:.0f} seconds, all runs together\n", slug,
+                  search.at("title").get<std::string>(), search.at("measure").get<std::string>(),
+                  search.at("tried").get<long long>(), search.at("seconds").get<double>());
+  const json& worst = search.at("worst");
+  for (std::size_t i = 0; i < std::min(kShown, worst.size()); ++i) {
+    text += worst[i].at("broken") ? "  broken: " + worst[i].at("reason").get<std::string>() + "\n"
+                                  : fmt::format("  {:.3g}\n", worst[i].at("badness").get<double>());
+    std::string input = worst[i].at("input");
+    for (std::size_t at = 0; (at = input.find('\n', at)) != input.npos; at += 5) {
+      input.replace(at, 1, "\n    ");
+    }
+    text += "    " + input + "\n";
+  }
+  return text;
+}
+
+// Returns whether the task has searches.
+bool has_searches(const build::Config& config, const build::TaskConfig& task) {
+  return fs::exists(config.root + "/grader/tasks/" + task.slug + "/searches.cpp");
+}
+
+// Searches for the inputs on which a task is furthest from an exact oracle, and prints the worst
+// ones. The worst inputs are kept in `folder`, one file per task and submission. Returns whether
+// the task could be searched.
+bool search_all(const build::Config& config, const build::TaskConfig& task, const Request& request,
+                double minutes, const std::string& folder) {
+  fs::create_directories(folder);
+  CurveLine line;
+  std::string name = task.slug;
+  if (!request.submission.empty()) {
+    line.kind = CurveLine::Kind::submission;
+    name += "." + grader::base::sha256(fs::absolute(request.submission).string()).substr(0, 8);
+  }
+  const Answered found =
+      search_task(config, task, request, {minutes, folder + "/" + name + ".json"}, line);
+  if (!found.unusable.empty()) {
+    fmt::print("{} is not searched: {}\n", task.slug, found.unusable);
+    return false;
+  }
+  for (const json& search : found.answer) fmt::print("{}\n", text_of(task.slug, search));
+  return true;
+}
 
 struct Options {
   std::vector<std::string> what;

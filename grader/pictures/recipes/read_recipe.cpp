@@ -1,14 +1,139 @@
 #include "grader/pictures/recipes/read_recipe.h"
 
-#include "grader/pictures/recipes/recipe_fields.h"
 #include "grader/tasks.h"
+#include "pt/error.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 namespace grader::pictures {
 
 namespace {
+
+// Takes the fields of one JSON object and says what is wrong with them: all functions throw
+// pt::Error, "where: what is wrong; what to do".
+class Fields {
+ public:
+  // The object has to outlive this. Throws if it is not an object.
+  Fields(const nlohmann::json& object, std::string where);
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+  bool has(const std::string& key) const { return object_.contains(key); }
+
+  const nlohmann::json& required(const std::string& key);
+  std::string text(const std::string& key);  // required, not empty
+  bool flag(const std::string& key);         // false if it is missing
+  int whole(const std::string& key, int low, int high);
+  double number(const std::string& key, double low, double high);  // above low, up to high
+  const nlohmann::json& list(const std::string& key, std::size_t length);
+
+  // Returns `value`, which is somewhere inside `key`, as a whole number.
+  int whole(const nlohmann::json& value, const std::string& key, int low, int high) const;
+
+  template <class Meaning>
+  Meaning choice(const std::string& key, const std::map<std::string, Meaning>& choices,
+                 Meaning otherwise) {
+    if (!has(key)) return otherwise;
+    const nlohmann::json& value = take(key);
+    std::vector<std::string> names;
+    for (const auto& [name, meaning] : choices) {
+      if (value == name) return meaning;
+      names.push_back(name);
+    }
+    fail(fmt::format("'{}' must be one of {}, not {}", key, fmt::join(names, ", "), value.dump()));
+  }
+
+  // Call this when all known fields have been taken. Throws if others are left.
+  void require_no_more() const;
+
+ private:
+  const nlohmann::json& take(const std::string& key);
+
+  const nlohmann::json& object_;
+  std::string where_;
+  std::set<std::string> taken_;
+};
+
+using nlohmann::json;
+
+Fields::Fields(const json& object, std::string where) : object_(object), where_(std::move(where)) {
+  if (!object.is_object()) fail("write an object, {...}");
+}
+
+void Fields::fail(const std::string& what) const { throw pt::Error(where_ + ": " + what); }
+
+const json& Fields::take(const std::string& key) {
+  taken_.insert(key);
+  return object_.at(key);
+}
+
+const json& Fields::required(const std::string& key) {
+  if (!has(key)) fail(fmt::format("'{}' is missing; add it", key));
+  return take(key);
+}
+
+std::string Fields::text(const std::string& key) {
+  const json& value = required(key);
+  if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
+    fail(fmt::format("'{}' must be a text; write it in quotes", key));
+  }
+  return value;
+}
+
+bool Fields::flag(const std::string& key) {
+  if (!has(key)) return false;
+  const json& value = take(key);
+  if (!value.is_boolean()) fail(fmt::format("'{}' must be true or false", key));
+  return value;
+}
+
+int Fields::whole(const std::string& key, int low, int high) {
+  return whole(required(key), key, low, high);
+}
+
+int Fields::whole(const json& value, const std::string& key, int low, int high) const {
+  if (!value.is_number_integer() || value < low || value > high) {
+    fail(fmt::format("'{}' takes whole numbers from {} to {}, not {}", key, low, high,
+                     value.dump()));
+  }
+  return value;
+}
+
+double Fields::number(const std::string& key, double low, double high) {
+  const json& value = required(key);
+  if (!value.is_number() || !(value > low) || !(value <= high)) {
+    fail(fmt::format("'{}' must be a number above {} and up to {}, not {}", key, low, high,
+                     value.dump()));
+  }
+  return value;
+}
+
+const json& Fields::list(const std::string& key, std::size_t length) {
+  const json& value = required(key);
+  if (!value.is_array() || value.size() != length) {
+    fail(fmt::format("'{}' must be a list of {} numbers, not {}", key, length, value.dump()));
+  }
+  return value;
+}
+
+void Fields::require_no_more() const {
+  for (const auto& [key, value] : object_.items()) {
+    if (!taken_.contains(key)) {
+      fail(fmt::format("there is no field '{}' here; correct or remove it", key));
+    }
+  }
+}
 
 using nlohmann::json;
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The box's descriptor for reports on how the tool's parts end (tool_part.h).
+// The box's descriptor for reports on how the tool's parts end (run_tool_part in main.cpp).
 constexpr int kParts = 3;
 
 // gcc splits the command of its wrapper at commas, and a folder's name may contain commas.

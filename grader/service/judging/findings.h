@@ -22,7 +22,7 @@ struct Trial {
 };
 
 // Runs the property program, unless the cache has its result, and returns its findings
-// (grader/programs/write_report.h). If the answers make the program itself die or take too long, there
+// (grader/programs/graded.cpp). If the answers make the program itself die or take too long, there
 // are no promises, and a reason. Safe from any thread. Throws pt::Error if the program cannot judge.
 results::TaskResult try_worker(const build::Builder& builder, const Trial& trial);
 

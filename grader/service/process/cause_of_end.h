@@ -6,7 +6,7 @@ namespace grader::process {
 
 // The reason why a worker ended, for a learner to read: "endless recursion: the stack overflowed".
 // It comes from the status that waitpid gives, and from the last lines that the worker printed. A
-// stack overflow gives SIGSTKFLT (grader/service/wire/crash.h). A missing return gives SIGILL,
+// stack overflow gives SIGSTKFLT (grader/service/wire/worker_main.cpp). A missing return gives SIGILL,
 // because of the flags in grader/service/build/builder.cpp.
 std::string cause_of_end(int status, const std::string& last_words);
 

@@ -1,22 +1,68 @@
 // box: restricts itself, and then becomes the program of the box, with access to the visible files
 // only. grader/service/sandbox/box.cpp writes the command line. No code of a submission runs before
-// the last line. It also runs between a compiler and its parts (tool_part.h).
+// the last line. It also runs between a compiler and its parts (run_tool_part).
 #include "grader/service/sandbox/launcher/filter.h"
 #include "grader/service/sandbox/launcher/landlock.h"
 #include "grader/service/sandbox/launcher/options.h"
-#include "grader/service/sandbox/launcher/tool_part.h"
 #include "grader/service/sandbox/launcher/user.h"
 #include "pt/error.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+namespace grader::sandbox::box {
+
+namespace {
+
+// Runs a part of a tool that is already in a box, for a compiler's driver (gcc, -wrapper), and
+// returns its exit status. The driver only prints how a part ended, mixed with text that may be the
+// submission's. So this writes to the descriptor `parts`, which the part does not get: 'b' before
+// the part begins, 'f' if it failed by itself (not if SIGKILL ended it or this program).
+int run_tool_part(const std::vector<char*>& command, int parts) {
+  fcntl(parts, F_SETFD, FD_CLOEXEC);
+  const auto tell = [&](const char* byte) {
+    if (write(parts, byte, 1) != 1) throw pt::Error("nobody listens to the parts of a tool");
+  };
+  tell("b");
+  const pid_t part = fork();
+  if (part < 0) throw pt::Error(std::string("no process: ") + std::strerror(errno));
+  if (part == 0) {
+    execvp(command[0], command.data());
+    _exit(127);
+  }
+  int status = 0;
+  while (waitpid(part, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFSIGNALED(status)) {
+    if (WEXITSTATUS(status) != 0) tell("f");
+    return WEXITSTATUS(status);
+  }
+  const int signal = WTERMSIG(status);
+  if (signal != SIGKILL) tell("f");
+  if (signal == SIGXFSZ) {
+    std::fprintf(
+        stderr, "%s: error: its output is too large; is there a huge array that is not all zero?\n",
+        command[0]);
+  } else {
+    std::fprintf(stderr, "%s: error: it ended with signal %d (%s)\n", command[0], signal,
+                 strsignal(signal));
+  }
+  return 128 + signal;
+}
+
+}  // namespace
+
+}  // namespace grader::sandbox::box
 
 namespace {
 
