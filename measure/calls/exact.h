@@ -1,8 +1,11 @@
 #pragma once
 
 #include "measure/calls/subject.h"
+#include "pt/math/vec3.h"
 #include "pt/sampling/sampler.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -49,6 +52,77 @@ auto make_inputs(std::uint64_t seed, Make make) {
     if (auto input = make(sampler)) all.push_back(*input);
   }
   return all;
+}
+
+// Random numbers for inputs.
+
+inline double between(double low, double high, pt::Sampler& sampler) {
+  return low + (high - low) * sampler.next_1d();
+}
+
+// From 10^low to 10^high, with a uniform logarithm.
+inline double size_between(double low, double high, pt::Sampler& sampler) {
+  return std::pow(10, between(low, high, sampler));
+}
+
+inline pt::Vec3 in_cube(double half, pt::Sampler& sampler) {
+  const double x = between(-half, half, sampler), y = between(-half, half, sampler);
+  return {x, y, between(-half, half, sampler)};
+}
+
+// A direction of unit length, uniform over the sphere.
+inline pt::Vec3 any_direction(pt::Sampler& sampler) {
+  const double z = between(-1, 1, sampler), angle = between(0, 2 * pt::kPi, sampler);
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+// Vectors of long double, for comparison with answers in double.
+
+struct Precise3 {
+  long double x = 0, y = 0, z = 0;
+
+  Precise3() = default;
+  Precise3(long double a, long double b, long double c) : x(a), y(b), z(c) {}
+  Precise3(pt::Vec3 v) : x(v.x), y(v.y), z(v.z) {}  // NOLINT: every double converts exactly
+
+  long double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+
+inline Precise3 operator+(Precise3 a, Precise3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Precise3 operator-(Precise3 a, Precise3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Precise3 operator*(long double s, Precise3 a) { return {s * a.x, s * a.y, s * a.z}; }
+inline long double dot(Precise3 a, Precise3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Precise3 cross(Precise3 a, Precise3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline long double length(Precise3 a) { return std::sqrt(dot(a, a)); }
+inline Precise3 normalize(Precise3 a) { return 1 / length(a) * a; }
+
+// Never NaN: a result that is not a number counts as the largest error.
+inline void keep_largest(double& largest, long double error) {
+  const auto size = static_cast<double>(std::abs(error));
+  largest = size >= 0 ? std::max(largest, size) : pt::kInfinity;
+}
+
+// Rays that are aimed at shapes.
+
+inline constexpr long double kMargin =
+    0.01L;  // of barycentric coordinates and of a radius, to avoid borders
+
+template <class Shape>
+struct Aimed {
+  Shape shape;
+  pt::Ray ray;
+  bool hits = false;
+};
+
+// A ray towards `target`, with a direction of any length.
+inline pt::Ray ray_towards(pt::Vec3 origin, pt::Vec3 target, pt::Sampler& sampler) {
+  pt::Ray ray;
+  ray.origin = origin;
+  ray.direction = size_between(-3, 3, sampler) * normalize(target - origin);
+  return ray;
 }
 
 }  // namespace measure::calls

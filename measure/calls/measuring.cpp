@@ -1,7 +1,7 @@
 #include "measure/calls/measuring.h"
 
 #include "measure/calls/conversation.h"
-#include "measure/calls/precise.h"
+#include "measure/calls/exact.h"
 #include "pt/error.h"
 #include "pt/sampling/sampler.h"
 

@@ -1,7 +1,7 @@
 #include "measure/calls/rooms.h"
 
 #include "grader/check/scenes/closed_forms.h"
-#include "measure/calls/draw.h"
+#include "measure/calls/exact.h"
 #include "scenes/meshes.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "measure/calls/trees.h"
 
-#include "measure/calls/draw.h"
+#include "measure/calls/exact.h"
 #include "pt/scene/recorder.h"
 #include "scenes/meshes.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/scene/load.h"
+#include "measure/scene/options.h"
 #include "measure/scene/study.h"
 #include "pt/render/progress.h"
 

@@ -1,5 +1,4 @@
 #include "measure/charts/gnuplot.h"
-#include "measure/scene/json.h"
 #include "measure/scene/print.h"
 #include "pt/file.h"
 

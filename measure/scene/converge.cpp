@@ -1,7 +1,7 @@
 #include "measure/scene/converge.h"
 
 #include "measure/renders/spec.h"
-#include "measure/scene/load.h"
+#include "measure/scene/options.h"
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
 

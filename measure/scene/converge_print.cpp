@@ -1,6 +1,5 @@
 #include "measure/charts/gnuplot.h"
 #include "measure/scene/converge.h"
-#include "measure/scene/json.h"
 #include "measure/scene/print.h"
 #include "pt/file.h"
 

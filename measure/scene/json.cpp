@@ -1,4 +1,4 @@
-#include "measure/scene/json.h"
+#include "measure/scene/print.h"
 
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pt/scene/frame_camera.h"
+#include "pt/scene/load_collada.h"
 #include "pt/scene/tracer.h"
 
 #include <cstdint>
@@ -47,5 +48,14 @@ Call parse_call(int argc, const char* const* argv);
 Options parse_cheapest(int argc, const char* const* argv);
 Options parse_converge(int argc, const char* const* argv);
 Options parse_ladder(int argc, const char* const* argv);
+
+inline constexpr int kMaxLeaf = 4;  // as in ./run render
+
+// The scene, ready to be traced. Makes the folder of --out. Throws pt::Error, one sentence, if the
+// scene cannot be measured.
+pt::LoadedScene load_scene(const Options& options);
+
+// Prints the loader's notes to standard error.
+void print_notes(const pt::LoadedScene& loaded);
 
 }  // namespace measure::scene

@@ -1,5 +1,5 @@
 // ladder_rung OPTIONS: renders the requests of `ladder`, one per line, with the tasks linked here.
-#include "measure/scene/load.h"
+#include "measure/scene/options.h"
 #include "measure/scene/pixels.h"
 #include "measure/scene/rung.h"
 #include "pt/end_of_program.h"

@@ -3,7 +3,6 @@
 #include "grader/tasks/adaptive_pixel/counts.h"
 #include "grader/tasks/adaptive_pixel/inputs.h"
 #include "grader/tasks/adaptive_pixel/known.h"
-#include "grader/tasks/adaptive_pixel/threshold.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,7 +1,6 @@
 #include "grader/mistakes/battery.h"
 
 #include "grader/check/generators/random_numbers.h"
-#include "grader/tasks/build_bvh/below.h"
 #include "grader/tasks/build_bvh/inputs.h"
 #include "grader/tasks/build_bvh/walk.h"
 #include "pt/tasks/build_bvh.h"

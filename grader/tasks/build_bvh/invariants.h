@@ -1,7 +1,6 @@
 #pragma once
 
 #include "grader/check/language/property.h"
-#include "grader/tasks/build_bvh/below.h"
 #include "grader/tasks/build_bvh/walk.h"
 
 #include <algorithm>

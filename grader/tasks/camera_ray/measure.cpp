@@ -1,6 +1,4 @@
-#include "measure/calls/draw.h"
 #include "measure/calls/exact.h"
-#include "measure/calls/precise.h"
 #include "pt/tasks/camera_ray.h"
 
 namespace measure::calls {

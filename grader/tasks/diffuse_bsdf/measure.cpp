@@ -1,6 +1,5 @@
-#include "measure/calls/draw.h"
 #include "measure/calls/estimates.h"
-#include "measure/calls/precise.h"
+#include "measure/calls/exact.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
 namespace measure::calls {

@@ -3,7 +3,12 @@
 #include "grader/check/language/property.h"
 #include "grader/tasks/hit_bvh/queries.h"
 #include "grader/tasks/hit_bvh/truth.h"
+#include "pt/tasks/hit_box.h"
 #include "pt/tasks/hit_bvh.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 // Compares the answers of queries with those of testing every primitive in turn.
 
@@ -49,6 +54,96 @@ inline void expect_occluded_at_an_end(const Case& c) {
   if (!judge_answers) return;
   expect(pt::occluded_bvh(c.bvh, c.primitives, c.ray),
          "in the way: " + shown(truth_of(c)) + ": a range has both its ends", "nothing in the way");
+}
+
+// Compares the tests that a query made with the tree.
+
+inline bool same(const pt::Box& a, const pt::Box& b) { return a.min == b.min && a.max == b.max; }
+inline bool same(const pt::Sphere& a, const pt::Sphere& b) { return a.center == b.center; }
+inline bool same(const pt::Triangle& a, const pt::Triangle& b) {
+  return a.p0 == b.p0 && a.p1 == b.p1;
+}
+
+template <class T>
+long long times(const std::vector<T>& asked, const T& about) {
+  return std::ranges::count_if(asked, [&](const T& one) { return same(one, about); });
+}
+
+inline long long times_asked(const Tested& log, const pt::Primitives& primitives, int i) {
+  return primitives.is_triangle(i) ? times(log.triangles, primitives.triangle(i))
+                                   : times(log.spheres, primitives.sphere(i));
+}
+
+// Returns whether the ray clearly misses the box. For a right hit_box, the box may be larger by
+// some rounding errors (pt/tasks/hit_box.h: 1e-12 of the largest coordinate).
+inline bool is_missed(pt::Box box, const pt::Ray& ray) {
+  const double size = std::max({max_abs(box.min), max_abs(box.max), max_abs(ray.origin)});
+  const double more = 1e-11 * size;
+  box.min -= {more, more, more};
+  box.max += {more, more, more};
+  // The range is made longer too, since a computed t_max may be a little larger.
+  pt::Ray longer = ray;
+  longer.t_min *= 1 - 1e-11;
+  longer.t_max *= 1 + 1e-11;
+  return !pt::hit_box(box, longer);
+}
+
+inline void expect_few_tests(const Case& c, const Tested& log) {
+  const auto asked = std::ssize(log.triangles) + std::ssize(log.spheres);
+  expect(2 * asked < c.primitives.size(),
+         "tests of fewer than half of the " + std::to_string(c.primitives.size()) +
+             " primitives: the ray enters the boxes of few",
+         std::to_string(asked));
+}
+
+inline void expect_only_entered_leaves(const Case& c, bool any) {
+  const Tested log = tested_by(c, any);
+  // In a tree of one leaf, no test of a box is necessary.
+  if (c.bvh.nodes.size() == 1) return;
+  for (const pt::BvhNode& node : c.bvh.nodes) {
+    if (!node.is_leaf() || !is_missed(node.box, c.ray)) continue;
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      const int primitive = c.bvh.order[i];
+      const long long asked = times_asked(log, c.primitives, primitive);
+      expect(asked == 0,
+             "no test of primitive " + std::to_string(primitive) +
+                 ": the ray misses the box of its leaf",
+             std::to_string(asked) + (asked == 1 ? " test" : " tests"));
+    }
+  }
+}
+
+inline void expect_only_boxes_below_entered_ones(const Case& c, bool any) {
+  const Tested log = tested_by(c, any);
+  for (std::size_t i = 0; i < c.bvh.nodes.size(); ++i) {
+    const pt::BvhNode& node = c.bvh.nodes[i];
+    if (node.is_leaf() || !is_missed(node.box, c.ray)) continue;
+    for (const int child : {node.left, node.right}) {
+      const pt::Box& box = c.bvh.nodes[child].box;
+      if (same(box, node.box)) continue;  // the log cannot distinguish them
+      const long long asked = times(log.boxes, box);
+      expect(asked == 0,
+             "no test of the box of node " + std::to_string(child) +
+                 ": the ray misses the box of its parent, node " + std::to_string(i),
+             std::to_string(asked) + (asked == 1 ? " test" : " tests"));
+    }
+  }
+}
+
+inline void expect_no_test_twice(const Case& c, bool any) {
+  const Tested log = tested_by(c, any);
+  for (std::size_t i = 0; i < c.bvh.nodes.size(); ++i) {
+    const pt::Box& box = c.bvh.nodes[i].box;
+    const long long equal = std::ranges::count_if(
+        c.bvh.nodes, [&](const pt::BvhNode& node) { return same(node.box, box); });
+    const long long asked = times(log.boxes, box);
+    expect(asked <= equal, "at most one test of the box of node " + std::to_string(i),
+           std::to_string(asked));
+  }
+  for (int i = 0; i < c.primitives.size(); ++i) {
+    const long long asked = times_asked(log, c.primitives, i);
+    expect(asked <= 1, "at most one test of primitive " + std::to_string(i), std::to_string(asked));
+  }
 }
 
 }  // namespace grader::check::hit_bvh_inputs

@@ -1,6 +1,5 @@
 #include "grader/check/language/property.h"
 #include "grader/check/mocks/counting.h"
-#include "grader/tasks/hit_bvh/costs.h"
 #include "grader/tasks/hit_bvh/expected.h"
 #include "grader/tasks/hit_bvh/inputs.h"
 #include "grader/tasks/hit_bvh/queries.h"

@@ -4,7 +4,6 @@
 #include "grader/check/generators/random_numbers.h"
 #include "grader/check/generators/special.h"
 #include "grader/check/language/show.h"
-#include "grader/tasks/hit_triangle/degenerate.h"
 #include "grader/tasks/hit_triangle/weights.h"
 #include "pt/geometry/ray.h"
 #include "pt/geometry/triangle.h"

@@ -1,4 +1,4 @@
-#include "measure/calls/aimed.h"
+#include "measure/calls/exact.h"
 #include "measure/calls/subject.h"
 #include "pt/tasks/hit_triangle.h"
 

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
+
+#include <fmt/format.h>
 
 // Estimates of the light along paths, and the noise that they may have.
 
@@ -82,6 +85,105 @@ inline double relative_variance_far_along(Case c) {
   const double grown = mean_square(c, kBeyond, kCalls) / mean_square(c, kNear, kCalls);
   const double each = std::pow(grown, 1.0 / (kBeyond - kNear)) / (albedo * albedo);
   return std::pow(each, c.settings.to) - 1;
+}
+
+// Direct light that light sampling and hemisphere sampling find in different places.
+
+inline std::vector<Rgb> estimates(const HalfLights& c, int light_samples) {
+  PathSettings settings = c.settings;
+  settings.light_samples = light_samples;
+  return repeat<pt::trace_path>(kCalls, c.seed, c.situation.scene, c.situation.point, settings);
+}
+
+// At the squared distance r, a point of the left light contributes in proportion to 1 / r^2, where
+// r is 1.25 to 3.5. The deviation is at most half of the range of these values. A direction rarely
+// meets the right light. The solid angle of this light is more than 0.25, so the deviation of one
+// direction is at most the mean times the root of 2 pi / 0.25.
+inline Noise noise_of_half_lights(const HalfLights& c) {
+  const Rgb mean = c.expected;
+  const Rgb one = c.settings.direct == Direct::lights
+                      ? mean * (0.5 * (3.5 * 3.5 / (1.25 * 1.25) - 1))
+                      : mean * std::sqrt(2 * pt::kPi / 0.25);
+  return {2 * one / std::sqrt(c.settings.light_samples)};
+}
+
+// A hundred samples have a tenth of the noise of one sample. `doubt` is the statistical error of
+// the two measured noises.
+inline void expect_a_tenth_of_the_noise(const HalfLights& c) {
+  const Noise one = noise_of(estimates(c, 1), 1), many = noise_of(estimates(c, 100), 1);
+  expect(one.deviation.g > 0, "estimates with one sample of direct light that vary",
+         fmt::format("a standard deviation of {:.3g}", one.deviation.g));
+  const double ratio = many.deviation.g / one.deviation.g;
+  const double doubt = kStandardErrors * std::sqrt((one.kurtosis + many.kurtosis) / (4 * kCalls));
+  const double most = 0.1 * (1 + doubt);
+  expect(ratio < most,
+         fmt::format("100 samples of direct light with {:.2g} of the noise of one sample", most),
+         fmt::format("{:.2g} of the noise", ratio));
+}
+
+// Pairs of estimates from one sampler.
+
+inline double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const double n = static_cast<double>(a.size());
+  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
+  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
+  double products = 0, squares_a = 0, squares_b = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    products += (a[i] - mean_a) * (b[i] - mean_b);
+    squares_a += (a[i] - mean_a) * (a[i] - mean_a);
+    squares_b += (b[i] - mean_b) * (b[i] - mean_b);
+  }
+  return products / std::sqrt(squares_a * squares_b);
+}
+
+// Fails the case if an estimate does not move the sampler, if two estimates in a row are not independent,
+// or if an estimate of `before` changes the next one of `c`.
+inline void expect_independent_pairs(const Case& c, const Case& before) {
+  constexpr int kPairs = 300;
+  const auto estimate = [](const Case& one, pt::Sampler& sampler) {
+    return pt::trace_path(one.room.scene, one.room.point, one.settings, sampler);
+  };
+  std::vector<double> firsts, seconds;
+  for (int i = 0; i < kPairs; ++i) {
+    const pt::Sampler start = pt::Sampler::for_pixel(c.seed, i, 1);
+    pt::Sampler sampler = start;
+    const Rgb first = estimate(c, sampler);
+    expect(sampler.state() != start.state(), "the sampler moved on", "as it was");
+    const Rgb second = estimate(c, sampler);
+    expect(first.g != second.g, "two estimates that differ, one after the other", "twice the same");
+    if (i < 10) {
+      pt::Sampler again = start;
+      estimate(before, sampler);
+      expect_near("the same estimate again", estimate(c, again), first, 0);
+    }
+    firsts.push_back(first.g);
+    seconds.push_back(second.g);
+  }
+  const double found = correlation(firsts, seconds);
+  expect(std::abs(found) < kStandardErrors / std::sqrt(kPairs), "two independent estimates",
+         fmt::format("a correlation of {:.2g}", found));
+}
+
+// The bounces that paths reach.
+
+// If a sixth of all paths reach a bounce, some of them reach the next one, for any survival. For
+// example, a path goes on with a chance of .04 (roulette by the throughput, from bounce 2 on in a
+// room of albedo .2). Then 24 of 600 paths go on, and the probability that none does is 4e-11.
+inline constexpr int kPaths = 600, kMany = 100;
+
+// Many of kPaths paths reach the bounce `last`. Fewer reach the next one, `beyond`.
+struct Reach {
+  int last = 2, beyond = 0;
+};
+
+// Halves the range of bounces, beginning with the cap itself. `last` is the cap if many paths reach it.
+inline Reach reach_of(const Case& c) {
+  Reach reach{2, c.settings.to + 1};
+  while (reach.beyond - reach.last > 1) {
+    const int k = reach.beyond > c.settings.to ? c.settings.to : (reach.last + reach.beyond) / 2;
+    (lit(c, k, kPaths) >= kMany ? reach.last : reach.beyond) = k;
+  }
+  return reach;
 }
 
 }  // namespace grader::check::trace_path_inputs

@@ -1,5 +1,5 @@
 #include "grader/check/scenes/closed_forms.h"
-#include "measure/calls/draw.h"
+#include "measure/calls/exact.h"
 #include "measure/calls/rooms.h"
 #include "pt/tasks/trace_path.h"
 

@@ -1,9 +1,6 @@
 #include "grader/check/generators/random_numbers.h"
 #include "grader/tasks/trace_path/estimates.h"
-#include "grader/tasks/trace_path/half_lights.h"
 #include "grader/tasks/trace_path/inputs.h"
-#include "grader/tasks/trace_path/pairs.h"
-#include "grader/tasks/trace_path/reach.h"
 
 #include <vector>
 
