@@ -5,7 +5,7 @@
 #include "grader/base/sha256.h"
 #include "grader/base/sources_in.h"
 #include "grader/service/judging/alone.h"
-#include "grader/service/judging/ask_program.h"
+#include "grader/service/judging/ask_battery.h"
 #include "grader/service/process/run_command.h"
 #include "grader/service/sandbox/box.h"
 #include "grader/tasks.h"

@@ -1,7 +1,6 @@
 // The numbers of ./run measure: intervals, the front, and the report on wrong answers.
 #include "grader/tasks.h"
 #include "measure/calls/print.h"
-#include "measure/calls/ranged.h"
 #include "measure/calls/results.h"
 #include "pt/sampling/sampler.h"
 

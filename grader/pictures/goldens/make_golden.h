@@ -1,9 +1,10 @@
 #pragma once
 
-#include "grader/pictures/goldens/moments.h"
 #include "grader/pictures/recipes/recipes.h"
+#include "pt/image/film.h"
 #include "pt/image/sample_map.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -13,6 +14,25 @@
 // Renders goldens with the linked tasks, part by part.
 
 namespace grader::pictures {
+
+// Mean and variance of the samples of every pixel, gathered picture by picture.
+
+struct PixelMoments {
+  double samples = 0;
+  std::array<double, 4> mean{};     // r, g, b, luminance
+  std::array<double, 4> squares{};  // sums of (value - mean)^2
+};
+
+// The moments of all samples of a film's pixel; one_sample() takes the pixel's mean as a single sample, for
+// pixels whose number of samples depends on their values.
+PixelMoments moments_of(const pt::FilmPixel& pixel);
+PixelMoments one_sample(const pt::FilmPixel& pixel);
+
+// The moments of both sets of samples together (Chan, Golub and LeVeque 1979). If all samples are equal, the squares
+// stay exactly zero.
+PixelMoments merge(const PixelMoments& a, const PixelMoments& b);
+
+pt::FilmPixel film_pixel(const PixelMoments& moments);
 
 // The amount of work for a recipe: `parts` pictures, each with its own seed and this number of
 // samples per pixel. For an adaptive recipe each part is a run.

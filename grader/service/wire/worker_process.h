@@ -3,7 +3,7 @@
 #include "grader/base/descriptor.h"
 #include "grader/results/results.h"
 #include "grader/service/process/one_processor.h"
-#include "grader/service/process/sleep_watch.h"
+#include "grader/service/process/process_time.h"
 #include "grader/service/process/time_limit.h"
 #include "grader/service/sandbox/launcher_messages.h"
 #include "grader/service/wire/message.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "grader/tasks/hit_box/boxes.h"
-#include "grader/tasks/hit_box/expected.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 #include "grader/pictures/goldens/check_golden.h"
 #include "grader/pictures/goldens/contact_sheet.h"
 #include "grader/pictures/goldens/make_golden.h"
-#include "grader/pictures/goldens/moments.h"
 #include "grader/pictures/goldens/provenance.h"
 #include "grader/pictures/recipes/seeds.h"
 #include "pt/error.h"

@@ -1,5 +1,6 @@
 // A time limit counts the time that a process had, not the time that others took from it.
-#include "grader/service/process/sleep_watch.h"
+#include "grader/service/process/process_time.h"
+
 #include "grader/service/process/time_limit.h"
 #include "pt/error.h"
 
