@@ -82,6 +82,8 @@ while read -r command; do
 done < <(sed -n 's,^    \(./run render .* -f .*[.]png .*--from reference\)$,\1,p' student/*/README.md | grep -v =student)
 [ "$shown" -ge 20 ] || complain "$shown commands of the handbook make a picture: this looks for hardly any"
 rm -f "$folder"/*.png
+said=$(cd "$folder" && ./run compare scenes/box_spheres.dae -s 1 -r 32 24 2>&1) || complain "./run compare says: $said"
+grep -q '^relMSE ' <<<"$said" && grep -q 'B: reference' "$folder/build/compare/box_spheres/index.html" || complain "./run compare says: $said"
 [ -z "$(git -C "$folder" status --porcelain)" ] || complain "git sees what ./run makes: $(git -C "$folder" status --porcelain)"
 cp reference/1_rays/hit_triangle.cpp "$folder/student/1_rays/"
 grades 0 'pass' hit_triangle
