@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace grader::base {
 
@@ -44,5 +45,8 @@ bool is_hidden(const std::string& name);
 // one folder, as in unpacked archives, this folder. Hidden files do not count. The folders of a tree
 // (student, 1_rays) are never entered. Throws pt::Error if a folder on the way cannot be read.
 std::string submission_root(const std::string& folder);
+
+// The .cpp files of a folder in alphabetical order; none if there is no such folder.
+std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folder);
 
 }  // namespace grader::base

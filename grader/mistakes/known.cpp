@@ -1,6 +1,6 @@
 #include "grader/mistakes/known.h"
 
-#include "grader/mistakes/compare.h"
+#include "grader/mistakes/naming.h"
 #include "pt/error.h"
 
 #include <sstream>

@@ -3,8 +3,8 @@
 // the mistakes.
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
-#include "grader/mistakes/compare.h"
 #include "grader/mistakes/known.h"
+#include "grader/mistakes/naming.h"
 #include "grader/service/process/run_command.h"
 #include "grader/service/sandbox/box.h"
 #include "pt/command_line.h"

@@ -3,7 +3,6 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/printable.h"
-#include "grader/base/sources_in.h"
 #include "grader/service/judging/alone.h"
 #include "measure/calls/tasks.h"
 #include "measure/renders/worker_config.h"

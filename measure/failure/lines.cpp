@@ -3,7 +3,6 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
-#include "grader/base/sources_in.h"
 #include "grader/service/judging/alone.h"
 #include "grader/service/judging/ask_battery.h"
 #include "grader/service/process/run_command.h"

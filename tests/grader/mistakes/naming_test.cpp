@@ -2,7 +2,6 @@
 #include "grader/mistakes/naming.h"
 
 #include "grader/mistakes/battery.h"
-#include "grader/mistakes/compare.h"
 #include "grader/mistakes/known.h"
 #include "pt/error.h"
 

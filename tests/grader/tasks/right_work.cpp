@@ -5,8 +5,8 @@
 // After a change to a promise, a contract or a picture: nice right_work --variant-seeds 10
 // --mixtures 200 --mixtures-with-pictures 40 --reference-seeds 300
 // --reference-seeds-with-pictures 100, and the same with --busy 30.
+#include "grader/base/files.h"
 #include "grader/base/parallel.h"
-#include "grader/base/sources_in.h"
 #include "grader/service/judging/grade.h"
 #include "pt/command_line.h"
 #include "pt/error.h"

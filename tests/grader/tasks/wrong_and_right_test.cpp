@@ -1,6 +1,6 @@
+#include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
-#include "grader/base/sources_in.h"
 #include "tests/fixtures/submission.h"
 #include "tests/fixtures/task_folder.h"
 

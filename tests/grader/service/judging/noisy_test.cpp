@@ -1,6 +1,6 @@
 // A solution in grader/tasks/*/noisy/ keeps every promise. The picture that its first line names is
 // judged right on average and too noisy. No picture is judged wrong.
-#include "grader/base/sources_in.h"
+#include "grader/base/files.h"
 #include "tests/fixtures/hostile_submission.h"
 #include "tests/fixtures/task_folder.h"
 
