@@ -30,10 +30,10 @@ firstlight_test(test_render_program quick SOURCES pt/render/render_program_test.
     STUBS_RENDER_PROGRAM="$<TARGET_FILE:render_stubs>" FIRSTLIGHT_SCENES="${PROJECT_SOURCE_DIR}/scenes")
 
 # Held to closed forms, and to brute force.
-foreach(proof furnace interreflection area_lights samplers brute_force stability determinism)
+foreach(proof furnace interreflection area_lights samplers brute_force stability)
   firstlight_test(test_${proof} quick SOURCES proof/${proof}_test.cpp)
 endforeach()
-foreach(proof delta_lights light_samplers worst_inputs allocation agreement)
+foreach(proof delta_lights light_samplers worst_inputs agreement)
   firstlight_test(test_${proof} rest SOURCES proof/${proof}_test.cpp)
 endforeach()
 

@@ -4,7 +4,7 @@
 
 #include "grader/base/files.h"
 #include "grader/programs/grade_options.h"
-#include "grader/report/hint_memory.h"
+#include "grader/report/hints.h"
 #include "grader/report/status_line.h"
 #include "grader/report/terminal.h"
 #include "grader/results/points.h"

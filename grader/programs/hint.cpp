@@ -1,6 +1,5 @@
 // hint: gives the next hint for a task. Exit status 0, or 2 if there is no such task or promise.
 #include "grader/base/wrap.h"
-#include "grader/report/hint_memory.h"
 #include "grader/report/hints.h"
 #include "grader/results/promises.h"
 #include "grader/service/build/config.h"

@@ -4,7 +4,7 @@
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
-#include "pt/render/option_words.h"
+#include "pt/render/options.h"
 #include "pt/todo_list.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "pt/command_line.h"
 #include "pt/error.h"
-#include "pt/render/option_words.h"
 
 #include <array>
 #include <cmath>

@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
 namespace pt {
 
@@ -40,5 +42,11 @@ struct RenderOptions {
 RenderOptions parse_options(int argc, const char* const* argv);
 
 PathSettings path_settings(const RenderOptions& options);
+
+// The words after --engine and --camera, in every program that has them.
+inline const std::map<std::string, Engine> kEngineWords{
+    {"linear", Engine::linear}, {"task", Engine::task}, {"wide", Engine::wide}};
+inline const std::map<std::string, Framing> kFramingWords{
+    {"course", Framing::course}, {"fit", Framing::fit}, {"file", Framing::file}};
 
 }  // namespace pt

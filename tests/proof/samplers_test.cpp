@@ -1,6 +1,5 @@
 #include "pt/sampling/directions.h"
 #include "pt/sampling/sampler.h"
-#include "pt/tasks/diffuse_bsdf.h"
 #include "tests/proof/directions.h"
 #include "tests/proof/statistics.h"
 
@@ -101,21 +100,6 @@ TEST(Directions, have_the_density_they_say) {
     expect_density(
         Bins{{}, h}, [h](Sampler& s) { return uniform_cone(s.next_2d(), h); },
         [h](Vec3) { return 1 / (2 * kPi * h); }, "uniform_cone");
-  }
-}
-
-TEST(DiffuseSample, has_the_density_that_diffuse_pdf_says) {
-  for (const Vec3 wo : {Vec3{0, 0, 1}, Vec3{0.6, 0, -0.8}, normalize({1, 2, 0.1})}) {
-    expect_density(
-        Bins{}, [wo](Sampler& s) { return diffuse_sample(gray(0.5), wo, s).wi; },
-        [wo](Vec3 wi) { return diffuse_pdf(wo, wi); }, "diffuse_sample");
-    Sampler sampler(52);
-    for (int i = 0; i < 1000; ++i) {
-      const BsdfSample sample = diffuse_sample({0.1, 0.5, 0.9}, wo, sampler);
-      EXPECT_EQ(sample.pdf, diffuse_pdf(wo, sample.wi));
-      EXPECT_EQ(sample.f, diffuse_f({0.1, 0.5, 0.9}, wo, sample.wi));
-      EXPECT_EQ(sample.f, wo.z * sample.wi.z > 0 ? (Rgb{0.1, 0.5, 0.9} / kPi) : Rgb{});
-    }
   }
 }
 

@@ -1,7 +1,6 @@
 // Hints: their files, the memory between two of them, and the program that gives them.
 #include "grader/report/hints.h"
 
-#include "grader/report/hint_memory.h"
 #include "grader/results/promises.h"
 #include "grader/service/process/run_command.h"
 #include "grader/tasks.h"
