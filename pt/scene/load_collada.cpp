@@ -32,38 +32,24 @@ std::string kind_of(const std::string& note) {
 // The first note of each kind, and how many others differ from it. A file can have 100,000 nodes or
 // materials with the same fault.
 std::vector<std::string> once_per_kind(const std::vector<std::string>& notes) {
-  std::vector<const std::string*> first;
+  std::vector<std::string> first;
   std::unordered_map<std::string, std::unordered_set<std::string_view>> kinds;
   for (const std::string& note : notes) {
     std::unordered_set<std::string_view>& kind = kinds[kind_of(note)];
-    if (kind.empty()) first.push_back(&note);
+    if (kind.empty()) first.push_back(note);
     kind.insert(note);
   }
-  std::vector<std::string> result;
-  for (const std::string* note : first) {
-    const std::size_t more = kinds.at(kind_of(*note)).size() - 1;
-    result.push_back(*note + (more == 0 ? "" : " (" + std::to_string(more) + " more like this.)"));
+  for (std::string& note : first) {
+    const std::size_t more = kinds.at(kind_of(note)).size() - 1;
+    if (more > 0) note += " (" + std::to_string(more) + " more like this.)";
   }
-  return result;
-}
-
-void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
-  notes.insert(notes.end(), more.begin(), more.end());
+  return first;
 }
 
 // The name of the program that wrote the file, as exporters state it and people do not; else empty.
-std::string authoring_tool(const XMLElement& root) {
-  const XMLElement* at = root.FirstChildElement("asset");
-  at = at ? at->FirstChildElement("contributor") : nullptr;
-  at = at ? at->FirstChildElement("authoring_tool") : nullptr;
-  return at != nullptr && at->GetText() != nullptr ? at->GetText() : "";
-}
-
-// The course's files have its profile; those without materials or lights of its own are known by
-// the program that its handouts were exported with.
-bool is_course_file(const ColladaDocument& document) {
-  return document.has_course_profile() ||
-         authoring_tool(document.root()).starts_with("Blender 2.74");
+std::string_view authoring_tool(const XMLElement& root) {
+  const XMLElement* at = find_below(&root, {"asset", "contributor", "authoring_tool"});
+  return at ? trimmed_text(*at) : "";
 }
 
 // The notes say what the scene would have shown.
@@ -80,30 +66,29 @@ bool is_course_file(const ColladaDocument& document) {
 }  // namespace
 
 LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& options) {
-  const ColladaDocument document(file);
-  Instances instances = read_nodes(document);
+  std::vector<std::string> notes;
+  const ColladaDocument document(file, notes);
+  const Instances instances = read_nodes(document);
   LoadedScene loaded;
-  loaded.exported = !authoring_tool(document.root()).empty();
+  const std::string_view tool = authoring_tool(document.root());
+  loaded.exported = !tool.empty();
   loaded.has_asset = document.root().FirstChildElement("asset") != nullptr;
-  loaded.is_course = is_course_file(document);
+  // Files without materials or lights of the course's own are known by the program that its
+  // handouts were exported with.
+  loaded.is_course = document.has_course_profile() || tool.starts_with("Blender 2.74");
   loaded.front = instances.front;
-  loaded.camera = read_camera(document, instances.cameras, instances.notes);
-  std::vector<std::string> notes = instances.notes;
+  loaded.camera = read_camera(document, instances.cameras);
 
   Surfaces surfaces = read_surfaces(document, instances.geometries, options);
-  append(notes, surfaces.notes);
   if (surfaces.primitives.size() == 0) fail_without_surface(document, notes);
   LightNodes nodes = read_lights(document, instances.lights, bounds(surfaces.primitives));
-  SceneLights lights = merge_lights(surfaces.emitters, nodes.nodes);
-  append(notes, nodes.notes);
-  append(notes, lights.notes);
-  append(notes, document.notes());
+  loaded.scene.lights = merge_lights(document, surfaces.emitters, nodes.nodes);
+  document.note_on_the_whole();
   loaded.notes = once_per_kind(notes);
 
   loaded.scene.primitives = std::move(surfaces.primitives);
   loaded.scene.material_of = std::move(surfaces.material_of);
   loaded.scene.materials = std::move(surfaces.materials);
-  loaded.scene.lights = std::move(lights.lights);
   loaded.unsupported_lights = std::move(nodes.unsupported);
   loaded.ignores_emission = surfaces.ignores_emission;
   return loaded;

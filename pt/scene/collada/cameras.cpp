@@ -12,16 +12,9 @@ namespace pt {
 
 namespace {
 
-std::optional<double> optional_number(const ColladaDocument& document, const XMLElement& parent,
-                                      const char* name) {
-  const XMLElement* element = parent.FirstChildElement(name);
-  if (element == nullptr) return std::nullopt;
-  return read_number(document, *element);
-}
-
 std::optional<double> optional_fov(const ColladaDocument& document, const XMLElement& perspective,
                                    const char* name) {
-  const std::optional<double> fov = optional_number(document, perspective, name);
+  const std::optional<double> fov = child_number(document, perspective, name);
   if (fov && !(*fov > 0 && *fov < 180)) {
     document.fail(perspective, std::string(name) + " is " + shown(*fov) +
                                    " degrees; write an angle between 0 and 180");
@@ -35,7 +28,7 @@ FileCamera read_perspective(const ColladaDocument& document, const XMLElement& p
   FileCamera camera;
   const std::optional<double> x = optional_fov(document, perspective, "xfov");
   const std::optional<double> y = optional_fov(document, perspective, "yfov");
-  const double aspect = optional_number(document, perspective, "aspect_ratio").value_or(4.0 / 3);
+  const double aspect = child_number(document, perspective, "aspect_ratio").value_or(4.0 / 3);
   if (!(aspect > 0)) document.fail(perspective, "aspect_ratio must be above 0; correct it");
   if (!x && !y) document.fail(perspective, "<perspective> has no xfov; add it, in degrees");
   camera.hfov_deg = x ? *x : fov_from(half_tangent(*y) * aspect);
@@ -45,27 +38,25 @@ FileCamera read_perspective(const ColladaDocument& document, const XMLElement& p
     document.fail(perspective,
                   "the fields of view leave (0, 180) degrees; correct the aspect_ratio");
   }
-  camera.near_clip = optional_number(document, perspective, "znear").value_or(0);
-  camera.far_clip = optional_number(document, perspective, "zfar").value_or(kInfinity);
+  camera.near_clip = child_number(document, perspective, "znear").value_or(0);
+  camera.far_clip = child_number(document, perspective, "zfar").value_or(kInfinity);
   if (!(camera.near_clip >= 0 && camera.near_clip < camera.far_clip)) {
     document.fail(perspective, "znear and zfar must satisfy 0 <= znear < zfar; correct them");
   }
   return camera;
 }
 
-std::optional<FileCamera> read_fields(const ColladaDocument& document, const XMLElement& element,
-                                      std::vector<std::string>& notes) {
+std::optional<FileCamera> read_fields(const ColladaDocument& document, const XMLElement& element) {
   const XMLElement& common = document.child(document.child(element, "optics"), "technique_common");
   if (const XMLElement* perspective = common.FirstChildElement("perspective")) {
     return read_perspective(document, *perspective);
   }
-  notes.push_back("camera " + label(element) + " has no perspective and is ignored.");
+  document.note("camera " + label(element) + " has no perspective and is ignored.");
   return std::nullopt;
 }
 
 // The frame keeps the direction in which the camera looks; its up is turned to a right angle.
-Frame camera_frame(const ColladaDocument& document, const Instance& instance,
-                   std::vector<std::string>& notes) {
+Frame camera_frame(const ColladaDocument& document, const Instance& instance) {
   const Vec3 backwards = instance.to_world.z;
   if (!std::isnormal(length_squared(backwards))) {
     document.fail(*instance.node,
@@ -75,8 +66,7 @@ Frame camera_frame(const ColladaDocument& document, const Instance& instance,
   const Vec3 z = normalize(backwards);
   Vec3 right = cross(instance.to_world.y, z);
   if (!(length(right) > 1e-6 * length(instance.to_world.y))) {
-    notes.push_back("camera " + label(*instance.node) +
-                    " has no up direction of its own: y is up.");
+    document.note("camera " + label(*instance.node) + " has no up direction of its own: y is up.");
     right = cross(Vec3{0, 1, 0}, z);
     if (!(length(right) > 1e-6)) right = {1, 0, 0};
   }
@@ -87,26 +77,24 @@ Frame camera_frame(const ColladaDocument& document, const Instance& instance,
 }  // namespace
 
 std::optional<FileCamera> read_camera(const ColladaDocument& document,
-                                      const std::vector<Instance>& cameras,
-                                      std::vector<std::string>& notes) {
+                                      const std::vector<Instance>& cameras) {
   std::optional<FileCamera> last;
   std::unordered_map<const XMLElement*, std::optional<FileCamera>> fields;
   int perspectives = 0;
   for (const Instance& instance : cameras) {
-    const auto known = fields.find(instance.target);
-    const std::optional<FileCamera> camera =
-        known != fields.end() ? known->second : read_fields(document, *instance.target, notes);
-    if (known == fields.end()) fields.emplace(instance.target, camera);
+    if (!fields.contains(instance.target)) {
+      fields.emplace(instance.target, read_fields(document, *instance.target));
+    }
+    const std::optional<FileCamera>& camera = fields.at(instance.target);
     if (!camera) continue;
     last = camera;
     last->position = instance.to_world.translation;
     last->backwards = instance.to_world.z;
-    last->camera_to_world = camera_frame(document, instance, notes);
+    last->camera_to_world = camera_frame(document, instance);
     ++perspectives;
   }
   if (perspectives > 1) {
-    notes.push_back("the file has " + std::to_string(perspectives) +
-                    " cameras: the last is taken.");
+    document.note("the file has " + std::to_string(perspectives) + " cameras: the last is taken.");
   }
   return last;
 }

@@ -54,16 +54,16 @@ const XMLElement* mesh_around(const XMLElement& element) {
 
 // The up axis and the unit that an <asset> states, with their defaults.
 std::pair<std::string, double> settings(const XMLElement* asset) {
-  const XMLElement* axis = asset ? asset->FirstChildElement("up_axis") : nullptr;
-  const XMLElement* unit = asset ? asset->FirstChildElement("unit") : nullptr;
+  const XMLElement* axis = find_below(asset, {"up_axis"});
+  const XMLElement* unit = find_below(asset, {"unit"});
   return {std::string(axis ? trimmed_text(*axis) : "Y_UP"),
           unit ? unit->DoubleAttribute("meter", 1) : 1};
 }
 
 }  // namespace
 
-ColladaDocument::ColladaDocument(const std::filesystem::path& file)
-    : file_(file.string()), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
+ColladaDocument::ColladaDocument(const std::filesystem::path& file, std::vector<std::string>& notes)
+    : file_(file.string()), xml_(std::make_unique<tinyxml2::XMLDocument>()), notes_(notes) {
   parse(read_text(file));
   XMLElement* root = xml_->RootElement();
   const std::string_view name = root ? root->Name() : "";
@@ -100,8 +100,8 @@ void ColladaDocument::index(XMLElement& element) {
   if (name == "technique" && is_course_profile(element)) has_course_profile_ = true;
   if (const char* id = element.Attribute("id")) {
     const std::string key = std::string(name) + "#" + id;
-    if (!is_new(by_id_[key], element) && duplicates_++ == 0) first_duplicate_ = &element;
-    if (const XMLElement* mesh = mesh_around(element)) is_new(in_mesh_[{mesh, key}], element);
+    if (!is_new(by_id_[{nullptr, key}], element) && duplicates_++ == 0) first_duplicate_ = &element;
+    if (const XMLElement* mesh = mesh_around(element)) is_new(by_id_[{mesh, key}], element);
   }
   for (XMLElement* child = element.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {
@@ -146,12 +146,10 @@ ColladaDocument::Identified ColladaDocument::find(const XMLElement& from, std::s
   const std::string_view part = own_part(url);
   if (part.empty()) return {};
   const std::string key = std::string(kind) + std::string(part);
-  if (const XMLElement* mesh = mesh_around(from)) {
-    const auto own = in_mesh_.find({mesh, key});
-    if (own != in_mesh_.end()) return own->second;
+  for (const XMLElement* around : {mesh_around(from), static_cast<const XMLElement*>(nullptr)}) {
+    const auto found = by_id_.find({around, key});
+    if (found != by_id_.end()) return found->second;
   }
-  const auto found = by_id_.find(key);
-  if (found != by_id_.end()) return found->second;
   const std::string plain = decoded(part);
   return plain == part ? Identified{} : find(from, plain, kind);
 }
@@ -181,38 +179,45 @@ const XMLElement& ColladaDocument::resolve(const XMLElement& from, const char* n
   return *found.first;
 }
 
-std::vector<std::string> ColladaDocument::notes() const {
-  std::vector<std::string> notes;
+void ColladaDocument::note_on_the_whole() const {
   if (first_duplicate_ != nullptr) {
-    notes.push_back(
-        std::to_string(duplicates_) + " elements have the id of another (the first: <" +
-        first_duplicate_->Name() + "> " + quoted(first_duplicate_->Attribute("id")) + " in line " +
-        std::to_string(first_duplicate_->GetLineNum()) +
-        "): what refers to one means that of its own mesh; else a note says which is taken.");
+    note(std::to_string(duplicates_) + " elements have the id of another (the first: <" +
+         first_duplicate_->Name() + "> " + quoted(first_duplicate_->Attribute("id")) + " in line " +
+         std::to_string(first_duplicate_->GetLineNum()) +
+         "): what refers to one means that of its own mesh; else a note says which is taken.");
   }
   if (has_decimal_commas()) {
-    notes.push_back("the file's numbers have decimal commas, which are read as points.");
+    note("the file's numbers have decimal commas, which are read as points.");
   }
   for (const XMLElement* asset : assets_) {
     const bool states_some =
         asset->FirstChildElement("up_axis") || asset->FirstChildElement("unit");
     if (!states_some || settings(asset) == settings(root_->FirstChildElement("asset"))) continue;
-    notes.push_back("the <asset> of a <" + std::string(asset->Parent()->Value()) +
-                    "> states its own up_axis or unit (line " +
-                    std::to_string(asset->GetLineNum()) + "), which is ignored.");
+    note("the <asset> of a <" + std::string(asset->Parent()->Value()) +
+         "> states its own up_axis or unit (line " + std::to_string(asset->GetLineNum()) +
+         "), which is ignored.");
   }
-  return notes;
+}
+
+std::vector<const XMLElement*> children(const XMLElement& parent, const char* name) {
+  std::vector<const XMLElement*> found;
+  for (const XMLElement* child = parent.FirstChildElement(name); child != nullptr;
+       child = child->NextSiblingElement(name)) {
+    found.push_back(child);
+  }
+  return found;
+}
+
+const XMLElement* find_below(const XMLElement* from, std::initializer_list<const char*> path) {
+  for (const char* name : path) from = from ? from->FirstChildElement(name) : nullptr;
+  return from;
 }
 
 const XMLElement* course_child(const XMLElement& element, const char* name) {
-  for (const XMLElement* extra = element.FirstChildElement("extra"); extra != nullptr;
-       extra = extra->NextSiblingElement("extra")) {
-    for (const XMLElement* technique = extra->FirstChildElement("technique"); technique != nullptr;
-         technique = technique->NextSiblingElement("technique")) {
-      if (!is_course_profile(*technique)) continue;
-      if (const XMLElement* found = technique->FirstChildElement(*name ? name : nullptr)) {
-        return found;
-      }
+  for (const XMLElement* extra : children(element, "extra")) {
+    for (const XMLElement* technique : children(*extra, "technique")) {
+      const XMLElement* found = technique->FirstChildElement(name);
+      if (found != nullptr && is_course_profile(*technique)) return found;
     }
   }
   return nullptr;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -20,10 +20,11 @@ using tinyxml2::XMLElement;
 
 // A COLLADA file as a tree of elements, which live as long as the document does. Throws Error for a
 // file that is missing, not a regular file, empty, too large, not COLLADA or malformed. Elements have
-// their names without the prefix of a namespace.
+// their names without the prefix of a namespace. `notes` receives a sentence for each thing that is
+// corrected or ignored, and outlives the document.
 class ColladaDocument {
  public:
-  explicit ColladaDocument(const std::filesystem::path& file);
+  ColladaDocument(const std::filesystem::path& file, std::vector<std::string>& notes);
   ~ColladaDocument();
 
   const XMLElement& root() const { return *root_; }
@@ -36,6 +37,9 @@ class ColladaDocument {
 
   // Throws Error: "file:line: what", with the element's line. `what` ends with what to do.
   [[noreturn]] void fail(const XMLElement& at, const std::string& what) const;
+
+  // Adds a sentence to the notes.
+  void note(const std::string& sentence) const { notes_.push_back(sentence); }
 
   // The first child of that name; an error if there is none.
   const XMLElement& child(const XMLElement& parent, const char* name) const;
@@ -62,8 +66,8 @@ class ColladaDocument {
   // "'#sun' may be the <light> of line 8 or that of line 9"
   static std::string ambiguity(std::string_view url, const Identified& found);
 
-  // Sentences about ids that several elements have, parts with an <asset> of their own, and commas.
-  std::vector<std::string> notes() const;
+  // Notes ids that several elements have, parts with an <asset> of their own, and commas.
+  void note_on_the_whole() const;
 
  private:
   void parse(const std::string& text);
@@ -73,9 +77,10 @@ class ColladaDocument {
   std::string file_;
   std::unique_ptr<tinyxml2::XMLDocument> xml_;
   const XMLElement* root_ = nullptr;
-  std::string prefix_;                                 // of all names: "ns0:", or nothing
-  std::unordered_map<std::string, Identified> by_id_;  // "kind#id"
-  std::map<std::pair<const XMLElement*, std::string>, Identified> in_mesh_;
+  std::vector<std::string>& notes_;
+  std::string prefix_;  // of all names: "ns0:", or nothing
+  // By "kind#id", within a <mesh>; null stands for the whole file.
+  std::map<std::pair<const XMLElement*, std::string>, Identified> by_id_;
   const XMLElement* first_duplicate_ = nullptr;
   std::size_t duplicates_ = 0;
   bool has_course_profile_ = false;
@@ -83,9 +88,15 @@ class ColladaDocument {
   std::vector<const XMLElement*> assets_;  // of all elements
 };
 
+// The children of an element that have this name; without a name, all.
+std::vector<const XMLElement*> children(const XMLElement& parent, const char* name = nullptr);
+
+// The element that a path of names leads to, by the first child of each name; null if there is none.
+const XMLElement* find_below(const XMLElement* from, std::initializer_list<const char*> path);
+
 // The first child called `name` of the course's own techniques, extra/technique[@profile CGL or
-// CMU462], of an element; null if there is none. With an empty name, the first child of all.
-const XMLElement* course_child(const XMLElement& element, const char* name);
+// CMU462], of an element; null if there is none. Without a name, the first child of all.
+const XMLElement* course_child(const XMLElement& element, const char* name = nullptr);
 
 // The name of an element in messages: its name, else its id, in quotes, safe to print.
 std::string label(const XMLElement& element);

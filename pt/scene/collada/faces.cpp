@@ -20,21 +20,15 @@ void check_face_count(const ColladaDocument& document, const XMLElement& set,
   }
 }
 
-Faces read_polylist(const ColladaDocument& document, const XMLElement& set) {
+// <triangles>, or a <polylist>, which has the number of corners of each face.
+Faces read_one_list(const ColladaDocument& document, const XMLElement& set, int stride) {
   Faces faces;
-  if (const XMLElement* vcount = set.FirstChildElement("vcount")) {
+  if (const XMLElement* p = set.FirstChildElement("p")) faces.indices = read_integers(document, *p);
+  if (std::string_view(set.Name()) == "triangles") {
+    faces.corners.assign(faces.indices.size() / (3 * static_cast<std::size_t>(stride)), 3);
+  } else if (const XMLElement* vcount = set.FirstChildElement("vcount")) {
     faces.corners = read_integers(document, *vcount);
   }
-  if (const XMLElement* p = set.FirstChildElement("p")) faces.indices = read_integers(document, *p);
-  check_face_count(document, set, faces.corners.size());
-  return faces;
-}
-
-Faces read_triangles(const ColladaDocument& document, const XMLElement& set, int stride) {
-  Faces faces;
-  if (const XMLElement* p = set.FirstChildElement("p")) faces.indices = read_integers(document, *p);
-  faces.corners.assign(faces.indices.size() / (3 * static_cast<std::size_t>(stride)), 3);
-  check_face_count(document, set, faces.corners.size());
   return faces;
 }
 
@@ -44,8 +38,7 @@ Faces read_lists(const ColladaDocument& document, const XMLElement& set, int str
     document.fail(*holed, "a face with holes (<ph>) cannot be read; triangulate the mesh");
   }
   Faces lists;
-  for (const XMLElement* p = set.FirstChildElement("p"); p != nullptr;
-       p = p->NextSiblingElement("p")) {
+  for (const XMLElement* p : children(set, "p")) {
     const std::vector<int> indices = read_integers(document, *p);
     if (indices.size() % static_cast<std::size_t>(stride) != 0) {
       document.fail(*p, "<p> ends in the middle of a corner; write " + std::to_string(stride) +
@@ -54,7 +47,6 @@ Faces read_lists(const ColladaDocument& document, const XMLElement& set, int str
     lists.corners.push_back(static_cast<int>(indices.size()) / stride);
     lists.indices.insert(lists.indices.end(), indices.begin(), indices.end());
   }
-  check_face_count(document, set, lists.corners.size());
   return lists;
 }
 
@@ -111,24 +103,12 @@ bool is_set_of_faces(const XMLElement& element) {
          kind == "trifans";
 }
 
-bool is_empty_set(const ColladaDocument& document, const XMLElement& set) {
-  if (read_count(document, set, "count").value_or(0) != 0) return false;
-  const XMLElement* p = set.FirstChildElement("p");
-  const XMLElement* vcount = set.FirstChildElement("vcount");
-  return set.FirstChildElement("ph") == nullptr && (p == nullptr || p->NoChildren()) &&
-         (vcount == nullptr || vcount->NoChildren());
-}
-
 Faces read_faces(const ColladaDocument& document, const XMLElement& set, int stride) {
   const std::string_view kind = set.Name();
-  Faces faces;
-  if (kind == "polylist") {
-    faces = read_polylist(document, set);
-  } else if (kind == "triangles") {
-    faces = read_triangles(document, set, stride);
-  } else {
-    faces = read_lists(document, set, stride);
-  }
+  const bool is_one_list = kind == "polylist" || kind == "triangles";
+  const Faces faces =
+      is_one_list ? read_one_list(document, set, stride) : read_lists(document, set, stride);
+  check_face_count(document, set, faces.corners.size());
   check_sizes(document, set, faces, stride);
   if (kind == "tristrips" || kind == "trifans") return unfold(faces, stride, kind == "tristrips");
   return faces;

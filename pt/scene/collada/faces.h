@@ -17,9 +17,6 @@ struct Faces {
 // or <trifans>.
 bool is_set_of_faces(const XMLElement& element);
 
-// Returns whether a set of faces neither announces nor lists a face; it then needs no inputs.
-bool is_empty_set(const ColladaDocument& document, const XMLElement& set);
-
 // The faces of a set with `stride` indices per corner. Strips and fans are unfolded to triangles.
 Faces read_faces(const ColladaDocument& document, const XMLElement& set, int stride);
 

@@ -12,40 +12,6 @@ namespace pt {
 
 namespace {
 
-MeshPart read_part(const ColladaDocument& document, const XMLElement& set,
-                   ColladaGeometry& geometry) {
-  const FaceInputs inputs = read_inputs(document, set, geometry.sources, geometry.notes);
-  const Faces faces = read_faces(document, set, inputs.stride);
-  MeshPart part;
-  if (const char* symbol = set.Attribute("material")) part.material_symbol = symbol;
-  part.positions = inputs.positions;
-  part.normals = inputs.normals;
-  std::size_t triangles = 0;
-  for (const int corners : faces.corners) triangles += corners < 3 ? 0 : corners - 2;
-  part.corners.reserve(3 * triangles);
-
-  const int* indices = faces.indices.data();
-  std::vector<Corner> face;
-  std::vector<Vec3> points;
-  for (const int corners : faces.corners) {
-    face.clear();
-    points.clear();
-    for (int i = 0; i < corners; ++i, indices += inputs.stride) {
-      if (corners >= 3) face.push_back(inputs.corner(document, set, indices));
-    }
-    if (corners < 3) ++part.without_surface;
-    if (corners <= 3) {
-      part.corners.insert(part.corners.end(), face.begin(), face.end());
-      continue;
-    }
-    for (const Corner corner : face) points.push_back((*part.positions)[corner.position]);
-    const Triangulation cut = triangulate(points);
-    if (cut.crosses) ++part.crossing;
-    for (const int corner : cut.corners) part.corners.push_back(face[corner]);
-  }
-  return part;
-}
-
 double read_sphere(const ColladaDocument& document, const XMLElement& sphere) {
   const XMLElement& element = document.child(sphere, "radius");
   const double radius = read_number(document, element);
@@ -55,23 +21,52 @@ double read_sphere(const ColladaDocument& document, const XMLElement& sphere) {
   return radius;
 }
 
+void note_count(const ColladaDocument& document, const XMLElement& set, const std::string& name,
+                std::size_t count, const char* what) {
+  if (count == 0) return;
+  document.note("geometry " + name + " has " + std::to_string(count) + " faces " + what +
+                " (the set in line " + std::to_string(set.GetLineNum()) + ").");
+}
+
 void read_set(const ColladaDocument& document, const XMLElement& set, const std::string& name,
               ColladaGeometry& geometry) {
-  if (is_empty_set(document, set)) {
-    geometry.notes.push_back("geometry " + name + " has a set of no faces, which is left out.");
+  const int stride = read_stride(document, set);
+  const Faces faces = read_faces(document, set, stride);
+  if (faces.corners.empty()) {
+    document.note("geometry " + name + " has a set of no faces, which is left out.");
     return;
   }
-  MeshPart part = read_part(document, set, geometry);
-  if (part.without_surface > 0) {
-    geometry.notes.push_back("geometry " + name + " has " + std::to_string(part.without_surface) +
-                             " faces of fewer than three corners, which are left out.");
+  const FaceInputs inputs = read_inputs(document, set, geometry.sources);
+  MeshPart part;
+  if (const char* symbol = set.Attribute("material")) part.material_symbol = symbol;
+  part.positions = inputs.positions;
+  part.normals = inputs.normals;
+  std::size_t triangles = 0;
+  for (const int corners : faces.corners) triangles += corners < 3 ? 0 : corners - 2;
+  part.corners.reserve(3 * triangles);
+
+  std::size_t without_surface = 0, crossing = 0;
+  std::vector<Corner> face;
+  std::vector<Vec3> points;
+  const int* indices = faces.indices.data();
+  for (const int corners : faces.corners) {
+    face.clear();
+    points.clear();
+    for (int i = 0; i < corners; ++i, indices += stride) {
+      if (corners < 3) continue;
+      face.push_back(inputs.corner(document, set, indices));
+      points.push_back((*part.positions)[face.back().position]);
+    }
+    const Triangulation cut = triangulate(points);
+    for (const int corner : cut.corners) part.corners.push_back(face[corner]);
+    without_surface += corners < 3 ? 1 : 0;
+    crossing += cut.crosses ? 1 : 0;
   }
-  if (part.crossing > 0) {
-    geometry.notes.push_back(
-        "geometry " + name + " has " + std::to_string(part.crossing) +
-        " faces that cross themselves, or are far from flat (the set in line " +
-        std::to_string(set.GetLineNum()) + "): each is shown as a fan around its first corner.");
-  }
+  note_count(document, set, name, without_surface,
+             "of fewer than three corners, which are left out");
+  note_count(document, set, name, crossing,
+             "that cross themselves, or are far from flat: each is shown as a fan around its first "
+             "corner");
   if (part.size() > 0) geometry.parts.push_back(std::move(part));
 }
 
@@ -97,19 +92,17 @@ ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement&
   const XMLElement* mesh = geometry.FirstChildElement("mesh");
   if (mesh == nullptr) mesh = geometry.FirstChildElement("convex_mesh");
   if (mesh == nullptr) {
-    result.notes.push_back(
-        "geometry " + name +
-        " is neither a mesh nor a sphere and is left out; convert it to a mesh.");
+    document.note("geometry " + name +
+                  " is neither a mesh nor a sphere and is left out; convert it to a mesh.");
     return result;
   }
-  for (const XMLElement* set = mesh->FirstChildElement(); set != nullptr;
-       set = set->NextSiblingElement()) {
+  for (const XMLElement* set : children(*mesh)) {
     const std::string_view kind = set->Name();
     if (is_set_of_faces(*set)) {
       read_set(document, *set, name, result);
     } else if (kind == "lines" || kind == "linestrips") {
-      result.notes.push_back("geometry " + name + " has " + std::string(kind) +
-                             ", which have no surface and are ignored.");
+      document.note("geometry " + name + " has " + std::string(kind) +
+                    ", which have no surface and are ignored.");
     }
   }
   return result;

@@ -24,8 +24,6 @@ struct MeshPart {
   const std::vector<Vec3>* positions = nullptr;
   const std::vector<Vec3>* normals = nullptr;  // null where the file has none
   std::vector<Corner> corners;                 // three per triangle
-  std::size_t without_surface = 0;             // faces of fewer than three corners
-  std::size_t crossing = 0;                    // faces that cross themselves
 
   std::size_t size() const { return corners.size() / 3; }
   FileTriangle triangle(std::size_t i) const;
@@ -36,7 +34,6 @@ struct ColladaGeometry {
   std::vector<MeshPart> parts;
   std::optional<double> sphere_radius;
   Sources sources;
-  std::vector<std::string> notes;
 };
 
 ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement& geometry);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <unordered_map>
 
 #include <tinyxml2.h>
@@ -12,20 +11,6 @@
 namespace pt {
 
 namespace {
-
-// <area>, <point>, ... : from the course's technique, else from technique_common.
-struct KindElement {
-  const XMLElement* element;
-  bool is_course;
-};
-
-KindElement kind_element(const ColladaDocument& document, const XMLElement& light) {
-  if (const XMLElement* course = course_child(light, "")) return {course, true};
-  const XMLElement& common = document.child(light, "technique_common");
-  const XMLElement* kind = common.FirstChildElement();
-  if (kind == nullptr) document.fail(common, "light " + label(light) + " has no kind; write one");
-  return {kind, false};
-}
 
 // A light is divided by constant + linear d + quadratic d^2 at the distance d. Without any of them
 // it does not fall off (COLLADA 1.4.1, "point").
@@ -36,20 +21,13 @@ struct FallOff {
   bool is_inverse_square() const { return constant == 0 && linear == 0 && quadratic > 0; }
 };
 
-double read_attenuation(const ColladaDocument& document, const XMLElement& point, const char* name,
-                        double otherwise) {
-  const XMLElement* element = point.FirstChildElement(name);
-  if (element == nullptr) return otherwise;
-  const double value = read_number(document, *element);
-  if (!(value >= 0))
-    document.fail(*element, "an attenuation is negative; write a number from 0 up");
-  return value;
-}
-
 FallOff read_fall_off(const ColladaDocument& document, const XMLElement& point) {
-  const FallOff read{read_attenuation(document, point, "constant_attenuation", 1),
-                     read_attenuation(document, point, "linear_attenuation", 0),
-                     read_attenuation(document, point, "quadratic_attenuation", 0)};
+  const FallOff read{child_number(document, point, "constant_attenuation").value_or(1),
+                     child_number(document, point, "linear_attenuation").value_or(0),
+                     child_number(document, point, "quadratic_attenuation").value_or(0)};
+  if (!(read.constant >= 0 && read.linear >= 0 && read.quadratic >= 0)) {
+    document.fail(point, "an attenuation is negative; write a number from 0 up");
+  }
   return read.constant + read.linear + read.quadratic > 0 ? read : FallOff{};
 }
 
@@ -83,21 +61,24 @@ DirectionalLight directional_light(const ColladaDocument& document, const Instan
 struct LightText {
   std::string_view kind;
   Rgb color;
-  std::optional<FallOff> fall_off{};  // of a point light of the common profile
+  FallOff fall_off{0, 0, 1};
 };
 
+// From the course's technique, else from technique_common.
 LightText read_text(const ColladaDocument& document, const XMLElement& light) {
-  const KindElement found = kind_element(document, light);
-  const XMLElement& element = *found.element;
-  const std::string_view kind = element.Name();
+  const XMLElement* course = course_child(light);
+  const XMLElement* found =
+      course ? course : document.child(light, "technique_common").FirstChildElement();
+  if (found == nullptr) document.fail(light, "light " + label(light) + " has no kind; write one");
+  const std::string_view kind = found->Name();
   if (kind == "spot") return {kind, {}};
   if (kind != "area" && kind != "point" && kind != "directional" && kind != "ambient") {
-    document.fail(element, "<" + std::string(kind) +
-                               "> is not a kind of light; write area, point, "
-                               "directional or ambient");
+    document.fail(*found, "<" + std::string(kind) +
+                              "> is not a kind of light; write area, point, "
+                              "directional or ambient");
   }
-  LightText text{kind, read_color(document, document.child(element, "color"))};
-  if (kind == "point" && !found.is_course) text.fall_off = read_fall_off(document, element);
+  LightText text{kind, read_color(document, document.child(*found, "color"))};
+  if (kind == "point" && !course) text.fall_off = read_fall_off(document, *found);
   return text;
 }
 
@@ -107,22 +88,20 @@ double reference_distance(Vec3 light, const Box& scene) {
 }
 
 PointLight point_light(Vec3 position, const LightText& text, const Box& scene) {
-  if (!text.fall_off) return {position, text.color};
-  const FallOff& fall_off = *text.fall_off;
-  if (fall_off.is_inverse_square()) return {position, text.color / fall_off.quadratic};
+  const FallOff& f = text.fall_off;
+  if (f.is_inverse_square()) return {position, text.color / f.quadratic};
   const double d = reference_distance(position, scene);
-  return {position, text.color * (d * d / fall_off.at(d))};
+  return {position, text.color * (d * d / f.at(d))};
 }
 
 std::string note_on_fall_off(Vec3 position, const LightText& text, const std::string& name,
                              const Box& scene) {
-  if (!text.fall_off || text.fall_off->is_inverse_square()) return "";
-  const FallOff& f = *text.fall_off;
+  const FallOff& f = text.fall_off;
+  if (f.is_inverse_square()) return "";
   return "point light " + name + " falls off as 1 / (" + shown(f.constant) + " + " +
          shown(f.linear) + " d + " + shown(f.quadratic) +
          " d^2) in the file (COLLADA's default is 1, not at all); here it falls off as 1 / d^2, "
-         "and "
-         "is as bright as the file says at the distance d = " +
+         "and is as bright as the file says at the distance d = " +
          shown(reference_distance(position, scene)) + ".";
 }
 
@@ -152,12 +131,12 @@ LightNodes read_lights(const ColladaDocument& document, const std::vector<Instan
     const std::string name = label(*instance.node);
     if (text.kind == "spot") {
       lights.unsupported.push_back("spot light " + name);
-      lights.notes.push_back("spot light " + name + " is outside the model and left out.");
+      document.note("spot light " + name + " is outside the model and left out.");
       continue;
     }
     const Light light = placed(document, instance, text, scene);
     if (is_black(text.color)) {
-      lights.notes.push_back("light " + name + " is black and left out.");
+      document.note("light " + name + " is black and left out.");
       continue;
     }
     const Vec3 position = instance.to_world.translation;

@@ -24,7 +24,6 @@ struct LightNode {
 struct LightNodes {
   std::vector<LightNode> nodes;
   std::vector<std::string> unsupported;  // "spot light 'Lamp'"
-  std::vector<std::string> notes;
 };
 
 // A point light of the common profile may fall off in any way. Ours fall off with the squared
@@ -38,10 +37,8 @@ LightNodes read_lights(const ColladaDocument& document, const std::vector<Instan
 // parallel to a flat surface, with centres within a twentieth of the surface's size, and point
 // lights there that lie in the surface's plane, because rounding would decide on which side they
 // shine.
-struct SceneLights {
-  std::vector<Light> lights;
-  std::vector<std::string> notes;
-};
-SceneLights merge_lights(const std::vector<Emitter>& emitters, const std::vector<LightNode>& nodes);
+std::vector<Light> merge_lights(const ColladaDocument& document,
+                                const std::vector<Emitter>& emitters,
+                                const std::vector<LightNode>& nodes);
 
 }  // namespace pt

@@ -3,8 +3,9 @@
 #include "pt/scene/collada/numbers.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include <tinyxml2.h>
@@ -27,11 +28,8 @@ struct Shader {
 
 Shader common_shader(const XMLElement& instance, const XMLElement& effect) {
   Shader found{&instance, &effect};
-  const XMLElement* profile = effect.FirstChildElement("profile_COMMON");
-  const XMLElement* technique = profile ? profile->FirstChildElement("technique") : nullptr;
-  if (technique == nullptr) return found;
   for (const char* kind : {"phong", "lambert", "blinn", "constant"}) {
-    if (!found.shader) found.shader = technique->FirstChildElement(kind);
+    if (!found.shader) found.shader = find_below(&effect, {"profile_COMMON", "technique", kind});
   }
   return found;
 }
@@ -39,7 +37,7 @@ Shader common_shader(const XMLElement& instance, const XMLElement& effect) {
 // The <newparam sid> or <setparam ref> with that name among an element's children.
 const XMLElement* find_param(const XMLElement* parent, const char* kind, const char* attribute,
                              std::string_view name) {
-  const XMLElement* param = parent ? parent->FirstChildElement(kind) : nullptr;
+  const XMLElement* param = find_below(parent, {kind});
   while (param != nullptr && param->Attribute(attribute, std::string(name).c_str()) == nullptr) {
     param = param->NextSiblingElement(kind);
   }
@@ -59,42 +57,37 @@ const XMLElement* find_param(const Shader& shader, std::string_view name) {
 
 // One of a shader's channels, such as diffuse: its <color> or <float>, or why it has none.
 struct Channel {
+  const XMLElement* element = nullptr;
   const XMLElement* value = nullptr;
   std::string instead;  // "is a texture, which is not read"; empty if the channel is not there
 };
 
 Channel channel(const Shader& shader, const char* name) {
-  const XMLElement* found = shader.shader ? shader.shader->FirstChildElement(name) : nullptr;
+  const XMLElement* found = find_below(shader.shader, {name});
   if (found == nullptr) return {};
   for (const char* kind : {"color", "float"}) {
-    if (const XMLElement* value = found->FirstChildElement(kind)) return {value, ""};
+    if (const XMLElement* value = found->FirstChildElement(kind)) return {found, value, ""};
   }
-  if (found->FirstChildElement("texture")) return {nullptr, "is a texture, which is not read"};
+  if (found->FirstChildElement("texture")) {
+    return {found, nullptr, "is a texture, which is not read"};
+  }
   const XMLElement* reference = found->FirstChildElement("param");
   const char* ref = reference ? reference->Attribute("ref") : nullptr;
   if (ref == nullptr) return {};
   const XMLElement* param = find_param(shader, ref);
-  if (param == nullptr) {
-    return {nullptr, "is the parameter " + quoted(ref) + ", which the file does not define"};
-  }
+  const std::string what = "is the parameter " + quoted(ref);
+  if (param == nullptr) return {found, nullptr, what + ", which the file does not define"};
   for (const char* kind : {"float4", "float3", "float"}) {
-    if (const XMLElement* value = param->FirstChildElement(kind)) return {value, ""};
+    if (const XMLElement* value = param->FirstChildElement(kind)) return {found, value, ""};
   }
-  return {nullptr, "is the parameter " + quoted(ref) + ", which is no colour"};
+  return {found, nullptr, what + ", which is no colour"};
 }
 
-// Up to four numbers, and how many there are; for things that are ignored, so that nothing fails.
-struct Loose {
-  double v[4] = {0, 0, 0, 1};
-  int count = 0;
-};
-
-Loose read_loosely(const XMLElement* value) {
-  Loose loose;
-  const char* text = value ? value->GetText() : nullptr;
-  double* v = loose.v;
-  if (text) loose.count = std::sscanf(text, "%lf %lf %lf %lf", v, v + 1, v + 2, v + 3);
-  return loose;
+// The numbers of a channel that is ignored, so that nothing fails.
+std::vector<double> read_loosely(const Channel& channel) {
+  std::istringstream text(channel.value && channel.value->GetText() ? channel.value->GetText()
+                                                                    : "");
+  return {std::istream_iterator<double>(text), {}};
 }
 
 // Returns whether the shader lets light through (COLLADA 1.4.1, "transparent"): the opacity is
@@ -102,26 +95,26 @@ Loose read_loosely(const XMLElement* value) {
 bool is_see_through(const Shader& shader) {
   const Channel transparent = channel(shader, "transparent");
   if (!transparent.value && !transparent.instead.empty()) return true;
-  const Loose factor = read_loosely(channel(shader, "transparency").value);
-  const double t = factor.count == 1 ? factor.v[0] : 1;
+  const std::vector<double> factor = read_loosely(channel(shader, "transparency"));
+  const double t = factor.size() == 1 ? factor[0] : 1;
   if (!transparent.value) return t != 1;
-  const Loose c = read_loosely(transparent.value);
-  const char* text = transparent.value->Parent()->ToElement()->Attribute("opaque");
+  std::vector<double> c = read_loosely(transparent);
+  c.resize(4, 1);
+  const char* text = transparent.element->Attribute("opaque");
   const std::string_view mode = text ? text : "A_ONE";
-  const int first = mode.starts_with("RGB") ? 0 : 3, last = mode.starts_with("RGB") ? 2 : 3;
   const double opaque = mode.ends_with("ZERO") ? 0 : 1;
-  return std::any_of(c.v + first, c.v + last + 1, [&](double v) { return v * t != opaque; });
+  if (!mode.starts_with("RGB")) return c[3] * t != opaque;
+  return c[0] * t != opaque || c[1] * t != opaque || c[2] * t != opaque;
 }
 
-void note_what_is_ignored(const Shader& shader, const std::string& name,
-                          std::vector<std::string>& notes) {
-  if (shader.shader == nullptr) return;
+void note_what_is_ignored(const ColladaDocument& document, const Shader& shader,
+                          const std::string& name) {
   if (is_see_through(shader)) {
-    notes.push_back("material " + name + " is transparent, which is ignored: it is opaque.");
+    document.note("material " + name + " is transparent, which is ignored: it is opaque.");
   }
-  const Loose reflectivity = read_loosely(channel(shader, "reflectivity").value);
-  if (reflectivity.count == 1 && reflectivity.v[0] > 0) {
-    notes.push_back("material " + name + " has a reflectivity, which is ignored: it is diffuse.");
+  const std::vector<double> reflectivity = read_loosely(channel(shader, "reflectivity"));
+  if (reflectivity.size() == 1 && reflectivity[0] > 0) {
+    document.note("material " + name + " has a reflectivity, which is ignored: it is diffuse.");
   }
 }
 
@@ -133,75 +126,71 @@ std::optional<Rgb> course_albedo(const ColladaDocument& document, const XMLEleme
   return read_color(document, color ? *color : *diffuse);
 }
 
-Rgb read_albedo(const ColladaDocument& document, const Shader& shader, const std::string& name,
-                std::vector<std::string>& notes) {
+Rgb read_albedo(const ColladaDocument& document, const Shader& shader, const std::string& name) {
   std::optional<Rgb> albedo = course_albedo(document, *shader.effect);
   const Channel diffuse = channel(shader, "diffuse");
   if (!albedo && diffuse.value) albedo = read_color(document, *diffuse.value);
   if (!albedo) {
-    notes.push_back("material " + name +
-                    (diffuse.instead.empty() ? " states no diffuse colour: its albedo is 0.5."
-                                             : " has a diffuse colour that " + diffuse.instead +
-                                                   ": its albedo is 0.5."));
+    document.note("material " + name +
+                  (diffuse.instead.empty()
+                       ? " states no diffuse colour: its albedo is 0.5."
+                       : " has a diffuse colour that " + diffuse.instead + ": its albedo is 0.5."));
     return gray(0.5);
   }
   if (!(max_channel(*albedo) <= 1)) {
-    notes.push_back("material " + name +
-                    " reflects more than it receives: its albedo is cut to 1.");
+    document.note("material " + name + " reflects more than it receives: its albedo is cut to 1.");
   }
   return {std::min(albedo->r, 1.0), std::min(albedo->g, 1.0), std::min(albedo->b, 1.0)};
 }
 
-struct Emission {
-  Rgb radiance;
-  bool is_ignored = false;
-};
-
-// Exporters write an emission colour for every material, so that it emits only if it is asked for.
-Emission read_emission(const ColladaDocument& document, const Shader& shader,
-                       const LoadOptions& options, const std::string& name,
-                       std::vector<std::string>& notes) {
+// Nothing if an emission colour is ignored: exporters write one for every material, so that it emits
+// only if it is asked for.
+std::optional<Rgb> read_emission(const ColladaDocument& document, const Shader& shader,
+                                 const LoadOptions& options, const std::string& name) {
   if (const XMLElement* emission = course_child(*shader.effect, "emission")) {
-    return {read_color(document, document.child(*emission, "radiance"))};
+    return read_color(document, document.child(*emission, "radiance"));
   }
   const Channel common = channel(shader, "emission");
   if (!common.value && !common.instead.empty()) {
-    notes.push_back("material " + name + " has an emission colour that " + common.instead +
-                    ": it does not emit.");
+    document.note("material " + name + " has an emission colour that " + common.instead +
+                  ": it does not emit.");
   }
   const Rgb color = common.value ? read_color(document, *common.value) : Rgb{};
-  if (is_black(color) || options.common_emission) return {color};
-  notes.push_back("material " + name +
-                  " has an emission colour in profile_COMMON, which is ignored: only the course's "
-                  "emission/radiance emits.");
-  return {{}, true};
+  if (is_black(color) || options.common_emission) return color;
+  document.note("material " + name +
+                " has an emission colour in profile_COMMON, which is ignored: only the course's "
+                "emission/radiance emits.");
+  return std::nullopt;
 }
 
 }  // namespace
 
 FileMaterial read_material(const ColladaDocument& document, const XMLElement& element,
-                           const LoadOptions& options, std::vector<std::string>& notes) {
+                           const LoadOptions& options) {
   const std::string name = label(element);
   FileMaterial result;
   result.material.name = plain_label(element);
   const XMLElement* instance = element.FirstChildElement("instance_effect");
   const char* url = instance ? instance->Attribute("url") : nullptr;
   if (url == nullptr || document.find(*instance, url, "effect").first == nullptr) {
-    notes.push_back("material " + name + " names no effect of the file: its albedo is 0.5.");
+    document.note("material " + name + " names no effect of the file: its albedo is 0.5.");
     return result;
   }
   const XMLElement& effect = document.resolve(*instance, "url", "effect");
   const Shader shader = common_shader(*instance, effect);
-  const Emission emission = read_emission(document, shader, options, name, notes);
-  result.material.emission = emission.radiance;
-  result.ignores_emission = emission.is_ignored;
-  std::string& unsupported = result.material.unsupported;
+  const std::optional<Rgb> emission = read_emission(document, shader, options, name);
+  result.material.emission = emission.value_or(Rgb{});
+  result.ignores_emission = !emission;
   for (const char* kind : {"mirror", "glass", "refraction", "microfacet"}) {
-    if (unsupported.empty() && course_child(effect, kind)) unsupported = kind;
+    if (course_child(effect, kind) == nullptr) continue;
+    if (!options.lambertian) result.material.unsupported = kind;
+    document.note("material " + name + " (" + kind + ") is " +
+                  (options.lambertian ? "treated as a diffuse albedo of 0.5."
+                                      : "outside the model: only its normals can be shown."));
+    return result;
   }
-  if (!unsupported.empty()) return result;
-  result.material.albedo = read_albedo(document, shader, name, notes);
-  note_what_is_ignored(shader, name, notes);
+  result.material.albedo = read_albedo(document, shader, name);
+  note_what_is_ignored(document, shader, name);
   return result;
 }
 

@@ -18,6 +18,6 @@ struct FileMaterial {
 // options ask for it; the albedo from the course's technique, else from profile_COMMON, else 0.5.
 // Adds a note for each thing that it ignores.
 FileMaterial read_material(const ColladaDocument& document, const XMLElement& material,
-                           const LoadOptions& options, std::vector<std::string>& notes);
+                           const LoadOptions& options);
 
 }  // namespace pt

@@ -74,17 +74,18 @@ const Emitter* find_coinciding(const LightNode& node, const std::vector<Emitter>
 
 }  // namespace
 
-SceneLights merge_lights(const std::vector<Emitter>& emitters,
-                         const std::vector<LightNode>& nodes) {
-  SceneLights merged;
-  for (const Emitter& emitter : emitters) merged.lights.push_back(emitter.light);
+std::vector<Light> merge_lights(const ColladaDocument& document,
+                                const std::vector<Emitter>& emitters,
+                                const std::vector<LightNode>& nodes) {
+  std::vector<Light> merged;
+  for (const Emitter& emitter : emitters) merged.push_back(emitter.light);
   for (const LightNode& node : nodes) {
     if (const Emitter* emitter = find_coinciding(node, emitters)) {
       const std::string note = correction(node, *emitter);
-      if (!note.empty()) merged.notes.push_back(note);
+      if (!note.empty()) document.note(note);
     } else {
-      merged.lights.push_back(node.light);
-      if (!node.note.empty()) merged.notes.push_back(node.note);
+      merged.push_back(node.light);
+      if (!node.note.empty()) document.note(node.note);
     }
   }
   return merged;

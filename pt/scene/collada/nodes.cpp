@@ -1,6 +1,5 @@
 #include "pt/scene/collada/nodes.h"
 
-#include "pt/scene/collada/controllers.h"
 #include "pt/scene/collada/transforms.h"
 
 #include <algorithm>
@@ -18,6 +17,7 @@ namespace {
 constexpr std::size_t kMaxNodes = 100'000;
 constexpr std::size_t kMaxInstances = 100'000;
 constexpr std::size_t kMaxDepth = 200;
+constexpr int kMaxControllers = 10;  // a skin of a morph of ...
 
 // A child of a node that puts something into the scene: a node, or an instance of `target`.
 struct Child {
@@ -74,9 +74,8 @@ class NodeWalk {
     const auto known = contents_.find(&node);
     if (known != contents_.end()) return known->second;
     NodeContent content;
-    content.to_parent = node_transform(document_, node, found_.notes);
-    for (const XMLElement* child = node.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
+    content.to_parent = node_transform(document_, node);
+    for (const XMLElement* child : children(node)) {
       if (const std::optional<Child> kept = read_child(*child)) content.children.push_back(*kept);
     }
     return contents_.emplace(&node, std::move(content)).first->second;
@@ -86,30 +85,56 @@ class NodeWalk {
     using Kind = Child::Kind;
     const std::string_view kind = child.Name();
     if (kind == "node") return Child{Kind::node, &child, &child};
-    if (kind == "instance_node") return named_child(Kind::node, child, "node");
-    if (kind == "instance_geometry") return named_child(Kind::geometry, child, "geometry");
-    if (kind == "instance_light") return named_child(Kind::light, child, "light");
-    if (kind == "instance_camera") return named_child(Kind::camera, child, "camera");
-    if (kind == "instance_controller") {
-      const std::optional<BindPose> pose = bind_pose(document_, child, found_.notes);
-      if (pose) return Child{Kind::geometry, &child, pose->geometry, pose->shape};
-    }
+    if (kind == "instance_node") return named_child(Kind::node, child, "url", "node");
+    if (kind == "instance_geometry") return named_child(Kind::geometry, child, "url", "geometry");
+    if (kind == "instance_light") return named_child(Kind::light, child, "url", "light");
+    if (kind == "instance_camera") return named_child(Kind::camera, child, "url", "camera");
+    if (kind == "instance_controller") return mesh_as_bound(child);
     return std::nullopt;
+  }
+
+  // The mesh of an <instance_controller>, below any number of skins and morphs, as it was when its
+  // skeleton was bound to it. Joints, weights and targets are ignored.
+  std::optional<Child> mesh_as_bound(const XMLElement& instance) {
+    const XMLElement* from = &instance;
+    const char* attribute = "url";
+    Transform shape;
+    for (int depth = 0; depth < kMaxControllers; ++depth) {
+      const std::string_view url = document_.attribute(*from, attribute);
+      if (document_.find(*from, url, "controller").first == nullptr) {
+        const bool is_mesh = depth > 0 || document_.find(*from, url, "geometry").first != nullptr;
+        const auto mesh = named_child(Child::Kind::geometry, *from, attribute,
+                                      is_mesh ? "geometry" : "controller");
+        if (!mesh) return std::nullopt;
+        document_.note("animated mesh " + label(*mesh->target) +
+                       " is shown as it was bound: its joints and targets are ignored.");
+        return Child{mesh->kind, &instance, mesh->target, shape};
+      }
+      const XMLElement& controller = document_.resolve(*from, attribute, "controller");
+      const XMLElement* skin = controller.FirstChildElement("skin");
+      const XMLElement* matrix = find_below(skin, {"bind_shape_matrix"});
+      if (matrix) shape = shape * read_matrix(document_, *matrix, false);
+      from = skin ? skin : &document_.child(controller, "morph");
+      attribute = "source";
+    }
+    document_.fail(instance,
+                   "its controllers refer to each other, or are more than 10; remove some");
   }
 
   // Exporters write instances of things that are missing. The rest of the scene can still be shown;
   // and if several lights or cameras have the same id, the scene can be shown with the first.
-  std::optional<Child> named_child(Child::Kind kind, const XMLElement& child, const char* name) {
-    const std::string_view url = document_.attribute(child, "url");
+  std::optional<Child> named_child(Child::Kind kind, const XMLElement& child, const char* attribute,
+                                   const char* name) {
+    const std::string_view url = document_.attribute(child, attribute);
     const ColladaDocument::Identified target = document_.find(child, url, name);
     if (target.first == nullptr) {
-      found_.notes.push_back(document_.missing(url, name) + ": the instance is left out.");
+      document_.note(document_.missing(url, name) + ": the instance is left out.");
       return std::nullopt;
     }
     const bool is_surface = kind == Child::Kind::node || kind == Child::Kind::geometry;
-    if (is_surface) return Child{kind, &child, &document_.resolve(child, "url", name)};
+    if (is_surface) return Child{kind, &child, &document_.resolve(child, attribute, name)};
     if (target.second != nullptr) {
-      found_.notes.push_back(ColladaDocument::ambiguity(url, target) + ": the first is taken.");
+      document_.note(ColladaDocument::ambiguity(url, target) + ": the first is taken.");
     }
     return Child{kind, &child, target.first};
   }
@@ -143,8 +168,7 @@ struct UpAxis {
 };
 
 UpAxis up_axis(const ColladaDocument& document) {
-  const XMLElement* asset = document.root().FirstChildElement("asset");
-  const XMLElement* element = asset ? asset->FirstChildElement("up_axis") : nullptr;
+  const XMLElement* element = find_below(&document.root(), {"asset", "up_axis"});
   if (element == nullptr) return {};
   const std::string_view axis = trimmed_text(*element);
   if (axis == "Y_UP" || axis.empty()) return {};
@@ -154,44 +178,36 @@ UpAxis up_axis(const ColladaDocument& document) {
 }
 
 // The one that <scene> names. Without it, the only <visual_scene> of the file, with a note.
-const XMLElement& find_visual_scene(const ColladaDocument& document,
-                                    std::vector<std::string>& notes) {
-  const XMLElement* scene = document.root().FirstChildElement("scene");
-  const XMLElement* instance = scene ? scene->FirstChildElement("instance_visual_scene") : nullptr;
+const XMLElement& find_visual_scene(const ColladaDocument& document) {
+  const XMLElement* instance = find_below(&document.root(), {"scene", "instance_visual_scene"});
   const char* url = instance ? instance->Attribute("url") : nullptr;
   const bool is_there =
       url != nullptr && document.find(*instance, url, "visual_scene").first != nullptr;
   if (is_there) return document.resolve(*instance, "url", "visual_scene");
 
   std::vector<const XMLElement*> all;
-  for (const XMLElement* library = document.root().FirstChildElement("library_visual_scenes");
-       library != nullptr; library = library->NextSiblingElement("library_visual_scenes")) {
-    for (const XMLElement* found = library->FirstChildElement("visual_scene"); found != nullptr;
-         found = found->NextSiblingElement("visual_scene")) {
-      all.push_back(found);
-    }
+  for (const XMLElement* library : children(document.root(), "library_visual_scenes")) {
+    for (const XMLElement* scene : children(*library, "visual_scene")) all.push_back(scene);
   }
   if (all.size() != 1) {
-    document.fail(scene ? *scene : document.root(),
+    document.fail(instance ? *instance : document.root(),
                   "the file has no <scene> that names one of its " + std::to_string(all.size()) +
                       " <visual_scene>s; add one");
   }
-  notes.push_back("no <scene> names what is shown: it is the only <visual_scene> of the file.");
+  document.note("no <scene> names what is shown: it is the only <visual_scene> of the file.");
   return *all[0];
 }
 
 }  // namespace
 
 Instances read_nodes(const ColladaDocument& document) {
-  std::vector<std::string> notes;
-  const XMLElement& visual_scene = find_visual_scene(document, notes);
+  const XMLElement& visual_scene = find_visual_scene(document);
   const UpAxis up = up_axis(document);
   NodeWalk walk(document);
   // A visual scene is read as a node: some exporters put instances straight into it.
   walk.visit(visual_scene, up.to_world);
   Instances instances = walk.take();
   instances.front = up.front;
-  instances.notes.insert(instances.notes.end(), notes.begin(), notes.end());
   return instances;
 }
 

@@ -22,7 +22,6 @@ struct Instances {
   std::vector<Instance> geometries;
   std::vector<Instance> lights;
   std::vector<Instance> cameras;
-  std::vector<std::string> notes;
 };
 
 // All content of the file's visual scene, with nested and instanced nodes unfolded, in document

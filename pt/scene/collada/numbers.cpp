@@ -93,6 +93,13 @@ double read_number(const ColladaDocument& document, const XMLElement& element) {
   return read_numbers(document, element, 1)[0];
 }
 
+std::optional<double> child_number(const ColladaDocument& document, const XMLElement& parent,
+                                   const char* name) {
+  const XMLElement* element = parent.FirstChildElement(name);
+  if (element == nullptr) return std::nullopt;
+  return read_number(document, *element);
+}
+
 Rgb read_color(const ColladaDocument& document, const XMLElement& element) {
   const std::vector<double> c = read_numbers(document, element);
   if (c.size() != 3 && c.size() != 4) {

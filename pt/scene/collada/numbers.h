@@ -20,6 +20,10 @@ std::vector<int> read_integers(const ColladaDocument& document, const XMLElement
 
 double read_number(const ColladaDocument& document, const XMLElement& element);
 
+// The number in a child of the element; nothing if it is missing.
+std::optional<double> child_number(const ColladaDocument& document, const XMLElement& parent,
+                                   const char* name);
+
 // Three or four numbers, none negative. The fourth (alpha) is ignored.
 Rgb read_color(const ColladaDocument& document, const XMLElement& element);
 

@@ -14,8 +14,7 @@ namespace {
 constexpr std::size_t kMaxOffset = 63;
 
 const XMLElement* find_input(const XMLElement& parent, std::string_view semantic) {
-  for (const XMLElement* input = parent.FirstChildElement("input"); input != nullptr;
-       input = input->NextSiblingElement("input")) {
+  for (const XMLElement* input : children(parent, "input")) {
     const char* text = input->Attribute("semantic");
     if (text != nullptr && semantic == text) return input;
   }
@@ -31,13 +30,13 @@ struct Accessor {
 // The numbers of a vector that the file gives a name: the specification skips those without. Where
 // no number has a name, all count.
 std::array<std::size_t, 3> named_slots(const ColladaDocument& document, const XMLElement& accessor,
-                                       std::size_t stride, std::vector<std::string>& notes) {
+                                       std::size_t stride) {
   std::vector<std::size_t> slots;
   std::size_t slot = 0;
-  for (const XMLElement* param = accessor.FirstChildElement("param"); param != nullptr;
-       param = param->NextSiblingElement("param"), ++slot) {
+  for (const XMLElement* param : children(accessor, "param")) {
     const char* name = param->Attribute("name");
     if (name != nullptr && *name != '\0' && slot < stride) slots.push_back(slot);
+    ++slot;
   }
   if (slots.empty()) return {0, 1, 2};
   if (slots.size() < 3) {
@@ -45,21 +44,15 @@ std::array<std::size_t, 3> named_slots(const ColladaDocument& document, const XM
                                 " numbers of a vector; name three with <param name>");
   }
   if (slots[2] != 2) {
-    notes.push_back("an <accessor> skips numbers, because their <param> has no name (line " +
-                    std::to_string(accessor.GetLineNum()) + ").");
+    document.note("an <accessor> skips numbers, because their <param> has no name (line " +
+                  std::to_string(accessor.GetLineNum()) + ").");
   }
   return {slots[0], slots[1], slots[2]};
 }
 
-// The accessor of a source, or null.
-const XMLElement* find_accessor(const XMLElement& source) {
-  const XMLElement* common = source.FirstChildElement("technique_common");
-  return common ? common->FirstChildElement("accessor") : nullptr;
-}
-
 // Without an accessor, each vector is three numbers.
 Accessor read_accessor(const ColladaDocument& document, const XMLElement* element,
-                       std::size_t numbers, std::vector<std::string>& notes) {
+                       std::size_t numbers) {
   if (element == nullptr) return {numbers / 3, 3, 0};
   const std::size_t stride = read_count(document, *element, "stride").value_or(1);
   const std::size_t offset = read_count(document, *element, "offset").value_or(0);
@@ -72,12 +65,12 @@ Accessor read_accessor(const ColladaDocument& document, const XMLElement* elemen
                                 "array has " + std::to_string(fit) +
                                 "; correct the count, or copy the file again if it was cut off");
   }
-  return {count, stride, offset, named_slots(document, *element, stride, notes)};
+  return {count, stride, offset, named_slots(document, *element, stride)};
 }
 
 // The array that the accessor names, which may be that of another source; else the source's own.
 const XMLElement& find_array(const ColladaDocument& document, const XMLElement& source,
-                             const XMLElement* accessor, std::vector<std::string>& notes) {
+                             const XMLElement* accessor) {
   const char* url = accessor ? accessor->Attribute("source") : nullptr;
   const XMLElement* own = source.FirstChildElement("float_array");
   if (url == nullptr) return document.child(source, "float_array");
@@ -86,15 +79,14 @@ const XMLElement& find_array(const ColladaDocument& document, const XMLElement& 
   if (own == nullptr || document.find(*accessor, url, "float_array").first != nullptr) {
     return document.resolve(*accessor, "source", "float_array");
   }
-  notes.push_back("an <accessor> names no array of the file (" + quoted(url) +
-                  "): the array of its own source is read.");
+  document.note("an <accessor> names no array of the file (" + quoted(url) +
+                "): the array of its own source is read.");
   return *own;
 }
 
-std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement& source,
-                               std::vector<std::string>& notes) {
-  const XMLElement* element = find_accessor(source);
-  const XMLElement& array = find_array(document, source, element, notes);
+std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement& source) {
+  const XMLElement* element = find_below(&source, {"technique_common", "accessor"});
+  const XMLElement& array = find_array(document, source, element);
   const std::vector<double> numbers = read_numbers(document, array);
   const std::size_t announced = read_count(document, array, "count").value_or(numbers.size());
   const std::string both = "<float_array> announces " + std::to_string(announced) +
@@ -102,8 +94,8 @@ std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement
   if (announced > numbers.size()) {
     document.fail(array, both + "; correct the count, or copy the file again if it was cut off");
   }
-  if (announced < numbers.size()) notes.push_back("a " + both + ": all are read.");
-  const Accessor accessor = read_accessor(document, element, numbers.size(), notes);
+  if (announced < numbers.size()) document.note("a " + both + ": all are read.");
+  const Accessor accessor = read_accessor(document, element, numbers.size());
   std::vector<Vec3> vectors;
   vectors.reserve(accessor.count);
   for (std::size_t i = 0; i < accessor.count; ++i) {
@@ -114,11 +106,11 @@ std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement
 }
 
 const std::vector<Vec3>* shared_vectors(const ColladaDocument& document, const XMLElement& input,
-                                        Sources& sources, std::vector<std::string>& notes) {
+                                        Sources& sources) {
   const XMLElement& source = document.resolve(input, "source", "source");
   const auto known = sources.find(&source);
   if (known != sources.end()) return &known->second;
-  return &sources.emplace(&source, read_vectors(document, source, notes)).first->second;
+  return &sources.emplace(&source, read_vectors(document, source)).first->second;
 }
 
 int read_offset(const ColladaDocument& document, const XMLElement& input) {
@@ -141,32 +133,35 @@ int checked(const ColladaDocument& document, const XMLElement& at, const std::ve
 
 }  // namespace
 
-FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources,
-                       std::vector<std::string>& notes) {
-  FaceInputs inputs;
-  for (const XMLElement* input = faces.FirstChildElement("input"); input != nullptr;
-       input = input->NextSiblingElement("input")) {
-    inputs.stride = std::max(inputs.stride, read_offset(document, *input) + 1);
+int read_stride(const ColladaDocument& document, const XMLElement& faces) {
+  int stride = 1;
+  for (const XMLElement* input : children(faces, "input")) {
+    stride = std::max(stride, read_offset(document, *input) + 1);
   }
+  return stride;
+}
+
+FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources) {
   const XMLElement* vertex = find_input(faces, "VERTEX");
   if (vertex == nullptr) document.fail(faces, "the faces have no input VERTEX; add it");
   const XMLElement& vertices = document.resolve(*vertex, "source", "vertices");
   const XMLElement* position = find_input(vertices, "POSITION");
   if (position == nullptr) document.fail(vertices, "<vertices> has no input POSITION; add it");
-  inputs.positions = shared_vectors(document, *position, sources, notes);
+  FaceInputs inputs;
+  inputs.positions = shared_vectors(document, *position, sources);
   inputs.position_offset = read_offset(document, *vertex);
 
   if (const XMLElement* normal = find_input(faces, "NORMAL")) {
-    inputs.normals = shared_vectors(document, *normal, sources, notes);
+    inputs.normals = shared_vectors(document, *normal, sources);
     inputs.normal_offset = read_offset(document, *normal);
   } else if (const XMLElement* vertex_normal = find_input(vertices, "NORMAL")) {
-    inputs.normals = shared_vectors(document, *vertex_normal, sources, notes);
+    inputs.normals = shared_vectors(document, *vertex_normal, sources);
     inputs.normal_offset = inputs.position_offset;
   }
   if (inputs.normals != nullptr && inputs.normals->empty()) inputs.normals = nullptr;
   if (find_input(faces, "COLOR") != nullptr || find_input(vertices, "COLOR") != nullptr) {
-    notes.push_back("a mesh has colours at its corners (line " +
-                    std::to_string(faces.GetLineNum()) + "), which are ignored.");
+    document.note("a mesh has colours at its corners (line " + std::to_string(faces.GetLineNum()) +
+                  "), which are ignored.");
   }
   return inputs;
 }

@@ -22,7 +22,6 @@ struct Corner {
 struct FaceInputs {
   const std::vector<Vec3>* positions = nullptr;
   const std::vector<Vec3>* normals = nullptr;  // null if the file has none
-  int stride = 1;                              // indices per corner
   int position_offset = 0;
   int normal_offset = 0;
 
@@ -30,9 +29,11 @@ struct FaceInputs {
   Corner corner(const ColladaDocument& document, const XMLElement& at, const int* indices) const;
 };
 
+// The number of indices per corner of a set of faces.
+int read_stride(const ColladaDocument& document, const XMLElement& faces);
+
 // Adds sources that were not read before to `sources`, into which the result points, and a note
 // for each thing that it ignores or corrects.
-FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources,
-                       std::vector<std::string>& notes);
+FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources);
 
 }  // namespace pt

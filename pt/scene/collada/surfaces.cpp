@@ -6,7 +6,6 @@
 #include "pt/scene/collada/place.h"
 #include "pt/scene/collada/transforms.h"
 
-#include <map>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -30,30 +29,17 @@ struct Bindings {
 };
 
 Bindings read_bindings(const XMLElement& instance) {
+  const XMLElement* common = find_below(&instance, {"bind_material", "technique_common"});
+  if (common == nullptr) return {};
   Bindings bindings;
-  const XMLElement* bind = instance.FirstChildElement("bind_material");
-  const XMLElement* common = bind ? bind->FirstChildElement("technique_common") : nullptr;
-  if (common == nullptr) return bindings;
-  int count = 0;
-  for (const XMLElement* binding = common->FirstChildElement("instance_material");
-       binding != nullptr; binding = binding->NextSiblingElement("instance_material")) {
-    bindings.only = count++ == 0 ? binding : nullptr;
+  const std::vector<const XMLElement*> all = children(*common, "instance_material");
+  if (all.size() == 1) bindings.only = all[0];
+  for (const XMLElement* binding : all) {
     if (const char* symbol = binding->Attribute("symbol")) {
       bindings.by_symbol.emplace(symbol, binding);
     }
   }
   return bindings;
-}
-
-const XMLElement* find_binding(const Bindings& bindings, const std::string& symbol) {
-  const auto found = bindings.by_symbol.find(symbol);
-  return found == bindings.by_symbol.end() ? bindings.only : found->second;
-}
-
-Material default_material() {
-  Material material;
-  material.name = "default";
-  return material;
 }
 
 class SurfaceReader {
@@ -65,11 +51,7 @@ class SurfaceReader {
   // because they cost time.
   void read(const Instance& instance) {
     const bool is_copy = geometries_.contains(instance.target);
-    if (!is_copy) {
-      ColladaGeometry geometry = read_geometry(document_, *instance.target);
-      found_.notes.insert(found_.notes.end(), geometry.notes.begin(), geometry.notes.end());
-      geometries_.emplace(instance.target, std::move(geometry));
-    }
+    if (!is_copy) geometries_.emplace(instance.target, read_geometry(document_, *instance.target));
     const ColladaGeometry& geometry = geometries_.at(instance.target);
     std::size_t more = geometry.sphere_radius ? 1 : 0;
     for (const MeshPart& part : geometry.parts) more += part.size();
@@ -101,13 +83,11 @@ class SurfaceReader {
     found_.material_of.insert(found_.material_of.end(), material_of_spheres_.begin(),
                               material_of_spheres_.end());
     if (without_area_ > 0) {
-      found_.notes.push_back(std::to_string(without_area_) +
-                             " triangles without an area are left out.");
+      document_.note(std::to_string(without_area_) + " triangles without an area are left out.");
     }
     if (without_material_ > 0) {
-      found_.notes.push_back("surfaces without a material (" + std::to_string(without_material_) +
-                             ", the first at node " + first_without_material_ +
-                             ") have albedo 0.5.");
+      document_.note("surfaces without a material (" + std::to_string(without_material_) +
+                     ", the first at node " + first_without_material_ + ") have albedo 0.5.");
     }
     return std::move(found_);
   }
@@ -127,7 +107,7 @@ class SurfaceReader {
                                          "scale uniform, or make it a mesh");
     }
     check_bounds(instance, bounds(*sphere));
-    const int material = material_index(instance, nullptr);
+    const int material = material_index(instance, "");
     found_.primitives.spheres.push_back(*sphere);
     material_of_spheres_.push_back(material);
     const Rgb emission = found_.materials[material].emission;
@@ -150,7 +130,7 @@ class SurfaceReader {
                                            all.end());
     without_area_ += part.size() - placed.size();
     if (placed.empty()) return;
-    const int material = material_index(instance, &part);
+    const int material = material_index(instance, part.material_symbol);
     found_.material_of.resize(all.size(), material);
     const Rgb emission = found_.materials[material].emission;
     if (!is_black(emission)) {
@@ -171,42 +151,35 @@ class SurfaceReader {
     double agreement = 0;
     for (const Triangle& t : triangles) agreement += dot(geometric_normal(t), t.n0 + t.n1 + t.n2);
     if (agreement < 0) {
-      found_.notes.push_back("emitting surface " + name +
-                             " has normals against its winding order: it emits on the side of the "
-                             "winding order.");
+      document_.note("emitting surface " + name +
+                     " has normals against its winding order: it emits on the side of the "
+                     "winding order.");
     }
   }
 
-  // The material of one part of a mesh, or of a sphere (null), as the instance binds it.
-  int material_index(const Instance& instance, const MeshPart* part) {
-    const auto key = std::make_pair(instance.element, part);
-    const auto known = bound_.find(key);
-    const Bound bound = known != bound_.end() ? known->second : bind(instance, part);
-    if (known == bound_.end()) bound_.emplace(key, bound);
-    if (!bound.by_file && without_material_++ == 0) {
-      first_without_material_ = label(*instance.node);
-    }
-    return bound.material;
-  }
-
-  struct Bound {
-    int material;
-    bool by_file;
-  };
-
-  Bound bind(const Instance& instance, const MeshPart* part) {
+  // The <instance_material> for a part of a mesh with that symbol, or null.
+  const XMLElement* find_binding(const Instance& instance, const std::string& symbol) {
     if (!bindings_.contains(instance.element)) {
       bindings_.emplace(instance.element, read_bindings(*instance.element));
     }
-    const XMLElement* binding =
-        find_binding(bindings_.at(instance.element), part ? part->material_symbol : "");
+    const Bindings& bindings = bindings_.at(instance.element);
+    const auto found = bindings.by_symbol.find(symbol);
+    return found == bindings.by_symbol.end() ? bindings.only : found->second;
+  }
+
+  int material_index(const Instance& instance, const std::string& symbol) {
+    const XMLElement* binding = find_binding(instance, symbol);
+    if (binding == nullptr && without_material_++ == 0) {
+      first_without_material_ = label(*instance.node);
+    }
+    const auto known = bound_.find(binding);
+    if (known != bound_.end()) return known->second;
     const XMLElement* element = binding ? find_material(*binding) : nullptr;
-    const auto known = materials_.find(element);
-    if (known != materials_.end()) return {known->second, binding != nullptr};
-    found_.materials.push_back(element ? read_supported(*element) : default_material());
-    const int index = static_cast<int>(found_.materials.size()) - 1;
-    materials_.emplace(element, index);
-    return {index, binding != nullptr};
+    const auto next = static_cast<int>(found_.materials.size());
+    const auto [material, is_new] = materials_.emplace(element, next);
+    if (is_new) add_material(element);
+    bound_.emplace(binding, material->second);
+    return material->second;
   }
 
   // A material that is not in the file is null, with a note.
@@ -215,23 +188,16 @@ class SurfaceReader {
     if (document_.find(binding, url, "material").first != nullptr) {
       return &document_.resolve(binding, "target", "material");
     }
-    found_.notes.push_back(document_.missing(url, "material") + ": the albedo is 0.5.");
+    document_.note(document_.missing(url, "material") + ": the albedo is 0.5.");
     return nullptr;
   }
 
-  Material read_supported(const XMLElement& element) {
-    FileMaterial read = read_material(document_, element, options_, found_.notes);
+  void add_material(const XMLElement* element) {
+    FileMaterial read;
+    read.material.name = "default";
+    if (element) read = read_material(document_, *element, options_);
     found_.ignores_emission = found_.ignores_emission || read.ignores_emission;
-    Material material = std::move(read.material);
-    if (material.unsupported.empty()) return material;
-    const std::string name = "material " + label(element) + " (" + material.unsupported + ")";
-    if (options_.lambertian) {
-      material.unsupported.clear();
-      found_.notes.push_back(name + " is treated as a diffuse albedo of 0.5.");
-    } else {
-      found_.notes.push_back(name + " is outside the model: only its normals can be shown.");
-    }
-    return material;
+    found_.materials.push_back(read.material);
   }
 
   const ColladaDocument& document_;
@@ -246,7 +212,7 @@ class SurfaceReader {
   std::unordered_map<const XMLElement*, ColladaGeometry> geometries_;
   std::unordered_map<const XMLElement*, int> materials_;
   std::unordered_map<const XMLElement*, Bindings> bindings_;
-  std::map<std::pair<const XMLElement*, const MeshPart*>, Bound> bound_;
+  std::unordered_map<const XMLElement*, int> bound_;  // to an <instance_material>
 };
 
 }  // namespace

@@ -16,7 +16,6 @@ struct Surfaces {
   std::vector<Material> materials;
   std::vector<Emitter> emitters;
   bool ignores_emission = false;  // of some material, in profile_COMMON
-  std::vector<std::string> notes;
 };
 
 // If a map mirrors, the winding order is reversed, so that a geometric normal stays on the side of

@@ -26,8 +26,7 @@ double off_affine(const std::vector<double>& m) {
 
 // The frame of an object at `eye` whose -z axis points to `interest`, with y as near to `up` as possible
 // (COLLADA 1.4.1, "lookat").
-Transform read_lookat(const ColladaDocument& document, const XMLElement& lookat,
-                      std::vector<std::string>& notes) {
+Transform read_lookat(const ColladaDocument& document, const XMLElement& lookat) {
   const std::vector<double> v = read_numbers(document, lookat, 9);
   const Vec3 eye{v[0], v[1], v[2]}, interest{v[3], v[4], v[5]}, up{v[6], v[7], v[8]};
   const Vec3 backwards = eye - interest;
@@ -37,7 +36,7 @@ Transform read_lookat(const ColladaDocument& document, const XMLElement& lookat,
   const Vec3 z = normalize(backwards);
   Vec3 right = cross(up, z);
   if (!(length(right) > 1e-9 * length(up))) {
-    notes.push_back("a <lookat> has an up direction along its view: another is taken.");
+    document.note("a <lookat> has an up direction along its view: another is taken.");
     right = std::abs(z.y) < 0.9 ? cross(Vec3{0, 1, 0}, z) : Vec3{1, 0, 0};
   }
   const Vec3 x = normalize(right - dot(right, z) * z);
@@ -63,11 +62,11 @@ Transform read_rotate(const ColladaDocument& document, const XMLElement& rotate)
 
 // The last row is 0 0 0 1. (One of the course's files lacks a number of a camera's matrix; its rows
 // are then shifted, so that the last row means nothing.)
-Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix, bool holds_camera,
-                      std::vector<std::string>& notes) {
+Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix,
+                      bool holds_camera) {
   std::vector<double> m = read_numbers(document, matrix);
   if (m.size() == 15 && holds_camera) {
-    notes.push_back("the camera's matrix has 15 numbers: a 1 is added as the 16th.");
+    document.note("the camera's matrix has 15 numbers: a 1 is added as the 16th.");
     m.push_back(1);
   } else if (m.size() != 16) {
     document.fail(matrix, "<matrix> holds " + std::to_string(m.size()) + " numbers; write 16");
@@ -76,21 +75,18 @@ Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix,
       document.fail(matrix,
                     "the last row of <matrix> is not 0 0 0 1; write an affine map, row by row");
     }
-    notes.push_back(
-        "a <matrix> ends in a row that is 0 0 0 1 but for rounding: it is read as that.");
+    document.note("a <matrix> ends in a row that is 0 0 0 1 but for rounding: it is read as that.");
   }
   return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}, {m[3], m[7], m[11]}};
 }
 
-Transform node_transform(const ColladaDocument& document, const XMLElement& node,
-                         std::vector<std::string>& notes) {
+Transform node_transform(const ColladaDocument& document, const XMLElement& node) {
   const bool holds_camera = node.FirstChildElement("instance_camera") != nullptr;
   Transform map;
-  for (const XMLElement* step = node.FirstChildElement(); step != nullptr;
-       step = step->NextSiblingElement()) {
+  for (const XMLElement* step : children(node)) {
     const std::string_view kind = step->Name();
     if (kind == "matrix") {
-      map = map * read_matrix(document, *step, holds_camera, notes);
+      map = map * read_matrix(document, *step, holds_camera);
     } else if (kind == "translate") {
       map = map * Transform{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, read_vec3(document, *step)};
     } else if (kind == "rotate") {
@@ -99,7 +95,7 @@ Transform node_transform(const ColladaDocument& document, const XMLElement& node
       const Vec3 s = read_vec3(document, *step);
       map = map * Transform{{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}, {}};
     } else if (kind == "lookat") {
-      map = map * read_lookat(document, *step, notes);
+      map = map * read_lookat(document, *step);
     } else if (kind == "skew") {
       document.fail(*step, "<skew> cannot be read; write a <matrix>");
     }

@@ -135,6 +135,7 @@ std::optional<std::vector<int>> cut_ears(Ring ring, double rounding) {
 }  // namespace
 
 Triangulation triangulate(std::span<const Vec3> face) {
+  if (face.size() <= 3) return fan(face.size(), false);
   const Vec3 normal = doubled_area(face);
   if (is_covered_by_fan(face, normal)) return fan(face.size(), false);
   if (!std::isnormal(length_squared(normal))) return fan(face.size(), true);

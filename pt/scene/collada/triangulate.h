@@ -13,7 +13,7 @@ struct Triangulation {
   bool crosses = false;  // the face crosses itself, so that nobody knows what it covers
 };
 
-// A face of at least three corners, which need not lie in a plane. It is a fan around its first
+// A face of three corners or more, which need not lie in a plane; nothing for fewer. It is a fan around its first
 // corner if that covers the face; else its ears are cut off one by one. A face that crosses itself
 // is a fan too.
 Triangulation triangulate(std::span<const Vec3> face);
