@@ -13,9 +13,8 @@ namespace pt {
 namespace {
 
 bool is_course_profile(const XMLElement& technique) {
-  const char* profile = technique.Attribute("profile");
-  return profile != nullptr &&
-         (std::strcmp(profile, "CGL") == 0 || std::strcmp(profile, "CMU462") == 0);
+  const std::string_view profile = attribute(&technique, "profile");
+  return profile == "CGL" || profile == "CMU462";
 }
 
 // A URL writes a space as "%20": exporters write spaces and letters outside ASCII like this.
@@ -74,12 +73,12 @@ ColladaDocument::ColladaDocument(const std::filesystem::path& file, std::vector<
   root_ = root;
   prefix_ = name.substr(0, prefix);
   index(*root);
+  look_for_decimals(*root);
 }
 
 ColladaDocument::~ColladaDocument() = default;
 
 void ColladaDocument::parse(const std::string& text) {
-  has_decimal_commas_ = pt::has_decimal_commas(text);
   const tinyxml2::XMLError error = xml_->Parse(text.data(), text.size());
   if (error == tinyxml2::XML_SUCCESS) return;
   const std::string where = file_ + ":" + std::to_string(xml_->ErrorLineNum()) + ": ";
@@ -87,7 +86,7 @@ void ColladaDocument::parse(const std::string& text) {
     throw Error(where + "elements are nested more than " +
                 std::to_string(TINYXML2_MAX_ELEMENT_DEPTH) + " deep; flatten the scene");
   }
-  throw Error(where + "the XML is malformed (" + tinyxml2::XMLDocument::ErrorIDToName(error) +
+  throw Error(where + "the XML cannot be read (" + tinyxml2::XMLDocument::ErrorIDToName(error) +
               "); correct it there, or copy the file again if it was cut off");
 }
 
@@ -109,6 +108,18 @@ void ColladaDocument::index(XMLElement& element) {
   }
 }
 
+// An <asset> does not count: it has dates, and versions of programs.
+void ColladaDocument::look_for_decimals(const XMLElement& element) {
+  if (has_points_ || std::string_view(element.Name()) == "asset") return;
+  constexpr const char* kDigits = "0123456789";
+  const std::string_view text = trimmed_text(element);
+  const bool is_numbers = text.find_first_not_of("0123456789+-.,eE \t\r\n") == text.npos;
+  const std::size_t comma = is_numbers ? text.find(',') : text.npos;
+  has_points_ = is_numbers && text.find('.') != text.npos;
+  has_commas_ = has_commas_ || text.find_first_of(kDigits, comma) == comma + 1;
+  for (const XMLElement* child : children(element)) look_for_decimals(*child);
+}
+
 void ColladaDocument::fail(const XMLElement& at, const std::string& what) const {
   throw Error(file_ + ":" + std::to_string(at.GetLineNum()) + ": " + what);
 }
@@ -119,14 +130,6 @@ const XMLElement& ColladaDocument::child(const XMLElement& parent, const char* n
     fail(parent, std::string("<") + parent.Name() + "> has no <" + name + ">; add one");
   }
   return *found;
-}
-
-std::string_view ColladaDocument::attribute(const XMLElement& element, const char* name) const {
-  const char* value = element.Attribute(name);
-  if (value == nullptr) {
-    fail(element, std::string("<") + element.Name() + "> has no attribute " + name + "; add it");
-  }
-  return value;
 }
 
 // "#part" of "#part", "scene.dae#part" or "../models/scene.dae#part", where this file is scene.dae;
@@ -155,6 +158,7 @@ ColladaDocument::Identified ColladaDocument::find(const XMLElement& from, std::s
 }
 
 std::string ColladaDocument::missing(std::string_view url, const char* kind) const {
+  if (url.empty()) return "no <" + std::string(kind) + "> is named";
   if (url.find('#') != url.npos && own_part(url).empty()) {
     return "the <" + std::string(kind) + "> " + quoted(url) +
            " is in another file, which is not read";
@@ -170,7 +174,10 @@ std::string ColladaDocument::ambiguity(std::string_view url, const Identified& f
 
 const XMLElement& ColladaDocument::resolve(const XMLElement& from, const char* name,
                                            const char* kind) const {
-  const std::string_view url = attribute(from, name);
+  const std::string_view url = attribute(&from, name);
+  if (url.empty()) {
+    fail(from, std::string("<") + from.Name() + "> has no attribute " + name + "; add it");
+  }
   const Identified found = find(from, url, kind);
   if (found.first == nullptr) {
     fail(from, missing(url, kind) + "; define it in this file or correct the " + name);
@@ -199,6 +206,11 @@ void ColladaDocument::note_on_the_whole() const {
   }
 }
 
+std::string_view attribute(const XMLElement* element, const char* name) {
+  const char* value = element ? element->Attribute(name) : nullptr;
+  return value ? value : "";
+}
+
 std::vector<const XMLElement*> children(const XMLElement& parent, const char* name) {
   std::vector<const XMLElement*> found;
   for (const XMLElement* child = parent.FirstChildElement(name); child != nullptr;
@@ -224,9 +236,8 @@ const XMLElement* course_child(const XMLElement& element, const char* name) {
 }
 
 std::string label(const XMLElement& element) {
-  const char* name = element.Attribute("name");
-  if (name == nullptr || *name == '\0') name = element.Attribute("id");
-  return quoted(name == nullptr ? "" : name);
+  const std::string_view name = attribute(&element, "name");
+  return quoted(name.empty() ? attribute(&element, "id") : name);
 }
 
 std::string_view trimmed_text(const XMLElement& element) {

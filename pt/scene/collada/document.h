@@ -32,8 +32,8 @@ class ColladaDocument {
   // Returns whether the file has something in the course's own technique.
   bool has_course_profile() const { return has_course_profile_; }
 
-  // Returns whether numbers are written as 0,5. In such a file no number has a point.
-  bool has_decimal_commas() const { return has_decimal_commas_; }
+  // Returns whether numbers are written as 0,5 and none as 0.5.
+  bool has_decimal_commas() const { return has_commas_ && !has_points_; }
 
   // Throws Error: "file:line: what", with the element's line. `what` ends with what to do.
   [[noreturn]] void fail(const XMLElement& at, const std::string& what) const;
@@ -44,14 +44,11 @@ class ColladaDocument {
   // The first child of that name; an error if there is none.
   const XMLElement& child(const XMLElement& parent, const char* name) const;
 
-  // The attribute's text; an error if it is missing.
-  std::string_view attribute(const XMLElement& element, const char* name) const;
-
   // The element of that kind whose id the attribute names as "#id"; an error if there is none, or
   // more than one.
   const XMLElement& resolve(const XMLElement& from, const char* attribute, const char* kind) const;
 
-  // "there is no <light> with the id that '#sun' names", or that it is in another file
+  // "there is no <light> with the id that '#sun' names", that it is in another file, or not named
   std::string missing(std::string_view url, const char* kind) const;
 
   // The first two elements of that kind with the id of the url at `from`, null if there are fewer. In a mesh, only
@@ -71,6 +68,7 @@ class ColladaDocument {
 
  private:
   void parse(const std::string& text);
+  void look_for_decimals(const XMLElement& element);
   void index(XMLElement& element);
   std::string_view own_part(std::string_view url) const;
 
@@ -84,7 +82,8 @@ class ColladaDocument {
   const XMLElement* first_duplicate_ = nullptr;
   std::size_t duplicates_ = 0;
   bool has_course_profile_ = false;
-  bool has_decimal_commas_ = false;
+  bool has_commas_ = false;  // in a number
+  bool has_points_ = false;
   std::vector<const XMLElement*> assets_;  // of all elements
 };
 
@@ -93,6 +92,9 @@ std::vector<const XMLElement*> children(const XMLElement& parent, const char* na
 
 // The element that a path of names leads to, by the first child of each name; null if there is none.
 const XMLElement* find_below(const XMLElement* from, std::initializer_list<const char*> path);
+
+// The text of an attribute; empty if it is missing, or the element is null.
+std::string_view attribute(const XMLElement* element, const char* name);
 
 // The first child called `name` of the course's own techniques, extra/technique[@profile CGL or
 // CMU462], of an element; null if there is none. Without a name, the first child of all.

@@ -38,7 +38,7 @@ void read_set(const ColladaDocument& document, const XMLElement& set, const std:
   }
   const FaceInputs inputs = read_inputs(document, set, geometry.sources);
   MeshPart part;
-  if (const char* symbol = set.Attribute("material")) part.material_symbol = symbol;
+  part.material_symbol = attribute(&set, "material");
   part.positions = inputs.positions;
   part.normals = inputs.normals;
   std::size_t triangles = 0;
@@ -96,15 +96,17 @@ ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement&
                   " is neither a mesh nor a sphere and is left out; convert it to a mesh.");
     return result;
   }
+  bool has_some = false;
   for (const XMLElement* set : children(*mesh)) {
     const std::string_view kind = set->Name();
-    if (is_set_of_faces(*set)) {
-      read_set(document, *set, name, result);
-    } else if (kind == "lines" || kind == "linestrips") {
-      document.note("geometry " + name + " has " + std::string(kind) +
-                    ", which have no surface and are ignored.");
-    }
+    const bool is_lines = kind == "lines" || kind == "linestrips";
+    has_some = has_some || is_lines || is_set_of_faces(*set);
+    if (is_set_of_faces(*set)) read_set(document, *set, name, result);
+    if (!is_lines) continue;
+    document.note("geometry " + name + " has " + std::string(kind) +
+                  ", which have no surface and are ignored.");
   }
+  if (!has_some) document.note("geometry " + name + " has no faces and is left out.");
   return result;
 }
 

@@ -35,10 +35,10 @@ Shader common_shader(const XMLElement& instance, const XMLElement& effect) {
 }
 
 // The <newparam sid> or <setparam ref> with that name among an element's children.
-const XMLElement* find_param(const XMLElement* parent, const char* kind, const char* attribute,
+const XMLElement* find_param(const XMLElement* parent, const char* kind, const char* key,
                              std::string_view name) {
   const XMLElement* param = find_below(parent, {kind});
-  while (param != nullptr && param->Attribute(attribute, std::string(name).c_str()) == nullptr) {
+  while (param != nullptr && attribute(param, key) != name) {
     param = param->NextSiblingElement(kind);
   }
   return param;
@@ -71,9 +71,8 @@ Channel channel(const Shader& shader, const char* name) {
   if (found->FirstChildElement("texture")) {
     return {found, nullptr, "is a texture, which is not read"};
   }
-  const XMLElement* reference = found->FirstChildElement("param");
-  const char* ref = reference ? reference->Attribute("ref") : nullptr;
-  if (ref == nullptr) return {};
+  const std::string_view ref = attribute(found->FirstChildElement("param"), "ref");
+  if (ref.empty()) return {};
   const XMLElement* param = find_param(shader, ref);
   const std::string what = "is the parameter " + quoted(ref);
   if (param == nullptr) return {found, nullptr, what + ", which the file does not define"};
@@ -100,8 +99,7 @@ bool is_see_through(const Shader& shader) {
   if (!transparent.value) return t != 1;
   std::vector<double> c = read_loosely(transparent);
   c.resize(4, 1);
-  const char* text = transparent.element->Attribute("opaque");
-  const std::string_view mode = text ? text : "A_ONE";
+  const std::string_view mode = attribute(transparent.element, "opaque");
   const double opaque = mode.ends_with("ZERO") ? 0 : 1;
   if (!mode.starts_with("RGB")) return c[3] * t != opaque;
   return c[0] * t != opaque || c[1] * t != opaque || c[2] * t != opaque;
@@ -171,8 +169,8 @@ FileMaterial read_material(const ColladaDocument& document, const XMLElement& el
   FileMaterial result;
   result.material.name = plain_label(element);
   const XMLElement* instance = element.FirstChildElement("instance_effect");
-  const char* url = instance ? instance->Attribute("url") : nullptr;
-  if (url == nullptr || document.find(*instance, url, "effect").first == nullptr) {
+  const std::string_view url = attribute(instance, "url");
+  if (url.empty() || document.find(*instance, url, "effect").first == nullptr) {
     document.note("material " + name + " names no effect of the file: its albedo is 0.5.");
     return result;
   }

@@ -97,25 +97,25 @@ class NodeWalk {
   // skeleton was bound to it. Joints, weights and targets are ignored.
   std::optional<Child> mesh_as_bound(const XMLElement& instance) {
     const XMLElement* from = &instance;
-    const char* attribute = "url";
+    const char* key = "url";
     Transform shape;
     for (int depth = 0; depth < kMaxControllers; ++depth) {
-      const std::string_view url = document_.attribute(*from, attribute);
+      const std::string_view url = attribute(from, key);
       if (document_.find(*from, url, "controller").first == nullptr) {
         const bool is_mesh = depth > 0 || document_.find(*from, url, "geometry").first != nullptr;
-        const auto mesh = named_child(Child::Kind::geometry, *from, attribute,
-                                      is_mesh ? "geometry" : "controller");
+        const auto mesh =
+            named_child(Child::Kind::geometry, *from, key, is_mesh ? "geometry" : "controller");
         if (!mesh) return std::nullopt;
         document_.note("animated mesh " + label(*mesh->target) +
                        " is shown as it was bound: its joints and targets are ignored.");
         return Child{mesh->kind, &instance, mesh->target, shape};
       }
-      const XMLElement& controller = document_.resolve(*from, attribute, "controller");
+      const XMLElement& controller = document_.resolve(*from, key, "controller");
       const XMLElement* skin = controller.FirstChildElement("skin");
       const XMLElement* matrix = find_below(skin, {"bind_shape_matrix"});
       if (matrix) shape = shape * read_matrix(document_, *matrix, false);
       from = skin ? skin : &document_.child(controller, "morph");
-      attribute = "source";
+      key = "source";
     }
     document_.fail(instance,
                    "its controllers refer to each other, or are more than 10; remove some");
@@ -123,16 +123,16 @@ class NodeWalk {
 
   // Exporters write instances of things that are missing. The rest of the scene can still be shown;
   // and if several lights or cameras have the same id, the scene can be shown with the first.
-  std::optional<Child> named_child(Child::Kind kind, const XMLElement& child, const char* attribute,
+  std::optional<Child> named_child(Child::Kind kind, const XMLElement& child, const char* key,
                                    const char* name) {
-    const std::string_view url = document_.attribute(child, attribute);
+    const std::string_view url = attribute(&child, key);
     const ColladaDocument::Identified target = document_.find(child, url, name);
     if (target.first == nullptr) {
       document_.note(document_.missing(url, name) + ": the instance is left out.");
       return std::nullopt;
     }
     const bool is_surface = kind == Child::Kind::node || kind == Child::Kind::geometry;
-    if (is_surface) return Child{kind, &child, &document_.resolve(child, attribute, name)};
+    if (is_surface) return Child{kind, &child, &document_.resolve(child, key, name)};
     if (target.second != nullptr) {
       document_.note(ColladaDocument::ambiguity(url, target) + ": the first is taken.");
     }
@@ -180,9 +180,8 @@ UpAxis up_axis(const ColladaDocument& document) {
 // The one that <scene> names. Without it, the only <visual_scene> of the file, with a note.
 const XMLElement& find_visual_scene(const ColladaDocument& document) {
   const XMLElement* instance = find_below(&document.root(), {"scene", "instance_visual_scene"});
-  const char* url = instance ? instance->Attribute("url") : nullptr;
-  const bool is_there =
-      url != nullptr && document.find(*instance, url, "visual_scene").first != nullptr;
+  const std::string_view url = attribute(instance, "url");
+  const bool is_there = !url.empty() && document.find(*instance, url, "visual_scene").first;
   if (is_there) return document.resolve(*instance, "url", "visual_scene");
 
   std::vector<const XMLElement*> all;

@@ -15,8 +15,7 @@ constexpr std::size_t kMaxOffset = 63;
 
 const XMLElement* find_input(const XMLElement& parent, std::string_view semantic) {
   for (const XMLElement* input : children(parent, "input")) {
-    const char* text = input->Attribute("semantic");
-    if (text != nullptr && semantic == text) return input;
+    if (attribute(input, "semantic") == semantic) return input;
   }
   return nullptr;
 }
@@ -34,18 +33,20 @@ std::array<std::size_t, 3> named_slots(const ColladaDocument& document, const XM
   std::vector<std::size_t> slots;
   std::size_t slot = 0;
   for (const XMLElement* param : children(accessor, "param")) {
-    const char* name = param->Attribute("name");
-    if (name != nullptr && *name != '\0' && slot < stride) slots.push_back(slot);
+    if (!attribute(param, "name").empty() && slot < stride) slots.push_back(slot);
     ++slot;
   }
-  if (slots.empty()) return {0, 1, 2};
+  const std::string where = " (line " + std::to_string(accessor.GetLineNum()) + ").";
+  if (slots.empty()) {
+    if (slot > 0) document.note("no <param> of an <accessor> has a name: all are read" + where);
+    return {0, 1, 2};
+  }
   if (slots.size() < 3) {
     document.fail(accessor, "<accessor> names " + std::to_string(slots.size()) +
                                 " numbers of a vector; name three with <param name>");
   }
   if (slots[2] != 2) {
-    document.note("an <accessor> skips numbers, because their <param> has no name (line " +
-                  std::to_string(accessor.GetLineNum()) + ").");
+    document.note("an <accessor> skips numbers, because their <param> has no name" + where);
   }
   return {slots[0], slots[1], slots[2]};
 }
@@ -71,11 +72,11 @@ Accessor read_accessor(const ColladaDocument& document, const XMLElement* elemen
 // The array that the accessor names, which may be that of another source; else the source's own.
 const XMLElement& find_array(const ColladaDocument& document, const XMLElement& source,
                              const XMLElement* accessor) {
-  const char* url = accessor ? accessor->Attribute("source") : nullptr;
+  const std::string_view url = attribute(accessor, "source");
   const XMLElement* own = source.FirstChildElement("float_array");
-  if (url == nullptr) return document.child(source, "float_array");
-  const char* id = own ? own->Attribute("id") : nullptr;
-  if (id != nullptr && *url == '#' && std::string_view(id) == url + 1) return *own;
+  if (url.empty()) return document.child(source, "float_array");
+  const std::string_view id = attribute(own, "id");
+  if (!id.empty() && url == "#" + std::string(id)) return *own;
   if (own == nullptr || document.find(*accessor, url, "float_array").first != nullptr) {
     return document.resolve(*accessor, "source", "float_array");
   }

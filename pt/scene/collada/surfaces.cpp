@@ -35,9 +35,7 @@ Bindings read_bindings(const XMLElement& instance) {
   const std::vector<const XMLElement*> all = children(*common, "instance_material");
   if (all.size() == 1) bindings.only = all[0];
   for (const XMLElement* binding : all) {
-    if (const char* symbol = binding->Attribute("symbol")) {
-      bindings.by_symbol.emplace(symbol, binding);
-    }
+    bindings.by_symbol.emplace(attribute(binding, "symbol"), binding);
   }
   return bindings;
 }
@@ -184,7 +182,7 @@ class SurfaceReader {
 
   // A material that is not in the file is null, with a note.
   const XMLElement* find_material(const XMLElement& binding) {
-    const std::string_view url = document_.attribute(binding, "target");
+    const std::string_view url = attribute(&binding, "target");
     if (document_.find(binding, url, "material").first != nullptr) {
       return &document_.resolve(binding, "target", "material");
     }

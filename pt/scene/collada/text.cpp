@@ -137,19 +137,4 @@ std::string read_text(const std::filesystem::path& file) {
   return text;
 }
 
-bool has_decimal_commas(std::string_view xml) {
-  const auto is_digit = [&](std::size_t i) {
-    return i < xml.size() && xml[i] >= '0' && xml[i] <= '9';
-  };
-  bool commas = false, in_tag = false;
-  const std::size_t asset = xml.find("asset>", xml.find("<asset"));
-  for (std::size_t i = asset == xml.npos ? 1 : asset; i < xml.size(); ++i) {
-    if (xml[i] == '<' || xml[i] == '>') in_tag = xml[i] == '<';
-    if (in_tag) continue;
-    if (xml[i] == '.' && (is_digit(i - 1) || is_digit(i + 1))) return false;
-    if (xml[i] == ',' && is_digit(i - 1) && is_digit(i + 1)) commas = true;
-  }
-  return commas;
-}
-
 }  // namespace pt

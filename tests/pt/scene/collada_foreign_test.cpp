@@ -117,6 +117,11 @@ TEST(Materials, say_which_properties_are_ignored) {
   EXPECT_FALSE(is_transparent(color("RGB_ZERO", "1 1 1 1") + factor("0")));
   EXPECT_TRUE(is_transparent(color("RGB_ZERO", ".5 .5 .5 1")));
   EXPECT_FALSE(is_transparent(color("A_ZERO", "1 1 1 0")));
+  // The mode is that of the channel, also if a parameter has the colour.
+  const std::string by_param =
+      shader("<transparent opaque=\"RGB_ZERO\"><param ref=\"t\"/></transparent>",
+             "<newparam sid=\"t\"><float4>0 0 0 0</float4></newparam>");
+  EXPECT_FALSE(has_note(load_effect(by_param), "is transparent"));
   EXPECT_TRUE(is_transparent(color("RGB_ONE", "1 1 .5 1")));
   EXPECT_TRUE(is_transparent("<transparent><texture texture=\"i\"/></transparent>"));
   const auto reflects = [](const std::string& value) {
@@ -138,6 +143,9 @@ TEST(Materials, that_are_missing_have_albedo_one_half) {
     text.materials = "<material id=\"gone\">" + std::string(content) + "</material>";
     EXPECT_TRUE(has_note(load(text), "material 'gone' names no effect of the file")) << content;
   }
+  const LoadedScene unnamed = load_text(replaced(text.str(), " target=\"#gone\"", ""));
+  EXPECT_EQ(albedo_of(unnamed), gray(.5));
+  EXPECT_TRUE(has_note(unnamed, "no <material> is named: the albedo is 0.5."));
 }
 
 TEST(Vertices, with_colours_say_that_these_are_ignored) {
@@ -160,6 +168,7 @@ TEST(NoSurface, comes_with_the_notes_that_explain_it) {
   EXPECT_TRUE(contains(error_of_geometry("<mesh><lines/></mesh>"), "geometry 'g' has lines"));
   EXPECT_TRUE(contains(error_of_geometry("<spline/>"), "geometry 'g' is neither a mesh nor"));
   EXPECT_TRUE(contains(error_of_geometry("<mesh><tristrips count=\"0\"/></mesh>"), "no faces"));
+  EXPECT_TRUE(contains(error_of_geometry("<mesh><vertices/></mesh>"), "geometry 'g' has no faces"));
   SceneText text = one_triangle();
   text.nodes = node(instance("gone"));
   EXPECT_TRUE(contains(error_of(text.str()), "'#gone' names"));
@@ -172,13 +181,14 @@ TEST(MissingParts, of_a_scene_are_left_out_with_a_note) {
   text.nodes += node(instance("gone")) + node("<instance_node url=\"#gone\"/>") +
                 node("<instance_controller url=\"#gone\"/>") +
                 node("<instance_geometry url=\"tri\"/>") +
-                node("<instance_geometry url=\"other.dae#tri\"/>");
+                node("<instance_geometry url=\"other.dae#tri\"/>") + node("<instance_light/>");
   const LoadedScene loaded = load(text);
   expect_one_triangle(loaded);
   for (const char* kind : {"geometry", "node", "controller"}) {
     EXPECT_TRUE(has_note(loaded, "no <" + std::string(kind) + "> with the id that '#gone' names"));
   }
   EXPECT_TRUE(has_note(loaded, "'other.dae#tri' is in another file, which is not read"));
+  EXPECT_TRUE(has_note(loaded, "no <light> is named: the instance is left out."));
 }
 
 TEST(References, may_begin_with_the_files_own_name) {
@@ -267,6 +277,7 @@ TEST(Accessors, skip_numbers_without_a_name) {
     const LoadedScene plain = load_text(with_accessor("0 0 0 9 1 0 0 9 0 1 0 9", "4", params));
     expect_one_triangle(plain);
     EXPECT_FALSE(has_note(plain, "skips"));
+    EXPECT_EQ(has_note(plain, "no <param> of an <accessor> has a name"), !contains(params, "name"));
   }
   EXPECT_TRUE(contains(error_of(with_accessor("0 0 0 1 0 0 0 1 0", "3", none + y + z)),
                        "names 2 numbers of a vector"));
@@ -385,11 +396,21 @@ TEST(Spellings, with_decimal_commas_are_read_if_no_number_has_a_point) {
   const LoadedScene loaded = load(text);
   expect_one_triangle(loaded);
   EXPECT_TRUE(has_note(loaded, "decimal commas"));
+  // Programs write versions and names of files everywhere, but these are not numbers.
+  const std::string asset =
+      "<asset><contributor><authoring_tool>T 1.5</authoring_tool></contributor>"
+      "<revision>1.0</revision>";
+  std::string other = replaced(text.str(), "<asset>", asset);
+  other =
+      replaced(other, "<library_effects>",
+               "<!-- 1.5 > 1.4 --><library_images><image><init_from>w1.5.png</init_from></image>"
+               "</library_images><library_effects>");
+  expect_one_triangle(load_text(other));
   text.nodes += node("<translate>0.5 0.5 0</translate>");
   EXPECT_TRUE(contains(error_of(text.str()), "'0,0' in <float_array> is not a finite number"));
   for (const char* list : {"0,0,0,1,0,0,0,1,0", "0, 0, 0, 1, 0, 0, 0, 1, 0", "0,0 0,0,0 1"}) {
-    const std::string other = replaced(one_triangle().str(), "0 0 0 1 0 0 0 1 0", list);
-    EXPECT_TRUE(contains(error_of(other), "is not a finite number")) << list;
+    const std::string mixed = replaced(one_triangle().str(), "0 0 0 1 0 0 0 1 0", list);
+    EXPECT_TRUE(contains(error_of(mixed), "is not a finite number")) << list;
   }
 }
 
