@@ -44,6 +44,10 @@ json page_data(const Options& options, bool live) {
   return data;
 }
 
+void say(const std::string& note) {
+  if (!note.empty()) fmt::print(stderr, "{}\n", note);
+}
+
 // The picture of a reply as a file of the page.
 std::string png_of(const Reply& reply) {
   pt::Image image(reply.state.at("width"), reply.state.at("height"));
@@ -67,6 +71,7 @@ std::string settled_picture(Child& child, const std::map<std::string, std::strin
     const bool is_enough = reply.state.at("samples") >= kSamples || !reply.state.at("goes_on");
     const bool has_light = reply.state.at("stage") > 1;
     if (is_enough || (has_light && std::chrono::steady_clock::now() - start > kMost)) {
+      say(reply.state.at("note"));
       return png_of(reply);
     }
   }
@@ -149,7 +154,9 @@ int run(int argc, const char* const* argv) {
     settings["x"] = std::to_string(options.pixel->first);
     settings["y"] = std::to_string(options.pixel->second);
   }
-  own.ask("scene", settings);  // a scene that cannot be read, or a pixel outside, ends it here
+  // A scene that cannot be read, or a pixel outside, ends it here.
+  const Reply scene = own.ask("scene", settings);
+  for (const json& note : scene.state.at("notes")) say(note);
   if (options.page.empty()) {
     serve(options, own, beside);
   } else {

@@ -9,6 +9,7 @@
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
+#include "pt/render/darkness.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
 
@@ -94,7 +95,10 @@ int render(const std::string& worker, const std::string& tier, const std::string
            const Band& band) {
   const Spec spec = read_spec(spec_file);
   pt::LoadedScene loaded = pt::load_collada(spec.scene);
-  if (!spec.path.show_normals) require_supported(loaded, spec.scene);
+  if (!spec.path.show_normals) {
+    require_supported(loaded, spec.scene);
+    require_light(loaded, spec.scene);
+  }
   // With this engine the worker builds its own tree.
   loaded.scene.tracer = pt::Tracer(spec.engine, loaded.scene.primitives);
   const pt::View view{loaded.scene,

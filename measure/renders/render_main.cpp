@@ -7,6 +7,7 @@
 #include "pt/file.h"
 #include "pt/render/choose_engine.h"
 #include "pt/render/cpu_time.h"
+#include "pt/render/darkness.h"
 #include "pt/render/render_apart.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/frame_camera.h"
@@ -90,7 +91,10 @@ std::vector<std::string> missing_tasks(const Spec& spec, pt::Engine engine) {
 int run(const std::string& spec_file, const Band& band) {
   const Spec spec = read_spec(spec_file);
   pt::LoadedScene loaded = pt::load_collada(spec.scene);
-  if (!spec.path.show_normals) require_supported(loaded, spec.scene);
+  if (!spec.path.show_normals) {
+    require_supported(loaded, spec.scene);
+    require_light(loaded, spec.scene);
+  }
   choose_engine(loaded.scene, spec.engine, kMaxLeaf);
   const pt::View view{loaded.scene,
                       frame_camera(loaded, spec.framing, spec.frame_width, spec.frame_height),

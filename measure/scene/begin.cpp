@@ -5,6 +5,7 @@
 #include "measure/scene/converge.h"
 #include "measure/scene/print.h"
 #include "pt/error.h"
+#include "pt/render/darkness.h"
 
 #include <algorithm>
 #include <utility>
@@ -45,8 +46,7 @@ Measuring::Measuring(pt::LoadedScene scene, const Options& options, int bounces,
   if (unwritten.empty() && !study.is_black()) return;
   progress.clear();
   if (unwritten.empty()) {
-    throw pt::Error(
-        "the picture is black: no light reaches this camera; choose another with --camera");
+    throw pt::Error(note_on_darkness(view, 0, 1));
   }
   throw pt::Error(fmt::format("not written yet: {}; nothing can be measured without",
                               fmt::join(unwritten, ", ")));

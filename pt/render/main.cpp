@@ -6,10 +6,10 @@
 #include "pt/image/tone_map.h"
 #include "pt/printable.h"
 #include "pt/render/choose_engine.h"
+#include "pt/render/darkness.h"
 #include "pt/render/options.h"
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
-#include "pt/scene/field_of_view.h"
 #include "pt/scene/load_collada.h"
 #include "pt/scene/view.h"
 #include "pt/todo_list.h"
@@ -25,75 +25,6 @@
 
 namespace pt {
 namespace {
-
-constexpr int kVisible = 26;  // of 255: a picture that is darker everywhere looks black
-
-// The distances of the nearest and the farthest surface, in view of a grid of rays that nothing
-// clips; the nearest surface of each ray counts.
-struct Reach {
-  double nearest = kInfinity;
-  double farthest = 0;
-};
-
-// The tasks may be a learner's, so that neither camera_ray nor hit_bvh is called here.
-Reach reach_of_view(const View& view) {
-  constexpr int kRays = 64;
-  const Camera& camera = view.camera;
-  const Tracer tracer(Engine::wide, view.scene.primitives);
-  const double x = half_tangent(camera.hfov_deg), y = half_tangent(camera.vfov_deg);
-  Reach reach;
-  for (int i = 0; i < kRays * kRays; ++i) {
-    const double across = (i % kRays + 0.5) / kRays * 2 - 1;
-    const double up = (i / kRays + 0.5) / kRays * 2 - 1;
-    const Vec3 direction = camera.camera_to_world.to_world({across * x, up * y, -1});
-    const Ray ray{camera.position, normalize(direction), 0, kInfinity};
-    if (const std::optional<Hit> hit = tracer.closest(view.scene.primitives, ray)) {
-      reach.nearest = std::min(reach.nearest, hit->t);
-      reach.farthest = std::max(reach.farthest, hit->t);
-    }
-  }
-  return reach;
-}
-
-// Says why nothing can be seen in a picture at that exposure, and what to do; empty if something
-// can. The scene has a light.
-std::string note_on_darkness(const View& view, const Film& film, double exposure) {
-  double brightest = 0;
-  for (const FilmPixel& pixel : film.pixels) {
-    brightest = std::max(brightest, max_channel(pixel.mean));
-  }
-  if (encode(brightest, exposure) >= kVisible) return "";
-  if (brightest > 0) {
-    return fmt::format(
-        "the picture is too dark to see: its brightest pixel has the radiance {:.2g}; give "
-        "--exposure {:.2g}",
-        brightest, 1 / brightest);
-  }
-  const std::string advice = "; give another --camera, such as fit, which clips nothing";
-  const Reach reach = reach_of_view(view);
-  if (reach.nearest == kInfinity) {
-    return "the picture is black: the camera looks past all surfaces" + advice;
-  }
-  if (reach.nearest > view.camera.far_clip) {
-    return fmt::format(
-        "the picture is black: the camera clips all surfaces, its zfar is {:.4g} and the nearest "
-        "is {:.4g} away{}",
-        view.camera.far_clip, reach.nearest, advice);
-  }
-  if (reach.farthest < view.camera.near_clip) {
-    return fmt::format(
-        "the picture is black: the camera clips all surfaces, its znear is {:.4g} and the farthest "
-        "is {:.4g} away{}",
-        view.camera.near_clip, reach.farthest, advice);
-  }
-  if (view.settings.show_normals) {
-    return "the picture is black: the surfaces in view are smaller than a pixel; give a larger -r, "
-           "or --camera fit";
-  }
-  return "the picture is black: no light reaches the surfaces in view by the bounces that are "
-         "shown (-m, --show); a lamp shines only to the side from which its corners run "
-         "anticlockwise";
-}
 
 std::atomic<bool> interrupted = false;                  // set by Ctrl-C
 static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler could not set it
@@ -152,12 +83,10 @@ void name_unwritten_tasks(const RenderOptions& options, const Scene& scene) {
              no_tree ? " (traced without a tree)" : "");
 }
 
-std::string note_on_no_light(const LoadedScene& loaded) {
-  return fmt::format(
-      "the scene has no light, so that the picture is black{}--show normals to see its surfaces",
-      loaded.ignores_emission ? ": emission colours in profile_COMMON are ignored; give "
-                                "--common-emission to make them shine, or "
-                              : "; give ");
+double brightest(const Film& film) {
+  double most = 0;
+  for (const FilmPixel& pixel : film.pixels) most = std::max(most, max_channel(pixel.mean));
+  return most;
 }
 
 int run(int argc, const char* const* argv) {
@@ -168,9 +97,12 @@ int run(int argc, const char* const* argv) {
   if (const std::string note = note_on_framing(loaded, options.framing); !note.empty()) {
     fmt::print(stderr, "{}\n", note);
   }
-  if (options.show != Show::normals) {
-    require_supported(loaded, options.scene);
-    if (loaded.scene.lights.empty()) fmt::print(stderr, "{}\n", note_on_no_light(loaded));
+  const bool shows_light = options.show != Show::normals;
+  if (shows_light) require_supported(loaded, options.scene);
+  if (shows_light && loaded.scene.lights.empty()) {
+    fmt::print(stderr, "the picture is black: {}; give {}--show normals to see its surfaces\n",
+               no_light(loaded),
+               loaded.ignores_emission ? "--common-emission to make them shine, or " : "");
   }
   silence_todo();
   choose_engine(loaded.scene, options.engine, options.max_leaf);
@@ -192,8 +124,8 @@ int run(int argc, const char* const* argv) {
   }
   name_unwritten_tasks(options, loaded.scene);
   print_summary(result, options, loaded.scene);
-  if (options.show == Show::normals || !loaded.scene.lights.empty()) {
-    const std::string note = note_on_darkness(view, result.film, options.exposure);
+  if (!shows_light || !loaded.scene.lights.empty()) {
+    const std::string note = note_on_darkness(view, brightest(result.film), options.exposure);
     if (!note.empty()) fmt::print(stderr, "{}\n", note);
   }
   write_pictures(options, result.film);

@@ -31,7 +31,7 @@ expect 0 'all lights are points or directions' cheapest scenes/point_light.dae -
 expect 0 'Hemisphere sampling: cannot reach this error' cheapest scenes/point_light.dae --error 10%
 sed '/<instance_light/d' scenes/point_light.dae >"$folder/dark.dae"
 expect 2 'the scene has no light' cheapest "$folder/dark.dae"
-expect 2 'the picture is black: no light reaches this camera' cheapest scenes/pale_room.dae
+expect 2 'the picture is black: no light reaches the surfaces in view' cheapest scenes/pale_room.dae
 expect 0 'predicted ' cheapest scenes/pale_room.dae --error 20% --camera file
 expect 2 'the most that can be rendered is 16777216' cheapest scenes/box_spheres.dae --error 1e-7
 expect 2 'the check on 300 pixels alone would take ' cheapest scenes/sheet.dae --error 5%

@@ -165,6 +165,31 @@ TEST(Pictures, show_the_light_of_the_furnace) {
   }
   EXPECT_NEAR(mean, 2 * (1 - 1.0 / 16), 6 * std::sqrt(squared_error));
   EXPECT_LT(squared_error, 1e-5);
+  EXPECT_EQ(picture.note, "");
+}
+
+TEST(Pictures, that_are_black_say_why) {
+  if (!is_reference()) GTEST_SKIP();
+  const Room room("pale_room.dae");  // its walls hide the lamp from a camera outside
+  Query query = kQuery;
+  query.erase("samples");
+  Picture picture = begin_picture(room.loaded, settings_of(query));
+  while (picture.samples < 2) improve(picture, std::chrono::milliseconds(50));
+  EXPECT_EQ(picture.note.find("the picture is black: no light reaches"), 0u) << picture.note;
+
+  std::string text = pt::read_file(kScenes / "point_light.dae");
+  text.replace(text.find("<instance_light"), 15, "<instance_nolight");
+  const auto file = std::filesystem::path(testing::TempDir()) / "dark.dae";
+  pt::write_file(file, text);
+  Answers answers(file, false);
+  try {
+    answers.answer("picture", query);
+    ADD_FAILURE() << "a picture without light";
+  } catch (const pt::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("the scene has no light"), std::string::npos);
+  }
+  query["show"] = "normals";
+  EXPECT_TRUE(answers.answer("picture", query).state.at("goes_on"));
 }
 
 TEST(Pictures, show_numbers_in_place_of_light) {

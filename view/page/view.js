@@ -100,6 +100,7 @@ function status_of(state) {
     `engine ${state.engine}`];
   if (state.unwritten.length) words.push(`not written yet: ${state.unwritten.join(", ")}`);
   if (state.not_finite) words.push(`${state.not_finite} samples were not finite`);
+  if (state.note) words.push(state.note);
   return words.join(" \u00b7 ");
 }
 

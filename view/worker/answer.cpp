@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
+#include "pt/render/darkness.h"
 #include "pt/todo_list.h"
 #include "view/worker/check.h"
 #include "view/worker/json.h"
@@ -31,7 +32,9 @@ void Answers::trace_with(const Settings& settings) {
 
 // Materials and lights outside the model can be shown by their normals alone.
 void Answers::require_light(const Settings& settings) const {
-  if (settings.render.show != pt::Show::normals) require_supported(loaded_, file_);
+  if (settings.render.show == pt::Show::normals) return;
+  require_supported(loaded_, file_);
+  pt::require_light(loaded_, file_);
 }
 
 Answer Answers::scene(const Query& query) {
@@ -69,6 +72,7 @@ Answer Answers::picture(const Query& query) {
                    {"goes_on", goes_on},
                    {"engine", pt::name(loaded_.scene.tracer.engine())},
                    {"not_finite", picture.not_finite},
+                   {"note", picture.note},
                    {"bad", std::move(bad)},
                    {"unwritten", pt::todo_list()}};
   const auto* bytes = reinterpret_cast<const char*>(picture.shown.data());

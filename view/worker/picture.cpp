@@ -1,5 +1,6 @@
 #include "view/worker/picture.h"
 
+#include "pt/render/darkness.h"
 #include "pt/tasks/camera_ray.h"
 
 #include <algorithm>
@@ -124,6 +125,12 @@ void render_tile(Picture& picture, const pt::View& view, int tile, std::mutex& n
   }
 }
 
+double brightest(const Picture& picture) {
+  double most = 0;
+  for (const Picture::Sum& sum : picture.sums) most = std::max(most, max_channel(sum.mean));
+  return most;
+}
+
 }  // namespace
 
 Picture begin_picture(const pt::LoadedScene& loaded, const Settings& settings) {
@@ -164,6 +171,11 @@ bool improve(Picture& picture, std::chrono::milliseconds time) {
   if (picture.stage >= 2) picture.samples += samples_of(picture);
   picture.next_tile = 0;
   ++picture.stage;
+  // The page has a control for the exposure.
+  const bool is_first = picture.stage == 3;
+  if (is_first || !picture.note.empty()) {
+    picture.note = note_on_darkness(picture.view, brightest(picture), 1);
+  }
   // Normals, and what the first ray finds, are complete after one pass.
   const bool is_done = picture.stage == 3 && (picture.settings.shown == Shown::primitive ||
                                               picture.settings.shown == Shown::distance);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace view {
@@ -20,6 +21,7 @@ struct Picture {
   double seconds = 0;
   pt::RayCount rays{};
   long long not_finite = 0;
+  std::string note{};               // why nothing can be seen
   std::vector<pt::BadPixel> bad{};  // the first pixels with samples that were not finite
   std::vector<float>
       shown{};  // r, g, b of each pixel, the top row first; false colours: a number, three times

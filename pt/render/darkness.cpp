@@ -1,0 +1,93 @@
+#include "pt/render/darkness.h"
+
+#include "pt/error.h"
+#include "pt/image/tone_map.h"
+#include "pt/scene/field_of_view.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace pt {
+
+namespace {
+
+constexpr int kVisible = 26;  // of 255: a picture that is darker everywhere looks black
+
+// The distances of the nearest and the farthest surface, in view of a grid of rays that nothing
+// clips; the nearest surface of each ray counts.
+struct Reach {
+  double nearest = kInfinity;
+  double farthest = 0;
+};
+
+// The tasks may be a learner's, so that neither camera_ray nor hit_bvh is called here.
+Reach reach_of_view(const View& view) {
+  constexpr int kRays = 64;
+  const Camera& camera = view.camera;
+  const Tracer tracer(Engine::wide, view.scene.primitives);
+  const double x = half_tangent(camera.hfov_deg), y = half_tangent(camera.vfov_deg);
+  Reach reach;
+  for (int i = 0; i < kRays * kRays; ++i) {
+    const double across = (i % kRays + 0.5) / kRays * 2 - 1;
+    const double up = (i / kRays + 0.5) / kRays * 2 - 1;
+    const Vec3 direction = camera.camera_to_world.to_world({across * x, up * y, -1});
+    const Ray ray{camera.position, normalize(direction), 0, kInfinity};
+    if (const std::optional<Hit> hit = tracer.closest(view.scene.primitives, ray)) {
+      reach.nearest = std::min(reach.nearest, hit->t);
+      reach.farthest = std::max(reach.farthest, hit->t);
+    }
+  }
+  return reach;
+}
+
+}  // namespace
+
+std::string no_light(const LoadedScene& loaded) {
+  if (!loaded.scene.lights.empty()) return "";
+  return std::string("the scene has no light") +
+         (loaded.ignores_emission ? ": emission colours in profile_COMMON are ignored" : "");
+}
+
+void require_light(const LoadedScene& loaded, const std::filesystem::path& file) {
+  if (const std::string what = no_light(loaded); !what.empty()) {
+    throw Error(file.string() + ": " + what +
+                "; add one, or give a surface the course's emission/radiance");
+  }
+}
+
+std::string note_on_darkness(const View& view, double brightest, double exposure) {
+  if (encode(brightest, exposure) >= kVisible) return "";
+  if (brightest > 0) {
+    return fmt::format(
+        "the picture is too dark to see: its brightest pixel has the radiance {:.2g}; give "
+        "--exposure {:.2g}",
+        brightest, 1 / brightest);
+  }
+  const std::string advice = "; give another --camera, such as fit, which clips nothing";
+  const Reach reach = reach_of_view(view);
+  if (reach.nearest == kInfinity) {
+    return "the picture is black: the camera looks past all surfaces" + advice;
+  }
+  if (reach.nearest > view.camera.far_clip) {
+    return fmt::format(
+        "the picture is black: the camera clips all surfaces, its zfar is {:.4g} and the nearest "
+        "is {:.4g} away{}",
+        view.camera.far_clip, reach.nearest, advice);
+  }
+  if (reach.farthest < view.camera.near_clip) {
+    return fmt::format(
+        "the picture is black: the camera clips all surfaces, its znear is {:.4g} and the farthest "
+        "is {:.4g} away{}",
+        view.camera.near_clip, reach.farthest, advice);
+  }
+  if (view.settings.show_normals) {
+    return "the picture is black: the surfaces in view are smaller than a pixel; give a larger -r, "
+           "or --camera fit";
+  }
+  return "the picture is black: no light reaches the surfaces in view by the bounces that are "
+         "shown (-m, --show); a lamp shines only to the side from which its corners run "
+         "anticlockwise";
+}
+
+}  // namespace pt
