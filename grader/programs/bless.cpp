@@ -66,7 +66,8 @@ pictures::Provenance provenance_of(const pictures::Recipe& recipe,
           state.cpu_seconds,
           {},
           pictures::recipe_settings(recipe),
-          pictures::picture_hash(recipe)};
+          pictures::picture_hash(recipe),
+          {}};
 }
 
 bool is_up_to_date(const pictures::Recipe& recipe, const pictures::Effort& effort,
@@ -76,6 +77,7 @@ bool is_up_to_date(const pictures::Recipe& recipe, const pictures::Effort& effor
   try {
     const pictures::Provenance provenance = pictures::read_provenance(files.provenance);
     return provenance.sha256 == pictures::picture_hash(recipe) &&
+           provenance.files == pictures::hash_of(files) &&
            provenance.first_seed == pictures::golden_seed(recipe, 0) &&
            provenance.samples >= effort.parts * effort.samples;
   } catch (const pt::Error&) {
@@ -104,8 +106,7 @@ std::string contradiction(const pictures::Recipe& recipe, const pt::Film& film,
 
 // Writes the film before its provenance: a film without its own provenance is made again.
 void write_golden(const pictures::Recipe& recipe, const pictures::GoldenState& state,
-                  const pt::Film& film, const pictures::Provenance& provenance,
-                  const Options& options) {
+                  const pt::Film& film, pictures::Provenance provenance, const Options& options) {
   const pictures::GoldenFiles files = pictures::golden_files(options.folder, recipe.name);
   if (recipe.adaptive) {
     auto reference =
@@ -115,6 +116,7 @@ void write_golden(const pictures::Recipe& recipe, const pictures::GoldenState& s
   }
   fs::remove(files.provenance);
   pt::write_exr(files.film, film);
+  provenance.files = pictures::hash_of(files);
   pictures::write_provenance(files.provenance, provenance);
 }
 

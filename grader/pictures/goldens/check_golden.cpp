@@ -104,6 +104,7 @@ std::vector<std::string> check_golden(const Recipe& recipe, const std::filesyste
   const GoldenFiles files = golden_files(folder, recipe.name);
   try {
     check_provenance(recipe, read_provenance(files.provenance), found);
+    expect_as_made(files);
     check_film(recipe, pt::read_exr(files.film), found);
     if (recipe.adaptive) check_rates(recipe, read_reference(files.rates), found);
   } catch (const pt::Error& error) {

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 29;
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 29;
 constexpr std::size_t kMaxBytes = 1 << 20;
 
 const char* framing_name(pt::Framing framing) {
@@ -56,7 +56,7 @@ std::string recipe_settings(const Recipe& recipe) {
 }
 
 std::string picture_hash(const Recipe& recipe) {
-  const std::string scene = base::sha256(pt::read_file(recipe.scene, kMaxSceneBytes));
+  const std::string scene = base::sha256(pt::read_file(recipe.scene, kMaxFileBytes));
   return base::sha256(recipe_settings(recipe) + scene);
 }
 
@@ -71,6 +71,7 @@ void write_provenance(const std::filesystem::path& file, const Provenance& from)
   if (!from.because.empty()) json["because"] = from.because;
   json["settings"] = Json::parse(from.settings);
   json["sha256"] = from.sha256;
+  json["files_sha256"] = from.files;
   pt::write_file(file, json.dump(1) + "\n");
 }
 
@@ -89,6 +90,7 @@ Provenance read_provenance(const std::filesystem::path& file) {
     provenance.because = json.value("because", "");
     provenance.settings = json.at("settings").dump();
     json.at("sha256").get_to(provenance.sha256);
+    json.at("files_sha256").get_to(provenance.files);
     return provenance;
   } catch (const std::exception& error) {
     throw pt::Error(
@@ -101,6 +103,22 @@ Provenance read_provenance(const std::filesystem::path& file) {
 GoldenFiles golden_files(const std::filesystem::path& folder, const std::string& recipe) {
   return {folder / (recipe + ".exr"), folder / (recipe + ".json"),
           folder / (recipe + "_rates.json")};
+}
+
+std::string hash_of(const GoldenFiles& files) {
+  std::string bytes = pt::read_file(files.film, kMaxFileBytes);
+  if (std::filesystem::exists(files.rates)) bytes += pt::read_file(files.rates, kMaxFileBytes);
+  return base::sha256(bytes);
+}
+
+void expect_as_made(const GoldenFiles& files) {
+  if (!std::filesystem::exists(files.film)) return;
+  if (read_provenance(files.provenance).files == hash_of(files)) return;
+  const std::string folder = files.film.parent_path().filename().string();
+  throw pt::Error(fmt::format(
+      "{}/{} is not the golden that was made: get it back (git checkout {}), or make it "
+      "again (./run bless {})",
+      folder, files.film.filename().string(), folder, files.film.stem().string()));
 }
 
 }  // namespace grader::pictures

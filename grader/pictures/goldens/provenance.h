@@ -21,6 +21,7 @@ struct Provenance {
   std::string because;   // the reason to replace a golden that contradicts it; mostly empty
   std::string settings;  // of the recipe, as recipe_settings returns them
   std::string sha256;    // picture_hash() of the recipe
+  std::string files;     // hash_of() the golden's files
 };
 
 // The settings that determine a recipe's picture, as JSON in one line: neither name, title, tasks
@@ -42,5 +43,12 @@ struct GoldenFiles {
   std::filesystem::path rates;  // of an adaptive recipe: the reference of its sample map
 };
 GoldenFiles golden_files(const std::filesystem::path& folder, const std::string& recipe);
+
+// A hash of the film and of the reference of the sample map.
+std::string hash_of(const GoldenFiles& files);
+
+// Throws pt::Error if the files are not those that were made: somebody has put another picture in
+// their place. A film that is missing is not looked at.
+void expect_as_made(const GoldenFiles& files);
 
 }  // namespace grader::pictures

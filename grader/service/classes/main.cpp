@@ -103,7 +103,7 @@ ClassPlan planned(ClassOptions& options, const build::Config& config,
     request.worksheet = fs::absolute(request.worksheet);
     (void)platforms::read_worksheet(request.worksheet);  // checked before anything is judged
   }
-  judging::check_points(config);  // else everybody's report would say it
+  judging::check_points_and_goldens(config);  // else everybody's report would say it
   pt::check_target(request.out + "/class.csv");
   ClassPlan plan =
       make_plan(config, programs_of(options), request, [&](std::size_t done, std::size_t all) {

@@ -202,7 +202,7 @@ results::Results grade(const build::Config& config, const GradeRequest& request,
   return Run(config, request).judge(progress);
 }
 
-void check_points(const build::Config& config) {
+void check_points_and_goldens(const build::Config& config) {
   GradeRequest request;
   for (const build::TaskConfig& task : config.tasks) {
     if (!task.graded.empty()) request.asked.push_back(task.slug);

@@ -43,8 +43,9 @@ std::vector<std::string> tasks_judged(const build::Config& config,
 results::Results grade(const build::Config& config, const GradeRequest& request,
                        const std::function<void(const results::Results&)>& progress);
 
-// Throws pt::Error if grader/points.json cannot be used, or names what does not exist.
-void check_points(const build::Config& config);
+// Throws pt::Error if grader/points.json cannot be used or names what does not exist, or if a golden has
+// been exchanged.
+void check_points_and_goldens(const build::Config& config);
 
 // The slugs that a word means: a task, a part ("1", "1_rays"), or an exercise ("1.3"). Throws
 // pt::Error if there is none.

@@ -1,6 +1,7 @@
 #include "grader/service/judging/pictures.h"
 
 #include "grader/base/parallel.h"
+#include "grader/pictures/goldens/provenance.h"
 #include "grader/service/judging/no_reference.h"
 #include "grader/service/judging/picture_trial.h"
 #include "grader/service/judging/together.h"
@@ -238,6 +239,7 @@ class Gallery {
 void list_pictures(const build::Config& config, const GradeRequest& request,
                    std::vector<Judged>& judged) {
   for (const Exhibit& exhibit : exhibits(config, request, judged)) {
+    pictures::expect_as_made(pictures::golden_files(config.root + "/golden", exhibit.recipe.name));
     for (Judged* task : exhibit.tasks) task->result.pictures.push_back(not_judged(exhibit.recipe));
   }
 }

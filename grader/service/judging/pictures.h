@@ -5,7 +5,8 @@
 
 namespace grader::judging {
 
-// Adds the recipes that show the requested tasks to their results, not judged so far.
+// Adds the recipes that show the requested tasks to their results, not judged so far. Throws
+// pt::Error if a golden of theirs has been exchanged.
 void list_pictures(const build::Config& config, const GradeRequest& request,
                    std::vector<Judged>& judged);
 

@@ -239,6 +239,32 @@ TEST_F(Bless, makes_a_golden_again_when_told_to) {
   EXPECT_TRUE(text("golden/box.exr") == film);
 }
 
+// Another picture in its place would be judged by without a word.
+TEST_F(Bless, knows_whether_a_golden_has_been_exchanged) {
+  ASSERT_EQ(bless("box"), 0) << said_;
+  const GoldenFiles files = golden_files(folder_ / "golden", "box");
+  EXPECT_NO_THROW(expect_as_made(files));
+  pt::Film film = pt::read_exr(files.film);
+  film.pixels[0].mean.r += 1;
+  pt::write_exr(files.film, film);
+  try {
+    expect_as_made(files);
+    ADD_FAILURE() << "nobody sees it";
+  } catch (const pt::Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "golden/box.exr is not the golden that was made: get it back (git checkout "
+                 "golden), or make it again (./run bless box)");
+  }
+  EXPECT_THAT(check_golden(recipe(), folder_ / "golden"),
+              testing::Contains(HasSubstr("is not the golden that was made")));
+  ASSERT_EQ(bless("box --because 'it was exchanged'"), 0) << said_;
+  EXPECT_NO_THROW(expect_as_made(files));
+  pt::write_file(files.rates, "{}");  // of the sample map, too
+  EXPECT_THROW(expect_as_made(files), pt::Error);
+  fs::remove(files.film);
+  EXPECT_NO_THROW(expect_as_made(files));  // who needs it says that it is missing
+}
+
 TEST_F(Bless, goes_on_where_it_was_stopped) {
   struct Stopped {};
   const fs::path partial = folder_ / "box.partial";

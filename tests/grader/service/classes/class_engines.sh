@@ -66,6 +66,16 @@ if [ -z "$engine" ]; then
   broken=$(python3 -c 'import json, sys; print(next(p["name"] for p in json.load(open(sys.argv[1]))["tasks"][0]["promises"] if not p["held"] and not p["bonus"]))' \
     "$folder/here/learner 3.json")
   sed -i "s/PROMISE/$broken/" "$folder/root/grader/points.json"
+  # So is a golden that somebody has exchanged.
+  mv "$folder/root/golden" "$folder/goldens"
+  cp -r golden "$folder/root/golden"
+  cp golden/rays_star.exr "$folder/root/golden/rays_spheres.exr"
+  status=0
+  grade_class again || status=$?
+  [ "$status" -eq 2 ] && [ "$(grep -c 'golden/rays_spheres.exr is not the golden that was made' "$folder/said")" -eq 1 ] &&
+    [ ! -e "$folder/again/plan.json" ] || complain "an exchanged golden: $status, $(cat "$folder/said")"
+  rm -r "$folder/root/golden"
+  mv "$folder/goldens" "$folder/root/golden"
   status=0
   "$grader/grade_class" "$folder/class" --out "$folder/again" --compare "$folder/here" --not-isolated \
     --config "$folder/programs/grade.json" -- hit_sphere --no-pictures >"$folder/said" 2>&1 || status=$?
