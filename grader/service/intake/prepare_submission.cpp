@@ -61,6 +61,24 @@ struct Work {
   bool is_flat = false;  // without folders for the parts, as files of platforms are
 };
 
+// Puts a file of the same kind in the place of one that cannot be used: the judge rejects it for the same
+// reason, so that it costs its own task only. `top` is the folder of all copies.
+void put_unusable(const fs::path& from, const fs::path& copy, const fs::path& top) {
+  const fs::file_status is = fs::symlink_status(from);
+  if (fs::is_regular_file(is) && fs::file_size(from) > base::kMaxFile) {
+    pt::write_file(copy, "");
+    fs::resize_file(copy, base::kMaxFile + 1);
+  } else if (fs::is_regular_file(is) && fs::hard_link_count(from) > 1) {
+    pt::write_file(copy, "");
+    fs::create_directories(top / "student");  // a place that the judge reads later, if at all
+    fs::create_hard_link(copy, top / "student" / copy.filename());
+  } else if (fs::is_regular_file(is) || fs::is_symlink(is) || !fs::exists(is)) {
+    fs::create_symlink("refused", copy);
+  } else {
+    fs::create_directory(copy);
+  }
+}
+
 // Copies the task files to names that the judge reads.
 Prepared copy_tasks(const Work& work, const IntakeTools& tools) {
   const fs::path to = tools.next_folder();
@@ -77,8 +95,7 @@ Prepared copy_tasks(const Work& work, const IntakeTools& tools) {
     if (!read.present || !read.rejected.empty()) {
       refused.push_back(fmt::format("'{}': {}", as_file_name(from.filename()),
                                     read.present ? read.rejected : "it cannot be read"));
-      // The judge rejects a link, so this file costs its own task only.
-      fs::create_symlink("refused", copy);
+      put_unusable(from, copy, to);
       continue;
     }
     pt::write_file(copy, read.text);

@@ -78,7 +78,8 @@ std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
     Seen one{each.id, each.problem, each.late, each.platform, each.feedback, each.note};
     if (each.problem.empty() && fs::exists(each.folder)) {
       for (const auto& file : fs::recursive_directory_iterator(each.folder)) {
-        if (file.path().extension() != ".cpp" || file.is_symlink()) continue;
+        const bool is_small = file.is_regular_file() && file.file_size() <= 10000;
+        if (file.path().extension() != ".cpp" || file.is_symlink() || !is_small) continue;
         one.files[fs::relative(file.path(), each.folder)] = pt::read_file(file.path(), 10000);
       }
     }
@@ -86,7 +87,7 @@ std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
       if (!each.problem.empty()) break;
       const std::string root = base::submission_root(each.folder);
       const base::Submitted read = base::read_submitted(root, task.part, task.slug);
-      if (read.present) one.judged[task.slug] = read.text;
+      if (read.present) one.judged[task.slug] = read.rejected.empty() ? read.text : read.rejected;
     }
     EXPECT_TRUE(all.emplace(each.name, one).second) << each.name << " twice";
   }

@@ -411,6 +411,47 @@ TEST_F(Intake, of_several_attempts_the_last_counts) {
   EXPECT_THAT(seen()["Ada"].problem, HasSubstr("their dates cannot be read"));
 }
 
+// Clones of GitHub with its list, and repositories as Artemis packs them.
+TEST_F(Intake, repositories_are_one_row_each) {
+  add("clones/hw-ada/.git/HEAD", "ref");
+  add("clones/hw-ada/pt/a.h", "");
+  add("clones/hw-ada/student/1_rays/hit_box.cpp", "a");
+  add("clones/hw-bob/.git/HEAD", "ref");
+  add("clones/hw-bob/student/1_rays/hit_box.cpp", "b");
+  add("clones/grades.csv", "?");
+  auto all = seen();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all["hw-ada"].judged, (Files{{"hit_box", "a"}}));
+  EXPECT_EQ(all["hw-bob"].judged, (Files{{"hit_box", "b"}}));
+  EXPECT_FALSE(work_is_unclaimed_);
+  fs::remove_all(in());
+  for (const char* name : {"ada", "bob"}) {
+    const std::string folder = std::string("hw1-") + name;
+    add("course-hw1-" + std::string(name) + "-student-submission.git.zip",
+        archive_of({{folder + "/student/1_rays/hit_box.cpp", name}, {folder + "/.git/HEAD", "r"}}));
+  }
+  all = seen();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all["course-hw1-ada-student-submission.git"].judged, (Files{{"hit_box", "ada"}}));
+}
+
+// Submitty has a folder for each attempt, and PrairieLearn writes its own names before each file:
+// both grade by themselves, so that nobody needs these files.
+TEST_F(Intake, files_that_are_not_read_have_a_reason) {
+  for (const char* path : {"ada/1/hit_box.cpp", "ada/2/hit_box.cpp", "bob/1/hit_box.cpp"})
+    add(path, path);
+  auto all = seen();
+  EXPECT_EQ(all["ada"].problem,
+            "it has hit_box.cpp in 2 places, '1/hit_box.cpp' and '2/hit_box.cpp'; keep one");
+  EXPECT_EQ(all["bob"].judged, (Files{{"hit_box", "bob/1/hit_box.cpp"}}));
+  fs::remove_all(in());
+  add("ada@x.org_1_firstlight_1_2_345_hit_box.cpp", "a");
+  add("bob@x.org_1_firstlight_1_1_346_hit_box.cpp", "b");
+  all = seen();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_THAT(all["ada@x.org"].problem, HasSubstr("only 'firstlight_1_2_345_hit_box.cpp'"));
+}
+
 TEST_F(Intake, files_of_learners_without_names_are_refused) {
   for (const char* second : {"hit_box(1).cpp", "hit_box (2).cpp", "Hit_Box(1).cpp"}) {
     fs::remove_all(in());

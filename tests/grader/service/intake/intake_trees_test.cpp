@@ -176,6 +176,31 @@ TEST_F(Intake, what_counts_of_several_files_is_said) {
   EXPECT_EQ(all["eve"].note, "");
 }
 
+// The judge sees what is wrong with a file of nearly the right name, as it would in its right place.
+TEST_F(Intake, a_file_that_cannot_be_used_is_rejected_for_its_own_reason) {
+  for (const char* name : {"large", "link", "pipe", "twice", "other part"})
+    add(std::string(name) + "/hit_sphere.cpp", "right");
+  add("large/Hit_Box.cpp", std::string((1 << 20) + 1, 'a'));
+  fs::create_symlink("/etc/passwd", in("link/Hit_Box.cpp"));
+  mkfifo(in("pipe/Hit_Box.cpp").c_str(), 0600);
+  add("twice/Hit_Box.cpp", "a");
+  fs::create_hard_link(in("twice/Hit_Box.cpp"), folder_.path() + "/second");
+  add("other part/2_bvh/hit_box.cpp", std::string((1 << 20) + 1, 'a'));
+  auto all = seen();
+  const std::map<std::string, std::string> reasons{
+      {"large", "the file is larger than 1 MiB"},
+      {"link", "the file is a link, or cannot be read"},
+      {"pipe", "it is not a regular file"},
+      {"twice", "the file has a second name (a hard link); hand in a copy"},
+      {"other part", "the file is larger than 1 MiB"}};
+  for (const auto& [name, reason] : reasons) {
+    EXPECT_EQ(all[name].judged["hit_box"], reason) << name;
+    EXPECT_THAT(all[name].note, HasSubstr(reason)) << name;
+    EXPECT_EQ(all[name].judged["hit_sphere"], "right") << name;
+    EXPECT_EQ(all[name].problem, "") << name;
+  }
+}
+
 TEST_F(Intake, progress_counts_submissions) {
   using Told = std::vector<std::pair<std::size_t, std::size_t>>;
   const auto told = [&](const fs::path& input) {
