@@ -32,11 +32,13 @@ firstlight_script_test(walk quick commands/walk.sh ${build}
   NEEDS render view view_worker.reference compare check.hit_sphere.sanitized grade graded_programs hint grade_class)
 firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade hint watch box render view compare generate writeup
   accuracy.reference measure stability bless grade_class ladder)
+firstlight_script_test(autograder_made rest commands/autograder.sh ARGUMENTS ${PROJECT_BINARY_DIR} made NEEDS grade graded)
+firstlight_script_test(workflows rest commands/workflows.sh ${build} NEEDS grade graded)
 firstlight_script_test(resume rest commands/resume.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded grade_class)
 firstlight_script_test(faults rest commands/faults.sh ${build} NEEDS grade graded watch hint)
 # These build the project again: minutes, or with ccache the first time only.
 firstlight_script_test(handout long commands/handout.sh ${build} NEEDS compiled graded reference_objects)
-firstlight_script_test(gradescope_archive long commands/gradescope_archive.sh ${build} NEEDS graded)
+firstlight_script_test(autograder long commands/autograder.sh ${build} NEEDS grade graded)
 firstlight_script_test(mutants long mutants/run.sh ARGUMENTS ${PROJECT_BINARY_DIR}/mutants TIMEOUT 14400)
 firstlight_script_test(small_changes long mutants/small_changes.py ARGUMENTS ${PROJECT_BINARY_DIR} TIMEOUT 28800)
 firstlight_script_test(adding_a_task long commands/adding_a_task.sh ARGUMENTS ${PROJECT_BINARY_DIR}/../adding_a_task)

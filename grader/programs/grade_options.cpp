@@ -1,5 +1,6 @@
 #include "grader/programs/grade_options.h"
 
+#include "grader/report/autograders.h"
 #include "pt/command_line.h"
 
 #include <CLI/CLI.hpp>
@@ -33,7 +34,10 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_flag("--small-page", options.files.small_page,
                "Leave the values of pixels, and the maps of right pictures, out of that page");
   app.add_option("--junit", options.files.junit, "Also write JUnit's XML");
-  app.add_option("--gradescope", options.files.gradescope, "Also write Gradescope's results.json");
+  for (const report::Autograder& each : report::kAutograders) {
+    app.add_option(std::string("--") + each.name, options.files.autograders[each.name],
+                   std::string("Also write ") + each.words);
+  }
   app.add_option("--csv", options.files.csv, "Also write a table, a line per task");
   app.add_option("--from-results", options.from_results, "Judge nothing: report what --json wrote");
   app.add_option("--seed", options.seed, "The seed of all random inputs");

@@ -1,26 +1,33 @@
 #include "grader/report/write_reports.h"
 
+#include "grader/report/autograders.h"
 #include "grader/report/csv.h"
-#include "grader/report/gradescope.h"
 #include "grader/report/html.h"
 #include "grader/report/junit.h"
 #include "grader/results/json.h"
 #include "grader/results/presentable.h"
 #include "pt/file.h"
 
+#include <vector>
+
 namespace grader::report {
 
 void check_targets(const ReportFiles& files) {
-  for (const std::string* path :
-       {&files.json, &files.html, &files.junit, &files.gradescope, &files.csv}) {
-    if (!path->empty()) pt::check_target(*path);
+  std::vector<std::string> paths{files.json, files.html, files.junit, files.csv};
+  for (const auto& [name, path] : files.autograders) paths.push_back(path);
+  for (const std::string& path : paths) {
+    if (!path.empty()) pt::check_target(path);
   }
 }
 
 void write_reports(const results::Results& results, const ReportFiles& files) {
   if (!files.json.empty()) results::write_json(results::presentable(results), files.json);
   if (!files.junit.empty()) pt::write_file(files.junit, to_junit(results));
-  if (!files.gradescope.empty()) pt::write_file(files.gradescope, to_gradescope(results));
+  for (const Autograder& each : kAutograders) {
+    const auto path = files.autograders.find(each.name);
+    if (path != files.autograders.end() && !path->second.empty())
+      pt::write_file(path->second, each.write(results));
+  }
   if (!files.csv.empty()) pt::write_file(files.csv, to_csv(results));
   const PageSize size = files.small_page ? PageSize::small : PageSize::full;
   if (!files.html.empty()) pt::write_file(files.html, to_html(results, size));

@@ -3,6 +3,7 @@
 #include "grader/results/results.h"
 
 #include <chrono>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,7 @@ struct ReportFiles {
   std::string json;
   std::string html;
   std::string junit;
-  std::string gradescope;
+  std::map<std::string, std::string> autograders{};  // by the names in kAutograders
   std::string csv;
   bool small_page = false;  // of html: without the values of pixels (grader/report/html.h)
 };

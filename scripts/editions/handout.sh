@@ -30,8 +30,13 @@ chmod 755 "$half"
 edition_files "$not_for_learners" | copy_files "$half"
 copy_known "$build" "$half"
 cp scripts/editions/handout_README.md "$half/README.md"
+mkdir -p "$half/.github/workflows"
+cp scripts/editions/ci/github.yml "$half/.github/workflows/grade.yml"
+cp scripts/editions/ci/gitlab.yml "$half/.gitlab-ci.yml"
 system=$(. /etc/os-release && echo "$ID:$VERSION_ID")
-case $system in debian:[0-9]* | ubuntu:[0-9]*) sed -i "s|^FROM .*|FROM $system|" "$half/.devcontainer/Dockerfile" ;; esac
+case $system in debian:[0-9]* | ubuntu:[0-9]*)
+  sed -i -E "s/^(FROM| *container:|image:) .*/\1 $system/" "$half"/{.devcontainer/Dockerfile,.github/workflows/grade.yml,.gitlab-ci.yml} ;;
+esac
 headers() { (cd "$1" && find pt -name '*.h' | sort); }
 diff <(headers .) <(headers "$half") >/dev/null ||
   fail "git does not know some headers in pt/: add or remove them"

@@ -55,6 +55,11 @@ if nm "$folder"/reference-objects/*.o | grep -i ' [tbdr] .*_GLOBAL__N_'; then
   complain "the objects name what is local to the reference"
 fi
 
+# GitHub and GitLab grade it in the system that it was made for.
+bash tests/commands/workflows.sh "$build" "$folder" || [ $? -eq 77 ] || complain "a workflow of the handout fails"
+[ "$(cat "$folder"/{.devcontainer/Dockerfile,.github/workflows/grade.yml,.gitlab-ci.yml} | grep -cE "^(FROM| *container:|image:) $(. /etc/os-release && echo "$ID:$VERSION_ID")\$")" = 3 ] ||
+  complain "a workflow runs on another system"
+
 # The compiled parts are used: only the learner's files have a rule.
 grades 1 'not attempted' hit_triangle
 if grep -E '^build [^:]*[.]o:' "$folder/build/check/build.ninja" | grep -vE 'student/|recorded/'; then

@@ -1,7 +1,7 @@
 // results.json: it is refused, or every report on it can be written and contains nothing that
 // misleads a reader.
+#include "grader/report/autograders.h"
 #include "grader/report/csv.h"
-#include "grader/report/gradescope.h"
 #include "grader/report/html.h"
 #include "grader/report/junit.h"
 #include "grader/report/terminal.h"
@@ -54,6 +54,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     expect_table(table, std::min<std::size_t>(read.tasks.size(), 100));
     fuzz::expect(tinyxml2::XMLDocument().Parse(junit.c_str()) == tinyxml2::XML_SUCCESS);
     fuzz::expect(nlohmann::json::parse(report::to_gradescope(read)).contains("tests"));
+    fuzz::expect(nlohmann::json::parse(report::to_prairielearn(read)).at("score") <= 1);
+    const std::string output = report::to_autolab(read), tests = report::to_artemis(read);
+    const std::size_t last = output.rfind('\n', output.size() - 2) + 1;
+    fuzz::expect(nlohmann::json::parse(output.substr(last)).contains("scores"));
+    fuzz::expect(tinyxml2::XMLDocument().Parse(tests.c_str()) == tinyxml2::XML_SUCCESS);
     expect_plain(report::to_html(read));
     platforms::ClassPage page;
     page.add({"name", "", "page.html", "", false}, read);

@@ -181,7 +181,7 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
   fs::remove(path + ".key");  // in case this run ends before the reports are complete
   if (known) {
     known->submission = results::one_line(by.name);
-    report::write_reports(*known, {path + ".json", path + ".html", "", "", "", true});
+    report::write_reports(*known, {path + ".json", path + ".html", "", {}, "", true});
   } else if (const std::string problem = run_grade(judging, by, path); !problem.empty()) {
     throw pt::Error(problem);
   }

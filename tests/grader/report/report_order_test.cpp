@@ -1,5 +1,5 @@
 // The most informative failure comes first and is short enough to be read.
-#include "grader/report/gradescope.h"
+#include "grader/report/autograders.h"
 #include "grader/report/html.h"
 #include "grader/report/junit.h"
 #include "grader/report/terminal.h"

@@ -1,6 +1,6 @@
 // The reports of one run: each follows the rules of its format, and all say the same.
+#include "grader/report/autograders.h"
 #include "grader/report/csv.h"
-#include "grader/report/gradescope.h"
 #include "grader/report/terminal.h"
 #include "grader/report/write_reports.h"
 #include "grader/results/presentable.h"
@@ -26,75 +26,6 @@ using testing::HasSubstr;
 using testing::Not;
 
 class Writers : public ExampleRun {};
-
-TEST_F(Writers, gradescope_gets_a_test_a_task) {
-  for (const results::Results& results : {run, stopped()}) {
-    const json whole = json::parse(to_gradescope(results));
-    EXPECT_EQ(whole.at("tests").size(), run.tasks.size());
-    double score = 0;
-    for (const json& test : whole.at("tests")) {
-      score += test.at("score").get<double>();
-      EXPECT_TRUE(test.at("max_score").is_number());
-      EXPECT_TRUE(test.at("status") == "passed" || test.at("status") == "failed");
-      EXPECT_EQ(test.at("visibility"), "visible");
-      EXPECT_EQ(test.at("output_format"), "text");
-      EXPECT_TRUE(test.at("tags").is_array());
-      EXPECT_FALSE(test.at("output").get<std::string>().empty());
-    }
-    EXPECT_EQ(whole.at("score"), score);
-    EXPECT_EQ(score, 2 + 1 + 1 + 1 + 1 + 0 + 2 + 6 + 0 + 5);  // with a bonus of 1
-    EXPECT_EQ(whole.at("execution_time"), 27);
-    EXPECT_EQ(whole.at("visibility"), "visible");
-    EXPECT_EQ(whole.at("stdout_visibility"), "hidden");
-    const std::string output = whole.at("output");
-    EXPECT_EQ(output.find(results::kStopped) != std::string::npos, !results.complete);
-    EXPECT_THAT(output, HasSubstr("A: bubblewrap"));
-  }
-}
-
-TEST_F(Writers, gradescope_tells_of_failures) {
-  const json tests = json::parse(to_gradescope(run)).at("tests");
-  EXPECT_EQ(tests[0].at("status"), "passed");
-  EXPECT_EQ(tests[1].at("number"), "1.3");
-  EXPECT_EQ(tests[1].at("status"), "failed");
-  EXPECT_THAT(tests[1].at("output").get<std::string>(), HasSubstr("expected  1\n"));
-  EXPECT_THAT(tests[4].at("output").get<std::string>(), HasSubstr("is a link"));
-  EXPECT_THAT(tests[5].at("output").get<std::string>(), HasSubstr("waits for hit_box"));
-  EXPECT_THAT(tests[6].at("output").get<std::string>(), HasSubstr(run.tasks[6].pictures[1].text));
-  for (const json& test : tests) {
-    EXPECT_THAT(test.at("output").get<std::string>(), Not(HasSubstr("\x1b")));
-  }
-}
-
-TEST_F(Writers, gradescope_shows_no_red_for_right_work_that_waits) {
-  results::Results results = run;
-  results::TaskResult& waiting = results.tasks[5];
-  ASSERT_EQ(waiting.state, results::State::blocked);
-  waiting.max_points = 3;
-  for (const auto& [points, status] : {std::pair{3, "passed"}, std::pair{2, "failed"}}) {
-    waiting.points = points;
-    EXPECT_EQ(json::parse(to_gradescope(results)).at("tests")[5].at("status"), status);
-  }
-}
-
-TEST_F(Writers, gradescope_gives_no_points_for_what_is_not_judged) {
-  const json whole = json::parse(to_gradescope(half_judged()));
-  const json &lit = whole.at("tests")[6], &unwritten = whole.at("tests")[7];
-  for (const json* test : {&lit, &unwritten}) {
-    EXPECT_EQ(test->at("status"), "failed");
-    EXPECT_EQ(test->at("extra_data").at("state"), "not_judged");
-    EXPECT_THAT(test->at("output").get<std::string>(), HasSubstr("? not judged\n"));
-  }
-  EXPECT_EQ(lit.at("score"), 5);
-  EXPECT_THAT(
-      lit.at("output").get<std::string>(),
-      HasSubstr("2 of 2 promises are kept; 1 of 5 pictures are right, 4 are not judged yet."));
-  EXPECT_EQ(unwritten.at("score"), 0);
-  EXPECT_THAT(unwritten.at("output").get<std::string>(),
-              HasSubstr("0 of 2 promises are kept, 2 are not judged yet."));
-  EXPECT_THAT(whole.at("output").get<std::string>(),
-              HasSubstr("1 of 9 tasks pass, 3 not judged yet. "));
-}
 
 TEST_F(Writers, what_is_not_judged_is_named_so) {
   const results::Results results = half_judged();
@@ -249,15 +180,21 @@ TEST_F(Writers, the_terminal_shows_no_failure_of_what_is_not_written) {
 
 TEST_F(Writers, all_files_are_written_or_none) {
   const std::string& here = folder.path();
-  ReportFiles files{here + "/a.json", here + "/a.html", here + "/a.xml", here + "/b.json",
-                    here + "/a.csv"};
+  ReportFiles files{here + "/a.json", here + "/a.html", here + "/a.xml", {}, here + "/a.csv"};
+  for (const Autograder& each : kAutograders) files.autograders[each.name] = here + "/" + each.name;
   check_targets(files);
   write_reports(stopped(), files);
   EXPECT_EQ(results::read_results(files.json), results::presentable(stopped()));
-  for (const std::string& path : {files.html, files.junit, files.gradescope}) {
+  std::vector<std::string> said{files.html, files.junit};
+  for (const auto& [name, path] : files.autograders) said.push_back(path);
+  EXPECT_EQ(said.size(), 6);
+  for (const std::string& path : said) {
     EXPECT_THAT(pt::read_file(path, 1 << 24), HasSubstr("This run was stopped before it ended"));
   }
   EXPECT_THAT(pt::read_file(files.csv, 1 << 24), HasSubstr(",false\r\n"));
+  files.autograders["artemis"] = here + "/nowhere/a.xml";
+  EXPECT_THROW(check_targets(files), pt::Error);
+  files.autograders.clear();
   files.html = here + "/nowhere/a.html";
   EXPECT_THROW(check_targets(files), pt::Error);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The same files get the same verdict as a submission of a class, by ./run grade, and by Gradescope's autograder, in whatever
-# form they are handed in.
+# The same files get the same verdict as a submission of a class, by ./run grade, and by the autograder of each platform, in
+# whatever form they are handed in.
 # three_doors.sh GRADER: the folder with the programs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../../.."
@@ -55,6 +55,7 @@ forms = {
     "outer": {"hit_sphere.cpp": sphere, "old/hit_sphere.cpp": other},
     "broken": {"work.zip": b"PK no archive"},
     "one broken": {"hit_sphere.cpp": sphere, "work.zip": b"PK no archive"},
+    "large": {"hit_sphere.cpp": sphere, "Hit_Box.cpp": b" " * (1 << 20) + b"1"},
     "nothing": {"report.pdf": b"?"},
     "rar": {"work.lz": b"?"},
 }
@@ -79,16 +80,28 @@ for submission in "$folder/class/"*; do
     [ $? -eq 1 ] || complain "./run grade, $name: $(cat "$folder/grade/$name.txt")"
   rm -rf "$folder/autograder/submission"
   cp -r "$submission" "$folder/autograder/submission"
-  scripts/editions/gradescope/run_autograder --seed 7 "${what[@]}" >"$folder/said" 2>&1
+  scripts/editions/autograder/run_autograder --seed 7 "${what[@]}" >"$folder/said" 2>&1
   ! grep -q 'require-isolation refuses' "$folder/said" || { echo 'NOT TESTED: nothing isolates here'; exit 77; }
   cp "$folder/autograder/results/results.json" "$folder/grade/$name.scope"
+  # The others take it where their containers have it; Autolab takes one file only.
+  case $name in rest | numbered | outer | nothing | broken) ;; *) continue ;; esac
+  (
+    export FIRSTLIGHT_GRADE=$folder/grade/$name
+    mkdir -p "$FIRSTLIGHT_GRADE/assignment"
+    cp -r "$submission" "$FIRSTLIGHT_GRADE/student"
+    cp -r "$submission" "$FIRSTLIGHT_GRADE/assignment/handed in"
+    (cd "$submission" && cmake -E tar cf "$FIRSTLIGHT_GRADE/handin.zip" --format=zip .)
+    run=$PWD/scripts/editions/autograder/run_autograder
+    cd "$FIRSTLIGHT_GRADE"
+    for platform in prairielearn autolab artemis; do "$run" $platform --seed 7 "${what[@]}" >$platform 2>$platform.errors; done
+  )
 done
 [ -z "$(ls -A "$grader/graded/intake")" ] || complain 'copies of files that were handed in are left'
 
 python3 - "$folder" <<'END' || complain 'the doors differ'
-import csv, json, sys
+import csv, json, sys, xml.etree.ElementTree
 rows = {row["submission"]: row for row in csv.DictReader(open(sys.argv[1] + "/class-graded/class.csv", encoding="utf-8-sig"))}
-assert len(rows) == 21, rows.keys()
+assert len(rows) == 22, rows.keys()
 for name, row in rows.items():
     results = json.load(open(f"{sys.argv[1]}/grade/{name}.json"))
     scope = json.load(open(f"{sys.argv[1]}/grade/{name}.scope"))
@@ -103,10 +116,25 @@ for name, row in rows.items():
             assert task["state"].replace("_", " ") == row[task["slug"]], (name, task)
     for sentence in (row["problem"], row["note"].split("the same files:")[0].rstrip("; ")):
         assert sentence in text.replace("\n", " ") and sentence in said, (name, sentence, text, said)
+# Each platform's own program reads these files so: see autograders_test.cpp.
+for name in ("rest", "numbered", "outer", "nothing", "broken"):
+    folder = f"{sys.argv[1]}/grade/{name}/"
+    tasks = json.load(open(f"{sys.argv[1]}/grade/{name}.json"))["tasks"]
+    points = {task["slug"]: task["points"] + task["bonus_points"] for task in tasks}
+    learn = json.load(open(folder + "results/results.json"))
+    assert {test["name"].split()[1]: test["points"] for test in learn["tests"]} == points, (name, learn)
+    most = sum(task["max_points"] for task in tasks)
+    assert learn["gradable"] and abs(learn["score"] - min(1, sum(points.values()) / most)) < 1e-9, (name, learn)
+    assert json.loads(open(folder + "autolab").read().splitlines()[-1]) == {"scores": points}, name
+    tests = xml.etree.ElementTree.parse(folder + "results/firstlight.xml").getroot()
+    passed = [test.get("name").split()[0] for test in tests if test.find("failure") is None]
+    assert {slug: passed.count(slug) for slug in points} == points, (name, passed)
 right = int(rows["plain"]["hit_sphere_points"])
 assert right > 0
 for name in ("parts", "numbered", "capital", "text", "beside", "deep", "wrong part", "project", "tar", "zip", "zip in zip", "rest", "outer", "one broken"):
     assert rows[name]["hit_sphere_points"] == str(right), rows[name]
+large = next(task for task in json.load(open(sys.argv[1] + "/grade/large.json"))["tasks"] if task["slug"] == "hit_box")
+assert (large["state"], large["reason"]) == ("rejected", "the file is larger than 1 MiB"), large
 for name in ("two zips", "two files", "broken", "nothing", "rar"):
     assert rows[name]["problem"], rows[name]
 END

@@ -1,14 +1,17 @@
-#include "grader/report/gradescope.h"
+#include "grader/report/autograders.h"
 
 #include "grader/report/terminal.h"
+#include "grader/results/points.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <tinyxml2.h>
 
 namespace grader::report {
 
@@ -83,6 +86,47 @@ std::string head(const results::Results& results) {
   return text;
 }
 
+// PrairieLearn takes 1 MB. In JSON a character may need two bytes more.
+std::string short_output_of(const results::TaskResult& task) {
+  constexpr std::size_t kMaxOutput = 24 << 10;
+  std::string text = output_of(task);
+  if (text.size() <= kMaxOutput) return text;
+  text.resize(text.rfind('\n', kMaxOutput));
+  return text + "\n(The rest is left out.)\n";
+}
+
+// The text about a promise or a picture that did not earn its points.
+std::string reason_of(const results::TaskResult& task, const std::string& promise) {
+  for (const FailureText& each : failure_texts(task, {false, true})) {
+    if (!promise.empty() && each.promise == promise) return each.text;
+  }
+  return task.reason.empty() ? results::words(task.state) : task.reason;
+}
+
+void print_case(tinyxml2::XMLPrinter& xml, const std::string& name, bool has_points,
+                const std::string& reason) {
+  xml.OpenElement("testcase");
+  xml.PushAttribute("name", name.c_str());
+  if (!has_points) {
+    xml.OpenElement("failure");
+    xml.PushText(reason.c_str());
+    xml.CloseElement();
+  }
+  xml.CloseElement();
+}
+
+void print_task(tinyxml2::XMLPrinter& xml, const results::TaskResult& task) {
+  for (const results::PromiseResult& each : task.promises) {
+    const bool has_points = results::is_kept_by_itself(each);
+    if (!has_points && each.bonus) continue;
+    print_case(xml, task.slug + " " + each.name, has_points, reason_of(task, each.name));
+  }
+  for (const results::PictureResult& each : task.pictures) {
+    const std::string reason = each.text.empty() ? reason_of(task, "") : each.text;
+    print_case(xml, task.slug + " picture " + each.recipe, each.points == each.max_points, reason);
+  }
+}
+
 }  // namespace
 
 std::string to_gradescope(const results::Results& raw) {
@@ -100,6 +144,52 @@ std::string to_gradescope(const results::Results& raw) {
       {"tests", tests},
       {"extra_data", {{"complete", results.complete}, {"seed", results.seed}}}};
   return whole.dump(2) + "\n";
+}
+
+std::string to_prairielearn(const results::Results& raw) {
+  const results::Results results = results::presentable(raw);
+  ordered_json tests = ordered_json::array();
+  for (const results::TaskResult& task : results.tasks) {
+    tests.push_back({{"name", task.number + " " + task.slug},
+                     {"points", task.points + task.bonus_points},
+                     {"max_points", task.max_points},
+                     {"output", short_output_of(task)}});
+  }
+  const results::Totals all = results::totals(results.tasks);
+  const double share = (all.points + all.bonus_points) / std::max(1.0, 1.0 * all.max_points);
+  const ordered_json whole{{"gradable", true},
+                           {"score", std::min(1.0, share)},
+                           {"output", head(results)},
+                           {"tests", tests}};
+  return whole.dump(2) + "\n";
+}
+
+std::string to_autolab(const results::Results& raw) {
+  const results::Results results = results::presentable(raw);
+  ordered_json stages{{"_presentation", "semantic"}, {"stages", ordered_json::array()}};
+  ordered_json scores = ordered_json::object();
+  std::string text = head(results);
+  for (const results::TaskResult& task : results.tasks) {
+    text += fmt::format("\n{} {}: {}", task.number, task.slug, output_of(task));
+    if (!stages.contains(task.part)) stages["stages"].push_back(task.part);
+    ordered_json& shown = stages[task.part][task.slug];
+    shown["passed"] = shows_green(task);
+    if (!shows_green(task)) shown["hint"] = counts_of(task);
+    scores[task.slug] = task.points + task.bonus_points;
+  }
+  return text + "\n" + stages.dump() + "\n" + ordered_json{{"scores", scores}}.dump() + "\n";
+}
+
+std::string to_artemis(const results::Results& raw) {
+  const results::Results results = results::presentable(raw);
+  tinyxml2::XMLPrinter xml;
+  xml.PushHeader(false, true);
+  xml.OpenElement("testsuite");
+  xml.PushAttribute("name", "Firstlight");
+  for (const results::TaskResult& task : results.tasks) print_task(xml, task);
+  if (!results.complete) print_case(xml, "the run ends", false, results::kStopped);
+  xml.CloseElement();
+  return std::string(xml.CStr()) + "\n";
 }
 
 }  // namespace grader::report
