@@ -23,7 +23,7 @@ firstlight_test(test_report quick PATHS LIBRARIES example_results GTest::gmock S
   grader/report/report_test.cpp grader/report/report_junit_test.cpp grader/report/report_page_test.cpp
   grader/report/report_pictures_test.cpp grader/report/report_order_test.cpp grader/service/platforms/platforms_test.cpp
   grader/service/platforms/worksheet_test.cpp grader/report/report_writers_test.cpp grader/service/platforms/class_page_test.cpp
-  grader/report/autograders_test.cpp grader/results/changes_test.cpp)
+  grader/report/autograders_test.cpp grader/service/platforms/likeness_test.cpp grader/results/changes_test.cpp)
 add_executable(example_page grader/report/example_page.cpp)
 target_link_libraries(example_page PRIVATE firstlight_warnings example_results)
 firstlight_script_test(page rest grader/report/page.sh ARGUMENTS $<TARGET_FILE:example_page> NEEDS example_page)

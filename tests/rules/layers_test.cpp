@@ -54,7 +54,7 @@ const std::map<std::string, std::set<std::string>> kOnly{
     {"grader/service/process", {"grader/base"}},
     {"grader/service/sandbox", {"grader/base", "grader/service/process"}},
     {"grader/service/intake", {"grader/base", "grader/service/process", "grader/service/sandbox"}},
-    {"grader/service/platforms", {"grader/results", "grader/report"}},
+    {"grader/service/platforms", {"grader/base", "grader/results", "grader/report"}},
     {kView, {"grader/base", "grader/report", "grader/service/process"}}};
 
 // Rooms whose namespace is not grader:: and the last part of their name.

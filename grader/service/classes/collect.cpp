@@ -1,5 +1,6 @@
 #include "grader/service/classes/collect.h"
 
+#include "grader/base/files.h"
 #include "grader/report/csv.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -23,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kBetweenTables{2};
+constexpr const char* kLikeness = "/likeness";
 
 std::string field(const std::string& text) { return report::csv_field(results::one_line(text)); }
 
@@ -99,6 +102,8 @@ Collector::Collector(const build::Config& config, const ClassPlan& plan, std::st
       out_(std::move(out)),
       lines_(plan.everybody.size()),
       for_platforms_(plan.everybody.size()) {
+  fs::remove_all(out_ + kLikeness);  // of an earlier call
+  fs::remove(out_ + kLikeness + ".html");
   for (const Chunk& chunk : plan.chunks) {
     for (const Equal& equal : chunk) {
       std::vector<std::string> names;
@@ -129,8 +134,24 @@ void Collector::add(std::size_t i, const Graded& graded) {
   page_.add({graded.by.name, anonymous ? "" : graded.by.id, graded.by.name + ".html",
              graded.problem, graded.by.late, note},
             graded.results);
+  if (judged && plan_.likeness) add_files(graded);
   lines_[i] = line(config_, graded, anonymous, note);
   if (std::chrono::steady_clock::now() >= next_table_) write_table();
+}
+
+// Compares the task files of a submission, and keeps them for JPlag.
+void Collector::add_files(const Graded& graded) {
+  std::map<std::string, std::string> files;
+  const std::string folder = out_ + kLikeness + "/" + graded.by.name;
+  const std::string root = base::submission_root(graded.by.folder);
+  for (const build::TaskConfig& task : config_.tasks) {
+    const base::Submitted file = base::read_submitted(root, task.part, task.slug);
+    if (!file.present || !file.rejected.empty()) continue;
+    fs::create_directories(folder);
+    pt::write_file(folder + "/" + task.slug + ".cpp", file.text);
+    files[task.slug] = file.text;
+  }
+  likeness_.add(graded.by.name, files, graded.results);
 }
 
 void Collector::write_table() {
@@ -143,6 +164,10 @@ std::vector<std::string> Collector::write() {
   write_table();
   std::vector<std::string> written{out_ + "/class.csv", out_ + "/class.html"};
   pt::write_file(written[1], page_.to_html());
+  if (plan_.likeness) {
+    written.push_back(out_ + kLikeness + ".html");
+    pt::write_file(written.back(), likeness_.to_html());
+  }
   if (!plan_.former.empty()) {
     const platforms::Comparison comparison = compare(plan_, plan_.former, out_);
     for (const char* name : {"/compare.csv", "/compare.html"}) written.push_back(out_ + name);

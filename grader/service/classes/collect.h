@@ -3,6 +3,7 @@
 #include "grader/service/classes/one.h"
 #include "grader/service/classes/plan.h"
 #include "grader/service/platforms/class_page.h"
+#include "grader/service/platforms/likeness.h"
 #include "grader/service/platforms/platforms.h"
 
 #include <chrono>
@@ -22,6 +23,8 @@ namespace grader::classes {
 //   canvas.csv, moodle.csv   for the learning platforms; Moodle's worksheet, if the plan names it
 //   gradescope.csv           the same by name and ID, for reading: Gradescope imports no table
 //   feedback.zip             every page, under the path that its platform knows
+//   likeness.html            grader/service/platforms/likeness.h, unless the plan leaves it out
+//   likeness/NAME/           the task files of each submission, as JPlag wants them, with that page
 //   compare.csv, .html       if the plan names an earlier grading: grader/service/platforms/compare_page.h
 //   names.csv                for an anonymous class: who is who
 // Results are not kept: a class of a thousand needs little memory.
@@ -40,6 +43,7 @@ class Collector {
 
  private:
   std::string note_on(std::size_t i, const Graded& graded) const;
+  void add_files(const Graded& graded);
   void write_table();
   std::vector<std::string> write_returns();
   std::string moodle_table(const std::vector<platforms::GradeRow>& rows);
@@ -50,6 +54,7 @@ class Collector {
   std::vector<std::string> lines_;  // of the table
   std::vector<platforms::GradeRow> for_platforms_;
   platforms::ClassPage page_;
+  platforms::Likeness likeness_;
   int max_points_ = 0;
   std::map<std::size_t, std::string> equals_;  // of submissions with equal files: whose
   std::vector<std::string> remarks_;

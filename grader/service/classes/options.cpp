@@ -54,6 +54,8 @@ void describe_plan(CLI::App& app, ClassOptions& options) {
       ->check(CLI::ExistingFile);
   app.add_flag("--anonymous", options.plan.anonymous,
                "numbers in place of names; names.csv tells who is who");
+  app.add_flag("--no-likeness", options.plan.no_likeness,
+               "no likeness.html, which shows what is alike in the class");
   app.add_flag("--not-isolated", options.not_isolated, "go on where nothing isolates submissions");
   add_config(app, options);
   app.prefix_command();

@@ -210,6 +210,7 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   plan.former = request.former;
   plan.assignment = request.assignment;
   plan.worksheet = request.worksheet;
+  plan.likeness = !request.no_likeness;
   std::vector<intake::TaskFile> tasks;
   for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
   const std::string unpacked = fs::absolute(folder_to_unpack(request.out));
@@ -239,6 +240,7 @@ void write_plan(const ClassPlan& plan, const std::string& out) {
            {"former", text_json(plan.former)},
            {"assignment", text_json(plan.assignment)},
            {"worksheet", text_json(plan.worksheet)},
+           {"likeness", plan.likeness},
            {"salt", plan.salt},
            {"chunks", plan.chunks},
            {"everybody", json::array()},
@@ -269,6 +271,7 @@ ClassPlan read_plan(const std::string& out) {
     plan.assignment = text_from(all.at("assignment"));
     plan.id = all.at("id").get<std::string>();
     plan.worksheet = text_from(all.at("worksheet"));
+    plan.likeness = all.at("likeness").get<bool>();
     plan.salt = all.at("salt").get<std::string>();
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();
     for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));

@@ -27,6 +27,7 @@ struct ClassPlan {
   std::string former;              // reports of an earlier grading, to compare with; may be empty
   std::string assignment;          // the column in Canvas' table; empty: the export's name
   std::string worksheet;           // Moodle's table, to be filled in; may be empty
+  bool likeness = true;            // whether to look for what is alike
   std::string salt;                // for numbers in an anonymous class; empty: names are shown
   std::vector<intake::HandedIn> everybody;
   std::vector<std::string> real_names;      // of everybody, if the class is anonymous; else empty
@@ -46,6 +47,7 @@ struct PlanRequest {
   std::string worksheet;       // Moodle's table, to be filled in; may be empty
   std::size_t chunk_size = 0;  // different submissions per chunk; 0: kMaxChunks chunks at most
   bool anonymous = false;
+  bool no_likeness = false;  // do not look for what is alike
   bool must_isolate = true;  // an error if nothing isolates submissions and archives
 };
 

@@ -87,7 +87,9 @@ judged_once() {
   rm -f "$folder/judged"
 }
 
-# same_table A B: the tables of the two folders are equal.
+# same_table A B: the tables of the two folders are equal, and so is what is alike.
 same_table() {
   diff "$folder/$1/class.csv" "$folder/$2/class.csv" >&2 || complain "the table of $2 is not that of $1"
+  diff -r "$folder/$1/likeness" "$folder/$2/likeness" >&2 && diff "$folder/$1/likeness.html" "$folder/$2/likeness.html" >&2 ||
+    complain "$2 finds other files alike than $1"
 }

@@ -285,6 +285,17 @@ row 'row["cy"]["note"] == "\u0027hit_sphere.cpp\u0027 counts, and not \u0027old/
 grep -q 'old/hit_sphere.cpp' "$folder/class-graded/cy.html" || complain 'the page does not say which file counts'
 grep -q 'the same files: ada, bob' "$folder/class-graded/class.html" || complain 'the page of the class does not say who has the same files'
 ! grep -q bob "$folder/class-graded/ada.html" || complain "a learner's page names another learner"
+# What is alike is on a page of its own, with its share of the class, and the files lie as JPlag wants them.
+alike=$folder/class-graded/likeness
+grep -q '2 of 3 (67 %).*ada.html.*bob.html' "$alike.html" || complain "the page of what is alike: $(cat "$alike.html")"
+grep -q '3 of 3 (100 %).*ada.html.*bob.html.*cy.html' "$alike.html" || complain 'it does not see that a comment differs'
+! grep -q 'stub' "$alike.html" || complain 'what is not written is alike'
+cmp -s "$alike/cy/hit_sphere.cpp" "$folder/class/cy/hit_sphere.cpp" && [ "$(ls "$alike")" = $'ada\nbob\ncy\nstub\nstub2' ] ||
+  complain "JPlag would compare: $(ls -R "$alike")"
+options='--jobs 1 --no-likeness'
+says 0 'ada: 1 of 2'
+[ ! -e "$alike" ] && [ ! -e "$alike.html" ] || complain 'the switch does not turn it off'
+options='--jobs 1'
 rm -r "$folder/class/"{bob,cy,stub,stub2}
 options="--jobs 1 --compare $folder/class"
 says 2 'has no grading of a class'
