@@ -260,38 +260,57 @@ function(firstlight_inner_choices slug implementation radiance)
   set(INNER_CHOICES ${choices} PARENT_SCOPE)
 endfunction()
 
-# firstlight_symbol(<slug> <variable>): the name that g++ and clang give to the function of a recorded task;
+# firstlight_symbol(<function> <variable>): the name that g++ and clang give to the function of a recorded task;
 # tests/grader/tasks/tasks_test.cpp compares it with the reference's object.
-function(firstlight_symbol slug variable)
-  string(LENGTH ${slug} length)
+function(firstlight_symbol function variable)
+  string(LENGTH ${function} length)
+  set(parameters "${FIRSTLIGHT_PARAMETERS_${function}}")
   set(arguments RKNS_5SceneERKNS_12SurfacePointEiRNS_7SamplerE)
-  if(FIRSTLIGHT_PARAMETERS_${slug} MATCHES "^const ([A-Za-z]+)& [a-z]+, const Ray& ray$")
+  if(parameters MATCHES "^const ([A-Za-z]+)& [a-z]+, const Ray& ray$")
     string(LENGTH ${CMAKE_MATCH_1} shape_length)
     set(arguments RKNS_${shape_length}${CMAKE_MATCH_1}ERKNS_3RayE)
+  elseif(parameters MATCHES "^const Camera& [a-z]+, double [a-z]+, double [a-z]+$")
+    set(arguments RKNS_6CameraEdd)
+  elseif(parameters MATCHES "^Rgb [a-z]+, Vec3 [a-z]+, Vec3 [a-z]+$")
+    set(arguments NS_3RgbENS_4Vec3ES1_)
+  elseif(parameters MATCHES "^Rgb [a-z]+, Vec3 [a-z]+, Sampler& [a-z]+$")
+    set(arguments NS_3RgbENS_4Vec3ERNS_7SamplerE)
+  elseif(parameters MATCHES "^Vec3 [a-z]+, Vec3 [a-z]+$")
+    set(arguments NS_4Vec3ES0_)
   endif()
-  set(${variable} _ZN2pt${length}${slug}E${arguments} PARENT_SCOPE)
+  set(${variable} _ZN2pt${length}${function}E${arguments} PARENT_SCOPE)
 endfunction()
 
-# recorder_calls: objects through which the linker, with the flags in FIRSTLIGHT_RECORDER_FLAGS, sends all calls of recorded tasks
-# from other files. They are for workers, whose tasks come from a submission.
-foreach(slug IN LISTS FIRSTLIGHT_RECORDED)
-  firstlight_symbol(${slug} symbol)
-  list(APPEND FIRSTLIGHT_RECORDER_FLAGS -Wl,--wrap=${symbol})
-endforeach()
-function(firstlight_add_recorder_calls)
-  foreach(slug IN LISTS FIRSTLIGHT_RECORDED)
-    firstlight_symbol(${slug} symbol)
+# firstlight_add_recorder_calls(<library> <slug> ...): objects through which the linker, with the flags of these tasks
+# (firstlight_recorder_flags), sends all their calls from other files. They are for workers, whose tasks come from a submission.
+function(firstlight_recorder_flags result)
+  foreach(slug IN LISTS ARGN)
+    foreach(function IN LISTS FIRSTLIGHT_FUNCTIONS_${slug})
+      firstlight_symbol(${function} symbol)
+      list(APPEND flags -Wl,--wrap=${symbol})
+    endforeach()
+  endforeach()
+  set(${result} ${flags} PARENT_SCOPE)
+endfunction()
+firstlight_recorder_flags(FIRSTLIGHT_RECORDER_FLAGS ${FIRSTLIGHT_RECORDED})
+function(firstlight_add_recorder_calls library)
+  foreach(slug IN LISTS ARGN)
+    set(text)
+    foreach(function IN LISTS FIRSTLIGHT_FUNCTIONS_${slug})
+      firstlight_symbol(${function} symbol)
+      set(result "${FIRSTLIGHT_RESULT_${function}}")
+      set(parameters "${FIRSTLIGHT_PARAMETERS_${function}}")
+      firstlight_recorded_function(${function} recorded_${function} recorded)
+      string(APPEND text "
+${result} unrecorded_${function}(${parameters}) asm(\"__real_${symbol}\");
+${result} recorded_${function}(${parameters}) asm(\"__wrap_${symbol}\");
+${recorded}")
+    endforeach()
     set(file ${CMAKE_CURRENT_BINARY_DIR}/recorder_calls/${slug}.cpp)
-    set(result "${FIRSTLIGHT_RESULT_${slug}}")
-    set(parameters "${FIRSTLIGHT_PARAMETERS_${slug}}")
-    firstlight_recorded_function(${slug} recorded_${slug} function)
-    firstlight_write_recorded(${file} ${slug} "" "
-${result} unrecorded_${slug}(${parameters}) asm(\"__real_${symbol}\");
-${result} recorded_${slug}(${parameters}) asm(\"__wrap_${symbol}\");
-${function}")
+    firstlight_write_recorded(${file} ${slug} "" "${text}")
     list(APPEND files ${file})
   endforeach()
-  firstlight_objects(recorder_calls ${files})
+  firstlight_objects(${library} ${files})
 endfunction()
 
 # Turns a mixture in words, "reference" or "reference+hit_bvh=student+...", into the arguments of

@@ -79,9 +79,11 @@ endforeach()
 
 # The table of tasks against the objects of the reference.
 set(symbols)
-foreach(slug IN LISTS FIRSTLIGHT_RECORDED)
-  firstlight_symbol(${slug} symbol)
-  string(APPEND symbols "${slug}=${symbol} ")
+foreach(slug IN LISTS FIRSTLIGHT_RECORDED FIRSTLIGHT_VIEWED)
+  foreach(function IN LISTS FIRSTLIGHT_FUNCTIONS_${slug})
+    firstlight_symbol(${function} symbol)
+    string(APPEND symbols "${slug}=${symbol} ")
+  endforeach()
 endforeach()
 firstlight_test(tasks_test quick PLAIN PATHS SOURCES grader/tasks/tasks_test.cpp LIBRARIES grader_judging NEEDS ${programs}
   DEFINES FIRSTLIGHT_SYMBOLS="${symbols}")

@@ -32,9 +32,4 @@ firstlight_test(test_view_server quick PLAIN SOURCES view/server_test.cpp LIBRAR
 if(FIRSTLIGHT_SANITIZE)
   return()
 endif()
-firstlight_script_test(view_page rest view/page.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS view view_worker.reference view_no_cosine_worker)
-# The reference with a mistake, as the page shows it.
-add_executable(view_no_cosine_worker EXCLUDE_FROM_ALL)
-set_target_properties(view_no_cosine_worker PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/view)
-target_link_libraries(view_no_cosine_worker PRIVATE view_worker_main view_paths)
-firstlight_link_tasks(view_no_cosine_worker FROM reference RADIANCE none CHOICES trace_path=no_cosine VIEWED)
+firstlight_script_test(view_page rest view/page.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS view view_worker.reference view_boxed)

@@ -16,6 +16,18 @@ namespace view {
 
 namespace {
 
+// Of a submission. There is no limit of time: its user looks on, and each answer has one.
+constexpr grader::process::Limits kLimits{
+    .cpu_seconds = {},
+    .address_space = std::uint64_t{2} << 30,
+    .file_size = 0,
+    .processes = 0,
+    .open_files = 16,
+};
+
+// Far more than the largest picture.
+constexpr std::size_t kMaxAnswer = std::size_t{1} << 27;
+
 void write_all(const grader::base::Descriptor& to, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(to.number(), text.data(), text.size());
@@ -49,13 +61,26 @@ int Child::end() {
 
 void Child::start() {
   grader::base::Pipe to = grader::base::make_pipe(), from = grader::base::make_pipe();
-  const grader::base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  const grader::base::Descriptor nothing(open("/dev/null", O_RDWR | O_CLOEXEC));
   grader::process::Child child;
-  child.command = command_;
-  child.environment = grader::process::own_environment();
   // What a learner's code prints goes to the terminal.
-  child.descriptors = {nothing.number(), STDERR_FILENO, STDERR_FILENO, to.read_end.number(),
+  const int printed = program_.box ? nothing.number() : STDERR_FILENO;
+  child.descriptors = {nothing.number(), printed, printed, to.read_end.number(),
                        from.write_end.number()};
+  if (program_.box) {
+    child = grader::sandbox::boxed({program_.command,
+                                    {"LANG=C.UTF-8"},
+                                    child.descriptors,
+                                    {program_.scene},
+                                    "",
+                                    false,
+                                    kLimits},
+                                   *program_.box);
+    held_ = child.held;
+  } else {
+    child.command = program_.command;
+    child.environment = grader::process::own_environment();
+  }
   pid_ = grader::process::spawn(child);
   questions_ = std::move(to.write_end);
   answers_ = std::move(from.read_end);
@@ -74,6 +99,10 @@ void Child::fill() {
   std::array<char, 1 << 16> buffer{};
   const ssize_t size = read(answers_.number(), buffer.data(), buffer.size());
   if (size < 0 && errno == EINTR) return;
+  if (size > 0 && read_.size() > kMaxAnswer) {
+    end();
+    throw ChildEnded("the program of the tasks answers without end, and was stopped");
+  }
   if (size > 0) {
     read_.append(buffer.data(), static_cast<std::size_t>(size));
     return;
@@ -82,6 +111,8 @@ void Child::fill() {
   waitpid(pid_, &status, 0);
   pid_ = -1;
   end();
+  // So a box says that its program ended by a signal.
+  if (WIFEXITED(status) && WEXITSTATUS(status) > 128) status = WEXITSTATUS(status) - 128;
   const char* const how = WIFSIGNALED(status) ? "crashed" : "ended their program";
   throw ChildEnded(fmt::format("the tasks {}: {}", how, grader::process::describe_status(status)));
 }

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "grader/base/descriptor.h"
+#include "grader/service/sandbox/box.h"
 #include "pt/error.h"
 
 #include <atomic>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,14 +28,21 @@ struct ChildEnded : pt::Error {
   using pt::Error::Error;
 };
 
-// The process that runs the tasks (view/worker/main.cpp). It starts with the first question; if it ends, the next question
-// starts another one.
+// The program that runs the tasks (view/worker/main.cpp).
+struct Program {
+  std::vector<std::string> command{};
+  // For the tasks of a submission: the box, in which it sees the scene. What it prints is not shown, because it can contain
+  // anything.
+  std::optional<grader::sandbox::Tier> box{};
+  std::string scene{};
+};
+
+// Its process. It starts with the first question; if it ends, the next question starts another one.
 class Child {
  public:
   // An answer takes a fraction of a second, because pictures come in slices. After `patience` it is not waited for any longer.
-  explicit Child(std::vector<std::string> command,
-                 std::chrono::milliseconds patience = std::chrono::seconds(20))
-      : command_(std::move(command)), patience_(patience) {}
+  explicit Child(Program program, std::chrono::milliseconds patience = std::chrono::seconds(20))
+      : program_(std::move(program)), patience_(patience) {}
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -53,7 +63,8 @@ class Child {
   std::string read_bytes(std::size_t size);
   void fill();
 
-  std::vector<std::string> command_;
+  Program program_;
+  std::shared_ptr<const void> held_;  // the user of its box
   std::chrono::milliseconds patience_;
   std::mutex one_at_a_time_;
   std::atomic<pid_t> pid_ = -1;

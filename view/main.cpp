@@ -28,10 +28,25 @@ using nlohmann::json;
 std::atomic<bool> interrupted = false;                  // set by Ctrl-C
 static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler could not set it
 
-std::vector<std::string> command_of(const std::filesystem::path& worker, const Options& options) {
-  std::vector<std::string> command{worker.string(), options.scene.string()};
-  if (options.lambertian) command.emplace_back("--lambertian");
-  return command;
+Program program_of(const std::filesystem::path& worker, const Options& options) {
+  const std::string scene = std::filesystem::absolute(options.scene).string();
+  Program program{{worker.string(), scene}, {}, scene};
+  if (options.lambertian) program.command.emplace_back("--lambertian");
+  return program;
+}
+
+// The program with a submission's tasks. Says which of them do not compile; the reference replaces these.
+Program boxed_program(const Options& options) {
+  constexpr std::size_t kMaxFile = 1 << 20;
+  const json boxed = json::parse(pt::read_file(options.boxed, kMaxFile));
+  for (const auto& [task, why] : boxed.at("unusable").items()) {
+    fmt::print(stderr, "{} of the reference is shown: {}\n", task,
+               pt::printable(why.get<std::string>(), true));
+  }
+  Program program = program_of(boxed.at("worker").get<std::string>(), options);
+  program.box = grader::sandbox::tier_of(boxed.at("tier").get<std::string>());
+  program.command.emplace_back("--one-thread");
+  return program;
 }
 
 json page_data(const Options& options, bool live) {
@@ -81,6 +96,8 @@ void write_page(const Options& options, Child& own, Child* reference) {
   pt::check_target(options.page);
   std::map<std::string, std::string> of_picture = options.settings, of_pixel = options.settings;
   of_picture.erase("samples");
+  of_picture.erase("shown");  // a file of light
+  of_pixel.erase("shown");
   const auto [x, y] =
       options.pixel.value_or(std::pair(std::stoi(of_pixel["w"]) / 2, std::stoi(of_pixel["h"]) / 2));
   of_pixel["x"] = std::to_string(x);
@@ -144,9 +161,9 @@ void serve(const Options& options, Child& own, Child* reference) {
 
 int run(int argc, const char* const* argv) {
   const Options options = parse_options(argc, argv);
-  Child own(command_of(options.worker, options));
+  Child own(options.boxed.empty() ? program_of(options.worker, options) : boxed_program(options));
   std::optional<Child> reference;
-  if (!options.reference.empty()) reference.emplace(command_of(options.reference, options));
+  if (!options.reference.empty()) reference.emplace(program_of(options.reference, options));
   Child* const beside = reference ? &*reference : nullptr;
   std::signal(SIGPIPE, SIG_IGN);
   std::map<std::string, std::string> settings = options.settings;
@@ -155,7 +172,7 @@ int run(int argc, const char* const* argv) {
     settings["y"] = std::to_string(options.pixel->second);
   }
   // A scene that cannot be read, or a pixel outside, ends it here.
-  const Reply scene = own.ask("scene", settings);
+  const Reply scene = (options.boxed.empty() ? own : *reference).ask("scene", settings);
   for (const json& note : scene.state.at("notes")) say(note);
   if (options.page.empty()) {
     serve(options, own, beside);

@@ -235,6 +235,8 @@ data picture_data(const results::PictureResult& picture, const std::string& slug
   out.set("made", picture.render.empty() ? "" : made(picture));
   out.set("picture_has_replay", !picture.replay.empty());
   out.set("picture_replay", picture.replay);
+  out.set("has_paths", results::is_fault(picture.state) && has_views);
+  out.set("paths", results::how_to_look(slug, picture));
   data views{data::type::list};
   std::string problem;
   const auto add = [&](data (*make)(const results::PictureResult&, PageSize)) {

@@ -87,8 +87,9 @@ Case picture_case(const results::TaskResult& task, const results::PictureResult&
               name(picture.state),         picture.text,    ""};
   if (result.message.empty()) result.message = results::words(picture.state);
   if (result.element == "failure" || result.element == "error") {
-    result.text = fmt::format("{}\n{}\n{}\n", picture.title, picture.text,
-                              results::how_to_see(task, picture));
+    result.text =
+        fmt::format("{}\n{}\n{}\n{}\n", picture.title, picture.text,
+                    results::how_to_see(task, picture), results::how_to_look(task.slug, picture));
   }
   return result;
 }

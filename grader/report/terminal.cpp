@@ -141,7 +141,8 @@ std::string picture_text(const results::TaskResult& task, const results::Picture
   text += "\n";
   const std::string see = results::how_to_see(task, picture);
   if (!see.starts_with(picture.replay)) text += labelled("replay", {picture.replay});
-  return text + labelled("see it", {see});
+  return text + labelled("see it", {see}) +
+         labelled("its paths", {results::how_to_look(task.slug, picture)});
 }
 
 std::string reason_text(const results::TaskResult& task, const TerminalStyle& style) {

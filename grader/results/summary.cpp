@@ -130,4 +130,18 @@ std::string how_to_see(const TaskResult& task, const PictureResult& picture) {
   return (grades ? picture.replay : "./run grade " + task.slug) + " --html report.html";
 }
 
+std::string how_to_look(const std::string& slug, const PictureResult& picture) {
+  std::string command = "./run view " + picture.recipe;
+  if (!picture.cells.empty()) {
+    const FailingCell& cell = picture.cells[0];
+    // The view counts from the bottom left, as tasks do.
+    command += fmt::format(" --pixel {} {}", cell.x + cell.width / 2,
+                           picture.height - 1 - (cell.y + cell.height / 2));
+  }
+  command += picture.integrated ? " --from student"
+                                : fmt::format(" --from reference --from {}=student", slug);
+  const std::size_t folder = picture.replay.find(" --submission ");
+  return folder == std::string::npos ? command : command + picture.replay.substr(folder);
+}
+
 }  // namespace grader::results

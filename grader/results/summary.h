@@ -69,4 +69,7 @@ std::string spared_text(const TaskResult& task);
 // The command that writes a page with the picture.
 std::string how_to_see(const TaskResult& task, const PictureResult& picture);
 
+// The command that shows the picture in the view, and the paths of a pixel where it fails.
+std::string how_to_look(const std::string& slug, const PictureResult& picture);
+
 }  // namespace grader::results

@@ -25,8 +25,11 @@ namespace {
 constexpr int kPause = 100;  // milliseconds between looks at the files
 constexpr const char* kClearScreen = "\x1b[H\x1b[2J";
 constexpr const char* kClearLine = "\r\x1b[K";
-constexpr const char* kKeys = "h hint  n next  f failure  p pictures  l list  q quit";
+constexpr const char* kKeys = "h hint  n next  f failure  p pictures  v view  l list  q quit";
 constexpr const char* kPage = "*";  // waits like a task
+constexpr const char* kView = "+";  // as well
+
+bool is_pictures(const std::string& judged) { return judged == kPage || judged == kView; }
 
 std::string time_of_day() {
   const std::time_t now = std::time(nullptr);
@@ -63,12 +66,14 @@ int WatchSession::run(RawTerminal& terminal) {
   while (!quit_) {
     take_saves();
     take_verdict();
+    take_view();
     start_next();
     wait(terminal);
     take_signals(terminal);
     take_keys();
   }
   running_.reset();
+  view_.reset();
   std::filesystem::remove(results_path_);
   std::fputs(kClearLine, stdout);
   std::fflush(stdout);
@@ -78,8 +83,9 @@ int WatchSession::run(RawTerminal& terminal) {
 void WatchSession::wait(const RawTerminal& terminal) const {
   pollfd sources[] = {{terminal.signal_descriptor(), POLLIN, 0},
                       {STDIN_FILENO, POLLIN, 0},
-                      {running_ ? running_->descriptor() : -1, POLLIN, 0}};
-  poll(sources, 3, kPause);
+                      {running_ ? running_->descriptor() : -1, POLLIN, 0},
+                      {view_ ? view_->descriptor() : -1, POLLIN, 0}};
+  poll(sources, 4, kPause);
 }
 
 void WatchSession::take_signals(RawTerminal& terminal) {
@@ -113,7 +119,8 @@ void WatchSession::take_keys() {
 void WatchSession::take_saves() {
   for (const std::string& slug : files_.saved()) {
     if (running_ && judging_.empty()) waiting_.push_back("");
-    if (running_ && (judging_.empty() || judging_ == kPage || judging_ == slug)) running_.reset();
+    if (running_ && (judging_.empty() || is_pictures(judging_) || judging_ == slug))
+      running_.reset();
     if (std::count(waiting_.begin(), waiting_.end(), slug) == 0) {
       const auto all = std::find(waiting_.begin(), waiting_.end(), "");
       waiting_.insert(all, slug);
@@ -130,7 +137,7 @@ void WatchSession::take_verdict() {
   running_.reset();
   show_verdict(output, *status, seconds);
   // Tasks that call the saved task may have another verdict now; all other verdicts are known.
-  if (!judging_.empty() && judging_ != kPage && waiting_.empty()) waiting_.push_back("");
+  if (!judging_.empty() && !is_pictures(judging_) && waiting_.empty()) waiting_.push_back("");
 }
 
 void WatchSession::start_next() {
@@ -138,7 +145,7 @@ void WatchSession::start_next() {
   judging_ = waiting_.front();
   waiting_.pop_front();
   std::vector<std::string> command{options_.programs + "/grade"};
-  if (judging_ == kPage) {
+  if (is_pictures(judging_)) {
     if (!page_task_.empty()) command.push_back(page_task_);
     command.insert(command.end(), {"--html", page_path_});
   } else {
@@ -162,6 +169,9 @@ void WatchSession::press(char key) {
       return show(failure_);
     case 'p':
       if (judged_) waiting_.push_back(kPage);
+      return;
+    case 'v':
+      if (judged_) waiting_.push_back(kView);
       return;
     case 'l':
       return show(verdicts_.list());
@@ -187,6 +197,33 @@ void WatchSession::show_page() {
   show(where + (open_in_browser(page_path_) ? " (opened in the browser)" : "") + "\n");
 }
 
+// Shows the paths of a pixel at which a picture fails. The view goes on after saves, and ends with watch.
+void WatchSession::start_view() {
+  const std::string& slug = page_task_.empty() ? task_ : page_task_;
+  const std::string command = verdicts_.how_to_look(slug);
+  if (command.empty()) {
+    return show(fmt::format("{} has no picture; ./run view SCENE shows any scene\n", slug));
+  }
+  const std::string words = command.substr(command.find(' '));  // without ./run
+  view_says_.clear();
+  view_.reset();
+  view_.emplace(
+      std::vector<std::string>{"/bin/sh", "-c", "exec \"$0\"" + words, config_.root + "/run"});
+  show(command + "\n");
+}
+
+// Its progress, its address, or why it ended.
+void WatchSession::take_view() {
+  if (!view_) return;
+  const bool has_ended = view_->poll().has_value();
+  if (view_->output() != view_says_) {
+    view_says_ = view_->output();
+    const std::size_t address = view_says_.find("http://");
+    show(address == std::string::npos ? view_says_ : view_says_.substr(address));
+  }
+  if (has_ended) view_.reset();
+}
+
 // Takes the results of `grade`. The task on the screen stays, unless it was saved or its verdict
 // has changed.
 void WatchSession::take_results() {
@@ -196,6 +233,7 @@ void WatchSession::take_results() {
   const std::string before = verdicts_.state(task_);
   verdicts_.update(results);
   if (judging_ == kPage) return show_page();
+  if (judging_ == kView) return start_view();
   const bool first = !judged_;
   judged_ = true;
   if (!judging_.empty()) {
@@ -210,7 +248,7 @@ void WatchSession::take_results() {
 
 void WatchSession::show_verdict(const std::string& output, int status, double seconds) {
   const std::string what = judging_.empty() ? "all tasks" : judging_;
-  if (judging_ != kPage) head_ = fmt::format("{}  {}, {:.1f} s", time_of_day(), what, seconds);
+  if (!is_pictures(judging_)) head_ = fmt::format("{}  {}, {:.1f} s", time_of_day(), what, seconds);
   try {
     take_results();
   } catch (const std::exception& error) {
@@ -233,9 +271,9 @@ void WatchSession::show(const std::string& text) {
 
 void WatchSession::draw() const {
   const std::string page_tasks = page_task_.empty() ? "all tasks" : page_task_;
-  const std::string what = judging_.empty()    ? "checking all tasks"
-                           : judging_ == kPage ? "rendering the pictures of " + page_tasks
-                                               : "checking " + judging_;
+  const std::string what = judging_.empty()        ? "checking all tasks"
+                           : is_pictures(judging_) ? "rendering the pictures of " + page_tasks
+                                                   : "checking " + judging_;
   ScreenSize room = screen_size();
   room.rows -= 5;
   const std::string now = running_ ? what + " ...  " : "";

@@ -42,6 +42,8 @@ class WatchSession {
   void show_verdict(const std::string& output, int status, double seconds);
   void take_results();
   void show_page();
+  void start_view();
+  void take_view();
 
   // The screen is a line on how far the learner is, one text, and the line of keys.
   void show(const std::string& text);
@@ -54,9 +56,12 @@ class WatchSession {
   Files files_;
   Verdicts verdicts_;
   std::string page_path_;
-  std::deque<std::string> waiting_{""};  // slugs to judge; empty: all tasks; kPage: draw the page
+  // Slugs to judge; empty: all tasks; kPage: draw the page; kView: the same, for the view.
+  std::deque<std::string> waiting_{""};
   std::string judging_;                  // slug that running_ judges
   std::optional<Running> running_;
+  std::optional<Running> view_;  // ./run view, until it ends, or another one starts
+  std::string view_says_;
   bool judged_ = false;  // whether anything was judged so far
   std::string task_;     // slug on the screen
   // The task whose pictures the key p draws: that of the failure on the screen or, after a save, the saved task,

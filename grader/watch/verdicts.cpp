@@ -56,6 +56,15 @@ std::string Verdicts::state(const std::string& slug) const {
   return result == nullptr ? "" : name(result->state);
 }
 
+std::string Verdicts::how_to_look(const std::string& slug) const {
+  const results::TaskResult* task = find(slug);
+  if (task == nullptr || task->pictures.empty()) return "";
+  const auto tells = [](const results::PictureResult& picture) {
+    return results::is_fault(picture.state) ? 1 + !picture.cells.empty() : 0;
+  };
+  return results::how_to_look(slug, *std::ranges::max_element(task->pictures, {}, tells));
+}
+
 std::string Verdicts::show(const std::string& slug) {
   const std::string before = this->slug();
   for (std::size_t i = 0; i < tasks_.size(); ++i) {

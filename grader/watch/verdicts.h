@@ -31,6 +31,9 @@ class Verdicts {
   // The state of the task; empty if it is not judged yet.
   std::string state(const std::string& slug) const;
 
+  // The command that shows a picture of the task in the view, best one that fails; empty if none was rendered.
+  std::string how_to_look(const std::string& slug) const;
+
   // The first failure of the task. If it passes, a sentence that says so, and then the failure that
   // was shown before, or show_first(). If it is blocked, the first failure of the task that blocks it.
   std::string show(const std::string& slug);

@@ -8,6 +8,8 @@
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -33,19 +35,25 @@ std::string why_not(const Judged& judged) {
 
 // The reference replaces tasks that cannot be compiled, so that the rest can be seen. A figure that
 // needs such a task says so instead.
-Boxed build_submission(const std::string& submission) {
-  const build::Config config = recorded(worker_config("writeup_boxed.json"));
+Boxed build_submission(const std::string& submission, const std::string& parts,
+                       const std::vector<std::string>& only) {
+  const build::Config config = recorded(worker_config(parts));
   GradeRequest request;
   request.submission = base::submission_root(submission);
   request.isolation = sandbox::probe_isolation(config.root, config.work);
   const build::Builder builder(config, request.isolation.tier, kCompileSeconds);
   std::vector<Judged> judged;
-  for (const build::TaskConfig& task : config.tasks) judged.push_back(not_judged(config, task));
+  for (const build::TaskConfig& task : config.tasks) {
+    if (only.empty() || std::ranges::count(only, task.slug) > 0)
+      judged.push_back(not_judged(config, task));
+  }
   compile_all(builder, request, judged);
   Boxed boxed;
   for (Judged& each : judged) {
     each.right_alone = each.object.ok();  // link_together() leaves out other tasks
     boxed.hash[each.config->slug] = base::sha256(each.content);
+    if (!each.object.ok() && !only.empty())
+      throw pt::Error(each.config->slug + " " + why_not(each));
     if (!each.object.ok()) boxed.unusable[each.config->slug] = why_not(each);
   }
   const build::Built worker = link_together(config, builder, judged, Elsewhere::reference);

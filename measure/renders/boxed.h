@@ -5,6 +5,7 @@
 #include <chrono>
 #include <map>
 #include <string>
+#include <vector>
 
 // A submission for the write-up: compiled in the box, linked into a worker, and called there. None
 // of its code runs in this process.
@@ -23,8 +24,11 @@ struct SubmissionFailed : pt::Error {
   using pt::Error::Error;
 };
 
-// Throws pt::Error if a submission cannot be built.
-Boxed build_submission(const std::string& submission);
+// Throws pt::Error if a submission cannot be built. `parts` is the file with the other parts of the worker
+// (worker_config.h). With `only`, it has only these tasks of the submission, which have to compile.
+Boxed build_submission(const std::string& submission,
+                       const std::string& parts = "writeup_boxed.json",
+                       const std::vector<std::string>& only = {});
 void write_boxed(const Boxed& boxed, const std::string& file);  // as JSON
 Boxed read_boxed(const std::string& file);
 

@@ -1,5 +1,6 @@
 // writeup_boxed: makes a submission's pictures without running its code in this process.
 //   writeup_boxed build SUBMISSION OUT.json       compiles it in the box and links a worker
+//   writeup_boxed build SUBMISSION OUT.json PARTS.json [TASK ...]   the same with other parts, and only these tasks of it
 //   writeup_boxed render WORKER TIER SPEC BAND    renders some rows with that worker
 #include "grader/service/process/spawn.h"
 #include "grader/service/wire/session.h"
@@ -124,6 +125,10 @@ int render(const std::string& worker, const std::string& tier, const std::string
 int run(const Words& words) {
   if (words.size() == 3 && words[0] == "build") {
     write_boxed(build_submission(words[1]), words[2]);
+    return 0;
+  }
+  if (words.size() > 3 && words[0] == "build") {
+    write_boxed(build_submission(words[1], words[3], {words.begin() + 4, words.end()}), words[2]);
     return 0;
   }
   if (words.size() == 5 && words[0] == "render") {

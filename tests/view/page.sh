@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A person's session with the page of ./run view: the picture, a click, the table, a mistake beside the reference, keys, a crash of
-# the tasks, a phone; then a page that was exported, without a server.
+# A person's session with the page of ./run view, which shows a submission with a mistake: the picture, a click, the table, the
+# reference beside it, keys, a crash of the tasks, a phone; then a page that was exported, without a server.
 # page.sh BUILD. Skipped (77) if Chromium is missing.
 set -euo pipefail
 # shellcheck source=tests/fixtures/browser.sh
@@ -8,7 +8,11 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 programs=$1/view server=
 
-"$programs/view" --worker "$programs/view_no_cosine_worker" --reference "$programs/view_worker.reference" --mixture trace_path=no_cosine \
+cp -r reference "$folder/handed_in"
+cp build/mistakes/trace_path/no_cosine/trace_path.cpp "$folder/handed_in/4_global"
+"$1/measure/writeup_boxed" build "$folder/handed_in" "$folder/boxed.json" view_boxed.json trace_path
+worker=$(sed 's/.*"worker":"\([^"]*\).*/\1/' "$folder/boxed.json")
+"$programs/view" --boxed "$folder/boxed.json" --reference "$programs/view_worker.reference" --mixture trace_path=no_cosine \
   scenes/box_spheres.dae -r 96 72 -s 8 --no-browser >"$folder/said" </dev/null &
 server=$!
 also_end="kill $server"
@@ -80,7 +84,12 @@ keys 'b'
 until_true 'B shows the boxes tested, with a legend' <<'E2'
 return !document.getElementById('legend').hidden && Number(document.getElementById('high').textContent) > 1;
 E2
-pkill -SEGV -P "$server" -f view_no_cosine_worker  # while it improves the picture
+boxed=$(pgrep -n -f "^$worker ")
+if ! grep -q '"tier":"C"' "$folder/boxed.json" && ! grep -q '^Seccomp:.*2$' "/proc/$boxed/status"; then
+  echo 'FAILED: the tasks of a submission run outside a box'
+  failed=1
+fi
+kill -SEGV "$boxed"  # while it improves the picture
 until_true 'a crash of the tasks is a sentence' <<'E2'
 const banner = document.getElementById('banner');
 return !banner.hidden && banner.textContent.includes('the tasks crashed: signal 11');

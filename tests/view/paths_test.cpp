@@ -221,7 +221,8 @@ TEST(Settings, are_refused_with_one_sentence) {
                                  {{"eye", "0,2,0"}},
                                  {{"shown", "colours"}},
                                  {{"output", "/tmp/x"}},
-                                 {{"adaptive", "32"}},
+                                 {{"adaptive", "32,0.05"}},
+                                 {{"adaptive", "99999,32,0.05"}},
                                  {{"adaptive", "--help,1"}}};
   for (const Query& query : wrong) {
     try {

@@ -35,7 +35,7 @@ done)";
 class ServerTest : public testing::Test {
  protected:
   ServerTest()
-      : child_({"/bin/bash", "-c", kScript}, std::chrono::milliseconds(1000)),
+      : child_({{"/bin/bash", "-c", kScript}}, std::chrono::milliseconds(1000)),
         server_({page_with({{"live", true}}), kToken, &child_, nullptr}),
         port_(server_.bind(0)),
         listening_([this] { server_.listen(); }),
@@ -126,7 +126,7 @@ TEST(Live, compiles_what_is_saved_and_starts_the_tasks_anew) {
   fs::create_directories(folder / "1_rays");
   const fs::path task = folder / "1_rays" / "hit_box.cpp";
   std::ofstream(task) << "first";
-  Child child({"/bin/bash", "-c", kScript});
+  Child child({{"/bin/bash", "-c", kScript}});
   child.ask("scene", {});
   // A compiler that finds an error in what is saved second.
   Live live(folder,

@@ -15,7 +15,7 @@ const now = {
   pixel: data.pixel ?? null,
   paths: data.paths ?? null,
   reference: data.reference_paths ?? null,
-  which: 0,
+  which: -1,  // not chosen yet
   point: 0,
   pictures: {},  // by whom
   asking: 0,     // grows when an older answer is no longer wanted
@@ -38,6 +38,7 @@ async function ask(what, query) {
 // The settings that differ from the usual ones, as words of a request.
 function query() {
   const words = { w: data.settings.w, h: data.settings.h, bounces: controls.bounces.value };
+  for (const name of ["seed", "adaptive"]) if (data.settings[name]) words[name] = data.settings[name];
   for (const [name, usual] of Object.entries(kDefaults)) {
     if (name === "bounce" && controls.show.value !== "bounce") continue;
     if (controls[name].value !== usual) words[name] = controls[name].value;
@@ -51,9 +52,11 @@ function command() {
   const options = [`./run render ${data.scene_file} -f picture.png -r ${words.w} ${words.h} -m ${words.bounces}`];
   if (words.light_samples) options.push(`-l ${words.light_samples}`);
   if (words.hemisphere) options.push("-H");
-  for (const name of ["show", "bounce", "survival", "engine", "camera"]) if (words[name]) options.push(`--${name} ${words[name]}`);
+  for (const name of ["show", "bounce", "survival", "engine", "camera", "seed"]) if (words[name]) options.push(`--${name} ${words[name]}`);
+  const [most, ...adaptive] = words.adaptive ? words.adaptive.split(",") : ["64"];
+  if (words.adaptive) options.push(`-a ${adaptive.join(" ")}`);
   for (const each of data.from.split("+")) if (each !== "reference") options.push(`--from ${each}`);
-  return now.view ? "none, because the camera was moved" : `${options.join(" ")} -s 64`;
+  return now.view ? "none, because the camera was moved" : `${options.join(" ")} -s ${most}`;
 }
 
 // --- the picture ---
@@ -88,6 +91,7 @@ function show_bad(state) {
     button.type = "button";
     button.addEventListener("click", () => {
       now.pixel = [x, y];
+      now.which = -1;
       walk();
     });
     return button;
@@ -219,6 +223,7 @@ async function walk() {
   try {
     now.paths = await ask("paths", words);
     now.reference = data.reference ? await ask("paths", { ...words, from: "reference" }) : null;
+    if (now.which < 0) show_first_red();
     now.which = Math.min(now.which, now.paths.paths.length - 1);
     complain("");
   } catch (error) {
@@ -276,6 +281,14 @@ function show_paths() {
   fill_draws(by_id("lights"), path.bounces[now.point]);
 }
 
+// The path to begin with, and its point.
+function show_first_red() {
+  const { paths } = now.paths;
+  now.which = Math.max(paths.findIndex((path) => path.findings.length), 0);
+  const found = paths.length ? paths[now.which].findings[0] : null;
+  now.point = found ? Math.max(found.bounce - 1, 0) : 0;
+}
+
 function next_red() {
   const { paths } = now.paths;
   for (let i = 1; i <= paths.length; ++i) {
@@ -323,7 +336,10 @@ function on_key(event) {
   else if (data.live && kShows[key]) set("show", kShows[key]);
   else if (data.live && kColours[key]) set("shown", kColours[key]);
   else if (event.target === stage && kArrows[event.key] && data.live) move_pixel(kArrows[event.key], event.shiftKey ? 8 : 1);
-  else if (event.target === stage && event.key === "Enter") walk();
+  else if (event.target === stage && event.key === "Enter") {
+    now.which = -1;
+    walk();
+  }
   else return;
   event.preventDefault();
 }
@@ -360,7 +376,7 @@ function listen_to_pointer() {
   stage.addEventListener("pointerup", (event) => {
     if (from && !is_drag && data.live) {
       now.pixel = pixel_at(event);
-      now.which = now.point = 0;
+      now.which = -1;
       walk();
     }
     from = null;
@@ -406,13 +422,17 @@ function show_export() {
     stage.dataset.ready = "yes";
   });
   image.src = data.picture;
+  show_first_red();
   show_paths();
 }
 
 function begin() {
   by_id("title").textContent = `${data.scene_file}, by ${data.from}`;
   document.title = `${data.scene_file}, by ${data.from}`;
-  controls.bounces.value = data.settings.bounces;
+  for (const name of ["bounces", ...Object.keys(kDefaults)]) {
+    if (data.settings[name]) controls[name].value = data.settings[name];
+  }
+  controls.shown.querySelector("[value=samples]").hidden = !data.settings.adaptive;
   by_id("count").value = data.settings.samples;
   document.querySelector(".beside").hidden = !data.reference;
   paint_ramp(by_id("ramp"));

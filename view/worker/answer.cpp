@@ -18,8 +18,8 @@ constexpr std::chrono::milliseconds kSlice{120};
 
 }  // namespace
 
-Answers::Answers(const std::filesystem::path& scene, bool lambertian)
-    : file_(scene), loaded_(pt::load_collada(scene, {lambertian})) {
+Answers::Answers(const std::filesystem::path& scene, bool lambertian, bool one_thread)
+    : file_(scene), one_thread_(one_thread), loaded_(pt::load_collada(scene, {lambertian})) {
   exact_ = pt::Tracer(pt::Engine::wide, loaded_.scene.primitives);
 }
 
@@ -52,9 +52,10 @@ Answer Answers::scene(const Query& query) {
 
 Answer Answers::picture(const Query& query) {
   if (!picture_ || picture_query_ != query) {
-    const Settings settings = settings_of(query);
+    Settings settings = settings_of(query);
     require_light(settings);
     trace_with(settings);
+    if (one_thread_) settings.render.threads = 1;
     picture_ = std::make_unique<Picture>(begin_picture(loaded_, settings));
     picture_query_ = query;
   }

@@ -18,8 +18,8 @@ struct Answer {
 // What the child keeps between two questions: the scene with its tracer, and the picture.
 class Answers {
  public:
-  // Throws pt::Error if the scene cannot be read.
-  Answers(const std::filesystem::path& scene, bool lambertian);
+  // With one_thread, pictures are made by this thread alone. Throws pt::Error if the scene cannot be read.
+  Answers(const std::filesystem::path& scene, bool lambertian, bool one_thread = false);
 
   // Throws pt::Error with one sentence if the question cannot be answered.
   Answer answer(const std::string& what, const Query& query);
@@ -33,6 +33,7 @@ class Answers {
   Answer tree(const Query& query);
 
   std::filesystem::path file_;
+  bool one_thread_;
   pt::LoadedScene loaded_;
   pt::Tracer exact_;
   std::optional<std::pair<pt::Engine, int>> traced_with_;

@@ -1,4 +1,4 @@
-// view_worker SCENE [--lambertian]: answers the questions of `view`, which come one per line on descriptor 3, as JSON:
+// view_worker SCENE [--lambertian] [--one-thread]: answers the questions of `view`, which come one per line on descriptor 3, as JSON:
 // {"what": "picture", "query": {"w": "480"}}. An answer, on descriptor 4, is a line of JSON, {"size": N, "state": ...} or
 // {"error": ...}, and N bytes. It runs the tasks, and may crash or hang; `view` does not.
 #include "pt/end_of_program.h"
@@ -7,6 +7,7 @@
 #include "view/worker/answer.h"
 
 #include <cstdio>
+#include <set>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -42,7 +43,9 @@ int run(int argc, char** argv) {
   std::FILE* const to = fdopen(kAnswers, "w");
   if (from == nullptr || to == nullptr) throw pt::Error("this program is started by ./run view");
   pt::silence_todo();
-  view::Answers answers(argv[1], argc > 2 && std::string_view(argv[2]) == "--lambertian");
+  const std::set<std::string_view> options(argv + 2, argv + argc);
+  view::Answers answers(argv[1], options.contains("--lambertian"),
+                        options.contains("--one-thread"));
   std::string line;
   for (int c = std::fgetc(from); c != EOF; c = std::fgetc(from)) {
     if (c != '\n') {

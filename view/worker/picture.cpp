@@ -53,8 +53,8 @@ double number_shown(const Picture& picture, const Picture::Sum& sum, int x, int 
     case Shown::boxes:
     case Shown::primitives_tested:
       return sum.tests / n;
-    case Shown::samples:
-      return n;
+    case Shown::samples:  // per pass
+      return picture.stage < 2 ? n : n / (picture.stage - 1);
     case Shown::deviation:
       return n > 1 ? std::sqrt(sum.squares / (n - 1)) : 0;
     case Shown::light:
@@ -149,21 +149,21 @@ bool improve(Picture& picture, std::chrono::milliseconds time) {
   std::atomic<int> next = picture.next_tile;
   std::mutex noting;
   {
-    std::vector<std::jthread> threads;
-    for (int i = 0; i < picture.settings.render.threads; ++i) {
-      threads.emplace_back([&] {
-        const pt::RayCount before = pt::rays_traced();
-        while (Clock::now() - start < time) {
-          const int tile = next++;
-          if (tile >= tiles) break;
-          render_tile(picture, view, tile, noting);
-        }
-        const pt::RayCount after = pt::rays_traced();
-        const std::lock_guard lock(noting);
-        picture.rays.closest += after.closest - before.closest;
-        picture.rays.occluded += after.occluded - before.occluded;
-      });
-    }
+    const auto work = [&] {
+      const pt::RayCount before = pt::rays_traced();
+      while (Clock::now() - start < time) {
+        const int tile = next++;
+        if (tile >= tiles) break;
+        render_tile(picture, view, tile, noting);
+      }
+      const pt::RayCount after = pt::rays_traced();
+      const std::lock_guard lock(noting);
+      picture.rays.closest += after.closest - before.closest;
+      picture.rays.occluded += after.occluded - before.occluded;
+    };
+    std::vector<std::jthread> threads;  // besides this one: a box has no more
+    for (int i = 1; i < picture.settings.render.threads; ++i) threads.emplace_back(work);
+    work();
   }
   picture.next_tile = std::min(next.load(), tiles);
   picture.seconds += std::chrono::duration<double>(Clock::now() - start).count();

@@ -11,12 +11,16 @@ namespace view {
 
 namespace {
 
-// The words of a request that are options of ./run render.
-const std::map<std::string, std::string> kOptions{
-    {"show", "--show"},         {"bounce", "--bounce"}, {"bounces", "--bounces"},
-    {"samples", "--samples"},   {"engine", "--engine"}, {"light_samples", "--light-samples"},
-    {"survival", "--survival"}, {"seed", "--seed"},     {"leaf", "--leaf"},
-    {"camera", "--camera"}};
+// The words of a request that are options of ./run render. With adaptive sampling, its --samples is the most of a pixel.
+const std::map<std::string, std::string> kOptions{{"show", "--show"},
+                                                  {"bounce", "--bounce"},
+                                                  {"bounces", "--bounces"},
+                                                  {"engine", "--engine"},
+                                                  {"light_samples", "--light-samples"},
+                                                  {"survival", "--survival"},
+                                                  {"seed", "--seed"},
+                                                  {"leaf", "--leaf"},
+                                                  {"camera", "--camera"}};
 
 const std::map<std::string, Shown> kShown{{"light", Shown::light},
                                           {"boxes", Shown::boxes},
@@ -26,7 +30,8 @@ const std::map<std::string, Shown> kShown{{"light", Shown::light},
                                           {"primitive", Shown::primitive},
                                           {"distance", Shown::distance}};
 
-constexpr int kMinSide = 16, kMaxSide = 2048, kMaxBounces = 100, kMaxSamples = 1024;
+constexpr int kMinSide = 16, kMaxSide = 2048, kMaxBounces = 100, kMaxSamples = 1024,
+              kMaxAdaptive = 1 << 14;
 
 int whole_number(const std::string& name, const std::string& word, int least, int most) {
   int value = 0;
@@ -62,18 +67,26 @@ pt::RenderOptions render_options(const Query& query) {
   }
   if (query.contains("hemisphere")) words.emplace_back("--hemisphere");
   if (query.contains("adaptive")) {
-    const std::string& pair = query.at("adaptive");
-    const std::size_t comma = pair.find(',');
-    if (pair.find_first_not_of("0123456789.,") != std::string::npos) {
-      throw pt::Error("'adaptive' takes a batch and a tolerance, as in 32,0.05, and not '" + pair +
-                      "'");
+    const std::string& three = query.at("adaptive");
+    const std::size_t first = three.find(','), second = three.find(',', first + 1);
+    if (second == std::string::npos ||
+        three.find_first_not_of("0123456789.,") != std::string::npos) {
+      throw pt::Error(
+          "'adaptive' takes the most samples, a batch and a tolerance, as in "
+          "1024,32,0.05, and not '" +
+          three + "'");
     }
-    words.insert(words.end(), {"--adaptive", pair.substr(0, comma),
-                               comma == std::string::npos ? "" : pair.substr(comma + 1)});
+    words.insert(words.end(),
+                 {"--samples=" + three.substr(0, first), "--adaptive",
+                  three.substr(first + 1, second - first - 1), three.substr(second + 1)});
   }
   std::vector<const char*> argv;
   for (const std::string& word : words) argv.push_back(word.c_str());
-  return pt::parse_options(static_cast<int>(argv.size()), argv.data());
+  pt::RenderOptions options = pt::parse_options(static_cast<int>(argv.size()), argv.data());
+  if (options.adaptive && options.adaptive->max_samples > kMaxAdaptive) {
+    throw pt::Error("'adaptive' takes at most " + std::to_string(kMaxAdaptive) + " samples");
+  }
+  return options;
 }
 
 std::optional<Eye> eye_of(const Query& query) {
@@ -95,8 +108,8 @@ std::optional<Eye> eye_of(const Query& query) {
 Settings settings_of(const Query& query) {
   Settings settings;
   const auto known = [](const std::string& name) {
-    static const std::array<const char*, 10> kOwn{
-        "w", "h", "x", "y", "eye", "target", "up", "shown", "hemisphere", "adaptive"};
+    static const std::array<const char*, 11> kOwn{
+        "samples", "w", "h", "x", "y", "eye", "target", "up", "shown", "hemisphere", "adaptive"};
     for (const char* own : kOwn) {
       if (name == own) return true;
     }
@@ -113,7 +126,7 @@ Settings settings_of(const Query& query) {
   settings.render.width = number("w", 480, kMinSide, kMaxSide);
   settings.render.height = number("h", 360, kMinSide, kMaxSide);
   number("bounces", 0, 0, kMaxBounces);
-  number("samples", 1, 1, kMaxSamples);
+  settings.render.samples = number("samples", settings.render.samples, 1, kMaxSamples);
   number("light_samples", 1, 1, kMaxSamples);
   settings.x = number("x", 0, 0, settings.render.width - 1);
   settings.y = number("y", 0, 0, settings.render.height - 1);

@@ -164,7 +164,23 @@ TEST_F(Writers, the_terminal_says_how_a_picture_is_made_again) {
   results.tasks[0].pictures[0].replay = "./run render a.dae";
   EXPECT_THAT(to_text(results, {}),
               HasSubstr("  replay    ./run render a.dae\n"
-                        "  see it    ./run grade direct_lights --html report.html\n"));
+                        "  see it    ./run grade direct_lights --html report.html\n"
+                        "  its paths ./run view penumbra --pixel 52 43 --from reference --from "
+                        "direct_lights=student\n"));
+}
+
+TEST(HowToLook, names_a_pixel_from_the_bottom_left_and_whose_tasks_there_are) {
+  results::PictureResult picture;
+  picture.recipe = "bvh_coil";
+  picture.height = 72;
+  picture.replay = "./run grade hit_bvh --seed 1";
+  EXPECT_EQ(results::how_to_look("hit_bvh", picture),
+            "./run view bvh_coil --from reference --from hit_bvh=student");
+  picture.cells = {{40, 48, 8, 8, "Y", -0.4, 2}, {0, 0, 24, 24, "Y", -0.1, 2}};
+  picture.integrated = true;
+  picture.replay += " --submission 'a b'";
+  EXPECT_EQ(results::how_to_look("hit_bvh", picture),
+            "./run view bvh_coil --pixel 44 19 --from student --submission 'a b'");
 }
 
 // A task that has not been started contains no mistake.

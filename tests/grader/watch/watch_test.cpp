@@ -207,6 +207,38 @@ TEST_F(WatchTest, draws_the_page_of_pictures_and_opens_it) {
   setenv("PATH", path.c_str(), 1);
 }
 
+TEST_F(WatchTest, opens_the_view_where_a_picture_fails) {
+  std::string config = pt::read_file(folder_.config());
+  config.replace(config.find(FIRSTLIGHT_ROOT), std::string(FIRSTLIGHT_ROOT).size(), here_);
+  pt::write_file(folder_.config(), config);
+  pt::write_file(
+      here_ + "/run",
+      "#!/bin/sh\necho $$ > \"$(dirname \"$0\")/view\"; echo \"shows $*\"; exec sleep 1000\n");
+  std::filesystem::permissions(here_ + "/run", std::filesystem::perms::owner_all);
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  results::TaskResult task = triangle({"three"});
+  for (const char* recipe : {"rays_clip", "rays_facets", "rays_smooth"}) {
+    results::PictureResult& picture = task.pictures.emplace_back();
+    picture.recipe = recipe;
+    picture.height = 72;
+    picture.state = results::State::fail;
+  }
+  task.pictures[0].state = results::State::pass;
+  task.pictures[2].cells = {{40, 48, 8, 8, "Y", -0.4, 2}};
+  answer("hit_triangle", {task});
+  terminal.type("v");
+  terminal.expect("rendering the pictures of hit_triangle");
+  terminal.expect("shows view rays_smooth --pixel 44 19 --from reference");
+  terminal.type("f");
+  terminal.expect("got for one");
+  const pid_t view = std::stoi(pt::read_file(here_ + "/view"));
+  EXPECT_EQ(kill(view, 0), 0);
+  terminal.type("q");
+  expect_exit(terminal, 0);
+  EXPECT_NE(kill(view, 0), 0) << "the view goes on";
+}
+
 // The screen already shows the next task, which has no pictures yet.
 TEST_F(WatchTest, draws_the_pictures_of_the_task_that_was_saved_last) {
   PseudoTerminal terminal(command());
