@@ -2,7 +2,6 @@
 
 #include "grader/pictures/recipes/recipes.h"
 #include "pt/command_line.h"
-#include "pt/render/option_words.h"
 
 #include <vector>
 
