@@ -117,7 +117,7 @@ import hashlib, json, sys
 golden = sys.argv[1] + "/rays_spheres"
 picture = open("golden/rays_smooth.exr", "rb").read()
 about = json.load(open(golden + ".json"))
-about["sha256"] = hashlib.sha256(picture).hexdigest()
+about["files_sha256"] = hashlib.sha256(picture).hexdigest()
 open(golden + ".exr", "wb").write(picture)
 json.dump(about, open(golden + ".json", "w"))
 END
@@ -130,10 +130,6 @@ grades golden --compare "$folder/wrong"
 [ -z "$(asked)" ] || complain "what this golden says was known, and it asks: $(asked)"
 [ "$(changes golden)" = "other hit_sphere picture rays_spheres 0 3
 right hit_sphere picture rays_spheres 0 3" ] || complain "$(changes golden)"
-cp "$folder/root/golden/rays_smooth.exr" "$folder/root/golden/rays_spheres.exr"
-grades golden
-! grep -q 'as before' "$folder/said" || complain 'a golden is overwritten, and nobody is judged again'
-cp golden/rays_spheres.exr "$folder/root/golden"
 
 # A file that changes while it is judged has no outcome, and the same chunk judges it again.
 cat >"$folder/make_plan" <<END
