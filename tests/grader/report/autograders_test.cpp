@@ -163,7 +163,13 @@ TEST_F(Autograders, autolab_gets_two_lines_at_the_end) {
 // Artemis (TestResultXmlParser.java): of a suite at the top the name does not count. A test fails if
 // it has a `failure`, and none may be called like another.
 TEST_F(Autograders, artemis_gets_a_test_for_whatever_has_points) {
-  for (const results::Results& results : {run, half_judged()}) {
+  results::Results integrated =
+      run;  // a promise that breaks only with the submission's other tasks
+  results::PromiseResult& promise = integrated.tasks[0].promises[0];
+  promise.held = false;
+  promise.failures.resize(1);
+  promise.failures[0].integrated = true;
+  for (const results::Results& results : {run, half_judged(), integrated}) {
     tinyxml2::XMLDocument document;
     ASSERT_EQ(document.Parse(to_artemis(results).c_str()), tinyxml2::XML_SUCCESS);
     const tinyxml2::XMLElement* suite = document.RootElement();
