@@ -56,7 +56,8 @@ class Intake : public testing::Test {
     Platform platform = Platform::none;
     std::string feedback{}, note{};
     std::map<std::string, std::string> files{};
-    std::map<std::string, std::string> judged{};  // what the judge reads, by task, or why it rejects it
+    std::map<std::string, std::string>
+        judged{};  // what the judge reads, by task, or why it rejects it
   };
   std::map<std::string, Seen> seen(const std::filesystem::path& input) const;
   std::map<std::string, Seen> seen() const { return seen(in()); }
