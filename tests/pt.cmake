@@ -51,3 +51,10 @@ foreach(way recursion path_first_light_afterwards float_throughput survival_by_t
   firstlight_apart_test(rest ${way} $<TARGET_OBJECTS:bounces_apart_test>)
 endforeach()
 firstlight_apart_test(rest emission_at_every_vertex proof/bounces_not_apart_test.cpp)
+
+# Compares the loader with assimp, on request: pt/scene/against_assimp.sh.
+find_package(assimp QUIET)
+if(TARGET assimp::assimp)
+  add_executable(against_assimp EXCLUDE_FROM_ALL pt/scene/against_assimp.cpp)
+  target_link_libraries(against_assimp PRIVATE firstlight_warnings pt_loader fmt::fmt assimp::assimp)
+endif()
