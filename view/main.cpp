@@ -52,6 +52,7 @@ Program boxed_program(const Options& options) {
 json page_data(const Options& options, bool live) {
   json data{{"live", live},
             {"from", options.from},
+            {"boxed", !options.boxed.empty()},
             {"scene_file", options.scene.string()},
             {"reference", !options.reference.empty()},
             {"settings", options.settings}};
@@ -77,7 +78,7 @@ std::string png_of(const Reply& reply) {
 }
 
 // Asks for the picture until it has some samples, but not for long.
-std::string settled_picture(Child& child, const std::map<std::string, std::string>& settings) {
+Reply settled_picture(Child& child, const std::map<std::string, std::string>& settings) {
   constexpr int kSamples = 30;
   constexpr std::chrono::seconds kMost{20};
   const auto start = std::chrono::steady_clock::now();
@@ -87,7 +88,7 @@ std::string settled_picture(Child& child, const std::map<std::string, std::strin
     const bool has_light = reply.state.at("stage") > 1;
     if (is_enough || (has_light && std::chrono::steady_clock::now() - start > kMost)) {
       say(reply.state.at("note"));
-      return png_of(reply);
+      return reply;
     }
   }
 }
@@ -96,7 +97,6 @@ void write_page(const Options& options, Child& own, Child* reference) {
   pt::check_target(options.page);
   std::map<std::string, std::string> of_picture = options.settings, of_pixel = options.settings;
   of_picture.erase("samples");
-  of_picture.erase("shown");  // a file of light
   of_pixel.erase("shown");
   const auto [x, y] =
       options.pixel.value_or(std::pair(std::stoi(of_pixel["w"]) / 2, std::stoi(of_pixel["h"]) / 2));
@@ -107,7 +107,13 @@ void write_page(const Options& options, Child& own, Child* reference) {
   data["paths"] = own.ask("paths", of_pixel).state;
   if (reference != nullptr) data["reference_paths"] = reference->ask("paths", of_pixel).state;
   data["scene"] = own.ask("scene", of_picture).state;
-  data["picture"] = settled_picture(own, of_picture);
+  const Reply picture = settled_picture(own, of_picture);
+  if (of_picture.contains("shown")) {
+    data["numbers"] = picture.state;
+    data["numbers"]["base64"] = grader::report::base64(picture.bytes);
+  } else {
+    data["picture"] = png_of(picture);
+  }
   pt::write_file(options.page, page_with(data));
   fmt::print("wrote {}\n", pt::printable(options.page.string()));
 }

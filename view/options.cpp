@@ -2,6 +2,7 @@
 
 #include "grader/pictures/recipes/recipes.h"
 #include "pt/command_line.h"
+#include "pt/render/options.h"
 
 #include <vector>
 

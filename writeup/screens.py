@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""screens.py: makes docs/screens/*.png, which the handbook shows: what `watch` says in a terminal of 80 by 24 characters,
-and the page of a report. Needs ./run watch built before, and Chromium."""
+"""screens.py [NAME ...]: makes docs/screens/*.png, which the handbook shows, or those of the names: what `watch` says in a
+terminal of 80 by 24 characters, the page of a report, and the view of five bugs. Needs Chromium, and that ./run watch and
+./run view --submission were built before."""
 import html
 import os
 import pty
@@ -68,9 +69,47 @@ ONLY_PICTURES = """<style>.head, [aria-labelledby=overview], .part > h2, .task h
 .picture ~ .picture ~ .picture, .readout { display: none }</style>"""
 
 
+# The five bugs of student/finding_by_looking.md: the mistake, the picture, the pixel, and the height of what is shown.
+BUGS = [("2_bvh/hit_bvh", "range_overwritten", "bvh_coil", "44 27", 330), ("2_bvh/hit_bvh", "first_child_that_hits", "bvh_coil", "44 19", 490),
+        ("1_rays/hit_triangle", "t_never_stored", "direct_large_light", "48 35", 490),
+        ("4_global/trace_path", "bsdf_applied_twice", "global_indirect", "48 20", 612),
+        ("5_adaptive/adaptive_pixel", "running_total_as_the_sample", "adaptive_fine", "16 12", 300)]
+ONLY_FINDING = """<style>#status, main .note, .chooser, #reference_title, #reference, #draws, footer,
+.brand, #own_title, .path tr > :nth-child(n + 8) { display: none !important } .stage { max-width: 320px }
+main h2 { margin: 0.6rem 0 0.2rem; font-size: 1rem } body { padding-top: 0 }</style>"""
+
+
+def add_style(page, style):
+    with open(page, encoding="utf-8") as file:
+        text = file.read().replace("</head>", style + "</head>")
+    with open(page, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def views(out, names, folder):
+    """The page of ./run view for each bug, as its submission shows it."""
+    build = os.path.join(ROOT, "build/check")
+    for file, mistake, picture, pixel, height in BUGS:
+        if names and mistake not in names:
+            continue
+        task = file.split("/")[1]
+        handed_in, boxed, page = (os.path.join(folder, mistake + ending) for ending in ("", ".json", ".html"))
+        shutil.copytree(os.path.join(ROOT, "reference"), handed_in)
+        shutil.copy(os.path.join(ROOT, f"build/mistakes/{task}/{mistake}/{task}.cpp"), os.path.join(handed_in, os.path.dirname(file)))
+        subprocess.run([build + "/measure/writeup_boxed", "build", handed_in, boxed, "view_boxed.json", task], check=True)
+        subprocess.run([build + "/view/view", "--recipes", "scenes/recipes.json", "--boxed", boxed, "--reference", build + "/view/view_worker.reference",
+                        "--mixture", f"{task}=student", picture, "--pixel", *pixel.split(), "--export", page], check=True, cwd=ROOT)
+        add_style(page, ONLY_FINDING)
+        take_picture(page, f"{out}/view_{mistake}.png", 600, height)
+
+
 def main():
-    out = os.path.join(ROOT, "docs/screens")
+    out, names = os.path.join(ROOT, "docs/screens"), sys.argv[1:]
     os.makedirs(out, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        views(out, names, folder)
+    if names:
+        return
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         submission("student")
@@ -81,10 +120,7 @@ def main():
         page = os.path.join(folder, "report.html")
         subprocess.run([PROGRAMS + "/grade", "hit_triangle", "--html", page],
                        check=False, stdout=subprocess.DEVNULL)
-        with open(page, encoding="utf-8") as file:
-            text = file.read().replace("</head>", ONLY_PICTURES + "</head>")
-        with open(page, "w", encoding="utf-8") as file:
-            file.write(text)
+        add_style(page, ONLY_PICTURES)
         take_picture(page, out + "/report.png", 760, 900)
 
 
