@@ -58,7 +58,7 @@ class WatchSession {
   std::string page_path_;
   // Slugs to judge; empty: all tasks; kPage: draw the page; kView: the same, for the view.
   std::deque<std::string> waiting_{""};
-  std::string judging_;                  // slug that running_ judges
+  std::string judging_;  // slug that running_ judges
   std::optional<Running> running_;
   std::optional<Running> view_;  // ./run view, until it ends, or another one starts
   std::string view_says_;

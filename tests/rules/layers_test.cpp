@@ -55,7 +55,9 @@ const std::map<std::string, std::set<std::string>> kOnly{
     {"grader/service/sandbox", {"grader/base", "grader/service/process"}},
     {"grader/service/intake", {"grader/base", "grader/service/process", "grader/service/sandbox"}},
     {"grader/service/platforms", {"grader/base", "grader/results", "grader/report"}},
-    {kView, {"grader/base", "grader/pictures", "grader/report", "grader/service/process", "grader/service/sandbox"}}};
+    {kView,
+     {"grader/base", "grader/pictures", "grader/report", "grader/service/process",
+      "grader/service/sandbox"}}};
 
 // Rooms whose namespace is not grader:: and the last part of their name.
 const std::map<std::string, std::string> kNamespaces{{"grader", "grader"},

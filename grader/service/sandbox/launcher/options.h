@@ -16,10 +16,11 @@ struct Options {
   std::string folder;                // where it may write; empty: nowhere
   std::vector<std::string> visible;  // what it may read
   process::Limits limits;
-  uid_t user = 0;        // inside: the user to become; 0: no change
-  int started = -1;      // a descriptor for news of the start; -1: none
-  int part = -1;         // the descriptor if this runs a part of a tool (run_tool_part in main.cpp); else -1
-  long landlock = 1000;  // the newest version of Landlock to use; 0: none
+  uid_t user = 0;    // inside: the user to become; 0: no change
+  int started = -1;  // a descriptor for news of the start; -1: none
+  int part =
+      -1;  // the descriptor if this runs a part of a tool (run_tool_part in main.cpp); else -1
+  long landlock = 1000;        // the newest version of Landlock to use; 0: none
   std::vector<char*> command;  // ends with nullptr, as exec wants it
 };
 
