@@ -272,11 +272,12 @@ std::string with_chart_sizes(const std::string& html, const fs::path& folder) {
 std::string foot(const Site& site, const fs::path& folder) {
   std::string text = "Made by: " + site.command + (site.by.empty() ? "" : " · " + site.by);
   if (!fs::exists(folder / "figures")) return text;
-  fs::file_time_type newest{};
+  constexpr fs::file_time_type kNever = fs::file_time_type::min();
+  fs::file_time_type newest = kNever;
   for (const fs::directory_entry& file : fs::directory_iterator(folder / "figures")) {
     newest = std::max(newest, file.last_write_time());
   }
-  if (newest == fs::file_time_type{}) return text;
+  if (newest == kNever) return text;
   const auto time = std::chrono::file_clock::to_sys(newest);
   return text + fmt::format(" · {:%F}", std::chrono::time_point_cast<std::chrono::seconds>(time));
 }
