@@ -75,7 +75,7 @@ std::string words(const Finding& finding) {
 }
 
 TEST(Paths, have_a_red_cell_only_where_a_promise_is_broken) {
-  std::set<std::string> promises;
+  std::set<std::string> promises, tasks;
   std::map<std::string, int> found;
   for_pixels([&](const char* file, const PixelPaths& pixel) {
     std::vector<Finding> all = pixel.findings;
@@ -84,6 +84,7 @@ TEST(Paths, have_a_red_cell_only_where_a_promise_is_broken) {
     }
     for (const Finding& finding : all) {
       promises.insert(finding.promise);
+      tasks.insert(finding.task);
       ++found[std::string(file) + ": " + words(finding)];
     }
   });
@@ -95,6 +96,7 @@ TEST(Paths, have_a_red_cell_only_where_a_promise_is_broken) {
     EXPECT_TRUE(promises.empty()) << shown;
   } else {
     EXPECT_TRUE(promises.contains(breaks())) << shown;
+    EXPECT_EQ(tasks.size(), 1U) << "a task without a mistake is blamed:\n" << shown;
   }
 }
 

@@ -65,6 +65,15 @@ pt::Rgb mean_of_rays(const Bounce& at, const Direct& direct) {
   return sum / static_cast<double>(std::max<std::size_t>(1, direct.draws.size()));
 }
 
+// The reflected part of the light of a draw, as the task that is linked says. With a wrong f, direct light is wrong without a
+// mistake in the task that adds it up.
+bool has_right_f(const Bounce& at, const Draw& draw) {
+  const pt::Frame& frame = at.point.frame;
+  return !(draw.cosine > 1e-6) || close(diffuse_f(at.point.albedo, frame.to_local(at.point.wo),
+                                                  frame.to_local(draw.sample.wi)),
+                                        at.point.albedo / pt::kPi);
+}
+
 void check_shadow_rays(int bounce, const Bounce& at, const Direct& direct, Findings& found) {
   for (const Draw& draw : direct.draws) {
     if (!draw.was_traced) continue;
@@ -218,6 +227,11 @@ void check_direct(const pt::Scene& scene, const pt::Tracer& exact, int bounce, c
           "the light is negative");
     }
     check_shadow_rays(bounce, at, direct, found);
+    if (!std::ranges::all_of(direct.draws, [&](const Draw& d) { return has_right_f(at, d); })) {
+      found.push_back({bounce, "direct", "diffuse_bsdf", "f_reflects_the_albedo",
+                       "diffuse_f is not the albedo divided by pi"});
+      continue;
+    }
     if (!direct.plain || direct.draws.empty()) continue;
     const std::optional<pt::Rgb> sum =
         by_lights ? sum_of_draws(scene, exact, at, direct) : mean_of_rays(at, direct);
