@@ -33,7 +33,7 @@ std::array<std::filesystem::path, 4> places_of(const std::string& part);
 
 // Reads the file of a task, without following a link below the folder: anything but a regular file,
 // and a file larger than kMaxFile, are rejected. It is looked for in places_of(part). Throws pt::Error if
-// there is no such folder.
+// the folder does not exist.
 Submitted read_submitted(const std::string& folder, const std::string& part,
                          const std::string& slug);
 
@@ -46,7 +46,7 @@ bool is_hidden(const std::string& name);
 // (student, 1_rays) are never entered. Throws pt::Error if a folder on the way cannot be read.
 std::string submission_root(const std::string& folder);
 
-// The .cpp files of a folder in alphabetical order; none if there is no such folder.
+// The .cpp files of a folder in alphabetical order; none if it does not exist.
 std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folder);
 
 }  // namespace grader::base

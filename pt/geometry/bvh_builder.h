@@ -76,8 +76,8 @@ class BvhBuilder {
 
   void take(int node) {
     if (node < 0 || node >= static_cast<int>(nodes_.size()) || has_parent_[node]) {
-      throw std::logic_error("BvhBuilder: there is no node " + std::to_string(node) +
-                             " without a parent");
+      throw std::logic_error("BvhBuilder: node " + std::to_string(node) +
+                             " was not made, or has a parent already");
     }
     has_parent_[node] = true;
   }

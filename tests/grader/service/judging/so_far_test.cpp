@@ -127,17 +127,17 @@ TEST(words, judge_a_task_again) {
 
 TEST(so_far, hides_where_the_judge_works) {
   results::TaskResult task;
-  task.printed = "/judge/work/cache/a.worker: /judge/work/cache/a.worker: CPU ISA level";
+  task.printed = "/folders/judge/cache/a.worker: /folders/judge/cache/a.worker: CPU ISA level";
   results::PromiseResult& promise = task.promises.emplace_back();
-  promise.failures.emplace_back().got = "it died: /judge/work/x /judge/workshop";
+  promise.failures.emplace_back().got = "it died: /folders/judge/x /folders/judgement";
   results::PictureResult& picture = task.pictures.emplace_back();
-  picture.text = "/judge/work/a.worker";
-  picture.render = "/judge/work/a.exr";
-  task = without_folder(task, "/judge/work");
+  picture.text = "/folders/judge/a.worker";
+  picture.render = "/folders/judge/a.exr";
+  task = without_folder(task, "/folders/judge");
   EXPECT_EQ(task.printed, "cache/a.worker: cache/a.worker: CPU ISA level");
-  EXPECT_EQ(task.promises[0].failures[0].got, "it died: x /judge/workshop");
+  EXPECT_EQ(task.promises[0].failures[0].got, "it died: x /folders/judgement");
   EXPECT_EQ(task.pictures[0].text, "a.worker");
-  EXPECT_EQ(task.pictures[0].render, "/judge/work/a.exr");
+  EXPECT_EQ(task.pictures[0].render, "/folders/judge/a.exr");
 }
 
 }  // namespace
