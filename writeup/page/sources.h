@@ -7,6 +7,6 @@
 namespace writeup {
 
 extern const std::string_view page_html, figure_html;  // templates in Mustache
-extern const std::string_view writeup_css, writeup_js;
+extern const std::string_view values_js, writeup_css, writeup_js;
 
 }  // namespace writeup
