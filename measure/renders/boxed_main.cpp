@@ -96,10 +96,7 @@ int render(const std::string& worker, const std::string& tier, const std::string
            const Band& band) {
   const Spec spec = read_spec(spec_file);
   pt::LoadedScene loaded = pt::load_collada(spec.scene);
-  if (!spec.path.show_normals) {
-    require_supported(loaded, spec.scene);
-    require_light(loaded, spec.scene);
-  }
+  if (!spec.path.show_normals) require_light(loaded, spec.scene);
   // With this engine the worker builds its own tree.
   loaded.scene.tracer = pt::Tracer(spec.engine, loaded.scene.primitives);
   const pt::View view{loaded.scene,

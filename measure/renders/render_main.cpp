@@ -91,10 +91,7 @@ std::vector<std::string> missing_tasks(const Spec& spec, pt::Engine engine) {
 int run(const std::string& spec_file, const Band& band) {
   const Spec spec = read_spec(spec_file);
   pt::LoadedScene loaded = pt::load_collada(spec.scene);
-  if (!spec.path.show_normals) {
-    require_supported(loaded, spec.scene);
-    require_light(loaded, spec.scene);
-  }
+  if (!spec.path.show_normals) require_light(loaded, spec.scene);
   choose_engine(loaded.scene, spec.engine, kMaxLeaf);
   const pt::View view{loaded.scene,
                       frame_camera(loaded, spec.framing, spec.frame_width, spec.frame_height),

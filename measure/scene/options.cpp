@@ -184,7 +184,6 @@ Options parse_ladder(int argc, const char* const* argv) {
 
 pt::LoadedScene load_scene(const Options& options) {
   pt::LoadedScene loaded = pt::load_collada(options.scene, {options.lambertian});
-  require_supported(loaded, options.scene);
   require_light(loaded, options.scene);
   if (!options.out.empty()) std::filesystem::create_directories(options.out);
   pt::silence_todo();

@@ -50,6 +50,7 @@ std::string no_light(const LoadedScene& loaded) {
 }
 
 void require_light(const LoadedScene& loaded, const std::filesystem::path& file) {
+  require_supported(loaded, file);
   if (const std::string what = no_light(loaded); !what.empty()) {
     throw Error(file.string() + ": " + what +
                 "; add one, or give a surface the course's emission/radiance");

@@ -12,7 +12,7 @@ namespace pt {
 // scene has one.
 std::string no_light(const LoadedScene& loaded);
 
-// Throws Error with that sentence.
+// Throws Error with that sentence, or that of require_supported. Call it before you measure light.
 void require_light(const LoadedScene& loaded, const std::filesystem::path& file);
 
 // Says why nothing can be seen in a picture at that exposure, and what to do; empty if something

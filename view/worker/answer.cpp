@@ -33,7 +33,6 @@ void Answers::trace_with(const Settings& settings) {
 // Materials and lights outside the model can be shown by their normals alone.
 void Answers::require_light(const Settings& settings) const {
   if (settings.render.show == pt::Show::normals) return;
-  require_supported(loaded_, file_);
   pt::require_light(loaded_, file_);
 }
 
