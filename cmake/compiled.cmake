@@ -11,7 +11,7 @@ set(compiled_archives pt_base pt_scene pt_image pt_loader pt_film pt_render pt_r
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_film pt_render pt_rows scene_meshes
   grader_tasks grader_closed_forms measure_renders measure_scene measure_pixels_here measure_calls_tasks)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
-  grader_worker grader_connection grader_serve recorder_calls view_paths view_worker_main
+  grader_worker grader_connection grader_serve recorder_calls view_calls view_paths view_worker_main
   measure_render_main measure_scene_main measure_calls_worker measure_calls_pixels)
 set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/graded_picture pt/compare
   scenes/generate view/view measure/measure measure/stability measure/writeup_boxed measure/accuracy_boxed writeup/writeup)
