@@ -3,7 +3,7 @@
 
 # compare_codes SCENE.dae [--from ...] [--against ...] RENDER OPTIONS
 compare_codes() {
-  local a=() b=() options=() name folder
+  local a=() b=() options=() name folder name_a name_b render_a render_b
   while [ $# -gt 0 ]; do
     case $1 in
       --from | --against) [ $# -gt 1 ] || fail "$1 takes an implementation, or task=implementation" ;;
@@ -13,7 +13,7 @@ compare_codes() {
       --from=*) a+=("$1"); shift ;;
       --against) b+=(--from "$2"); shift 2 ;;
       --against=*) b+=("--from=${1#--against=}"); shift ;;
-      -f | --output | -f* | --output=*) fail "the pictures of two codes have their own places: leave out $1" ;;
+      -f* | --output | --output=*) fail "the pictures of two codes have their own places: leave out $1" ;;
       *) case $1 in *.dae) name=$(basename "$1" .dae) ;; esac
          options+=("$1"); shift ;;
     esac
@@ -21,11 +21,9 @@ compare_codes() {
   [ ${#a[@]} -gt 0 ] || a=(--from student)
   [ ${#b[@]} -gt 0 ] || b=(--from reference)
   choose_mixture "${b[@]}"
-  local name_b=$mixture render_b=render.${mixture//=/-}
-  [ "$mixture" != "$default_mixture" ] || render_b=render
+  name_b=$mixture render_b=$(render_target)
   choose_mixture "${a[@]}"
-  local name_a=$mixture render_a=render.${mixture//=/-}
-  [ "$mixture" != "$default_mixture" ] || render_a=render
+  name_a=$mixture render_a=$(render_target)
   build release compare "$render_a" "$render_b"
   folder=$build/compare/$name
   mkdir -p "$folder"
