@@ -143,8 +143,6 @@ std::string submission_root(const std::string& folder) {
   return root;
 }
 
-namespace fs = std::filesystem;
-
 std::vector<fs::path> sources_in(const fs::path& folder) {
   std::vector<fs::path> files;
   if (!fs::is_directory(folder)) return files;

@@ -14,8 +14,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-namespace measure::failure {
-
 namespace {
 
 namespace check = grader::check;
@@ -71,15 +69,9 @@ void write_curves(const std::string& path, const std::string& only,
     if (!only.empty() && named.name != only) continue;
     all.push_back(to_json(named, check::measure(named.curve, settings, begin)));
   }
-  if (!only.empty() && all.empty()) throw pt::Error("there is no curve '" + only + "'");
+  if (!only.empty() && all.empty()) throw pt::Error("no curve has the name '" + only + "'");
   pt::write_file(path, all.dump(1) + "\n");
 }
-
-}  // namespace
-
-}  // namespace measure::failure
-
-namespace {
 
 struct Options {
   grader::wire::AskOptions ask;
@@ -94,10 +86,9 @@ struct Options {
 int run_curves(const Options& options) {
   grader::wire::SessionSettings session = options.ask.session;
   session.total_limit = std::chrono::minutes(1);
-  measure::failure::write_curves(
-      options.curves, options.curve,
-      {options.ask.seed, options.effort, options.coarse, options.seconds},
-      [&] { grader::wire::open_session(session); });
+  write_curves(options.curves, options.curve,
+               {options.ask.seed, options.effort, options.coarse, options.seconds},
+               [&] { grader::wire::open_session(session); });
   return 0;
 }
 

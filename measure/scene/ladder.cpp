@@ -100,8 +100,6 @@ pt::AdaptiveSettings adaptive_like(Study& study, const Rung& rung, int samples) 
   return settings;
 }
 
-using Direct = pt::PathSettings::Direct;
-
 constexpr double kAlways = 1;  // survival without roulette
 constexpr const char* kUniform = "+diffuse_bsdf=uniform";
 

@@ -20,6 +20,8 @@ namespace grader::pictures {
 
 namespace {
 
+using nlohmann::json;
+
 // Takes the fields of one JSON object and says what is wrong with them: all functions throw
 // pt::Error, "where: what is wrong; what to do".
 class Fields {
@@ -64,8 +66,6 @@ class Fields {
   std::string where_;
   std::set<std::string> taken_;
 };
-
-using nlohmann::json;
 
 Fields::Fields(const json& object, std::string where) : object_(object), where_(std::move(where)) {
   if (!object.is_object()) fail("write an object, {...}");
@@ -134,8 +134,6 @@ void Fields::require_no_more() const {
     }
   }
 }
-
-using nlohmann::json;
 
 constexpr int kMaxSide = 1024;  // a larger picture counts as a typing error
 constexpr int kMaxBounces = 1000;

@@ -126,8 +126,6 @@ bool is_harmless(string_view name) {
   return is_arithmetic(name);
 }
 
-using std::string_view;
-
 // The limit for a task's variables and code; beyond 2 GiB no linker can address them.
 constexpr std::uint64_t kMaxMemory = std::uint64_t{256} << 20;
 constexpr int kUnique = 10;  // STB_GNU_UNIQUE: inline variables and statics of templates

@@ -118,8 +118,6 @@ nanoseconds own_waiting_time() { return waiting_time("thread-self"); }
 
 pid_t last_descendant(pid_t pid) { return with_descendants(pid).back(); }
 
-using std::chrono::nanoseconds;
-
 nanoseconds SleepWatch::until_look() const {
   return std::max<nanoseconds>(kPause - waited_, nanoseconds(0));
 }
