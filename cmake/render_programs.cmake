@@ -7,7 +7,6 @@ function(firstlight_render_program name mixture)
     message(FATAL_ERROR "there is no reference on this machine: ${FIRSTLIGHT_NO_REFERENCE}")
   endif()
   add_executable(${name})
-  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX) # where all of it is compiled already
   target_link_libraries(${name} PRIVATE pt_render_main pt_render pt_loader pt_progress)
   firstlight_link_tasks(${name} FROM ${MIXTURE_FROM} RADIANCE recorded CHOICES ${MIXTURE_CHOICES}
     FAST RECORDED)
@@ -28,7 +27,7 @@ endfunction()
 
 # All mixtures for other programs: the learner's tasks, the mixtures that were asked for, and the reference if it is here.
 set(FIRSTLIGHT_ALL_MIXTURES student ${FIRSTLIGHT_MIXTURES})
-if(EXISTS ${PROJECT_SOURCE_DIR}/reference)
+if(EXISTS ${PROJECT_SOURCE_DIR}/reference OR EXISTS ${PROJECT_SOURCE_DIR}/reference-objects)
   list(APPEND FIRSTLIGHT_ALL_MIXTURES reference)
 endif()
 list(REMOVE_DUPLICATES FIRSTLIGHT_ALL_MIXTURES)

@@ -224,6 +224,7 @@ function(firstlight_link_tasks program)
     endif()
     set(choice_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
   endforeach()
+  set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX) # where all of it is compiled already
   foreach(slug IN LISTS slugs)
     set(library ${slug}.${choice_${slug}})
     if(NOT TARGET ${library})
