@@ -83,7 +83,8 @@ compiled=$half/compiled
 while read -r kind name file; do
   case $kind in
     archive) copy_stripped "$file" "$compiled/lib$name.a" ;;
-    object) copy_stripped "$file" "$compiled/$name/$(basename "$file")" ;;
+    object) file_name=${file##*.dir/} # in two folders there may be two of one name
+            copy_stripped "$file" "$compiled/$name/${file_name//\//.}" ;;
     program) copy_stripped "$file" "$compiled/$name" ;;
   esac
 done <"$build/compiled/files"
