@@ -215,7 +215,7 @@ TEST_P(Attack, gets_nowhere_by_names_and_files) {
 }
 
 TEST_P(Attack, gets_nowhere_by_compiling_for_ever) {
-  const Outcome outcome = attack("bombs", {"--compile-limit", "4"});
+  const Outcome outcome = attack("bombs", {"--compile-limit", "12"});
   SKIP_WHERE_THE_TIER_DOES_NOT_WORK(outcome);
   for (const json& task : outcome.results.at("tasks")) {
     EXPECT_EQ(task.at("state"), "fail");
