@@ -48,8 +48,9 @@ foreach(slug hit_sphere diffuse_bsdf)
 endforeach()
 add_executable(obedient_worker)
 target_link_libraries(obedient_worker PRIVATE grader_worker grader_connection grader_serve pt_rows)
-firstlight_link_tasks(obedient_worker FROM reference CHOICES hit_sphere=obedient diffuse_bsdf=obedient)
-firstlight_test(session_test quick SOURCES ${service}/wire/session_test.cpp LIBRARIES grader_wire CHOICES hit_sphere=remote diffuse_bsdf=remote
+firstlight_link_tasks(obedient_worker FROM reference RADIANCE callback CHOICES hit_sphere=obedient diffuse_bsdf=obedient)
+firstlight_test(session_test quick SOURCES ${service}/wire/session_test.cpp LIBRARIES grader_wire
+  CHOICES hit_sphere=remote diffuse_bsdf=remote estimate_pixel=remote
   NEEDS obedient_worker box DEFINES FIRSTLIGHT_OBEDIENT_WORKER="$<TARGET_FILE:obedient_worker>")
 
 foreach(test build/precompiled build/ahead judging/blame)

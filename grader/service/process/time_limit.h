@@ -28,6 +28,9 @@ class TimeLimit {
   // The earliest time at which the limit can be reached.
   Clock::time_point next_look() const { return next_look_; }
 
+  // Allows more time.
+  void extend(std::chrono::nanoseconds by) { limit_ += by; }
+
   // Adds a time in which this process only waited for the other one (see Wait).
   void add_waited(std::chrono::nanoseconds time) { waited_ += time; }
 

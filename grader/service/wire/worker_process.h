@@ -51,6 +51,8 @@ class WorkerProcess {
 
   // From now on it may use this much time (grader/service/process/time_limit.h).
   void allow(std::chrono::milliseconds limit);
+  // It may use this much more.
+  void extend(std::chrono::nanoseconds by) { limit_.extend(by); }
 
   // Both throw WorkerFailed, or WorkerNotStarted.
   void send(Kind kind, std::uint64_t sequence, std::string_view payload);

@@ -4,6 +4,7 @@
 
 #include "grader/check/language/repeat.h"
 #include "pt/tasks/diffuse_bsdf.h"
+#include "pt/tasks/estimate_pixel.h"
 #include "pt/tasks/hit_sphere.h"
 
 #include <string>
@@ -89,6 +90,24 @@ TEST(session, gives_all_calls_of_a_message_the_limit_of_all_calls) {
   const GaveUp reason = sample(200, 1);
   EXPECT_EQ(reason.why.find("not called any more: all calls so far took "), 0u) << reason.why;
   EXPECT_EQ(reason.cause, Cause::timeout);
+}
+
+// Messages alone, ten thousands of them, take some ten times the limit of the call.
+TEST(session, gives_a_call_time_for_its_questions) {
+  SessionSettings asks = settings();
+  asks.task = "estimate_pixel";
+  asks.call_limit = std::chrono::milliseconds(20);
+  open_session(asks);
+  const pt::Camera camera{{}, pt::frame_from_normal({0, 0, 1}), 60, 40, 0.1, 9};
+  pt::Scene scene;
+  std::string why;
+  try {
+    pt::Sampler sampler(1);
+    pt::estimate_pixel({scene, camera, {}, 4, 4}, 0, 0, 10000, sampler);
+  } catch (const GaveUp& reason) {
+    why = reason.why;
+  }
+  EXPECT_EQ(why, "");
 }
 
 // One answer takes some hundred bytes.
