@@ -32,6 +32,7 @@ results::PromiseResult describe(const testing::TestInfo& promise, bool integrate
   result.bonus = result.name.ends_with("_bonus");
   result.held = promise.result()->Passed();
   result.seconds = static_cast<double>(promise.result()->elapsed_time()) * 1e-3;
+  result.checks = check::checks_of(result.name);
   for (const check::FailedPromise& failed : check::failures()) {
     if (failed.promise != result.name) continue;
     result.failures.push_back(failed.failure);

@@ -72,6 +72,7 @@ struct PromiseResult {
   int points = 1;  // for keeping it
   double seconds = 0;
   std::vector<Failure> failures;
+  int checks = 0;  // the number of things that it checks; 0: not known
 
   bool operator==(const PromiseResult&) const = default;
 };

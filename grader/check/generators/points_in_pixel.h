@@ -98,8 +98,8 @@ inline void expect_no_frequent_point(const Points& points) {
          fmt::format("one point {} times", repeated.most));
 }
 
-// Says what uneven points have in common, in words for a person.
-inline std::string what_is_missing(const Points& points, const Cells& cells) {
+// Says what uneven points of some calls have in common, in words for a person.
+inline std::string what_is_missing(const Points& points, const Cells& cells, std::size_t calls) {
   const std::size_t different = repeated_places(points).different;
   pt::Vec2 low{1, 1}, high{0, 0};
   bool diagonal = true;
@@ -113,6 +113,10 @@ inline std::string what_is_missing(const Points& points, const Cells& cells) {
     return fmt::format(
         "all {} points in one place, {:.3f} from the left and {:.3f} from the bottom", n,
         points[0].x, points[0].y);
+  }
+  if (calls > 1 && different * calls <= n) {
+    return fmt::format("{} different points in {} calls of {} samples: each call has the same ones",
+                       different, calls, n / calls);
   }
   if (10 * different < 9 * n) {
     return fmt::format("only {} different points among {}", different, n);
@@ -129,12 +133,12 @@ inline std::string what_is_missing(const Points& points, const Cells& cells) {
 
 // Fails the case if points are uneven, or if many are the same, as on a coarse grid, with a sentence
 // that says where they are missing.
-inline void expect_even(const Points& points) {
+inline void expect_even(const Points& points, int calls = 1) {
   const bool repeated = 10 * repeated_places(points).different < 9 * points.size();
   for (const int side : {4, 8}) {
     const Cells cells(points, side);
     if (repeated || !cells.even()) {
-      expect(false, "points spread evenly over the pixel", what_is_missing(points, cells));
+      expect(false, "points spread evenly over the pixel", what_is_missing(points, cells, calls));
     }
   }
   expect_no_frequent_point(points);

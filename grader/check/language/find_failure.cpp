@@ -63,11 +63,14 @@ struct Counted {
 };
 
 // RapidCheck gives the type if the generator has no name. Names end in a colon (draw). A value of
-// several lines, for example a sphere and a ray, becomes several inputs.
+// several lines, for example a sphere and a ray, becomes several inputs. A number or a flag without
+// a name, and a value that cannot be shown (<???>), would tell nobody anything.
 void add_input(Failure& failure, const std::string& name, const std::string& value) {
+  const bool has_name = name.ends_with(':');
+  if (!has_name && value.find_first_of(" (") == value.npos) return;
   std::istringstream lines(value);
   for (std::string line; std::getline(lines, line);) {
-    if (name.ends_with(':')) line.insert(0, name + " ");
+    if (has_name) line.insert(0, name + " ");
     failure.input.push_back(line);
   }
 }

@@ -34,13 +34,9 @@ double deviation(const Mean& got, int channel) {
 
 [[noreturn]] void fail_mean(const std::string& what, const Mean& got, Rgb expected, double allowed,
                             int channel) {
-  const double off = std::abs(got.value[channel] - expected[channel]);
-  const double ratio = got.value[channel] / expected[channel];
   fail_statistical(what, fmt::format("{} as the mean of {} estimates", brief(got.value), got.n),
                    fmt::format("{}, give or take {:.2g}", brief(expected), allowed),
-                   std::isfinite(ratio)
-                       ? fmt::format("{:.3g} ({:.4g} times the expected value)", off, ratio)
-                       : fmt::format("{:.3g}", off));
+                   off_by(got.value[channel], expected[channel]));
 }
 
 // The first words of a failure because of noise. Even if the mean is close, so much noise hides

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -21,6 +22,11 @@ bool is_shrinking = true;
 
 std::vector<FailedPromise>& mutable_failures() {
   static std::vector<FailedPromise> all;
+  return all;
+}
+
+std::map<std::string, int>& mutable_checks() {
+  static std::map<std::string, int> all;
   return all;
 }
 
@@ -60,9 +66,15 @@ void never_shrink() { is_shrinking = false; }
 
 const std::vector<FailedPromise>& failures() { return mutable_failures(); }
 
+int checks_of(const std::string& promise) {
+  const auto found = mutable_checks().find(promise);
+  return found == mutable_checks().end() ? 0 : found->second;
+}
+
 void for_all(const std::function<void()>& property, int cases) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string task = test->test_suite_name(), promise = test->name();
+  ++mutable_checks()[promise];
   FailureSearch search{hash(task + "." + promise, seed()), cases, is_shrinking};
   // A task that crashes in one promise crashes in most promises, and one small input is enough.
   if (std::ranges::any_of(failures(), crashed)) search.max_crashes = 4;
@@ -118,9 +130,19 @@ void expect_near(const std::string& what, pt::Rgb got, pt::Rgb expected, double 
   const pt::Rgb d = got - expected;
   const double off = std::sqrt(d.r * d.r + d.g * d.g + d.b * d.b);
   if (!(off <= tolerance)) {
+    int worst = 0;
+    for (const int channel : {1, 2}) {
+      if (std::abs(d[channel]) > std::abs(d[worst])) worst = channel;
+    }
     fail(what, show(got), fmt::format("{}, give or take {:.2g}", show(expected), tolerance),
-         fmt::format("{:.3g}", off));
+         off_by(got[worst], expected[worst]));
   }
+}
+
+std::string off_by(double got, double expected) {
+  const double off = std::abs(got - expected), ratio = got / expected;
+  return std::isfinite(ratio) ? fmt::format("{:.3g} ({:.4g} times the expected value)", off, ratio)
+                              : fmt::format("{:.3g}", off);
 }
 
 void expect_equal(const std::string& what, long long got, long long expected) {

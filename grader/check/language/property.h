@@ -46,6 +46,9 @@ struct FailedPromise {
 // name.
 void for_all(const std::function<void()>& property, int cases = 100);
 
+// The number of calls of for_all that this promise made so far.
+int checks_of(const std::string& promise);
+
 // From now on, the first failing input is kept and no smaller one is searched. This is for programs
 // that only need to know which promises hold.
 void never_shrink();

@@ -10,6 +10,7 @@
 #include "pt/math/vec3.h"
 #include "pt/scene/camera.h"
 
+#include <array>
 #include <ostream>
 #include <string>
 
@@ -34,6 +35,9 @@ std::string show(const pt::Camera& camera);
 std::string brief(double value);
 std::string brief(pt::Vec3 v);
 std::string brief(pt::Rgb c);
+
+// The channels of an Rgb, in words.
+inline constexpr std::array kChannels{"red", "green", "blue"};
 
 // Writes each value on its own line.
 template <class... Values>

@@ -114,6 +114,7 @@ void enter(const results::TaskResult& found, const GradeRequest& request,
     if (promise.bonus && !promise.failures.empty()) continue;  // known already
     promise.held = each.held;
     promise.seconds += each.seconds;
+    promise.checks = std::max(promise.checks, each.checks);
     for (results::Failure failure : each.failures) {
       failure.replay = replay_command(request, result.slug);
       promise.failures.push_back(failure);

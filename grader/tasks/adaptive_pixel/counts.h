@@ -81,11 +81,33 @@ inline int samples_of(const Answer& answer) {
   return answer.estimate.samples;
 }
 
+// The two sides of the condition after n samples; nothing where n cannot be a number of samples.
+inline std::string condition_after(const Case& c, int n) {
+  if (n < 2 || n > std::ssize(c.seen)) return "";
+  const Statistics s = statistics(c, n);
+  const double sigma = std::sqrt(s.variance * n / (n - 1));
+  const double interval = 1.96 * sigma / std::sqrt(n), limit = c.settings.tolerance * s.mean;
+  return fmt::format(
+      ": after {} the mean is {:.4g} and sigma {:.4g}, so 1.96 sigma / sqrt(n) is {:.4g}, and {} "
+      "tolerance * mean, {:.4g}",
+      n, s.mean, sigma, interval, interval < limit ? "below" : "not below", limit);
+}
+
+// Fails the case with the condition at the first place where a right solution decides otherwise.
+[[noreturn]] inline void fail_count(const std::string& which, const Case& c, int got, int right,
+                                    const std::string& or_else) {
+  fail("", fmt::format("{} samples{}", got, which),
+       fmt::format("{} samples{}{}", right, or_else, condition_after(c, std::min(got, right))));
+}
+
+inline void expect_count(const std::string& which, const Case& c, int got, int right) {
+  if (got != right) fail_count(which, c, got, right, "");
+}
+
 inline void expect_right_count(const Case& c, const Answer& answer) {
   const int n = answer.estimate.samples;
-  expect(may_stop(c, n, true) || may_stop(c, n, false),
-         fmt::format("{} samples (or what dividing by n - 1 gives)", right_count(c)),
-         fmt::format("{} samples", n));
+  if (may_stop(c, n, true) || may_stop(c, n, false)) return;
+  fail_count("", c, n, right_count(c), " (or what dividing by n - 1 gives)");
 }
 
 }  // namespace grader::check::adaptive_pixel_inputs

@@ -90,6 +90,11 @@ void expect_samples_all_around(const rc::Gen<Rgb>& albedos) {
   const Rgb albedo = draw("albedo", albedos);
   const Vec3 wo = draw("wo", above());
   const auto samples = repeat<pt::diffuse_sample>(2000, draw("seed", sampler_seed()), albedo, wo);
+  const std::string wanted = "2000 samples in all directions, steep and flat" +
+                             std::string(is_black(albedo) ? ", of a black surface too" : "");
+  const Vec3 first = samples.at(0).wi;
+  expect(std::ranges::any_of(samples, [&](const auto& s) { return s.wi != first; }), wanted,
+         "all of them along " + show(first));
   std::vector<int> found(16);
   for (const pt::BsdfSample& sample : samples) {
     expect_near("the length of wi", length(sample.wi), 1, kColorPrecision);
@@ -100,7 +105,7 @@ void expect_samples_all_around(const rc::Gen<Rgb>& albedos) {
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     const int from = 45 * static_cast<int>(i / 2) - 180;
-    expect(found[i] > 0, "2000 samples in all directions, steep and flat",
+    expect(found[i] > 0, wanted,
            fmt::format("none {} than 60 degrees from the normal, {} to {} degrees around it",
                        i % 2 == 0 ? "less" : "more", from, from + 45));
   }

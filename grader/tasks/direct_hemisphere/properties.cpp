@@ -138,7 +138,8 @@ PROMISE(direct_hemisphere, reflects_the_albedo) {
         });
         for (int channel = 0; channel < 3; ++channel) {
           s.expected[channel] /= s.point.albedo[channel];
-          s.point.albedo[channel] = *rc::gen::element(0.0, 0.001, 0.5, 0.999, 1.0);
+          s.point.albedo[channel] = draw(fmt::format("but its albedo in {}", kChannels[channel]),
+                                         rc::gen::element(0.0, 0.001, 0.5, 0.999, 1.0));
           s.expected[channel] *= s.point.albedo[channel];
         }
         expect_estimate(s);
@@ -148,7 +149,7 @@ PROMISE(direct_hemisphere, reflects_the_albedo) {
   for_all(
       [] {
         Situation s = *patch_with(lamp);
-        const double part = *magnitude(1e-8, 1e-3);
+        const double part = draw("but its albedo times", magnitude(1e-8, 1e-3));
         s.point.albedo *= part;
         s.expected *= part;
         expect_estimate(s, 16);

@@ -83,6 +83,8 @@ inline void expect_independent_halves(const std::string& what, const std::vector
   const auto sine = [](double x) { return x / std::sqrt(1 + x * x); };
   const double nearest = sine(kLampFrom), farthest = sine(kLampFrom + kLampLength);
   RandomNumbers within(draw("seed of the halves", sampler_seed()));
+  expect(std::ranges::count(is_lit, true) < std::ssize(is_lit),
+         "no light from the half of a lamp that a surface hides", "light from every draw");
   for (const bool by_area : {true, false}) {
     std::vector<NumberPair> pairs;
     for (std::size_t i = 0; i < light.size(); ++i) {
@@ -106,38 +108,58 @@ inline double solid_angle_of(const Rectangle& lamp) {
 
 inline constexpr int kDrawsOfLamps = 1500;
 
+// A lamp, and the same lamp with one half hidden.
+struct OpenAndHidden {
+  Situation open, hidden;
+};
+
+inline void showValue(const OpenAndHidden& both, std::ostream& out) { showValue(both.hidden, out); }
+
+inline rc::Gen<OpenAndHidden> lamp_with_a_hidden_half(const Rectangle& lamp, bool narrow_u) {
+  return rc::gen::exec([=] {
+    const Pose around = *pose();
+    const auto made = [&](bool hides) {
+      SceneMaker maker(around);
+      maker.rectangle(lamp, pt::gray(1), Body::none);
+      if (hides) hide_a_half(maker, lamp, narrow_u);
+      return maker.point(pt::gray(1), {0, 0, 1}).done();
+    };
+    return OpenAndHidden{made(false), made(true)};
+  });
+}
+
 // The same draws with one half of the lamp hidden and with none.
 inline void expect_independent_sides(bool narrow_u) {
-  const Pose around = *pose();
-  const auto seed = draw("seed", sampler_seed());
   const Rectangle lamp = long_lamp(Lamp::along_x, narrow_u);
-  std::vector<Rgb> found[2];
-  for (const bool hides : {false, true}) {
-    SceneMaker maker(around);
-    maker.rectangle(lamp, pt::gray(1), Body::none);
-    if (hides) hide_a_half(maker, lamp, narrow_u);
-    const Situation s = maker.point(pt::gray(1), {0, 0, 1}).done();
-    found[hides] = repeat<pt::direct_lights>(kDrawsOfLamps, seed, s.scene, s.point, 1);
-  }
+  const OpenAndHidden both = *lamp_with_a_hidden_half(lamp, narrow_u);
+  const auto seed = draw("seed", sampler_seed());
+  const auto found = [seed](const Situation& s) {
+    return repeat<pt::direct_lights>(kDrawsOfLamps, seed, s.scene, s.point, 1);
+  };
   std::vector<double> light;
   std::vector<bool> is_lit;
-  for (int i = 0; i < kDrawsOfLamps; ++i) {
-    light.push_back(found[0][i].g);
-    is_lit.push_back(found[1][i].g > 0);
-  }
+  for (const Rgb& one : found(both.open)) light.push_back(one.g);
+  for (const Rgb& one : found(both.hidden)) is_lit.push_back(one.g > 0);
   expect_independent_halves("where the draws of a rectangle are on its two sides", light, is_lit,
                             solid_angle_of(lamp));
 }
 
 // A red lamp, and a green one of which a half is hidden.
+inline rc::Gen<Situation> red_and_green_lamp(const Rectangle& red, bool hidden_first) {
+  return rc::gen::exec([=] {
+    SceneMaker maker(*pose());
+    const Rectangle green = long_lamp(Lamp::along_y, false);
+    if (!hidden_first) maker.rectangle(red, {1, 0, 0}, Body::none);
+    maker.rectangle(green, {0, 1, 0}, Body::none);
+    if (hidden_first) maker.rectangle(red, {1, 0, 0}, Body::none);
+    hide_a_half(maker, green, false);
+    return maker.point(pt::gray(1), {0, 0, 1}).done();
+  });
+}
+
 inline void expect_independent_lights(bool hidden_first) {
-  SceneMaker maker(*pose());
-  const Rectangle red = long_lamp(Lamp::along_x, true), green = long_lamp(Lamp::along_y, false);
-  if (!hidden_first) maker.rectangle(red, {1, 0, 0}, Body::none);
-  maker.rectangle(green, {0, 1, 0}, Body::none);
-  if (hidden_first) maker.rectangle(red, {1, 0, 0}, Body::none);
-  hide_a_half(maker, green, false);
-  const Situation s = maker.point(pt::gray(1), {0, 0, 1}).done();
+  const Rectangle red = long_lamp(Lamp::along_x, true);
+  const Situation s = *red_and_green_lamp(red, hidden_first);
   std::vector<double> light;
   std::vector<bool> is_lit;
   for (const Rgb& one : estimates(s, kDrawsOfLamps, 1)) {

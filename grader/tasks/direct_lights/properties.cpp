@@ -239,7 +239,8 @@ PROMISE(direct_lights, reflects_the_albedo) {
     const bool glows = *rc::gen::arbitrary<bool>();
     Situation s = *white_patch(glows);
     for (int channel = 0; channel < 3; ++channel) {
-      s.point.albedo[channel] = *rc::gen::element(0.0, 0.001, 0.5, 0.999, 1.0);
+      s.point.albedo[channel] = draw(fmt::format("but its albedo in {}", kChannels[channel]),
+                                     rc::gen::element(0.0, 0.001, 0.5, 0.999, 1.0));
       s.expected[channel] *= s.point.albedo[channel];
     }
     expect_always(s, 1);
@@ -248,7 +249,7 @@ PROMISE(direct_lights, reflects_the_albedo) {
   for_all(
       [] {
         Situation s = *white_patch(false);
-        const double part = *magnitude(1e-8, 1e-3);
+        const double part = draw("but its albedo times", magnitude(1e-8, 1e-3));
         s.point.albedo *= part;
         s.expected *= part;
         s.facing *= part;

@@ -22,8 +22,6 @@ constexpr std::array kMany{64, 100, 255, 256, 257, 1000, 1024, 4097};
 // One more than a counter of two bytes can hold.
 constexpr int kMost = 65537;
 
-constexpr std::array kChannels{"red", "green", "blue"};
-
 int some_samples() {
   return draw("samples", rc::gen::oneOf(whole(1, 20), rc::gen::element(1, 2, 3, 16, 17)));
 }
@@ -94,7 +92,9 @@ void expect_inside(const Pixel& p, int samples, const pt::Sampler& sampler) {
   for (const RadianceCall& call : e.calls) {
     const pt::Vec2 at = in_pixel(p, call.ray);
     expect(at.x >= -off.x && at.x <= 1 + off.x && at.y >= -off.y && at.y <= 1 + off.y,
-           fmt::format("a ray through pixel ({}, {})", p.x, p.y),
+           fmt::format(
+               "a ray through pixel ({0}, {1}), which is the square from ({0}, {1}) to ({2}, {3})",
+               p.x, p.y, p.x + 1, p.y + 1),
            fmt::format("one through the point ({:.5g}, {:.5g}) of the picture, counted in pixels",
                        p.x + at.x, p.y + at.y));
   }
@@ -149,7 +149,8 @@ PROMISE(estimate_pixel, covers_the_whole_pixel) {
         [=] {
           const Pixel p = *large_pixel();
           const auto seed = draw("seed", sampler_seed());
-          expect_even(points_of_calls(p, samples, 2047 / samples + 1, seed));
+          const int calls = 2047 / samples + 1;
+          expect_even(points_of_calls(p, samples, calls, seed), calls);
         },
         1);
   }

@@ -88,6 +88,25 @@ inline bool is_missed(pt::Box box, const pt::Ray& ray) {
   return !pt::hit_box(box, longer);
 }
 
+// Says why the ray misses the box: it may only end before it or begin behind it.
+inline std::string how_missed(const std::string& name, const pt::Box& box, const pt::Ray& ray) {
+  const auto on_line = pt::hit_box(box, {ray.origin, ray.direction});
+  if (on_line && on_line->min > ray.t_max) {
+    return "the ray ends at t " + brief(ray.t_max) + ", before " + name + " begins at t " +
+           brief(on_line->min);
+  }
+  if (on_line && on_line->max < ray.t_min) {
+    return "the ray begins at t " + brief(ray.t_min) + ", behind " + name + ", which ends at t " +
+           brief(on_line->max);
+  }
+  return "the ray misses " + name;
+}
+
+inline std::string tests_by(bool any, long long count) {
+  return std::to_string(count) + (count == 1 ? " test" : " tests") +
+         (any ? ", by occluded_bvh" : ", by hit_bvh");
+}
+
 inline void expect_few_tests(const Case& c, const Tested& log) {
   const auto asked = std::ssize(log.triangles) + std::ssize(log.spheres);
   expect(2 * asked < c.primitives.size(),
@@ -106,9 +125,9 @@ inline void expect_only_entered_leaves(const Case& c, bool any) {
       const int primitive = c.bvh.order[i];
       const long long asked = times_asked(log, c.primitives, primitive);
       expect(asked == 0,
-             "no test of primitive " + std::to_string(primitive) +
-                 ": the ray misses the box of its leaf",
-             std::to_string(asked) + (asked == 1 ? " test" : " tests"));
+             "no test of primitive " + std::to_string(primitive) + ": " +
+                 how_missed("the box of its leaf", node.box, c.ray),
+             tests_by(any, asked));
     }
   }
 }
@@ -123,9 +142,9 @@ inline void expect_only_boxes_below_entered_ones(const Case& c, bool any) {
       if (same(box, node.box)) continue;  // the log cannot distinguish them
       const long long asked = times(log.boxes, box);
       expect(asked == 0,
-             "no test of the box of node " + std::to_string(child) +
-                 ": the ray misses the box of its parent, node " + std::to_string(i),
-             std::to_string(asked) + (asked == 1 ? " test" : " tests"));
+             "no test of the box of node " + std::to_string(child) + ": " +
+                 how_missed("the box of its parent, node " + std::to_string(i), node.box, c.ray),
+             tests_by(any, asked));
     }
   }
 }
@@ -138,11 +157,11 @@ inline void expect_no_test_twice(const Case& c, bool any) {
         c.bvh.nodes, [&](const pt::BvhNode& node) { return same(node.box, box); });
     const long long asked = times(log.boxes, box);
     expect(asked <= equal, "at most one test of the box of node " + std::to_string(i),
-           std::to_string(asked));
+           tests_by(any, asked));
   }
   for (int i = 0; i < c.primitives.size(); ++i) {
     const long long asked = times_asked(log, c.primitives, i);
-    expect(asked <= 1, "at most one test of primitive " + std::to_string(i), std::to_string(asked));
+    expect(asked <= 1, "at most one test of primitive " + std::to_string(i), tests_by(any, asked));
   }
 }
 

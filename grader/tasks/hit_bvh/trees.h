@@ -41,15 +41,32 @@ struct Case {
   std::string how;  // how the tree was made
 };
 
+// "leaf of primitives 7, 0 to 4", with the first numbers only if these are many.
+inline void show_leaf(const pt::Bvh& bvh, const pt::BvhNode& leaf, std::ostream& out) {
+  constexpr int kShown = 12;
+  const auto order = [&](int k) { return bvh.order[leaf.first + k]; };
+  out << (leaf.count == 1 ? "leaf of primitive" : "leaf of primitives");
+  for (int k = 0, shown = 0; k < leaf.count; ++k, ++shown) {
+    if (shown == kShown) {
+      out << " and " << leaf.count - k << " more";
+      return;
+    }
+    int last = k;
+    while (last + 1 < leaf.count && order(last + 1) == order(last) + 1) ++last;
+    out << (k == 0 ? " " : ", ") << order(k);
+    if (last < k + 2) continue;
+    out << " to " << order(last);
+    k = last;
+  }
+}
+
 // Shows all nodes of a tree that is small enough to be drawn on paper.
 inline void show_nodes(const pt::Bvh& bvh, std::ostream& out) {
   for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
     const pt::BvhNode& node = bvh.nodes[i];
     out << "\nnode " << i << ": ";
     if (!node.is_leaf()) out << "left " << node.left << ", right " << node.right;
-    for (int k = 0; k < node.count; ++k) {
-      out << (k == 0 ? "leaf of primitive " : ", ") << bvh.order[node.first + k];
-    }
+    if (node.is_leaf()) show_leaf(bvh, node, out);
   }
 }
 

@@ -111,6 +111,36 @@ TEST(Property, shows_a_value_of_several_lines_as_several_inputs) {
   EXPECT_EQ(failure.input, (std::vector<std::string>{"(0, 0, 0)", "(0, 0, 1)"}));
 }
 
+struct Unshown {};
+
+// Nobody could say what a number means that has no name.
+TEST(Property, leaves_out_numbers_without_a_name_and_what_cannot_be_shown) {
+  const results::Failure failure = failure_of([] {
+    const int unnamed = *check::whole(3, 50);
+    const bool flag = *rc::gen::arbitrary<bool>();
+    [[maybe_unused]] const Unshown unshown = *rc::gen::just(Unshown{});
+    const int n = check::draw("n", check::whole(2, 50));
+    check::expect(n < 0 || unnamed < 0 || (flag && n < 0), "less", "more");
+  });
+  EXPECT_EQ(failure.input, std::vector<std::string>{"n: 2"});
+}
+
+TEST(Property, counts_its_checks) {
+  const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  EXPECT_EQ(check::checks_of(name), 0);
+  check::for_all([] {});
+  failure_of([] { check::expect(false, "less", "more"); });
+  EXPECT_EQ(check::checks_of(name), 2);
+}
+
+TEST(Property, says_by_which_factor_a_colour_is_off) {
+  const auto off_by = [](pt::Rgb got, pt::Rgb expected) {
+    return failure_of([&] { check::expect_near("a colour", got, expected, 1e-6); }).off_by;
+  };
+  EXPECT_EQ(off_by({1, 3, 2}, {1, 2, 2}), "1 (1.5 times the expected value)");
+  EXPECT_EQ(off_by({0, 0, 2}, {}), "2");
+}
+
 TEST(Property, fails_on_nan) {
   failure_of([] { check::expect_near("a number", kNan, 0, 1e9); });
   failure_of([] { check::expect_near("a number", 0, kNan, 1e9); });
