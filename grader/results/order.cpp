@@ -19,11 +19,11 @@ using Rank = std::array<int, 6>;
 
 Rank rank_of(const PromiseResult& promise) {
   constexpr int kFirstInputs = 3, kShortLines = 3, kLongLines = 12;
-  // A promise of which few checks fail may be broken only because another one is. Those together with the
-  // submission's other tasks are the same checks once more.
+  // A promise of which half of the checks or fewer fail may be broken only because another one is.
+  // Failures together with the submission's other tasks are those of the same checks once more.
   const auto alone = std::ranges::count(promise.failures, false, &Failure::integrated);
   const auto failing = std::max(alone, std::ssize(promise.failures) - alone);
-  const int few = 2 * failing < promise.checks ? 1 : 0;
+  const int few = promise.checks > 0 && 2 * failing <= promise.checks ? 1 : 0;
   Rank best{promise.bonus ? 1 : 0, 4, 1, 1, 1, 2};
   for (const Failure& failure : promise.failures) {
     const int lines = static_cast<int>(failure.input.size());

@@ -130,7 +130,10 @@ TEST(Property, counts_its_checks) {
   EXPECT_EQ(check::checks_of(name), 0);
   check::for_all([] {});
   failure_of([] { check::expect(false, "less", "more"); });
+  check::once([] {});
   EXPECT_EQ(check::checks_of(name), 2);
+  EXPECT_NONFATAL_FAILURE(check::once([] { check::expect(false, "less", "more"); }), "input");
+  EXPECT_EQ(check::checks_of(name), 3);
 }
 
 TEST(Property, says_by_which_factor_a_colour_is_off) {

@@ -75,20 +75,24 @@ TEST(order, takes_the_best_failure_of_a_promise) {
 
 // Without shadows, few checks of the promise about the sum of lights fail, but nearly all of that about shadows.
 TEST(order, a_promise_that_is_broken_in_few_ways_comes_later) {
-  PromiseResult few = broken("few", failure(Cause::wrong)), half = few, alone = few;
+  PromiseResult few = broken("few", failure(Cause::wrong)), half = few, most = few;
   few.failures.back().input.clear();
   few.checks = 3;
   half.name = "half";
   half.checks = 2;
-  alone.name = "alone";
-  alone.checks = 3;
-  alone.failures.resize(2, alone.failures[0]);
+  half.failures.back().input.clear();
+  most.name = "most";
+  most.checks = 3;
+  most.failures.resize(2, most.failures[0]);
+  PromiseResult only = most;
+  only.name = "only";
+  only.checks = 1;
   PromiseResult together = few;
   together.name = "together";
   together.failures.resize(2, together.failures[0]);
   together.failures[1].integrated = true;
-  EXPECT_THAT(order(failing("a", {few, together, half, alone})),
-              ElementsAre("half", "alone", "few", "together"));
+  EXPECT_THAT(order(failing("a", {few, together, half, most, only})),
+              ElementsAre("most", "only", "few", "together", "half"));
 }
 
 TEST(order, puts_the_most_telling_task_first) {
