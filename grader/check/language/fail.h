@@ -18,7 +18,7 @@ struct CaseFailed {
 [[noreturn]] void fail_statistical(const std::string& what, const std::string& got,
                                    const std::string& expected, const std::string& off_by = "");
 
-// How far a value is off, and by which factor, if there is one: factors like 2 or pi often name the mistake.
+// Says how far a value is off, and by which factor if there is one: factors like 2 or pi often name the mistake.
 std::string off_by(double got, double expected);
 
 // Ends the case because a call gave no answer. `got` says what the call did instead.
