@@ -17,7 +17,15 @@ int rank_of_cause(Cause cause) {
 
 using Rank = std::array<int, 6>;
 
-Rank rank_of(const PromiseResult& promise) {
+// Nearly all promises are broken. Then they have one cause, and the contract begins with the simplest.
+bool is_broken_throughout(const TaskResult& task) {
+  const auto all = std::ranges::count(task.promises, false, &PromiseResult::bonus);
+  const auto broken = std::ranges::count_if(
+      task.promises, [](const PromiseResult& each) { return !each.bonus && !each.held; });
+  return 4 * broken > 3 * all;
+}
+
+Rank rank_of(const PromiseResult& promise, bool broken_throughout) {
   constexpr int kFirstInputs = 3, kShortLines = 3, kLongLines = 12;
   // A promise of which half of the checks or fewer fail may be broken only because another one is.
   // Failures together with the submission's other tasks are those of the same checks once more.
@@ -27,12 +35,12 @@ Rank rank_of(const PromiseResult& promise) {
   Rank best{promise.bonus ? 1 : 0, 4, 1, 1, 1, 2};
   for (const Failure& failure : promise.failures) {
     const int lines = static_cast<int>(failure.input.size());
-    best = std::min(
-        best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause), failure.statistical ? 1 : 0,
-                   few, failure.cases_before > kFirstInputs ? 1 : 0,
-                   lines > kLongLines    ? 2
-                   : lines > kShortLines ? 1
-                                         : 0});
+    best = std::min(best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause),
+                               failure.statistical && !broken_throughout ? 1 : 0, few,
+                               failure.cases_before > kFirstInputs ? 1 : 0,
+                               lines > kLongLines    ? 2
+                               : lines > kShortLines ? 1
+                                                     : 0});
   }
   return best;
 }
@@ -45,7 +53,7 @@ int importance(const TaskResult& task) {
   const auto promises = by_importance(task);
   const bool broken = !promises.empty() && !promises[0]->bonus;
   if (broken && !promises[0]->failures.empty()) {
-    const int cause = rank_of(*promises[0])[1];
+    const int cause = rank_of(*promises[0], false)[1];
     return cause == 0 ? 1 : cause < 3 ? 3 : 4;
   }
   if (!task.compiler_output.empty() || task.state == State::rejected) return 2;
@@ -59,7 +67,9 @@ std::vector<const PromiseResult*> by_importance(const TaskResult& task) {
   }
   std::stable_sort(
       broken.begin(), broken.end(),
-      [](const PromiseResult* a, const PromiseResult* b) { return rank_of(*a) < rank_of(*b); });
+      [throughout = is_broken_throughout(task)](const PromiseResult* a, const PromiseResult* b) {
+        return rank_of(*a, throughout) < rank_of(*b, throughout);
+      });
   return broken;
 }
 

@@ -18,7 +18,9 @@ int importance(const TaskResult& task);
 //   - bonus promises last;
 //   - a crash before an answer that takes too long or makes no sense, and these before wrong
 //   numbers;
-//   - exact answers before means of many draws: one input shows the fault, and no noise is in it;
+//   - exact answers before means of many draws: one input shows the fault, and no noise is in it.
+//     Not if more than three of four promises are broken: then all have one cause;
+//   - a promise of which more than half of the checks fail before others;
 //   - what fails at the first inputs before what fails rarely;
 //   - a short input before a long one;
 //   - the contract's order, which goes from what is basic to what is special.

@@ -60,9 +60,20 @@ TEST(order, puts_the_most_telling_promise_first) {
        broken("rare", failure(Cause::wrong, "2", 90)), broken("basic", failure(Cause::wrong)), kept,
        broken("special", failure(Cause::wrong)), broken("slow", failure(Cause::timeout)),
        broken("odd", failure(Cause::bad_reply)),
-       broken("dead", failure(Cause::crash, "signal 11", 50, 40))});
+       broken("dead", failure(Cause::crash, "signal 11", 50, 40)), kept, kept});
   EXPECT_THAT(order(task), ElementsAre("dead", "slow", "odd", "basic", "special", "long", "rare",
                                        "mean", "bonus"));
+}
+
+// A wrong cosine breaks thirteen promises of fourteen. The simplest, the first, tells more than an exact one.
+TEST(order, begins_with_the_first_promise_if_nearly_all_are_broken) {
+  PromiseResult first = broken("first", failure(Cause::wrong)), kept = broken("kept", {});
+  first.failures[0].statistical = kept.held = true;
+  const PromiseResult exact = broken("exact", failure(Cause::wrong));
+  EXPECT_THAT(order(failing("a", {first, exact, exact, exact, kept})),
+              ElementsAre("first", "exact", "exact", "exact"));
+  EXPECT_THAT(order(failing("a", {first, exact, exact, kept})),
+              ElementsAre("exact", "exact", "first"));
 }
 
 // A promise that fails in several ways is ranked by its most informative failure.
