@@ -1,4 +1,5 @@
-# The implementation `reference`, and `fast` for some of its tasks, come from their sources. In the learners' edition they come from
+# The implementation `reference`, and `fast` for some of its tasks, come from their sources (programs with FAST link `fast`:
+# firstlight_link_tasks in tasks.cmake). In the learners' edition they come from
 # objects that were compiled elsewhere; if these do not fit here, from untouched stubs, so that all programs link. Sets
 # FIRSTLIGHT_REFERENCE to sources, objects or stubs, and FIRSTLIGHT_NO_REFERENCE to the reason for stubs, as the end of a sentence.
 

@@ -8,6 +8,8 @@
 #include <functional>
 #include <vector>
 
+// Measures what a way to follow light needs for an error. model.h defines the error, relMSE.
+
 namespace measure::scene {
 
 inline constexpr double kSignificant = 4;  // standard errors

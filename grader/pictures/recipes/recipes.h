@@ -17,8 +17,9 @@
 namespace grader::pictures {
 
 // One picture: its scene, camera, settings, and the tasks that it judges. The number of samples per
-// pixel is not part of it, unless it is adaptive: the caller of the renderer chooses it. Goldens
-// and verdicts take at least two at a time, so that all go through random points of the pixel.
+// pixel is not part of it, unless it is adaptive: the caller of the renderer chooses it (for goldens,
+// usual_effort in make_golden.h). Goldens and verdicts take at least two at a time, so that all go
+// through random points of the pixel.
 struct Recipe {
   std::string name;             // also of its files in golden/: lower case, digits and underscores
   std::string title;            // its content, for a person

@@ -52,7 +52,7 @@ const XMLElement* mesh_around(const XMLElement& element) {
 }
 
 // The up axis and the unit that an <asset> states, with their defaults.
-std::pair<std::string, double> settings(const XMLElement* asset) {
+std::pair<std::string, double> stated_axis_and_unit(const XMLElement* asset) {
   const XMLElement* axis = find_below(asset, {"up_axis"});
   const XMLElement* unit = find_below(asset, {"unit"});
   return {std::string(axis ? trimmed_text(*axis) : "Y_UP"),
@@ -199,7 +199,9 @@ void ColladaDocument::note_on_the_whole() const {
   for (const XMLElement* asset : assets_) {
     const bool states_some =
         asset->FirstChildElement("up_axis") || asset->FirstChildElement("unit");
-    if (!states_some || settings(asset) == settings(root_->FirstChildElement("asset"))) continue;
+    if (!states_some ||
+        stated_axis_and_unit(asset) == stated_axis_and_unit(root_->FirstChildElement("asset")))
+      continue;
     note("the <asset> of a <" + std::string(asset->Parent()->Value()) +
          "> states its own up_axis or unit (line " + std::to_string(asset->GetLineNum()) +
          "), which is ignored.");

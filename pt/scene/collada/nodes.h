@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+// The visual scene of a file as a list, turned so that y is up (<up_axis>). <unit> changes nothing: a scene has the file's unit.
+
 namespace pt {
 
 // One <instance_...> of the visual scene, the geometry, light or camera that it names, and its
