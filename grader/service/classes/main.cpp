@@ -123,9 +123,12 @@ ClassPlan planned(ClassOptions& options, const build::Config& config,
   return plan;
 }
 
-// Prints the plan's seed, and the files that the plan leaves out.
-void print_plan(const ClassPlan& plan) {
+void print_seed(const ClassPlan& plan) {
   fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
+}
+
+// Prints the files that the plan leaves out.
+void print_unclaimed(const ClassPlan& plan) {
   const std::vector<std::string>& files = plan.unclaimed;
   if (files.empty()) return;
   fmt::print("{} in the class {}: {}\n",
@@ -142,7 +145,8 @@ int grade_all(ClassOptions options, const std::vector<std::string>& words) {
   report::StatusLine line;
   const build::Config config = build::load_config(config_of(options));
   const ClassPlan plan = planned(options, config, words, line);
-  print_plan(plan);
+  print_seed(plan);
+  print_unclaimed(plan);
   EngineRequest& engine = options.engine;
   if (engine.engine == Engine::local && engine.jobs == 0) engine.jobs = processors();
   const int threads = std::max(1, processors() / std::max(1, engine.jobs));
@@ -175,7 +179,8 @@ int grade_all(ClassOptions options, const std::vector<std::string>& words) {
 int make_plan_only(ClassOptions options, const std::vector<std::string>& words) {
   report::StatusLine line;
   const ClassPlan plan = planned(options, build::load_config(config_of(options)), words, line);
-  print_plan(plan);
+  print_seed(plan);
+  print_unclaimed(plan);
   fmt::print("{} submissions in {} chunks: ./run grade-class chunk {} NUMBER, from 1 to {}\n",
              plan.everybody.size(), plan.chunks.size(), options.plan.out, plan.chunks.size());
   return 0;
@@ -221,9 +226,10 @@ int collect(const ClassOptions& options) {
     judged += graded.problem.empty() ? 1 : 0;
     collector.add(i, graded);
   }
+  print_unclaimed(plan);
   fmt::print("{} of {} submissions are judged\n", judged, plan.everybody.size());
   print_files(collector, collector.write());
-  return judged == plan.everybody.size() ? 0 : 2;
+  return judged == plan.everybody.size() && !plan.work_is_unclaimed ? 0 : 2;
 }
 
 }  // namespace

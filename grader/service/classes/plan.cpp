@@ -130,7 +130,7 @@ json to_json(const intake::HandedIn& by) {
 
 // The file, and the members of the plan in it, that tell who is who in an anonymous class.
 constexpr const char* kNames = "/plan.names";
-constexpr std::array kOfAll{"real_names", "former_names"};
+constexpr std::array kOfAll{"real_names", "former_names", "unclaimed"};
 constexpr std::array kOfEach{"id", "feedback"};
 
 // Takes these members out of the plan.
@@ -245,10 +245,13 @@ void write_plan(const ClassPlan& plan, const std::string& out) {
            {"chunks", plan.chunks},
            {"everybody", json::array()},
            {"real_names", json::array()},
-           {"former_names", json::array()}};
+           {"former_names", json::array()},
+           {"unclaimed", json::array()},
+           {"work_is_unclaimed", plan.work_is_unclaimed}};
   for (const intake::HandedIn& by : plan.everybody) all["everybody"].push_back(to_json(by));
   for (const std::string& name : plan.real_names) all["real_names"].push_back(text_json(name));
   for (const std::string& name : plan.former_names) all["former_names"].push_back(text_json(name));
+  for (const std::string& name : plan.unclaimed) all["unclaimed"].push_back(text_json(name));
   if (!plan.salt.empty()) pt::write_file(out + kNames, taken_out(all).dump(1) + "\n");
   pt::write_file(out + "/plan.json", all.dump(1) + "\n");
 }
@@ -277,6 +280,8 @@ ClassPlan read_plan(const std::string& out) {
     for (const json& by : all.at("everybody")) plan.everybody.push_back(handed_in_from(by));
     for (const json& name : all.at("real_names")) plan.real_names.push_back(text_from(name));
     for (const json& name : all.at("former_names")) plan.former_names.push_back(text_from(name));
+    for (const json& name : all.at("unclaimed")) plan.unclaimed.push_back(text_from(name));
+    plan.work_is_unclaimed = all.at("work_is_unclaimed").get<bool>();
     check_plan(plan);
     return plan;
   } catch (const std::exception& error) {

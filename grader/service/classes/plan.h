@@ -33,9 +33,8 @@ struct ClassPlan {
   std::vector<std::string> real_names;      // of everybody, if the class is anonymous; else empty
   std::vector<std::string> former_names{};  // of everybody, in `former`; empty for newcomers
   std::vector<Chunk> chunks;                // of all submissions that can be judged
-  // Not written to the plan's file:
-  std::vector<std::string> unclaimed;  // files without an owner
-  bool work_is_unclaimed = false;      // some of them may be somebody's work
+  std::vector<std::string> unclaimed;       // files without an owner
+  bool work_is_unclaimed = false;           // some of them may be somebody's work
 };
 
 struct PlanRequest {

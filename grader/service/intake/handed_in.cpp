@@ -106,10 +106,12 @@ class Intake {
       if (entries.size() != 1 || !is_folder(entries[0])) return folder;
       const fs::path& inner = entries[0].path();
       if (labels_of(entries).of(inner.filename())) return folder;
-      const bool is_class = holds_several(inner, tools_.tasks);
-      if (is_submission(inner, tools_.tasks) && !is_class) return only_submission(folder, inner);
       const std::vector<fs::directory_entry> inside = entries_of(inner);
-      if (inside.empty() || (inside.size() == 1 && !is_folder(inside[0]))) return folder;
+      const bool has_one = inside.size() == 1;
+      const bool of_platform = has_one && labels_of(inside).of(inside[0].path().filename());
+      const bool is_class = of_platform || holds_several(inner, tools_.tasks);
+      if (is_submission(inner, tools_.tasks) && !is_class) return only_submission(folder, inner);
+      if (inside.empty() || (has_one && !is_folder(inside[0]) && !is_class)) return folder;
       folder = inner;
     }
     return folder;
@@ -182,7 +184,8 @@ class Intake {
 
   void add_unclaimed(const std::string& name) {
     result_.unclaimed.push_back(name);
-    result_.work_is_unclaimed = result_.work_is_unclaimed || is_source(name) || is_packed(name);
+    result_.work_is_unclaimed = result_.work_is_unclaimed || is_source(name) || is_packed(name) ||
+                                !named_task(name, tools_.tasks).empty();
   }
 
   void add_prepared(const HandedIn& by) {

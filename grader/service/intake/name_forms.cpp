@@ -14,6 +14,7 @@ namespace grader::intake {
 namespace {
 
 constexpr std::size_t kMaxDigits = 20;
+constexpr std::size_t kMaxDigitsOfFile = 12;  // Canvas: users of another school have more
 
 // The digits at a place of a text; empty if there are none, or too many for a number.
 std::string digits_at(std::string_view text, std::size_t at) {
@@ -44,7 +45,9 @@ Found canvas_at(const std::string& name, std::size_t at) {
   if (label.text) return label;
   const std::string number = digits_at(name, at);
   at += number.size() + 1;
-  if (number.empty() || at >= name.size() || name[at - 1] != '_') return {};
+  if (number.empty() || number.size() > kMaxDigitsOfFile || at >= name.size() ||
+      name[at - 1] != '_')
+    return {};
   label.order = padded(number);
   label.file = name.substr(at);
   return label;

@@ -178,7 +178,7 @@ Work settle(const fs::path& folder, const IntakeTools& tools, int depth) {
   } else if (work.files.empty() && archives.empty()) {
     work = {folder, {}, nothing_found(tree, tools.tasks), true, {}};
   } else if (work.files.empty() && archives.size() == 1) {
-    return unpack_at(archives[0], tools, depth);
+    work = unpack_at(archives[0], tools, depth);
   } else if (work.files.empty()) {
     work = {folder, {}, several + "; keep one", false, {}};
   } else if (archives.size() == 1) {
@@ -186,6 +186,8 @@ Work settle(const fs::path& folder, const IntakeTools& tools, int depth) {
   } else if (archives.size() > 1) {
     work.notes.push_back(several + ", of which none is read, as there are files beside them");
   }
+  const std::vector<std::string> others = notes_on_others(tree, folder, work.files, tools.tasks);
+  work.notes.insert(work.notes.end(), others.begin(), others.end());
   return work;
 }
 

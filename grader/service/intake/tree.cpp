@@ -135,7 +135,8 @@ std::string numbered_twice(const fs::path& folder, const std::vector<TaskFile>& 
     const std::string name = entry.path().filename();
     const Meant meant = meant_task(name, tasks);
     const bool second = meant && !found.insert(meant.slug).second;
-    if (meant && name.find('(') != name.npos) numbered.insert(meant.slug);
+    const bool is_copy = name.find('(') != name.npos || lower_case(name).starts_with("copy of ");
+    if (meant && is_copy) numbered.insert(meant.slug);
     if (second && numbered.contains(meant.slug)) return meant.slug;
   }
   return "";
@@ -147,7 +148,8 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 }
 
 Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks) {
-  static const std::regex nearly(R"((.+?)(?:[ _]?\(\d+\)|-\d+|[ _-]*copy)?\.cpp(?:\.txt)?)");
+  static const std::regex nearly(
+      R"((?:copy of )*(.+?)(?:[ _]?\(\d+\)|-\d+|[ _-]*copy)?\.cpp(?:\.txt)?)");
   const std::string small = lower_case(name);
   std::smatch found;
   if (name.size() > 255 || !std::regex_match(small, found, nearly)) return {};
@@ -156,6 +158,14 @@ Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks) {
     if (without_marks(task.slug) == stem) return {task.slug, name == task.slug + ".cpp"};
   }
   return {};
+}
+
+std::string named_task(const std::string& name, const std::vector<TaskFile>& tasks) {
+  const std::string letters = without_marks(lower_case(name));
+  const auto task = std::ranges::find_if(tasks, [&](const TaskFile& each) {
+    return letters.find(without_marks(each.slug)) != letters.npos;
+  });
+  return task == tasks.end() ? "" : task->slug;
 }
 
 Tree look_inside(const fs::path& given, const std::vector<TaskFile>& tasks) {
@@ -184,6 +194,23 @@ Tree look_inside(const fs::path& given, const std::vector<TaskFile>& tasks) {
   }
   if (!stays) tree.root.clear();
   return tree;
+}
+
+std::vector<std::string> notes_on_others(const Tree& tree, const fs::path& folder,
+                                         const std::map<std::string, fs::path>& files,
+                                         const std::vector<TaskFile>& tasks) {
+  std::vector<std::string> notes;
+  for (const fs::path& other : tree.others) {
+    const std::string name = other.filename(), slug = named_task(name, tasks);
+    if (is_packed(name)) {
+      notes.push_back(
+          fmt::format("'{}' cannot be unpacked here, and does not count", shown(other, folder)));
+    } else if (!slug.empty() && (is_source(name) || !files.contains(slug))) {
+      notes.push_back(fmt::format("'{}' does not count, as it is not named {}.cpp",
+                                  shown(other, folder), slug));
+    }
+  }
+  return notes;
 }
 
 bool is_submission(const fs::path& folder, const std::vector<TaskFile>& tasks) {

@@ -23,6 +23,10 @@ struct Meant {
 };
 Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks);
 
+// The task whose name is in a file's name, which need not be a task file: "hit_box_final.cpp",
+// "hit_box.cc"; else empty.
+std::string named_task(const std::string& name, const std::vector<TaskFile>& tasks);
+
 // The task files of a folder.
 struct Tree {
   // The folder in which the judge finds all task files; empty: they have to be copied.
@@ -37,6 +41,11 @@ struct Tree {
 // project except `student`. Throws std::filesystem::filesystem_error if a folder cannot be read.
 Tree look_inside(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
 
+// Sentences about other files that somebody may have meant to count. `files` are those that count.
+std::vector<std::string> notes_on_others(const Tree& tree, const std::filesystem::path& folder,
+                                         const std::map<std::string, std::filesystem::path>& files,
+                                         const std::vector<TaskFile>& tasks);
+
 // Returns whether it is one submission, judged by its top files and folders (below single folders).
 bool is_submission(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
 
@@ -44,7 +53,7 @@ bool is_submission(const std::filesystem::path& folder, const std::vector<TaskFi
 // submission, even with a task file or a repository at the top.
 bool holds_several(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
 
-// The first task of which there is a file and a numbered copy ("hit_box (1).cpp") in this folder:
+// The first task of which there is a file and a copy ("hit_box (1).cpp", "Copy of hit_box.cpp") here:
 // where names of learners are lost, they are files of several learners. Empty: none.
 std::string numbered_twice(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
 

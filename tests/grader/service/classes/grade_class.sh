@@ -271,6 +271,10 @@ says 0 '1 file in the class belongs to nobody: notes.txt'
 # A file that may be somebody's work is not passed over. Which of two files counts, and who has the same files, is said.
 cp reference/1_rays/hit_sphere.cpp "$folder/class/hit_sphere.cpp"
 says 2 '2 files in the class belong to nobody: hit_sphere.cpp, notes.txt'
+status=0
+"$program" collect "$folder/class-graded" >"$folder/said" 2>&1 || status=$?
+[ "$status" -eq 2 ] && grep -q '2 files in the class belong to nobody: hit_sphere.cpp' "$folder/said" ||
+  complain "collect passes over a file that may be work: $status, $(cat "$folder/said")"
 rm "$folder/class/hit_sphere.cpp"
 mkdir -p "$folder/class/"{bob,cy/old,stub,stub2}
 cp reference/1_rays/hit_sphere.cpp "$folder/class/bob"

@@ -198,6 +198,10 @@ TEST(labels, are_read_in_every_form_of_every_platform) {
       {"team_7_123_900_work.zip", "team_7", "123", "work.zip"},
       {"team_7_LATE_123_900_hit_box.cpp", "team_7", "123", "hit_box.cpp", true},
       {"7_8_123_900_work.zip", "7_8", "123", "work.zip"},
+      // A user of another school has an ID of more digits than a file's number.
+      {"ada_10000000000123_900_work.zip", "ada", "10000000000123", "work.zip"},
+      {"team_7_10000000000123_900_work.zip", "team_7", "10000000000123", "work.zip"},
+      {"team_7_10000000000123_text.html", "team_7", "10000000000123", "text.html"},
       {"bob__123_900_work.zip", "bob_", "123", "work.zip"},
       {"ada_123_900_1_rays.zip", "ada", "123", "1_rays.zip"},
       {"ada_123_900_2_3_rays.zip", "ada", "123", "2_3_rays.zip"},
@@ -453,7 +457,8 @@ TEST_F(Intake, files_that_are_not_read_have_a_reason) {
 }
 
 TEST_F(Intake, files_of_learners_without_names_are_refused) {
-  for (const char* second : {"hit_box(1).cpp", "hit_box (2).cpp", "Hit_Box(1).cpp"}) {
+  for (const char* second : {"hit_box(1).cpp", "hit_box (2).cpp", "Hit_Box(1).cpp",
+                             "Copy of hit_box.cpp", "Copy of Copy of hit_box.cpp"}) {
     fs::remove_all(in());
     add("HW1/hit_box.cpp", "a");
     add(std::string("HW1/") + second, "b");

@@ -62,7 +62,8 @@ TEST_F(Intake, files_of_nobody_may_be_work) {
   add("index.html", "of the platform");
   seen();
   EXPECT_FALSE(work_is_unclaimed_);
-  for (const char* name : {"hit_box.cpp", "hit_box.cpp.txt", "main.CPP"}) {
+  for (const char* name :
+       {"hit_box.cpp", "hit_box.cpp.txt", "main.CPP", "hit_box.cc", "HitBox final"}) {
     add(name, "?");
     seen();
     EXPECT_TRUE(work_is_unclaimed_) << name;
@@ -74,6 +75,19 @@ TEST_F(Intake, folders_around_everything_are_entered) {
   add("export/handed in/ada/hit_box.cpp", "a");
   add("export/handed in/bob/student/1_rays/hit_box.cpp", "b");
   EXPECT_EQ(seen().size(), 2U);
+}
+
+TEST_F(Intake, a_folder_around_one_learner_is_not_the_learner) {
+  for (const std::string name : {"Ada_7_assignsubmission_file_/hit_box.cpp",
+                                 "Ada_7_900_hit_box.cpp", "Ada_7_900_work.zip"}) {
+    fs::remove_all(in());
+    add("export/" + name,
+        name.ends_with(".zip") ? archive_of({{"hit_box.cpp", "a"}}) : std::string("a"));
+    auto all = seen();
+    ASSERT_EQ(all.size(), 1U) << name;
+    EXPECT_EQ(all["Ada"].id, "7") << name;
+    EXPECT_EQ(all["Ada"].judged, (Files{{"hit_box", "a"}})) << name;
+  }
 }
 
 // An example to hand in, or a class that is a repository, does not make everything one submission.
@@ -174,6 +188,34 @@ TEST_F(Intake, what_counts_of_several_files_is_said) {
       all["di"].note,
       HasSubstr("it holds 2 archives, '1.zip' and '2.zip' among them, of which none is read"));
   EXPECT_EQ(all["eve"].note, "");
+}
+
+TEST_F(Intake, a_file_that_does_not_count_is_named) {
+  const std::string box = "hit_box.cpp", other = "' does not count, as it is not named hit_";
+  const std::vector<std::pair<std::string, std::string>> notes{
+      {"hit_box_final.cpp", "'hit_box_final.cpp" + other + "box.cpp"},
+      {"a/Hit_Sphere v2.cpp", "'a/Hit_Sphere v2.cpp" + other + "sphere.cpp"},
+      {"hit_sphere.cc", "'hit_sphere.cc" + other + "sphere.cpp"},
+      {"hit_sphere.txt", "'hit_sphere.txt" + other + "sphere.cpp"},
+      {"hit_sphere", "'hit_sphere" + other + "sphere.cpp"},
+      {"Copy of hit_box.cpp", "'hit_box.cpp' counts, and not 'Copy of hit_box.cpp', which differs"},
+      {"rest.lz", "'rest.lz' cannot be unpacked here, and does not count"},
+      {"hit_box.png", ""},
+      {"main.cpp", ""}};
+  for (const auto& [name, note] : notes) {
+    fs::remove_all(in());
+    for (const std::string ada : {"ada/", "bob/"}) add(ada + box, "b");
+    add("ada/" + name, "?");
+    add("cy.zip", archive_of({{box, "b"}, {name, "?"}}));
+    add("di/work.zip", archive_of({{box, "b"}}));
+    add("di/" + name, "?");
+    auto all = seen();
+    EXPECT_EQ(all["ada"].note, note);
+    EXPECT_EQ(all["cy"].note, note);
+    if (!name.starts_with("Copy"))
+      EXPECT_EQ(all["di"].note, note);  // else a file beside an archive
+    for (const char* who : {"ada", "bob", "cy", "di"}) EXPECT_EQ(all[who].problem, "") << name;
+  }
 }
 
 // The judge sees what is wrong with a file of nearly the right name, as it would in its right place.
