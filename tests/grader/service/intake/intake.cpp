@@ -1,6 +1,8 @@
 #include "tests/grader/service/intake/intake.h"
 
 #include "grader/base/files.h"
+#include "grader/service/intake/file_name.h"
+#include "grader/service/intake/prepare_submission.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
@@ -50,6 +52,21 @@ std::string archive_of(const std::vector<Entry>& entries, Format format) {
   return bytes;
 }
 
+namespace {
+
+// What the judge reads in a submission, by task, or why it rejects it.
+Files judged_in(const fs::path& folder) {
+  Files judged;
+  for (const TaskFile& task : kTasks) {
+    const std::string root = base::submission_root(folder);
+    const base::Submitted read = base::read_submitted(root, task.part, task.slug);
+    if (read.present) judged[task.slug] = read.rejected.empty() ? read.text : read.rejected;
+  }
+  return judged;
+}
+
+}  // namespace
+
 void Intake::SetUp() {
   std::setlocale(LC_ALL, "C.UTF-8");
   fs::create_directories(in());
@@ -61,8 +78,8 @@ void Intake::add(const std::string& path, const std::string& text) const {
 }
 
 std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
-  const auto unpack_here = [this](const std::string& archive, const std::string& folder,
-                                  Extent extent) {
+  const Unpack unpack_here = [this](const std::string& archive, const std::string& folder,
+                                    Extent extent) {
     try {
       unpack(archive, folder, extent, limits_);
       return std::string();
@@ -83,15 +100,38 @@ std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
         one.files[fs::relative(file.path(), each.folder)] = pt::read_file(file.path(), 10000);
       }
     }
-    for (const TaskFile& task : kTasks) {
-      if (!each.problem.empty()) break;
-      const std::string root = base::submission_root(each.folder);
-      const base::Submitted read = base::read_submitted(root, task.part, task.slug);
-      if (read.present) one.judged[task.slug] = read.rejected.empty() ? read.text : read.rejected;
-    }
+    if (each.problem.empty()) one.judged = judged_in(each.folder);
     EXPECT_TRUE(all.emplace(each.name, one).second) << each.name << " twice";
   }
+  if (fs::is_directory(input)) expect_the_same_at_the_other_doors(input, all, unpack_here);
   return all;
+}
+
+// ./run grade takes a folder or an archive, and the autograder of a platform a folder with it.
+void Intake::expect_the_same_at_the_other_doors(const fs::path& input,
+                                                const std::map<std::string, Seen>& all,
+                                                const Unpack& unpack) const {
+  int folders = 0;
+  const auto next = [&] { return fs::path(folder_.path()) / "doors" / std::to_string(++folders); };
+  for (const auto& entry : fs::directory_iterator(input)) {
+    const fs::path& path = entry.path();
+    const auto row = all.find(entry.is_directory() ? path.filename() : path.stem());
+    const bool is_work = entry.is_directory() || is_archive(path.filename());
+    if (!is_work || entry.is_symlink() || row == all.end() || row->second.id != "") continue;
+    std::vector<fs::path> doors{path};
+    if (!entry.is_directory()) {
+      doors.push_back(next());
+      fs::create_directories(doors[1]);
+      fs::copy_file(path, doors[1] / path.filename());
+    }
+    for (const fs::path& door : doors) {
+      const Prepared taken = prepare_submission("it", door, {kTasks, unpack, next});
+      EXPECT_EQ(taken.problem, row->second.problem) << door;
+      EXPECT_EQ(taken.note, row->second.note) << door;
+      if (taken.problem.empty()) EXPECT_EQ(judged_in(taken.folder), row->second.judged) << door;
+    }
+  }
+  fs::remove_all(fs::path(folder_.path()) / "doors");
 }
 
 }  // namespace grader::intake

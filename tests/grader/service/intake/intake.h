@@ -59,6 +59,7 @@ class Intake : public testing::Test {
     std::map<std::string, std::string>
         judged{};  // what the judge reads, by task, or why it rejects it
   };
+  // It also expects that each folder and archive of a learner gives the same without its class.
   std::map<std::string, Seen> seen(const std::filesystem::path& input) const;
   std::map<std::string, Seen> seen() const { return seen(in()); }
 
@@ -66,6 +67,11 @@ class Intake : public testing::Test {
   Limits limits_;
   mutable std::vector<std::string> unclaimed_;  // of the last call
   mutable bool work_is_unclaimed_ = false;
+
+ private:
+  void expect_the_same_at_the_other_doors(const std::filesystem::path& input,
+                                          const std::map<std::string, Seen>& all,
+                                          const Unpack& unpack) const;
 };
 
 }  // namespace grader::intake

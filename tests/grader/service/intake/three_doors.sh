@@ -58,6 +58,7 @@ forms = {
     "large": {"hit_sphere.cpp": sphere, "Hit_Box.cpp": b" " * (1 << 20) + b"1"},
     "nothing": {"report.pdf": b"?"},
     "rar": {"work.lz": b"?"},
+    "named otherwise": {"hit_sphere.cpp": sphere, "hit_box_final.cpp": box, "rest.lz": b"?"},
 }
 for form, files in forms.items():
     for name, text in files.items():
@@ -101,7 +102,7 @@ done
 python3 - "$folder" <<'END' || complain 'the doors differ'
 import csv, json, sys, xml.etree.ElementTree
 rows = {row["submission"]: row for row in csv.DictReader(open(sys.argv[1] + "/class-graded/class.csv", encoding="utf-8-sig"))}
-assert len(rows) == 22, rows.keys()
+assert len(rows) == 23, rows.keys()
 for name, row in rows.items():
     results = json.load(open(f"{sys.argv[1]}/grade/{name}.json"))
     scope = json.load(open(f"{sys.argv[1]}/grade/{name}.scope"))
@@ -122,7 +123,10 @@ for name in ("rest", "numbered", "outer", "nothing", "broken"):
     tasks = json.load(open(f"{sys.argv[1]}/grade/{name}.json"))["tasks"]
     points = {task["slug"]: task["points"] + task["bonus_points"] for task in tasks}
     learn = json.load(open(folder + "results/results.json"))
-    assert {test["name"].split()[1]: test["points"] for test in learn["tests"]} == points, (name, learn)
+    in_tests = {test["name"].split()[-1]: test["points"] for test in learn["tests"]}
+    bonus = sum(task["bonus_points"] for task in tasks)
+    assert in_tests.pop("bonus", 0) == bonus, (name, learn)
+    assert in_tests == {task["slug"]: task["points"] for task in tasks}, (name, learn)
     most = sum(task["max_points"] for task in tasks)
     assert learn["gradable"] and abs(learn["score"] - min(1, sum(points.values()) / most)) < 1e-9, (name, learn)
     assert json.loads(open(folder + "autolab").read().splitlines()[-1]) == {"scores": points}, name
