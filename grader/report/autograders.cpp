@@ -151,11 +151,16 @@ std::string to_prairielearn(const results::Results& raw) {
   ordered_json tests = ordered_json::array();
   for (const results::TaskResult& task : results.tasks) {
     tests.push_back({{"name", task.number + " " + task.slug},
-                     {"points", task.points + task.bonus_points},
+                     {"points", task.points},
                      {"max_points", task.max_points},
                      {"output", short_output_of(task)}});
   }
   const results::Totals all = results::totals(results.tasks);
+  // PrairieLearn shows a test as wrong if it has more points than its maximum.
+  if (all.bonus_points > 0) {
+    tests.push_back(
+        {{"name", "bonus"}, {"points", all.bonus_points}, {"max_points", all.bonus_points}});
+  }
   const double share = (all.points + all.bonus_points) / std::max(1.0, 1.0 * all.max_points);
   const ordered_json whole{{"gradable", true},
                            {"score", std::min(1.0, share)},

@@ -192,8 +192,9 @@ std::vector<std::string> Collector::write() {
 std::string Collector::moodle_table(const std::vector<platforms::GradeRow>& rows) {
   if (plan_.worksheet.empty()) {
     remarks_.emplace_back(
-        "moodle.csv goes by the numbers in the names of the files; where groups hand in, these "
-        "are not the participants': write --worksheet and Moodle's grading worksheet");
+        "moodle.csv and feedback.zip go by the numbers in the names of the files; where groups "
+        "hand in, these are not the participants': write --worksheet and Moodle's grading "
+        "worksheet");
     return platforms::moodle_csv(rows, max_points_);
   }
   platforms::Worksheet::Filled filled =
@@ -212,9 +213,24 @@ std::string Collector::moodle_table(const std::vector<platforms::GradeRow>& rows
   return filled.text;
 }
 
+// The paths under which learners get their pages, if Moodle's worksheet tells who is who.
+std::map<std::string, std::vector<std::string>> Collector::pages_of_moodle() const {
+  std::vector<platforms::GradeRow> rows;
+  std::map<std::string, std::string> paths;
+  for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
+    if (plan_.everybody[i].platform != intake::Platform::moodle) continue;
+    rows.push_back(for_platforms_[i]);
+    paths[rows.back().name] = plan_.everybody[i].feedback;
+  }
+  return platforms::read_worksheet(plan_.worksheet)
+      .pages(rows, [&](const platforms::GradeRow& row) { return paths.at(row.name); });
+}
+
 std::vector<std::string> Collector::write_returns() {
   std::vector<platforms::GradeRow> canvas, moodle, gradescope;
   std::vector<intake::Packed> pages;
+  const bool knows_groups = !plan_.worksheet.empty();
+  const auto of_moodle = knows_groups ? pages_of_moodle() : decltype(pages_of_moodle())();
   for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
     const intake::HandedIn& by = plan_.everybody[i];
     const platforms::GradeRow& row = for_platforms_[i];
@@ -222,8 +238,14 @@ std::vector<std::string> Collector::write_returns() {
     if (by.platform == intake::Platform::moodle) moodle.push_back(row);
     const bool listed = by.platform == intake::Platform::gradescope;
     if (listed) gradescope.push_back(row);
-    const std::string page = listed ? row.name + ".html" : by.feedback;
-    if (row.judged && !page.empty()) pages.push_back({page, out_ + "/" + by.name + ".html"});
+    std::vector<std::string> paths{listed ? row.name + ".html" : by.feedback};
+    if (by.platform == intake::Platform::moodle && knows_groups) {
+      const auto found = of_moodle.find(row.name);
+      paths = found == of_moodle.end() ? std::vector<std::string>() : found->second;
+    }
+    for (const std::string& path : paths) {
+      if (row.judged && !path.empty()) pages.push_back({path, out_ + "/" + by.name + ".html"});
+    }
   }
   std::vector<std::string> written;
   const auto write_text = [&](const std::string& name, const std::string& text) {

@@ -46,6 +46,7 @@ class Collector {
   void add_files(const Graded& graded);
   void write_table();
   std::vector<std::string> write_returns();
+  std::map<std::string, std::vector<std::string>> pages_of_moodle() const;
   std::string moodle_table(const std::vector<platforms::GradeRow>& rows);
 
   const build::Config& config_;

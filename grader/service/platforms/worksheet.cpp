@@ -128,27 +128,49 @@ bool Worksheet::is_of(const GradeRow& learner, const CsvRow& row) const {
          plain(learner.name).ends_with(plain(row.cells[name_].value));
 }
 
-Worksheet::Filled Worksheet::filled(const std::vector<GradeRow>& rows, int max_points) const {
+std::vector<Worksheet::Match> Worksheet::matches(const std::vector<GradeRow>& rows) const {
   std::map<std::string, const GradeRow*> learners, groups;
-  std::set<const GradeRow*> strays;
   for (const GradeRow& row : rows) {
     if (!row.id.empty()) learners[row.id] = &row;
     groups[plain(row.name)] = &row;
-    strays.insert(&row);
   }
-  Filled filled;
-  std::size_t copied = 0;
-  const auto put = [&](const CsvCell& cell, const std::string& value) {
-    filled.text += text_.substr(copied, cell.at - copied) + value;
-    copied = cell.at + cell.size;
-  };
+  std::vector<Match> all;
   for (std::size_t i = 1; i < table_.rows.size(); ++i) {
     const CsvRow& row = table_.rows[i];
     const auto found = learners.find(number_of(row.cells[identifier_]));
     const auto group = group_ == kNone ? groups.end() : groups.find(plain(row.cells[group_].value));
     const bool alone = found != learners.end() && is_of(*found->second, row);
     if (!alone && (group == groups.end() || group->first.empty())) continue;
-    const GradeRow& learner = alone ? *found->second : *group->second;
+    all.push_back({&row, alone ? found->second : group->second, alone});
+  }
+  return all;
+}
+
+std::map<std::string, std::vector<std::string>> Worksheet::pages(
+    const std::vector<GradeRow>& rows,
+    const std::function<std::string(const GradeRow&)>& path_of) const {
+  std::map<std::string, std::vector<std::string>> all;
+  for (const Match& match : matches(rows)) {
+    const std::string number = number_of(match.row->cells[identifier_]);
+    all[match.learner->name].push_back(
+        match.alone ? path_of(*match.learner)
+                    : fmt::format("Participant_{}_assignsubmission_file_/report.html", number));
+  }
+  return all;
+}
+
+Worksheet::Filled Worksheet::filled(const std::vector<GradeRow>& rows, int max_points) const {
+  std::set<const GradeRow*> strays;
+  for (const GradeRow& row : rows) strays.insert(&row);
+  Filled filled;
+  std::size_t copied = 0;
+  const auto put = [&](const CsvCell& cell, const std::string& value) {
+    filled.text += text_.substr(copied, cell.at - copied) + value;
+    copied = cell.at + cell.size;
+  };
+  for (const Match& match : matches(rows)) {
+    const CsvRow& row = *match.row;
+    const GradeRow& learner = *match.learner;
     strays.erase(&learner);
     if (row.cells[can_change_].value == "No") {
       ++filled.locked;

@@ -4,6 +4,8 @@
 #include "grader/service/platforms/read_csv.h"
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,7 +33,21 @@ class Worksheet {
   // pt::Error if Moodle's maximum is not `max_points`.
   Filled filled(const std::vector<GradeRow>& rows, int max_points) const;
 
+  // The paths by which Moodle gives each learner's page to participants, by the learner's name:
+  // a group's to each member. `path_of` has the path by which the learner alone gets it. A learner
+  // who is not in the worksheet has none.
+  std::map<std::string, std::vector<std::string>> pages(
+      const std::vector<GradeRow>& rows,
+      const std::function<std::string(const GradeRow&)>& path_of) const;
+
  private:
+  // A participant's row, and who hands in for this participant.
+  struct Match {
+    const CsvRow* row = nullptr;
+    const GradeRow* learner = nullptr;
+    bool alone = false;  // not as a member of a group
+  };
+  std::vector<Match> matches(const std::vector<GradeRow>& rows) const;
   std::size_t column(const char* name, bool must_be = true) const;
   void check(const CsvRow& row) const;
   void check_maximum(const CsvRow& row, int max_points) const;

@@ -152,6 +152,14 @@ TEST(Worksheet, a_groups_grade_is_for_its_members) {
   const Worksheet::Filled filled = Worksheet(table(false), "sheet.csv").filled(teams, 20);
   EXPECT_EQ(filled.text, table(true));
   EXPECT_THAT(filled.strays, ElementsAre("Nobody"));
+  const auto pages = Worksheet(table(false), "sheet.csv").pages(teams, [](const GradeRow& learner) {
+    return learner.name;
+  });
+  EXPECT_EQ(pages.size(), 4U);
+  EXPECT_THAT(pages.at("Team A"), ElementsAre("Participant_6_assignsubmission_file_/report.html",
+                                              "Participant_7_assignsubmission_file_/report.html"));
+  EXPECT_THAT(pages.at("Zoë K (9)"), ElementsAre("Zoë K (9)"));
+  EXPECT_FALSE(pages.contains("Nobody"));
 }
 
 }  // namespace
