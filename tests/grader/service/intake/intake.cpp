@@ -118,6 +118,7 @@ void Intake::expect_the_same_at_the_other_doors(const fs::path& input,
     const auto row = all.find(entry.is_directory() ? path.filename() : path.stem());
     const bool is_work = entry.is_directory() || is_archive(path.filename());
     if (!is_work || entry.is_symlink() || row == all.end() || row->second.id != "") continue;
+    if (all.contains(row->first + " (2)")) continue;  // whose row it is, is not known here
     std::vector<fs::path> doors{path};
     if (!entry.is_directory()) {
       doors.push_back(next());
@@ -128,7 +129,8 @@ void Intake::expect_the_same_at_the_other_doors(const fs::path& input,
       const Prepared taken = prepare_submission("it", door, {kTasks, unpack, next});
       EXPECT_EQ(taken.problem, row->second.problem) << door;
       EXPECT_EQ(taken.note, row->second.note) << door;
-      if (taken.problem.empty()) EXPECT_EQ(judged_in(taken.folder), row->second.judged) << door;
+      const Files judged = taken.problem.empty() ? judged_in(taken.folder) : Files();
+      EXPECT_EQ(judged, row->second.judged) << door;
     }
   }
   fs::remove_all(fs::path(folder_.path()) / "doors");
