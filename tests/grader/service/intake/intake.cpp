@@ -54,7 +54,7 @@ std::string archive_of(const std::vector<Entry>& entries, Format format) {
 
 namespace {
 
-// What the judge reads in a submission, by task, or why it rejects it.
+// Returns what the judge reads in a submission, by task, or why it rejects it.
 Files judged_in(const fs::path& folder) {
   Files judged;
   for (const TaskFile& task : kTasks) {
