@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -189,12 +192,21 @@ void report(const std::vector<Face>& ours, const std::vector<Face>& theirs) {
   if (is_same) fmt::print("same\t{} triangles\n", ours.size());
 }
 
+// The last warning or error. assimp logs parts that it leaves out, and still calls the file read.
+struct LastComplaint : Assimp::LogStream {
+  std::string text;
+  void write(const char* message) override { text.assign(message, std::strcspn(message, "\n")); }
+};
+
 void run(const char* file) {
+  auto* complaint = new LastComplaint;  // the logger deletes it
+  Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0)
+      ->attachStream(complaint, Assimp::Logger::Warn | Assimp::Logger::Err);
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate);
   const bool has_faces = scene != nullptr && scene->mRootNode != nullptr && scene->mNumMeshes > 0;
-  if (!has_faces) fmt::print("assimp shows nothing\t{}\n", importer.GetErrorString());
+  if (!has_faces) fmt::print("assimp shows nothing\t{}\n", complaint->text);
   try {
     const LoadedScene loaded = load_collada(file);
     if (has_faces) report(our_faces(loaded), their_faces(*scene));

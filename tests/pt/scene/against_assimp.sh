@@ -13,6 +13,6 @@ one() {
   { timeout 60 "$program" "$1" 2>/dev/null || printf 'ended with %s\t\n' $?; } | sed "s|^|$1\t|"
 }
 export -f one
-lines=$(find "$2" -name '*.dae' -print0 | sort -z | xargs -0 -P "$(nproc)" -I{} bash -c 'one "$1"' _ {})
+lines=$(find "$2" -iname '*.dae' -print0 | sort -z | xargs -0 -P "$(nproc)" -I{} bash -c 'one "$1"' _ {})
 printf '%s\n\n' "$lines"
 cut -f2 <<<"$lines" | sort | uniq -c | sort -rn
