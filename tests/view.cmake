@@ -1,6 +1,7 @@
 # The view: its paths on the reference, on mistakes and on right variants; its server, and its page.
 
-# view_<name>: the paths of many pixels with these choices. `breaks` is the promise of a red cell, or none.
+# view_<name>: the paths of many pixels with these choices; of the tier long, of more than a thousand. `breaks` is the promise of a red
+# cell, or none.
 firstlight_objects(view_paths_test view/paths_test.cpp)
 target_link_libraries(view_paths_test PRIVATE GTest::gtest view_paths)
 target_compile_definitions(view_paths_test PRIVATE FIRSTLIGHT_SCENES="${PROJECT_SOURCE_DIR}/scenes" FIRSTLIGHT_ROOT="${PROJECT_SOURCE_DIR}")
@@ -12,8 +13,12 @@ function(firstlight_view_test name tier breaks)
   add_executable(view_${name} $<TARGET_OBJECTS:view_paths_test>)
   target_link_libraries(view_${name} PRIVATE view_paths grader_results GTest::gtest_main)
   firstlight_link_tasks(view_${name} FROM reference RADIANCE none CHOICES ${ARGN} VIEWED)
+  set(step 9)
+  if(tier STREQUAL long)
+    set(step 6)
+  endif()
   firstlight_add_test(view_${name} ${tier} NEEDS view_${name}
-    COMMAND ${CMAKE_COMMAND} -E env VIEW_BREAKS=${breaks} $<TARGET_FILE:view_${name}>)
+    COMMAND ${CMAKE_COMMAND} -E env VIEW_BREAKS=${breaks} VIEW_STEP=${step} $<TARGET_FILE:view_${name}>)
 endfunction()
 firstlight_view_test(reference quick reference)
 firstlight_view_test(no_cosine quick weighs_by_the_cosine trace_path=no_cosine)
@@ -28,6 +33,23 @@ firstlight_view_test(other_right_ones rest none trace_path=two_first_directions 
   diffuse_bsdf=rejection hit_bvh=priority_queue build_bvh=morton_codes direct_hemisphere=stratified hit_triangle=watertight)
 firstlight_view_test(more_right_ones rest none trace_path=path_first_light_afterwards direct_lights=shadow_ray_of_its_own
   diffuse_bsdf=in_float direct_hemisphere=in_float hit_sphere=textbook estimate_pixel=float_sum)
+# view_right_<i>: the i-th right variant of each task that has so many.
+foreach(i RANGE 100)
+  set(choices)
+  foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+    file(GLOB rights RELATIVE ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/right ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/right/*.cpp)
+    list(LENGTH rights count)
+    if(i LESS count)
+      list(GET rights ${i} right)
+      string(REPLACE .cpp "" right ${right})
+      list(APPEND choices ${slug}=${right})
+    endif()
+  endforeach()
+  if(NOT choices)
+    break()
+  endif()
+  firstlight_view_test(right_${i} long none ${choices})
+endforeach()
 
 firstlight_test(test_view_server quick PLAIN SOURCES view/server_test.cpp LIBRARIES view_server GTest::gmock)
 if(FIRSTLIGHT_SANITIZE)

@@ -107,6 +107,8 @@ void write_page(const Options& options, Child& own, Child* reference) {
   data["paths"] = own.ask("paths", of_pixel).state;
   if (reference != nullptr) data["reference_paths"] = reference->ask("paths", of_pixel).state;
   data["scene"] = own.ask("scene", of_picture).state;
+  of_pixel.erase("samples");
+  data["ray"] = own.ask("ray", of_pixel).state;
   const Reply picture = settled_picture(own, of_picture);
   if (of_picture.contains("shown")) {
     data["numbers"] = picture.state;
@@ -114,7 +116,9 @@ void write_page(const Options& options, Child& own, Child* reference) {
   } else {
     data["picture"] = png_of(picture);
   }
-  pt::write_file(options.page, page_with(data));
+  pt::write_file(options.page, options.page.extension() == ".json"
+                                   ? data.dump(-1, ' ', true, json::error_handler_t::replace)
+                                   : page_with(data));
   fmt::print("wrote {}\n", pt::printable(options.page.string()));
 }
 

@@ -101,8 +101,9 @@ Options parse_options(int argc, const char* const* argv) {
   app.add_option("--port", options.port, "Port of 127.0.0.1; default: any")
       ->check(CLI::Range(1, 65535));
   app.add_flag("--no-browser", options.no_browser, "Print the address, and open nothing");
-  app.add_option("--export", options.page, "Write one page for this pixel, and end")
-      ->type_name("FILE.html");
+  app.add_option("--export", options.page,
+                 "Write one page for this pixel (.html), or its numbers (.json), and end")
+      ->type_name("FILE");
   app.add_flag("--lambertian", options.lambertian,
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
   app.add_option("--worker", options.worker, "Given by ./run")->group("");

@@ -116,7 +116,7 @@ Server::Server(Served served)
   http_->Get("/", [this](const Request&, Response& response) {
     response.set_content(served_.page, "text/html; charset=utf-8");
   });
-  for (const char* what : {"scene", "picture", "paths", "tree"}) {
+  for (const char* what : {"scene", "picture", "paths", "tree", "ray"}) {
     http_->Get(std::string("/") + what, [this, what](const Request& request, Response& response) {
       answer(served_, what, request, response);
     });

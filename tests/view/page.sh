@@ -84,6 +84,24 @@ keys 'b'
 until_true 'B shows the boxes tested, with a legend' <<'E2'
 return !document.getElementById('legend').hidden && Number(document.getElementById('high').textContent) > 1;
 E2
+keys 't'
+until_true 'T shows the tree, and the boxes that hit_bvh tests for the ray of the pixel' <<'E2'
+return Boolean(now.tree) && !document.getElementById('ray').hidden && now.ray.tests.length > 4
+  && Number(document.getElementById('test').max) === now.ray.tests.length;
+E2
+keys 'nnp'
+until_true 'N and P step through them' <<'E2'
+const tests = now.ray.tests;
+return document.getElementById('test').value === '1' && document.getElementById('test_says').textContent.startsWith(`1 of ${now.ray.boxes}: level ${tests[0].level}`)
+  && tests.every((test) => !test.opened || test.t) && tests.some((test) => test.primitives && test.primitives.some(([, t]) => t === now.ray.t));
+E2
+keys 't'
+until_true 'T hides the tree again' <<<"return !now.tree && document.getElementById('ray').hidden;"
+expect 'the row that was pressed has its frame' <<'E2'
+document.querySelector('#own tbody tr').click();
+const [point] = now.paths.paths[now.which].bounces;
+return now.has_frame && Math.abs(dot(point.x, point.y)) < 1e-9 && Math.abs(dot(cross(point.x, point.y), point.n) - 1) < 1e-9;
+E2
 boxed=$(pgrep -n -f "^$worker ")
 if ! grep -q '"tier":"C"' "$folder/boxed.json" && ! grep -q '^Seccomp:.*2$' "/proc/$boxed/status"; then
   echo 'FAILED: the tasks of a submission run outside a box'
@@ -108,7 +126,8 @@ E2
 go "file://$folder/export.html"
 until_true 'an exported page shows its picture and its paths without a server' <<'E2'
 return document.getElementById('stage').dataset.ready === 'yes' && document.getElementById('picture').width === 96
-  && document.querySelectorAll('#own tbody tr').length > 0 && document.getElementById('sum').className === 'same';
+  && document.querySelectorAll('#own tbody tr').length > 0 && document.getElementById('sum').className === 'same'
+  && !document.getElementById('ray').hidden;
 E2
 # The refused answer of the crash is in the console; nothing else is.
 script >/dev/null <<<''

@@ -1,14 +1,18 @@
 // The paths of pixels as the view records them: against closed forms, and against contracts. The program is linked with the
 // reference, with a mistake, or with right variants; VIEW_BREAKS is the promise that a red cell has to name, "none", or
-// "reference".
+// "reference", and VIEW_STEP the distance of the pixels.
 #include "grader/results/promises.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/render/choose_engine.h"
+#include "pt/scene/recorder.h"
+#include "pt/tasks/camera_ray.h"
 #include "view/worker/answer.h"
 #include "view/worker/check.h"
+#include "view/worker/json.h"
 #include "view/worker/path.h"
 #include "view/worker/picture.h"
+#include "view/worker/tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +59,8 @@ const Query kQuery{{"w", "96"}, {"h", "72"}, {"samples", "8"}};
 // Calls `look` with the pixels of a grid over pictures of several scenes and settings.
 template <class Look>
 void for_pixels(const Look& look) {
+  const char* const word = std::getenv("VIEW_STEP");
+  const int step = word == nullptr ? 9 : std::stoi(word);
   for (const char* file : {"box_spheres.dae", "two_lights.dae", "furnace.dae", "bowl.dae"}) {
     const Room room(file);
     Query query = kQuery;
@@ -62,8 +68,8 @@ void for_pixels(const Look& look) {
     for (const bool hemisphere : {false, true}) {
       if (hemisphere) query["hemisphere"] = "1";
       query["light_samples"] = hemisphere ? "4" : "2";
-      for (int y = 2; y < 72; y += 9) {
-        for (int x = 3; x < 96; x += 9) look(file, room.paths(query, x, y));
+      for (int y = 2; y < 72; y += step) {
+        for (int x = 3; x < 96; x += step) look(file, room.paths(query, x, y));
       }
     }
   }
@@ -204,6 +210,70 @@ TEST(Pictures, show_numbers_in_place_of_light) {
   Picture picture = begin_picture(room.loaded, settings_of(query));
   while (picture.samples < 2) improve(picture, std::chrono::milliseconds(50));
   EXPECT_GT(picture.shown[3 * 40 * 96], 1);
+}
+
+// With l = 1, each path of the furnace that is not ended by roulette has as many points as bounces are allowed.
+TEST(Pictures, count_the_points_of_paths) {
+  if (!is_reference()) GTEST_SKIP();
+  const Room room("furnace.dae");
+  for (const bool hemisphere : {false, true}) {
+    Query query = kQuery;
+    query.erase("samples");
+    query.insert({{"camera", "file"}, {"shown", "points"}, {"bounces", "3"}, {"survival", "1"}});
+    if (hemisphere) query.insert({{"hemisphere", "1"}, {"light_samples", "4"}});
+    Picture picture = begin_picture(room.loaded, settings_of(query));
+    while (picture.samples < 2) improve(picture, std::chrono::milliseconds(50));
+    EXPECT_EQ(picture.shown[3 * 40 * 96], 3);
+  }
+}
+
+// hit_bvh tests no box below one that it has not opened, opens none that the ray misses, and its answer is the nearest of the
+// primitives that it tested.
+TEST(Tests, of_a_ray_have_the_order_of_the_search) {
+  if (!is_reference()) GTEST_SKIP();
+  const Room room("box_coil.dae");
+  const pt::Bvh& bvh = room.loaded.scene.tracer.bvh();
+  int with_order = 0;
+  for (int y = 4; y < 72; y += 8) {
+    for (int x = 4; x < 96; x += 8) {
+      Query query{{"w", "96"}, {"h", "72"}, {"x", std::to_string(x)}, {"y", std::to_string(y)}};
+      const pt::View view = view_of(room.loaded, settings_of(query));
+      const pt::Ray ray = camera_ray(view.camera, (x + 0.5) / 96, (y + 0.5) / 72);
+      const pt::TestCount before = pt::recorder.count;
+      const nlohmann::json all = tests_of(room.loaded.scene, ray);
+      const auto& tests = all.at("tests");
+      std::map<int, bool> opened;  // by node, in the order of the tests
+      double nearest = pt::kInfinity;
+      std::size_t primitives = 0;
+      for (const auto& test : tests) {
+        const int node = test.at("node");
+        ASSERT_GE(node, 0);
+        EXPECT_EQ(test.at("low"), to_json(bvh.nodes[node].box.min));
+        if (node > 0) {
+          const auto parent = std::ranges::find_if(bvh.nodes, [&](const pt::BvhNode& each) {
+            return !each.is_leaf() && (each.left == node || each.right == node);
+          });
+          const auto before_it = opened.find(static_cast<int>(parent - bvh.nodes.begin()));
+          // The root's box need not be tested.
+          const bool is_below_root = parent == bvh.nodes.begin();
+          EXPECT_TRUE(is_below_root || (before_it != opened.end() && before_it->second));
+        }
+        opened[node] = test.at("opened");
+        if (test.at("opened")) EXPECT_FALSE(test.at("t").is_null());
+        for (const auto& primitive : test.value("primitives", nlohmann::json::array())) {
+          ++primitives;
+          if (primitive.at(1).is_number())
+            nearest = std::min(nearest, primitive.at(1).get<double>());
+        }
+      }
+      with_order += opened.size() == tests.size() && tests.size() > 10 ? 1 : 0;
+      EXPECT_EQ(primitives, all.at("primitives").get<std::size_t>());
+      ASSERT_TRUE(all.at("t").is_number());
+      EXPECT_EQ(all.at("t"), nearest);
+      EXPECT_GE(pt::recorder.count.boxes - before.boxes, static_cast<long long>(tests.size()));
+    }
+  }
+  EXPECT_GT(with_order, 20);
 }
 
 TEST(Settings, are_refused_with_one_sentence) {

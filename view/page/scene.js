@@ -80,25 +80,62 @@ function draw_line(context, camera, a, b, color, dashed = false) {
   }
 }
 
+function draw_box(context, camera, [low, high], color, size, dashed = false) {
+  const corner = (i) => [0, 1, 2].map((axis) => ((i >> axis) & 1 ? high : low)[axis]);
+  context.setLineDash(dashed ? [4, 4] : []);
+  context.strokeStyle = color;
+  context.lineWidth = size * devicePixelRatio;
+  context.beginPath();
+  for (let i = 0; i < 8; ++i) {
+    for (const bit of [1, 2, 4]) {
+      const ends = i & bit ? null : project_line(camera, corner(i), corner(i | bit));
+      if (!ends) continue;
+      context.moveTo(ends[0][0] * context.canvas.width, ends[0][1] * context.canvas.height);
+      context.lineTo(ends[1][0] * context.canvas.width, ends[1][1] * context.canvas.height);
+    }
+  }
+  context.stroke();
+}
+
 // The boxes of one level of a tree: left children blue, right ones orange, leaves with thicker lines.
 function draw_boxes(context, camera, nodes, level) {
   for (const [low, high, at, side, primitives] of nodes) {
-    if (at !== level) continue;
-    const corner = (i) => [0, 1, 2].map((axis) => ((i >> axis) & 1 ? high : low)[axis]);
-    context.setLineDash([]);
-    context.strokeStyle = side ? "#ff9f40" : "#6fb7ff";
-    context.lineWidth = (primitives > 0 ? 2.5 : 1.2) * devicePixelRatio;
-    context.beginPath();
-    for (let i = 0; i < 8; ++i) {
-      for (const bit of [1, 2, 4]) {
-        const ends = i & bit ? null : project_line(camera, corner(i), corner(i | bit));
-        if (!ends) continue;
-        context.moveTo(ends[0][0] * context.canvas.width, ends[0][1] * context.canvas.height);
-        context.lineTo(ends[1][0] * context.canvas.width, ends[1][1] * context.canvas.height);
-      }
-    }
-    context.stroke();
+    if (at === level) draw_box(context, camera, [low, high], side ? "#ff9f40" : "#6fb7ff", primitives > 0 ? 2.5 : 1.2);
   }
+}
+
+// The boxes that a ray tests, up to one of them: those that were missed are dashed, those that were entered and not opened grey.
+function draw_tests(context, camera, ray, count) {
+  ray.tests.slice(0, count).forEach((test, i) => {
+    const color = !test.t ? "#ff5a4d" : !test.opened ? "#b8b8b8" : test.primitives ? "#ff9f40" : "#6fb7ff";
+    draw_box(context, camera, [test.low, test.high], color, i === count - 1 ? 3 : 1.2, !test.t);
+  });
+  const ends = ray.tests.map((test) => (test.t ? test.t[1] : 0));
+  const t = ray.t ?? Math.max(...ends);
+  draw_line(context, camera, ray.origin, plus(ray.origin, ray.direction, t), "#ffd84a");
+}
+
+// The frame of a point: x red, y green, and z, the normal, blue.
+function draw_frame(context, camera, bounce, length) {
+  for (const [axis, label, color] of [[bounce.x, "x", "#ff5a4d"], [bounce.y, "y", "#52d273"], [bounce.n, "z", "#6fb7ff"]]) {
+    const end = plus(bounce.p, axis, length);
+    draw_line(context, camera, bounce.p, end, color);
+    draw_label(context, camera, end, label, color);
+  }
+}
+
+function draw_label(context, camera, p, label, color) {
+  const at = project(camera, p);
+  if (!at) return;
+  const size = devicePixelRatio;
+  const [x, y] = [at[0] * context.canvas.width + 6 * size, at[1] * context.canvas.height - 6 * size];
+  context.font = `bold ${12 * size}px system-ui, sans-serif`;
+  context.setLineDash([]);
+  context.lineWidth = 3 * size;
+  context.strokeStyle = "#000";
+  context.fillStyle = color;
+  context.strokeText(label, x, y);
+  context.fillText(label, x, y);
 }
 
 function draw_point(context, camera, p, label) {
@@ -114,10 +151,7 @@ function draw_point(context, camera, p, label) {
   context.lineWidth = size;
   context.fill();
   context.stroke();
-  context.font = `bold ${12 * size}px system-ui, sans-serif`;
-  context.lineWidth = 3 * size;
-  context.strokeText(label, x + 6 * size, y - 6 * size);
-  context.fillText(label, x + 6 * size, y - 6 * size);
+  draw_label(context, camera, p, label, "#ffd84a");
 }
 
 // A path from its first point on, with the directions in which it looked for light. `size` is that of the scene.

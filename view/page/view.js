@@ -15,6 +15,7 @@ const now = {
   pixel: data.pixel ?? null,
   paths: data.paths ?? null,
   reference: data.reference_paths ?? null,
+  ray: data.ray ?? null,
   which: -1,  // not chosen yet
   point: 0,
   pictures: {},  // by whom
@@ -172,9 +173,13 @@ function show_lines() {
   const context = canvas.getContext("2d");
   const path = now.paths && now.paths.paths[now.which];
   const camera = now.camera;
-  if (now.tree && camera) draw_boxes(context, camera, now.tree.nodes, Number(by_id("level").value));
+  const tests = by_id("ray").hidden ? 0 : Number(by_id("test").value);
+  if (tests > 0 && camera) draw_tests(context, camera, now.ray, tests);
+  else if (now.tree && camera) draw_boxes(context, camera, now.tree.nodes, Number(by_id("level").value));
   if (path && camera && now.scene) {
-    draw_path(context, camera, path, Math.hypot(...plus(now.scene.max, now.scene.min, -1)));
+    const size = Math.hypot(...plus(now.scene.max, now.scene.min, -1));
+    draw_path(context, camera, path, size);
+    if (now.has_frame && path.bounces[now.point]) draw_frame(context, camera, path.bounces[now.point], 0.05 * size);
   }
   if (!now.pixel) return;
   const [x, y] = now.pixel;
@@ -200,7 +205,41 @@ async function show_tree() {
   }
   by_id("tree").hidden = !now.tree;
   if (now.tree) by_id("level").max = now.tree.depth;
+  await find_ray();
   show_level(0);
+}
+
+// The ray through the middle of the pixel, while the tree is shown. A page without a server has it from the start.
+async function find_ray() {
+  if (data.live) now.ray = null;
+  try {
+    if (now.tree && now.pixel) now.ray = await ask("ray", { ...query(), x: now.pixel[0], y: now.pixel[1] });
+  } catch (error) {
+    complain(error.message);
+  }
+  by_id("ray").hidden = !now.ray || now.ray.tests.length === 0;
+  by_id("test").max = now.ray ? now.ray.tests.length : 0;
+  show_test(-Number(by_id("test").value));
+}
+
+function says_of(test) {
+  const level = test.level === undefined ? "not a box of the tree" : `level ${test.level}`;
+  if (!test.t) return `${level}, missed`;
+  const between = `${level}, t ${shown(test.t[0])} to ${shown(test.t[1])}`;
+  if (!test.opened) return `${between}, not opened`;
+  const met = ([primitive, t]) => `${primitive} ${t === null ? "missed" : `at t ${shown(t)}`}`;
+  return test.primitives ? `${between}, primitives ${test.primitives.map(met).join(", ")}` : `${between}, opened`;
+}
+
+function show_test(step) {
+  if (now.ray) {
+    const { tests, boxes, primitives } = now.ray;
+    by_id("test").value = Number(by_id("test").value) + step;
+    const count = Number(by_id("test").value);
+    by_id("test_says").textContent = count > 0 ? `${count} of ${boxes}: ${says_of(tests[count - 1])}`
+      : `${boxes} boxes and ${primitives} primitives for the ray through the middle of the pixel`;
+  }
+  show_lines();
 }
 
 function show_level(step) {
@@ -226,6 +265,7 @@ async function walk() {
     now.reference = data.reference ? await ask("paths", { ...words, from: "reference" }) : null;
     if (now.which < 0) show_first_red();
     now.which = Math.min(now.which, now.paths.paths.length - 1);
+    await find_ray();
     complain("");
   } catch (error) {
     complain(error.message);
@@ -256,6 +296,7 @@ function show_reference(path) {
 
 function choose_point(i) {
   now.point = i;
+  now.has_frame = true;
   show_paths();
 }
 
@@ -333,6 +374,7 @@ function on_key(event) {
   else if (key === "r") go_home();
   else if (key === "t" && data.live) show_tree();
   else if (key === "," || key === ".") show_level(key === "," ? -1 : 1);
+  else if (key === "n" || key === "p") show_test(key === "n" ? 1 : -1);
   else if (key === "[" || key === "]") choose_path(now.which + (key === "[" ? -1 : 1));
   else if (data.live && kShows[key]) set("show", kShows[key]);
   else if (data.live && kColours[key]) set("shown", kColours[key]);
@@ -431,6 +473,7 @@ function show_export() {
   if (data.picture) image.src = data.picture;
   show_first_red();
   show_paths();
+  find_ray();
 }
 
 function begin() {
@@ -449,6 +492,7 @@ function begin() {
   by_id("next").addEventListener("click", () => choose_path(now.which + 1));
   by_id("red").addEventListener("click", next_red);
   by_id("which").addEventListener("change", () => choose_path(Number(by_id("which").value) - 1));
+  by_id("test").addEventListener("input", () => show_test(0));
   if (!data.live) return show_export();
   listen_to_pointer();
   by_id("count").addEventListener("change", walk);

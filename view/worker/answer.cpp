@@ -3,6 +3,7 @@
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
 #include "pt/render/darkness.h"
+#include "pt/tasks/camera_ray.h"
 #include "pt/todo_list.h"
 #include "view/worker/check.h"
 #include "view/worker/json.h"
@@ -106,11 +107,22 @@ Answer Answers::tree(const Query& query) {
   return {tree_of(loaded_.scene.tracer.bvh()), ""};
 }
 
+// The ray through the middle of the pixel.
+Answer Answers::ray(const Query& query) {
+  const Settings settings = settings_of(query);
+  trace_with(settings);
+  const pt::View view = view_of(loaded_, settings);
+  const pt::Ray ray =
+      camera_ray(view.camera, (settings.x + 0.5) / view.width, (settings.y + 0.5) / view.height);
+  return {tests_of(loaded_.scene, ray), ""};
+}
+
 Answer Answers::answer(const std::string& what, const Query& query) {
   if (what == "scene") return scene(query);
   if (what == "picture") return picture(query);
   if (what == "paths") return paths(query);
   if (what == "tree") return tree(query);
+  if (what == "ray") return ray(query);
   throw pt::Error("nothing is known about '" + what + "'");
 }
 

@@ -31,6 +31,7 @@ class Answers {
   Answer paths(const Query& query);
   Answer scene(const Query& query);
   Answer tree(const Query& query);
+  Answer ray(const Query& query);
 
   std::filesystem::path file_;
   bool one_thread_;

@@ -37,6 +37,8 @@ json to_json(const Bounce& bounce) {
               {"primitive", bounce.primitive},
               {"n", view::to_json(point.n)},
               {"wo", view::to_json(point.wo)},
+              {"x", view::to_json(point.frame.x)},
+              {"y", view::to_json(point.frame.y)},
               {"albedo", view::to_json(point.albedo)},
               {"direct", bounce.direct.empty() ? json() : to_json(bounce.direct[0])},
               {"drawn", std::move(drawn)},

@@ -1,6 +1,7 @@
 #include "view/worker/picture.h"
 
 #include "pt/render/darkness.h"
+#include "pt/scene/recorder.h"
 #include "pt/tasks/camera_ray.h"
 
 #include <algorithm>
@@ -52,7 +53,8 @@ double number_shown(const Picture& picture, const Picture::Sum& sum, int x, int 
   switch (picture.settings.shown) {
     case Shown::boxes:
     case Shown::primitives_tested:
-      return sum.tests / n;
+    case Shown::points:
+      return sum.counted / n;
     case Shown::samples:  // per pass
       return picture.stage < 2 ? n : n / (picture.stage - 1);
     case Shown::deviation:
@@ -66,13 +68,38 @@ double number_shown(const Picture& picture, const Picture::Sum& sum, int x, int 
   return looked_up(picture, x, y);
 }
 
-void add(Picture::Sum& sum, const pt::FilmPixel& pixel, double tests) {
+void add(Picture::Sum& sum, const pt::FilmPixel& pixel, double counted) {
   const auto n = static_cast<double>(sum.samples), m = static_cast<double>(pixel.samples);
   const double step = luminance(pixel.mean) - luminance(sum.mean);
   sum.mean = (sum.mean * n + pixel.mean * m) / (n + m);
   sum.squares += pixel.variance_y * (m - 1) + step * step * n * m / (n + m);
-  sum.tests += tests;
+  sum.counted += counted;
   sum.samples += pixel.samples;
+}
+
+// The surfaces that paths met. Rays in search of direct light belong to the calls that cast them.
+double points_in(const std::vector<pt::Call>& calls) {
+  double points = 0;
+  for (std::size_t i = 0; i < calls.size(); i = calls[i].end) {
+    if (calls[i].name != "closest") continue;
+    points += std::any_cast<std::optional<pt::Hit>>(calls[i].out).has_value() ? 1 : 0;
+  }
+  return points;
+}
+
+// A pixel, and what a false colour counts in it.
+std::pair<pt::RenderedPixel, double> counted_pixel(const pt::View& view, int x, int y,
+                                                   const pt::RenderSettings& pass, Shown shown) {
+  std::vector<pt::Call> calls;
+  const pt::TestCount before = pt::recorder.count;
+  pt::recorder.calls = shown == Shown::points ? &calls : nullptr;
+  const pt::RenderedPixel rendered = render_pixel(view, x, y, pass);
+  pt::recorder.calls = nullptr;
+  const pt::TestCount& after = pt::recorder.count;
+  if (shown == Shown::points) return {rendered, points_in(calls)};
+  if (shown == Shown::boxes) return {rendered, static_cast<double>(after.boxes - before.boxes)};
+  return {rendered,
+          static_cast<double>(after.triangles + after.spheres - before.triangles - before.spheres)};
 }
 
 // One pixel of the stage; y counts from the bottom.
@@ -83,18 +110,12 @@ void render(Picture& picture, const pt::View& view, int x, int y, std::mutex& no
     pass.adaptive = settings.render.adaptive;
     pass.seed += static_cast<std::uint64_t>(picture.stage - 2) << 32;
   }
-  const pt::TestCount before = pt::recorder.count;
-  const pt::RenderedPixel rendered = render_pixel(view, x, y, pass);
-  const pt::TestCount& after = pt::recorder.count;
-  const double tests =
-      static_cast<double>(settings.shown == Shown::boxes ? after.boxes - before.boxes
-                                                         : after.triangles + after.spheres -
-                                                               before.triangles - before.spheres);
+  const auto [rendered, counted] = counted_pixel(view, x, y, pass, settings.shown);
   const int size = picture.stage < 2 ? kCoarse : 1;
   Picture::Sum coarse;
   Picture::Sum& sum =
       size > 1 ? coarse : picture.sums[static_cast<std::size_t>(y) * picture.view.width + x];
-  add(sum, rendered.pixel, tests);
+  add(sum, rendered.pixel, counted);
   pt::Rgb value = sum.mean;
   if (settings.shown != Shown::light) {
     value = pt::gray(number_shown(picture, sum, std::min(x * size, picture.view.width - 1),

@@ -29,7 +29,7 @@ struct Picture {
   struct Sum {
     pt::Rgb mean;
     double squares = 0;  // sum of the squared differences of the luminance from its mean
-    double tests = 0;    // boxes or primitives
+    double counted = 0;  // boxes or primitives that were tested, or points of paths
     long long samples = 0;
     int stage = 0;
   };

@@ -27,6 +27,7 @@ const std::map<std::string, Shown> kShown{{"light", Shown::light},
                                           {"primitives", Shown::primitives_tested},
                                           {"samples", Shown::samples},
                                           {"deviation", Shown::deviation},
+                                          {"points", Shown::points},
                                           {"primitive", Shown::primitive},
                                           {"distance", Shown::distance}};
 

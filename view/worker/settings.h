@@ -19,7 +19,16 @@ struct Eye {
 };
 
 // What a value of a pixel is: light, or a number that is shown in false colours.
-enum class Shown { light, boxes, primitives_tested, samples, deviation, primitive, distance };
+enum class Shown {
+  light,
+  boxes,
+  primitives_tested,
+  samples,
+  deviation,
+  points,
+  primitive,
+  distance
+};
 
 struct Settings {
   pt::RenderOptions render;
