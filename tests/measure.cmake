@@ -16,4 +16,4 @@ firstlight_script_test(measure rest measure/measure.sh ${build} NEEDS measure)
 firstlight_script_test(stability rest measure/stability.sh ARGUMENTS $<TARGET_FILE:stability> NEEDS stability)
 firstlight_script_test(promises_on_curves long measure/promises_on_curves.sh ARGUMENTS $<TARGET_FILE:stability> NEEDS stability)
 firstlight_script_test(writeup rest writeup/writeup.sh ${build} NEEDS writeup writeup_mistakes writeup_render.reference
-  writeup_render.student writeup_boxed accuracy.reference accuracy.student accuracy_boxed ladder measure stability generate)
+  writeup_render.student writeup_boxed accuracy.reference accuracy.student accuracy_boxed ladder measure stability generate view view_worker.reference)

@@ -17,9 +17,10 @@ const std::set<std::string> kSettings{
     "id",   "label",  "scene",    "size",          "frame",    "samples",    "adaptive",
     "seed", "engine", "normals",  "light_samples", "survival", "hemisphere", "bounces",
     "look", "camera", "exposure", "mistake",       "time_of",  "in_bounces", "show"};
-const std::set<std::string> kFigure{
-    "id",     "part",   "title", "kind",    "caption", "flip",  "small", "settings",  "pictures",
-    "golden", "scenes", "file",  "seconds", "error",   "curve", "lines", "threshold", "prices"};
+const std::set<std::string> kFigure{"id",     "part",      "title",    "kind",     "caption",
+                                    "flip",   "small",     "settings", "pictures", "golden",
+                                    "scenes", "file",      "seconds",  "error",    "curve",
+                                    "lines",  "threshold", "prices",   "pixel",    "size"};
 
 void expect_known(const json& object, const std::set<std::string>& known) {
   for (const auto& [name, value] : object.items()) {
@@ -103,6 +104,11 @@ Figure figure_from(const json& in, const json& defaults) {
   figure.curve = in.value("curve", "");
   figure.threshold = in.value("threshold", 0.0);
   figure.lines = in.value("lines", std::vector<std::string>{});
+  if (figure.kind == "path" || figure.kind == "ray") {
+    figure.pixel = in.at("pixel");
+    figure.size = in.at("size");
+    if (figure.scenes.size() != 1) throw pt::Error("it is about one scene");
+  }
   for (const json& price : in.value("prices", json::array())) {
     figure.prices.push_back({price.at("id"), price.at("failure"), price.at("task"),
                              price.at("plain"), price.at("remedy")});

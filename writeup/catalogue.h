@@ -2,6 +2,7 @@
 
 #include "measure/renders/spec.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -60,6 +61,8 @@ struct Figure {
   double threshold = 0;             // of the curve: larger errors are failures
   std::vector<std::string> lines;   // of the curve: lines whose numbers are in texts
   std::vector<Price> prices;        // for the kind "prices"
+  std::array<int, 2> pixel{};       // for the kinds "path" and "ray": x and y, as in ./run view,
+  std::array<int, 2> size{};        // in a picture of this size
 };
 
 // The task of a figure that is a curve.

@@ -48,6 +48,8 @@ Drawn draw_speedup(const Plan& plan, const Figure& figure, const std::filesystem
 
 Drawn draw_curve(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 Drawn draw_prices(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
+Drawn draw_path(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
+Drawn draw_ray(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 Drawn draw_measured(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 
 // The names of the numbers that a figure has, whether or not they could be measured.

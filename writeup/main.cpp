@@ -93,7 +93,23 @@ std::set<std::string> mistakes_in(const Catalogue& catalogue) {
   return names;
 }
 
-Codes read_codes(const Options& options, const Catalogue& catalogue) {
+// The program that writes what the paths of a pixel did.
+std::optional<Code> code_of_view(const Options& options, const Code& chosen,
+                                 const std::vector<const Figure*>& figures) {
+  if (!fs::exists(options.view) || !fs::exists(options.view_worker)) return {};
+  if (!options.submission.empty()) {
+    const bool is_wanted = std::ranges::any_of(figures, [](const Figure* figure) {
+      return figure->kind == "path" || figure->kind == "ray";
+    });
+    return view_of_submission(options, chosen, is_wanted);
+  }
+  Code code = code_of_program(options.view_worker);
+  code.command = {options.view, "--worker", options.view_worker};
+  return code;
+}
+
+Codes read_codes(const Options& options, const Catalogue& catalogue,
+                 const std::vector<const Figure*>& figures) {
   Codes codes;
   codes.chosen =
       options.submission.empty() ? code_of_program(options.renderer) : code_of_submission(options);
@@ -103,6 +119,7 @@ Codes read_codes(const Options& options, const Catalogue& catalogue) {
                                                 : accuracy_of_submission(options, codes.chosen);
   }
   codes.stability = code_of_stability(options);
+  codes.view = code_of_view(options, codes.chosen, figures);
   // The learners' edition has no right solutions to compare.
   if (options.mistakes.empty()) return codes;
   codes.measure = code_of_measure(options, codes.chosen);
@@ -238,7 +255,7 @@ int run(Options options) {
       read_catalogue(options.handbook ? "writeup/handbook.json" : "writeup/figures.json");
   const std::vector<const Figure*> figures = figures_meant(catalogue, options.what);
   if (!options.list) lock(work);
-  const Codes codes = read_codes(options, catalogue);
+  const Codes codes = read_codes(options, catalogue, figures);
   const Scenes scenes(catalogue, options.scenes, work / "scenes", options.generate, options.draft);
   const Store store(work / "renders");
   const Measurements measured(work / "measured", store);

@@ -99,6 +99,8 @@ Drawn draw(const Plan& plan, const Figure& figure, const fs::path& folder) {
   if (figure.kind == "pictures") return draw_pictures(plan, figure, folder);
   if (figure.kind == "curve") return draw_curve(plan, figure, folder);
   if (figure.kind == "prices") return draw_prices(plan, figure, folder);
+  if (figure.kind == "path") return draw_path(plan, figure, folder);
+  if (figure.kind == "ray") return draw_ray(plan, figure, folder);
   return draw_measured(plan, figure, folder);
 }
 

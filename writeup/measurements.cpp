@@ -58,6 +58,7 @@ bool Measurements::is_complete(const Measurement& measurement) const {
 
 std::string Measurements::failure(const Measurement& measurement) const {
   if (measurement.code == nullptr) return "not measured: this build has no program for it";
+  if (!measurement.obstacle.empty()) return measurement.obstacle;
   const fs::path file = with_ending(folder(measurement), ".failed");
   return fs::exists(file) ? pt::read_file(file, kMaxMeasured) : "";
 }
@@ -72,28 +73,37 @@ void Measurements::forget_failure(const Measurement& measurement) const {
 
 double Measurements::cpu_seconds(const Measurement& measurement) const {
   if (measurement.command == "measure" || !is_complete(measurement)) return measurement.seconds;
-  return load(measurement).at("cpu_seconds");
+  return measurement.command == "view" ? 0 : load(measurement).at("cpu_seconds").get<double>();
 }
 
 namespace {
+
+std::vector<std::string> words_of(const Measurement& measurement, int threads,
+                                  const fs::path& folder) {
+  const std::string& command = measurement.command;
+  const std::vector<std::string>& program = measurement.code->command;
+  std::vector<std::string> words{program.at(0)};
+  if (!measurement.scene.empty() && command != "view") words.push_back(command);
+  if (!measurement.scene.empty()) words.push_back(measurement.scene);
+  words.insert(words.end(), program.begin() + 1, program.end());
+  words.insert(words.end(), measurement.options.begin(), measurement.options.end());
+  if (command == "view") {
+    fs::create_directories(folder);
+    words.insert(words.end(), {"--export", folder / Measurements::result_of(measurement)});
+    return words;
+  }
+  // `measure` uses one processor, however many there are.
+  if (command != "measure") words.insert(words.end(), {"-t", std::to_string(threads)});
+  words.insert(words.end(), {"--out", folder.string()});
+  return words;
+}
 
 // Makes one measurement. Returns whether it had to be stopped.
 bool make_one(const Measurements& measurements, const Measurement& measurement, int threads) {
   const fs::path folder = measurements.folder(measurement);
   const fs::path unfinished = with_ending(folder, ".unfinished");
   fs::remove_all(unfinished);
-  const Code& code = *measurement.code;
-  std::vector<std::string> words{code.command.at(0)};
-  if (!measurement.scene.empty()) {
-    words.insert(words.end(), {measurement.command, measurement.scene});
-  }
-  words.insert(words.end(), code.command.begin() + 1, code.command.end());
-  words.insert(words.end(), measurement.options.begin(), measurement.options.end());
-  // `measure` uses one processor, however many there are.
-  if (measurement.command != "measure") {
-    words.insert(words.end(), {"-t", std::to_string(threads)});
-  }
-  words.insert(words.end(), {"--out", unfinished.string()});
+  const std::vector<std::string> words = words_of(measurement, threads, unfinished);
   const double limit = std::max(kMinLimit, kPatience * measurement.seconds) * threads;
   const auto result =
       grader::process::run_command({words, {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"}, {}, "", {}},

@@ -6,15 +6,16 @@
 
 namespace writeup {
 
-// A run of the program `accuracy`, for the worth of methods in a scene or the needs of the scene; or
-// a run of `stability` or `measure`, which have no scenes.
+// A run of the program `accuracy`, for the worth of methods in a scene or the needs of the scene; of
+// `view`, for the paths of a pixel; or of `stability` or `measure`, which have no scenes.
 struct Measurement {
-  std::string command;               // "cheapest", "converge", "stability" or "measure"
+  std::string command;               // "cheapest", "converge", "stability", "measure" or "view"
   std::string scene;                 // path; empty without one
   std::vector<std::string> options;  // further words of the command line
   double seconds = 0;                // wall time that it may take, about
   const Code* code = nullptr;        // nothing: it is not in this build
   std::string depends;               // the part of the code that it depends on; empty: all of it
+  std::string obstacle{};            // the reason why it cannot be made at all
 };
 
 // All measurements ever made, on disk: each in a folder whose name is a hash of everything that it depends on.
@@ -39,7 +40,7 @@ class Measurements {
     return is_complete(measurement) || !failure(measurement).empty();
   }
 
-  // Seconds of processor time; the allowed time if it has not been made.
+  // Seconds of processor time; the allowed time if it has not been made. A view is not timed.
   double cpu_seconds(const Measurement& measurement) const;
 
  private:

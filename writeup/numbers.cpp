@@ -50,6 +50,14 @@ Words of_scene_needs() {
 std::vector<std::string> number_names(const Figure& figure) {
   if (figure.kind == "converge") return of_converge();
   if (figure.kind == "scene_needs") return of_scene_needs();
+  if (figure.kind == "path") {
+    return {"paths",  "points",   "x",      "y",      "direct",    "indirect",
+            "result", "is_exact", "lights", "hidden", "throughput"};
+  }
+  if (figure.kind == "ray") {
+    return {"boxes",  "missed", "opened", "behind", "leaves", "primitives", "primitives_of_all",
+            "levels", "t",      "x",      "y"};
+  }
   Words names;
   for (const std::string& line : figure.lines) {
     add(names, line, {".fails", ".first", ".last", ".largest"});

@@ -57,6 +57,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--accuracy", options.accuracy)->group("");
   app.add_option("--stability", options.stability)->group("");
   app.add_option("--measure", options.measure)->group("");
+  app.add_option("--view", options.view)->group("");
+  app.add_option("--view-worker", options.view_worker)->group("");
   app.add_option("--generate", options.generate)->group("");
   app.add_option("--mistakes", options.mistakes)->group("");
   app.add_option("--work", options.work)->group("");

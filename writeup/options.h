@@ -15,7 +15,8 @@ struct Options {
   int threads = 1;
   // Set by ./run.
   std::string root = ".";  // of the project: the catalogues are in its folder writeup/
-  std::string renderer, accuracy, stability, measure, generate, mistakes, work, boxed, by;
+  std::string renderer, accuracy, stability, measure, view, view_worker, generate, mistakes, work,
+      boxed, by;
 };
 
 // Prints help and exits for --help; throws pt::Error for what it cannot use.

@@ -271,8 +271,33 @@ std::vector<Measurement> Plan::of_prices(const Figure& figure) const {
   return {each};
 }
 
+// A ray needs no light, so that its figure can be made when the tasks of parts 1 and 2 are written.
+Measurement Plan::of_view(const Figure& figure) const {
+  measure::Spec spec;
+  spec.engine = pt::Engine::task;
+  spec.path.to = figure.kind == "ray" ? 0 : 5;
+  const std::string scene = figure.scenes.at(0);
+  Measurement each{"view", scenes_.path(scene), {}, figure.seconds, nullptr, {}, {}};
+  each.options = {"--lambertian",
+                  "-m",
+                  std::to_string(spec.path.to),
+                  "-r",
+                  std::to_string(figure.size[0]),
+                  std::to_string(figure.size[1]),
+                  "--pixel",
+                  std::to_string(figure.pixel[0]),
+                  std::to_string(figure.pixel[1])};
+  if (codes_.view) {
+    each.code = &*codes_.view;
+    each.depends = identity(*each.code, spec);
+    each.obstacle = obstacle(*each.code, spec);
+  }
+  return each;
+}
+
 std::vector<Measurement> Plan::measurements(const Figure& figure) const {
   if (figure.kind == "pictures" || figure.kind == "speedup") return {};
+  if (figure.kind == "path" || figure.kind == "ray") return {of_view(figure)};
   if (figure.kind == "curve") return {of_curve(figure)};
   return figure.kind == "prices" ? of_prices(figure) : of_scenes(figure);
 }

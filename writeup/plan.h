@@ -21,6 +21,7 @@ struct Codes {
   std::optional<Code> accuracy;          // the same, in the program that measures
   std::optional<Code> stability;         // the program that measures curves; hash by task
   std::optional<Code> measure;           // the program that takes the time of tasks
+  std::optional<Code> view;              // the program that writes what the paths of a pixel did
   bool reference_rays = false;           // `chosen` traces with the reference's tasks
   std::map<std::string, Code> mistakes;  // by wrong solution; empty in the learners' edition
 };
@@ -40,7 +41,8 @@ class Plan {
 
   // The measurements for a figure: of the kind "converge", method against method in its scene; of the
   // kinds "needs", "left_out" and "scene_needs", the needs of each of its scenes; of the kind "curve",
-  // all curves of its task, which other figures share; of the kind "prices", the time of right solutions.
+  // all curves of its task, which other figures share; of the kind "prices", the time of right solutions;
+  // of the kinds "path" and "ray", what the paths of a pixel did, as ./run view writes it.
   std::vector<Measurement> measurements(const Figure& figure) const;
 
   // Processor seconds of all renders and measurements, each once.
@@ -69,6 +71,7 @@ class Plan {
   std::vector<Measurement> of_scenes(const Figure& figure) const;
   Measurement of_curve(const Figure& figure) const;
   std::vector<Measurement> of_prices(const Figure& figure) const;
+  Measurement of_view(const Figure& figure) const;
   bool traces_as_reference(const Picture& picture) const;
   Unit unit(const Picture& picture) const;
   std::vector<Unit> in_bounces(const Unit& whole, const std::string& scene) const;

@@ -54,7 +54,7 @@ writeup() {
   shift
   ${go-} "$build/writeup/writeup" --quality draft --root "$root" --by 'an author' --from "$name" --renderer "$folder/writeup/$name" \
     --accuracy "$folder/writeup/$name.accuracy" --stability "$folder/stability" --measure "$folder/measure" --mistakes "$build/writeup" --generate "$build/scenes/generate" \
-    --work "$made" --text "${texts:-$root/writeup}" "$@"
+    --view "$build/view/view" --view-worker "$build/view/view_worker.reference" --work "$made" --text "${texts:-$root/writeup}" "$@"
 }
 # expect STATUS WORDS COMMAND ...: it ends with the status and prints the words.
 expect() {

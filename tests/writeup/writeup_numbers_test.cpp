@@ -94,6 +94,118 @@ TEST_F(NumbersTest, a_remedy_costs_the_mean_factor_of_all_cases) {
   EXPECT_FALSE(got.numbers.contains("far.work"));
 }
 
+json point_of_path(double x, double part) {
+  return {{"p", {x, 0, -2}},
+          {"primitive", 3},
+          {"direct",
+           {{"light", {0.5, 0.5, 0.5}},
+            {"draws",
+             {{{"traced", true}, {"hidden", x > 0}, {"distance", 1}, {"wi", {0, 1, 0}}},
+              {{"traced", false}, {"hidden", false}, {"distance", "inf"}, {"wi", {0, 1, 0}}}}}}},
+          {"throughput", {1, 1, 1}},
+          {"part", {part, part, part}},
+          {"drawn", {0.25}},
+          {"survival", 1}};
+}
+
+// The camera sees 45 degrees to each side, so a point at x = 1 and z = -2 is a quarter of the width right of the middle.
+json view_of(const std::vector<json>& paths, const json& tests) {
+  const json camera{{"position", {0, 0, 0}}, {"x", {1, 0, 0}}, {"y", {0, 1, 0}},
+                    {"z", {0, 0, 1}},        {"hfov", 90},     {"vfov", 90}};
+  return {{"paths", {{"paths", paths}, {"unwritten", json::array()}}},
+          {"settings", {{"bounces", "5"}}},
+          {"scene", {{"camera", camera}}},
+          {"picture", "data:image/png;base64,"},
+          {"ray", {{"t", 3.5}, {"primitives", 2}, {"all", 100}, {"tests", tests}}}};
+}
+
+Figure figure_of_view(const char* kind) {
+  Figure figure;
+  figure.id = kind;
+  figure.kind = kind;
+  figure.scenes = {"box"};
+  figure.pixel = {3, 4};
+  figure.size = {40, 30};
+  return figure;
+}
+
+TEST_F(NumbersTest, the_longest_path_of_a_pixel_is_shown) {
+  codes_.view = codes_.chosen;
+  for (const grader::Task& task : grader::tasks()) codes_.view->hash[task.slug] = "a";
+  const auto path = [](const std::vector<json>& bounces, double sum) {
+    return json{{"bounces", bounces},
+                {"sum", {sum, sum, sum}},
+                {"traced", {sum, sum, sum}},
+                {"same", true}};
+  };
+  const json all = view_of(
+      {path({point_of_path(0, 9)}, 9), path({point_of_path(0, 0.5), point_of_path(1, 0.25)}, 0.75)},
+      json::array());
+  const Figure figure = figure_of_view("path");
+  const Drawn got = drawn(figure, "view.json", all.dump(), draw_path);
+  ASSERT_EQ(got.problems, std::vector<std::string>{});
+  EXPECT_EQ(got.numbers.at("paths"), "2");
+  EXPECT_EQ(got.numbers.at("points"), "2");
+  EXPECT_EQ(got.numbers.at("direct"), "0.5");
+  EXPECT_EQ(got.numbers.at("indirect"), "0.25");
+  EXPECT_EQ(got.numbers.at("result"), "0.75");
+  EXPECT_EQ(got.numbers.at("lights"), "2");
+  EXPECT_EQ(got.numbers.at("hidden"), "1");
+  ASSERT_EQ(got.rows.size(), 4u);
+  EXPECT_EQ(got.rows[1].back(), "0.25: ends");
+  for (const std::string& name : number_names(figure))
+    EXPECT_TRUE(got.numbers.contains(name)) << name;
+  const std::string svg = pt::read_file(folder_.path() + "/pages/path.svg");
+  EXPECT_NE(svg.find("cx=\"360.0\" cy=\"180.0\""), std::string::npos) << svg;
+
+  const Drawn none =
+      drawn(figure, "view.json", view_of({path({}, 0)}, json::array()).dump(), draw_path);
+  EXPECT_EQ(none.problems, std::vector<std::string>{"no ray of this pixel meets a surface"});
+}
+
+TEST_F(NumbersTest, tests_of_a_ray_are_counted_by_level) {
+  codes_.view = codes_.chosen;
+  for (const grader::Task& task : grader::tasks()) codes_.view->hash[task.slug] = "a";
+  const json tests{
+      {{"node", 1}, {"level", 1}, {"t", {2, 6}}, {"opened", true}},
+      {{"node", 2}, {"level", 1}, {"t", nullptr}, {"opened", false}},
+      {{"node", 3},
+       {"level", 2},
+       {"t", {2, 4}},
+       {"opened", true},
+       {"primitives", {{7, 3.5}, {8, nullptr}}}},
+      {{"node", 4}, {"level", 2}, {"t", {4, 6}}, {"opened", false}, {"primitives", json::array()}}};
+  const Figure figure = figure_of_view("ray");
+  const Drawn got = drawn(figure, "view.json", view_of({}, tests).dump(), draw_ray);
+  ASSERT_EQ(got.problems, std::vector<std::string>{});
+  for (const std::string& name : number_names(figure))
+    EXPECT_TRUE(got.numbers.contains(name)) << name;
+  EXPECT_EQ(got.numbers.at("boxes"), "4");
+  EXPECT_EQ(got.numbers.at("missed"), "1");
+  EXPECT_EQ(got.numbers.at("behind"), "1");
+  EXPECT_EQ(got.numbers.at("opened"), "2");
+  EXPECT_EQ(got.numbers.at("leaves"), "1");
+  EXPECT_EQ(got.numbers.at("primitives"), "2");
+  EXPECT_EQ(got.numbers.at("t"), "3.5");
+  EXPECT_EQ(got.rows[1], (std::vector<std::string>{"2", "2", "0", "1", "1", "1", "2"}));
+}
+
+// A task of a submission that cannot run is not replaced by the reference without a word.
+TEST_F(NumbersTest, a_path_without_a_task_that_compiles_is_not_shown) {
+  codes_.view = codes_.chosen;
+  for (const grader::Task& task : grader::tasks()) codes_.view->hash[task.slug] = "a";
+  codes_.view->unusable["trace_path"] = "does not compile";
+  const Scenes scenes(catalogue_, "", "", "", false);
+  const Store store(folder_.path() + "/renders");
+  const Measurements measured(folder_.path() + "/measured", store);
+  const Plan plan(catalogue_, codes_, scenes, store, measured, Quality::full);
+  const auto failure = [&](const char* kind) {
+    return measured.failure(plan.measurements(figure_of_view(kind)).at(0));
+  };
+  EXPECT_EQ(failure("path"), "trace_path does not compile");
+  EXPECT_EQ(failure("ray"), "") << "it needs no light";
+}
+
 // The divisor of errors is the luminance and 4 % of the mean: 1 in an even picture of this luminance.
 constexpr double kUnit = 1 / 1.04;
 
