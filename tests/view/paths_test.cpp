@@ -259,7 +259,9 @@ TEST(Tests, of_a_ray_have_the_order_of_the_search) {
           EXPECT_TRUE(is_below_root || (before_it != opened.end() && before_it->second));
         }
         opened[node] = test.at("opened");
-        if (test.at("opened")) EXPECT_FALSE(test.at("t").is_null());
+        if (test.at("opened")) {
+          EXPECT_FALSE(test.at("t").is_null());
+        }
         for (const auto& primitive : test.value("primitives", nlohmann::json::array())) {
           ++primitives;
           if (primitive.at(1).is_number())
