@@ -1,6 +1,6 @@
 # The view: its paths on the reference, on mistakes and on right variants; its server, and its page.
 
-# view_<name>: the paths of many pixels with these choices; of the tier long, of more than a thousand. `breaks` is the promise of a red
+# view_<name>: the paths of many pixels with these choices; of the tier long, of more than a thousand per picture. `breaks` is the promise of a red
 # cell, or none.
 firstlight_objects(view_paths_test view/paths_test.cpp)
 target_link_libraries(view_paths_test PRIVATE GTest::gtest view_paths)
@@ -15,7 +15,7 @@ function(firstlight_view_test name tier breaks)
   firstlight_link_tasks(view_${name} FROM reference RADIANCE none CHOICES ${ARGN} VIEWED)
   set(step 9)
   if(tier STREQUAL long)
-    set(step 6)
+    set(step 2)
   endif()
   firstlight_add_test(view_${name} ${tier} NEEDS view_${name}
     COMMAND ${CMAKE_COMMAND} -E env VIEW_BREAKS=${breaks} VIEW_STEP=${step} $<TARGET_FILE:view_${name}>)
