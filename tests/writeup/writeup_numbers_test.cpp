@@ -22,7 +22,7 @@ class NumbersTest : public testing::Test {
     code.hash = {{"hit_sphere", "a"}, {"framework", "b"}};
     codes_.chosen = code;
     codes_.accuracy = codes_.stability = codes_.measure = code;
-    catalogue_.scenes["box"].own = "scenes/box_spheres.dae";
+    catalogue_.scenes["box"].own = FIRSTLIGHT_ROOT "/scenes/box_spheres.dae";
     std::filesystem::create_directories(folder_.path() + "/pages");
   }
 

@@ -116,7 +116,9 @@ TEST(memory, holds_what_failed_last_and_forgets_hints_when_the_task_passes) {
   auto mean = failed("mean"), exact = failed("exact"), dead = failed("dead");
   mean.failures[0].statistical = true;
   dead.failures[0].cause = results::Cause::crash;
-  remember_failures(folder.path(), results_of(results::State::crash, {mean, exact, dead}));
+  results::PromiseResult kept;
+  kept.held = true;
+  remember_failures(folder.path(), results_of(results::State::crash, {mean, exact, dead, kept}));
   EXPECT_EQ(recall(folder.path(), "hit_triangle").fails,
             (std::vector<std::string>{"dead", "exact", "mean"}));
 
