@@ -30,10 +30,16 @@ read_table() {
   local rows name file target test why
   rows=$(edits -v list="name base test says target") || exit 2
   while IFS=$'\t' read -r name file test why target; do
-    [ -n "$target" ] || { target=${test%% *} target=${target#tests/}; }
     names+=("$name") files+=("$file") targets+=("$target") tests+=("$test") whys+=("$why")
   done <<<"$rows"
   [ "${#names[@]}" -ge "$least" ] || fail "$table: ${#names[@]} mistakes are fewer than $least; keep more"
+}
+
+# The targets of entry i: its own, else those that its test program needs.
+targets_of() {
+  [ -z "${targets[$1]}" ] || { echo "${targets[$1]}"; return; }
+  awk -v "test=${tests[$1]%% *}" '"tests/" $1 == test { $1 = $2 = ""; print; found = 1 }
+    END { if (!found) print substr(test, 7) }' "$folder/tree/build/check/tests.txt"
 }
 
 build() { ninja -C "$folder/tree/build/check" "$@" >"$folder/build.log" 2>&1; }
@@ -48,8 +54,8 @@ check_without_mistakes() {
   local all=("${!wanted[@]}") i needed=() status
   local -A statuses=()
   for i in "${all[@]}"; do
-    # shellcheck disable=SC2206
-    needed+=(${targets[i]})
+    # shellcheck disable=SC2207
+    needed+=($(targets_of "$i"))
   done
   build "${needed[@]}" || fail "the project does not build: see $folder/build.log"
   for i in "${all[@]}"; do
@@ -69,11 +75,10 @@ check_without_mistakes() {
 
 # Sets `outcome` to the result of the test on the mistake.
 try() {
-  local i=$1 path=$folder/tree/${files[$1]} targets_of
+  local i=$1 path=$folder/tree/${files[$1]}
   edits -v only="${names[i]}" >"$folder/changed" && cp "$folder/changed" "$path"
-  # shellcheck disable=SC2206
-  targets_of=(${targets[i]})
-  if ! build "${targets_of[@]}"; then
+  # shellcheck disable=SC2046
+  if ! build $(targets_of "$i"); then
     outcome='does not compile'
   elif passes "${tests[i]}"; then
     outcome=SURVIVES
