@@ -59,6 +59,13 @@ std::pair<std::string, double> stated_axis_and_unit(const XMLElement* asset) {
           unit ? unit->DoubleAttribute("meter", 1) : 1};
 }
 
+std::string_view trimmed(const char* value) {
+  constexpr const char* kSpace = " \t\r\n";
+  const std::string_view text = value ? value : "";
+  const std::size_t first = text.find_first_not_of(kSpace);
+  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(kSpace) + 1 - first);
+}
+
 }  // namespace
 
 ColladaDocument::ColladaDocument(const std::filesystem::path& file, std::vector<std::string>& notes)
@@ -97,8 +104,8 @@ void ColladaDocument::index(XMLElement& element) {
   const std::string_view name = element.Name();
   if (name == "asset") assets_.push_back(&element);
   if (name == "technique" && is_course_profile(element)) has_course_profile_ = true;
-  if (const char* id = element.Attribute("id")) {
-    const std::string key = std::string(name) + "#" + id;
+  if (const std::string_view id = attribute(&element, "id"); !id.empty()) {
+    const std::string key = std::string(name).append("#").append(id);
     if (!is_new(by_id_[{nullptr, key}], element) && duplicates_++ == 0) first_duplicate_ = &element;
     if (const XMLElement* mesh = mesh_around(element)) is_new(by_id_[{mesh, key}], element);
   }
@@ -209,8 +216,7 @@ void ColladaDocument::note_on_the_whole() const {
 }
 
 std::string_view attribute(const XMLElement* element, const char* name) {
-  const char* value = element ? element->Attribute(name) : nullptr;
-  return value ? value : "";
+  return trimmed(element ? element->Attribute(name) : nullptr);
 }
 
 std::vector<const XMLElement*> children(const XMLElement& parent, const char* name) {
@@ -242,13 +248,7 @@ std::string label(const XMLElement& element) {
   return quoted(name.empty() ? attribute(&element, "id") : name);
 }
 
-std::string_view trimmed_text(const XMLElement& element) {
-  constexpr const char* kSpace = " \t\r\n";
-  const std::string_view text = element.GetText() ? element.GetText() : "";
-  const std::size_t first = text.find_first_not_of(kSpace);
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) + 1 - first);
-}
+std::string_view trimmed_text(const XMLElement& element) { return trimmed(element.GetText()); }
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;

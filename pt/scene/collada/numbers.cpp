@@ -113,14 +113,13 @@ Rgb read_color(const ColladaDocument& document, const XMLElement& element) {
 }
 
 std::optional<std::size_t> read_count(const ColladaDocument& document, const XMLElement& element,
-                                      const char* attribute) {
-  const char* text = element.Attribute(attribute);
-  if (text == nullptr) return std::nullopt;
-  const std::string_view digits(text);
+                                      const char* name) {
+  if (element.Attribute(name) == nullptr) return std::nullopt;
+  const std::string_view digits = attribute(&element, name);
   unsigned int value = 0;
-  const auto [rest, error] = std::from_chars(text, text + digits.size(), value);
-  if (error != std::errc{} || rest != text + digits.size()) {
-    document.fail(element, std::string(attribute) + "=" + quoted(digits) + " of " + tag(element) +
+  const auto [rest, error] = std::from_chars(digits.begin(), digits.end(), value);
+  if (error != std::errc{} || rest != digits.end()) {
+    document.fail(element, std::string(name) + "=" + quoted(digits) + " of " + tag(element) +
                                " is not a count; write an integer from 0 up");
   }
   return value;

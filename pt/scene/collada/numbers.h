@@ -29,7 +29,7 @@ Rgb read_color(const ColladaDocument& document, const XMLElement& element);
 
 // An attribute that is an integer >= 0; nothing if it is missing.
 std::optional<std::size_t> read_count(const ColladaDocument& document, const XMLElement& element,
-                                      const char* attribute);
+                                      const char* name);
 
 // A number as a message shows it: 0.8, 10, 1e-07; and three of them.
 std::string shown(double value);

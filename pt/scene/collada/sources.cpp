@@ -57,7 +57,7 @@ Accessor read_accessor(const ColladaDocument& document, const XMLElement* elemen
   if (element == nullptr) return {numbers / 3, 3, 0};
   const std::size_t stride = read_count(document, *element, "stride").value_or(1);
   const std::size_t offset = read_count(document, *element, "offset").value_or(0);
-  if (stride < 3)
+  if (stride < 2)
     document.fail(*element, "positions and normals have 3 numbers; correct the stride");
   const std::size_t fit = offset > numbers ? 0 : (numbers - offset) / stride;
   const std::size_t count = read_count(document, *element, "count").value_or(fit);
@@ -66,7 +66,9 @@ Accessor read_accessor(const ColladaDocument& document, const XMLElement* elemen
                                 "array has " + std::to_string(fit) +
                                 "; correct the count, or copy the file again if it was cut off");
   }
-  return {count, stride, offset, named_slots(document, *element, stride)};
+  if (stride > 2) return {count, stride, offset, named_slots(document, *element, stride)};
+  document.note("positions or normals of two numbers: the third is 0.");
+  return {count, stride, offset};
 }
 
 // The array that the accessor names, which may be that of another source; else the source's own.
@@ -101,7 +103,8 @@ std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement
   vectors.reserve(accessor.count);
   for (std::size_t i = 0; i < accessor.count; ++i) {
     const double* v = numbers.data() + accessor.offset + i * accessor.stride;
-    vectors.push_back({v[accessor.slots[0]], v[accessor.slots[1]], v[accessor.slots[2]]});
+    const double z = accessor.slots[2] < accessor.stride ? v[accessor.slots[2]] : 0;
+    vectors.push_back({v[accessor.slots[0]], v[accessor.slots[1]], z});
   }
   return vectors;
 }

@@ -283,6 +283,23 @@ TEST(Accessors, skip_numbers_without_a_name) {
                        "names 2 numbers of a vector"));
 }
 
+TEST(Accessors, of_two_numbers_give_a_flat_shape) {
+  const LoadedScene flat = load_text(with_accessor("0 0 1 0 0 1", "2", ""));
+  expect_one_triangle(flat);
+  EXPECT_TRUE(has_note(flat, "of two numbers: the third is 0"));
+}
+
+// The specification's types for names and references ignore white space around them.
+TEST(Attributes, have_no_blanks_around_them) {
+  std::string text = with_accessor("0 0 0 1 0 0 0 1 0", "3", "");
+  for (const char* part : {"id=\"tri-p\"", "source=\"#a\"", "stride=\"3\""}) {
+    const std::string blank = std::string(part).insert(std::string(part).find('"') + 1, " \n");
+    ASSERT_TRUE(contains(text, part));
+    text = replaced(text, part, blank);
+  }
+  expect_one_triangle(load_text(text));
+}
+
 TEST(Accessors, read_the_array_that_they_name) {
   const std::string other =
       "<source id=\"o\"><float_array id=\"b\">0 0 0 1 0 0 0 1 0</float_array></source>";
