@@ -151,8 +151,8 @@ std::string end_of(const json& bounce, bool is_last, int most, int point) {
 }
 
 void add_rows(const json& path, int most, Drawn& drawn) {
-  drawn.columns = {"point",      "place", "primitive",   "direct light",
-                   "throughput", "part",  "f cos / pdf", "roulette"};
+  drawn.columns = {"point", "place",       "direct light", "throughput",
+                   "part",  "f cos / pdf", "roulette"};
   const json& bounces = path.at("bounces");
   for (std::size_t i = 0; i < bounces.size(); ++i) {
     const json& bounce = bounces[i];
@@ -160,7 +160,6 @@ void add_rows(const json& path, int most, Drawn& drawn) {
     const bool goes_on = bounce.contains("wi");
     drawn.rows.push_back(
         {std::to_string(point), triple(bounce.at("p")),
-         std::to_string(bounce.at("primitive").get<int>()),
          bounce.at("direct").is_null() ? kDash : color_in(bounce.at("direct").at("light")),
          color_in(bounce.at("throughput")), color_in(bounce.at("part")),
          goes_on ? fmt::format("{} \u00b7 {} / {}", color_in(bounce.at("f")),
@@ -168,9 +167,8 @@ void add_rows(const json& path, int most, Drawn& drawn) {
                  : kDash,
          end_of(bounce, point == static_cast<int>(bounces.size()), most, point)});
   }
-  for (const auto& [name, field] :
-       {std::pair{"sum of the parts", "sum"}, {"trace_path", "traced"}}) {
-    drawn.rows.push_back({name, "", "", "", "", color_in(path.at(field)), "", ""});
+  for (const auto& [name, field] : {std::pair{"sum", "sum"}, {"trace_path", "traced"}}) {
+    drawn.rows.push_back({name, "", "", "", color_in(path.at(field)), "", ""});
   }
 }
 
