@@ -75,6 +75,9 @@ said=$(cd "$folder" && ./run measure hit_sphere --seconds 1 2>&1) || [ $? -eq 1 
 grep -q '^. reference  *[0-9]' <<<"$said" && grep -q '^  student .*not written yet' <<<"$said" || complain "./run measure says: $said"
 said=$(cd "$folder" && ./run writeup normals --quality draft 2>&1) || [ $? -eq 1 ] || complain "./run writeup says: $said"
 rm -r "$folder/student/writeup" # the learner's texts, which git sees
+said=$(cd "$folder" && ./run writeup normals --quality draft --from reference 2>&1) || complain "./run writeup --from reference says: $said"
+said=$(cd "$folder" && ./run cheapest scenes/box_spheres.dae --from reference --error 50% 2>&1) ||
+  complain "./run cheapest --from reference says: $said"
 # The commands of the handbook make the pictures that it shows, but those that need a learner's mistake.
 shown=0
 while read -r command; do
