@@ -45,25 +45,22 @@ void generate_mesh(const MeshRequest& request) {
 }  // namespace scenes
 
 int main(int argc, char** argv) {
-  CLI::App app("Makes scene files that are too large, or too regular, to be written by hand.",
-               "./run");
-  app.require_subcommand(1);
+  CLI::App app("One mesh, alone or in the Cornell box", "./run mesh");
   scenes::MeshRequest request;
   std::vector<std::string> names;
   for (const scenes::Kind& kind : scenes::kinds()) names.emplace_back(kind.name);
 
-  CLI::App* mesh = app.add_subcommand("mesh", "One mesh, alone or in the Cornell box");
-  mesh->add_option("-k,--kind", request.kind, "What it shows")
+  app.add_option("-k,--kind", request.kind, "What it shows")
       ->required()
       ->check(CLI::IsMember(names));
-  mesh->add_option("-n,--triangles", request.triangles,
-                   "At most this many, and nearly: 100 to 10000000")
+  app.add_option("-n,--triangles", request.triangles,
+                 "At most this many, and nearly: 100 to 10000000")
       ->required();
-  mesh->add_option("-o,--output", request.file, "The file to write, .dae")->required();
-  mesh->add_option("-d,--decimals", request.decimals, "Digits after the point")
+  app.add_option("-o,--output", request.file, "The file to write, .dae")->required();
+  app.add_option("-d,--decimals", request.decimals, "Digits after the point")
       ->check(CLI::Range(3, 12))
       ->capture_default_str();
-  mesh->add_flag("-r,--room", request.room, "Put it into the Cornell box");
+  app.add_flag("-r,--room", request.room, "Put it into the Cornell box");
   return pt::run_command_line(app, argc, argv, [&] {
     scenes::generate_mesh(request);
     return 0;

@@ -77,7 +77,6 @@ void Scenes::prepare(const std::string& name) const {
   if (source.mesh.empty() || has_course_file(source) || fs::exists(file)) return;
   fs::create_directories(made_);
   std::vector<std::string> words{generate_.string(),
-                                 "mesh",
                                  "--kind",
                                  source.mesh,
                                  "--triangles",

@@ -24,7 +24,7 @@ grade-class grader/grade_class
 hint grader/hint
 ladder measure/ladder
 measure measure/measure
-mesh scenes/generate mesh
+mesh scenes/generate
 render pt/render
 stability measure/stability
 view view/view
