@@ -84,7 +84,7 @@ TEST_F(Scenes, that_were_generated_are_generated_again_byte_for_byte) {
   int generated = 0;
   for (const fs::path& file : scene_files()) {
     const std::string comment = purpose(text_of(file));
-    const std::string intro = "Made by: generate ";
+    const std::string intro = "Made by: generate mesh ";
     const std::size_t start = comment.find(intro);
     if (start == std::string::npos) continue;
     ++generated;
@@ -97,9 +97,9 @@ TEST_F(Scenes, that_were_generated_are_generated_again_byte_for_byte) {
 
 TEST_F(Scenes, are_not_generated_from_what_cannot_be_used) {
   const std::string file = (folder_ / "mesh.dae").string();
-  EXPECT_NE(generate("mesh -k blob -n 99 -o " + file), 0);
-  EXPECT_NE(generate("mesh -k bunny -n 1000 -o " + file), 0);
-  EXPECT_NE(generate("mesh -k blob -n 1000 -o " + file + "/is/no/folder"), 0);
+  EXPECT_NE(generate("-k blob -n 99 -o " + file), 0);
+  EXPECT_NE(generate("-k bunny -n 1000 -o " + file), 0);
+  EXPECT_NE(generate("-k blob -n 1000 -o " + file + "/is/no/folder"), 0);
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
