@@ -93,7 +93,7 @@ name_changed_files() {
 build() {
   local preset=$1 steps
   shift
-  case " $* " in *student* | *.sanitized*) expect_task_files ;; esac
+  case " $* " in *student* | *.sanitized* | *' render '*) expect_task_files ;; esac
   setup
   if [ -z "$tree_is_locked" ] && has_settings "$preset" && nothing_to_do "$preset" build.ninja && nothing_to_do "$preset" "$@"; then
     return 0

@@ -81,5 +81,6 @@ cp -r --parents student pt/tasks grader/tasks/*/task.json "$place/it's a b"
 rm "$place/it's a b/student/2_bvh/hit_box.cpp"
 cd "$place/it's a b"
 refuses 'student/*/hit_box.cpp is gone' grade hit_sphere --from student
+refuses 'student/*/hit_box.cpp is gone' render scenes/box_spheres.dae -f a.png --from student
 
 finish
