@@ -21,7 +21,7 @@ program() {
 begin() {
   rm -rf "$tree" "$bin"
   mkdir -p "$tree/docs" "$tree/grader" "$bin"
-  cp -r run cmake scripts CMakePresets.json "$tree"
+  cp -r run cmake scripts student CMakePresets.json "$tree"
   cp --parents grader/tasks/*/task.json "$tree"
   cp -r docs/help "$tree/docs"
   ln -s /usr/bin/* "$bin"
