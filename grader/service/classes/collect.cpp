@@ -215,6 +215,7 @@ std::string Collector::moodle_table(const std::vector<platforms::GradeRow>& rows
 
 // The paths under which learners get their pages, if Moodle's worksheet tells who is who.
 std::map<std::string, std::vector<std::string>> Collector::pages_of_moodle() const {
+  if (plan_.worksheet.empty()) return {};
   std::vector<platforms::GradeRow> rows;
   std::map<std::string, std::string> paths;
   for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
@@ -229,8 +230,7 @@ std::map<std::string, std::vector<std::string>> Collector::pages_of_moodle() con
 std::vector<std::string> Collector::write_returns() {
   std::vector<platforms::GradeRow> canvas, moodle, gradescope;
   std::vector<intake::Packed> pages;
-  const bool knows_groups = !plan_.worksheet.empty();
-  const auto of_moodle = knows_groups ? pages_of_moodle() : decltype(pages_of_moodle())();
+  const auto of_moodle = pages_of_moodle();
   for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
     const intake::HandedIn& by = plan_.everybody[i];
     const platforms::GradeRow& row = for_platforms_[i];
@@ -239,7 +239,7 @@ std::vector<std::string> Collector::write_returns() {
     const bool listed = by.platform == intake::Platform::gradescope;
     if (listed) gradescope.push_back(row);
     std::vector<std::string> paths{listed ? row.name + ".html" : by.feedback};
-    if (by.platform == intake::Platform::moodle && knows_groups) {
+    if (by.platform == intake::Platform::moodle && !plan_.worksheet.empty()) {
       const auto found = of_moodle.find(row.name);
       paths = found == of_moodle.end() ? std::vector<std::string>() : found->second;
     }
