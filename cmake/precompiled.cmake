@@ -1,6 +1,6 @@
 # The headers of the standard library, and of the libraries that take the compiler longest, are read once and kept compiled.
 #
-# Every file still includes all that it needs; builds without precompiled headers test this (./run lint, ./run tidy, and all
+# Every file still includes all that it needs; builds without precompiled headers test this (./run lint --all, ./run tidy, and all
 # builds with a compiler cache). Not used with link-time optimisation, where each file has its own flags, nor for pt/, the
 # tasks, and what a worker links with them: their objects must depend only on their own files.
 #

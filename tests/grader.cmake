@@ -99,16 +99,16 @@ target_compile_definitions(wrong_and_right_test PRIVATE
 set(needs NEEDS wrong_and_right_test ${programs})
 firstlight_add_test(some_wrong_and_right quick
   COMMAND wrong_and_right_test --gtest_filter=-*every_bonus_promise --each 2 ${needs})
-firstlight_add_test(many_wrong_and_right rest COMMAND wrong_and_right_test --each 12 ${needs})
+firstlight_add_test(many_wrong_and_right rest COMMAND wrong_and_right_test --each 8 ${needs})
 firstlight_add_test(wrong_and_right_test long COMMAND wrong_and_right_test ${needs})
 firstlight_script_test(debug rest commands/debug.sh NEEDS ${programs}
   ARGUMENTS ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/tests/hit_triangle.objects)
 
 # Right work of every kind, graded as a class hands it in: a little of it by the tests, as much as is
-# asked for by hand. Of these mixtures two have uniform directions, with which the furnace's last bounces are noisy.
+# asked for by hand. Mixture 5062 has uniform directions, with which the furnace's last bounces are noisy.
 add_executable(right_work grader/tasks/right_work.cpp)
 target_link_libraries(right_work PRIVATE firstlight_warnings grader_submissions grader_judging CLI11::CLI11)
-firstlight_add_test(right_work rest NEEDS right_work grade graded COMMAND right_work --mixtures 6 --first-seed 5060)
+firstlight_add_test(right_work rest NEEDS right_work grade graded COMMAND right_work --mixtures 4 --first-seed 5060)
 
 # Tests what `grade` names mistakes, their relatives and right solutions. All of them take half an hour; the test tries one
 # of each kind for each task.

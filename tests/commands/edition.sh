@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Tests that ./run update switches to a newer edition and keeps the learner's files, and that ./run submit packs all tasks.
+# Tests that a handout is whole without its compiled parts, that ./run update switches to a newer edition and keeps the learner's files,
+# and that ./run submit packs all tasks.
 # shellcheck disable=SC2015
 set -euo pipefail
 # shellcheck source=tests/fixtures/shell.sh
@@ -34,6 +35,19 @@ for name in pages:
 assert links > 20, links
 sys.exit(dead > 0)
 END
+
+# Compiled parts that do not fit are left aside, and everything has a rule.
+foreign=$folder/foreign
+mkdir -p "$foreign/compiled" "$foreign/reference-objects/stubs"
+(. scripts/editions/files.sh && edition_files "$not_for_learners" | copy_files "$foreign")
+cp -r student/[1-9]* "$foreign/reference-objects/stubs"
+echo 'machine Linux other' | tee "$foreign/compiled/stamp" >"$foreign/reference-objects/stamp"
+touch "$foreign/compiled/sources"
+for pch in ON OFF; do
+  expect 0 'Build files have been written' cmake -S "$foreign" --preset check -B "$foreign/build/$pch" "-DFIRSTLIGHT_PCH=$pch"
+  expect 0 '/hit_sphere.cpp.o' ninja -C "$foreign/build/$pch" -n grade graded watch render measure stability writeup view
+  grep -qF 'compiled for another compiler and another machine' "$foreign/build/$pch/not_compiled" || complain "it does not say why everything is built"
+done
 
 # edition NAME: makes an edition with its name in each file.
 edition() {
