@@ -61,7 +61,7 @@ void Live::compile(const std::stop_token& stop) {
 }
 
 void Live::watch(const std::stop_token& stop) {
-  constexpr std::chrono::milliseconds kPause{250};
+  constexpr std::chrono::milliseconds kPause{50};
   Times compiled = times_of(tasks_), before = compiled;
   while (!stop.stop_requested()) {
     std::this_thread::sleep_for(kPause);

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <thread>
 
@@ -64,19 +63,6 @@ void say(const std::string& note) {
   if (!note.empty()) fmt::print(stderr, "{}\n", note);
 }
 
-// The picture of a reply as a file of the page.
-std::string png_of(const Reply& reply) {
-  pt::Image image(reply.state.at("width"), reply.state.at("height"));
-  const std::size_t size = 3 * sizeof(float) * image.pixels.size();
-  if (reply.bytes.size() != size) throw pt::Error("the picture of the tasks is not whole");
-  std::vector<float> values(3 * image.pixels.size());
-  std::memcpy(values.data(), reply.bytes.data(), size);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-  }
-  return grader::report::png_address(tone_map(image));
-}
-
 // Asks for the picture until it has some samples, but not for long.
 Reply settled_picture(Child& child, const std::map<std::string, std::string>& settings) {
   constexpr int kSamples = 30;
@@ -91,6 +77,12 @@ Reply settled_picture(Child& child, const std::map<std::string, std::string>& se
       return reply;
     }
   }
+}
+
+json as_text(const Reply& reply) {
+  json text = reply.state;
+  text["base64"] = grader::report::base64(reply.bytes);
+  return text;
 }
 
 void write_page(const Options& options, Child& own, Child* reference) {
@@ -109,12 +101,12 @@ void write_page(const Options& options, Child& own, Child* reference) {
   data["scene"] = own.ask("scene", of_picture).state;
   of_pixel.erase("samples");
   data["ray"] = own.ask("ray", of_pixel).state;
+  data["depth"] = as_text(own.ask("depth", of_picture));
   const Reply picture = settled_picture(own, of_picture);
   if (of_picture.contains("shown")) {
-    data["numbers"] = picture.state;
-    data["numbers"]["base64"] = grader::report::base64(picture.bytes);
+    data["numbers"] = as_text(picture);
   } else {
-    data["picture"] = png_of(picture);
+    data["picture"] = grader::report::png_address(tone_map(mean(film_of(picture))));
   }
   pt::write_file(options.page, options.page.extension() == ".json"
                                    ? data.dump(-1, ' ', true, json::error_handler_t::replace)

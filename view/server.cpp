@@ -1,6 +1,7 @@
 #include "view/server.h"
 
 #include "pt/end_of_program.h"
+#include "view/page.h"
 
 #include <algorithm>
 #include <array>
@@ -69,10 +70,13 @@ void answer(const Served& served, const std::string& what, const Request& reques
   }
   if (child == nullptr) return refuse(response, 400, "there is no reference beside these tasks");
   try {
-    const Reply reply = child->ask(what, query);
+    const bool is_file = what == "exr";
+    const Reply reply = child->ask(is_file ? "picture" : what, query);
     const std::string state =
         reply.state.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-    if (reply.bytes.empty()) {
+    if (is_file) {
+      response.set_content(exr_of(reply), "image/x-exr");
+    } else if (reply.bytes.empty()) {
       response.set_content(state, "application/json");
     } else {
       response.set_header("X-State", state);
@@ -116,7 +120,7 @@ Server::Server(Served served)
   http_->Get("/", [this](const Request&, Response& response) {
     response.set_content(served_.page, "text/html; charset=utf-8");
   });
-  for (const char* what : {"scene", "picture", "paths", "tree", "ray"}) {
+  for (const char* what : {"scene", "picture", "exr", "paths", "tree", "ray", "depth"}) {
     http_->Get(std::string("/") + what, [this, what](const Request& request, Response& response) {
       answer(served_, what, request, response);
     });

@@ -62,6 +62,48 @@ return document.querySelectorAll('#own td.differs').length === 1
   && document.querySelectorAll('#reference td.differs').length === 1
   && document.querySelector('#own td.differs').dataset.cell === 'part';
 E2
+points=$(element '#points')
+post "$session/element/$points/value" '{"text": "\uE015"}' >/dev/null
+expect 'an arrow key in the table chooses another point' <<'E2'
+const current = [...document.querySelectorAll('#own tbody tr')].findIndex((row) => row.classList.contains('current'));
+return now.point === current && current === Math.min(1, now.paths.paths[now.which].bounces.length - 1);
+E2
+expect 'all surfaces of the paths are there, and the points lie on them' <<'E2'
+return now.paths.paths.every((path) => path.bounces.every((bounce) => {
+  const [a, b, c] = now.paths.shapes[bounce.primitive];
+  const off = c ? dot(unit(cross(plus(b, a, -1), plus(c, a, -1))), plus(bounce.p, a, -1)) : Math.hypot(...plus(bounce.p, a, -1)) - b;
+  return Math.abs(off) < 1e-6;
+}));
+E2
+until_true 'a point behind a surface is hidden, one on it or before it is not' <<'E2'
+const camera = { ...now.camera, depth: depth_of(now.camera) };
+const at = (p, part) => plus(camera.position, plus(p, camera.position, -1), part);
+return camera.depth && now.paths.paths.every(({ bounces: [first] }) =>
+  !is_hidden(camera, at(first.p, 0.9)) && !is_hidden(camera, first.p) && is_hidden(camera, at(first.p, 1.3)));
+E2
+expect 'hidden parts of lines are dashed, and edges are drawn in white' <<'E2'
+const { prototype } = CanvasRenderingContext2D, { setLineDash, stroke } = prototype;
+const drawn = new Set();
+prototype.setLineDash = function (dash) { this.dash = dash.map((length) => length / devicePixelRatio).join(); setLineDash.call(this, dash); };
+prototype.stroke = function () { drawn.add(`${this.dash} ${this.strokeStyle}`); stroke.call(this); };
+show_lines();
+const camera = { ...now.camera, depth: depth_of(now.camera) }, { p } = now.paths.paths[now.which].bounces[0];
+const at = (part) => plus(camera.position, plus(p, camera.position, -1), part);
+draw_line(document.getElementById('lines').getContext('2d'), camera, at(0.8), at(1.5), '#abcdef');
+Object.assign(prototype, { setLineDash, stroke });
+return [' #ffffff', ' #abcdef', '2,4 #abcdef'].every((each) => drawn.has(each)) || [...drawn].join('; ');
+E2
+expect 'the picture can be saved as .exr' <<'E2'
+const saved = new Promise((resolve) => { HTMLAnchorElement.prototype.click = function () { resolve(this); }; });
+document.getElementById('save_exr').click();
+return saved.then((link) => { delete HTMLAnchorElement.prototype.click; return link.download === 'picture.exr'; });
+E2
+pointer "$stage" 20 -30
+expect 'below the picture stands the value under the pointer' <<'E2'
+const [x, y] = now.pointer;
+return JSON.stringify(now.pointer) !== JSON.stringify(now.pixel)
+  && document.getElementById('status').textContent.includes(`x ${x}, y ${y}: `);
+E2
 keys() { post "$session/element/$stage/value" "{\"text\": \"$1\"}" >/dev/null; }
 expect 'keys choose another path' <<'E2'
 const before = now.which;
@@ -84,6 +126,21 @@ keys 'b'
 until_true 'B shows the boxes tested, with a legend' <<'E2'
 return !document.getElementById('legend').hidden && Number(document.getElementById('high').textContent) > 1;
 E2
+keys 'f'
+until_true 'F shows the next of the colours' <<'E2'
+return document.querySelector('[name=shown]').value === 'primitives' && now.pictures.own.samples > 0;
+E2
+keys 'lc'
+until_true 'C puts the reference to the right of the slider' <<'E2'
+const { own, reference } = now.pictures;
+if (document.getElementById('beside').hidden || !reference || reference.stage < 2 || controls.shown.value !== 'light') return false;
+document.getElementById('split').value = 25;
+const both = chosen_picture().floats;
+return both.every((value, i) => Object.is(value, (Math.floor(i / 3) % 96 < 24 ? own : reference).floats[i]))
+  && both.some((value, i) => value !== own.floats[i]);
+E2
+keys 'c'
+until_true 'C again hides it' <<<"return document.getElementById('beside').hidden;"
 keys 't'
 until_true 'T shows the tree, and the boxes that hit_bvh tests for the ray of the pixel' <<'E2'
 return Boolean(now.tree) && !document.getElementById('ray').hidden && now.ray.tests.length > 4
@@ -127,7 +184,7 @@ go "file://$folder/export.html"
 until_true 'an exported page shows its picture and its paths without a server' <<'E2'
 return document.getElementById('stage').dataset.ready === 'yes' && document.getElementById('picture').width === 96
   && document.querySelectorAll('#own tbody tr').length > 0 && document.getElementById('sum').className === 'same'
-  && !document.getElementById('ray').hidden;
+  && !document.getElementById('ray').hidden && depth_of(now.camera).floats.length === 96 * 72;
 E2
 # The refused answer of the crash is in the console; nothing else is.
 script >/dev/null <<<''

@@ -1,11 +1,14 @@
 // The server of the view: only the person with the token, on this machine, is answered; and it survives its child.
 #include "view/server.h"
 
+#include "pt/error.h"
+#include "pt/image/exr.h"
 #include "view/page.h"
 
 #include <filesystem>
 #include <fstream>
 #include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,11 +71,12 @@ TEST_F(ServerTest, answers_with_the_token) {
   ASSERT_TRUE(bytes);
   EXPECT_EQ(bytes->body, "abcde");
   EXPECT_EQ(bytes->get_header_value("X-State"), R"({"width":1})");
+  EXPECT_EQ(get("/exr" + with_token_ + "&show=bytes").first, 400);  // no whole picture
 }
 
 TEST_F(ServerTest, refuses_whoever_has_no_token_or_comes_from_elsewhere) {
   const std::string port = std::to_string(port_);
-  for (const char* place : {"/", "/scene", "/picture", "/paths", "/nothing"}) {
+  for (const char* place : {"/", "/scene", "/picture", "/exr", "/paths", "/depth", "/nothing"}) {
     const std::string path = place;
     for (const std::string query :
          {"", "?token=", "?token=00112233445566778899aabbccddeefe", "?token=00112233445566778899",
@@ -155,6 +159,21 @@ TEST(Live, compiles_what_is_saved_and_starts_the_tasks_anew) {
 TEST(Tokens, differ_and_are_long) {
   EXPECT_EQ(random_token().size(), 32U);
   EXPECT_NE(random_token(), random_token());
+}
+
+TEST(Pictures, become_exr_files_if_they_are_whole) {
+  const std::vector<float> values{0.25f, 1, 3, 0, 1e-3f, 7};
+  const std::string bytes(reinterpret_cast<const char*>(values.data()),
+                          sizeof(float) * values.size());
+  const pt::Film film = pt::decode_exr(exr_of({{{"width", 2}, {"height", 1}}, bytes}), "a picture");
+  EXPECT_EQ(film.at(0, 0).mean, (pt::Rgb{0.25, 1, 3}));
+  EXPECT_EQ(film.at(1, 0).mean.b, 7);
+  // Tasks may have written it.
+  for (const auto& [width, height] :
+       {std::pair(3, 1), {-2, -1}, {0, 0}, {2, 2}, {1 << 30, 1 << 30}}) {
+    EXPECT_THROW(exr_of({{{"width", width}, {"height", height}}, bytes}), pt::Error) << width;
+  }
+  EXPECT_THROW(exr_of({{{"width", 2}, {"height", 1}}, bytes + "a"}), pt::Error);
 }
 
 TEST(Page, keeps_texts_as_texts) {

@@ -123,7 +123,8 @@ function sentence_of_sum(path) {
   if (path.same) return [`The parts add up to what trace_path returned, bit for bit: ${traced}.`, "same"];
   const off = Math.max(...path.sum.map((c, i) => Math.abs(c - path.traced[i])));
   const size = Math.max(...path.traced.map(Math.abs));
-  return off <= 1e-5 * size ? [`The parts add up to what trace_path returned, but for rounding: ${traced}.`, "same"]
+  return off <= 1e-5 * size ? [`The parts add up to what trace_path returned, but for rounding: ${traced}. The task rounds in an order of its own `
+    + "(a recursion multiplies the sum of all later points), so whether they agree bit for bit cannot be told.", "same"]
     : [`The parts add up to ${sum}; trace_path returned ${traced}.`, "fault"];
 }
 

@@ -71,6 +71,17 @@ function paint_primitives(canvas, picture) {
   });
 }
 
+// The left part of one picture, and the right part of another.
+function joined(left, right, part) {
+  const floats = right.floats.slice();
+  const edge = Math.round(part * right.width);
+  for (let y = 0; y < right.height; ++y) {
+    const row = 3 * y * right.width;
+    floats.set(left.floats.subarray(row, row + 3 * edge), row);
+  }
+  return { ...left, floats };
+}
+
 const luminance_at = (floats, i) =>
   0.2126 * floats[3 * i] + 0.7152 * floats[3 * i + 1] + 0.0722 * floats[3 * i + 2];
 

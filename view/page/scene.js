@@ -65,18 +65,73 @@ function project_line(camera, a, b) {
   return ends.includes(null) ? null : ends;
 }
 
-function draw_line(context, camera, a, b, color, dashed = false) {
-  const ends = project_line(camera, a, b);
-  if (!ends) return;
+// Returns whether a surface hides a point from the camera, by its map of distances (none: nothing is hidden). The largest of nine
+// neighbours decides, so that a point on a slanted surface is not hidden by it.
+function is_hidden(camera, p) {
+  const at = camera.depth && project(camera, p);
+  if (!at) return false;
+  const { width, height, floats } = camera.depth;
+  const [x, y] = [Math.floor(at[0] * width), Math.floor(at[1] * height)];
+  let most = -1;
+  for (let j = Math.max(y - 1, 0); j <= Math.min(y + 1, height - 1); ++j) {
+    for (let i = Math.max(x - 1, 0); i <= Math.min(x + 1, width - 1); ++i) most = Math.max(most, floats[j * width + i]);
+  }
+  return most >= 0 && Math.hypot(...plus(p, camera.position, -1)) > 1.002 * most;
+}
+
+// A line in parts that are seen or hidden as a whole: [from, to, whether it is hidden].
+function parts_of(camera, a, b, steps) {
+  const parts = [];
+  for (let i = 0; i < steps; ++i) {
+    const at = (k) => plus(a, plus(b, a, -1), k / steps);
+    const hidden = is_hidden(camera, at(i + 0.5));
+    if (parts.length && parts.at(-1)[2] === hidden) parts.at(-1)[1] = at(i + 1);
+    else parts.push([at(i), at(i + 1), hidden]);
+  }
+  return parts;
+}
+
+function draw_ends(context, ends, style, size, dash) {
   const { width, height } = context.canvas;
-  for (const [style, size] of [["rgb(0 0 0 / 0.7)", 4], [color, 2]]) {
-    context.beginPath();
-    context.setLineDash(dashed ? [6, 5] : []);
-    context.strokeStyle = style;
-    context.lineWidth = size * devicePixelRatio;
-    context.moveTo(ends[0][0] * width, ends[0][1] * height);
-    context.lineTo(ends[1][0] * width, ends[1][1] * height);
-    context.stroke();
+  context.beginPath();
+  context.setLineDash(dash.map((length) => length * devicePixelRatio));
+  context.strokeStyle = style;
+  context.lineWidth = size * devicePixelRatio;
+  context.moveTo(ends[0][0] * width, ends[0][1] * height);
+  context.lineTo(ends[1][0] * width, ends[1][1] * height);
+  context.stroke();
+}
+
+// What is hidden is thin and has short dashes.
+function draw_line(context, camera, a, b, color, dashed = false) {
+  for (const [from, to, hidden] of parts_of(camera, a, b, 64)) {
+    const ends = project_line(camera, from, to);
+    if (!ends) continue;
+    const dash = hidden ? [2, 4] : dashed ? [6, 5] : [];
+    draw_ends(context, ends, "rgb(0 0 0 / 0.7)", hidden ? 2.5 : 4, dash);
+    draw_ends(context, ends, color, hidden ? 1.2 : 2, dash);
+  }
+}
+
+// The edges of a triangle, or three circles around a sphere.
+function draw_shape(context, camera, shape) {
+  const edges = [];
+  if (shape.length === 3) {
+    shape.forEach((corner, i) => edges.push(...parts_of(camera, corner, shape[(i + 1) % 3], 32)));
+  } else {
+    const [center, radius] = shape;
+    const kSteps = 48;
+    for (let axis = 0; axis < 3; ++axis) {
+      const on_circle = (k) => center.map((value, i) => {
+        const angle = (2 * Math.PI * k) / kSteps;
+        return value + radius * (i === axis ? 0 : i === (axis + 1) % 3 ? Math.cos(angle) : Math.sin(angle));
+      });
+      for (let k = 0; k < kSteps; ++k) edges.push(...parts_of(camera, on_circle(k), on_circle(k + 1), 1));
+    }
+  }
+  for (const [from, to, hidden] of edges) {
+    const ends = project_line(camera, from, to);
+    if (ends) draw_ends(context, ends, hidden ? "rgb(255 255 255 / 0.6)" : "#fff", 1, hidden ? [2, 4] : []);
   }
 }
 
@@ -154,9 +209,11 @@ function draw_point(context, camera, p, label) {
   draw_label(context, camera, p, label, "#ffd84a");
 }
 
-// A path from its first point on, with the directions in which it looked for light. `size` is that of the scene.
-function draw_path(context, camera, path, size) {
+// A path from its first point on, with the surfaces that it meets and the directions in which it looked for light. `size` is
+// that of the scene.
+function draw_path(context, camera, path, shapes, size) {
   const { bounces } = path;
+  for (const { primitive } of bounces) if (shapes[primitive]) draw_shape(context, camera, shapes[primitive]);
   bounces.forEach((bounce, i) => {
     for (const draw of bounce.direct ? bounce.direct.draws : []) {
       if (!draw.traced) continue;

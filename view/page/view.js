@@ -11,6 +11,7 @@ const kDefaults = { show: "full", bounce: "1", light_samples: "1", hemisphere: "
 const now = {
   scene: data.scene,
   camera: null,  // of the picture that is shown
+  depth: null,   // the distances of surfaces from a camera
   view: null,    // an eye that was moved; null: the camera of the file
   pixel: data.pixel ?? null,
   paths: data.paths ?? null,
@@ -19,6 +20,7 @@ const now = {
   which: -1,  // not chosen yet
   point: 0,
   pictures: {},  // by whom
+  pointer: null, // the pixel below it
   asking: 0,     // grows when an older answer is no longer wanted
 };
 
@@ -31,7 +33,9 @@ async function ask(what, query) {
   const words = new URLSearchParams({ ...query, token: data.token });
   const answer = await fetch(`/${what}?${words}`);
   if (!answer.ok) throw new Error((await answer.text()).trim());
-  if (answer.headers.get("Content-Type").startsWith("application/json")) return answer.json();
+  const kind = answer.headers.get("Content-Type");
+  if (kind.startsWith("application/json")) return answer.json();
+  if (kind === "image/x-exr") return { file: await answer.blob() };
   const state = JSON.parse(answer.headers.get("X-State"));
   return { ...state, floats: new Float32Array(await answer.arrayBuffer()) };
 }
@@ -63,14 +67,41 @@ function command() {
 
 // --- the picture ---
 
+const with_floats = (numbers) => ({ ...numbers,
+  floats: new Float32Array(Uint8Array.from(atob(numbers.base64), (c) => c.charCodeAt(0)).buffer) });
+
+// The picture by these tasks, the reference, or both; the part of both to the left is by these tasks.
+function chosen_picture() {
+  const { own, reference } = now.pictures;
+  const from = controls.from.value;
+  if (from === "reference") return reference;
+  return from === "both" && reference && reference.stage > 1 ? joined(own, reference, by_id("split").value / 100) : own;
+}
+
+const is_same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+
+// The map of distances of a camera, if it is known.
+const depth_of = (camera) => (now.depth && is_same(now.depth.camera, camera) ? now.depth : null);
+
+// Asks for it, for the lines over the picture.
+async function find_depth() {
+  const { camera } = now;
+  if (!data.live || !now.paths || !camera || depth_of(camera)) return;
+  const words = query();
+  delete words.shown;
+  now.depth = { camera, ...await ask("depth", words) };
+  show_lines();
+}
+
 function show_picture() {
   const { own, reference } = now.pictures;
   const from = controls.from.value;
-  const picture = from === "reference" ? reference : own;
+  const picture = chosen_picture();
+  by_id("beside").hidden = from !== "both";
   if (!picture) return;
   const canvas = by_id("picture");
   now.camera = picture.camera;
-  stage.style.setProperty("--shape", picture.width / picture.height);
+  document.body.style.setProperty("--shape", picture.width / picture.height);
   const kind = controls.shown.value;
   by_id("legend").hidden = kind === "light" || kind === "primitive";
   if (from === "difference" && reference && reference.floats.length === own.floats.length) {
@@ -111,12 +142,17 @@ function status_of(state) {
 }
 
 function value_under_pointer() {
-  const picture = now.pictures[controls.from.value === "reference" ? "reference" : "own"];
-  if (!now.pixel || !picture) return "";
-  const [x, y] = now.pixel;
+  const picture = chosen_picture();
+  const pixel = now.pointer ?? now.pixel;
+  if (!pixel || !picture) return "";
+  const [x, y] = pixel;
   const i = 3 * ((picture.height - 1 - y) * picture.width + x);
   const value = picture.floats.subarray(i, controls.shown.value === "light" ? i + 3 : i + 1);
   return ` \u00b7 x ${x}, y ${y}: ${Array.from(value, shown).join(", ")}`;
+}
+
+function show_status() {
+  if (now.pictures.own) by_id("status").textContent = status_of(now.pictures.own) + value_under_pointer();
 }
 
 // Asks for better pictures until there are none, or other ones are wanted.
@@ -135,8 +171,9 @@ async function improve() {
       now.pictures = { own, reference };
       complain("");
       show_picture();
-      by_id("status").textContent = status_of(own) + value_under_pointer();
+      show_status();
       show_bad(own);
+      if (own.stage > 1) await find_depth();
       stage.dataset.samples = own.samples;
       goes_on = own.goes_on;
     } catch (error) {
@@ -151,7 +188,7 @@ async function improve() {
 async function watch_saves() {
   let known = 0;
   for (;;) {
-    await new Promise((resolve) => { setTimeout(resolve, 500); });
+    await new Promise((resolve) => { setTimeout(resolve, 200); });
     const { saves, error } = await ask("saved", {}).catch(() => ({ saves: known, error: "" }));
     if (saves === known) continue;
     known = saves;
@@ -172,14 +209,18 @@ function show_lines() {
   canvas.height = Math.round(box.height * devicePixelRatio);
   const context = canvas.getContext("2d");
   const path = now.paths && now.paths.paths[now.which];
-  const camera = now.camera;
+  const camera = now.camera && { ...now.camera, depth: depth_of(now.camera) };
   const tests = by_id("ray").hidden ? 0 : Number(by_id("test").value);
   if (tests > 0 && camera) draw_tests(context, camera, now.ray, tests);
   else if (now.tree && camera) draw_boxes(context, camera, now.tree.nodes, Number(by_id("level").value));
   if (path && camera && now.scene) {
     const size = Math.hypot(...plus(now.scene.max, now.scene.min, -1));
-    draw_path(context, camera, path, size);
+    draw_path(context, camera, path, now.paths.shapes, size);
     if (now.has_frame && path.bounces[now.point]) draw_frame(context, camera, path.bounces[now.point], 0.05 * size);
+  }
+  if (controls.from.value === "both" && now.pictures.reference) {
+    const x = by_id("split").value / 100;
+    for (const [style, size] of [["#000", 3], ["#fff", 1]]) draw_ends(context, [[x, 0], [x, 1]], style, size, []);
   }
   if (!now.pixel) return;
   const [x, y] = now.pixel;
@@ -190,67 +231,6 @@ function show_lines() {
     context.setLineDash([]);
     context.strokeRect(x * w - 2, (data.settings.h - 1 - y) * h - 2, w + 4, h + 4);
   }
-}
-
-async function show_tree() {
-  if (now.tree) {
-    now.tree = null;
-  } else {
-    try {
-      now.tree = await ask("tree", query());
-      now.other_tree = data.reference ? await ask("tree", { ...query(), from: "reference" }) : null;
-    } catch (error) {
-      complain(error.message);
-    }
-  }
-  by_id("tree").hidden = !now.tree;
-  if (now.tree) by_id("level").max = now.tree.depth;
-  await find_ray();
-  show_level(0);
-}
-
-// The ray through the middle of the pixel, while the tree is shown. A page without a server has it from the start.
-async function find_ray() {
-  if (data.live) now.ray = null;
-  try {
-    if (now.tree && now.pixel) now.ray = await ask("ray", { ...query(), x: now.pixel[0], y: now.pixel[1] });
-  } catch (error) {
-    complain(error.message);
-  }
-  by_id("ray").hidden = !now.ray || now.ray.tests.length === 0;
-  by_id("test").max = now.ray ? now.ray.tests.length : 0;
-  show_test(-Number(by_id("test").value));
-}
-
-function says_of(test) {
-  const level = test.level === undefined ? "not a box of the tree" : `level ${test.level}`;
-  if (!test.t) return `${level}, missed`;
-  const between = `${level}, t ${shown(test.t[0])} to ${shown(test.t[1])}`;
-  if (!test.opened) return `${between}, not opened`;
-  const met = ([primitive, t]) => `${primitive} ${t === null ? "missed" : `at t ${shown(t)}`}`;
-  return test.primitives ? `${between}, primitives ${test.primitives.map(met).join(", ")}` : `${between}, opened`;
-}
-
-function show_test(step) {
-  if (now.ray) {
-    const { tests, boxes, primitives } = now.ray;
-    by_id("test").value = Number(by_id("test").value) + step;
-    const count = Number(by_id("test").value);
-    by_id("test_says").textContent = count > 0 ? `${count} of ${boxes}: ${says_of(tests[count - 1])}`
-      : `${boxes} boxes and ${primitives} primitives for the ray through the middle of the pixel`;
-  }
-  show_lines();
-}
-
-function show_level(step) {
-  if (now.tree) {
-    by_id("level").value = Number(by_id("level").value) + step;
-    const says = (tree) => `${tree.count} nodes, ${tree.depth + 1} levels, ${tree.leaves} leaves of at most ${tree.largest}; `
-      + `by areas ${shown(tree.boxes)} boxes and ${shown(tree.primitives)} primitives per ray`;
-    const beside = now.other_tree ? `. The reference: ${says(now.other_tree)}` : "";
-    by_id("level_says").textContent = `${by_id("level").value}: ${says(now.tree)}${beside}`;
-  }
-  show_lines();
 }
 
 // --- the paths of a pixel ---
@@ -266,6 +246,7 @@ async function walk() {
     if (now.which < 0) show_first_red();
     now.which = Math.min(now.which, now.paths.paths.length - 1);
     await find_ray();
+    await find_depth();
     complain("");
   } catch (error) {
     complain(error.message);
@@ -298,6 +279,11 @@ function choose_point(i) {
   now.point = i;
   now.has_frame = true;
   show_paths();
+}
+
+function next_point(step) {
+  const last = now.paths.paths[now.which].bounces.length - 1;
+  choose_point(Math.max(Math.min(now.point + step, last), 0));
 }
 
 function show_paths() {
@@ -339,112 +325,29 @@ function next_red() {
   }
 }
 
-// --- keys and pointer ---
-
-function move_eye(change) {
-  if (!data.live || !now.scene) return;
-  now.view = change(now.view ?? eye_of(now.scene));
-  improve();
-}
-
-function set(name, value) {
-  controls[name].value = value;
-  improve();
-}
-
-const kMoves = { a: [-1, 0], d: [1, 0], w: [0, 1], s: [0, -1] };
-const kArrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-const kShows = { 1: "full", 2: "direct", 3: "indirect", 4: "bounce", 5: "normals" };
-const kColours = { l: "light", b: "boxes", v: "deviation" };
-
-function move_pixel([right, up], length) {
-  const [w, h] = [Number(data.settings.w), Number(data.settings.h)];
-  const [x, y] = now.pixel ?? [w >> 1, h >> 1];
-  now.pixel = [Math.min(Math.max(x + length * right, 0), w - 1), Math.min(Math.max(y + length * up, 0), h - 1)];
-  show_lines();
-}
-
-function on_key(event) {
-  if (event.target.matches("input, select") || event.ctrlKey || event.metaKey || event.altKey) return;
-  const key = event.key.toLowerCase();
-  if (kMoves[key]) {
-    const [right, up] = kMoves[key];
-    move_eye((view) => (event.shiftKey ? moved(view, 0.05 * right, 0.05 * up) : orbit(view, -0.1 * right, -0.1 * up)));
-  } else if (key === "+" || key === "-") move_eye((view) => closer(view, key === "+" ? 0.9 : 1 / 0.9));
-  else if (key === "r") go_home();
-  else if (key === "t" && data.live) show_tree();
-  else if (key === "," || key === ".") show_level(key === "," ? -1 : 1);
-  else if (key === "n" || key === "p") show_test(key === "n" ? 1 : -1);
-  else if (key === "[" || key === "]") choose_path(now.which + (key === "[" ? -1 : 1));
-  else if (data.live && kShows[key]) set("show", kShows[key]);
-  else if (data.live && kColours[key]) set("shown", kColours[key]);
-  else if (event.target === stage && kArrows[event.key] && data.live) move_pixel(kArrows[event.key], event.shiftKey ? 8 : 1);
-  else if (event.target === stage && event.key === "Enter") {
-    now.which = -1;
-    walk();
-  }
-  else return;
-  event.preventDefault();
-}
-
-function go_home() {
-  now.view = null;
-  if (data.live) load_scene().then(improve);
-}
-
-function pixel_at(event) {
-  const box = stage.getBoundingClientRect();
-  const part = (at, from, size, pixels) => Math.min(Math.max(Math.floor(((at - from) / size) * pixels), 0), pixels - 1);
-  return [part(event.clientX, box.left, box.width, data.settings.w),
-    data.settings.h - 1 - part(event.clientY, box.top, box.height, data.settings.h)];
-}
-
-function listen_to_pointer() {
-  let from = null, is_drag = false;
-  stage.addEventListener("pointerdown", (event) => {
-    from = [event.clientX, event.clientY];
-    is_drag = false;
-    stage.setPointerCapture(event.pointerId);
-  });
-  stage.addEventListener("pointermove", (event) => {
-    if (!from) return;
-    const [right, down] = [event.clientX - from[0], event.clientY - from[1]];
-    if (!is_drag && Math.hypot(right, down) < 4) return;
-    is_drag = true;
-    from = [event.clientX, event.clientY];
-    const size = stage.clientWidth;
-    move_eye((view) => (event.shiftKey ? moved(view, -right / size, down / size)
-      : orbit(view, (4 * right) / size, (-4 * down) / size)));
-  });
-  stage.addEventListener("pointerup", (event) => {
-    if (from && !is_drag && data.live) {
-      now.pixel = pixel_at(event);
-      now.which = -1;
-      walk();
-    }
-    from = null;
-  });
-  stage.addEventListener("wheel", (event) => {
-    if (!data.live) return;
-    event.preventDefault();
-    move_eye((view) => closer(view, event.deltaY < 0 ? 0.9 : 1 / 0.9));
-  }, { passive: false });
-}
-
 async function load_scene() {
   const words = query();
   delete words.shown;
   now.scene = await ask("scene", words);
 }
 
-function save() {
-  by_id("picture").toBlob((blob) => {
-    const link = element("a");
-    link.href = URL.createObjectURL(blob);
-    link.download = "picture.png";
-    link.click();
-    URL.revokeObjectURL(link.href);
-  });
+function save(blob, name) {
+  const link = element("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+// The light itself, or the numbers of a false colour; by these tasks, unless the picture is by the reference.
+async function save_exr() {
+  const words = controls.from.value === "reference" ? { ...query(), from: "reference" } : query();
+  try {
+    const { file } = await ask("exr", words);
+    save(file, "picture.exr");
+  } catch (error) {
+    complain(error.message);
+  }
 }
 
 // A page without a server: its picture is a file in it.
@@ -455,8 +358,7 @@ function show_export() {
   by_id("status").textContent = "This page was written by ./run view --export; it holds one picture and the paths of one pixel.";
   by_id("command").textContent = command();
   if (data.numbers) {
-    const bytes = Uint8Array.from(atob(data.numbers.base64), (c) => c.charCodeAt(0));
-    now.pictures.own = { ...data.numbers, floats: new Float32Array(bytes.buffer) };
+    now.pictures.own = with_floats(data.numbers);
     show_picture();
     stage.dataset.ready = "yes";
   }
@@ -464,9 +366,10 @@ function show_export() {
   image.addEventListener("load", () => {
     const canvas = by_id("picture");
     [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
-    stage.style.setProperty("--shape", canvas.width / canvas.height);
+    document.body.style.setProperty("--shape", canvas.width / canvas.height);
     canvas.getContext("2d").drawImage(image, 0, 0);
     now.camera = now.scene.camera;
+    now.depth = { camera: now.camera, ...with_floats(data.depth) };
     show_lines();
     stage.dataset.ready = "yes";
   });
@@ -507,7 +410,9 @@ function begin() {
   by_id("home").addEventListener("click", go_home);
   by_id("show_tree").addEventListener("click", show_tree);
   by_id("level").addEventListener("input", () => show_level(0));
-  by_id("save").addEventListener("click", save);
+  by_id("save").addEventListener("click", () => by_id("picture").toBlob((blob) => save(blob, "picture.png")));
+  by_id("save_exr").addEventListener("click", save_exr);
+  by_id("split").addEventListener("input", show_picture);
   load_scene().then(improve).then(undefined, (error) => complain(error.message));
   walk();
   if (data.watched) watch_saves();

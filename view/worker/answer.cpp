@@ -9,6 +9,9 @@
 #include "view/worker/json.h"
 #include "view/worker/tree.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace view {
 
 using nlohmann::json;
@@ -16,6 +19,32 @@ using nlohmann::json;
 namespace {
 
 constexpr std::chrono::milliseconds kSlice{120};
+constexpr int kDepthSide = 240;  // distances in a row or a column, at most
+
+// The primitives that paths meet, and those that hide a light from them, by number: [p0, p1, p2] or [center, radius].
+json shapes_of(const pt::Primitives& primitives, const PixelPaths& pixel) {
+  json shapes = json::object();
+  const auto add = [&](int i) {
+    if (i < 0 || i >= primitives.size()) return;
+    if (primitives.is_triangle(i)) {
+      const pt::Triangle& triangle = primitives.triangle(i);
+      shapes[std::to_string(i)] = {to_json(triangle.p0), to_json(triangle.p1),
+                                   to_json(triangle.p2)};
+    } else {
+      const pt::Sphere& sphere = primitives.sphere(i);
+      shapes[std::to_string(i)] = {to_json(sphere.center), sphere.radius};
+    }
+  };
+  for (const Path& path : pixel.paths) {
+    for (const Bounce& bounce : path.bounces) {
+      add(bounce.primitive);
+      for (const Direct& direct : bounce.direct) {
+        for (const Draw& draw : direct.draws) add(draw.is_hidden ? draw.hit : -1);
+      }
+    }
+  }
+  return shapes;
+}
 
 }  // namespace
 
@@ -97,6 +126,7 @@ Answer Answers::paths(const Query& query) {
   state["x"] = settings.x;
   state["y"] = settings.y;
   state["camera"] = to_json(view.camera);
+  state["shapes"] = shapes_of(loaded_.scene.primitives, pixel);
   state["survival"] = settings.render.path.survival;
   state["unwritten"] = pt::todo_list();
   return {state, ""};
@@ -117,12 +147,38 @@ Answer Answers::ray(const Query& query) {
   return {tests_of(loaded_.scene, ray), ""};
 }
 
+// Distances of surfaces, row by row from the top, without the tasks: with them the page finds which parts of a line are hidden.
+Answer Answers::depth(const Query& query) const {
+  const pt::View view = view_of(loaded_, settings_of(query));
+  const int step = (std::max(view.width, view.height) + kDepthSide - 1) / kDepthSide;
+  const int width = (view.width + step - 1) / step, height = (view.height + step - 1) / step;
+  const pt::Camera& camera = view.camera;
+  const double right = std::tan(camera.hfov_deg * pt::kPi / 360);
+  const double up = std::tan(camera.vfov_deg * pt::kPi / 360);
+  std::vector<float> distances;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const pt::Vec3 local{(2 * (x + 0.5) / width - 1) * right, (1 - 2 * (y + 0.5) / height) * up,
+                           -1};
+      const pt::Vec3 direction = normalize(camera.camera_to_world.to_world(local));
+      const auto hit =
+          exact_.closest(loaded_.scene.primitives,
+                         {camera.position, direction, camera.near_clip, camera.far_clip});
+      distances.push_back(static_cast<float>(hit ? hit->t : pt::kInfinity));
+    }
+  }
+  const auto* bytes = reinterpret_cast<const char*>(distances.data());
+  return {{{"width", width}, {"height", height}},
+          std::string(bytes, sizeof(float) * distances.size())};
+}
+
 Answer Answers::answer(const std::string& what, const Query& query) {
   if (what == "scene") return scene(query);
   if (what == "picture") return picture(query);
   if (what == "paths") return paths(query);
   if (what == "tree") return tree(query);
   if (what == "ray") return ray(query);
+  if (what == "depth") return depth(query);
   throw pt::Error("nothing is known about '" + what + "'");
 }
 

@@ -32,6 +32,7 @@ class Answers {
   Answer scene(const Query& query);
   Answer tree(const Query& query);
   Answer ray(const Query& query);
+  Answer depth(const Query& query) const;
 
   std::filesystem::path file_;
   bool one_thread_;

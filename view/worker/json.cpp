@@ -80,7 +80,7 @@ json to_json(const Path& path) {
           {"emission", view::to_json(path.emission)},
           {"sum", view::to_json(sum)},
           {"traced", view::to_json(path.traced)},
-          {"same", sum == path.traced},
+          {"same", adds_up(path)},
           {"one", path.is_one && !path.lost_point},
           {"value", view::to_json(path.value)},
           {"findings", to_json(path.findings)}};

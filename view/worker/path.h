@@ -82,6 +82,10 @@ PixelPaths paths_of_pixel(const pt::View& view, const Settings& settings);
 // The parts of a path, one after the other in double, as trace_path adds them up.
 pt::Rgb sum_of_parts(const Path& path);
 
+// Returns whether the parts, added one by one, are what trace_path returned, bit for bit: in double or in float, from either end.
+// A task that multiplies the sum of all later points, as a recursion does, rounds otherwise.
+bool adds_up(const Path& path);
+
 // The product of f cos / pdf of a direction.
 pt::Rgb factor(const pt::BsdfSample& sample);
 

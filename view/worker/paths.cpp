@@ -5,6 +5,7 @@
 #include "view/worker/path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -206,6 +207,15 @@ Path walk(const pt::Scene& scene, const pt::Ray& ray, const pt::PathSettings& se
   return path;
 }
 
+template <class Number>
+pt::Rgb added(const std::vector<pt::Rgb>& parts) {
+  std::array<Number, 3> sum{};
+  for (const pt::Rgb& part : parts) {
+    for (int c = 0; c < 3; ++c) sum[c] += static_cast<Number>(part[c]);
+  }
+  return {sum[0], sum[1], sum[2]};
+}
+
 // Keeps calls of the tasks between a pixel and its paths, as camera_ray.
 class Recording {
  public:
@@ -231,6 +241,18 @@ pt::Rgb sum_of_parts(const Path& path) {
   pt::Rgb sum;
   for (const Bounce& bounce : path.bounces) sum += bounce.part;
   return sum + path.rest;
+}
+
+bool adds_up(const Path& path) {
+  std::vector<pt::Rgb> parts;
+  for (const Bounce& bounce : path.bounces) parts.push_back(bounce.part);
+  parts.push_back(path.rest);
+  const auto is_sum = [&] {
+    return added<double>(parts) == path.traced || added<float>(parts) == path.traced;
+  };
+  if (is_sum()) return true;
+  std::ranges::reverse(parts);
+  return is_sum();
 }
 
 PixelPaths paths_of_pixel(const pt::View& view, const Settings& settings) {
