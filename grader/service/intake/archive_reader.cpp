@@ -40,7 +40,7 @@ ArchiveReader::Reader ArchiveReader::new_reader() {
 std::string path_of(archive_entry* entry) {
   const char* text = archive_entry_pathname_utf8(entry);
   if (text == nullptr) text = archive_entry_pathname(entry);
-  return text == nullptr ? "" : text;
+  return text == nullptr || *text == '\0' ? "a name that cannot be read" : text;
 }
 
 ArchiveReader::ArchiveReader(int file, std::string name, const Bounds& bounds)

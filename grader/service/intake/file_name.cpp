@@ -39,8 +39,10 @@ bool is_mark(std::int32_t code) {
 
 constexpr std::array kArchives{".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",  ".txz",
                                ".7z",  ".tar.bz2", ".tbz2",   ".rar", ".tar.zst", ".tzst"};
-constexpr std::array kOtherPacked{".gz",  ".zst", ".xz",  ".bz2", ".lz",  ".lzma", ".z",  ".br",
-                                  ".lz4", ".ace", ".arj", ".lzh", ".cab", ".dmg",  ".iso"};
+// .001, .z01: the first of several parts.
+constexpr std::array kOtherPacked{".gz",  ".zst", ".xz",  ".bz2",  ".lz",  ".lzma",
+                                  ".z",   ".br",  ".lz4", ".ace",  ".arj", ".lzh",
+                                  ".cab", ".dmg", ".iso", ".zipx", ".001", ".z01"};
 constexpr std::array kSources{".cpp", ".cpp.txt"};
 
 template <class Endings>

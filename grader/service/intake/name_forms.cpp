@@ -119,7 +119,9 @@ Date date_of(const std::string& text) {
       if (word.starts_with(kMonths[i])) month = static_cast<int>(i) + 1;
     }
   }
-  if (month == 0 && numbers.size() > 2 && numbers[0].size() <= 2 && numbers[1].size() <= 2) {
+  // Behind a month in another language there are three numbers at most: 15, 22, 05.
+  const bool has_month = numbers.size() > 3 || numbers.back().size() > 2;
+  if (month == 0 && has_month && numbers[0].size() <= 2 && numbers[1].size() <= 2) {
     // Where the year is not the first, the day may be.
     if (year_first) month = std::stoi(numbers[0]);
     numbers.erase(numbers.begin());

@@ -15,9 +15,9 @@ namespace {
 
 // Names of files and folders for the class as a whole, in the folder of the reports.
 const std::set<std::string>& reserved_names() {
-  static const std::set<std::string> names{"class",      "plan",     "compare",  "names",
-                                           "canvas",     "moodle",   "feedback", "seed",
-                                           "gradescope", "unpacked", "joblog",   "slurm"};
+  static const std::set<std::string> names{
+      "class",  "plan",  "compare",  "names",    "canvas", "moodle",   "seed",
+      "joblog", "slurm", "feedback", "likeness", "engine", "unpacked", "gradescope"};
   return names;
 }
 

@@ -161,7 +161,8 @@ Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks) {
 }
 
 std::string named_task(const std::string& name, const std::vector<TaskFile>& tasks) {
-  const std::string letters = without_marks(lower_case(name));
+  std::string letters = without_marks(lower_case(name));
+  std::erase_if(letters, [](unsigned char c) { return c < ' ' || c > '~'; });  // unseen
   const auto task = std::ranges::find_if(tasks, [&](const TaskFile& each) {
     return letters.find(without_marks(each.slug)) != letters.npos;
   });

@@ -27,16 +27,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMaxPlaceholders = 20;  // of one owner
+constexpr std::size_t kMaxPlaceholders = 20;  // of one owner
 constexpr std::size_t kMaxPath = 3000;
 constexpr const char* kTwoOfThatName =
     "the archive has two of that name, or two names that differ only in how their accents are "
     "written; unpack the archive, and grade the folder";
+constexpr const char* kEarlier = "the earlier of two";
 constexpr const char* kFaults = ".faults";  // hidden, so no entry can have this name
 
 // The text in place of a link: its task is reported, and does not look as if it were not begun.
 constexpr const char* kNotAFile =
     "#error \"in the archive that was handed in, this is a link or a device; hand in the file\"\n";
+
+// The same for a file whose path leads out of the folder, which is not followed.
+constexpr const char* kOutside = "paths that lead out of the archive";
+constexpr const char* kLeadsOut =
+    "#error \"in the archive that was handed in, the path of this file leads out of it; pack the "
+    "folder again\"\n";
 
 bool is_useful(const std::string& name) {
   return is_source(name) || name == kGradescopeList || is_archive(name);
@@ -57,7 +64,7 @@ class Unpacking {
     while (archive_entry* entry = reader_.next()) {
       const std::string path = path_of(entry);
       const std::vector<std::string> place = parts_of(path);
-      outside_ = outside_ || leads_out(path);
+      if (leads_out(path)) note_outside(path);
       if (place.empty()) {
         make_owner_of_hidden(parts_before_hidden(path));
         continue;
@@ -75,16 +82,27 @@ class Unpacking {
       if (used.links > 0 && used.links == used.files)
         blame(used.link, "its source files are links; hand in what they point to");
     }
+    for (const std::string& name : outside_files_) {
+      if (!of_all_ && !sources_.contains(name)) put(kOutside + ('/' + name), kLeadsOut);
+    }
     write_faults();
   }
 
  private:
   struct Used {
-    int files = 0, links = 0, placeholders = 0;
+    int files = 0, links = 0;
+    std::size_t placeholders = 0;
     std::vector<std::string> link;  // the path of a link
     std::uint64_t bytes = 0;
     bool failed = false;
   };
+
+  void note_outside(const std::string& path) {
+    outside_ = true;
+    const std::vector<std::string> name = parts_of(path.substr(path.find_last_of("/\\") + 1));
+    const bool is_named = !name.empty() && is_source(name[0]);
+    if (is_named && outside_files_.size() < kMaxPlaceholders) outside_files_.insert(name[0]);
+  }
 
   void look_ahead() {
     std::vector<std::vector<std::string>> paths;
@@ -130,9 +148,11 @@ class Unpacking {
     if (archive_entry_is_encrypted(entry) != 0) throw EntryFault("it is encrypted");
     const std::string bytes = content(used);
     count_file(used);
-    if (of_all_ && is_other(path, bytes)) {
-      throw EntryFault(kTwoOfThatName);
+    if (is_other(path, bytes)) {
+      if (of_all_) throw EntryFault(kTwoOfThatName);
+      if (is_source(place.back())) keep_earlier(path);
     }
+    if (is_source(place.back())) sources_.insert(place.back());
     put(path, bytes);
   }
 
@@ -147,6 +167,12 @@ class Unpacking {
   bool is_other(const std::string& path, const std::string& bytes) const {
     const fs::path file = folder_ / path;
     return fs::is_regular_file(file) && pt::read_file(file) != bytes;
+  }
+
+  // The last file of a name counts. The one before goes to a folder beside it, so that it is said.
+  void keep_earlier(const fs::path& path) const {
+    const fs::path folder = folder_ / path.parent_path() / kEarlier;
+    if (make_folder(folder)) fs::rename(folder_ / path, folder / path.filename());
   }
 
   // Makes the owner's folder, or an empty file, so that no owner is overlooked.
@@ -217,6 +243,7 @@ class Unpacking {
 
   fs::path folder_;
   bool of_all_, outside_ = false;
+  std::set<std::string> outside_files_, sources_;  // names of source files
   Limits limits_;
   Bounds bounds_;  // of this archive
   ArchiveReader reader_;

@@ -34,8 +34,8 @@ struct Limits {
 // compressed in any usual way) to the new folder `folder`. The first few other files become empty
 // files, so that messages can name them. Links, devices, hidden files, and paths that lead out of
 // the folder are left out; instead of such a source file there is a file that the compiler refuses,
-// with the reason. If a path occurs twice, the last file counts; in an archive of the whole class,
-// it is a fault if the files differ.
+// with the reason. If a path occurs twice, and the files differ, the last file counts, and the one
+// before it goes to a folder beside it; in an archive of the whole class it is a fault.
 //
 // Throws pt::Error, one sentence, if it is not an archive, is damaged or encrypted, or exceeds the
 // bounds. Throws another exception if the machine is at fault, for example if the disk is full.

@@ -31,6 +31,7 @@ std::string archive_of(const std::vector<Entry>& entries, Format format) {
   } else {
     archive_write_set_format_pax_restricted(out);
     if (format == Format::tar_gz) archive_write_add_filter_gzip(out);
+    if (format == Format::tar_bz2) archive_write_add_filter_bzip2(out);
     if (format == Format::tar_xz) archive_write_add_filter_xz(out);
     if (format == Format::tar_zst) archive_write_add_filter_zstd(out);
   }

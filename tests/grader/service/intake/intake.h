@@ -22,7 +22,7 @@ struct Entry {
   std::string points_to{};
 };
 
-enum class Format { zip, zip_stored, zip_encrypted, tar_gz, tar_xz, tar_zst, seven_zip };
+enum class Format { zip, zip_stored, zip_encrypted, tar_gz, tar_bz2, tar_xz, tar_zst, seven_zip };
 
 // The bytes of an archive with these entries, as other programs make it.
 std::string archive_of(const std::vector<Entry>& entries, Format format = Format::zip);

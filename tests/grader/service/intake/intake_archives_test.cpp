@@ -58,16 +58,18 @@ TEST_F(Intake, nothing_lands_outside_and_nothing_is_linked) {
       archive_of({{"a/../../../evil.cpp", "x"}, {"ok.cpp", "", AE_IFIFO, ""}}, Format::tar_gz));
   fs::create_symlink("/etc", in("linked"));
   auto all = seen();
-  EXPECT_EQ(all["evil"].files, (Files{})) << "the tar";
+  EXPECT_EQ(all["evil"].judged, (Files{})) << "the tar";
   Files& files = all["evil (2)"].files;
-  EXPECT_EQ(files.size(), 3U);
+  EXPECT_EQ(files.size(), 5U);
   EXPECT_EQ(files["hit_sphere.cpp"], "second");
+  EXPECT_EQ(files["the earlier of two/hit_sphere.cpp"], "first");
   EXPECT_EQ(files["link/firstlight_evil.cpp"], "in a folder of its own");
   EXPECT_THAT(files["hit_box.cpp"], testing::StartsWith("#error \"in the archive"));
   EXPECT_THAT(all["linked"].problem, HasSubstr("link"));
   EXPECT_FALSE(fs::exists("/tmp/firstlight_evil.cpp"));
   for (const auto& file : fs::recursive_directory_iterator(folder_.path())) {
-    EXPECT_NE(file.path().filename(), "evil.cpp") << file.path();
+    if (file.path().filename() != "evil.cpp") continue;
+    EXPECT_THAT(pt::read_file(file.path()), HasSubstr("leads out")) << file.path();
   }
 }
 
@@ -123,6 +125,7 @@ TEST_F(Intake, what_is_left_out_is_said) {
   add("absolute.zip", archive_of({{"/home/ada/hit_box.cpp", "a"}}));
   add("parent.zip", archive_of({{"../hit_box.cpp", "a"}, {"a/..\\hit_sphere.cpp", "a"}}));
   add("both.zip", archive_of({{"../hit_box.cpp", "a"}, {"hit_sphere.cpp", "b"}}));
+  add("outside.zip", archive_of({{"../hit_box.cpp", "a"}, {"work/hit_box.cpp", "b"}}));
   add("hidden.zip", archive_of({{".a/hit_box.cpp", "a"}}));
   add("link.tar.gz", archive_of({{"hit_box.cpp", "", AE_IFLNK, "/etc/passwd"},
                                  {"hit_sphere.cpp", "s"},
@@ -135,7 +138,9 @@ TEST_F(Intake, what_is_left_out_is_said) {
   for (const char* name : {"absolute", "parent"}) {
     EXPECT_THAT(all[name].problem, HasSubstr("its paths are absolute or lead out of it"));
   }
-  EXPECT_EQ(all["both"].files, (Files{{"hit_sphere.cpp", "b"}}));
+  EXPECT_EQ(all["both"].judged["hit_sphere"], "b");
+  EXPECT_THAT(all["both"].judged["hit_box"], HasSubstr("the path of this file leads out of it"));
+  EXPECT_EQ(all["outside"].judged, (Files{{"hit_box", "b"}})) << "it is there besides";
   EXPECT_THAT(all["hidden"].problem, HasSubstr("it is empty"));
   EXPECT_THAT(all["link"].judged["hit_box"], HasSubstr("this is a link or a device"));
   EXPECT_EQ(all["link"].files.size(), 2U);
@@ -340,6 +345,78 @@ TEST_F(Intake, usual_compressions_are_unpacked) {
   EXPECT_EQ(all["seven"].files, (Files{{"hit_box.cpp", "a"}}));
   EXPECT_EQ(all["rar"].files, (Files{{"hit_box.cpp", "int x;\n"}})) << all["rar"].problem;
   EXPECT_THAT(all["locked"].problem, HasSubstr("encrypted"));
+}
+
+// Archives as other programs and other systems make them, and archives that were made by mistake.
+TEST_F(Intake, what_surrounds_an_archive_does_not_matter) {
+  const std::string good = archive_of({{"hit_box.cpp", "a"}});
+  add("self_extracting.zip", "MZ" + std::string(5000, 'x') + good);
+  add("document.zip", "%PDF-1.4\n" + good + "\n%%EOF");
+  add("longer.zip", good + std::string(3000, '\0'));
+  add("twice.zip", archive_of({{"hit_box.cpp", "old"}}) + good);
+  for (const Format format :
+       {Format::tar_gz, Format::tar_zst, Format::tar_bz2, Format::seven_zip}) {
+    add("otherwise" + std::to_string(static_cast<int>(format)) + ".zip",
+        archive_of({{"hit_box.cpp", "a"}}, format));
+  }
+  const auto all = seen();
+  EXPECT_EQ(all.size(), 8U);
+  for (const auto& [name, one] : all) {
+    EXPECT_EQ(one.files, (Files{{"hit_box.cpp", "a"}})) << name << one.problem;
+  }
+}
+
+TEST_F(Intake, names_of_other_systems_are_names) {
+  add("mixed.zip",
+      archive_of({{"work\\1_rays/hit_box.cpp", "a"}, {"work/2_bvh\\hit_bvh.cpp", "b"}}));
+  add("drive.zip", archive_of({{"C:\\work\\hit_box.cpp", "a"}, {"C:/work/hit_bvh.cpp", "b"}}));
+  add("dots.zip", archive_of({{"./hit_box.cpp", "a"}, {"a//hit_bvh.cpp", "b"}}));
+  add("control.zip", archive_of({{"a\x1b[2J\t/hit_box.cpp", "a"}, {"hit_bvh.cpp", "b"}}));
+  add("deep.zip", archive_of({{"hit_bvh.cpp", "b"},
+                              {[] {
+                                 std::string path;
+                                 for (int i = 0; i < 200; ++i) path += "a/";
+                                 return path + "hit_box.cpp";
+                               }(),
+                               "a"}}));
+  const std::string long_name(5000, 'n');
+  add("long.zip", archive_of({{"hit_bvh.cpp", "b"}, {long_name + "/hit_box.cpp", "a"}}));
+  const auto all = seen();
+  for (const auto& [name, one] : all) {
+    EXPECT_EQ(one.judged, (Files{{"hit_box", "a"}, {"hit_bvh", "b"}})) << name << one.problem;
+  }
+}
+
+// A name that differs in nothing that is seen, or in case, or is written twice.
+TEST_F(Intake, files_that_look_alike_are_told_apart) {
+  add("unseen.zip", archive_of({{"hit\xe2\x80\x8b_box.cpp", "a"}, {"hit_bvh.cpp", "b"}}));
+  add("wide.zip", archive_of({{"hit_box\xc2\xa0.cpp", "a"}, {"hit_bvh.cpp", "b"}}));
+  add("case.zip", archive_of({{"hit_box.cpp", "a"}, {"HIT_BOX.CPP", "b"}}));
+  add("twice.zip", archive_of({{"w/hit_box.cpp", "old"}, {"w/hit_box.cpp", "new"}}));
+  add("thrice.zip", archive_of({{"Hit_Box.cpp", "1"}, {"Hit_Box.cpp", "2"}, {"Hit_Box.cpp", "3"}}));
+  add("equal.zip", archive_of({{"hit_box.cpp", "a"}, {"hit_box.cpp", "a"}}));
+  auto all = seen();
+  EXPECT_THAT(all["unseen"].note, HasSubstr("does not count, as it is not named hit_box.cpp"));
+  EXPECT_THAT(all["wide"].note, HasSubstr("does not count, as it is not named hit_box.cpp"));
+  EXPECT_EQ(all["case"].note, "'hit_box.cpp' counts, and not 'HIT_BOX.CPP', which differs");
+  EXPECT_EQ(all["twice"].judged["hit_box"], "new") << all["twice"].problem;
+  EXPECT_EQ(all["twice"].note,
+            "'w/hit_box.cpp' counts, and not 'w/the earlier of two/hit_box.cpp', which differs");
+  EXPECT_EQ(all["thrice"].judged["hit_box"], "3") << all["thrice"].problem;
+  EXPECT_THAT(all["thrice"].note, HasSubstr("the earlier of two"));
+  EXPECT_EQ(all["equal"].note, "");
+}
+
+TEST_F(Intake, parts_of_an_archive_are_not_an_archive) {
+  add("ada/work.zip.001", "?");
+  add("ada/work.zip.002", "?");
+  add("bob.z01", "?");
+  add("cy/cut.tar.gz",
+      archive_of({{"hit_box.cpp", any_text(5000)}}, Format::tar_gz).substr(0, 900));
+  auto all = seen();
+  EXPECT_THAT(all["ada"].problem, HasSubstr("only 'work.zip.001', which cannot be unpacked here"));
+  EXPECT_THAT(all["bob"].problem, HasSubstr("cannot be unpacked here; hand in a zip"));
+  EXPECT_THAT(all["cy"].problem, HasSubstr("'cut.tar.gz' cannot be unpacked"));
 }
 
 TEST_F(Intake, what_cannot_be_read_is_one_problem) {

@@ -51,7 +51,7 @@ TEST_F(Intake, long_names_are_cut_before_their_ending) {
 }
 
 TEST_F(Intake, names_are_those_of_reports) {
-  for (const char* name : {"class", "Plan", "Zo\xc3\xab", "zo\xc3\x8b",
+  for (const char* name : {"class", "Plan", "likeness", "Zo\xc3\xab", "zo\xc3\x8b",
                            "a\xe2\x80\xae"
                            "b",
                            "c\xc2\x9b"
@@ -63,8 +63,9 @@ TEST_F(Intake, names_are_those_of_reports) {
   add("gus.zip", archive_of({{"hit_box.cpp", "z"}}));
   add("gus.tar.gz", archive_of({{"hit_box.cpp", "t"}}, Format::tar_gz));
   auto all = seen();
-  EXPECT_EQ(all.size(), 9U);
-  for (const char* name : {"class (2)", "Plan (2)", "a_b", "c_d", "e_f", "gus", "gus (2)"}) {
+  EXPECT_EQ(all.size(), 10U);
+  for (const char* name :
+       {"class (2)", "Plan (2)", "likeness (2)", "a_b", "c_d", "e_f", "gus", "gus (2)"}) {
     EXPECT_TRUE(all.contains(name)) << name;
   }
   EXPECT_TRUE(all.contains("Zo\xc3\xab (2)") || all.contains("zo\xc3\x8b (2)"));

@@ -227,6 +227,7 @@ TEST(labels, are_read_in_every_form_of_every_platform) {
       {"12-34 - Ada Ace - Jan 15, 2027 2205 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
       {"12-34 - Ada Ace - 2027-01-15 22 05 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
       {"12-34 - Ada Ace - 15 mai 2027 2205 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
+      {"12-34 - Ada Ace - 15. Jänner 2027 22 05 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
       {"12-34 - Ada Ace - 2027年1月15日 2205 - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
       {"12-34 - Ada Ace - 1 May 2027 905 p.m.", "Ada Ace", "12-34", ""},
       {"12-34 - Ada Ace - 01-15-2027 1005 PM - hit_box.cpp", "Ada Ace", "12-34", "hit_box.cpp"},
