@@ -156,6 +156,7 @@ bool begins(string_view name, string_view prefix) {
 
 // The demangled name; empty if it is not a C++ name.
 std::string demangled(const std::string& name) {
+  if (!begins(name, "_Z")) return "";  // a variable x is no long long, whose code is x
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> text(
       abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);
@@ -234,7 +235,7 @@ std::string judge_definition(const ObjectSymbol& symbol, const std::set<std::str
 
 // Judges a symbol that is defined elsewhere.
 std::string judge_request(const ObjectSymbol& symbol, const Task& task) {
-  const std::string words = begins(symbol.name, "_Z") ? demangled(symbol.name) : "";
+  const std::string words = demangled(symbol.name);
   if (mentions(words, "pt::")) {
     const std::string function = words.substr(0, words.find('('));
     if (may_call(task, function)) return "";

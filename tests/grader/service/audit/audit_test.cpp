@@ -140,6 +140,7 @@ TEST(audit, rejects_what_reaches_beyond_the_task) {
       {"extern \"C\" void* dlopen(const char*, int); static void* x = dlopen(\"x\", 1);", "dlopen"},
       {"extern \"C\" int socket(int, int, int); static int x = socket(2, 1, 0);", "socket"},
       {"static long (*f)() ; extern \"C\" long ptrace(int); static long x = ptrace(0);", "ptrace"},
+      {"int x;", "defines x,"},
       {"int f(int x) __attribute__((weak, alias(\"_ZN2pt4taskEi\")));", "defines f(int)"},
       {"asm(\".comm shared, 8\");", "shared"},
       {"asm(\".globl number\\n.set number, 5\");", "number"},
