@@ -4,6 +4,7 @@
 #include "grader/service/build/tool_run.h"
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -88,12 +89,15 @@ std::string in_project(const std::string& output, const std::string& tree, const
   for (std::string line; std::getline(lines, line);) {
     if (line.find(own) == line.npos) text += line + '\n';
   }
-  for (const std::string& folder : {tree + "/pt/", std::string("./pt/")}) {
-    for (std::size_t at = text.find(folder); at != text.npos; at = text.find(folder, at)) {
-      text.replace(at, folder.size(), "pt/");
-    }
-  }
-  return text;
+  const auto replace = [&](const std::string& old, const std::string& by) {
+    for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += by.size())
+      text.replace(at, old.size(), by);
+  };
+  replace(tree + '/', "");
+  replace("./pt/", "pt/");
+  // The compiler draws the name of the file that it hands to the assembler.
+  static const std::regex assembly(R"(\./cc\w{6}\.s\b)");
+  return std::regex_replace(text, assembly, "assembly");
 }
 
 std::string without_parts(const std::string& output, const std::string& own) {

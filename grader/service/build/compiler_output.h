@@ -16,8 +16,8 @@ std::string warnings_of(const std::string& output, const std::string& file);
 std::string first_error(const process::CommandResult& result, int seconds);
 
 // The output with headers named by their places in the project ("pt/math/vec3.h"), because a report
-// shows no path of this machine. `tree` is the folder in which the compiler found pt/. Lines that
-// name a file in the judge's folder `own` are left out.
+// shows no path of this machine, and is the same in each run. `tree` is the folder in which the
+// compiler found pt/. Lines that name a file in the judge's folder `own` are left out.
 std::string in_project(const std::string& output, const std::string& tree, const std::string& own);
 
 // The output of a linker; lines that name a file in the judge's folder `own` keep only the error.

@@ -180,7 +180,8 @@ class Run {
     results::Results results = results_;
     for (const Judged& each : judged_) {
       if (is_asked(each.config->slug))
-        results.tasks.push_back(without_folder(so_far(each), config_.work));
+        results.tasks.push_back(
+            without_folder(without_folder(so_far(each), config_.work), config_.root));
     }
     for (results::TaskResult& task : results.tasks) results::count_points(points_, task);
     results.seconds = seconds_since(start_);

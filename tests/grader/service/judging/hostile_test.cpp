@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -209,6 +210,34 @@ TEST(hostile, cannot_speak_for_the_machine) {
     const std::string promises = outcome.task("build_bvh").at("promises").dump();
     EXPECT_NE(promises.find("ended by itself, with exit status 137"), std::string::npos)
         << tier << promises.substr(0, 1500);
+  }
+}
+
+// Whatever a submission prints, throws or makes the compiler and the loader say: a report that is given
+// back shows where its own files are, and no path of the judge's machine.
+TEST(hostile, is_shown_no_path_of_the_judge) {
+  for (const char* tier : {"A", "B"}) {
+    Submission submission(std::string("paths") + tier);
+    const fs::path page = submission / "page.html";
+    std::vector<std::string> words = submission.put("paths");
+    words.insert(words.end(),
+                 {"--no-pictures", "--isolation", tier, "--name", "ada", "--html", page});
+    const Outcome outcome = submission.grade(words);
+    if (outcome.output.find("isolation does not work here") == 0) continue;
+    EXPECT_EQ(outcome.exit_status, 1) << outcome.output;
+    const std::string text = outcome.results.dump() + text_of(page);
+    for (const std::string& path : {std::string(FIRSTLIGHT_ROOT "/"), submission.work().string(),
+                                    (submission / "1_rays").string()}) {
+      const std::size_t at = text.find(path);
+      EXPECT_EQ(at, text.npos) << tier << text.substr(at < 200 ? 0 : at - 200, 400);
+    }
+    const auto says = [&](const char* slug, const std::string& sentence) {
+      const std::string task = outcome.task(slug).dump();
+      EXPECT_NE(task.find(sentence), task.npos) << tier << task.substr(0, 1500);
+    };
+    const std::string own = "1_rays/camera_ray.cpp";
+    says("camera_ray", fmt::format("{0} {0} {0} {0}", own));
+    says("hit_triangle", "student/1_rays/hit_triangle.cpp:2:");
   }
 }
 
