@@ -21,10 +21,13 @@ std::string percent(double part) {
   return part < 1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
 }
 
+// "1.30 ± .02×", the uncertainty with two digits or fewer.
 std::string times(const json& number) {
   if (number.is_null()) return kDash;
-  const double value = number.is_array() ? number.at(0) : number;
-  return digits(value) + "\u00d7";
+  if (!number.is_array()) return digits(number) + "\u00d7";
+  const double of_it = number.at(1);
+  return fmt::format(fmt::runtime(of_it < 10 ? "{} \u00b1 {:.1g}\u00d7" : "{} \u00b1 {:.0f}\u00d7"),
+                     digits(number.at(0)), of_it);
 }
 
 // Copies the files of a measurement, with the figure's name before theirs.
@@ -53,26 +56,32 @@ bool is_there(const Plan& plan, const Measurement& measurement, const std::strin
 
 void enter_factors(const json& curve, const json& all, Drawn& drawn) {
   const std::string id = curve.at("id");
+  const json& points = curve.at("points");
+  drawn.numbers[id + ".error"] = digits(100 * points.back().at("error").at(0).get<double>());
+  if (curve.at("fails")) return;
   for (const auto& [other, factors] : curve.at("beside").items()) {
     for (const char* what : {"time", "error", "rays"}) {
       drawn.numbers[id + ".beside." + other + "." + what] = digits(factors.at(what).at(0));
     }
   }
-  const json& points = curve.at("points");
   drawn.numbers[id + ".time"] = digits(curve.at("beside").at(all.at("fastest")).at("time").at(0));
   drawn.numbers[id + ".slope"] = fmt::format("{:.3f}", curve.at("slope").at(0).get<double>());
-  drawn.numbers[id + ".error"] = digits(100 * points.back().at("error").at(0).get<double>());
 }
 
 std::vector<std::string> row_of(const json& curve, const std::string& fastest) {
   std::vector<std::string> row{curve.at("title")};
   for (const json& point : curve.at("points")) row.push_back(percent(point.at("error").at(0)));
   const double slope = curve.at("slope").at(0), error = curve.at("slope").at(1);
-  row.push_back(curve.at("adaptive") ? kDash : fmt::format("{:.3f} \u00b1 {:.3f}", slope, error));
-  const json& factors = curve.at("beside").at(fastest);
-  row.push_back(times(factors.at("time")));
-  row.push_back(times(factors.at("error")));
-  row.push_back(times(factors.at("rays")));
+  const bool fails = curve.at("fails");
+  row.push_back(curve.at("adaptive") || fails ? kDash
+                                              : fmt::format("{:.3f} \u00b1 {:.3f}", slope, error));
+  for (const char* factor : {"time", "error", "rays"}) {
+    row.push_back(fails ? "never" : times(curve.at("beside").at(fastest).at(factor)));
+  }
+  const json& last = curve.at("points").back();
+  row.push_back(last.at("bias") > 0 ? percent(last.at("bias")) : kDash);
+  for (const json& pixel : last.at("pixels")) row.push_back(percent(pixel));
+  row.push_back(percent(last.at("black_samples")));
   if (curve.at("heavy_tails")) row[0] += " (heavy tails)";
   return row;
 }
@@ -93,7 +102,12 @@ Drawn draw_converge(const Plan& plan, const Figure& figure, const fs::path& fold
                    "slope",
                    "same error: time",
                    "same time: error",
-                   "same error: rays"};
+                   "same error: rays",
+                   "bias",
+                   "pixels: median",
+                   "99 % below",
+                   "largest",
+                   "samples on black"};
   for (const json& curve : all.at("curves")) {
     drawn.rows.push_back(row_of(curve, all.at("fastest")));
     enter_factors(curve, all, drawn);

@@ -55,9 +55,9 @@ set xlabel "triangles"
 set ylabel "seconds per picture"
 set key top left
 set format x "%.0s%c"
-plot "{}.csv" using 2:3 skip 1 with linespoints lc rgb "#a33708" lw 2 pt 7 ps .6 title "no tree", \
-     "" using 2:4 skip 1 with linespoints lc rgb "#1b5288" lw 2 pt 5 ps .6 title "the tree of part 2", \
-     "" using 2:5 skip 1 with linespoints lc rgb "#0b6b5b" lw 2 pt 9 ps .6 title "the fast engine"
+plot "{}.csv" using 2:3 skip 1 with linespoints lc rgb "#d55e00" lw 2 pt 7 ps .6 title "no tree", \
+     "" using 2:4 skip 1 with linespoints lc rgb "#0072b2" lw 2 pt 5 ps .6 title "the tree of part 2", \
+     "" using 2:5 skip 1 with linespoints lc rgb "#009e73" lw 2 pt 9 ps .6 title "the fast engine"
 )";
 
 // Draws a point for each scene, by its number of triangles.

@@ -107,10 +107,9 @@ std::string scenes_text(const Site& site, const Figure& figure) {
 }
 
 // The size that the file of a chart states, as attributes: a page that is loading keeps its places.
-std::string stated_size(const fs::path& file) {
+std::string stated_size(const std::string& chart) {
   static const std::regex size(R"re(viewBox="0 0 ([0-9.]+) ([0-9.]+)")re");
-  if (!fs::exists(file)) return "";
-  const std::string head = pt::read_file(file, kMaxChart).substr(0, 2000);
+  const std::string head = chart.substr(0, 2000);
   std::smatch stated;
   if (!std::regex_search(head, stated, size)) return "";
   return fmt::format(" width=\"{}\" height=\"{}\"", stated.str(1), stated.str(2));
@@ -121,7 +120,10 @@ data charts_data(const Drawn& drawn, const fs::path& folder) {
   for (const std::string& chart : drawn.charts) {
     data item;
     item.set("text", chart);
-    item.set("size", stated_size(folder / "figures" / chart));
+    const fs::path file = folder / "figures" / chart;
+    const std::string source = fs::exists(file) ? pt::read_file(file, kMaxChart) : "";
+    item.set("size", stated_size(source));
+    item.set("photo", source.find("<image") != source.npos);
     charts.push_back(item);
   }
   return charts;

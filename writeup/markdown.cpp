@@ -162,6 +162,26 @@ Kept true_text(const std::string& markdown) {
   return kept;
 }
 
+// The element of a formula stands for itself in a block of code whose language is mathml. Everything else stays
+// text.
+std::string with_formulas(std::string html) {
+  static const std::string open = "<pre><code class=\"language-mathml\">", close = "</code></pre>";
+  for (std::size_t at = 0; (at = html.find(open, at)) != html.npos;) {
+    const std::size_t end = html.find(close, at);
+    std::string formula = html.substr(at + open.size(), end - at - open.size());
+    for (const char* name : {"mi", "mn", "mo", "mrow", "mfrac", "msup", "msub", "msqrt", "mtext"}) {
+      for (const char* slash : {"", "/"}) {
+        formula = replaced(formula, fmt::format("&lt;{}{}&gt;", slash, name),
+                           fmt::format("<{}{}>", slash, name));
+      }
+    }
+    formula = "<p class=\"formula\"><math display=\"block\">" + formula + "</math></p>";
+    html.replace(at, end + close.size() - at, formula);
+    at += formula.size();
+  }
+  return html;
+}
+
 }  // namespace
 
 std::string html_from_markdown(const std::string& text) {
@@ -173,7 +193,7 @@ std::string html_from_markdown(const std::string& text) {
   if (md_html(text.data(), static_cast<MD_SIZE>(text.size()), append, &html, flags, 0) != 0) {
     throw pt::Error("the text cannot be read as Markdown");
   }
-  return html;
+  return with_formulas(html);
 }
 
 std::string page_from_text(const std::string& file, const std::string& text, const Names& names) {

@@ -46,6 +46,11 @@ std::string title_of(const std::string& text, const std::string& name) {
   return text.substr(start + 2, text.find('\n', start) - start - 2);
 }
 
+// The part of the catalogue that stands on a page.
+std::string part_of(const std::string& page) {
+  return page.starts_with("part") ? page.substr(4) : page;
+}
+
 constexpr std::string_view kDrawings = "student/drawings/";  // of the handbook
 
 // Texts link to files of texts and to drawings of the handbook; pages have to link to pages, and to drawings beside them.
@@ -64,27 +69,53 @@ std::string with_page_links(std::string html) {
   return html;
 }
 
-// A page of many charts begins with all of them, small; each opens its own place on the page.
-std::string contents(const Site& site, const std::set<std::string>& shown) {
+// Small pictures with a title below, each of which opens its place.
+struct Entry {
+  std::string href, image, title;
+};
+std::string contents(const std::string& about, const std::vector<Entry>& entries) {
+  data list{data::type::list}, out;
+  for (const Entry& entry : entries) {
+    data item;
+    item.set("href", entry.href);
+    item.set("image", entry.image);
+    item.set("title", entry.title);
+    list.push_back(item);
+  }
+  out.set("about", about);
+  out.set("entries", list);
+  return render(
+      "<nav class=\"contents\" aria-label=\"{{about}}\">{{#entries}}<a href=\"{{href}}\">"
+      "<img src=\"figures/{{image}}\" alt=\"\" "
+      "loading=\"lazy\">{{title}}</a>\n{{/entries}}</nav>\n",
+      out);
+}
+
+// A page of many charts begins with all of them.
+std::string charts_of(const Site& site, const std::set<std::string>& shown) {
   constexpr std::size_t kMany = 12;
-  data charts{data::type::list};
+  std::vector<Entry> charts;
   for (const Figure& figure : site.catalogue.figures) {
     const auto found = site.figures.find(figure.id);
     if (!shown.contains(figure.id) || found == site.figures.end()) continue;
     if (found->second.charts.empty()) continue;
-    data item;
-    item.set("id", figure.id);
-    item.set("title", figure.title);
-    item.set("chart", found->second.charts[0]);
-    charts.push_back(item);
+    charts.push_back({"#" + figure.id, found->second.charts[0], figure.title});
   }
-  if (charts.list_value().size() < kMany) return "";
-  data out;
-  out.set("charts", charts);
-  return render(
-      "<nav class=\"contents\" aria-label=\"Charts\">{{#charts}}<a href=\"#{{id}}\">"
-      "<img src=\"figures/{{chart}}\" alt=\"\" loading=\"lazy\">{{title}}</a>\n{{/charts}}</nav>\n",
-      out);
+  return charts.size() < kMany ? "" : contents("Charts", charts);
+}
+
+// The first chart or picture of a page's first figure that has one.
+std::string image_of(const Site& site, const std::string& page) {
+  for (const Figure& figure : site.catalogue.figures) {
+    const auto found = site.figures.find(figure.id);
+    if (part_of(page) != figure.part || found == site.figures.end()) continue;
+    const Drawn& drawn = found->second;
+    if (!drawn.charts.empty()) return drawn.charts[0];
+    for (const Shown& shown : drawn.pictures) {
+      if (!shown.file.empty()) return shown.file + ".png";
+    }
+  }
+  return "";
 }
 
 Page make_page(const Site& site, const std::string& name, const fs::path& folder) {
@@ -100,13 +131,13 @@ Page make_page(const Site& site, const std::string& name, const fs::path& folder
                     [&](const std::string& id) { return number(site, id); }};
   Page page{name, title_of(text, name),
             with_page_links(page_from_text(file.string(), text, names))};
-  const std::string part = name.starts_with("part") ? name.substr(4) : name;
+  const std::string part = part_of(name);
   for (const Figure& figure : site.catalogue.figures) {
     if (figure.part == part && !shown.contains(figure.id))
       page.content += html_of(site, figure, folder);
   }
   const std::size_t first = page.content.find("<h2");
-  if (first != std::string::npos) page.content.insert(first, contents(site, shown));
+  if (first != std::string::npos) page.content.insert(first, charts_of(site, shown));
   return page;
 }
 
@@ -122,6 +153,19 @@ std::string foot(const Site& site, const fs::path& folder) {
   if (newest == kNever) return text;
   const auto time = std::chrono::file_clock::to_sys(newest);
   return text + fmt::format(" · {:%F}", std::chrono::time_point_cast<std::chrono::seconds>(time));
+}
+
+// The front page has a picture of each page, above its table.
+void add_pictures(const Site& site, std::vector<Page>& pages) {
+  std::vector<Entry> entries;
+  for (const Page& page : pages) {
+    const std::string image = image_of(site, page.name);
+    if (!image.empty()) entries.push_back({page.name + ".html", image, page.title});
+  }
+  std::string& front = pages[0].content;
+  if (!entries.empty()) {
+    front.insert(std::min(front.find("<table"), front.size()), contents("Pages", entries));
+  }
 }
 
 std::string short_name(const Page& page) {
@@ -141,6 +185,7 @@ const std::vector<std::string>& page_names() {
 void write_pages(const Site& site, const fs::path& folder) {
   std::vector<Page> pages;
   for (const std::string& name : page_names()) pages.push_back(make_page(site, name, folder));
+  add_pictures(site, pages);
   const std::string made = foot(site, folder);
   for (const Page& page : pages) {
     data links{data::type::list};

@@ -138,16 +138,14 @@ std::vector<double> ticks(const Span& span) {
   return all;
 }
 
-// The reference is blue, a user's code is black and large, the others are in between.
+// The reference and a user's code are large.
 std::string style(const ChartLine& curve, std::size_t number, bool lines) {
   const char* const how = lines ? "linespoints" : "points";
-  if (curve.is_own) return fmt::format("with {} lc rgb \"#000000\" lw 2 pt 5 ps 1.4", how);
-  if (number == 0)
-    return fmt::format("with {} lc rgb \"{}\" lw 2 pt 7 ps 1.4", how, color(Hue::blue, 1));
+  if (curve.is_own) return fmt::format("with {} lc rgb \"{}\" lw 2 pt 5 ps 1.4", how, ink::kOrange);
+  if (number == 0) return fmt::format("with {} lc rgb \"{}\" lw 2 pt 7 ps 1.4", how, ink::kBlack);
   static const int kPoints[] = {4, 6, 8, 10, 12, 1, 2, 3};
-  const Hue hue = number % 2 == 0 ? Hue::green : Hue::red;
-  return fmt::format("with {} lc rgb \"{}\" lw 1.5 pt {} ps 1", how,
-                     color(hue, static_cast<int>(number / 2) % 5), kPoints[number % 8]);
+  return fmt::format("with {} lc rgb \"{}\" lw 1.5 pt {} ps 1", how, ink_of(number - 1),
+                     kPoints[number % 8]);
 }
 
 void draw_one(const About& about, const std::vector<Table>& tables,

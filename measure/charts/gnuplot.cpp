@@ -3,6 +3,12 @@
 #include "grader/service/process/run_command.h"
 #include "pt/file.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
 namespace measure {
 
 namespace fs = std::filesystem;
@@ -15,15 +21,35 @@ set grid lc rgb "#c8ccd0"
 set border lc rgb "#8a9299"
 )gp";
 
-// ColorBrewer's sequential schemes without their lightest colours (Harrower and Brewer 2003).
-const char* const kColors[3][kShades] = {
-    {"#08306b", "#08519c", "#2171b5", "#4292c6", "#6baed6", "#9ecae1"},
-    {"#00441b", "#006d2c", "#238b45", "#41ab5d", "#74c476", "#a1d99b"},
-    {"#67000d", "#a50f15", "#cb181d", "#ef3b2c", "#fb6a4a", "#fc9272"}};
+constexpr double kRow = 0.05;  // the height of a name, as a part of the axis
 
 }  // namespace
 
-const char* color(Hue hue, int shade) { return kColors[static_cast<int>(hue)][shade % kShades]; }
+const char* ink_of(std::size_t method) {
+  constexpr const char* kOthers[] = {ink::kVermilion, ink::kBlue, ink::kGreen, ink::kPink,
+                                     ink::kSky};
+  return kOthers[method % std::size(kOthers)];
+}
+
+std::string names_beside(std::vector<NamedEnd> ends, double low, double high) {
+  std::string text =
+      fmt::format("set key off\nset rmargin 27\nset yrange [{:.5g}:{:.5g}]\n", low, high);
+  const double axis = std::log10(high / low), row = kRow * axis;
+  std::ranges::sort(ends, {}, &NamedEnd::height);
+  std::vector<double> rows;
+  double below = std::log10(low) - row;
+  for (const NamedEnd& end : ends) {
+    rows.push_back(below = std::max(std::log10(std::clamp(end.height, low, high)), below + row));
+  }
+  double above = std::log10(high) + row;
+  for (std::size_t i = rows.size(); i-- > 0;) rows[i] = above = std::min(rows[i], above - row);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    text +=
+        fmt::format("set label \"{}\" at graph 1.02, first {:.5g} left tc rgb \"{}\" noenhanced\n",
+                    ends[i].name, std::pow(10, rows[i]), ends[i].color);
+  }
+  return text;
+}
 
 void draw(const fs::path& folder, const std::string& name, const std::string& commands) {
   const std::string output = "set output \"" + name + ".svg\"\n";

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace measure {
 
@@ -10,9 +12,21 @@ namespace measure {
 void draw(const std::filesystem::path& folder, const std::string& name,
           const std::string& commands);
 
-// Colours for three groups of lines: blue, green, red; each from dark to light.
-enum class Hue { blue, green, red };
-inline constexpr int kShades = 6;
-const char* color(Hue hue, int shade);
+// The colours of all charts, which people with any kind of sight tell apart (Okabe and Ito 2008). The
+// reference, or what the others are compared with, is black, and somebody's own code orange.
+namespace ink {
+inline constexpr const char *kBlack = "#000000", *kOrange = "#e69f00", *kBlue = "#0072b2",
+                            *kVermilion = "#d55e00", *kGreen = "#009e73", *kPink = "#cc79a7",
+                            *kSky = "#56b4e9", *kGray = "#8a9299";
+}
+const char* ink_of(std::size_t method);  // the other colours, again and again
+
+// Names of lines right of a chart without a key, each at the height of its line's end, with room for
+// a name between two. The upward axis is logarithmic, from `low` to `high`.
+struct NamedEnd {
+  std::string name, color;
+  double height;
+};
+std::string names_beside(std::vector<NamedEnd> ends, double low, double high);
 
 }  // namespace measure

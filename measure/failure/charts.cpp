@@ -99,13 +99,11 @@ struct Pen {
 
 // Each method has its own dashes, so that lines on top of each other can be distinguished.
 Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line) {
-  constexpr Hue kHues[] = {Hue::red, Hue::blue, Hue::green};
   if (!is_named(charts, chart, line)) return {"#c8ccd0", 1, 1, false};
-  if (charts.lines[line].kind == CurveLine::Kind::reference) return {"#000000", 3, 1, true};
-  if (charts.lines[line].kind == CurveLine::Kind::submission) return {"#e08214", 3, 1, true};
-  const auto method =
-      static_cast<int>(std::ranges::find(chart.methods, line) - chart.methods.begin());
-  return {color(kHues[method % 3], 2 + method / 3), 2, 2 + method, true};
+  if (charts.lines[line].kind == CurveLine::Kind::reference) return {ink::kBlack, 3, 1, true};
+  if (charts.lines[line].kind == CurveLine::Kind::submission) return {ink::kOrange, 3, 1, true};
+  const auto method = std::ranges::find(chart.methods, line) - chart.methods.begin();
+  return {ink_of(method), 2, 2 + static_cast<int>(method), true};
 }
 
 const char* color_of(const Promised& promised) { return promised.bonus ? "#fde8c8" : "#d9f0d3"; }

@@ -96,6 +96,13 @@ Option look_at_course(Study& study, const Answer& answer, const std::vector<int>
   return known ? first : look_at(study, kCourse, pair, study.bias2_at(kCourse.bounces), error);
 }
 
+double relative_price_error(const Option& option) {
+  const auto chosen =
+      std::ranges::find(option.tried, option.choice->light_samples, &Tried::light_samples);
+  const Uncertain of_it = price(*chosen);
+  return of_it.value > 0 ? of_it.error / of_it.value : 0;
+}
+
 std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best, double error) {
   const Choice& choice = *best.choice;
   if (choice.samples < 16) return std::nullopt;
@@ -106,11 +113,14 @@ std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best,
   settings.tolerance = tolerance_for(noise, settings, left);
   const pt::PathSettings path = path_of(best.way, choice.light_samples);
   AdaptiveOption option{
-      settings, study.check(path, {1, settings, 0, 1}, choice.seconds, best.model.bias2), 1, {}};
+      settings, study.check(path, {1, settings, 0, 1}, choice.seconds, best.model.bias2), {}, {}};
   // The variance of a mean of n samples falls as 1 / n, also where n depends on the pixel.
   const double variance =
       std::max(option.checked.error.value * option.checked.error.value - best.model.bias2, 0.0);
-  option.times = option.checked.seconds * variance / left / choice.seconds;
+  const double times = option.checked.seconds * variance / left / choice.seconds;
+  const Uncertain& seen = option.checked.error;
+  const double of_error = seen.value > 0 ? 2 * seen.error / seen.value : 0;
+  option.times = {times, times * std::hypot(of_error, relative_price_error(best))};
   std::vector<double> squares;
   for (const Study::PixelNoise& pixel : noise) {
     squares.push_back(pixel.relative / option.checked.samples);
@@ -163,6 +173,14 @@ void choose_bounces(Study& study, Answer& answer, const std::vector<int>& pair) 
 }
 
 }  // namespace
+
+Uncertain times_as_long(const Option& option, const Option& best) {
+  const double times = option.choice->seconds / best.choice->seconds;
+  const bool same =
+      option.way == best.way && option.choice->light_samples == best.choice->light_samples;
+  return {times,
+          same ? 0 : times * std::hypot(relative_price_error(option), relative_price_error(best))};
+}
 
 Option option_of(const Way& way, std::vector<Tried> tried, double bias2, double error) {
   Option option{way, std::move(tried), {}, {}};

@@ -21,7 +21,7 @@ struct Option {
 struct AdaptiveOption {
   pt::AdaptiveSettings settings;
   Checked checked;
-  double times = 1;          // time over that of uniform sampling, at the same error
+  Uncertain times;           // time over that of uniform sampling, at the same error
   pt::PixelErrors uniform;   // with the same number of samples in every pixel
   double best_possible = 1;  // samples over those of uniform sampling, by the best rule there is
 };
@@ -31,6 +31,9 @@ Option option_of(const Way& way, std::vector<Tried> tried, double bias2, double 
 
 // The cheapest of `best` and the others. An option without a choice is dearer than any.
 Option cheapest_of(const std::vector<Option>& others, Option best);
+
+// The time of an option over that of the best, at the same error. Both have a choice.
+Uncertain times_as_long(const Option& option, const Option& best);
 
 // Throws pt::Error, which tells what the error would take, if that is more than can be had.
 void expect_reachable(const Tried& tried, double error, double pixels);

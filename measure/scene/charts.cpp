@@ -15,7 +15,6 @@ namespace {
 const char* const kOptionsChart = R"gp(set logscale xy
 set xlabel "processor seconds for the picture"
 set ylabel "error (root of relMSE)"
-set key outside right samplen 1.5 font ",11"
 plot )gp";
 
 const char* const kBouncesChart = R"gp(set logscale y
@@ -23,7 +22,7 @@ set xlabel "most bounces, m"
 set ylabel "missing fraction of the radiance"
 set format y "%g"
 set key off
-plot "bounces.csv" using 1:($2 > 0 ? $2 : NaN) skip 1 with linespoints lc rgb "#1b5288" lw 2 pt 7 ps .6
+plot "bounces.csv" using 1:($2 > 0 ? $2 : NaN) skip 1 with linespoints lc rgb "#0072b2" lw 2 pt 7 ps .6
 )gp";
 
 const char* const kNoiseChart = R"gp(set logscale x 2
@@ -35,13 +34,13 @@ set xlabel "light samples, l"
 set ylabel "relative variance of a camera sample"
 set y2label "microseconds per camera sample"
 set key top center
-plot "noise.csv" using 1:2:3 skip 1 with yerrorbars lc rgb "#1b5288" pt 7 ps .6 title "variance", \
-     {:.8g} + {:.8g} / x lc rgb "#1b5288" lw 2 title "A + B / l", \
-     "" using 1:4:5 skip 1 axes x1y2 with yerrorbars lc rgb "#a33708" pt 5 ps .6 title "time", \
-     {:.8g} + {:.8g} * x axes x1y2 lc rgb "#a33708" lw 2 title "c0 + c1 l"
+plot "noise.csv" using 1:2:3 skip 1 with yerrorbars lc rgb "#0072b2" pt 7 ps .6 title "variance", \
+     {:.8g} + {:.8g} / x lc rgb "#0072b2" lw 2 title "A + B / l", \
+     "" using 1:4:5 skip 1 axes x1y2 with yerrorbars lc rgb "#d55e00" pt 5 ps .6 title "time", \
+     {:.8g} + {:.8g} * x axes x1y2 lc rgb "#d55e00" lw 2 title "c0 + c1 l"
 )gp";
 
-// A line of the chart: a way with its numbers of light samples.
+// A line of the file, and of the chart if it has a colour: a way with its numbers of light samples.
 struct ChartLine {
   std::string title;
   const Option* option;
@@ -54,47 +53,61 @@ std::vector<ChartLine> curves(const Answer& answer) {
   const auto add = [&](const std::string& what, const Option& option, const char* ink) {
     if (option.choice) all.push_back({what, &option, option.choice->light_samples, ink});
   };
-  add("cheapest", answer.best, "#000000");
-  add("the course's settings", answer.course, "#e08214");
-  int shade = 0;
-  for (const Option& option : answer.survivals) {
-    add(fmt::format("survival {:g}", option.way.survival), option, color(Hue::green, shade++));
+  add("cheapest", answer.best, ink::kBlack);
+  add("the course's settings", answer.course, ink::kOrange);
+  for (std::size_t i = 0; i < answer.survivals.size(); ++i) {
+    const Option& option = answer.survivals[i];
+    const bool is_last = i > 0 && i + 1 == answer.survivals.size();
+    add(fmt::format("survival {:g}", option.way.survival), option,
+        i == 1    ? ink::kPink
+        : is_last ? ink::kGreen
+                  : "");
   }
   for (const Option& option : answer.bounces) {
-    add(fmt::format("at most {} bounces", option.way.bounces), option, color(Hue::blue, shade++));
+    add(fmt::format("at most {} bounces", option.way.bounces), option,
+        &option == &answer.bounces[0] ? ink::kSky : "");
   }
-  add("hemisphere sampling", answer.hemisphere, color(Hue::red, 2));
+  add("hemisphere sampling", answer.hemisphere, ink::kVermilion);
   return all;
 }
 
 // The points of each line follow from what was measured with its light samples, and the bias.
 void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
-  std::string csv = "title,light_samples,samples,seconds,error\n", plot;
+  constexpr int kMostSamples = 1 << 14;
+  std::string csv = "title,light_samples,samples,seconds,error\n", plot, points;
+  std::vector<NamedEnd> ends;
+  double low = answer.error, high = answer.error;
   int block = 0;
   for (const ChartLine& curve : curves(answer)) {
     const Choice& choice = *curve.option->choice;
+    const auto error = [&](int s) {
+      return std::sqrt(choice.variance / s + curve.option->model.bias2);
+    };
     if (block > 0) csv += "\n\n";
-    for (int s = kFewestSamples; s <= 1 << 14; s *= 2) {
+    for (int s = kFewestSamples; s <= kMostSamples; s *= 2) {
       csv += fmt::format("{},{},{},{:.6g},{:.6g}\n", curve.title, curve.light_samples, s,
-                         pixels * s * choice.seconds / choice.samples,
-                         std::sqrt(choice.variance / s + curve.option->model.bias2));
+                         pixels * s * choice.seconds / choice.samples, error(s));
     }
-    plot += fmt::format(
-        "\"options.csv\" index {} using 4:5 with lines lc rgb \"{}\" lw {} title \"{}\", ", block,
-        curve.color, block < 2 ? 3 : 1, curve.title);
+    if (!curve.color.empty()) {
+      plot +=
+          fmt::format("\"options.csv\" index {} using 4:5 skip {} with lines lc rgb \"{}\" lw {}, ",
+                      block, block == 0 ? 1 : 0, curve.color, block < 2 ? 3 : 2);
+      ends.push_back({curve.title, curve.color, error(kMostSamples)});
+      low = std::min(low, error(kMostSamples));
+      high = std::max(high, error(kFewestSamples));
+    }
+    // The place of the cheapest, and of the course's settings, on its line.
+    if (block < 2) {
+      points += fmt::format("set label at {:.6g},{:.6g} point pt 7 ps 1.2 lc rgb \"{}\" front\n",
+                            choice.seconds * pixels, choice.error, curve.color);
+    }
     ++block;
   }
   pt::write_file(folder / "options.csv", csv);
-  // The place of each of the two points on its line.
-  std::string points;
-  for (const auto& [option, ink] :
-       {std::pair{&answer.best, "#000000"}, {&answer.course, "#e08214"}}) {
-    if (!option->choice) continue;
-    points += fmt::format("set label at {:.6g},{:.6g} point pt 7 ps 1.2 lc rgb \"{}\" front\n",
-                          option->choice->seconds * pixels, option->choice->error, ink);
-  }
-  plot += fmt::format("{:.6g} lc rgb \"#8a9299\" dt 2 title \"error wanted\"\n", answer.error);
-  draw(folder, "options", points + kOptionsChart + plot);
+  plot += fmt::format("{:.6g} lc rgb \"{}\" dt 2\n", answer.error, ink::kGray);
+  ends.push_back({"error wanted", ink::kGray, answer.error});
+  draw(folder, "options",
+       points + names_beside(std::move(ends), low / 1.3, high * 1.3) + kOptionsChart + plot);
 }
 
 void draw_bounces(const Answer& answer, const fs::path& folder) {

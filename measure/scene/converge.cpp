@@ -1,5 +1,6 @@
 #include "measure/scene/converge.h"
 
+#include "measure/charts/gnuplot.h"
 #include "measure/renders/spec.h"
 #include "measure/scene/options.h"
 #include "pt/error.h"
@@ -46,8 +47,9 @@ void add_products(MethodCurve& curve) {
 }
 
 MethodCurve measured(Study& study, const Method& method, double part) {
-  MethodCurve curve{method, {}, {}, {}, {}, false};
+  MethodCurve curve{method, {}, {}, {}, {}, false, false};
   const Tried tried = study.try_out(method.way, {method.light_samples})[0];
+  const double bias2 = std::pow(seen_bias(tried.bias2).value_or(0), 2);
   curve.heavy_tails = tried.variance.error > kHeavy * tried.variance.value;
   const pt::PathSettings path = path_of(method.way, method.light_samples);
   for (std::size_t i = 0; i < std::size(kSamples); ++i) {
@@ -55,9 +57,11 @@ MethodCurve measured(Study& study, const Method& method, double part) {
     if (method.adaptive) {
       settings.adaptive = pt::AdaptiveSettings{kMaxAdaptive, kBatch, kTolerances[i]};
     }
-    curve.points.push_back(study.check(path, settings, kSamples[i] * tried.seconds.value, 0,
+    curve.points.push_back(study.check(path, settings, kSamples[i] * tried.seconds.value, bias2,
                                        part / std::size(kSamples)));
   }
+  const double last = curve.points.back().error.value;
+  curve.fails = bias2 > last * last / 2;
   curve.slope = slope_of(curve.points);
   add_products(curve);
   return curve;
@@ -108,7 +112,7 @@ std::vector<Method> methods_in(const pt::Scene& scene, int bounces, pt::Engine e
   }
   const Way hemisphere{Direct::hemisphere, bounces, usual.survival};
   for (const int l : {1, 8, 32}) {
-    if (some_delta) break;  // a light without a surface is never met by chance
+    if (some_delta && l > 1) break;  // a light without a surface is never met: one shows that
     all.push_back(
         {fmt::format("h{}", l), fmt::format("hemisphere, l = {}", l), hemisphere, l, false, {}});
   }
@@ -180,9 +184,10 @@ std::vector<Efficiency> efficiencies(const MethodCurve& curve, const MethodCurve
   return all;
 }
 
-std::vector<const MethodCurve*> seven_of(const std::vector<MethodCurve>& curves) {
+std::vector<DrawnMethod> seven_of(const std::vector<MethodCurve>& curves) {
   const MethodCurve& first = curves[0];
-  std::vector<const MethodCurve*> others, hemisphere, survivals, chosen{&first};
+  std::vector<const MethodCurve*> others, hemisphere, survivals;
+  std::vector<DrawnMethod> chosen{{&first, ink::kBlack}};
   const MethodCurve *adaptive = nullptr, *engine = nullptr;
   for (const MethodCurve& curve : curves) {
     const Method& method = curve.method;
@@ -198,22 +203,24 @@ std::vector<const MethodCurve*> seven_of(const std::vector<MethodCurve>& curves)
     }
   }
   const auto cost = [](const MethodCurve* curve) { return curve->error2_second.value; };
-  const auto add_cheapest = [&](const std::vector<const MethodCurve*>& group) {
-    if (!group.empty()) chosen.push_back(*std::ranges::min_element(group, {}, cost));
+  const auto add_cheapest = [&](const std::vector<const MethodCurve*>& group, const char* color) {
+    if (!group.empty()) chosen.push_back({*std::ranges::min_element(group, {}, cost), color});
   };
-  add_cheapest(others);
-  if (others.size() > 1) chosen.push_back(*std::ranges::max_element(others, {}, cost));
-  add_cheapest(hemisphere);
-  add_cheapest(survivals);
-  if (adaptive != nullptr) chosen.push_back(adaptive);
-  if (engine != nullptr) chosen.push_back(engine);
+  add_cheapest(others, ink::kSky);
+  if (others.size() > 1) {
+    chosen.push_back({*std::ranges::max_element(others, {}, cost), ink::kPink});
+  }
+  add_cheapest(hemisphere, ink::kVermilion);
+  add_cheapest(survivals, ink::kGreen);
+  if (adaptive != nullptr) chosen.push_back({adaptive, ink::kBlue});
+  if (engine != nullptr) chosen.push_back({engine, ink::kOrange});
   return chosen;
 }
 
 std::vector<Checked> pareto_front(const std::vector<MethodCurve>& curves) {
   std::vector<Checked> all, front;
   for (const MethodCurve& curve : curves) {
-    all.insert(all.end(), curve.points.begin(), curve.points.end());
+    if (!curve.fails) all.insert(all.end(), curve.points.begin(), curve.points.end());
   }
   std::ranges::sort(all, {}, [](const Checked& c) { return std::pair(c.seconds, c.error.value); });
   for (const Checked& point : all) {
@@ -223,10 +230,9 @@ std::vector<Checked> pareto_front(const std::vector<MethodCurve>& curves) {
 }
 
 const MethodCurve& fastest(const std::vector<MethodCurve>& curves) {
-  return *std::min_element(curves.begin(), curves.end(),
-                           [](const MethodCurve& a, const MethodCurve& b) {
-                             return a.error2_second.value < b.error2_second.value;
-                           });
+  return *std::ranges::min_element(curves, {}, [](const MethodCurve& curve) {
+    return std::pair(curve.fails, curve.error2_second.value);
+  });
 }
 
 }  // namespace measure::scene

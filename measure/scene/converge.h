@@ -28,6 +28,8 @@ struct MethodCurve {
   Uncertain error2_second;   // error^2 x seconds per pixel: the same for every number of samples
   Uncertain error2_ray;      // error^2 x rays per pixel
   bool heavy_tails = false;  // a few samples make most of the variance: it is uncertain
+  // No number of samples helps: most of the last error is light that the method never finds.
+  bool fails = false;
 };
 
 // The methods that make sense in a scene. The first is light sampling with l = 1.
@@ -52,7 +54,7 @@ struct Factors {
 };
 Factors factors(const MethodCurve& curve, const MethodCurve& beside);
 
-// The method with the least time for the same error.
+// The method with the least time for the same error, of those that do not fail.
 const MethodCurve& fastest(const std::vector<MethodCurve>& curves);
 
 // A place of a method's line in the chart of efficiencies: 1 / (time x error^2), over that of the
@@ -66,10 +68,14 @@ std::vector<Efficiency> efficiencies(const MethodCurve& curve, const MethodCurve
 
 // At most seven curves to draw, each unlike the others: light sampling with l = 1, the cheapest other l
 // and the dearest, the cheapest hemisphere sampling, the cheapest other survival, adaptive sampling,
-// and the next engine.
-std::vector<const MethodCurve*> seven_of(const std::vector<MethodCurve>& curves);
+// and the next engine. Each kind has the same colour in all charts.
+struct DrawnMethod {
+  const MethodCurve* curve;
+  const char* color;
+};
+std::vector<DrawnMethod> seven_of(const std::vector<MethodCurve>& curves);
 
-// The points that no other beats in both time and error, by their time.
+// The points that no other beats in both time and error, by their time. A method that fails has none.
 std::vector<Checked> pareto_front(const std::vector<MethodCurve>& curves);
 
 // The tolerances, or numbers of samples, of a curve's points.

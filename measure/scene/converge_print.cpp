@@ -12,7 +12,12 @@ namespace measure::scene {
 
 namespace {
 
-using Direct = pt::PathSettings::Direct;
+std::string name_of(const MethodCurve& curve) {
+  return curve.method.title + (curve.fails ? ": fails" : "");
+}
+
+// The points of a method that fails are crosses.
+const char* mark_of(const MethodCurve& curve) { return curve.fails ? "2 ps 1" : "7 ps .4"; }
 
 // A method with another number of samples in each pixel has no slope.
 std::string slope_text(const MethodCurve& curve) {
@@ -25,116 +30,103 @@ std::string row(const MethodCurve& curve, const MethodCurve& beside) {
   for (const Checked& point : curve.points) {
     text += fmt::format("{:>9}", percent(point.error.value));
   }
+  if (curve.fails) return text + "  fails: it never finds all the light\n";
   const Factors against = factors(curve, beside);
-  return text + fmt::format("  {} {:>8.3g} {:>8.3g}{}\n", slope_text(curve), against.time.value,
-                            against.error.value, curve.heavy_tails ? "  heavy tails" : "");
+  const auto with_error = [](const Uncertain& factor) {
+    return fmt::format("{:.3g} \u00b1 {:.1g}", factor.value, factor.error);
+  };
+  return text + fmt::format("  {} {:>13} {:>13}{}\n", slope_text(curve), with_error(against.time),
+                            with_error(against.error), curve.heavy_tails ? "  heavy tails" : "");
 }
 
 const MethodCurve& beside_which(const std::vector<MethodCurve>& curves, const Options& options) {
   for (const MethodCurve& curve : curves) {
-    if (curve.method.title == options.beside) return curve;
+    if (curve.method.title == options.beside && !curve.fails) return curve;
   }
   return fastest(curves);
 }
 
-constexpr int kSecondsColumn = 4;
-
-// The key has a row below the curves for every three of them.
-const char* const kErrorChart = R"gp(set terminal svg size 760,620 font "sans-serif,13"
-set logscale xy
+// All charts show the same methods in the same colours, with their names at the ends of the lines.
+const char* const kStyle = R"gp(set logscale xy
 set format x "{}"
-set xlabel "{}" offset 0,.5
-set ylabel "error (root of relMSE)"
-set key bmargin center horizontal maxcols 3 Left reverse samplen 1.5 font ",11" title " "
-plot {}
-)gp";
-
-// A line and its band of one standard error for each of seven methods, with its name at its end.
-// Colours that people with any kind of sight tell apart (Okabe and Ito 2008).
-const char* const kSeven[] = {"#000000", "#d55e00", "#0072b2", "#009e73",
-                              "#cc79a7", "#e69f00", "#56b4e9"};
-const char* const kEfficiencyChart = R"gp(set terminal svg size 760,440 font "sans-serif,13"
-set logscale xy
-set format x "%g"
-set xlabel "processor seconds"
-set ylabel "efficiency beside lights, l = 1"
-set key off
-set rmargin 26
+set format y "%g"
+set xlabel "{}"
+set ylabel "{}"
 set style fill transparent solid 0.2 noborder
 {}plot {}
 )gp";
 
-// The heights of the names beside the chart: those of the lines' ends, with room for a name between.
-std::vector<double> label_heights(const std::vector<MethodCurve>& curves) {
-  constexpr double kRow = 0.05;  // of the axis
-  std::vector<std::pair<double, std::size_t>> ends;
-  for (const MethodCurve* curve : seven_of(curves)) {
-    const double end = efficiencies(*curve, curves[0]).back().value.value;
-    ends.emplace_back(std::log10(end), ends.size());
-  }
-  std::ranges::sort(ends);
-  const double row = kRow * std::max(1.0, std::ceil(ends.back().first) - std::floor(ends[0].first));
-  std::vector<double> heights(ends.size());
-  double below = -INFINITY;
-  for (const auto& [end, i] : ends) {
-    below = std::max(end, below + row);
-    heights[i] = std::pow(10, below);
-  }
-  return heights;
-}
+// The lowest and the highest number of a chart, with some room beside them.
+struct Span {
+  double low = INFINITY, high = 0;
 
-void draw_efficiencies(const std::vector<MethodCurve>& curves, double pixels,
-                       const std::filesystem::path& folder) {
-  std::string csv = "method,seconds,efficiency,error_of_it\n", labels, plots;
-  int i = 0;
-  const std::vector<double> heights = label_heights(curves);
-  for (const MethodCurve* curve : seven_of(curves)) {
+  void grow(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  std::string names(std::vector<NamedEnd> ends) const {
+    return names_beside(std::move(ends), low / 1.3, high * 1.3);
+  }
+};
+
+// A line and its band of one standard error for each method.
+void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve& first,
+                       double pixels, const std::filesystem::path& folder) {
+  std::string csv = "method,seconds,efficiency,error_of_it\n", plots;
+  std::vector<NamedEnd> ends;
+  Span span;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const MethodCurve& curve = *drawn[i].curve;
     if (i > 0) csv += "\n\n";
-    const std::vector<Efficiency> places = efficiencies(*curve, curves[0]);
+    const std::vector<Efficiency> places = efficiencies(curve, first);
     for (const Efficiency& at : places) {
-      csv += fmt::format("\"{}\",{:.6g},{:.5g},{:.3g}\n", curve->method.title, at.seconds * pixels,
+      csv += fmt::format("\"{}\",{:.6g},{:.5g},{:.3g}\n", curve.method.title, at.seconds * pixels,
                          at.value.value, at.value.error);
+      span.grow(at.value.value);
     }
-    labels +=
-        fmt::format("set label \"{}\" at graph 1.02, first {:.5g} left tc rgb \"{}\" noenhanced\n",
-                    curve->method.title, heights[i], kSeven[i]);
+    ends.push_back({name_of(curve), drawn[i].color, places.back().value.value});
     plots += fmt::format(
         "{0}\"efficiency.csv\" index {1} using 2:($3-$4):($3+$4) skip {2} with filledcurves lc rgb "
-        "\"{3}\", \"\" index {1} using 2:3 skip {2} with linespoints lc rgb \"{3}\" lw 2 pt 7 ps "
-        ".4",
-        plots.empty() ? "" : ", ", i, i == 0 ? 1 : 0, kSeven[i]);
-    ++i;
+        "\"{3}\", \"\" index {1} using 2:3 skip {2} with linespoints lc rgb \"{3}\" lw 2 pt {4}",
+        i > 0 ? ", " : "", i, i == 0 ? 1 : 0, drawn[i].color, mark_of(curve));
   }
   pt::write_file(folder / "efficiency.csv", csv);
-  draw(folder, "efficiency", fmt::format(fmt::runtime(kEfficiencyChart), labels, plots));
+  draw(folder, "efficiency",
+       fmt::format(fmt::runtime(kStyle), "%g", "processor seconds",
+                   "efficiency beside lights, l = 1", span.names(std::move(ends)), plots));
 }
 
-// Blue: light sampling; green: other chances of survival; red: hemisphere sampling; black: adaptive.
-std::string plot(const std::vector<MethodCurve>& curves, int column) {
-  std::string text;
-  int used[3] = {0, 0, 0};
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const Method& method = curves[i].method;
-    // Over samples, all engines have the same curve.
-    if (method.engine && column != kSecondsColumn) continue;
-    const Hue hue = method.way.direct == Direct::hemisphere                ? Hue::red
-                    : method.way.survival != curves[0].method.way.survival ? Hue::green
-                                                                           : Hue::blue;
-    const char* const dark = method.adaptive ? "#000000" : "#8a9299";
-    const std::string ink =
-        method.adaptive || method.engine ? dark : color(hue, used[static_cast<int>(hue)]++);
-    const bool by_tree = method.engine && *method.engine != pt::Engine::linear;
-    text += fmt::format(
-        "{}\"converge.csv\" index {} using {}:6:7 with yerrorlines lc rgb \"{}\" lw 1.5 pt 7 ps .4 "
-        "dt {} title \"{}\"",
-        text.empty() ? "" : ", ", i, column, ink, by_tree ? 2 : 1, method.title);
+// The error over a column of converge.csv. Over samples and rays all engines have the same line.
+struct Axis {
+  const char *file, *format, *label;
+  int column;
+};
+constexpr Axis kAxes[] = {{"samples", "%g", "samples per pixel", 3},
+                          {"seconds", "%g", "processor seconds", 4},
+                          {"rays", "10^{%L}", "rays", 5}};
+
+void draw_errors(const std::vector<DrawnMethod>& drawn, const MethodCurve& first, const Axis& axis,
+                 const std::filesystem::path& folder) {
+  const bool over_seconds = axis.column == 4;
+  std::string plots;
+  std::vector<NamedEnd> ends;
+  Span span;
+  for (const DrawnMethod& each : drawn) {
+    if (each.curve->method.engine && !over_seconds) continue;
+    for (const Checked& point : each.curve->points) span.grow(point.error.value);
+    ends.push_back({name_of(*each.curve), each.color, each.curve->points.back().error.value});
+    plots += fmt::format(
+        "{}\"converge.csv\" index {} using {}:6:7 with yerrorlines lc rgb \"{}\" lw 2 pt {}",
+        plots.empty() ? "" : ", ", each.curve - &first, axis.column, each.color,
+        mark_of(*each.curve));
   }
-  if (column == kSecondsColumn) {
-    text +=
-        ", \"front.csv\" using 1:2 skip 1 with lines lc rgb \"#000000\" lw 1.5 dt 3 title "
-        "\"front\"";
+  if (over_seconds) {
+    plots += fmt::format(", \"front.csv\" using 1:2 skip 1 with lines lc rgb \"{}\" lw 1.5 dt 3",
+                         ink::kBlack);
   }
-  return text;
+  draw(folder, axis.file,
+       fmt::format(fmt::runtime(kStyle), axis.format, axis.label, "error (root of relMSE)",
+                   span.names(std::move(ends)), plots));
 }
 
 void write_factors(const std::vector<MethodCurve>& curves, const std::filesystem::path& file) {
@@ -143,6 +135,7 @@ void write_factors(const std::vector<MethodCurve>& curves, const std::filesystem
       "rays_for_the_same_error,error_of_it\n";
   for (const MethodCurve& curve : curves) {
     for (const MethodCurve& other : curves) {
+      if (curve.fails || other.fails) continue;
       const Factors f = factors(curve, other);
       csv += fmt::format("\"{}\",\"{}\",{:.5g},{:.3g},{:.5g},{:.3g},{:.5g},{:.3g}\n",
                          curve.method.title, other.method.title, f.time.value, f.time.error,
@@ -160,10 +153,9 @@ std::string parts_text(const std::vector<MethodCurve>& curves) {
   for (const MethodCurve& curve : curves) {
     if (curve.method.engine) continue;
     const Checked& last = curve.points.back();
-    const bool biased = last.bias2.value > kSignificant * last.bias2.error;
+    const std::optional<double> bias = seen_bias(last.bias2);
     text += fmt::format("  {:<35}{:>9.4g}{:>9}{:>9}  {:>9}{:>9}{:>9}{:>10}\n", curve.method.title,
-                        last.samples, percent(last.error.value),
-                        biased ? percent(std::sqrt(last.bias2.value)) : "-",
+                        last.samples, percent(last.error.value), bias ? percent(*bias) : "-",
                         percent(last.pixel_errors.median), percent(last.pixel_errors.most),
                         percent(last.pixel_errors.largest), percent(last.black_samples));
   }
@@ -184,7 +176,7 @@ std::string to_text(const std::vector<MethodCurve>& curves, const Options& optio
       options.scene.string(), options.width, options.height, options.bounces, beside.method.title,
       "");
   for (const int samples : kSamples) text += fmt::format("{:>9}", fmt::format("s = {}", samples));
-  text += fmt::format("  {:>14} {:>8} {:>8}\n", "slope", "time", "error");
+  text += fmt::format("  {:>14} {:>13} {:>13}\n", "slope", "time", "error");
   for (const MethodCurve& curve : curves) text += row(curve, beside);
   text += parts_text(curves);
   text += fmt::format(
@@ -216,18 +208,9 @@ void write_curves(const std::vector<MethodCurve>& curves, const Options& options
     csv += fmt::format("{:.6g},{:.6g}\n", point.seconds * pixels, point.error.value);
   }
   pt::write_file(folder / "front.csv", csv);
-  draw_efficiencies(curves, pixels, folder);
-  struct Axis {
-    const char *file, *format, *label;
-  };
-  const Axis axes[] = {{"samples", "%g", "samples per pixel"},
-                       {"seconds", "%g", "processor seconds"},
-                       {"rays", "10^{%L}", "rays"}};
-  for (int i = 0; i < 3; ++i) {
-    draw(
-        folder, axes[i].file,
-        fmt::format(fmt::runtime(kErrorChart), axes[i].format, axes[i].label, plot(curves, 3 + i)));
-  }
+  const std::vector<DrawnMethod> drawn = seven_of(curves);
+  draw_efficiencies(drawn, curves[0], pixels, folder);
+  for (const Axis& axis : kAxes) draw_errors(drawn, curves[0], axis, folder);
   pt::write_file(folder / "converge.json", to_json(curves, pixels, cpu_seconds).dump());
 }
 

@@ -11,10 +11,14 @@ namespace {
 json of(const Uncertain& number) { return {number.value, number.error}; }
 
 json of(const Checked& checked, double pixels) {
+  const pt::PixelErrors& errors = checked.pixel_errors;
   return {{"samples", checked.samples},
           {"seconds", checked.seconds * pixels},
           {"rays", checked.rays * pixels},
-          {"error", of(checked.error)}};
+          {"error", of(checked.error)},
+          {"bias", seen_bias(checked.bias2).value_or(0)},
+          {"pixels", {errors.median, errors.most, errors.largest}},
+          {"black_samples", checked.black_samples}};
 }
 
 json of(const Option& option, const Option& best, double pixels) {
@@ -28,7 +32,7 @@ json of(const Option& option, const Option& best, double pixels) {
           {"error", option.choice->error},
           {"seconds", option.choice->seconds * pixels},
           {"bias", std::sqrt(option.model.bias2)},
-          {"times", option.choice->seconds / best.choice->seconds}};
+          {"times", of(times_as_long(option, best))}};
 }
 
 json of(const MethodCurve& curve, double pixels) {
@@ -38,6 +42,7 @@ json of(const MethodCurve& curve, double pixels) {
           {"title", curve.method.title},
           {"adaptive", curve.method.adaptive},
           {"heavy_tails", curve.heavy_tails},
+          {"fails", curve.fails},
           {"slope", of(curve.slope)},
           {"points", points}};
 }
@@ -100,7 +105,7 @@ json to_json(const Answer& answer, int surfaces, double pixels) {
   for (const Option& option : answer.survivals) {
     out["survivals"].push_back(of(option, answer.best, pixels));
   }
-  if (answer.adaptive) out["adaptive"] = answer.adaptive->times;
+  if (answer.adaptive) out["adaptive"] = of(answer.adaptive->times);
   if (answer.without_tree) out["without_tree"] = of(*answer.without_tree);
   return out;
 }
@@ -113,6 +118,7 @@ json to_json(const std::vector<MethodCurve>& curves, double pixels, double cpu_s
   for (const MethodCurve& curve : curves) {
     all["curves"].push_back(of(curve, pixels));
     for (const MethodCurve& other : curves) {
+      if (curve.fails || other.fails) continue;
       all["curves"].back()["beside"][other.method.id] = of(factors(curve, other));
     }
   }

@@ -17,9 +17,13 @@ std::string factor(const Uncertain& worth) {
 }
 
 // A remark on a rung whose error is uncertain, or is not noise alone.
-std::string remark(const Climbed& rung) {
+constexpr double kCounts = 2;  // standard errors from which an idea counts
+
+std::string remark(const Climbed& rung, bool lowest) {
   if (rung.biased) return "  biased";
-  return rung.heavy_tails ? "  heavy tails" : "";
+  if (rung.heavy_tails) return "  heavy tails";
+  const bool is_seen = std::abs(rung.worth.value - 1) > kCounts * rung.worth.error;
+  return is_seen || lowest ? "" : "  not seen";
 }
 
 std::string row(const Climbed& rung, bool lowest) {
@@ -27,7 +31,7 @@ std::string row(const Climbed& rung, bool lowest) {
   return fmt::format("  {:<36}{:>9.3g}{:>8.3g}{:>9.3g} %{:>16}{:>17}{:>9.3g}{}\n", idea,
                      1e6 * rung.seconds, rung.rays, 100 * std::sqrt(rung.error2.value),
                      lowest ? "" : factor(rung.worth), lowest ? "" : factor(rung.in_all),
-                     rung.in_all_rays, remark(rung));
+                     rung.in_all_rays, remark(rung, lowest));
 }
 
 std::string best_text(const Ladder& ladder) {
@@ -44,8 +48,8 @@ std::string best_text(const Ladder& ladder) {
 std::string notes(const Ladder& ladder) {
   std::string text =
       "Worth is time x variance of the last rung before this one that is kept, divided by that of\n"
-      "this one. Rungs in brackets are not kept. Engines change no picture: only their time is\n"
-      "compared.\n"
+      "this one. Rungs in brackets are not kept. \"Not seen\": it differs from 1 by less than two\n"
+      "standard errors. Engines change no picture: only their time is compared.\n"
       "The rungs are the short code of the reference and of right solutions. ./run render has "
       "faster "
       "forms of\n"
@@ -76,8 +80,8 @@ set xrange [-.5:{}]
 set key top left
 set bmargin 10
 set rmargin 20
-plot "ladder.csv" using 1:8:9 skip 1 with yerrorlines lc rgb "#1b5288" lw 2 pt 7 ps .6 title "time x variance", \
-     "" using 1:10 skip 1 with linespoints lc rgb "#a33708" lw 1.5 pt 5 ps .5 title "rays x variance"
+plot "ladder.csv" using 1:8:9 skip 1 with yerrorlines lc rgb "#0072b2" lw 2 pt 7 ps .6 title "time x variance", \
+     "" using 1:10 skip 1 with linespoints lc rgb "#d55e00" lw 1.5 pt 5 ps .5 title "rays x variance"
 )gp";
 
 }  // namespace

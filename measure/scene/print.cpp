@@ -15,15 +15,17 @@ constexpr double kUnknown = 0.05;  // of the error: a larger uncertainty is repo
 
 std::string word(pt::Engine engine) { return std::string(name(engine)); }
 
-// "0.94 of the time" or "1.3 times the time".
-std::string times(double factor) {
-  return factor < 1 ? fmt::format("{:.2f} of the time", factor)
-                    : fmt::format("{:.3g} times the time", factor);
+// "0.94 ± 0.02 of the time" or "1.3 ± 0.1 times the time".
+std::string times(const Uncertain& factor) {
+  if (factor.error == 0) return fmt::format("{:.3g} times the time", factor.value);
+  return factor.value < 1
+             ? fmt::format("{:.2f} \u00b1 {:.2f} of the time", factor.value, factor.error)
+             : fmt::format("{:.3g} \u00b1 {:.1g} times the time", factor.value, factor.error);
 }
 
 std::string times(const Option& option, const Option& best) {
   if (!option.choice) return "cannot reach this error";
-  return times(option.choice->seconds / best.choice->seconds);
+  return times(times_as_long(option, best));
 }
 
 std::string command(const Option& option, const Choice& choice, const Options& options) {
@@ -124,8 +126,8 @@ std::string roulette_text(const Answer& answer) {
 
 // A word on the part of an error that more samples would not reduce, where it can be seen.
 std::string bias_text(const Checked& checked) {
-  if (checked.bias2.value < kSignificant * checked.bias2.error) return "";
-  return fmt::format(" (bias {})", percent(std::sqrt(checked.bias2.value)));
+  const std::optional<double> bias = seen_bias(checked.bias2);
+  return bias ? fmt::format(" (bias {})", percent(*bias)) : "";
 }
 
 std::string adaptive_text(const Answer& answer) {
@@ -175,7 +177,7 @@ std::string rest_text(const Answer& answer, const pt::Scene& scene) {
                       times(answer.course, answer.best) + left_out(answer));
   text += answer.without_tree
               ? fmt::format("Without a tree, {} surfaces one by one: {}\n", scene.primitives.size(),
-                            times(answer.without_tree->value))
+                            times(*answer.without_tree))
               : fmt::format("A tree is needed: there are {} surfaces.\n", scene.primitives.size());
   text += answer.smooth > 0 ? fmt::format("Smooth normals turn the surface in {} of the pixels.\n",
                                           percent(answer.smooth))

@@ -69,6 +69,11 @@ Uncertain mean_of(const std::vector<double>& values) {
   return {sum / n, std::sqrt(squares / std::max(1.0, n - 1) / n)};
 }
 
+std::optional<double> seen_bias(const Uncertain& bias2) {
+  if (!(bias2.value > kSignificant * bias2.error)) return {};
+  return std::sqrt(bias2.value);
+}
+
 pt::PathSettings path_of(const Way& way, int light_samples) {
   pt::PathSettings path;
   path.light_samples = light_samples;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 // Measures what a way to follow light needs for an error. model.h defines the error, relMSE.
@@ -13,6 +14,8 @@
 namespace measure::scene {
 
 inline constexpr double kSignificant = 4;  // standard errors
+// The root of a squared bias, if it is not only noise.
+std::optional<double> seen_bias(const Uncertain& bias2);
 // If the variance's own error is a larger part of it, a few samples make it.
 inline constexpr double kHeavy = 0.1;
 

@@ -1,5 +1,6 @@
 // The settings that a scene needs and the worth of methods for it: the model of error and time, and
 // its measurements.
+#include "measure/charts/gnuplot.h"
 #include "measure/scene/adaptive.h"
 #include "measure/scene/converge.h"
 #include "measure/scene/ladder.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -420,8 +422,41 @@ TEST(Factors, seven_unlike_methods_are_drawn) {
     curves.back().method = method;
   }
   std::vector<std::string> ids;
-  for (const MethodCurve* curve : seven_of(curves)) ids.push_back(curve->method.id);
+  std::set<std::string> colors;
+  for (const DrawnMethod& drawn : seven_of(curves)) {
+    ids.push_back(drawn.curve->method.id);
+    colors.insert(drawn.color);
+  }
+  EXPECT_EQ(colors.size(), ids.size());
   EXPECT_EQ(ids, (std::vector<std::string>{"l1", "l2", "l32", "h1", "p30", "adaptive", "task"}));
+}
+
+// The heights of the names in gnuplot's commands.
+std::vector<double> heights(const std::vector<NamedEnd>& ends) {
+  const std::string text = names_beside(ends, .01, 100);
+  const std::regex form("first ([0-9.e+-]+) left");
+  std::vector<double> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), form), last; it != last; ++it) {
+    found.push_back(std::stod((*it)[1]));
+  }
+  return found;
+}
+
+TEST(Charts, names_beside_lines_keep_apart_and_inside) {
+  EXPECT_NEAR(heights({{"alone", "", 3}})[0], 3, 1e-9);
+  const std::vector<double> all = heights({{"a", "", 99},
+                                           {"b", "", 100},
+                                           {"c", "", 200},
+                                           {"d", "", .01},
+                                           {"e", "", .01},
+                                           {"f", "", 1}});
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_TRUE(std::ranges::is_sorted(all));
+  EXPECT_GE(all[0], .0099);
+  EXPECT_LE(all[5], 101);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    EXPECT_GT(std::log10(all[i] / all[i - 1]), .04 * std::log10(100 / .01)) << i;
+  }
 }
 
 constexpr StudyLimits kLimits{1, 256};
@@ -494,6 +529,25 @@ TEST(Study, a_dimmed_scene_needs_the_same) {
   EXPECT_NEAR(tried[1].variance.value / tried[0].variance.value, 1, 1e-9);
   EXPECT_NEAR(bias2[1] / bias2[0], 1, 1e-9);
   EXPECT_NEAR(error[1] / error[0], 1, 1e-9);
+}
+
+// A room with a point light, which no direction of the hemisphere meets: more samples help light sampling
+// alone.
+TEST(Study, a_method_that_never_finds_the_light_fails) {
+  pt::proof::SceneBuilder builder;
+  builder.room({-1, -1, -1}, {1, 1, 1}, builder.material({.5, .5, .5}));
+  builder.light(pt::PointLight{{.2, .5, .3}, {1, 1, 1}});
+  const pt::Scene scene = builder.finish(pt::Engine::linear);
+  Study study(view_of(scene), 2, 3, {.2, 64}, {}, 2);
+  std::vector<Method> methods = methods_in(scene, 2, pt::Engine::linear);
+  std::erase_if(methods, [](const Method& each) { return each.id != "l1" && each.id != "h1"; });
+  const std::vector<MethodCurve> curves = find_curves(study, view_of(scene), methods);
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_FALSE(curves[0].fails);
+  EXPECT_TRUE(curves[1].fails);
+  EXPECT_GT(curves[1].points.back().error.value, .8);
+  EXPECT_EQ(&fastest(curves), curves.data());
+  for (const Checked& point : pareto_front(curves)) EXPECT_LT(point.error.value, .5);
 }
 
 // Renders like a worker for a submission: the pixels of some rows are the picture's pixels.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Somebody else's code through every command that measures it in the box, at small size: what is said, and the exit status. A copy of
-# the reference, other right solutions, a wrong one, and code that does not compile, crashes, never ends or is missing.
+# the reference, three other right ones, three wrong, three hostile, and code that does not compile or is missing.
 # submissions.sh BUILD: the folder of the programs.
 set -euo pipefail
 # shellcheck source=tests/fixtures/shell.sh
@@ -18,6 +18,14 @@ copy() {
     shift 2
   done
 }
+# right NAME TASK.SOLUTION ...: a copy with these right solutions; wrong: with this wrong one.
+right() {
+  local name=$1 each files=()
+  shift
+  for each; do files+=("${each%.*}" "grader/tasks/${each%.*}/right/${each#*.}.cpp"); done
+  copy "$name" "${files[@]}"
+}
+wrong() { copy "$1" "${2%.*}" "build/mistakes/${2%.*}/${2#*.}/${2%.*}.cpp"; }
 # in_every_call NAME TASK WORDS: adds the words at the beginning of the function's body.
 in_every_call() { sed -i "0,/^[a-zA-Z:<>]* $2(.*{\$/s//&\n  $3/" "$folder/$1/"*"/$2.cpp"; }
 
@@ -30,9 +38,9 @@ scene() {
 }
 cheapest() { scene cheapest "$1" "$2" "$3" --error 10%; }
 converge() { scene converge "$1" "$2" "$3" -m 2; }
-measure() { expect "$1" "$2" "$build/measure/measure" hit_sphere.half_b --seconds 1 --submission "$folder/$3"; }
+measure() { expect "$1" "$2" "$build/measure/measure" "${4:-hit_sphere.half_b}" --seconds 1 --submission "$folder/$3"; }
 stability() {
-  expect "$1" "$2" "$build/measure/stability" hit_sphere --no-methods --coarse --effort .02 --submission "$folder/$3"
+  expect "$1" "$2" "$build/measure/stability" "${4:-hit_sphere}" --no-methods --coarse --effort .02 --submission "$folder/$3"
 }
 writeup() {
   expect "$1" "$2" "$build/writeup/writeup" --quality draft edge --submission "$folder/$3" --boxed "$build/measure/writeup_boxed" \
@@ -40,26 +48,50 @@ writeup() {
 }
 
 copy good
-copy mixed hit_sphere grader/tasks/hit_sphere/right/textbook.cpp trace_path grader/tasks/trace_path/right/recursion.cpp \
-  adaptive_pixel grader/tasks/adaptive_pixel/right/at_most_for_less.cpp
-for right in good mixed; do
-  cheapest 0 './run render scenes/box_spheres.dae -s ' $right
+right mixed hit_sphere.textbook trace_path.recursion adaptive_pixel.at_most_for_less
+right spread hit_sphere.half_b estimate_pixel.stratified direct_lights.solid_angle build_bvh.median
+right plain hit_sphere.textbook hit_bvh.recursive_unordered diffuse_bsdf.uniform direct_hemisphere.stratified
+for each in good mixed spread plain; do
+  cheapest 0 './run render scenes/box_spheres.dae -s ' $each
   grep -qF 'Without a tree, 14 surfaces' "$folder/said" || complain "the engine without a tree was not tried"
-  converge 0 'lights, l = 1, the tree of part 2' $right
+  converge 0 'lights, l = 1, the tree of part 2' $each
   grep -qF 'lights, l = 1, adaptive' "$folder/said" || complain "adaptive sampling was not tried"
-  measure 0 "$right  " $right
-  stability 0 'promised: at most' $right
-  writeup 0 'draft/index.html' $right
+  measure 0 "$each  " $each
+  stability 0 'promised: at most' $each
+  writeup 0 'draft/index.html' $each
 done
 
 # A wrong sphere is told by what knows right ones. The others show what it renders.
-copy wrong hit_sphere build/mistakes/hit_sphere/float_arithmetic/hit_sphere.cpp
-cheapest 0 './run render scenes/box_spheres.dae -s ' wrong
-measure 1 'wrong for' wrong
-stability 1 'yours breaks the promise at ' wrong
-writeup 0 'draft/index.html' wrong
-copy near hit_sphere build/mistakes/hit_sphere/near_root_only/hit_sphere.cpp
+wrong single hit_sphere.float_arithmetic
+wrong near hit_sphere.near_root_only
+wrong dark trace_path.bsdf_applied_twice
+for each in single near dark; do
+  cheapest 0 './run render scenes/box_spheres.dae -s ' $each
+  converge 0 'lights, l = 1, the tree of part 2' $each
+  writeup 0 'draft/index.html' $each
+done
+measure 1 'wrong for' single
 measure 1 'wrong for' near
+measure 1 'its mean is ' dark trace_path.recursion
+stability 1 'yours breaks the promise at ' single
+stability 1 '* yours: ' near
+
+# Code that crashes, never ends, or ends the program as if all were well.
+copy crash
+copy endless
+copy ends
+for each in hit_sphere camera_ray; do
+  in_every_call crash $each '__builtin_trap();'
+  in_every_call endless $each 'for (volatile int i = 0;;) i = 1;'
+  in_every_call ends $each '__builtin_exit(0);'
+done
+for each in crash endless ends; do
+  cheapest 1 'the submission cannot be measured: ' $each
+  converge 1 'the submission cannot be measured: ' $each
+  measure 1 "$each  " $each
+  stability 1 '* yours: ' $each
+  writeup 1 'edge: ' $each
+done
 
 copy broken
 echo 'not C++' >>"$folder/broken/3_direct/direct_lights.cpp"
@@ -67,17 +99,6 @@ cheapest 1 'the submission cannot be measured: direct_lights' broken
 copy half
 echo 'not C++' >>"$folder/half/5_adaptive/adaptive_pixel.cpp"
 cheapest 0 'adaptive_pixel is not written yet' half
-
-copy crash
-in_every_call crash camera_ray '__builtin_trap();'
-in_every_call crash hit_sphere '__builtin_trap();'
-cheapest 1 'the submission cannot be measured: ' crash
-measure 1 'ended without a return' crash
-stability 1 '* yours: ' crash
-writeup 1 'edge: ' crash
-copy endless
-in_every_call endless camera_ray 'for (volatile int i = 0;;) i = 1;'
-converge 1 'no answer within' endless
 
 # An untouched handout, and a folder that is not there.
 cp -r student "$folder/untouched"

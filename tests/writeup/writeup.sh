@@ -101,6 +101,10 @@ done < <(grep -ohE '(src|href)="figures/[^"]+' "$made"/draft/*.html | cut -d'"' 
 if grep -n 'class="problem"' "$made"/draft/*.html; then complain "the reference has problems"; fi
 if grep -no 'class="chart" src="[^"]*" alt' "$made"/draft/*.html; then complain "charts without a size make a page jump"; fi
 [ "$(grep -c '^<nav class="contents"\|^<a href="#' "$made/draft/stability.html")" -gt 12 ] || complain "stability has no contents"
+[ "$(grep -c '<img src="figures/' "$made/draft/index.html")" -eq 9 ] || complain "the front page has not a picture of each page"
+for page in part5 needs accuracy bugs; do
+  grep -q '<math display="block"><m' "$made/draft/$page.html" || complain "$page has no formula"
+done
 grep -q 'Made by: .* · an author · [0-9-]*</p>' "$made/draft/index.html" || complain "the foot does not say who made the pages, and when"
 
 # Nothing has changed, so nothing is made.
@@ -110,7 +114,7 @@ expect 0 'draft/index.html' writeup reference
 # Another adaptive_pixel renews part 5 and the measurements.
 echo changed >"$folder/objects/reference.adaptive_pixel"
 changed=$(writeup reference --list | { grep -F 'to be made' || true; } | awk '{print $2}' | sort | paste -sd' ')
-[ "$changed" = "adaptive adaptive_uniform converge_bunny converge_spheres left_out needs needs_spheres prices survival" ] ||
+[ "$changed" = "adaptive adaptive_uniform converge_bunny converge_point converge_spheres left_out needs needs_spheres prices survival tolerances" ] ||
   complain "another adaptive_pixel changes: $changed"
 echo 'reference adaptive_pixel' >"$folder/objects/reference.adaptive_pixel"
 

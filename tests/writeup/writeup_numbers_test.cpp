@@ -339,7 +339,7 @@ TEST_F(MadeUp, a_table_of_what_is_left_out_has_the_bias_of_one_bounce_less) {
       {"surfaces", 14},
       {"best", {{"samples", 16}, {"light_samples", 2}, {"bounces", 3}, {"seconds", 1.5}}},
       {"bias", {.5, .2, .1, .04, .01}},
-      {"course", {{"times", 2.5}}},
+      {"course", {{"times", {2.5, .14}}}},
       {"hemisphere", nullptr},
       {"survivals", json::array()},
       {"adaptive", .75},
@@ -348,10 +348,50 @@ TEST_F(MadeUp, a_table_of_what_is_left_out_has_the_bias_of_one_bounce_less) {
   const Drawn got = drawn(figure, "cheapest.json", answer.dump(), draw_measured);
   ASSERT_EQ(got.problems, std::vector<std::string>{});
   ASSERT_EQ(got.rows.size(), 1u);
-  EXPECT_EQ(got.rows[0], (std::vector<std::string>{"room", "2.5\u00d7", "\u2013", "\u2013",
-                                                   "0.75\u00d7", "\u2013", "25 %", "10 %"}));
+  EXPECT_EQ(got.rows[0],
+            (std::vector<std::string>{"room", "2.5 \u00b1 0.1\u00d7", "\u2013", "\u2013",
+                                      "0.75\u00d7", "\u2013", "25 %", "10 %"}));
   EXPECT_EQ(got.numbers.at("box.course"), "2.5");
   EXPECT_EQ(got.numbers.at("box.smooth"), "25");
+}
+
+// Factors have their uncertainties, and a method that never finds the light has none.
+TEST_F(MadeUp, methods_are_compared_with_the_fastest) {
+  const auto curve = [](const char* id, bool fails) {
+    json points = json::array();
+    for (int i = 0; i < 4; ++i) points.push_back({{"error", {.5, .01}}});
+    points.back().update(
+        {{"bias", fails ? .4 : 0}, {"pixels", {.1, .2, .3}}, {"black_samples", .25}});
+    json all{
+        {"id", id},       {"title", id},         {"adaptive", false}, {"heavy_tails", false},
+        {"fails", fails}, {"slope", {-.5, .01}}, {"points", points},  {"beside", json::object()}};
+    if (!fails) {
+      all["beside"]["l1"] = {{"time", {1.5, .03}}, {"error", {1.2, .01}}, {"rays", {30, 12}}};
+    }
+    return all;
+  };
+  Figure figure;
+  figure.id = figure.kind = "converge";
+  figure.scenes = {"box"};
+  const json all{{"fastest", "l1"}, {"curves", {curve("l1", false), curve("h1", true)}}};
+  const Drawn got = drawn(figure, "converge.json", all.dump(), draw_measured);
+  ASSERT_EQ(got.problems, std::vector<std::string>{});
+  ASSERT_EQ(got.rows.size(), 2u);
+  const std::vector<std::string> errors{"50 %", "50 %", "50 %", "50 %"},
+      pixels{"10 %", "20 %", "30 %", "25 %"};
+  const auto expect_row = [&](std::size_t i, const std::vector<std::string>& middle) {
+    std::vector<std::string> row{i == 0 ? "l1" : "h1"};
+    for (const auto* part : {&errors, &middle, &pixels})
+      row.insert(row.end(), part->begin(), part->end());
+    EXPECT_EQ(got.rows[i], row);
+    EXPECT_EQ(got.columns.size(), row.size());
+  };
+  expect_row(0, {"-0.500 \u00b1 0.010", "1.5 \u00b1 0.03\u00d7", "1.2 \u00b1 0.01\u00d7",
+                 "30 \u00b1 12\u00d7", "\u2013"});
+  expect_row(1, {"\u2013", "never", "never", "never", "40 %"});
+  EXPECT_EQ(got.numbers.at("h1.error"), "50");
+  EXPECT_FALSE(got.numbers.contains("h1.beside.l1.time"));
+  EXPECT_EQ(got.numbers.at("l1.beside.l1.time"), "1.5");
 }
 
 // .1 ms per pixel without a tree, .01 ms with it: 480 x 360 pixels take 17.28 s and 1.728 s.

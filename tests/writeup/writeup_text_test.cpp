@@ -2,9 +2,18 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "writeup/markdown.h"
+#include "writeup/pages.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <map>
+#include <random>
+#include <regex>
+#include <set>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,41 +94,113 @@ TEST(Texts, a_sentence_without_its_number_is_left_out) {
   EXPECT_THAT(page_with("**Why.** It takes {{b}} s.", {}), Not(HasSubstr("It takes")));
 }
 
-std::string part(const std::string& name) {
-  return pt::read_file(FIRSTLIGHT_ROOT "/writeup/" + name + ".md", 1 << 20);
+// All pages of the reference, in one text.
+std::string all_pages() {
+  std::string text;
+  for (const std::string& name : page_names()) {
+    const std::string page = pt::read_file(FIRSTLIGHT_ROOT "/writeup/" + name + ".md", 1 << 20);
+    text += std::regex_replace(page, std::regex(R"(\{\{figure [^}]*\}\})"), "") + "\n\n";
+  }
+  return text;
 }
 
-// The pages of the reference, with numbers of other pictures: what was true is not said any more.
-TEST(Pages, say_what_their_numbers_say) {
-  Numbers lamp{{"components.indirect.lamp", "0.001"}, {"components.indirect.mean", "0.066"}};
-  EXPECT_THAT(page_with(part("part4"), lamp), HasSubstr("Here it is nearly black"));
-  EXPECT_THAT(page_with(part("part4"), lamp), Not(HasSubstr("Here it is not black")));
-  lamp["components.indirect.lamp"] = "0.186";
-  EXPECT_THAT(page_with(part("part4"), lamp), HasSubstr("Here it is not black"));
-  EXPECT_THAT(page_with(part("part4"), lamp), Not(HasSubstr("Here it is nearly black")));
+const std::regex kConditions(R"(((?:\{\{if [^}]*\}\})+))");
+const std::regex kCondition(R"(\{\{if (?:([0-9.]+)\*)?(\S+) ([<>]) (?:([0-9.]+)\*)?(\S+)\}\})");
 
-  Numbers samples{{"sample_rates.s4.samples", "4"},   {"sample_rates.s4.error", "56.1"},
-                  {"sample_rates.s16.samples", "16"}, {"sample_rates.s16.error", "28"},
-                  {"sample_rates.s64.samples", "64"}, {"sample_rates.s64.error", "14"}};
-  EXPECT_THAT(page_with(part("part4"), samples), HasSubstr("falls by half"));
-  samples["sample_rates.s16.error"] = "56.1";
-  EXPECT_THAT(page_with(part("part4"), samples), Not(HasSubstr("falls by half")));
+std::vector<std::smatch> all_matches(const std::string& text, const std::regex& form) {
+  return {std::sregex_iterator(text.begin(), text.end(), form), std::sregex_iterator()};
+}
 
-  Numbers direct{{"direct_spheres.l16.error", "4.2"},
-                 {"direct_spheres.h64.error", "13.7"},
-                 {"direct_spheres.h64.samples", "64"},
-                 {"direct_spheres.h64.seconds", "43.8"}};
-  EXPECT_THAT(page_with(part("part3"), direct), HasSubstr("still has 13.7 %"));
-  direct["direct_spheres.l16.error"] = "14";
-  EXPECT_THAT(page_with(part("part3"), direct), Not(HasSubstr("still has")));
+// One side of a condition: a factor, and a number or its name.
+double side(const std::string& factor, const std::string& name, const Numbers& numbers) {
+  const auto found = numbers.find(name);
+  const std::string& value = found == numbers.end() ? name : found->second;
+  return (factor.empty() ? 1 : std::stod(factor)) * std::stod(value);
+}
 
-  Numbers pixels{{"adaptive_uniform.adaptive.pixel_largest", "13"},
-                 {"adaptive_uniform.uniform.pixel_largest", "46"},
-                 {"adaptive_uniform.adaptive.pixel_median", "9"},
-                 {"adaptive_uniform.uniform.pixel_median", "5"}};
-  EXPECT_THAT(page_with(part("part5"), pixels), HasSubstr("its worst pixel is better"));
-  pixels["adaptive_uniform.adaptive.pixel_largest"] = "50";
-  EXPECT_THAT(page_with(part("part5"), pixels), Not(HasSubstr("its worst pixel is better")));
+bool holds(const std::smatch& condition, const Numbers& numbers) {
+  const double a = side(condition[1], condition[2], numbers);
+  const double b = side(condition[4], condition[5], numbers);
+  return condition[3] == "<" ? a < b : a > b;
+}
+
+// A page of which all numbers are 1 but these.
+std::string others_are_one(const std::string& text, const Numbers& numbers) {
+  return page_from_text("", text,
+                        {[](const std::string&) { return "<figure>"; },
+                         [&](const std::string& name) {
+                           const auto found = numbers.find(name);
+                           return found == numbers.end() ? "1" : found->second;
+                         }});
+}
+
+// Each sentence with conditions, under numbers that are drawn until all of them hold: it stands. With
+// one more draw that breaks a condition, or with a number that is not measured, it does not.
+TEST(Pages, sentences_that_compare_stand_only_where_they_are_true) {
+  const std::string text = all_pages();
+  const std::vector<std::smatch> runs = all_matches(text, kConditions);
+  EXPECT_GT(runs.size(), 30u);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> exponent(-4, 4);
+  for (const std::smatch& run : runs) {
+    // A word before the sentence's end shows whether it stands. Paragraphs depend on nothing beside them.
+    const auto at = static_cast<std::size_t>(run.position());
+    const std::size_t start = text.rfind("\n\n", at);
+    std::string marked = text.substr(start, text.find("\n\n", at) - start);
+    marked.insert(marked.find_last_of(".:?", at - start - 1), " MARK");
+    const std::string words = run[1];
+    const std::vector<std::smatch> conditions = all_matches(words, kCondition);
+    Numbers numbers;
+    const auto draw = [&] {
+      for (const std::smatch& condition : conditions) {
+        for (const int name : {2, 5}) {
+          if (std::isdigit(condition.str(name)[0]) != 0) continue;
+          const double size = std::pow(10, exponent(random)) * (random() % 2 == 0 ? 1 : -1);
+          numbers[condition[name]] = fmt::format("{:.9g}", size);
+        }
+      }
+      return std::ranges::all_of(conditions,
+                                 [&](const auto& condition) { return holds(condition, numbers); });
+    };
+    int tries = 0;
+    while (!draw()) ASSERT_LT(++tries, 1000000) << words;
+    EXPECT_THAT(others_are_one(marked, numbers), HasSubstr("MARK")) << words;
+    Numbers unmeasured = numbers;
+    unmeasured.begin()->second = kDash;
+    EXPECT_THAT(others_are_one(marked, unmeasured), Not(HasSubstr("MARK"))) << words;
+    while (draw()) ASSERT_LT(++tries, 1000000) << words;
+    EXPECT_THAT(others_are_one(marked, numbers), Not(HasSubstr("MARK"))) << words;
+  }
+}
+
+// A number that changes is seen on the page; one that was not measured takes its sentence away, or is a
+// dash in a table.
+TEST(Pages, have_the_numbers_that_were_measured) {
+  const std::string text = std::regex_replace(all_pages(), kConditions, "");
+  std::set<std::string> names;
+  for (const std::smatch& found : all_matches(text, std::regex(R"(\{\{([^}]*)\}\})"))) {
+    names.insert(found[1]);
+  }
+  EXPECT_GT(names.size(), 150u);
+  Numbers all, half;
+  for (const std::string& name : names) {
+    all[name] = fmt::format("7{}.53", 1000 + all.size());
+    half[name] = all.size() % 2 == 0 ? all[name] : kDash;
+  }
+  const std::string said = others_are_one(text, all), less = others_are_one(text, half);
+  EXPECT_THAT(said, Not(HasSubstr("left out here")));
+  EXPECT_THAT(less, HasSubstr("left out here"));
+  for (const auto& [name, number] : all) {
+    EXPECT_THAT(said, HasSubstr(number)) << name;
+    if (half[name] == kDash) EXPECT_THAT(less, Not(HasSubstr(number))) << name;
+  }
+}
+
+TEST(Texts, formulas_are_elements_and_nothing_else_is) {
+  EXPECT_EQ(html_from_markdown("```mathml\n<mi>n</mi><mo>></mo><script>\n```\n"),
+            "<p class=\"formula\"><math display=\"block\"><mi>n</mi><mo>&gt;</mo>&lt;script&gt;\n"
+            "</math></p>\n");
+  EXPECT_THAT(html_from_markdown("```\n<mi>n</mi>\n```\n"), HasSubstr("&lt;mi&gt;"));
 }
 
 TEST(Texts, code_of_html_is_shown_and_not_followed) {
