@@ -71,10 +71,12 @@ void enter_factors(const json& curve, const json& all, Drawn& drawn) {
 std::vector<std::string> row_of(const json& curve, const std::string& fastest) {
   std::vector<std::string> row{curve.at("title")};
   for (const json& point : curve.at("points")) row.push_back(percent(point.at("error").at(0)));
-  const double slope = curve.at("slope").at(0), error = curve.at("slope").at(1);
   const bool fails = curve.at("fails");
-  row.push_back(curve.at("adaptive") || fails ? kDash
-                                              : fmt::format("{:.3f} \u00b1 {:.3f}", slope, error));
+  const auto slope = [&] {
+    return fmt::format("{:.3f} \u00b1 {:.3f}", curve.at("slope").at(0).get<double>(),
+                       curve.at("slope").at(1).get<double>());
+  };
+  row.push_back(curve.at("adaptive") || fails ? kDash : slope());
   for (const char* factor : {"time", "error", "rays"}) {
     row.push_back(fails ? "never" : times(curve.at("beside").at(fastest).at(factor)));
   }

@@ -192,7 +192,8 @@ TEST(Pages, have_the_numbers_that_were_measured) {
   EXPECT_THAT(less, HasSubstr("left out here"));
   for (const auto& [name, number] : all) {
     EXPECT_THAT(said, HasSubstr(number)) << name;
-    if (half[name] == kDash) EXPECT_THAT(less, Not(HasSubstr(number))) << name;
+    if (half[name] != kDash) continue;
+    EXPECT_THAT(less, Not(HasSubstr(number))) << name;
   }
 }
 
