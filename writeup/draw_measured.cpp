@@ -26,8 +26,10 @@ std::string times(const json& number) {
   if (number.is_null()) return kDash;
   if (!number.is_array()) return digits(number) + "\u00d7";
   const double of_it = number.at(1);
-  return fmt::format(fmt::runtime(of_it < 10 ? "{} \u00b1 {:.1g}\u00d7" : "{} \u00b1 {:.0f}\u00d7"),
-                     digits(number.at(0)), of_it);
+  if (of_it == 0) return digits(number.at(0)) + "\u00d7";
+  return fmt::format(
+      fmt::runtime(of_it < 9.5 ? "{} \u00b1 {:.1g}\u00d7" : "{} \u00b1 {:.0f}\u00d7"),
+      digits(number.at(0)), of_it);
 }
 
 // Copies the files of a measurement, with the figure's name before theirs.

@@ -33,7 +33,7 @@ std::string row(const MethodCurve& curve, const MethodCurve& beside) {
   if (curve.fails) return text + "  fails: it never finds all the light\n";
   const Factors against = factors(curve, beside);
   const auto with_error = [](const Uncertain& factor) {
-    return fmt::format("{:.3g} \u00b1 {:.1g}", factor.value, factor.error);
+    return fmt::format("{:.3g} \u00b1 {:.2g}", factor.value, factor.error);
   };
   return text + fmt::format("  {} {:>13} {:>13}{}\n", slope_text(curve), with_error(against.time),
                             with_error(against.error), curve.heavy_tails ? "  heavy tails" : "");

@@ -20,7 +20,7 @@ std::string times(const Uncertain& factor) {
   if (factor.error == 0) return fmt::format("{:.3g} times the time", factor.value);
   return factor.value < 1
              ? fmt::format("{:.2f} \u00b1 {:.2f} of the time", factor.value, factor.error)
-             : fmt::format("{:.3g} \u00b1 {:.1g} times the time", factor.value, factor.error);
+             : fmt::format("{:.3g} \u00b1 {:.2g} times the time", factor.value, factor.error);
 }
 
 std::string times(const Option& option, const Option& best) {
