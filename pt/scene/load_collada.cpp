@@ -46,14 +46,8 @@ std::vector<std::string> once_per_kind(const std::vector<std::string>& notes) {
   return first;
 }
 
-// The name of the program that wrote the file, as exporters state it and people do not; else empty.
-std::string_view authoring_tool(const XMLElement& root) {
-  const XMLElement* at = find_below(&root, {"asset", "contributor", "authoring_tool"});
-  return at ? trimmed_text(*at) : "";
-}
-
 // The notes say what the scene would have shown.
-[[noreturn]] void fail_without_surface(const ColladaDocument& document,
+[[noreturn]] void fail_without_surface(const Document& document,
                                        const std::vector<std::string>& notes) {
   std::string reasons;
   for (const std::string& note : once_per_kind(notes)) reasons += " " + note;
@@ -67,10 +61,12 @@ std::string_view authoring_tool(const XMLElement& root) {
 
 LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& options) {
   std::vector<std::string> notes;
-  const ColladaDocument document(file, notes);
+  const Document document(file, notes);
   const Instances instances = read_nodes(document);
   LoadedScene loaded;
-  const std::string_view tool = authoring_tool(document.root());
+  // Exporters state their name, and people do not.
+  const std::string_view tool =
+      trimmed_text(find_below(&document.root(), {"asset", "contributor", "authoring_tool"}));
   loaded.exported = !tool.empty();
   loaded.has_asset = document.root().FirstChildElement("asset") != nullptr;
   // Files without materials or lights of the course's own are known by the program that its
@@ -80,15 +76,13 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   loaded.camera = read_camera(document, instances.cameras);
 
   Surfaces surfaces = read_surfaces(document, instances.geometries, options);
-  if (surfaces.primitives.size() == 0) fail_without_surface(document, notes);
-  LightNodes nodes = read_lights(document, instances.lights, bounds(surfaces.primitives));
+  loaded.scene = std::move(surfaces.scene);
+  const Primitives& primitives = loaded.scene.primitives;
+  if (primitives.size() == 0) fail_without_surface(document, notes);
+  LightNodes nodes = read_lights(document, instances.lights, bounds(primitives));
   loaded.scene.lights = merge_lights(document, surfaces.emitters, nodes.nodes);
   document.note_on_the_whole();
   loaded.notes = once_per_kind(notes);
-
-  loaded.scene.primitives = std::move(surfaces.primitives);
-  loaded.scene.material_of = std::move(surfaces.material_of);
-  loaded.scene.materials = std::move(surfaces.materials);
   loaded.unsupported_lights = std::move(nodes.unsupported);
   loaded.ignores_emission = surfaces.ignores_emission;
   return loaded;

@@ -1,6 +1,7 @@
 #include "pt/scene/collada/cameras.h"
 
 #include "pt/scene/collada/numbers.h"
+#include "pt/scene/collada/transforms.h"
 #include "pt/scene/field_of_view.h"
 
 #include <cmath>
@@ -12,10 +13,12 @@ namespace pt {
 
 namespace {
 
-std::optional<double> optional_fov(const ColladaDocument& document, const XMLElement& perspective,
+bool is_angle(double degrees) { return degrees > 0 && degrees < 180; }
+
+std::optional<double> optional_fov(const Document& document, const XMLElement& perspective,
                                    const char* name) {
   const std::optional<double> fov = child_number(document, perspective, name);
-  if (fov && !(*fov > 0 && *fov < 180)) {
+  if (fov && !is_angle(*fov)) {
     document.fail(perspective, std::string(name) + " is " + shown(*fov) +
                                    " degrees; write an angle between 0 and 180");
   }
@@ -24,7 +27,7 @@ std::optional<double> optional_fov(const ColladaDocument& document, const XMLEle
 
 // A camera without a position. If the file states only one field of view, the other follows from
 // the aspect ratio, which is 4:3 if the file has none.
-FileCamera read_perspective(const ColladaDocument& document, const XMLElement& perspective) {
+FileCamera read_perspective(const Document& document, const XMLElement& perspective) {
   FileCamera camera;
   const std::optional<double> x = optional_fov(document, perspective, "xfov");
   const std::optional<double> y = optional_fov(document, perspective, "yfov");
@@ -33,8 +36,7 @@ FileCamera read_perspective(const ColladaDocument& document, const XMLElement& p
   if (!x && !y) document.fail(perspective, "<perspective> has no xfov; add it, in degrees");
   camera.hfov_deg = x ? *x : fov_from(half_tangent(*y) * aspect);
   camera.vfov_deg = y ? *y : fov_from(half_tangent(*x) / aspect);
-  if (!(camera.hfov_deg > 0 && camera.hfov_deg < 180 && camera.vfov_deg > 0 &&
-        camera.vfov_deg < 180)) {
+  if (!is_angle(camera.hfov_deg) || !is_angle(camera.vfov_deg)) {
     document.fail(perspective,
                   "the fields of view leave (0, 180) degrees; correct the aspect_ratio");
   }
@@ -46,7 +48,7 @@ FileCamera read_perspective(const ColladaDocument& document, const XMLElement& p
   return camera;
 }
 
-std::optional<FileCamera> read_fields(const ColladaDocument& document, const XMLElement& element) {
+std::optional<FileCamera> read_fields(const Document& document, const XMLElement& element) {
   const XMLElement& common = document.child(document.child(element, "optics"), "technique_common");
   if (const XMLElement* perspective = common.FirstChildElement("perspective")) {
     return read_perspective(document, *perspective);
@@ -56,36 +58,29 @@ std::optional<FileCamera> read_fields(const ColladaDocument& document, const XML
 }
 
 // The frame keeps the direction in which the camera looks; its up is turned to a right angle.
-Frame camera_frame(const ColladaDocument& document, const Instance& instance) {
+Frame camera_frame(const Document& document, const Instance& instance) {
   const Vec3 backwards = instance.to_world.z;
   if (!std::isnormal(length_squared(backwards))) {
     document.fail(*instance.node,
                   "camera " + label(*instance.node) +
                       " looks nowhere: its z axis has no length; correct its matrix");
   }
-  const Vec3 z = normalize(backwards);
-  Vec3 right = cross(instance.to_world.y, z);
-  if (!(length(right) > 1e-6 * length(instance.to_world.y))) {
-    document.note("camera " + label(*instance.node) + " has no up direction of its own: y is up.");
-    right = cross(Vec3{0, 1, 0}, z);
-    if (!(length(right) > 1e-6)) right = {1, 0, 0};
-  }
-  const Vec3 x = normalize(right);
-  return {x, cross(z, x), z};
+  return upright_frame(
+      document, normalize(backwards), instance.to_world.y,
+      "camera " + label(*instance.node) + " has no up direction of its own: y is up.");
 }
 
 }  // namespace
 
-std::optional<FileCamera> read_camera(const ColladaDocument& document,
+std::optional<FileCamera> read_camera(const Document& document,
                                       const std::vector<Instance>& cameras) {
   std::optional<FileCamera> last;
   std::unordered_map<const XMLElement*, std::optional<FileCamera>> fields;
   int perspectives = 0;
   for (const Instance& instance : cameras) {
-    if (!fields.contains(instance.target)) {
-      fields.emplace(instance.target, read_fields(document, *instance.target));
-    }
-    const std::optional<FileCamera>& camera = fields.at(instance.target);
+    const auto [known, is_new] = fields.try_emplace(instance.target);
+    std::optional<FileCamera>& camera = known->second;
+    if (is_new) camera = read_fields(document, *instance.target);
     if (!camera) continue;
     last = camera;
     last->position = instance.to_world.translation;

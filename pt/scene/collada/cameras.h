@@ -4,14 +4,12 @@
 #include "pt/scene/load_collada.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace pt {
 
-// The last camera of the scene that has a perspective, if there is one. Adds a note for each thing
-// that it ignores or corrects.
-std::optional<FileCamera> read_camera(const ColladaDocument& document,
+// The last camera of the scene that has a perspective, if there is one.
+std::optional<FileCamera> read_camera(const Document& document,
                                       const std::vector<Instance>& cameras);
 
 }  // namespace pt

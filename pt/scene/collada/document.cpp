@@ -32,7 +32,7 @@ std::string decoded(std::string_view url) {
 }
 
 // Adds an element to the elements with its id. Returns whether it is the first.
-bool is_new(ColladaDocument::Identified& known, const XMLElement& element) {
+bool is_new(Document::Identified& known, const XMLElement& element) {
   if (known.first == nullptr) {
     known.first = &element;
     return true;
@@ -53,10 +53,9 @@ const XMLElement* mesh_around(const XMLElement& element) {
 
 // The up axis and the unit that an <asset> states, with their defaults.
 std::pair<std::string, double> stated_axis_and_unit(const XMLElement* asset) {
-  const XMLElement* axis = find_below(asset, {"up_axis"});
+  const std::string_view axis = trimmed_text(find_below(asset, {"up_axis"}));
   const XMLElement* unit = find_below(asset, {"unit"});
-  return {std::string(axis ? trimmed_text(*axis) : "Y_UP"),
-          unit ? unit->DoubleAttribute("meter", 1) : 1};
+  return {std::string(axis.empty() ? "Y_UP" : axis), unit ? unit->DoubleAttribute("meter", 1) : 1};
 }
 
 std::string_view trimmed(const char* value) {
@@ -68,7 +67,7 @@ std::string_view trimmed(const char* value) {
 
 }  // namespace
 
-ColladaDocument::ColladaDocument(const std::filesystem::path& file, std::vector<std::string>& notes)
+Document::Document(const std::filesystem::path& file, std::vector<std::string>& notes)
     : file_(file.string()), xml_(std::make_unique<tinyxml2::XMLDocument>()), notes_(notes) {
   parse(read_text(file));
   XMLElement* root = xml_->RootElement();
@@ -83,9 +82,9 @@ ColladaDocument::ColladaDocument(const std::filesystem::path& file, std::vector<
   look_for_decimals(*root);
 }
 
-ColladaDocument::~ColladaDocument() = default;
+Document::~Document() = default;
 
-void ColladaDocument::parse(const std::string& text) {
+void Document::parse(const std::string& text) {
   const tinyxml2::XMLError error = xml_->Parse(text.data(), text.size());
   if (error == tinyxml2::XML_SUCCESS) return;
   const std::string where = file_ + ":" + std::to_string(xml_->ErrorLineNum()) + ": ";
@@ -97,7 +96,7 @@ void ColladaDocument::parse(const std::string& text) {
               "); correct it there, or copy the file again if it was cut off");
 }
 
-void ColladaDocument::index(XMLElement& element) {
+void Document::index(XMLElement& element) {
   if (!prefix_.empty() && std::string_view(element.Name()).starts_with(prefix_)) {
     element.SetName(std::string(element.Name() + prefix_.size()).c_str());
   }
@@ -116,10 +115,10 @@ void ColladaDocument::index(XMLElement& element) {
 }
 
 // An <asset> does not count: it has dates, and versions of programs.
-void ColladaDocument::look_for_decimals(const XMLElement& element) {
+void Document::look_for_decimals(const XMLElement& element) {
   if (has_points_ || std::string_view(element.Name()) == "asset") return;
   constexpr const char* kDigits = "0123456789";
-  const std::string_view text = trimmed_text(element);
+  const std::string_view text = trimmed_text(&element);
   const bool is_numbers = text.find_first_not_of("0123456789+-.,eE \t\r\n") == text.npos;
   const std::size_t comma = is_numbers ? text.find(',') : text.npos;
   has_points_ = is_numbers && text.find('.') != text.npos;
@@ -127,21 +126,21 @@ void ColladaDocument::look_for_decimals(const XMLElement& element) {
   for (const XMLElement* child : children(element)) look_for_decimals(*child);
 }
 
-void ColladaDocument::fail(const XMLElement& at, const std::string& what) const {
+void Document::fail(const XMLElement& at, const std::string& what) const {
   throw Error(file_ + ":" + std::to_string(at.GetLineNum()) + ": " + what);
 }
 
-const XMLElement& ColladaDocument::child(const XMLElement& parent, const char* name) const {
+const XMLElement& Document::child(const XMLElement& parent, const char* name) const {
   const XMLElement* found = parent.FirstChildElement(name);
   if (found == nullptr) {
-    fail(parent, std::string("<") + parent.Name() + "> has no <" + name + ">; add one");
+    fail(parent, tag(parent) + " has no <" + name + ">; add one");
   }
   return *found;
 }
 
 // "#part" of "#part", "scene.dae#part" or "../models/scene.dae#part", where this file is scene.dae;
 // empty if the url names another file or no part.
-std::string_view ColladaDocument::own_part(std::string_view url) const {
+std::string_view Document::own_part(std::string_view url) const {
   const std::size_t hash = url.find('#');
   if (hash == url.npos) return {};
   const std::string named = decoded(url.substr(0, hash));
@@ -151,20 +150,31 @@ std::string_view ColladaDocument::own_part(std::string_view url) const {
   return is_own ? url.substr(hash) : std::string_view{};
 }
 
-ColladaDocument::Identified ColladaDocument::find(const XMLElement& from, std::string_view url,
-                                                  const char* kind) const {
-  const std::string_view part = own_part(url);
+Document::Identified Document::find(const XMLElement* from, const char* name,
+                                    const char* kind) const {
+  const std::string part(own_part(attribute(from, name)));
   if (part.empty()) return {};
-  const std::string key = std::string(kind) + std::string(part);
-  for (const XMLElement* around : {mesh_around(from), static_cast<const XMLElement*>(nullptr)}) {
-    const auto found = by_id_.find({around, key});
-    if (found != by_id_.end()) return found->second;
+  for (const std::string& id : {part, decoded(part)}) {
+    for (const XMLElement* around : {mesh_around(*from), static_cast<const XMLElement*>(nullptr)}) {
+      const auto found = by_id_.find({around, kind + id});
+      if (found != by_id_.end()) return found->second;
+    }
   }
-  const std::string plain = decoded(part);
-  return plain == part ? Identified{} : find(from, plain, kind);
+  return {};
 }
 
-std::string ColladaDocument::missing(std::string_view url, const char* kind) const {
+Document::Identified Document::find_or_note(const XMLElement& from, const char* name,
+                                            const char* kind,
+                                            const std::string& what_happens) const {
+  const Identified found = find(&from, name, kind);
+  if (found.first == nullptr) {
+    note(missing(attribute(&from, name), kind) + ": " + what_happens + ".");
+  }
+  return found;
+}
+
+// "there is no <light> with the id that '#sun' names", that it is in another file, or not named
+std::string Document::missing(std::string_view url, const char* kind) const {
   if (url.empty()) return "no <" + std::string(kind) + "> is named";
   if (url.find('#') != url.npos && own_part(url).empty()) {
     return "the <" + std::string(kind) + "> " + quoted(url) +
@@ -173,19 +183,16 @@ std::string ColladaDocument::missing(std::string_view url, const char* kind) con
   return std::string("there is no <") + kind + "> with the id that " + quoted(url) + " names";
 }
 
-std::string ColladaDocument::ambiguity(std::string_view url, const Identified& found) {
-  return quoted(url) + " may be the <" + found.first->Name() + "> of line " +
-         std::to_string(found.first->GetLineNum()) + " or that of line " +
-         std::to_string(found.second->GetLineNum());
+std::string Document::ambiguity(std::string_view url, const Identified& found) {
+  return quoted(url) + " may be the " + tag(*found.first) + " of " + line(*found.first) +
+         " or that of " + line(*found.second);
 }
 
-const XMLElement& ColladaDocument::resolve(const XMLElement& from, const char* name,
-                                           const char* kind) const {
+const XMLElement& Document::resolve(const XMLElement& from, const char* name,
+                                    const char* kind) const {
   const std::string_view url = attribute(&from, name);
-  if (url.empty()) {
-    fail(from, std::string("<") + from.Name() + "> has no attribute " + name + "; add it");
-  }
-  const Identified found = find(from, url, kind);
+  if (url.empty()) fail(from, tag(from) + " has no attribute " + name + "; add it");
+  const Identified found = find(&from, name, kind);
   if (found.first == nullptr) {
     fail(from, missing(url, kind) + "; define it in this file or correct the " + name);
   }
@@ -193,11 +200,11 @@ const XMLElement& ColladaDocument::resolve(const XMLElement& from, const char* n
   return *found.first;
 }
 
-void ColladaDocument::note_on_the_whole() const {
+void Document::note_on_the_whole() const {
   if (first_duplicate_ != nullptr) {
-    note(std::to_string(duplicates_) + " elements have the id of another (the first: <" +
-         first_duplicate_->Name() + "> " + quoted(first_duplicate_->Attribute("id")) + " in line " +
-         std::to_string(first_duplicate_->GetLineNum()) +
+    note(std::to_string(duplicates_) +
+         " elements have the id of another (the first: " + tag(*first_duplicate_) + " " +
+         quoted(first_duplicate_->Attribute("id")) + " in " + line(*first_duplicate_) +
          "): what refers to one means that of its own mesh; else a note says which is taken.");
   }
   if (has_decimal_commas()) {
@@ -207,11 +214,11 @@ void ColladaDocument::note_on_the_whole() const {
     const bool states_some =
         asset->FirstChildElement("up_axis") || asset->FirstChildElement("unit");
     if (!states_some ||
-        stated_axis_and_unit(asset) == stated_axis_and_unit(root_->FirstChildElement("asset")))
+        stated_axis_and_unit(asset) == stated_axis_and_unit(root_->FirstChildElement("asset"))) {
       continue;
-    note("the <asset> of a <" + std::string(asset->Parent()->Value()) +
-         "> states its own up_axis or unit (line " + std::to_string(asset->GetLineNum()) +
-         "), which is ignored.");
+    }
+    note("the <asset> of a " + tag(*asset->Parent()->ToElement()) +
+         " states its own up_axis or unit (" + line(*asset) + "), which is ignored.");
   }
 }
 
@@ -248,7 +255,15 @@ std::string label(const XMLElement& element) {
   return quoted(name.empty() ? attribute(&element, "id") : name);
 }
 
-std::string_view trimmed_text(const XMLElement& element) { return trimmed(element.GetText()); }
+std::string tag(const XMLElement& element) { return std::string("<") + element.Name() + ">"; }
+
+std::string line(const XMLElement& element) {
+  return "line " + std::to_string(element.GetLineNum());
+}
+
+std::string_view trimmed_text(const XMLElement* element) {
+  return trimmed(element ? element->GetText() : nullptr);
+}
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;

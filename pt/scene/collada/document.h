@@ -19,13 +19,13 @@ namespace pt {
 using tinyxml2::XMLElement;
 
 // A COLLADA file as a tree of elements, which live as long as the document does. Throws Error for a
-// file that is missing, not a regular file, empty, too large, not COLLADA or malformed. Elements have
-// their names without the prefix of a namespace. `notes` receives a sentence for each thing that is
+// file that read_text refuses, or that is malformed. Names of elements have no prefix of a
+// namespace. `notes` receives a sentence for each thing that is
 // corrected or ignored, and outlives the document.
-class ColladaDocument {
+class Document {
  public:
-  ColladaDocument(const std::filesystem::path& file, std::vector<std::string>& notes);
-  ~ColladaDocument();
+  Document(const std::filesystem::path& file, std::vector<std::string>& notes);
+  ~Document();
 
   const XMLElement& root() const { return *root_; }
 
@@ -38,7 +38,6 @@ class ColladaDocument {
   // Throws Error: "file:line: what", with the element's line. `what` ends with what to do.
   [[noreturn]] void fail(const XMLElement& at, const std::string& what) const;
 
-  // Adds a sentence to the notes.
   void note(const std::string& sentence) const { notes_.push_back(sentence); }
 
   // The first child of that name; an error if there is none.
@@ -48,17 +47,18 @@ class ColladaDocument {
   // more than one.
   const XMLElement& resolve(const XMLElement& from, const char* attribute, const char* kind) const;
 
-  // "there is no <light> with the id that '#sun' names", that it is in another file, or not named
-  std::string missing(std::string_view url, const char* kind) const;
-
-  // The first two elements of that kind with the id of the url at `from`, null if there are fewer. In a mesh, only
-  // its own parts count if one has the id: some exporters give the parts of every mesh the same ids. The url may
-  // begin with the name of the file itself.
+  // The first two elements of that kind whose id the attribute names, null if there are fewer. In a
+  // mesh, only its own parts count if one has the id: some exporters give the parts of every mesh
+  // the same ids. The attribute may begin with the name of the file itself.
   struct Identified {
     const XMLElement* first = nullptr;
     const XMLElement* second = nullptr;
   };
-  Identified find(const XMLElement& from, std::string_view url, const char* kind) const;
+  Identified find(const XMLElement* from, const char* attribute, const char* kind) const;
+
+  // The same, with a note if there is none, which ends with what happens then.
+  Identified find_or_note(const XMLElement& from, const char* attribute, const char* kind,
+                          const std::string& what_happens) const;
 
   // "'#sun' may be the <light> of line 8 or that of line 9"
   static std::string ambiguity(std::string_view url, const Identified& found);
@@ -71,6 +71,7 @@ class ColladaDocument {
   void look_for_decimals(const XMLElement& element);
   void index(XMLElement& element);
   std::string_view own_part(std::string_view url) const;
+  std::string missing(std::string_view url, const char* kind) const;
 
   std::string file_;
   std::unique_ptr<tinyxml2::XMLDocument> xml_;
@@ -96,15 +97,17 @@ const XMLElement* find_below(const XMLElement* from, std::initializer_list<const
 // The text of an attribute; empty if it is missing, or the element is null.
 std::string_view attribute(const XMLElement* element, const char* name);
 
-// The first child called `name` of the course's own techniques, extra/technique[@profile CGL or
-// CMU462], of an element; null if there is none. Without a name, the first child of all.
+// The first child of that name (without one, of any) in the course's own techniques of an element,
+// extra/technique[@profile CGL or CMU462]; null if there is none.
 const XMLElement* course_child(const XMLElement& element, const char* name = nullptr);
 
-// The name of an element in messages: its name, else its id, in quotes, safe to print.
+// An element in messages: its name, else its id, in quotes, safe to print; "<node>"; "line 12".
 std::string label(const XMLElement& element);
+std::string tag(const XMLElement& element);
+std::string line(const XMLElement& element);
 
-// The text of an element without the white space around it; empty if there is none.
-std::string_view trimmed_text(const XMLElement& element);
+// The text of an element without the white space around it; empty if there is none, or no element.
+std::string_view trimmed_text(const XMLElement* element);
 
 // Text from a file in quotes: shortened, and without quotes and bytes that a terminal might obey.
 std::string quoted(std::string_view text);

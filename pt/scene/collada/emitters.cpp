@@ -39,6 +39,7 @@ std::optional<RectangleLight> parallelogram(const Triangle& a, const Triangle& b
 
 Emitter mesh_emitter(std::span<const Triangle> triangles, Rgb radiance, const std::string& name) {
   Emitter emitter;
+  emitter.radiance = radiance;
   emitter.name = name;
   std::vector<MeshLight::Face> faces;
   Vec3 normals{}, center{};
@@ -57,22 +58,17 @@ Emitter mesh_emitter(std::span<const Triangle> triangles, Rgb radiance, const st
   emitter.size = length(box.extent());
   if (length(normals) > 0.9999 * area) emitter.n = normalize(normals);
 
-  std::optional<RectangleLight> rectangle;
-  if (triangles.size() == 2) rectangle = parallelogram(triangles[0], triangles[1], radiance);
-  if (rectangle) {
-    emitter.light = *rectangle;
-  } else {
-    emitter.light = make_mesh_light(faces, radiance);
+  emitter.light = make_mesh_light(faces, radiance);
+  if (triangles.size() == 2) {
+    const auto rectangle = parallelogram(triangles[0], triangles[1], radiance);
+    if (rectangle) emitter.light = *rectangle;
   }
   return emitter;
 }
 
 Emitter sphere_emitter(const Sphere& sphere, Rgb radiance, const std::string& name) {
-  return {SphereLight{sphere.center, sphere.radius, radiance},
-          name,
-          sphere.center,
-          {},
-          2 * sphere.radius};
+  const SphereLight light{sphere.center, sphere.radius, radiance};
+  return {light, radiance, name, sphere.center, {}, 2 * sphere.radius};
 }
 
 }  // namespace pt

@@ -13,6 +13,7 @@ namespace pt {
 // other meshes are a MeshLight, and a sphere is a SphereLight.
 struct Emitter {
   Light light;
+  Rgb radiance;
   std::string name;  // in quotes
   Vec3 center;       // of its area
   Vec3 n;            // unit, on the emitting side if the surface is flat; else zero

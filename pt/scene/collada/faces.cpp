@@ -10,18 +10,17 @@ namespace pt {
 
 namespace {
 
-void check_face_count(const ColladaDocument& document, const XMLElement& set,
-                      std::size_t faces_found) {
+void check_face_count(const Document& document, const XMLElement& set, std::size_t faces_found) {
   const std::optional<std::size_t> count = read_count(document, set, "count");
   if (count && *count != faces_found) {
-    document.fail(set, std::string("<") + set.Name() + "> announces " + std::to_string(*count) +
-                           " faces and holds " + std::to_string(faces_found) +
+    document.fail(set, tag(set) + " announces " + std::to_string(*count) + " faces and holds " +
+                           std::to_string(faces_found) +
                            "; correct the count, or copy the file again if it was cut off");
   }
 }
 
 // <triangles>, or a <polylist>, which has the number of corners of each face.
-Faces read_one_list(const ColladaDocument& document, const XMLElement& set, int stride) {
+Faces read_one_list(const Document& document, const XMLElement& set, int stride) {
   Faces faces;
   if (const XMLElement* p = set.FirstChildElement("p")) faces.indices = read_integers(document, *p);
   if (std::string_view(set.Name()) == "triangles") {
@@ -33,7 +32,7 @@ Faces read_one_list(const ColladaDocument& document, const XMLElement& set, int 
 }
 
 // The corners of each <p>, one after the other: a face, a strip or a fan.
-Faces read_lists(const ColladaDocument& document, const XMLElement& set, int stride) {
+Faces read_lists(const Document& document, const XMLElement& set, int stride) {
   if (const XMLElement* holed = set.FirstChildElement("ph")) {
     document.fail(*holed, "a face with holes (<ph>) cannot be read; triangulate the mesh");
   }
@@ -65,10 +64,10 @@ Faces unfold(const Faces& lists, int stride, bool are_strips) {
     }
     for (int i = 0; i + 2 < corners; ++i) {
       const bool is_turned = are_strips && i % 2 == 1;
-      const int first = are_strips ? i : 0, second = i + 1;
-      add(list + (is_turned ? second : first) * stride);
-      add(list + (is_turned ? first : second) * stride);
-      add(list + (i + 2) * stride);
+      const int first = are_strips ? i : 0;
+      for (const int corner : {is_turned ? i + 1 : first, is_turned ? first : i + 1, i + 2}) {
+        add(list + corner * stride);
+      }
       triangles.corners.push_back(3);
     }
     list += corners * stride;
@@ -76,8 +75,7 @@ Faces unfold(const Faces& lists, int stride, bool are_strips) {
   return triangles;
 }
 
-void check_sizes(const ColladaDocument& document, const XMLElement& set, const Faces& faces,
-                 int stride) {
+void check_sizes(const Document& document, const XMLElement& set, const Faces& faces, int stride) {
   const auto held = static_cast<long long>(faces.indices.size());
   long long wanted = 0;
   for (const int corners : faces.corners) {
@@ -103,7 +101,7 @@ bool is_set_of_faces(const XMLElement& element) {
          kind == "trifans";
 }
 
-Faces read_faces(const ColladaDocument& document, const XMLElement& set, int stride) {
+Faces read_faces(const Document& document, const XMLElement& set, int stride) {
   const std::string_view kind = set.Name();
   const bool is_one_list = kind == "polylist" || kind == "triangles";
   const Faces faces =

@@ -18,6 +18,6 @@ struct Faces {
 bool is_set_of_faces(const XMLElement& element);
 
 // The faces of a set with `stride` indices per corner. Strips and fans are unfolded to triangles.
-Faces read_faces(const ColladaDocument& document, const XMLElement& set, int stride);
+Faces read_faces(const Document& document, const XMLElement& set, int stride);
 
 }  // namespace pt

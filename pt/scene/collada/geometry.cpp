@@ -12,7 +12,7 @@ namespace pt {
 
 namespace {
 
-double read_sphere(const ColladaDocument& document, const XMLElement& sphere) {
+double read_sphere(const Document& document, const XMLElement& sphere) {
   const XMLElement& element = document.child(sphere, "radius");
   const double radius = read_number(document, element);
   if (!(radius > 0)) {
@@ -21,26 +21,23 @@ double read_sphere(const ColladaDocument& document, const XMLElement& sphere) {
   return radius;
 }
 
-void note_count(const ColladaDocument& document, const XMLElement& set, const std::string& name,
+void note_count(const Document& document, const XMLElement& set, const std::string& name,
                 std::size_t count, const char* what) {
   if (count == 0) return;
   document.note("geometry " + name + " has " + std::to_string(count) + " faces " + what +
-                " (the set in line " + std::to_string(set.GetLineNum()) + ").");
+                " (the set in " + line(set) + ").");
 }
 
-void read_set(const ColladaDocument& document, const XMLElement& set, const std::string& name,
-              ColladaGeometry& geometry) {
+void read_set(const Document& document, const XMLElement& set, const std::string& name,
+              Geometry& geometry) {
   const int stride = read_stride(document, set);
   const Faces faces = read_faces(document, set, stride);
   if (faces.corners.empty()) {
     document.note("geometry " + name + " has a set of no faces, which is left out.");
     return;
   }
-  const FaceInputs inputs = read_inputs(document, set, geometry.sources);
-  MeshPart part;
-  part.material_symbol = attribute(&set, "material");
-  part.positions = inputs.positions;
-  part.normals = inputs.normals;
+  MeshPart part{std::string(attribute(&set, "material")),
+                read_inputs(document, set, geometry.sources)};
   std::size_t triangles = 0;
   for (const int corners : faces.corners) triangles += corners < 3 ? 0 : corners - 2;
   part.corners.reserve(3 * triangles);
@@ -54,8 +51,8 @@ void read_set(const ColladaDocument& document, const XMLElement& set, const std:
     points.clear();
     for (int i = 0; i < corners; ++i, indices += stride) {
       if (corners < 3) continue;
-      face.push_back(inputs.corner(document, set, indices));
-      points.push_back((*part.positions)[face.back().position]);
+      face.push_back(part.inputs.corner(document, set, indices));
+      points.push_back((*part.inputs.positions)[face.back().position]);
     }
     const Triangulation cut = triangulate(points);
     for (const int corner : cut.corners) part.corners.push_back(face[corner]);
@@ -76,14 +73,14 @@ FileTriangle MeshPart::triangle(std::size_t i) const {
   FileTriangle triangle;
   for (int k = 0; k < 3; ++k) {
     const Corner corner = corners[3 * i + static_cast<std::size_t>(k)];
-    triangle.p[k] = (*positions)[corner.position];
-    triangle.n[k] = normals == nullptr ? Vec3{} : (*normals)[corner.normal];
+    triangle.p[k] = (*inputs.positions)[corner.position];
+    if (inputs.normals) triangle.n[k] = (*inputs.normals)[corner.normal];
   }
   return triangle;
 }
 
-ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement& geometry) {
-  ColladaGeometry result;
+Geometry read_geometry(const Document& document, const XMLElement& geometry) {
+  Geometry result;
   if (const XMLElement* sphere = course_child(geometry, "sphere")) {
     result.sphere_radius = read_sphere(document, *sphere);
     return result;
@@ -98,13 +95,16 @@ ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement&
   }
   bool has_some = false;
   for (const XMLElement* set : children(*mesh)) {
-    const std::string_view kind = set->Name();
-    const bool is_lines = kind == "lines" || kind == "linestrips";
-    has_some = has_some || is_lines || is_set_of_faces(*set);
-    if (is_set_of_faces(*set)) read_set(document, *set, name, result);
-    if (!is_lines) continue;
-    document.note("geometry " + name + " has " + std::string(kind) +
-                  ", which have no surface and are ignored.");
+    const std::string kind = set->Name();
+    if (is_set_of_faces(*set)) {
+      read_set(document, *set, name, result);
+    } else if (kind == "lines" || kind == "linestrips") {
+      document.note("geometry " + name + " has " + kind +
+                    ", which have no surface and are ignored.");
+    } else {
+      continue;
+    }
+    has_some = true;
   }
   if (!has_some) document.note("geometry " + name + " has no faces and is left out.");
   return result;

@@ -21,21 +21,20 @@ struct FileTriangle {
 // The faces of one set, in order, as triangles.
 struct MeshPart {
   std::string material_symbol;  // empty where the file has none
-  const std::vector<Vec3>* positions = nullptr;
-  const std::vector<Vec3>* normals = nullptr;  // null where the file has none
-  std::vector<Corner> corners;                 // three per triangle
+  FaceInputs inputs;
+  std::vector<Corner> corners{};  // three per triangle
 
   std::size_t size() const { return corners.size() / 3; }
   FileTriangle triangle(std::size_t i) const;
 };
 
 // A mesh, or a sphere around the origin. The parts point into its sources.
-struct ColladaGeometry {
+struct Geometry {
   std::vector<MeshPart> parts;
   std::optional<double> sphere_radius;
   Sources sources;
 };
 
-ColladaGeometry read_geometry(const ColladaDocument& document, const XMLElement& geometry);
+Geometry read_geometry(const Document& document, const XMLElement& geometry);
 
 }  // namespace pt

@@ -18,10 +18,9 @@ struct FallOff {
   double constant = 1, linear = 0, quadratic = 0;
 
   double at(double d) const { return constant + linear * d + quadratic * d * d; }
-  bool is_inverse_square() const { return constant == 0 && linear == 0 && quadratic > 0; }
 };
 
-FallOff read_fall_off(const ColladaDocument& document, const XMLElement& point) {
+FallOff read_fall_off(const Document& document, const XMLElement& point) {
   const FallOff read{child_number(document, point, "constant_attenuation").value_or(1),
                      child_number(document, point, "linear_attenuation").value_or(0),
                      child_number(document, point, "quadratic_attenuation").value_or(0)};
@@ -33,7 +32,7 @@ FallOff read_fall_off(const ColladaDocument& document, const XMLElement& point) 
 
 // In its own frame a light is at the origin and shines along -z with y up. The sides of an area
 // light are the images of y and of y x (-z) = -x.
-RectangleLight area_light(const ColladaDocument& document, const Instance& instance, Rgb color) {
+RectangleLight area_light(const Document& document, const Instance& instance, Rgb color) {
   const Transform& map = instance.to_world;
   const Vec3 u = map.direction({0, 1, 0});
   const Vec3 v = map.direction({-1, 0, 0});
@@ -47,8 +46,7 @@ RectangleLight area_light(const ColladaDocument& document, const Instance& insta
   return {map.translation, u, v, dot(n, ahead) < 0 ? -n : n, color};
 }
 
-DirectionalLight directional_light(const ColladaDocument& document, const Instance& instance,
-                                   Rgb color) {
+DirectionalLight directional_light(const Document& document, const Instance& instance, Rgb color) {
   const Vec3 ahead = instance.to_world.direction({0, 0, -1});
   if (!std::isnormal(length_squared(ahead))) {
     document.fail(*instance.node, "directional light " + label(*instance.node) +
@@ -65,7 +63,7 @@ struct LightText {
 };
 
 // From the course's technique, else from technique_common.
-LightText read_text(const ColladaDocument& document, const XMLElement& light) {
+LightText read_text(const Document& document, const XMLElement& light) {
   const XMLElement* course = course_child(light);
   const XMLElement* found =
       course ? course : document.child(light, "technique_common").FirstChildElement();
@@ -82,65 +80,56 @@ LightText read_text(const ColladaDocument& document, const XMLElement& light) {
   return text;
 }
 
-// The distance at which a point light is as bright as the file says.
-double reference_distance(Vec3 light, const Box& scene) {
-  return std::max(length(light - scene.center()), 0.5 * length(scene.extent()));
-}
-
-PointLight point_light(Vec3 position, const LightText& text, const Box& scene) {
+// A point light is as bright as the file says at some distance d.
+LightNode point_light(const LightText& text, const std::string& name, Vec3 position,
+                      const Box& scene) {
   const FallOff& f = text.fall_off;
-  if (f.is_inverse_square()) return {position, text.color / f.quadratic};
-  const double d = reference_distance(position, scene);
-  return {position, text.color * (d * d / f.at(d))};
+  if (f.constant == 0 && f.linear == 0) {
+    return {PointLight{position, text.color / f.quadratic}, name, position};
+  }
+  const double d = std::max(length(position - scene.center()), 0.5 * length(scene.extent()));
+  return {PointLight{position, text.color * (d * d / f.at(d))}, name, position,
+          "point light " + name + " falls off as 1 / (" + shown(f.constant) + " + " +
+              shown(f.linear) + " d + " + shown(f.quadratic) +
+              " d^2) in the file (COLLADA's default is 1, not at all); here it falls off as "
+              "1 / d^2, and is as bright as the file says at the distance d = " +
+              shown(d) + "."};
 }
 
-std::string note_on_fall_off(Vec3 position, const LightText& text, const std::string& name,
-                             const Box& scene) {
-  const FallOff& f = text.fall_off;
-  if (f.is_inverse_square()) return "";
-  return "point light " + name + " falls off as 1 / (" + shown(f.constant) + " + " +
-         shown(f.linear) + " d + " + shown(f.quadratic) +
-         " d^2) in the file (COLLADA's default is 1, not at all); here it falls off as 1 / d^2, "
-         "and is as bright as the file says at the distance d = " +
-         shown(reference_distance(position, scene)) + ".";
-}
-
-Light placed(const ColladaDocument& document, const Instance& instance, const LightText& text,
-             const Box& scene) {
-  if (text.kind == "area") return area_light(document, instance, text.color);
-  if (text.kind == "point") return point_light(instance.to_world.translation, text, scene);
-  if (text.kind == "directional") return directional_light(document, instance, text.color);
-  return AmbientLight{text.color};
+LightNode placed(const Document& document, const Instance& instance, const LightText& text,
+                 const Box& scene) {
+  const std::string name = label(*instance.node);
+  const Vec3 position = instance.to_world.translation;
+  if (text.kind == "point") return point_light(text, name, position, scene);
+  if (text.kind == "area") return {area_light(document, instance, text.color), name, position};
+  if (text.kind == "ambient") return {AmbientLight{text.color}, name, position};
+  return {directional_light(document, instance, text.color), name, position};
 }
 
 }  // namespace
 
-LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances,
+LightNodes read_lights(const Document& document, const std::vector<Instance>& instances,
                        const Box& scene) {
   LightNodes lights;
   std::unordered_map<const XMLElement*, LightText> texts;
   if (instances.size() > kMaxLights) {
-    document.fail(*instances[kMaxLights].element,
-                  "the scene has more than 10,000 lights; use fewer");
+    document.fail(*instances.back().element, "the scene has more than 10,000 lights; use fewer");
   }
   for (const Instance& instance : instances) {
-    if (!texts.contains(instance.target)) {
-      texts.emplace(instance.target, read_text(document, *instance.target));
-    }
-    const LightText& text = texts.at(instance.target);
-    const std::string name = label(*instance.node);
+    const auto [known, is_new] = texts.try_emplace(instance.target);
+    LightText& text = known->second;
+    if (is_new) text = read_text(document, *instance.target);
     if (text.kind == "spot") {
-      lights.unsupported.push_back("spot light " + name);
-      document.note("spot light " + name + " is outside the model and left out.");
+      lights.unsupported.push_back("spot light " + label(*instance.node));
+      document.note(lights.unsupported.back() + " is outside the model and left out.");
       continue;
     }
-    const Light light = placed(document, instance, text, scene);
+    const LightNode node = placed(document, instance, text, scene);
     if (is_black(text.color)) {
-      document.note("light " + name + " is black and left out.");
-      continue;
+      document.note("light " + node.name + " is black and left out.");
+    } else {
+      lights.nodes.push_back(node);
     }
-    const Vec3 position = instance.to_world.translation;
-    lights.nodes.push_back({light, name, position, note_on_fall_off(position, text, name, scene)});
   }
   return lights;
 }

@@ -29,7 +29,7 @@ struct LightNodes {
 // A point light of the common profile may fall off in any way. Ours fall off with the squared
 // distance: in the middle of the scene, or half its diagonal away if that is further, they are as
 // bright as the file says. `scene` bounds all surfaces.
-LightNodes read_lights(const ColladaDocument& document, const std::vector<Instance>& instances,
+LightNodes read_lights(const Document& document, const std::vector<Instance>& instances,
                        const Box& scene);
 
 // All lights of a scene, each once. A light node on an emitting surface describes the same lamp a
@@ -37,8 +37,7 @@ LightNodes read_lights(const ColladaDocument& document, const std::vector<Instan
 // parallel to a flat surface, with centres within a twentieth of the surface's size, and point
 // lights there that lie in the surface's plane, because rounding would decide on which side they
 // shine.
-std::vector<Light> merge_lights(const ColladaDocument& document,
-                                const std::vector<Emitter>& emitters,
+std::vector<Light> merge_lights(const Document& document, const std::vector<Emitter>& emitters,
                                 const std::vector<LightNode>& nodes);
 
 }  // namespace pt

@@ -14,12 +14,7 @@ namespace pt {
 
 namespace {
 
-std::string plain_label(const XMLElement& element) {
-  const std::string name = label(element);
-  return name.substr(1, name.size() - 2);
-}
-
-// The elements that the channels of a material's shader are read from. `shader` is null if there is none.
+// The elements that the channels of a material are read from. `shader` is null if there is none.
 struct Shader {
   const XMLElement* instance;  // <instance_effect>
   const XMLElement* effect;
@@ -84,8 +79,7 @@ Channel channel(const Shader& shader, const char* name) {
 
 // The numbers of a channel that is ignored, so that nothing fails.
 std::vector<double> read_loosely(const Channel& channel) {
-  std::istringstream text(channel.value && channel.value->GetText() ? channel.value->GetText()
-                                                                    : "");
+  std::istringstream text{std::string(trimmed_text(channel.value))};
   return {std::istream_iterator<double>(text), {}};
 }
 
@@ -105,8 +99,7 @@ bool is_see_through(const Shader& shader) {
   return c[0] * t != opaque || c[1] * t != opaque || c[2] * t != opaque;
 }
 
-void note_what_is_ignored(const ColladaDocument& document, const Shader& shader,
-                          const std::string& name) {
+void note_what_is_ignored(const Document& document, const Shader& shader, const std::string& name) {
   if (is_see_through(shader)) {
     document.note("material " + name + " is transparent, which is ignored: it is opaque.");
   }
@@ -116,34 +109,30 @@ void note_what_is_ignored(const ColladaDocument& document, const Shader& shader,
   }
 }
 
-// The course's own diffuse surface: its colour is the first child, whatever its name.
-std::optional<Rgb> course_albedo(const ColladaDocument& document, const XMLElement& effect) {
-  const XMLElement* diffuse = course_child(effect, "diffuse");
-  if (diffuse == nullptr) return std::nullopt;
-  const XMLElement* color = diffuse->FirstChildElement();
-  return read_color(document, color ? *color : *diffuse);
-}
-
-Rgb read_albedo(const ColladaDocument& document, const Shader& shader, const std::string& name) {
-  std::optional<Rgb> albedo = course_albedo(document, *shader.effect);
+// The colour of the course's own diffuse surface is its first child, whatever its name.
+Rgb read_albedo(const Document& document, const Shader& shader, const std::string& name) {
   const Channel diffuse = channel(shader, "diffuse");
-  if (!albedo && diffuse.value) albedo = read_color(document, *diffuse.value);
-  if (!albedo) {
+  const XMLElement* color = diffuse.value;
+  if (const XMLElement* course = course_child(*shader.effect, "diffuse")) {
+    color = course->FirstChildElement() ? course->FirstChildElement() : course;
+  }
+  if (color == nullptr) {
     document.note("material " + name +
                   (diffuse.instead.empty()
                        ? " states no diffuse colour: its albedo is 0.5."
                        : " has a diffuse colour that " + diffuse.instead + ": its albedo is 0.5."));
     return gray(0.5);
   }
-  if (!(max_channel(*albedo) <= 1)) {
+  const Rgb albedo = read_color(document, *color);
+  if (!(max_channel(albedo) <= 1)) {
     document.note("material " + name + " reflects more than it receives: its albedo is cut to 1.");
   }
-  return {std::min(albedo->r, 1.0), std::min(albedo->g, 1.0), std::min(albedo->b, 1.0)};
+  return {std::min(albedo.r, 1.0), std::min(albedo.g, 1.0), std::min(albedo.b, 1.0)};
 }
 
-// Nothing if an emission colour is ignored: exporters write one for every material, so that it emits
-// only if it is asked for.
-std::optional<Rgb> read_emission(const ColladaDocument& document, const Shader& shader,
+// Nothing if an emission colour is ignored: exporters write one for every material, so that it
+// emits only if it is asked for.
+std::optional<Rgb> read_emission(const Document& document, const Shader& shader,
                                  const LoadOptions& options, const std::string& name) {
   if (const XMLElement* emission = course_child(*shader.effect, "emission")) {
     return read_color(document, document.child(*emission, "radiance"));
@@ -163,14 +152,13 @@ std::optional<Rgb> read_emission(const ColladaDocument& document, const Shader& 
 
 }  // namespace
 
-FileMaterial read_material(const ColladaDocument& document, const XMLElement& element,
+FileMaterial read_material(const Document& document, const XMLElement& element,
                            const LoadOptions& options) {
   const std::string name = label(element);
   FileMaterial result;
-  result.material.name = plain_label(element);
+  result.material.name = name.substr(1, name.size() - 2);  // without quotes
   const XMLElement* instance = element.FirstChildElement("instance_effect");
-  const std::string_view url = attribute(instance, "url");
-  if (url.empty() || document.find(*instance, url, "effect").first == nullptr) {
+  if (document.find(instance, "url", "effect").first == nullptr) {
     document.note("material " + name + " names no effect of the file: its albedo is 0.5.");
     return result;
   }

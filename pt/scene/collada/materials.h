@@ -4,9 +4,6 @@
 #include "pt/scene/load_collada.h"
 #include "pt/scene/material.h"
 
-#include <string>
-#include <vector>
-
 namespace pt {
 
 struct FileMaterial {
@@ -16,8 +13,7 @@ struct FileMaterial {
 
 // The <material> as a Material: emission from the course's technique, or from profile_COMMON if the
 // options ask for it; the albedo from the course's technique, else from profile_COMMON, else 0.5.
-// Adds a note for each thing that it ignores.
-FileMaterial read_material(const ColladaDocument& document, const XMLElement& material,
+FileMaterial read_material(const Document& document, const XMLElement& material,
                            const LoadOptions& options);
 
 }  // namespace pt

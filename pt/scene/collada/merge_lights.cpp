@@ -1,6 +1,7 @@
 #include "pt/scene/collada/lights.h"
 #include "pt/scene/collada/numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pt {
@@ -31,13 +32,7 @@ std::string reach(const RectangleLight& light) {
   return along(0) + " x " + along(1) + " x " + along(2);
 }
 
-Rgb radiance(const Light& light) {
-  if (const auto* rectangle = std::get_if<RectangleLight>(&light)) return rectangle->radiance;
-  return std::get<MeshLight>(light).radiance;
-}
-
-// Returns whether two rectangles are the same except for rounding. Their sides are compared in
-// space.
+// Returns whether the sides of two rectangles are the same except for rounding.
 bool same_sides(const RectangleLight& a, const RectangleLight& b) {
   const auto parallel = [](Vec3 p, Vec3 q) {
     const double tolerance = 1e-3 * length(q);
@@ -57,30 +52,24 @@ std::string correction(const LightNode& node, const Emitter& emitter) {
   if (quad != nullptr && !same_sides(*area, *quad)) {
     note += "; the node's " + reach(*area) + " along x, y, z is replaced by " + reach(*quad);
   }
-  if (!(area->radiance == radiance(emitter.light))) {
+  if (!(area->radiance == emitter.radiance)) {
     note += "; its colour " + shown(area->radiance) + " is replaced by the radiance " +
-            shown(radiance(emitter.light));
+            shown(emitter.radiance);
   }
   if (dot(area->n, emitter.n) < 0) note += "; it shone to the other side";
   return note.empty() ? "" : which + note + ".";
 }
 
-const Emitter* find_coinciding(const LightNode& node, const std::vector<Emitter>& emitters) {
-  for (const Emitter& emitter : emitters) {
-    if (coincide(node, emitter)) return &emitter;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
-std::vector<Light> merge_lights(const ColladaDocument& document,
-                                const std::vector<Emitter>& emitters,
+std::vector<Light> merge_lights(const Document& document, const std::vector<Emitter>& emitters,
                                 const std::vector<LightNode>& nodes) {
   std::vector<Light> merged;
   for (const Emitter& emitter : emitters) merged.push_back(emitter.light);
   for (const LightNode& node : nodes) {
-    if (const Emitter* emitter = find_coinciding(node, emitters)) {
+    const auto emitter = std::find_if(emitters.begin(), emitters.end(),
+                                      [&](const Emitter& e) { return coincide(node, e); });
+    if (emitter != emitters.end()) {
       const std::string note = correction(node, *emitter);
       if (!note.empty()) document.note(note);
     } else {

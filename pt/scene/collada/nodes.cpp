@@ -21,7 +21,7 @@ constexpr int kMaxControllers = 10;  // a skin of a morph of ...
 
 // A child of a node that puts something into the scene: a node, or an instance of `target`.
 struct Child {
-  enum class Kind { node, geometry, light, camera } kind;
+  std::string_view kind;  // of the target: node, geometry, light or camera
   const XMLElement* element;
   const XMLElement* target;
   std::optional<Transform> before{};  // the node's own, applied to the target first
@@ -35,7 +35,7 @@ struct NodeContent {
 
 class NodeWalk {
  public:
-  explicit NodeWalk(const ColladaDocument& document) : document_(document) {}
+  explicit NodeWalk(const Document& document) : document_(document) {}
 
   void visit(const XMLElement& node, const Transform& parent) {
     enter(node);
@@ -43,7 +43,7 @@ class NodeWalk {
     const Transform to_world = parent * content.to_parent;
     check_finite(document_, node, to_world);
     for (const Child& child : content.children) {
-      if (child.kind == Child::Kind::node) {
+      if (child.kind == "node") {
         visit(*child.target, to_world);
       } else {
         place(child, node, to_world);
@@ -82,14 +82,12 @@ class NodeWalk {
   }
 
   std::optional<Child> read_child(const XMLElement& child) {
-    using Kind = Child::Kind;
-    const std::string_view kind = child.Name();
-    if (kind == "node") return Child{Kind::node, &child, &child};
-    if (kind == "instance_node") return named_child(Kind::node, child, "url", "node");
-    if (kind == "instance_geometry") return named_child(Kind::geometry, child, "url", "geometry");
-    if (kind == "instance_light") return named_child(Kind::light, child, "url", "light");
-    if (kind == "instance_camera") return named_child(Kind::camera, child, "url", "camera");
-    if (kind == "instance_controller") return mesh_as_bound(child);
+    const std::string_view name = child.Name();
+    if (name == "node") return Child{"node", &child, &child};
+    if (name == "instance_controller") return mesh_as_bound(child);
+    for (const char* kind : {"node", "geometry", "light", "camera"}) {
+      if (name == std::string("instance_") + kind) return named_child(kind, child, "url");
+    }
     return std::nullopt;
   }
 
@@ -100,11 +98,9 @@ class NodeWalk {
     const char* key = "url";
     Transform shape;
     for (int depth = 0; depth < kMaxControllers; ++depth) {
-      const std::string_view url = attribute(from, key);
-      if (document_.find(*from, url, "controller").first == nullptr) {
-        const bool is_mesh = depth > 0 || document_.find(*from, url, "geometry").first != nullptr;
-        const auto mesh =
-            named_child(Child::Kind::geometry, *from, key, is_mesh ? "geometry" : "controller");
+      if (document_.find(from, key, "controller").first == nullptr) {
+        const bool is_mesh = depth > 0 || document_.find(from, key, "geometry").first != nullptr;
+        const auto mesh = named_child(is_mesh ? "geometry" : "controller", *from, key);
         if (!mesh) return std::nullopt;
         document_.note("animated mesh " + label(*mesh->target) +
                        " is shown as it was bound: its joints and targets are ignored.");
@@ -123,20 +119,15 @@ class NodeWalk {
 
   // Exporters write instances of things that are missing. The rest of the scene can still be shown;
   // and if several lights or cameras have the same id, the scene can be shown with the first.
-  std::optional<Child> named_child(Child::Kind kind, const XMLElement& child, const char* key,
-                                   const char* name) {
-    const std::string_view url = attribute(&child, key);
-    const ColladaDocument::Identified target = document_.find(child, url, name);
-    if (target.first == nullptr) {
-      document_.note(document_.missing(url, name) + ": the instance is left out.");
-      return std::nullopt;
-    }
-    const bool is_surface = kind == Child::Kind::node || kind == Child::Kind::geometry;
-    if (is_surface) return Child{kind, &child, &document_.resolve(child, key, name)};
-    if (target.second != nullptr) {
-      document_.note(ColladaDocument::ambiguity(url, target) + ": the first is taken.");
-    }
-    return Child{kind, &child, target.first};
+  std::optional<Child> named_child(const char* kind, const XMLElement& child, const char* key) {
+    const Document::Identified target =
+        document_.find_or_note(child, key, kind, "the instance is left out");
+    if (target.first == nullptr) return std::nullopt;
+    const Child found{kind, &child, target.first};
+    if (target.second == nullptr) return found;
+    if (found.kind != "light" && found.kind != "camera") document_.resolve(child, key, kind);
+    document_.note(Document::ambiguity(attribute(&child, key), target) + ": the first is taken.");
+    return found;
   }
 
   void place(const Child& child, const XMLElement& node, const Transform& to_world) {
@@ -145,15 +136,15 @@ class NodeWalk {
                      "the scene has more than 100,000 instances when each <instance_node> is a "
                      "copy; use fewer");
     }
-    std::vector<Instance>& instances = child.kind == Child::Kind::geometry ? found_.geometries
-                                       : child.kind == Child::Kind::light  ? found_.lights
-                                                                           : found_.cameras;
+    std::vector<Instance>& instances = child.kind == "geometry" ? found_.geometries
+                                       : child.kind == "light"  ? found_.lights
+                                                                : found_.cameras;
     const Transform map = child.before ? to_world * *child.before : to_world;
-    if (child.before) check_finite(document_, node, map);
+    check_finite(document_, node, map);
     instances.push_back({child.element, child.target, &node, map});
   }
 
-  const ColladaDocument& document_;
+  const Document& document_;
   Instances found_;
   std::vector<const XMLElement*> path_;
   std::unordered_map<const XMLElement*, NodeContent> contents_;
@@ -167,10 +158,9 @@ struct UpAxis {
   Vec3 front{0, 0, 1};  // the world's direction towards the viewer (COLLADA 1.4.1, "up_axis")
 };
 
-UpAxis up_axis(const ColladaDocument& document) {
+UpAxis up_axis(const Document& document) {
   const XMLElement* element = find_below(&document.root(), {"asset", "up_axis"});
-  if (element == nullptr) return {};
-  const std::string_view axis = trimmed_text(*element);
+  const std::string_view axis = trimmed_text(element);
   if (axis == "Y_UP" || axis.empty()) return {};
   if (axis == "Z_UP") return {{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {}}, {0, 0, -1}};
   if (axis == "X_UP") return {{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}, {}}, {0, 0, -1}};
@@ -178,12 +168,11 @@ UpAxis up_axis(const ColladaDocument& document) {
 }
 
 // The one that <scene> names. Without it, the only <visual_scene> of the file, with a note.
-const XMLElement& find_visual_scene(const ColladaDocument& document) {
+const XMLElement& find_visual_scene(const Document& document) {
   const XMLElement* instance = find_below(&document.root(), {"scene", "instance_visual_scene"});
-  const std::string_view url = attribute(instance, "url");
-  const bool is_there = !url.empty() && document.find(*instance, url, "visual_scene").first;
-  if (is_there) return document.resolve(*instance, "url", "visual_scene");
-
+  if (document.find(instance, "url", "visual_scene").first) {
+    return document.resolve(*instance, "url", "visual_scene");
+  }
   std::vector<const XMLElement*> all;
   for (const XMLElement* library : children(document.root(), "library_visual_scenes")) {
     for (const XMLElement* scene : children(*library, "visual_scene")) all.push_back(scene);
@@ -199,7 +188,7 @@ const XMLElement& find_visual_scene(const ColladaDocument& document) {
 
 }  // namespace
 
-Instances read_nodes(const ColladaDocument& document) {
+Instances read_nodes(const Document& document) {
   const XMLElement& visual_scene = find_visual_scene(document);
   const UpAxis up = up_axis(document);
   NodeWalk walk(document);

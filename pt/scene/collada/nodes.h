@@ -3,10 +3,10 @@
 #include "pt/math/transform.h"
 #include "pt/scene/collada/document.h"
 
-#include <string>
 #include <vector>
 
-// The visual scene of a file as a list, turned so that y is up (<up_axis>). <unit> changes nothing: a scene has the file's unit.
+// The visual scene of a file as a list, turned so that y is up (<up_axis>). <unit> changes nothing:
+// a scene has the file's unit.
 
 namespace pt {
 
@@ -28,6 +28,6 @@ struct Instances {
 
 // All content of the file's visual scene, with nested and instanced nodes unfolded, in document
 // order. What is not in the file is left out, with a note.
-Instances read_nodes(const ColladaDocument& document);
+Instances read_nodes(const Document& document);
 
 }  // namespace pt

@@ -11,15 +11,6 @@ namespace pt {
 
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
-
-std::string tag(const XMLElement& element) { return std::string("<") + element.Name() + ">"; }
-
-const char* end_of_word(const char* begin, const char* end) {
-  while (begin != end && !is_space(*begin)) ++begin;
-  return begin;
-}
-
 // A plus sign may stand in front; in some files the decimal point is a comma.
 template <class Number>
 std::optional<Number> read_word(std::string word, bool has_commas) {
@@ -35,27 +26,25 @@ std::optional<Number> read_word(std::string word, bool has_commas) {
 
 // Appends the numbers of a text to the list.
 template <class Number>
-void append_words(const ColladaDocument& document, const XMLElement& element, const char* kind,
+void append_words(const Document& document, const XMLElement& element, const char* kind,
                   std::vector<Number>& numbers, std::string_view text) {
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (true) {
-    while (at != end && is_space(*at)) ++at;
-    if (at == end) return;
-    const char* const word_end = end_of_word(at, end);
-    const auto number = read_word<Number>({at, word_end}, document.has_decimal_commas());
+  constexpr const char* kSpace = " \t\r\n";
+  std::size_t at = text.find_first_not_of(kSpace);
+  while (at != text.npos) {
+    const std::string_view word = text.substr(at, text.find_first_of(kSpace, at) - at);
+    const auto number = read_word<Number>(std::string(word), document.has_decimal_commas());
     if (!number) {
-      document.fail(element, quoted({at, word_end}) + " in " + tag(element) + " is not " + kind +
-                                 "; write one");
+      document.fail(element,
+                    quoted(word) + " in " + tag(element) + " is not " + kind + "; write one");
     }
     numbers.push_back(*number);
-    at = word_end;
+    at = text.find_first_not_of(kSpace, at + word.size());
   }
 }
 
 // An element holds text and comments, which may stand between numbers.
 template <class Number>
-std::vector<Number> read_list(const ColladaDocument& document, const XMLElement& element,
+std::vector<Number> read_list(const Document& document, const XMLElement& element,
                               const char* kind) {
   std::vector<Number> numbers;
   for (const tinyxml2::XMLNode* part = element.FirstChild(); part != nullptr;
@@ -71,11 +60,11 @@ std::vector<Number> read_list(const ColladaDocument& document, const XMLElement&
 
 }  // namespace
 
-std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element) {
+std::vector<double> read_numbers(const Document& document, const XMLElement& element) {
   return read_list<double>(document, element, "a finite number");
 }
 
-std::vector<double> read_numbers(const ColladaDocument& document, const XMLElement& element,
+std::vector<double> read_numbers(const Document& document, const XMLElement& element,
                                  std::size_t count) {
   std::vector<double> numbers = read_numbers(document, element);
   if (numbers.size() != count) {
@@ -85,22 +74,22 @@ std::vector<double> read_numbers(const ColladaDocument& document, const XMLEleme
   return numbers;
 }
 
-std::vector<int> read_integers(const ColladaDocument& document, const XMLElement& element) {
+std::vector<int> read_integers(const Document& document, const XMLElement& element) {
   return read_list<int>(document, element, "an integer");
 }
 
-double read_number(const ColladaDocument& document, const XMLElement& element) {
+double read_number(const Document& document, const XMLElement& element) {
   return read_numbers(document, element, 1)[0];
 }
 
-std::optional<double> child_number(const ColladaDocument& document, const XMLElement& parent,
+std::optional<double> child_number(const Document& document, const XMLElement& parent,
                                    const char* name) {
   const XMLElement* element = parent.FirstChildElement(name);
   if (element == nullptr) return std::nullopt;
   return read_number(document, *element);
 }
 
-Rgb read_color(const ColladaDocument& document, const XMLElement& element) {
+Rgb read_color(const Document& document, const XMLElement& element) {
   const std::vector<double> c = read_numbers(document, element);
   if (c.size() != 3 && c.size() != 4) {
     document.fail(element, tag(element) + " holds " + std::to_string(c.size()) +
@@ -112,7 +101,7 @@ Rgb read_color(const ColladaDocument& document, const XMLElement& element) {
   return {c[0], c[1], c[2]};
 }
 
-std::optional<std::size_t> read_count(const ColladaDocument& document, const XMLElement& element,
+std::optional<std::size_t> read_count(const Document& document, const XMLElement& element,
                                       const char* name) {
   if (element.Attribute(name) == nullptr) return std::nullopt;
   const std::string_view digits = attribute(&element, name);

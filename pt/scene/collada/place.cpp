@@ -1,19 +1,16 @@
 #include "pt/scene/collada/place.h"
 
 #include <cmath>
-#include <utility>
 
 namespace pt {
 
 std::optional<Triangle> place(const FileTriangle& triangle, const Transform& to_world) {
   const bool mirrors = to_world.determinant() < 0;
   const int order[3] = {0, mirrors ? 2 : 1, mirrors ? 1 : 2};
-  Triangle placed{to_world.point(triangle.p[order[0]]),
-                  to_world.point(triangle.p[order[1]]),
-                  to_world.point(triangle.p[order[2]]),
-                  {},
-                  {},
-                  {}};
+  Triangle placed;
+  placed.p0 = to_world.point(triangle.p[order[0]]);
+  placed.p1 = to_world.point(triangle.p[order[1]]);
+  placed.p2 = to_world.point(triangle.p[order[2]]);
   const Vec3 geometric = geometric_normal(placed);
   if (!std::isnormal(length_squared(geometric))) return std::nullopt;
   const Vec3 face = normalize(geometric);

@@ -28,7 +28,7 @@ struct Accessor {
 
 // The numbers of a vector that the file gives a name: the specification skips those without. Where
 // no number has a name, all count.
-std::array<std::size_t, 3> named_slots(const ColladaDocument& document, const XMLElement& accessor,
+std::array<std::size_t, 3> named_slots(const Document& document, const XMLElement& accessor,
                                        std::size_t stride) {
   std::vector<std::size_t> slots;
   std::size_t slot = 0;
@@ -36,7 +36,7 @@ std::array<std::size_t, 3> named_slots(const ColladaDocument& document, const XM
     if (!attribute(param, "name").empty() && slot < stride) slots.push_back(slot);
     ++slot;
   }
-  const std::string where = " (line " + std::to_string(accessor.GetLineNum()) + ").";
+  const std::string where = " (" + line(accessor) + ").";
   if (slots.empty()) {
     if (slot > 0) document.note("no <param> of an <accessor> has a name: all are read" + where);
     return {0, 1, 2};
@@ -52,8 +52,7 @@ std::array<std::size_t, 3> named_slots(const ColladaDocument& document, const XM
 }
 
 // Without an accessor, each vector is three numbers.
-Accessor read_accessor(const ColladaDocument& document, const XMLElement* element,
-                       std::size_t numbers) {
+Accessor read_accessor(const Document& document, const XMLElement* element, std::size_t numbers) {
   if (element == nullptr) return {numbers / 3, 3, 0};
   const std::size_t stride = read_count(document, *element, "stride").value_or(1);
   const std::size_t offset = read_count(document, *element, "offset").value_or(0);
@@ -62,8 +61,8 @@ Accessor read_accessor(const ColladaDocument& document, const XMLElement* elemen
   const std::size_t fit = offset > numbers ? 0 : (numbers - offset) / stride;
   const std::size_t count = read_count(document, *element, "count").value_or(fit);
   if (count > fit) {
-    document.fail(*element, "<accessor> asks for " + std::to_string(count) + " vectors and the " +
-                                "array has " + std::to_string(fit) +
+    document.fail(*element, "<accessor> asks for " + std::to_string(count) +
+                                " vectors and the array has " + std::to_string(fit) +
                                 "; correct the count, or copy the file again if it was cut off");
   }
   if (stride > 2) return {count, stride, offset, named_slots(document, *element, stride)};
@@ -72,14 +71,14 @@ Accessor read_accessor(const ColladaDocument& document, const XMLElement* elemen
 }
 
 // The array that the accessor names, which may be that of another source; else the source's own.
-const XMLElement& find_array(const ColladaDocument& document, const XMLElement& source,
+const XMLElement& find_array(const Document& document, const XMLElement& source,
                              const XMLElement* accessor) {
   const std::string_view url = attribute(accessor, "source");
   const XMLElement* own = source.FirstChildElement("float_array");
   if (url.empty()) return document.child(source, "float_array");
   const std::string_view id = attribute(own, "id");
   if (!id.empty() && url == "#" + std::string(id)) return *own;
-  if (own == nullptr || document.find(*accessor, url, "float_array").first != nullptr) {
+  if (own == nullptr || document.find(accessor, "source", "float_array").first != nullptr) {
     return document.resolve(*accessor, "source", "float_array");
   }
   document.note("an <accessor> names no array of the file (" + quoted(url) +
@@ -87,7 +86,7 @@ const XMLElement& find_array(const ColladaDocument& document, const XMLElement& 
   return *own;
 }
 
-std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement& source) {
+std::vector<Vec3> read_vectors(const Document& document, const XMLElement& source) {
   const XMLElement* element = find_below(&source, {"technique_common", "accessor"});
   const XMLElement& array = find_array(document, source, element);
   const std::vector<double> numbers = read_numbers(document, array);
@@ -109,7 +108,7 @@ std::vector<Vec3> read_vectors(const ColladaDocument& document, const XMLElement
   return vectors;
 }
 
-const std::vector<Vec3>* shared_vectors(const ColladaDocument& document, const XMLElement& input,
+const std::vector<Vec3>* shared_vectors(const Document& document, const XMLElement& input,
                                         Sources& sources) {
   const XMLElement& source = document.resolve(input, "source", "source");
   const auto known = sources.find(&source);
@@ -117,7 +116,7 @@ const std::vector<Vec3>* shared_vectors(const ColladaDocument& document, const X
   return &sources.emplace(&source, read_vectors(document, source)).first->second;
 }
 
-int read_offset(const ColladaDocument& document, const XMLElement& input) {
+int read_offset(const Document& document, const XMLElement& input) {
   const std::optional<std::size_t> offset = read_count(document, input, "offset");
   if (!offset || *offset > kMaxOffset) {
     document.fail(input, "an input of a set of faces needs an offset from 0 to 63; write one");
@@ -125,7 +124,7 @@ int read_offset(const ColladaDocument& document, const XMLElement& input) {
   return static_cast<int>(*offset);
 }
 
-int checked(const ColladaDocument& document, const XMLElement& at, const std::vector<Vec3>& from,
+int checked(const Document& document, const XMLElement& at, const std::vector<Vec3>& from,
             int index, const char* what) {
   if (index < 0 || static_cast<std::size_t>(index) >= from.size()) {
     document.fail(at, std::string("a face asks for ") + what + " " + std::to_string(index) +
@@ -137,7 +136,7 @@ int checked(const ColladaDocument& document, const XMLElement& at, const std::ve
 
 }  // namespace
 
-int read_stride(const ColladaDocument& document, const XMLElement& faces) {
+int read_stride(const Document& document, const XMLElement& faces) {
   int stride = 1;
   for (const XMLElement* input : children(faces, "input")) {
     stride = std::max(stride, read_offset(document, *input) + 1);
@@ -145,7 +144,7 @@ int read_stride(const ColladaDocument& document, const XMLElement& faces) {
   return stride;
 }
 
-FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources) {
+FaceInputs read_inputs(const Document& document, const XMLElement& faces, Sources& sources) {
   const XMLElement* vertex = find_input(faces, "VERTEX");
   if (vertex == nullptr) document.fail(faces, "the faces have no input VERTEX; add it");
   const XMLElement& vertices = document.resolve(*vertex, "source", "vertices");
@@ -155,22 +154,19 @@ FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces,
   inputs.positions = shared_vectors(document, *position, sources);
   inputs.position_offset = read_offset(document, *vertex);
 
-  if (const XMLElement* normal = find_input(faces, "NORMAL")) {
+  const XMLElement* own = find_input(faces, "NORMAL");
+  if (const XMLElement* normal = own ? own : find_input(vertices, "NORMAL")) {
     inputs.normals = shared_vectors(document, *normal, sources);
-    inputs.normal_offset = read_offset(document, *normal);
-  } else if (const XMLElement* vertex_normal = find_input(vertices, "NORMAL")) {
-    inputs.normals = shared_vectors(document, *vertex_normal, sources);
-    inputs.normal_offset = inputs.position_offset;
+    inputs.normal_offset = own ? read_offset(document, *own) : inputs.position_offset;
+    if (inputs.normals->empty()) inputs.normals = nullptr;
   }
-  if (inputs.normals != nullptr && inputs.normals->empty()) inputs.normals = nullptr;
   if (find_input(faces, "COLOR") != nullptr || find_input(vertices, "COLOR") != nullptr) {
-    document.note("a mesh has colours at its corners (line " + std::to_string(faces.GetLineNum()) +
-                  "), which are ignored.");
+    document.note("a mesh has colours at its corners (" + line(faces) + "), which are ignored.");
   }
   return inputs;
 }
 
-Corner FaceInputs::corner(const ColladaDocument& document, const XMLElement& at,
+Corner FaceInputs::corner(const Document& document, const XMLElement& at,
                           const int* indices) const {
   const int position = checked(document, at, *positions, indices[position_offset], "position");
   if (normals == nullptr) return {position, 0};

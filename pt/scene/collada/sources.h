@@ -3,7 +3,6 @@
 #include "pt/math/vec3.h"
 #include "pt/scene/collada/document.h"
 
-#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -26,14 +25,13 @@ struct FaceInputs {
   int normal_offset = 0;
 
   // Throws Error, which names the element `at`, if an index is outside its array.
-  Corner corner(const ColladaDocument& document, const XMLElement& at, const int* indices) const;
+  Corner corner(const Document& document, const XMLElement& at, const int* indices) const;
 };
 
 // The number of indices per corner of a set of faces.
-int read_stride(const ColladaDocument& document, const XMLElement& faces);
+int read_stride(const Document& document, const XMLElement& faces);
 
-// Adds sources that were not read before to `sources`, into which the result points, and a note
-// for each thing that it ignores or corrects.
-FaceInputs read_inputs(const ColladaDocument& document, const XMLElement& faces, Sources& sources);
+// Adds sources that were not read before to `sources`, into which the result points.
+FaceInputs read_inputs(const Document& document, const XMLElement& faces, Sources& sources);
 
 }  // namespace pt

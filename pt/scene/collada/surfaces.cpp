@@ -21,8 +21,8 @@ constexpr std::size_t kMaxPrimitives = 10'000'000;
 // Copies of surfaces that a file writes only once: a few lines can make any number of copies.
 constexpr std::size_t kMaxCopies = 2'000'000;
 
-// The materials that an <instance_geometry> binds to the symbols of its mesh. A part whose symbol is not bound
-// gets the only binding: a sphere has no symbol, and some exporters bind another name.
+// The materials that an <instance_geometry> binds to the symbols of its mesh. A part whose symbol is
+// not bound gets the only binding: a sphere has no symbol, and some exporters bind another name.
 struct Bindings {
   std::unordered_map<std::string, const XMLElement*> by_symbol;
   const XMLElement* only = nullptr;
@@ -42,22 +42,22 @@ Bindings read_bindings(const XMLElement& instance) {
 
 class SurfaceReader {
  public:
-  SurfaceReader(const ColladaDocument& document, const LoadOptions& options)
+  SurfaceReader(const Document& document, const LoadOptions& options)
       : document_(document), options_(options) {}
 
   // Reads the geometry, and counts its surfaces. Surfaces that are left out later count too,
   // because they cost time.
   void read(const Instance& instance) {
-    const bool is_copy = geometries_.contains(instance.target);
-    if (!is_copy) geometries_.emplace(instance.target, read_geometry(document_, *instance.target));
-    const ColladaGeometry& geometry = geometries_.at(instance.target);
+    const auto [known, is_new] = geometries_.try_emplace(instance.target);
+    Geometry& geometry = known->second;
+    if (is_new) geometry = read_geometry(document_, *instance.target);
     std::size_t more = geometry.sphere_radius ? 1 : 0;
     for (const MeshPart& part : geometry.parts) more += part.size();
     placed_ += more;
     if (placed_ > kMaxPrimitives) {
       document_.fail(*instance.element, "the scene has more than 10 million surfaces; use fewer");
     }
-    if (is_copy) copies_ += more;
+    if (!is_new) copies_ += more;
     if (copies_ > kMaxCopies) {
       document_.fail(*instance.element,
                      "more than 2 million surfaces of the scene are shown again by an instance of "
@@ -67,10 +67,10 @@ class SurfaceReader {
 
   // Places what was read. A triangle takes 144 bytes, and ten million of them are stored once.
   void place_all(const std::vector<Instance>& instances) {
-    found_.primitives.triangles.reserve(placed_);
-    found_.material_of.reserve(placed_);
+    scene_.primitives.triangles.reserve(placed_);
+    scene_.material_of.reserve(placed_);
     for (const Instance& instance : instances) {
-      const ColladaGeometry& geometry = geometries_.at(instance.target);
+      const Geometry& geometry = geometries_.at(instance.target);
       if (geometry.sphere_radius) add_sphere(instance, *geometry.sphere_radius);
       for (const MeshPart& part : geometry.parts) add_part(instance, part);
     }
@@ -78,7 +78,7 @@ class SurfaceReader {
 
   // Primitives are all triangles, then all spheres.
   Surfaces take() {
-    found_.material_of.insert(found_.material_of.end(), material_of_spheres_.begin(),
+    scene_.material_of.insert(scene_.material_of.end(), material_of_spheres_.begin(),
                               material_of_spheres_.end());
     if (without_area_ > 0) {
       document_.note(std::to_string(without_area_) + " triangles without an area are left out.");
@@ -106,16 +106,16 @@ class SurfaceReader {
     }
     check_bounds(instance, bounds(*sphere));
     const int material = material_index(instance, "");
-    found_.primitives.spheres.push_back(*sphere);
+    scene_.primitives.spheres.push_back(*sphere);
     material_of_spheres_.push_back(material);
-    const Rgb emission = found_.materials[material].emission;
+    const Rgb emission = scene_.materials[material].emission;
     if (!is_black(emission)) {
       add_emitter(instance, sphere_emitter(*sphere, emission, label(*instance.node)));
     }
   }
 
   void add_part(const Instance& instance, const MeshPart& part) {
-    std::vector<Triangle>& all = found_.primitives.triangles;
+    std::vector<Triangle>& all = scene_.primitives.triangles;
     const std::size_t before = all.size();
     Box box;
     for (std::size_t i = 0; i < part.size(); ++i) {
@@ -129,8 +129,8 @@ class SurfaceReader {
     without_area_ += part.size() - placed.size();
     if (placed.empty()) return;
     const int material = material_index(instance, part.material_symbol);
-    found_.material_of.resize(all.size(), material);
-    const Rgb emission = found_.materials[material].emission;
+    scene_.material_of.resize(all.size(), material);
+    const Rgb emission = scene_.materials[material].emission;
     if (!is_black(emission)) {
       check_winding(placed, label(*instance.node));
       add_emitter(instance, mesh_emitter(placed, emission, label(*instance.node)));
@@ -155,12 +155,10 @@ class SurfaceReader {
     }
   }
 
-  // The <instance_material> for a part of a mesh with that symbol, or null.
   const XMLElement* find_binding(const Instance& instance, const std::string& symbol) {
-    if (!bindings_.contains(instance.element)) {
-      bindings_.emplace(instance.element, read_bindings(*instance.element));
-    }
-    const Bindings& bindings = bindings_.at(instance.element);
+    const auto [known, is_new] = bindings_.try_emplace(instance.element);
+    Bindings& bindings = known->second;
+    if (is_new) bindings = read_bindings(*instance.element);
     const auto found = bindings.by_symbol.find(symbol);
     return found == bindings.by_symbol.end() ? bindings.only : found->second;
   }
@@ -170,24 +168,16 @@ class SurfaceReader {
     if (binding == nullptr && without_material_++ == 0) {
       first_without_material_ = label(*instance.node);
     }
-    const auto known = bound_.find(binding);
-    if (known != bound_.end()) return known->second;
     const XMLElement* element = binding ? find_material(*binding) : nullptr;
-    const auto next = static_cast<int>(found_.materials.size());
+    const auto next = static_cast<int>(scene_.materials.size());
     const auto [material, is_new] = materials_.emplace(element, next);
     if (is_new) add_material(element);
-    bound_.emplace(binding, material->second);
     return material->second;
   }
 
-  // A material that is not in the file is null, with a note.
   const XMLElement* find_material(const XMLElement& binding) {
-    const std::string_view url = attribute(&binding, "target");
-    if (document_.find(binding, url, "material").first != nullptr) {
-      return &document_.resolve(binding, "target", "material");
-    }
-    document_.note(document_.missing(url, "material") + ": the albedo is 0.5.");
-    return nullptr;
+    const auto found = document_.find_or_note(binding, "target", "material", "the albedo is 0.5");
+    return found.first ? &document_.resolve(binding, "target", "material") : nullptr;
   }
 
   void add_material(const XMLElement* element) {
@@ -195,27 +185,27 @@ class SurfaceReader {
     read.material.name = "default";
     if (element) read = read_material(document_, *element, options_);
     found_.ignores_emission = found_.ignores_emission || read.ignores_emission;
-    found_.materials.push_back(read.material);
+    scene_.materials.push_back(read.material);
   }
 
-  const ColladaDocument& document_;
+  const Document& document_;
   const LoadOptions& options_;
   Surfaces found_;
+  Scene& scene_ = found_.scene;
   std::vector<int> material_of_spheres_;
   std::size_t placed_ = 0;
   std::size_t copies_ = 0;
   std::size_t without_area_ = 0;
   std::size_t without_material_ = 0;
   std::string first_without_material_;
-  std::unordered_map<const XMLElement*, ColladaGeometry> geometries_;
+  std::unordered_map<const XMLElement*, Geometry> geometries_;
   std::unordered_map<const XMLElement*, int> materials_;
   std::unordered_map<const XMLElement*, Bindings> bindings_;
-  std::unordered_map<const XMLElement*, int> bound_;  // to an <instance_material>
 };
 
 }  // namespace
 
-Surfaces read_surfaces(const ColladaDocument& document, const std::vector<Instance>& geometries,
+Surfaces read_surfaces(const Document& document, const std::vector<Instance>& geometries,
                        const LoadOptions& options) {
   SurfaceReader reader(document, options);
   for (const Instance& instance : geometries) reader.read(instance);

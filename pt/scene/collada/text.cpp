@@ -21,8 +21,8 @@ constexpr std::ptrdiff_t kMaxMarkup = 2'000'000;
 constexpr std::size_t kMaxAttributes = 250;  // of one tag; COLLADA knows some ten
 constexpr std::size_t kHeadBytes = 64 * 1024;
 
-// XML in UTF-16, of either byte order, as UTF-8; other text as it is. Such a file begins with a byte
-// order mark or with "<". Nothing if a unit in the middle belongs to no character.
+// XML in UTF-16, of either byte order, as UTF-8; other text as it is. Such a file begins with a
+// byte order mark or with "<". Nothing if a unit in the middle belongs to no character.
 std::optional<std::string> as_utf8(const std::string& bytes) {
   const std::string_view first = std::string_view(bytes).substr(0, 2);
   const bool is_big = first == "\xfe\xff" || first == std::string_view("\0<", 2);
@@ -43,11 +43,6 @@ std::optional<std::string> as_utf8(const std::string& bytes) {
                                text.data() + text.size(), written);
   if (result == std::codecvt_base::error) return std::nullopt;
   return std::string(text.data(), written);
-}
-
-// The tag may have the prefix of a namespace.
-bool has_collada_tag(std::string_view text) {
-  return text.find("<COLLADA") != text.npos || text.find(":COLLADA") != text.npos;
 }
 
 // Checks the file before it reads all of it. A file that is not COLLADA is recognised by its
@@ -72,14 +67,16 @@ std::string read_file(const std::filesystem::path& file) {
   if (!in) throw Error(name + ": cannot be opened; check its permissions");
   std::string text(std::min<std::size_t>(size, kHeadBytes), '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!has_collada_tag(as_utf8(text).value_or("<COLLADA"))) {
+  const std::string head = as_utf8(text).value_or("<COLLADA");
+  // The tag may have the prefix of a namespace.
+  if (head.find("<COLLADA") == head.npos && head.find(":COLLADA") == head.npos) {
     throw Error(name +
                 ":1: is not a COLLADA file (no <COLLADA> near its beginning); name a .dae file");
   }
-  const std::size_t head = text.size();
+  const std::size_t read = text.size();
   text.resize(size);
-  in.read(text.data() + head, static_cast<std::streamsize>(size - head));
-  if (size > head && !in) throw Error(name + ": cannot be read to its end; copy it again");
+  in.read(text.data() + read, static_cast<std::streamsize>(size - read));
+  if (size > read && !in) throw Error(name + ": cannot be read to its end; copy it again");
   return text;
 }
 
@@ -98,15 +95,15 @@ std::size_t behind_markup(std::string_view xml, std::size_t at) {
   return rest.starts_with("<!") ? behind(xml, at, ">") : 0;
 }
 
-// The line, counted from 1, of the first tag with more than `most` attributes, if there is one. tinyxml2 compares
-// the attributes of a tag in pairs, and would read a tag of a megabyte for minutes.
-std::optional<std::size_t> line_of_too_many_attributes(std::string_view xml, std::size_t most) {
+// The line, counted from 1, of the first tag with too many attributes, if there is one. tinyxml2
+// compares the attributes of a tag in pairs, and would read a tag of a megabyte for minutes.
+std::optional<std::size_t> line_of_too_many_attributes(std::string_view xml) {
   for (std::size_t tag = xml.find('<'); tag < xml.size();) {
     std::size_t at = behind_markup(xml, tag);
     std::size_t count = 0;
     for (at = at == 0 ? tag + 1 : at - 1; at < xml.size() && xml[at] != '>'; ++at) {
       if (xml[at] == '"' || xml[at] == '\'') at = behind(xml, at + 1, xml.substr(at, 1)) - 1;
-      if (xml[at] == '=' && ++count > most) {
+      if (xml[at] == '=' && ++count > kMaxAttributes) {
         return 1 + static_cast<std::size_t>(std::count(
                        xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
       }
@@ -130,7 +127,7 @@ std::string read_text(const std::filesystem::path& file) {
       kMaxMarkup) {
     throw Error(name + ": has more than two million tags and attributes; split the scene");
   }
-  if (const auto line = line_of_too_many_attributes(text, kMaxAttributes)) {
+  if (const auto line = line_of_too_many_attributes(text)) {
     throw Error(name + ":" + std::to_string(*line) + ": a tag has more than " +
                 std::to_string(kMaxAttributes) + " attributes; keep those that COLLADA knows");
   }

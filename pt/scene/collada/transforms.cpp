@@ -11,7 +11,7 @@ namespace pt {
 
 namespace {
 
-Vec3 read_vec3(const ColladaDocument& document, const XMLElement& element) {
+Vec3 read_vec3(const Document& document, const XMLElement& element) {
   const std::vector<double> v = read_numbers(document, element, 3);
   return {v[0], v[1], v[2]};
 }
@@ -24,27 +24,23 @@ double off_affine(const std::vector<double>& m) {
   return std::max({std::abs(m[12]), std::abs(m[13]), std::abs(m[14]), std::abs(m[15] - 1)});
 }
 
-// The frame of an object at `eye` whose -z axis points to `interest`, with y as near to `up` as possible
+// An object at `eye` has its -z axis towards `interest`, and its y axis as near to `up` as possible
 // (COLLADA 1.4.1, "lookat").
-Transform read_lookat(const ColladaDocument& document, const XMLElement& lookat) {
+Transform read_lookat(const Document& document, const XMLElement& lookat) {
   const std::vector<double> v = read_numbers(document, lookat, 9);
   const Vec3 eye{v[0], v[1], v[2]}, interest{v[3], v[4], v[5]}, up{v[6], v[7], v[8]};
   const Vec3 backwards = eye - interest;
   if (!std::isnormal(length_squared(backwards))) {
     document.fail(lookat, "<lookat> looks at its own place; write an eye and another point");
   }
-  const Vec3 z = normalize(backwards);
-  Vec3 right = cross(up, z);
-  if (!(length(right) > 1e-9 * length(up))) {
-    document.note("a <lookat> has an up direction along its view: another is taken.");
-    right = std::abs(z.y) < 0.9 ? cross(Vec3{0, 1, 0}, z) : Vec3{1, 0, 0};
-  }
-  const Vec3 x = normalize(right - dot(right, z) * z);
-  return {x, cross(z, x), z, eye};
+  const Frame frame =
+      upright_frame(document, normalize(backwards), up,
+                    "a <lookat> has an up direction along its view: another is taken.");
+  return {frame.x, frame.y, frame.z, eye};
 }
 
 // About an axis by an angle in degrees, anticlockwise seen from the axis' tip (Rodrigues, 1840).
-Transform read_rotate(const ColladaDocument& document, const XMLElement& rotate) {
+Transform read_rotate(const Document& document, const XMLElement& rotate) {
   const std::vector<double> r = read_numbers(document, rotate, 4);
   const Vec3 axis{r[0], r[1], r[2]};
   const double squared = length_squared(axis);
@@ -62,8 +58,7 @@ Transform read_rotate(const ColladaDocument& document, const XMLElement& rotate)
 
 // The last row is 0 0 0 1. (One of the course's files lacks a number of a camera's matrix; its rows
 // are then shifted, so that the last row means nothing.)
-Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix,
-                      bool holds_camera) {
+Transform read_matrix(const Document& document, const XMLElement& matrix, bool holds_camera) {
   std::vector<double> m = read_numbers(document, matrix);
   if (m.size() == 15 && holds_camera) {
     document.note("the camera's matrix has 15 numbers: a 1 is added as the 16th.");
@@ -80,7 +75,7 @@ Transform read_matrix(const ColladaDocument& document, const XMLElement& matrix,
   return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}, {m[3], m[7], m[11]}};
 }
 
-Transform node_transform(const ColladaDocument& document, const XMLElement& node) {
+Transform node_transform(const Document& document, const XMLElement& node) {
   const bool holds_camera = node.FirstChildElement("instance_camera") != nullptr;
   Transform map;
   for (const XMLElement* step : children(node)) {
@@ -88,7 +83,7 @@ Transform node_transform(const ColladaDocument& document, const XMLElement& node
     if (kind == "matrix") {
       map = map * read_matrix(document, *step, holds_camera);
     } else if (kind == "translate") {
-      map = map * Transform{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, read_vec3(document, *step)};
+      map = map * Transform{.translation = read_vec3(document, *step)};
     } else if (kind == "rotate") {
       map = map * read_rotate(document, *step);
     } else if (kind == "scale") {
@@ -103,7 +98,18 @@ Transform node_transform(const ColladaDocument& document, const XMLElement& node
   return map;
 }
 
-void check_finite(const ColladaDocument& document, const XMLElement& at, const Transform& map) {
+Frame upright_frame(const Document& document, Vec3 z, Vec3 up, const std::string& note) {
+  Vec3 right = cross(up, z);
+  if (!(length(right) > 1e-6 * length(up))) {
+    document.note(note);
+    right = cross(Vec3{0, 1, 0}, z);
+    if (!(length(right) > 1e-6)) right = {1, 0, 0};
+  }
+  const Vec3 x = normalize(right);
+  return {x, cross(z, x), z};
+}
+
+void check_finite(const Document& document, const XMLElement& at, const Transform& map) {
   for (const Vec3 v : {map.x, map.y, map.z, map.translation}) {
     if (!(is_finite(v) && max_abs(v) <= kMaxCoordinate)) {
       document.fail(at, "node " + label(at) + " is placed with numbers beyond 1e30; scale it down");

@@ -73,8 +73,8 @@ Ring flatten(std::span<const Vec3> face, Vec3 normal) {
   return ring;
 }
 
-// The corners that may be cut off. Those on a straight line come last, and so do those that another part
-// of the polygon touches.
+// The corners that may be cut off. Those on a straight line come last, and so do those that another
+// part of the polygon touches.
 enum class Ear { proper, any };
 
 // Returns whether corner b is an ear, and counts the corners tested. Where a bridge joins a hole to

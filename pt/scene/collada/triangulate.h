@@ -13,9 +13,9 @@ struct Triangulation {
   bool crosses = false;  // the face crosses itself, so that nobody knows what it covers
 };
 
-// A face of three corners or more, which need not lie in a plane; nothing for fewer. It is a fan around its first
-// corner if that covers the face; else its ears are cut off one by one. A face that crosses itself
-// is a fan too.
+// A face of three corners or more, which need not lie in a plane; nothing for fewer. It is a fan
+// around its first corner if that covers the face; else its ears are cut off one by one. A face that
+// crosses itself is a fan too.
 Triangulation triangulate(std::span<const Vec3> face);
 
 }  // namespace pt
