@@ -41,7 +41,6 @@ bool is_new(Document::Identified& known, const XMLElement& element) {
   return false;
 }
 
-// The mesh that the element is a part of, or null.
 const XMLElement* mesh_around(const XMLElement& element) {
   for (const tinyxml2::XMLNode* above = element.Parent(); above != nullptr;
        above = above->Parent()) {
@@ -115,15 +114,18 @@ void Document::index(XMLElement& element) {
 }
 
 // An <asset> does not count: it has dates, and versions of programs.
-void Document::look_for_decimals(const XMLElement& element) {
-  if (has_points_ || std::string_view(element.Name()) == "asset") return;
+void Document::look_for_decimals(const tinyxml2::XMLNode& node) {
+  const std::string_view text = node.Value();
+  if (has_points_ || text == "asset") return;
+  for (auto part = node.FirstChild(); part != nullptr; part = part->NextSibling()) {
+    look_for_decimals(*part);
+  }
+  if (node.ToText() == nullptr || has_points_) return;
   constexpr const char* kDigits = "0123456789";
-  const std::string_view text = trimmed_text(&element);
   const bool is_numbers = text.find_first_not_of("0123456789+-.,eE \t\r\n") == text.npos;
   const std::size_t comma = is_numbers ? text.find(',') : text.npos;
   has_points_ = is_numbers && text.find('.') != text.npos;
   has_commas_ = has_commas_ || text.find_first_of(kDigits, comma) == comma + 1;
-  for (const XMLElement* child : children(element)) look_for_decimals(*child);
 }
 
 void Document::fail(const XMLElement& at, const std::string& what) const {
@@ -132,9 +134,7 @@ void Document::fail(const XMLElement& at, const std::string& what) const {
 
 const XMLElement& Document::child(const XMLElement& parent, const char* name) const {
   const XMLElement* found = parent.FirstChildElement(name);
-  if (found == nullptr) {
-    fail(parent, tag(parent) + " has no <" + name + ">; add one");
-  }
+  if (found == nullptr) fail(parent, tag(parent) + " has no <" + name + ">; add one");
   return *found;
 }
 

@@ -12,6 +12,7 @@
 namespace tinyxml2 {
 class XMLDocument;
 class XMLElement;
+class XMLNode;
 }  // namespace tinyxml2
 
 namespace pt {
@@ -68,7 +69,7 @@ class Document {
 
  private:
   void parse(const std::string& text);
-  void look_for_decimals(const XMLElement& element);
+  void look_for_decimals(const tinyxml2::XMLNode& node);
   void index(XMLElement& element);
   std::string_view own_part(std::string_view url) const;
   std::string missing(std::string_view url, const char* kind) const;

@@ -167,7 +167,6 @@ UpAxis up_axis(const Document& document) {
   document.fail(*element, "up_axis is " + quoted(axis) + "; write X_UP, Y_UP or Z_UP");
 }
 
-// The one that <scene> names. Without it, the only <visual_scene> of the file, with a note.
 const XMLElement& find_visual_scene(const Document& document) {
   const XMLElement* instance = find_below(&document.root(), {"scene", "instance_visual_scene"});
   if (document.find(instance, "url", "visual_scene").first) {

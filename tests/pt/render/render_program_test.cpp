@@ -239,11 +239,15 @@ TEST_F(RenderProgram, says_why_a_picture_is_black) {
          "the picture is too dark to see: its brightest pixel has the radiance 1.8e-05; give "
          "--exposure 5.");
   begins(note("<zfar>100", "<zfar>1.5"),
-         "the picture is black: the camera clips all surfaces, its zfar is 1.5 and the nearest is "
-         "2 away; give another --camera");
+         "the picture is black: the camera clips all surfaces, it shows what is 0.1 to 1.5 away "
+         "(znear, zfar) and they are 2 to 2.");
   begins(note("<znear>.1", "<znear>50"),
-         "the picture is black: the camera clips all surfaces, its znear is 50 and the farthest is "
-         "2.");
+         "the picture is black: the camera clips all surfaces, it shows what is 50 to 100 away");
+  begins(
+      note("<profile_COMMON/>",
+           "<profile_COMMON><technique sid=\"c\"><phong><diffuse><color>0 0 0 1</color></diffuse>"
+           "</phong></technique></profile_COMMON>"),
+      "the picture is black: the surfaces in view reflect nothing");
   begins(note("1 0 0 -90", "1 0 0 90"), "the picture is black: the camera looks past all surfaces");
   begins(note("1 0 0 -90", "1 0 0 90", "--show normals --camera file"),
          "the picture is black: the camera looks past all surfaces");

@@ -413,6 +413,8 @@ TEST(Spellings, with_decimal_commas_are_read_if_no_number_has_a_point) {
   const LoadedScene loaded = load(text);
   expect_one_triangle(loaded);
   EXPECT_TRUE(has_note(loaded, "decimal commas"));
+  expect_one_triangle(load_text(replaced(text.str(), "0,0 0 0,00 1,0 0 -0,0 0 1,0e0 0",
+                                         "0 0 0 1 0 <!-- and --> 0 0 1,0e0 0")));
   // Programs write versions and names of files everywhere, but these are not numbers.
   const std::string asset =
       "<asset><contributor><authoring_tool>T 1.5</authoring_tool></contributor>"
