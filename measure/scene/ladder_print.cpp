@@ -16,9 +16,9 @@ std::string factor(const Uncertain& worth) {
   return fmt::format("{:.{}f} \u00b1 {:.{}f}", worth.value, digits, worth.error, digits);
 }
 
-// A remark on a rung whose error is uncertain, or is not noise alone.
 constexpr double kCounts = 2;  // standard errors from which an idea counts
 
+// A remark on a rung whose error is uncertain, or is not noise alone.
 std::string remark(const Climbed& rung, bool lowest) {
   if (rung.biased) return "  biased";
   if (rung.heavy_tails) return "  heavy tails";
