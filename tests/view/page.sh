@@ -6,21 +6,14 @@ set -euo pipefail
 # shellcheck source=tests/fixtures/browser.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../fixtures/browser.sh"
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-programs=$1/view server=
+programs=$1/view
 
 cp -r reference "$folder/handed_in"
 cp build/mistakes/trace_path/no_cosine/trace_path.cpp "$folder/handed_in/4_global"
 "$1/measure/writeup_boxed" build "$folder/handed_in" "$folder/boxed.json" view_boxed.json trace_path
 worker=$(sed 's/.*"worker":"\([^"]*\).*/\1/' "$folder/boxed.json")
-"$programs/view" --boxed "$folder/boxed.json" --reference "$programs/view_worker.reference" --mixture trace_path=no_cosine \
-  scenes/box_spheres.dae -r 96 72 -s 8 --no-browser >"$folder/said" </dev/null &
-server=$!
-also_end="kill $server"
-for _ in $(seq 100); do
-  address=$(grep -m1 '^http' "$folder/said") && break
-  sleep 0.1
-done
-go "$address"
+go_to_server "$programs/view" --boxed "$folder/boxed.json" --reference "$programs/view_worker.reference" --mixture trace_path=no_cosine \
+  scenes/box_spheres.dae -r 96 72 -s 8 --no-browser
 # until WHAT: as expect, but the script on standard input may take a while to become true.
 until_true() {
   local words

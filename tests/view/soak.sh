@@ -6,7 +6,7 @@ set -euo pipefail
 # shellcheck source=tests/fixtures/browser.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../fixtures/browser.sh"
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-seconds=${2:-600} RANDOM=20261126 server=
+seconds=${2:-600} RANDOM=20261126
 [ "$seconds" -ge 120 ] || { echo "soak.sh: at least 120 seconds, not $seconds" >&2; exit 2; }
 
 # A save compiles a task in a moment, or has an error; the program of the tasks is always the same.
@@ -21,15 +21,8 @@ rule compile
 build view_worker.reference: compile ../tasks/task.cpp
 E2
 echo 'saved 0' >"$folder/tasks/task.cpp"
-TMPDIR=$folder/tmp "$1/view/view" --worker "$worker" --reference "$folder/right" --tasks "$folder/tasks" --build "$folder/build" \
-  scenes/box_spheres.dae -r 160 120 -s 8 --no-browser >"$folder/said" </dev/null 2>&1 &
-server=$!
-also_end="kill $server"
-for _ in $(seq 300); do
-  address=$(grep -m1 '^http' "$folder/said") && break
-  sleep 0.1
-done
-go "$address"
+go_to_server env "TMPDIR=$folder/tmp" "$1/view/view" --worker "$worker" --reference "$folder/right" --tasks "$folder/tasks" --build "$folder/build" \
+  scenes/box_spheres.dae -r 160 120 -s 8 --no-browser
 stage=$(element '#stage')
 
 # of PROGRAM: its process.

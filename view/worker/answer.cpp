@@ -153,8 +153,8 @@ Answer Answers::depth(const Query& query) const {
   const int step = (std::max(view.width, view.height) + kDepthSide - 1) / kDepthSide;
   const int width = (view.width + step - 1) / step, height = (view.height + step - 1) / step;
   const pt::Camera& camera = view.camera;
-  const double right = std::tan(camera.hfov_deg * pt::kPi / 360);
-  const double up = std::tan(camera.vfov_deg * pt::kPi / 360);
+  const double right = half_tangent(camera.hfov_deg);
+  const double up = half_tangent(camera.vfov_deg);
   std::vector<float> distances;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

@@ -31,4 +31,7 @@ inline bool close(pt::Rgb a, pt::Rgb b, double tolerance = 1e-4) {
                     std::abs(a.b - b.b) <= size);
 }
 
+// The tangent of half an angle.
+inline double half_tangent(double degrees) { return std::tan(degrees * pt::kPi / 360); }
+
 }  // namespace view

@@ -8,8 +8,6 @@ void add(std::vector<Finding>& found, const char* task, const char* promise, std
   found.push_back({0, "camera", task, promise, std::move(text)});
 }
 
-double half_tangent(double degrees) { return std::tan(degrees * pt::kPi / 360); }
-
 void check_ray(const pt::Camera& camera, pt::Vec2 at, const pt::Ray& ray,
                std::vector<Finding>& found) {
   constexpr const char* kTask = "camera_ray";

@@ -156,7 +156,7 @@ bool begins(string_view name, string_view prefix) {
 
 // The demangled name; empty if it is not a C++ name.
 std::string demangled(const std::string& name) {
-  if (!begins(name, "_Z")) return "";  // a variable x is no long long, whose code is x
+  if (!begins(name, "_Z")) return "";  // "x" would be read as the code of a type, long long
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> text(
       abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);

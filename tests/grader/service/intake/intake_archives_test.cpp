@@ -369,7 +369,7 @@ TEST_F(Intake, what_surrounds_an_archive_does_not_matter) {
 TEST_F(Intake, names_of_other_systems_are_names) {
   add("mixed.zip",
       archive_of({{"work\\1_rays/hit_box.cpp", "a"}, {"work/2_bvh\\hit_bvh.cpp", "b"}}));
-  add("drive.zip", archive_of({{"C:\\work\\hit_box.cpp", "a"}, {"C:/work/hit_bvh.cpp", "b"}}));
+  add("drive.zip", archive_of({{"C:\\mine\\hit_box.cpp", "a"}, {"C:/mine/hit_bvh.cpp", "b"}}));
   add("dots.zip", archive_of({{"./hit_box.cpp", "a"}, {"a//hit_bvh.cpp", "b"}}));
   add("control.zip", archive_of({{"a\x1b[2J\t/hit_box.cpp", "a"}, {"hit_bvh.cpp", "b"}}));
   add("deep.zip", archive_of({{"hit_bvh.cpp", "b"},
