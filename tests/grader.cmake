@@ -105,7 +105,7 @@ firstlight_script_test(debug rest commands/debug.sh NEEDS ${programs}
   ARGUMENTS ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/tests/hit_triangle.objects)
 
 # Right work of every kind, graded as a class hands it in: a little of it by the tests, as much as is
-# asked for by hand. Mixture 5062 has uniform directions, with which the furnace's last bounces are noisy.
+# asked for by hand.
 add_executable(right_work grader/tasks/right_work.cpp)
 target_link_libraries(right_work PRIVATE firstlight_warnings grader_submissions grader_judging CLI11::CLI11)
 firstlight_add_test(right_work rest NEEDS right_work grade graded COMMAND right_work --mixtures 4 --first-seed 5060)
