@@ -16,7 +16,7 @@ namespace grader::check {
 struct FailureSearch {
   std::uint64_t seed = 0;  // of the random inputs
   int cases = 0;           // the largest number of random inputs
-  bool shrinks = true;     // looks for a smaller input, for a limited time
+  bool shrinks = true;     // looks for a smaller input
   int max_crashes = 20;    // smaller inputs after a crash, each of which costs a new process
 };
 
@@ -28,10 +28,10 @@ struct Found {
 
 Found find_failure(const std::function<void()>& property, const FailureSearch& search);
 
-// Returns whether a property runs now on an input that is tried only because it is smaller than one that has
-// failed. How many are tried depends on the speed of the machine, so nothing that they do may change
-// a verdict.
-bool tries_smaller_inputs();
+// If a property runs now on an input that is tried only because it is smaller than one that has
+// failed, returns which search tries it, counted from 1; else 0. Nothing that these runs do may
+// change a verdict.
+int search_for_smaller();
 
 // Repeats the same search. A debugger stops (at_smallest_failure) just before run number `run`.
 void run_again(const std::function<void()>& property, const FailureSearch& search, int run);

@@ -20,7 +20,11 @@ constexpr std::size_t kMaxKnown = 256;                         // objects
 constexpr std::size_t kMaxKnownBytes = std::size_t{32} << 20;  // of the worker's memory
 constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
 
+// Of answers to smaller inputs, for each failure: what costs some tenths of a second.
+constexpr std::uint64_t kMaxAnsweredSmaller = std::uint64_t{1} << 20;
+
 std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
+int search = 0;  // the search for smaller inputs that the second session serves
 
 std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content) {
   const std::string_view bytes = content.bytes();
@@ -36,12 +40,16 @@ void open_session(const SessionSettings& settings) {
   smaller.smaller_inputs = true;
   smaller.max_timeouts = 1;    // each takes the full time limit of a call
   smaller.max_failures = 100;  // one hanging call is enough
+  smaller.max_answered = std::min(smaller.max_answered, kMaxAnsweredSmaller);
   the_session_of_smaller_inputs = std::make_unique<Session>(smaller);
 }
 
 Session& session() {
   if (!the_session) throw pt::Error("no session with a worker is open: main has to open one");
-  if (!check::tries_smaller_inputs()) return *the_session;
+  const int searching = check::search_for_smaller();
+  if (searching == 0) return *the_session;
+  if (searching != search) the_session_of_smaller_inputs->count_answers_anew();
+  search = searching;
   return *the_session_of_smaller_inputs;
 }
 

@@ -37,7 +37,8 @@ struct SessionSettings {
   // are counted, because time would depend on the machine's load.
   int max_timeouts = 2;
   int max_failures = 500;
-  // The worker is no longer called after this many bytes, because the judge has to read them.
+  // The worker is no longer called after this many bytes of answers (count_answers_anew), because
+  // the judge has to read them.
   std::uint64_t max_answered = std::numeric_limits<std::uint64_t>::max();
   // For a session that tries smaller inputs: reaching a limit of all calls only ends that search.
   bool smaller_inputs = false;
@@ -84,6 +85,9 @@ class Session {
 
   SessionRecord record() const;
 
+  // The answers so far no longer count for the limit.
+  void count_answers_anew() { answered_before_ = answered(); }
+
  private:
   using Shared = std::shared_ptr<const Definition>;
   Shared definition_of(const pt::Scene& scene) const;
@@ -94,6 +98,7 @@ class Session {
   void call_no_more(results::Cause cause, const std::string& why) const;
   void expect_total_time_left();
   void count_failure(const WorkerFailed& failure);
+  std::uint64_t answered() const { return answered_ + (worker_ ? worker_->answered() : 0); }
   std::chrono::nanoseconds slept() const;  // of all workers together; uncertain time is left out
   void keep_totals(results::Cause cause);  // of a worker that has ended
   void drop_known_definitions();
@@ -118,6 +123,7 @@ class Session {
   Clock::time_point first_call_;
   std::chrono::nanoseconds running_{0}, slept_{0};  // of workers that have ended
   std::uint64_t answered_ = 0;                      // the bytes of their answers
+  std::uint64_t answered_before_ = 0;               // of all answers, those that no longer count
   int timeouts_ = 0, failures_ = 0;
   results::Cause last_cause_ = results::Cause::timeout;
 };
@@ -129,8 +135,8 @@ inline constexpr std::int64_t kMaxCount = std::int64_t{1} << 40;
 inline constexpr int kBatch = 256;
 
 // The session of this program, opened once by main. While smaller inputs are tried for a failure,
-// this is another session with its own worker and limits: the number of tries depends on the
-// machine, but a verdict must not.
+// this is another session with its own worker and limits: what these tries do must not change a
+// verdict.
 void open_session(const SessionSettings& settings);
 Session& session();
 

@@ -35,11 +35,11 @@ void Session::expect_time_left() {
   if (failures_ >= settings_.max_failures) {
     call_no_more(last_cause_, "too many calls crashed or gave no answer");
   }
-  const std::uint64_t answered = answered_ + (worker_ ? worker_->answered() : 0);
-  if (answered > settings_.max_answered) {
+  const std::uint64_t bytes = answered() - answered_before_;
+  if (bytes > settings_.max_answered) {
     call_no_more(results::Cause::bad_reply,
-                 fmt::format("its answers were {} MiB in all, where {} are the most",
-                             answered >> 20, settings_.max_answered >> 20));
+                 fmt::format("its answers were {} MiB in all, where {} are the most", bytes >> 20,
+                             settings_.max_answered >> 20));
   }
   expect_total_time_left();
 }

@@ -68,8 +68,23 @@ TEST(Property, shows_what_was_thrown) {
   EXPECT_EQ(failure.input, std::vector<std::string>{"n: 17"});
 }
 
-// A smaller input that fails for another reason is not shown, because the search's length depends
-// on the machine.
+// As many as are allowed, however long one takes: every machine shows the same input.
+TEST(Property, tries_as_many_smaller_inputs_on_every_machine) {
+  const auto calls_with = [](int numbers) {
+    int calls = 0;
+    const auto fails = [&] {
+      ++calls;
+      for (int i = 0; i < numbers; ++i) check::draw("x", check::real(900, 1000));
+      check::expect(false, "more", "less");
+    };
+    check::find_failure(fails, {.seed = 1, .cases = 100});
+    return calls;
+  };
+  EXPECT_EQ(calls_with(300), calls_with(600));
+  EXPECT_LT(calls_with(20), calls_with(300));
+}
+
+// A smaller input that fails for another reason is not shown: the verdict is that of the first.
 TEST(Property, keeps_the_cause_of_the_first_failure) {
   const results::Failure failure = failure_of([] {
     const int n = check::draw("n", check::whole(20, 1000));

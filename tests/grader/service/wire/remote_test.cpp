@@ -221,8 +221,8 @@ TEST(remote, trees_are_walked_soon_however_many_ways_there_are) {
   EXPECT_THROW(expect_one_tree(bvh), check::CaseFailed);
 }
 
-// A fast machine tries more smaller inputs than a slow one. They have their own session, so that
-// the limit of all calls and a submission's variables do not depend on their number.
+// Smaller inputs have their own session, so that the limit of all calls and a submission's variables
+// do not depend on their number.
 TEST(remote, smaller_inputs_have_a_session_of_their_own) {
   open_session({});
   Session* const usual = &session();

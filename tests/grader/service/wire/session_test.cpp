@@ -121,6 +121,16 @@ TEST(session, ends_after_as_many_bytes_as_are_allowed) {
   EXPECT_EQ(next.cause, Cause::bad_reply);
 }
 
+TEST(session, counts_answers_anew_for_each_search) {
+  SessionSettings few = settings();
+  few.max_answered = 1;
+  open_session(few);
+  EXPECT_EQ(call(kAnswers).why, "");
+  session().count_answers_anew();
+  EXPECT_EQ(call(kAnswers).why, "");
+  EXPECT_EQ(call(kAnswers).cause, Cause::bad_reply);
+}
+
 // The session ends before a smaller input is tried, so this says nothing about the submission.
 TEST(session, of_smaller_inputs_ends_without_a_cause) {
   SessionSettings smaller = settings();
