@@ -54,7 +54,7 @@ if [ -z "$engine" ]; then
   wait "$first" || complain "$(cat "$folder/said")"
   step collect || true
   judged_once
-  same_table here steps
+  same_reports here steps
 
   # A promise is worth more, another one nothing. Nobody is judged again; gains and losses are shown.
   sed -i 's/"tasks": {}/"tasks": {"hit_sphere": {"promise": 2, "promises": {"PROMISE": 0}}}/' "$folder/root/grader/points.json"
@@ -159,7 +159,7 @@ grep -q '8/8 ' "$folder/said" || complain "$(cat "$folder/said")"
 ! grep -q 'as before' "$folder/said" || complain "what is judged now counts as judged before: $(cat "$folder/said")"
 [ "$(wc -l <"$folder/judged")" -eq 6 ] || complain "judged: $(cat "$folder/judged")"
 judged_once
-same_table here elsewhere
+same_reports here elsewhere
 case $engine in
   parallel) [ "$(grep -c 'grade_class' "$folder/elsewhere/joblog")" -eq 3 ] || complain "$(cat "$folder/elsewhere/joblog")" ;;
   slurm) grep -q 'learner 1: ' "$folder/elsewhere/slurm/1.log" || complain "$(cat "$folder"/elsewhere/slurm/*)" ;;

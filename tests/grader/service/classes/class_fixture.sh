@@ -93,3 +93,32 @@ same_table() {
   diff -r "$folder/$1/likeness" "$folder/$2/likeness" >&2 && diff "$folder/$1/likeness.html" "$folder/$2/likeness.html" >&2 ||
     complain "$2 finds other files alike than $1"
 }
+
+# same_reports A B: every report in the two folders is equal, byte by byte, except for times. What only says how the class was
+# cut and run may differ.
+same_reports() {
+  python3 - "$folder/$1" "$folder/$2" <<'END' || complain "the reports of $2 are not those of $1"
+import os, re, sys, zipfile
+OF_THE_RUN = re.compile(r"plan\.json|claims|joblog|engine\.log|(slurm|unpacked)/.*")
+TIMES = re.compile(rb'"seconds": ?[0-9.e+-]+|[0-9.]+ s(econds)?\b')
+def reports(folder):
+    all = {}
+    for top, _, files in os.walk(folder):
+        for file in files:
+            path = os.path.relpath(os.path.join(top, file), folder)
+            if OF_THE_RUN.fullmatch(path): continue
+            if path.endswith(".zip"):
+                packed = zipfile.ZipFile(os.path.join(top, file))
+                all.update({path + ":" + name: packed.read(name) for name in packed.namelist()})
+            else:
+                all[path] = open(os.path.join(top, file), "rb").read()
+    return {path: TIMES.sub(b"TIME", text) if re.search(r"(json|html)$", path) else text for path, text in all.items()}
+a, b = map(reports, sys.argv[1:])
+assert set(a) == set(b) and len(a) > 8, set(a) ^ set(b)
+differ = sorted(path for path in a if a[path] != b[path])
+for path in differ:
+    at = next((i for i, (x, y) in enumerate(zip(a[path], b[path])) if x != y), 0)
+    print(path, a[path][max(0, at - 60):at + 60], b[path][max(0, at - 60):at + 60], sep="\n  ")
+sys.exit(bool(differ))
+END
+}
