@@ -89,8 +89,8 @@ Labels::Labels(const std::vector<std::string>& files, const std::vector<std::str
   const std::vector<std::size_t> order = by_number(all);
   std::vector<Label*> of_blackboard;
   for (auto& [name, forms] : all) {
-    const auto form =
-        std::ranges::find_if(order, [&](std::size_t i) { return forms[i].has_value(); });
+    const auto form = std::ranges::find_if(
+        order, [&forms = forms](std::size_t i) { return forms[i].has_value(); });
     if (form == order.end()) continue;
     Label& label = labels_[name] = *forms[*form];
     label.before = name.substr(0, name.size() - std::min(name.size(), label.file.size()));

@@ -71,7 +71,8 @@ Prepared prepared(const std::string& name, const std::vector<Piece>& all,
   std::vector<fs::path> folders;
   std::string note;
   for (const auto& [attempt, pieces] : attempts) {
-    Prepared one = read_handed_in(name, "", [&] { return folder_of(pieces, tools); });
+    Prepared one =
+        read_handed_in(name, "", [&pieces = pieces, &tools] { return folder_of(pieces, tools); });
     if (!one.problem.empty()) return one;
     folders.emplace_back(one.folder);
     note = one.note;
