@@ -126,7 +126,7 @@ TEST(session, counts_answers_anew_for_each_search) {
   few.max_answered = 1;
   open_session(few);
   EXPECT_EQ(call(kAnswers).why, "");
-  session().count_answers_anew();
+  wire::session().count_answers_anew();
   EXPECT_EQ(call(kAnswers).why, "");
   EXPECT_EQ(call(kAnswers).cause, Cause::bad_reply);
 }
