@@ -19,8 +19,8 @@ using results::Failure;
 // depend on the speed of the machine; costly inputs are limited by the session as well.
 constexpr int kMaxSmaller = 100;
 
-int searches = 0;
-bool searching = false;
+int searches_for_smaller = 0;
+bool is_searching = false;
 
 // Thrown to stop RapidCheck, which would continue a search for as long as it finds something.
 struct Enough {};
@@ -87,8 +87,8 @@ class Watcher : public rc::detail::TestListener {
     if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
     if (tried.result.type != rc::detail::CaseResult::Type::Failure) return;
     keep(tried);
-    ++searches;
-    searching = true;
+    ++searches_for_smaller;
+    is_searching = true;
     cause_ = failure_.cause;
     attempts_left_ = shrink_attempts(cause_, search_);
     if (attempts_left_ == 0) throw Enough{};
@@ -171,13 +171,13 @@ Found find_failure(const std::function<void()>& property, const FailureSearch& s
   Counted counted{property};
   Watcher watcher(counted, search);
   const std::string fault = check(counted, search, watcher);
-  searching = false;
+  is_searching = false;
   Found found = watcher.found();
   if (!found.failure) found.fault = fault;
   return found;
 }
 
-int search_for_smaller() { return searching ? searches : 0; }
+int search_for_smaller() { return is_searching ? searches_for_smaller : 0; }
 
 void run_again(const std::function<void()>& property, const FailureSearch& search, int run) {
   Counted counted{property, run};

@@ -24,7 +24,7 @@ constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
 constexpr std::uint64_t kMaxAnsweredSmaller = std::uint64_t{1} << 20;
 
 std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
-int search = 0;  // the search for smaller inputs that the second session serves
+int search_served = 0;  // the search for smaller inputs that the second session serves
 
 std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content) {
   const std::string_view bytes = content.bytes();
@@ -48,8 +48,8 @@ Session& session() {
   if (!the_session) throw pt::Error("no session with a worker is open: main has to open one");
   const int searching = check::search_for_smaller();
   if (searching == 0) return *the_session;
-  if (searching != search) the_session_of_smaller_inputs->count_answers_anew();
-  search = searching;
+  if (searching != search_served) the_session_of_smaller_inputs->count_answers_anew();
+  search_served = searching;
   return *the_session_of_smaller_inputs;
 }
 
