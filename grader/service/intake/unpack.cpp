@@ -170,9 +170,9 @@ class Unpacking {
   }
 
   // The last file of a name counts. The one before goes to a folder beside it, so that it is said.
+  // As a copy: in its box, this program may not move files from folder to folder.
   void keep_earlier(const fs::path& path) const {
-    const fs::path folder = folder_ / path.parent_path() / kEarlier;
-    if (make_folder(folder)) fs::rename(folder_ / path, folder / path.filename());
+    put(path.parent_path() / kEarlier / path.filename(), pt::read_file(folder_ / path));
   }
 
   // Makes the owner's folder, or an empty file, so that no owner is overlooked.

@@ -22,7 +22,7 @@ other = sphere + b"// another\n"
 def packed(files):
     bytes = io.BytesIO()
     with zipfile.ZipFile(bytes, "w") as archive:
-        for name, text in files.items():
+        for name, text in files.items() if isinstance(files, dict) else files:
             archive.writestr(name, text)
     return bytes.getvalue()
 
@@ -50,6 +50,7 @@ forms = {
     "zip": {"work.zip": packed(work), "report.pdf": b"?"},
     "zip in zip": {"work.zip": packed({"inner.zip": packed(work)})},
     "rest": {"hit_sphere.cpp": sphere, "rest.zip": packed({"hit_box.cpp": box, "hit_sphere.cpp": other})},
+    "twice": {"work.zip": packed([("hit_sphere.cpp", other), ("hit_sphere.cpp", sphere)])},
     "two zips": {"a.zip": packed(work), "b.zip": packed(work)},
     "two files": {"a/hit_sphere.cpp": sphere, "b/hit_sphere.cpp": other},
     "outer": {"hit_sphere.cpp": sphere, "old/hit_sphere.cpp": other},
@@ -102,7 +103,7 @@ done
 python3 - "$folder" <<'END' || complain 'the doors differ'
 import csv, json, sys, xml.etree.ElementTree
 rows = {row["submission"]: row for row in csv.DictReader(open(sys.argv[1] + "/class-graded/class.csv", encoding="utf-8-sig"))}
-assert len(rows) == 23, rows.keys()
+assert len(rows) == 24, rows.keys()
 for name, row in rows.items():
     results = json.load(open(f"{sys.argv[1]}/grade/{name}.json"))
     scope = json.load(open(f"{sys.argv[1]}/grade/{name}.scope"))
@@ -135,7 +136,7 @@ for name in ("rest", "numbered", "outer", "nothing", "broken"):
     assert {slug: passed.count(slug) for slug in points} == points, (name, passed)
 right = int(rows["plain"]["hit_sphere_points"])
 assert right > 0
-for name in ("parts", "numbered", "capital", "text", "beside", "deep", "wrong part", "project", "tar", "zip", "zip in zip", "rest", "outer", "one broken"):
+for name in ("parts", "numbered", "capital", "text", "beside", "deep", "wrong part", "project", "tar", "zip", "zip in zip", "rest", "outer", "twice", "one broken"):
     assert rows[name]["hit_sphere_points"] == str(right), rows[name]
 large = next(task for task in json.load(open(sys.argv[1] + "/grade/large.json"))["tasks"] if task["slug"] == "hit_box")
 assert (large["state"], large["reason"]) == ("rejected", "the file is larger than 1 MiB"), large
