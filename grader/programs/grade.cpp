@@ -128,8 +128,9 @@ std::vector<std::string> asked_for(const build::Config& config, const GradeOptio
 // student/ is read as it is.
 class Intake {
  public:
+  // It delegates, so that the destructor removes the copies if this throws.
   Intake(const build::Config& config, const GradeOptions& options)
-      : work_(fmt::format("{}/intake/{}", config.work, getpid())) {
+      : Intake(fmt::format("{}/intake/{}", config.work, getpid())) {
     if (!options.is_named) {
       found_.folder = base::submission_root(options.submission);
       return;
@@ -163,6 +164,8 @@ class Intake {
   bool is_copied() const { return folders_ > 0; }
 
  private:
+  explicit Intake(std::string work) : work_(std::move(work)) {}
+
   std::string work_;
   int folders_ = 0;
   intake::Prepared found_;

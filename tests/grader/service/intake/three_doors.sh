@@ -98,6 +98,9 @@ for submission in "$folder/class/"*; do
     for platform in prairielearn autolab artemis; do "$run" $platform --seed 7 "${what[@]}" >$platform 2>$platform.errors; done
   )
 done
+# Files may not become large here, so unpacking fails.
+(ulimit -f 2; "$grader/grade" "${what[@]}" --submission "$folder/class/tar") >"$folder/said" 2>&1 && complain 'unpacked all the same'
+grep -q 'could not be unpacked' "$folder/said" || complain "unpacking failed: $(cat "$folder/said")"
 [ -z "$(ls -A "$grader/graded/intake")" ] || complain 'copies of files that were handed in are left'
 
 python3 - "$folder" <<'END' || complain 'the doors differ'
