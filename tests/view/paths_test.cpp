@@ -133,6 +133,23 @@ TEST(Paths, add_up) {
   EXPECT_EQ(exact < paths, is_recursive) << exact << " of " << paths;
 }
 
+// From a black surface, whose f is 0, a path goes on to a point with direct light.
+TEST(Paths, show_light_that_a_black_surface_reflects) {
+  const auto findings = [](pt::Rgb part) {
+    Path path;
+    path.bounces.resize(2);
+    path.bounces[0].direct = {{"direct_lights", 1, pt::Rgb{}}};
+    path.bounces[0].next = {{{0, 0, 1}, pt::Rgb{}, 1 / pt::kPi}};
+    path.bounces[1].direct = {{"direct_lights", 1, pt::gray(1)}};
+    path.bounces[1].part = path.traced = part;
+    check_path({.light_samples = 1, .to = 2}, path);
+    return path.findings;
+  };
+  EXPECT_TRUE(findings(pt::Rgb{}).empty());
+  ASSERT_EQ(findings(pt::gray(0.5)).size(), 1U);
+  EXPECT_EQ(findings(pt::gray(0.5))[0].promise, "tints_at_each_bounce");
+}
+
 // In a room of albedo 1/2, with directions by the cosine, the throughput of point k is 2^(1 - k), divided by the survival at
 // each point but the first. Each point adds that times its direct light.
 TEST(Paths, have_the_throughput_of_the_furnace) {

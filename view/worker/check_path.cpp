@@ -144,6 +144,8 @@ void check_parts(const pt::PathSettings& settings, Path& path) {
         if (!is_fine) return;
         so_far = ratio;
         told = i;
+      } else if (!is_black(at.part)) {
+        return add("tints_at_each_bounce", "a black surface before it reflects nothing");
       }
     }
     if (!at.next.empty()) throughput *= factor(at.next[0]);
