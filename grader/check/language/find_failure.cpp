@@ -15,8 +15,8 @@ namespace {
 using results::Cause;
 using results::Failure;
 
-// Most failures are as small as they get after 20. A count, because an input that is found must not
-// depend on the speed of the machine; costly inputs are limited by the session as well.
+// The largest number of smaller inputs to try; most failures need 20. It is no time, so that every
+// machine shows the same input. For costly inputs, the session has a limit of its own.
 constexpr int kMaxSmaller = 100;
 
 int searches_for_smaller = 0;
@@ -75,9 +75,9 @@ void add_input(Failure& failure, const std::string& name, const std::string& val
   }
 }
 
-// Watches a search: keeps the smallest failing case, and ends the search for a smaller one after
-// some tries. (RapidCheck's own listener reads its configuration from the environment and prints
-// it.)
+// Watches a search: keeps the smallest failing case, and ends the search for a smaller one after a
+// number of tries. (RapidCheck's own listener reads its configuration from the environment and
+// prints it.)
 class Watcher : public rc::detail::TestListener {
  public:
   Watcher(const Counted& counted, const FailureSearch& search)

@@ -37,8 +37,8 @@ struct SessionSettings {
   // are counted, because time would depend on the machine's load.
   int max_timeouts = 2;
   int max_failures = 500;
-  // The worker is no longer called after this many bytes of answers (count_answers_anew), because
-  // the judge has to read them.
+  // The worker is no longer called after this many bytes of answers, because the judge has to read
+  // them. count_answers_anew() begins a new count.
   std::uint64_t max_answered = std::numeric_limits<std::uint64_t>::max();
   // For a session that tries smaller inputs: reaching a limit of all calls only ends that search.
   bool smaller_inputs = false;
