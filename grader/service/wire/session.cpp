@@ -161,10 +161,8 @@ Writer Session::message(Function function, std::uint64_t code, const CallBatch& 
 }
 
 // Asking the judge takes processor time of the worker too, about 10 microseconds and more on a busy
-// machine. So that the limit of a call is about the task's own work, each question extends it. The
-// number that counts is limited, because a task can ask for ever.
+// machine. So that the limit of a call is about the task's own work, each question extends it.
 constexpr std::chrono::microseconds kOfQuestion{40};
-constexpr int kMostQuestions = 1 << 16;
 
 std::string Session::converse(const Writer& call) {
   if (!worker_) worker_ = start_worker(settings_.program, settings_.tier, kMaxPrinted);
@@ -182,9 +180,14 @@ std::string Session::converse(const Writer& call) {
       continue;
     }
     if (!settings_.answers) throw BadMessage("it called the judge, which answers nothing here");
+    if (++questions > settings_.max_questions) {
+      throw WorkerFailed{
+          results::Cause::timeout,
+          fmt::format("no answer after {} calls of other tasks", settings_.max_questions)};
+    }
     const Writer reply = answer(settings_.task, message.payload, *this);
     worker_->send(Kind::answer, sequence_, reply.bytes());
-    if (++questions <= kMostQuestions) worker_->extend(kOfQuestion);
+    worker_->extend(kOfQuestion);
   }
 }
 
@@ -226,7 +229,7 @@ void Session::fail(const WorkerFailed& failure) {
     worker_.reset();
   }
   const std::chrono::duration<double> limit = settings_.call_limit;
-  settings_.give_up(failure.cause, failure.cause == results::Cause::timeout
+  settings_.give_up(failure.cause, failure.text.empty()
                                        ? fmt::format("no answer within {} s", limit.count())
                                        : failure.text);
   std::abort();  // give_up has returned

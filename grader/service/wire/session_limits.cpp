@@ -28,18 +28,19 @@ void Session::call_no_more(results::Cause cause, const std::string& why) const {
 
 void Session::expect_time_left() {
   if (timeouts_ >= settings_.max_timeouts) {
-    call_no_more(last_cause_, fmt::format("{} {} no answer within {} s", timeouts_,
-                                          timeouts_ == 1 ? "call got" : "calls got",
-                                          seconds(settings_.call_limit)));
+    call_no_more(last_cause_, fmt::format("{} {} no answer", timeouts_,
+                                          timeouts_ == 1 ? "call got" : "calls got"));
   }
   if (failures_ >= settings_.max_failures) {
     call_no_more(last_cause_, "too many calls crashed or gave no answer");
   }
   const std::uint64_t bytes = answered() - answered_before_;
   if (bytes > settings_.max_answered) {
-    call_no_more(results::Cause::bad_reply,
-                 fmt::format("its answers were {} MiB in all, where {} are the most", bytes >> 20,
-                             settings_.max_answered >> 20));
+    call_no_more(
+        results::Cause::bad_reply,
+        fmt::format("its results and its calls of other tasks were {} MiB in all, where {} "
+                    "are the most",
+                    bytes >> 20, settings_.max_answered >> 20));
   }
   expect_total_time_left();
 }

@@ -156,7 +156,7 @@ void WorkerProcess::wait(const base::Descriptor& descriptor, short event) {
     if (ready > 0 && waiting[0].revents != 0) return;
     if (left == 0 && limit_.is_over()) {
       running_ = process::running_time(worker_);
-      throw WorkerFailed{results::Cause::timeout, "no answer within the limit"};
+      throw WorkerFailed{results::Cause::timeout, ""};
     }
   }
 }

@@ -20,7 +20,7 @@ namespace grader::wire {
 
 using Clock = std::chrono::steady_clock;
 
-// A failed conversation. The text tells a person what the worker did.
+// A failed conversation. The text tells a person what the worker did; it is empty if the limit of a call was reached.
 struct WorkerFailed {
   results::Cause cause = results::Cause::crash;
   std::string text;
