@@ -12,6 +12,7 @@ namespace {
 int rank_of_cause(Cause cause) {
   if (cause == Cause::crash) return 0;
   if (cause == Cause::timeout) return 1;
+  if (cause == Cause::not_called) return 4;
   return cause == Cause::wrong ? 3 : 2;
 }
 
@@ -32,7 +33,7 @@ Rank rank_of(const PromiseResult& promise, bool broken_throughout) {
   const auto alone = std::ranges::count(promise.failures, false, &Failure::integrated);
   const auto failing = std::max(alone, std::ssize(promise.failures) - alone);
   const int few = promise.checks > 0 && 2 * failing <= promise.checks ? 1 : 0;
-  Rank best{promise.bonus ? 1 : 0, 4, 1, 1, 1, 2};
+  Rank best{promise.bonus ? 1 : 0, 5, 1, 1, 1, 2};
   for (const Failure& failure : promise.failures) {
     const int lines = static_cast<int>(failure.input.size());
     best = std::min(best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause),

@@ -16,8 +16,8 @@ int importance(const TaskResult& task);
 
 // The promises of a task that are not kept, the most telling first. Decided by, in this order:
 //   - bonus promises last;
-//   - a crash before an answer that takes too long or makes no sense, and these before wrong
-//   numbers;
+//   - a crash before an answer that takes too long or makes no sense, these before wrong numbers, and
+//   last what was not called, because of the others;
 //   - exact answers before means of many draws: one input shows the fault, and no noise is in it.
 //     Not if more than three of four promises are broken: then all have one cause;
 //   - a promise of which more than half of the checks fail before others;

@@ -40,6 +40,8 @@ const char* name(Cause cause) {
       return "bad reply";
     case Cause::not_attempted:
       return "not attempted";
+    case Cause::not_called:
+      return "not called";
   }
   return "";
 }

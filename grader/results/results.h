@@ -39,10 +39,11 @@ enum class Cause {
   timeout,        // no answer within the limit
   bad_reply,      // an answer that no implementation of the contract can give
   not_attempted,  // the task calls todo()
+  not_called,     // other calls failed, so that no more were made
 };
 
-inline constexpr std::array kCauses{Cause::wrong, Cause::crash, Cause::timeout, Cause::bad_reply,
-                                    Cause::not_attempted};
+inline constexpr std::array kCauses{Cause::wrong,     Cause::crash,         Cause::timeout,
+                                    Cause::bad_reply, Cause::not_attempted, Cause::not_called};
 
 // "wrong", "bad reply": as it stands in JSON, and for people.
 const char* name(Cause cause);

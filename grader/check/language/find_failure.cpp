@@ -37,6 +37,7 @@ int shrink_attempts(Cause cause, const FailureSearch& search) {
       return search.max_crashes;
     case Cause::timeout:
     case Cause::not_attempted:
+    case Cause::not_called:
       return 0;
   }
   return 0;

@@ -35,6 +35,7 @@ results::State state_of(results::Cause cause) {
       return results::State::not_attempted;
     case results::Cause::wrong:
     case results::Cause::bad_reply:
+    case results::Cause::not_called:
       break;
   }
   return results::State::fail;

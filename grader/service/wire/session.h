@@ -98,7 +98,7 @@ class Session {
   const pt::Scene& scene(Handle handle) const;
   void expect_attempted() const;
   void expect_time_left();
-  void call_no_more(results::Cause cause, const std::string& why) const;
+  void call_no_more(results::Cause cause, const std::string& why);
   void expect_total_time_left();
   void count_failure(const WorkerFailed& failure);
   std::uint64_t answered() const { return answered_ + (worker_ ? worker_->answered() : 0); }
@@ -128,7 +128,7 @@ class Session {
   std::uint64_t answered_ = 0;                      // the bytes of their answers
   std::uint64_t answered_before_ = 0;               // of all answers, those that no longer count
   int timeouts_ = 0, failures_ = 0;
-  results::Cause last_cause_ = results::Cause::timeout;
+  bool has_ended_ = false;  // a limit of all calls was reached
 };
 
 // No call traces or tests more. Sums of such counts do not overflow.

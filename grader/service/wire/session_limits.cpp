@@ -3,6 +3,7 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,20 +20,22 @@ double seconds(std::chrono::nanoseconds time) {
 
 }  // namespace
 
-// For a smaller input the cause is not_attempted: it is not kept, and no other input is tried
-// (check::find_failure).
-void Session::call_no_more(results::Cause cause, const std::string& why) const {
+// The cause is told once. For a smaller input it is not_attempted: the input is not kept, and no other
+// one is tried (check::find_failure).
+void Session::call_no_more(results::Cause cause, const std::string& why) {
+  if (std::exchange(has_ended_, true)) cause = results::Cause::not_called;
   settings_.give_up(settings_.smaller_inputs ? results::Cause::not_attempted : cause,
                     "not called any more: " + why);
 }
 
 void Session::expect_time_left() {
   if (timeouts_ >= settings_.max_timeouts) {
-    call_no_more(last_cause_, fmt::format("{} {} no answer", timeouts_,
-                                          timeouts_ == 1 ? "call got" : "calls got"));
+    call_no_more(
+        results::Cause::not_called,
+        fmt::format("{} {} no answer", timeouts_, timeouts_ == 1 ? "call got" : "calls got"));
   }
   if (failures_ >= settings_.max_failures) {
-    call_no_more(last_cause_, "too many calls crashed or gave no answer");
+    call_no_more(results::Cause::not_called, "too many calls crashed or gave no answer");
   }
   const std::uint64_t bytes = answered() - answered_before_;
   if (bytes > settings_.max_answered) {
@@ -79,7 +82,6 @@ void Session::keep_totals(results::Cause cause) {
 }
 
 void Session::count_failure(const WorkerFailed& failure) {
-  last_cause_ = failure.cause;
   if (failure.cause == results::Cause::timeout) {
     ++timeouts_;
   } else {

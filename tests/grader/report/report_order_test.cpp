@@ -56,13 +56,14 @@ TEST(order, puts_the_most_telling_promise_first) {
   mean.failures[0].statistical = true;
   const TaskResult task = failing(
       "hit_bvh",
-      {bonus, broken("long", failure(Cause::wrong, "2", 0, 40)), mean,
+      {bonus, broken("silent", failure(Cause::not_called)),
+       broken("long", failure(Cause::wrong, "2", 0, 40)), mean,
        broken("rare", failure(Cause::wrong, "2", 90)), broken("basic", failure(Cause::wrong)), kept,
        broken("special", failure(Cause::wrong)), broken("slow", failure(Cause::timeout)),
        broken("odd", failure(Cause::bad_reply)),
-       broken("dead", failure(Cause::crash, "signal 11", 50, 40)), kept, kept});
+       broken("dead", failure(Cause::crash, "signal 11", 50, 40)), kept, kept, kept});
   EXPECT_THAT(order(task), ElementsAre("dead", "slow", "odd", "basic", "special", "long", "rare",
-                                       "mean", "bonus"));
+                                       "mean", "silent", "bonus"));
 }
 
 // A wrong cosine breaks thirteen promises of fourteen. The simplest, the first, tells more than an exact one.
