@@ -53,10 +53,11 @@ pt::Image block_means(const pt::Image& image) {
 
 pt::Picture block_difference_map(const pt::Image& render, const pt::Image& golden) {
   const pt::Image a = block_means(render), b = block_means(golden);
+  const double dark = pt::compare(a, b).dark;
   pt::Picture map(a.width, a.height);
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const double relative =
-        pt::relative_difference(pt::luminance(a.pixels[i]), pt::luminance(b.pixels[i]));
+        pt::relative_difference(pt::luminance(a.pixels[i]), pt::luminance(b.pixels[i]), dark);
     map.pixels[i] = pt::difference_color(relative, kBlockScale);
   }
   return map;

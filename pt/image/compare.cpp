@@ -10,8 +10,6 @@
 namespace pt {
 namespace {
 
-constexpr double kDarkToTheEye = 0.01;  // keeps the differences of dark pixels in bounds
-
 // Blue and orange, because red and green look alike to some people. Both ends are equally bright.
 constexpr std::array<Color8, 5> kDifferenceStops{
     {{8, 64, 150}, {90, 160, 225}, {255, 255, 255}, {245, 155, 60}, {165, 70, 0}}};
@@ -28,7 +26,9 @@ void check_sizes(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-double relative_difference(double a, double b) { return (a - b) / (std::abs(b) + kDarkToTheEye); }
+double relative_difference(double a, double b, double dark) {
+  return a == b ? 0 : (a - b) / (std::abs(b) + dark);
+}
 
 Comparison compare(const Image& a, const Image& b) {
   check_sizes(a, b);
@@ -109,11 +109,11 @@ Color8 difference_color(double relative, double full) {
 }
 
 Picture difference_map(const Image& a, const Image& b) {
-  check_sizes(a, b);
+  const double dark = compare(a, b).dark;
   Picture picture(a.width, a.height);
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     picture.pixels[i] =
-        difference_color(relative_difference(luminance(a.pixels[i]), luminance(b.pixels[i])));
+        difference_color(relative_difference(luminance(a.pixels[i]), luminance(b.pixels[i]), dark));
   }
   return picture;
 }

@@ -55,14 +55,15 @@ struct MeanTest {
 // variance. Throws pt::Error if the sizes differ.
 std::optional<MeanTest> compare_means(const Film& a, const Film& b);
 
-// (a - b) / (|b| + 0.01), for pictures of a difference: bounded where b is dark.
-double relative_difference(double a, double b);
+// (a - b) / (|b| + dark), for pictures of a difference; 0 if they are equal.
+double relative_difference(double a, double b, double dark);
 
 // Blue where a is darker, orange where it is brighter, white where they agree; full at `full`, and
 // black for NaN.
 Color8 difference_color(double relative, double full = 0.2);
 
-// The relative difference of the luminances in these colours; difference_picture adds a legend.
+// The relative difference of the luminances in these colours, with the `dark` of the comparison;
+// difference_picture adds a legend.
 // They throw pt::Error if the sizes differ.
 Picture difference_map(const Image& a, const Image& b);
 Picture difference_picture(const Image& a, const Image& b);

@@ -85,10 +85,14 @@ function joined(left, right, part) {
 const luminance_at = (floats, i) =>
   0.2126 * floats[3 * i] + 0.7152 * floats[3 * i + 1] + 0.0722 * floats[3 * i + 2];
 
+// Relative to the right brightness, and for dark pixels to 4 % of the picture's, as ./run compare.
 function paint_difference(canvas, a, b) {
+  let sum = 0;
+  for (let i = 0; i < b.floats.length / 3; ++i) sum += luminance_at(b.floats, i) || 0;
+  const dark = 0.04 * 3 * sum / b.floats.length;
   paint(canvas, a.width, a.height, (i, data, at) => {
     const [mine, right] = [luminance_at(a.floats, i), luminance_at(b.floats, i)];
-    const color = signed_color((mine - right) / (right + 0.01));
+    const color = signed_color(mine === right ? 0 : (mine - right) / (right + dark));
     for (let c = 0; c < 3; ++c) data[at + c] = color[c];
   });
 }

@@ -36,7 +36,17 @@ function percent(ratio) {
 }
 
 const luminance = (c) => 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-const relative = (a, b) => (a - b) / (Math.abs(b) + 0.01);
+const relative = (a, b, dark) => a === b ? 0 : (a - b) / (Math.abs(b) + dark);
+
+// dark_of, as pt/image/compare.h has it.
+function dark_of(rgb) {
+  let sum = 0, count = 0;
+  for (let i = 0; i < rgb.length; i += 3) {
+    const y = luminance(rgb.slice(i, i + 3));
+    if (Number.isFinite(y)) [sum, count] = [sum + y, count + 1];
+  }
+  return count ? 0.04 * sum / count : 0;
+}
 
 function element(name, text, className) {
   const made = document.createElement(name);
@@ -56,7 +66,7 @@ function row(label, values) {
 function reader(viewer) {
   const data = viewer.dataset;
   const film = data.kind === "film";
-  let render, golden, noise;
+  let render, golden, noise, dark;
   // A small page has no values of pixels.
   if (!data.render) return () => "";
   return (index) => {
@@ -64,6 +74,7 @@ function reader(viewer) {
       const decode = film ? halves : integers;
       [render, golden] = [decode(data.render), decode(data.golden)];
       noise = data.noise ? halves(data.noise) : null;
+      dark = film ? dark_of(golden) : 0;
     }
     const at = (numbers) => {
       if (!film) return [numbers[index]];
@@ -74,9 +85,9 @@ function reader(viewer) {
     const table = element("table");
     table.append(row("", film ? ["R", "G", "B", "Y"] : ["samples"]), row("render", a.map(shown)),
       row("golden", b.map(shown)),
-      row("off by", a.map((value, i) => percent(film ? relative(value, b[i]) : value / b[i] - 1))));
+      row("off by", a.map((value, i) => percent(film ? relative(value, b[i], dark) : value / b[i] - 1))));
     if (noise) {
-      const spread = noise[index] / (Math.abs(b[3]) + 0.01);
+      const spread = noise[index] / (Math.abs(b[3]) + dark);
       table.append(row("noise", ["", "", "", `\u00b1 ${percent(spread).slice(1)}`]));
     }
     return table;

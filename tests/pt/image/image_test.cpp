@@ -315,10 +315,13 @@ TEST(Compare, draws_less_in_blue_and_more_in_orange) {
   EXPECT_EQ(difference_color(0.2), difference_color(1));
   EXPECT_NE(difference_color(0.2), difference_color(0.19));
   Image a(1, 1), b(1, 1);
-  a.at(0, 0) = gray(0.899);
-  b.at(0, 0) = gray(1);
-  // 0.899 against 1: 0.101 / 1.01 = 10 % less.
-  EXPECT_EQ(difference_picture(a, b).at(0, 0), difference_color(-0.1));
+  // 0.896 against 1: 0.104 / 1.04 = 10 % less, and so under lamps a hundredth as bright.
+  for (const double lamp : {1.0, 0.01}) {
+    a.at(0, 0) = gray(0.896 * lamp);
+    b.at(0, 0) = gray(lamp);
+    EXPECT_EQ(difference_picture(a, b).at(0, 0), difference_color(-0.1));
+  }
+  EXPECT_EQ(difference_picture(Image(1, 1), Image(1, 1)).at(0, 0), difference_color(0));
 }
 
 }  // namespace
