@@ -61,8 +61,11 @@ std::string drawing_of_ray(const json& ray) {
                               : is_leaf(test)    ? "#d9772b"
                                                  : "#3d76b0";
     text += fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"10\" fill=\"{}\"/>\n", from,
-        y + 3, std::max(to - from, 1.5), color);
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"10\" fill=\"{}\"><title>t from "
+        "{} to "
+        "{}: {}</title></rect>\n",
+        from, y + 3, std::max(to - from, 1.5), color, number_in(test.at("t").at(0)),
+        number_in(test.at("t").at(1)), fate_of(test));
     for (const json& primitive : test.value("primitives", json::array())) {
       if (!primitive.at(1).is_number()) continue;
       text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#111\"/>\n",

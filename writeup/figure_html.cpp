@@ -122,8 +122,13 @@ data charts_data(const Drawn& drawn, const fs::path& folder) {
     item.set("text", chart);
     const fs::path file = folder / "figures" / chart;
     const std::string source = fs::exists(file) ? pt::read_file(file, kMaxChart) : "";
+    const std::size_t svg = source.find("<svg");
+    const bool is_photo = source.find("<image") != source.npos;
     item.set("size", stated_size(source));
-    item.set("photo", source.find("<image") != source.npos);
+    item.set("photo", is_photo);
+    // Only a drawing that is part of the page shows its values under the pointer.
+    item.set("drawing",
+             is_photo || svg == source.npos ? data(false) : data(source.substr(svg + 4)));
     charts.push_back(item);
   }
   return charts;

@@ -22,13 +22,13 @@ set ylabel "{}"
 set xrange [{:.6g}:{:.6g}]
 set yrange [{:.6g}:{:.6g}]
 {}
-set key outside right
+set key below Left reverse samplen 2
 plot {}
 )gp";
 
 // A candidate: one point, or one point per table.
 struct ChartLine {
-  std::string title;
+  std::string name, title;
   bool is_own = false;
   std::vector<std::array<double, 2>> points;
 };
@@ -60,7 +60,7 @@ std::vector<ChartLine> curves(const About& about, const std::vector<Table>& tabl
   for (std::size_t i = 0; i < tables[0].rows.size(); ++i) {
     const Row& first = tables[0].rows[i];
     if (!first.problem.empty()) continue;
-    ChartLine curve{title_of(first.name), first.is_own, {}};
+    ChartLine curve{first.name, title_of(first.name), first.is_own, {}};
     bool is_wrong = false, is_finite = true;
     for (const Table& table : tables) {
       const Row& row = table.rows[i];
@@ -139,13 +139,13 @@ std::vector<double> ticks(const Span& span) {
 }
 
 // The reference and a user's code are large.
-std::string style(const ChartLine& curve, std::size_t number, bool lines) {
+std::string style(const ChartLine& curve, std::size_t number, bool lines,
+                  const std::string& color) {
   const char* const how = lines ? "linespoints" : "points";
   if (curve.is_own) return fmt::format("with {} lc rgb \"{}\" lw 2 pt 5 ps 1.4", how, ink::kOrange);
   if (number == 0) return fmt::format("with {} lc rgb \"{}\" lw 2 pt 7 ps 1.4", how, ink::kBlack);
   static const int kPoints[] = {4, 6, 8, 10, 12, 1, 2, 3};
-  return fmt::format("with {} lc rgb \"{}\" lw 1.5 pt {} ps 1", how, ink_of(number - 1),
-                     kPoints[number % 8]);
+  return fmt::format("with {} lc rgb \"{}\" lw 1.5 pt {} ps 1", how, color, kPoints[number % 8]);
 }
 
 void draw_one(const About& about, const std::vector<Table>& tables,
@@ -155,14 +155,19 @@ void draw_one(const About& about, const std::vector<Table>& tables,
   const Unit unit = unit_of(tables[0].rows[0].nanoseconds.value);
   Span times, offs;
   std::string data, plot;
+  std::vector<std::string> inks{ink::kBlack};
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const auto& [time, off] : all[i].points) {
       times.grow(time / unit.nanoseconds);
       offs.grow(off);
     }
     data += block(all[i].points, unit.nanoseconds);
-    plot += fmt::format("$points index {} using 1:2 {} title \"{}\", ", i,
-                        style(all[i], i, tables.size() > 1), all[i].title);
+    if (i > 0) inks.push_back(ink_of(all[i].name, inks));
+    plot += fmt::format("$points index {} using 1:2 {} title \"{}\"", i,
+                        style(all[i], i, tables.size() > 1, inks[i]), all[i].title);
+    plot += under_the_pointer(
+                {fmt::format("$points index {}", i), all[i].title, "$1", "$2", "$2", ""}) +
+            ", ";
   }
   data += block(front, unit.nanoseconds);
   plot += fmt::format(

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <regex>
 
 #include <fmt/format.h>
 
@@ -15,25 +17,67 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t kMaxChart = std::size_t{1} << 24;
+
 const char* const kStyle = R"gp(set datafile separator ","
-set terminal svg size 760,440 font "sans-serif,13"
+set terminal svg size 520,440 font "sans-serif,13"
 set grid lc rgb "#c8ccd0"
 set border lc rgb "#8a9299"
 )gp";
 
 constexpr double kRow = 0.05;  // the height of a name, as a part of the axis
 
+// A number of a name that is the same on every machine (FNV-1a); of "half b" and half_b the same.
+std::size_t number_of(const std::string& name) {
+  std::uint32_t number = 2166136261U;
+  for (const char c : name) {
+    number = (number ^ static_cast<unsigned char>(c == '_' ? ' ' : c)) * 16777619U;
+  }
+  return number >> 8;
+}
+
+// gnuplot's own titles name its commands, and its texts under the pointer need a script.
+std::string for_pages(std::string svg) {
+  static const std::regex own("<title>[^<]*</title>|<desc>[^<]*</desc>");
+  static const std::regex scripted(
+      R"re(onmousemove="gnuplot_svg.showHypertext\(evt,'([^"]*)'\)" onmouseout="[^"]*">)re");
+  return std::regex_replace(std::regex_replace(svg, own, ""), scripted, "><title>$1</title>");
+}
+
 }  // namespace
 
-const char* ink_of(std::size_t method) {
+const char* ink_of(const std::string& name, const std::vector<std::string>& taken) {
   constexpr const char* kOthers[] = {ink::kVermilion, ink::kBlue, ink::kGreen, ink::kPink,
                                      ink::kSky};
-  return kOthers[method % std::size(kOthers)];
+  constexpr std::size_t kCount = std::size(kOthers);
+  const std::size_t first = number_of(name);
+  for (std::size_t step = 0; step < kCount; ++step) {
+    const char* const color = kOthers[(first + step) % kCount];
+    if (std::ranges::count(taken, color) == 0) return color;
+  }
+  return kOthers[first % kCount];
+}
+
+std::string under_the_pointer(const Values& values) {
+  std::string words, numbers = values.value;
+  for (const char c : values.name) words += c == '%' ? "%%" : c == '"' ? "'" : std::string(1, c);
+  words += ": %.3g";
+  if (!values.error.empty()) {
+    words += " ± %.1g";
+    numbers += ", " + values.error;
+  }
+  return fmt::format(
+      ", {} using ({}):({}):(sprintf(\"{} at %.3g\", {}, {})) with labels hypertext point pt 7 ps "
+      ".9 "
+      "lc rgb \"#ff000000\" notitle",
+      values.data, values.place, values.height, words, numbers, values.place);
 }
 
 std::string names_beside(std::vector<NamedEnd> ends, double low, double high) {
-  std::string text =
-      fmt::format("set key off\nset rmargin 27\nset yrange [{:.5g}:{:.5g}]\n", low, high);
+  std::size_t longest = 0;
+  for (const NamedEnd& end : ends) longest = std::max(longest, end.name.size());
+  std::string text = fmt::format("set key off\nset rmargin {:.1f}\nset yrange [{:.5g}:{:.5g}]\n",
+                                 2 + 0.85 * static_cast<double>(longest), low, high);
   const double axis = std::log10(high / low), row = kRow * axis;
   std::ranges::sort(ends, {}, &NamedEnd::height);
   std::vector<double> rows;
@@ -61,6 +105,8 @@ void draw(const fs::path& folder, const std::string& name, const std::string& co
                                      {}};
   grader::process::run_command(child, std::chrono::seconds(20));
   fs::remove(folder / (name + ".gp"));
+  const fs::path made = folder / (name + ".svg");
+  if (fs::exists(made)) pt::write_file(made, for_pages(pt::read_file(made, kMaxChart)));
 }
 
 }  // namespace measure

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -97,13 +98,42 @@ struct Pen {
   bool named;
 };
 
+// A text in lines of at most `width` letters, with `between` two of them.
+std::string wrapped(const std::string& text, std::size_t width,
+                    const std::string& between = "\\n") {
+  std::string lines;
+  std::size_t column = 0;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool fits = column + 1 + word.size() <= width;
+    if (column > 0) lines += fits ? " " : between;
+    lines += word;
+    column = (column > 0 && fits ? column + 1 : 0) + word.size();
+  }
+  return lines;
+}
+
+// A colour for each line, other than those of the methods beside it in any chart.
+std::vector<std::string> inks_of(const Charts& charts) {
+  std::vector<std::string> inks(charts.lines.size());
+  for (std::size_t line = 0; line < inks.size(); ++line) {
+    std::vector<std::string> taken;
+    for (const Chart& chart : charts.charts) {
+      if (std::ranges::count(chart.methods, line) == 0) continue;
+      for (const std::size_t other : chart.methods) taken.push_back(inks[other]);
+    }
+    inks[line] = ink_of(id_of(charts.lines[line]), taken);
+  }
+  return inks;
+}
+
 // Each method has its own dashes, so that lines on top of each other can be distinguished.
 Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line) {
   if (!is_named(charts, chart, line)) return {"#c8ccd0", 1, 1, false};
   if (charts.lines[line].kind == CurveLine::Kind::reference) return {ink::kBlack, 3, 1, true};
   if (charts.lines[line].kind == CurveLine::Kind::submission) return {ink::kOrange, 3, 1, true};
   const auto method = std::ranges::find(chart.methods, line) - chart.methods.begin();
-  return {ink_of(method), 2, 2 + static_cast<int>(method), true};
+  return {inks_of(charts)[line], 2, 2 + static_cast<int>(method), true};
 }
 
 const char* color_of(const Promised& promised) { return promised.bonus ? "#fde8c8" : "#d9f0d3"; }
@@ -132,16 +162,20 @@ std::string area_of(const Chart& chart, const Promised& promised, const Range& r
 
 std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
   const auto& places = chart.points[0];
-  const std::size_t rows = (keys + 1) / 2;
+  constexpr std::size_t kLetters = 68, kSmallLetters = 84;
+  const std::string input = wrapped(chart.input, kLetters),
+                    source = wrapped(chart.source, kSmallLetters, "}\\n{/*0.8 "),
+                    error = wrapped(chart.error, kLetters);
+  const std::size_t rows = keys + std::ranges::count(input + source, '\\');
   std::string commands = fmt::format(
       "set logscale xy\nset format \"10^{{%L}}\"\nset xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
       "set xlabel {}\nset title \"{{/:Bold {}}}\\n{}\"\n"
-      "set terminal svg size 760,{} font \"sans-serif,13\"\nset bmargin {}\nset rmargin 3\n"
-      "set key at screen 0.09,screen 0.01 left bottom vertical Left reverse maxrows {} samplen 3 "
+      "set terminal svg size 520,{} font \"sans-serif,13\"\nset bmargin {}\nset rmargin 3\n"
+      "set key at screen 0.06,screen 0.01 left bottom vertical Left reverse maxrows {} samplen 3 "
       "width -2\n",
       places.front().place, places.back().place, range.bottom, range.top,
-      quoted(chart.input + "\\n{/*0.8 " + chart.source + "}"), chart.title, chart.error,
-      420 + 20 * rows, 5.5 + 1.25 * static_cast<double>(rows), rows);
+      quoted(input + "\\n{/*0.8 " + source + "}"), chart.title, error, 420 + 20 * rows,
+      5.0 + static_cast<double>(rows), keys);
   if (range.has_zeros) commands += fmt::format("set ytics add (\"0\" {:g})\n", range.zero);
   // A short axis needs every number that it has.
   const auto is_short = [](double low, double high) {
@@ -181,6 +215,16 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem:
           name, i, range.zero, i == 0 ? 1 : 0, pen.color, pen.width, pen.dashes,
           pen.named ? "title " + quoted(charts.lines[i].title) + " noenhanced" : "notitle",
           range.top / 1.3);
+      if (named) {
+        const Values values{fmt::format("\"{}.csv\" index {} skip {}", name, i, i == 0 ? 1 : 0),
+                            charts.lines[i].title,
+                            "$2",
+                            fmt::format("($3 > {0:g} ? $3 : {0:g})", range.zero),
+                            "$3",
+                            has_noise(chart.points[i]) ? "$7" : ""};
+        plot.resize(plot.size() - 2);
+        plot += under_the_pointer(values) + ", ";
+      }
       if (named && has_noise(chart.points[i])) {
         plot += fmt::format(
             "\"{0}.csv\" index {1} using 2:3:($3 > $7 + {2:g} ? $3 - $7 : {2:g}):($3 + $7) skip "
@@ -194,8 +238,12 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem:
     ++keys;
     plot += fmt::format(
         "\"{}.csv\" index {} using 2:($3 > {:g} ? $3 : NaN) with points pt 6 ps .7 lc rgb "
-        "\"#6a3d9a\" title \"theory\", ",
+        "\"#6a3d9a\" title \"theory\"",
         name, charts.lines.size(), range.bottom);
+    plot +=
+        under_the_pointer({fmt::format("\"{}.csv\" index {}", name, charts.lines.size()), "theory",
+                           "$2", fmt::format("($3 > {:g} ? $3 : NaN)", range.bottom), "$3", ""}) +
+        ", ";
   }
   // The areas have entries in the key too.
   for (const Promised& promised : chart.promised) {

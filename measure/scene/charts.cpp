@@ -22,8 +22,7 @@ set xlabel "most bounces, m"
 set ylabel "missing fraction of the radiance"
 set format y "%g"
 set key off
-plot "bounces.csv" using 1:($2 > 0 ? $2 : NaN) skip 1 with linespoints lc rgb "#0072b2" lw 2 pt 7 ps .6
-)gp";
+plot "bounces.csv" using 1:($2 > 0 ? $2 : NaN) skip 1 with linespoints lc rgb "#0072b2" lw 2 pt 7 ps .6{})gp";
 
 const char* const kNoiseChart = R"gp(set logscale x 2
 set yrange [0:*]
@@ -33,12 +32,11 @@ set ytics nomirror
 set xlabel "light samples, l"
 set ylabel "relative variance of a camera sample"
 set y2label "microseconds per camera sample"
-set key top center
+set key below samplen 2
 plot "noise.csv" using 1:2:3 skip 1 with yerrorbars lc rgb "#0072b2" pt 7 ps .6 title "variance", \
      {:.8g} + {:.8g} / x lc rgb "#0072b2" lw 2 title "A + B / l", \
      "" using 1:4:5 skip 1 axes x1y2 with yerrorbars lc rgb "#d55e00" pt 5 ps .6 title "time", \
-     {:.8g} + {:.8g} * x axes x1y2 lc rgb "#d55e00" lw 2 title "c0 + c1 l"
-)gp";
+     {:.8g} + {:.8g} * x axes x1y2 lc rgb "#d55e00" lw 2 title "c0 + c1 l"{}{} axes x1y2)gp";
 
 // A line of the file, and of the chart if it has a colour: a way with its numbers of light samples.
 struct ChartLine {
@@ -46,26 +44,26 @@ struct ChartLine {
   const Option* option;
   int light_samples;
   std::string color;
+  int dashes;
 };
 
 std::vector<ChartLine> curves(const Answer& answer) {
   std::vector<ChartLine> all;
-  const auto add = [&](const std::string& what, const Option& option, const char* ink) {
-    if (option.choice) all.push_back({what, &option, option.choice->light_samples, ink});
+  const auto add = [&](const std::string& what, const Option& option, const char* ink,
+                       int dashes = 1) {
+    if (option.choice) all.push_back({what, &option, option.choice->light_samples, ink, dashes});
   };
   add("cheapest", answer.best, ink::kBlack);
-  add("the course's settings", answer.course, ink::kOrange);
+  add("the course's settings", answer.course, ink::kSky);
   for (std::size_t i = 0; i < answer.survivals.size(); ++i) {
     const Option& option = answer.survivals[i];
     const bool is_last = i > 0 && i + 1 == answer.survivals.size();
     add(fmt::format("survival {:g}", option.way.survival), option,
-        i == 1    ? ink::kPink
-        : is_last ? ink::kGreen
-                  : "");
+        i == 1 || is_last ? ink::kGreen : "", is_last ? 2 : 1);
   }
   for (const Option& option : answer.bounces) {
     add(fmt::format("at most {} bounces", option.way.bounces), option,
-        &option == &answer.bounces[0] ? ink::kSky : "");
+        &option == &answer.bounces[0] ? ink::kBlack : "", 2);
   }
   add("hemisphere sampling", answer.hemisphere, ink::kVermilion);
   return all;
@@ -89,9 +87,13 @@ void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
                          pixels * s * choice.seconds / choice.samples, error(s));
     }
     if (!curve.color.empty()) {
-      plot +=
-          fmt::format("\"options.csv\" index {} using 4:5 skip {} with lines lc rgb \"{}\" lw {}, ",
-                      block, block == 0 ? 1 : 0, curve.color, block < 2 ? 3 : 2);
+      plot += fmt::format(
+          "\"options.csv\" index {} using 4:5 skip {} with lines lc rgb \"{}\" lw {} dt {}", block,
+          block == 0 ? 1 : 0, curve.color, block < 2 ? 3 : 2, curve.dashes);
+      plot += under_the_pointer(
+                  {fmt::format("\"options.csv\" index {} skip {}", block, block == 0 ? 1 : 0),
+                   curve.title, "$4", "$5", "$5", ""}) +
+              ", ";
       ends.push_back({curve.title, curve.color, error(kMostSamples)});
       low = std::min(low, error(kMostSamples));
       high = std::max(high, error(kFewestSamples));
@@ -116,7 +118,10 @@ void draw_bounces(const Answer& answer, const fs::path& folder) {
     csv += fmt::format("{},{:.6g}\n", m, std::sqrt(answer.bias2[m].value));
   }
   pt::write_file(folder / "bounces.csv", csv);
-  draw(folder, "bounces", kBouncesChart);
+  draw(folder, "bounces",
+       fmt::format(fmt::runtime(kBouncesChart),
+                   under_the_pointer({"\"bounces.csv\" skip 1", "missing with at most m bounces",
+                                      "$1", "($2 > 0 ? $2 : NaN)", "$2", ""})));
 }
 
 void draw_noise(const Answer& answer, const fs::path& folder) {
@@ -129,8 +134,11 @@ void draw_noise(const Answer& answer, const fs::path& folder) {
   }
   pt::write_file(folder / "noise.csv", csv);
   draw(folder, "noise",
-       fmt::format(fmt::runtime(kNoiseChart), option.model.noise.at_zero, option.model.noise.slope,
-                   1e6 * option.model.seconds.at_zero, 1e6 * option.model.seconds.slope));
+       fmt::format(
+           fmt::runtime(kNoiseChart), option.model.noise.at_zero, option.model.noise.slope,
+           1e6 * option.model.seconds.at_zero, 1e6 * option.model.seconds.slope,
+           under_the_pointer({"\"noise.csv\" skip 1", "variance", "$1", "$2", "$2", "$3"}),
+           under_the_pointer({"\"noise.csv\" skip 1", "microseconds", "$1", "$4", "$4", "$5"})));
 }
 
 }  // namespace

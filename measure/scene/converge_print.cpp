@@ -12,8 +12,12 @@ namespace measure::scene {
 
 namespace {
 
-std::string name_of(const MethodCurve& curve) {
-  return curve.method.title + (curve.fails ? ": fails" : "");
+// A short name for a chart: "lights, l = 1, adaptive" differs from the first method by one word.
+std::string name_of(const MethodCurve& curve, const MethodCurve& first) {
+  const std::string common = first.method.title + ", ";
+  std::string name = curve.method.title;
+  if (name.starts_with(common)) name.erase(0, common.size());
+  return name + (curve.fails ? ": fails" : "");
 }
 
 // The points of a method that fails are crosses.
@@ -84,11 +88,14 @@ void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve&
                          at.value.value, at.value.error);
       span.grow(at.value.value);
     }
-    ends.push_back({name_of(curve), drawn[i].color, places.back().value.value});
+    ends.push_back({name_of(curve, first), drawn[i].color, places.back().value.value});
     plots += fmt::format(
         "{0}\"efficiency.csv\" index {1} using 2:($3-$4):($3+$4) skip {2} with filledcurves lc rgb "
         "\"{3}\", \"\" index {1} using 2:3 skip {2} with linespoints lc rgb \"{3}\" lw 2 pt {4}",
         i > 0 ? ", " : "", i, i == 0 ? 1 : 0, drawn[i].color, mark_of(curve));
+    plots +=
+        under_the_pointer({fmt::format("\"efficiency.csv\" index {} skip {}", i, i == 0 ? 1 : 0),
+                           name_of(curve, first), "$2", "$3", "$3", "$4"});
   }
   pt::write_file(folder / "efficiency.csv", csv);
   draw(folder, "efficiency",
@@ -114,11 +121,15 @@ void draw_errors(const std::vector<DrawnMethod>& drawn, const MethodCurve& first
   for (const DrawnMethod& each : drawn) {
     if (each.curve->method.engine && !over_seconds) continue;
     for (const Checked& point : each.curve->points) span.grow(point.error.value);
-    ends.push_back({name_of(*each.curve), each.color, each.curve->points.back().error.value});
+    ends.push_back(
+        {name_of(*each.curve, first), each.color, each.curve->points.back().error.value});
     plots += fmt::format(
         "{}\"converge.csv\" index {} using {}:6:7 with yerrorlines lc rgb \"{}\" lw 2 pt {}",
         plots.empty() ? "" : ", ", each.curve - &first, axis.column, each.color,
         mark_of(*each.curve));
+    plots += under_the_pointer({fmt::format("\"converge.csv\" index {}", each.curve - &first),
+                                name_of(*each.curve, first), fmt::format("${}", axis.column), "$6",
+                                "$6", "$7"});
   }
   if (over_seconds) {
     plots += fmt::format(", \"front.csv\" using 1:2 skip 1 with lines lc rgb \"{}\" lw 1.5 dt 3",

@@ -81,8 +81,7 @@ set key top left
 set bmargin 10
 set rmargin 20
 plot "ladder.csv" using 1:8:9 skip 1 with yerrorlines lc rgb "#0072b2" lw 2 pt 7 ps .6 title "time x variance", \
-     "" using 1:10 skip 1 with linespoints lc rgb "#d55e00" lw 1.5 pt 5 ps .5 title "rays x variance"
-)gp";
+     "" using 1:10 skip 1 with linespoints lc rgb "#d55e00" lw 1.5 pt 5 ps .5 title "rays x variance"{}{})gp";
 
 }  // namespace
 
@@ -113,9 +112,12 @@ void write_ladder(const Ladder& ladder, const std::filesystem::path& folder) {
     names += fmt::format("{}\"{}\" {}", k == 0 ? "" : ", ", rung.rung.idea, k);
   }
   pt::write_file(folder / "ladder.csv", csv);
-  draw(folder, "ladder",
-       fmt::format(fmt::runtime(kLadderChart), names,
-                   static_cast<double>(ladder.rungs.size()) - .5));
+  draw(
+      folder, "ladder",
+      fmt::format(
+          fmt::runtime(kLadderChart), names, static_cast<double>(ladder.rungs.size()) - .5,
+          under_the_pointer({"\"ladder.csv\" skip 1", "time x variance", "$1", "$8", "$8", "$9"}),
+          under_the_pointer({"\"ladder.csv\" skip 1", "rays x variance", "$1", "$10", "$10", ""})));
 }
 
 }  // namespace measure::scene

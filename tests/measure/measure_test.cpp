@@ -1,8 +1,11 @@
-// The numbers of ./run measure: intervals, the front, and the report on wrong answers.
+// The numbers of ./run measure: intervals, the front, and the report on wrong answers; and its charts.
 #include "grader/tasks.h"
 #include "measure/calls/print.h"
 #include "measure/calls/results.h"
+#include "measure/charts/gnuplot.h"
+#include "pt/file.h"
 #include "pt/sampling/sampler.h"
+#include "tests/fixtures/temporary_folder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +184,33 @@ TEST(measure, csv_has_all_columns) {
   }
   EXPECT_EQ(lines, 1 + 2 * tasks().size());
   EXPECT_NE(csv.find("\"it threw \"\"x\"\"\""), std::string::npos);
+}
+
+TEST(charts, a_method_keeps_its_colour_unless_it_is_taken) {
+  const std::string own = ink_of("half_b", {});
+  EXPECT_EQ(ink_of("half_b", {ink::kBlack}), own);
+  EXPECT_EQ(ink_of("half b", {}), own);
+  EXPECT_NE(ink_of("half_b", {own}), own);
+  std::vector<std::string> taken;
+  for (int i = 0; i < 5; ++i) taken.push_back(ink_of("half_b", taken));
+  std::ranges::sort(taken);
+  EXPECT_EQ(std::ranges::unique(taken).begin(), taken.end());
+  EXPECT_EQ(ink_of("half_b", taken), own);
+}
+
+TEST(charts, a_point_shows_its_values_under_the_pointer) {
+  const TemporaryFolder folder;
+  pt::write_file(folder.path() + "/points.csv", "1,20,3\n");
+  const std::string plot = "plot \"points.csv\" using 1:2 with points";
+  draw(folder.path(), "points",
+       plot + under_the_pointer({"\"points.csv\"", "50 % of \"<b>\"", "$1", "$2", "$2", "$3"}) +
+           "\n");
+  const std::string file = folder.path() + "/points.svg";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "gnuplot is missing";
+  const std::string svg = pt::read_file(file);
+  EXPECT_NE(svg.find("<title>50 % of '&lt;b>': 20 ± 3 at 1</title>"), std::string::npos) << svg;
+  EXPECT_EQ(svg.find("<title>"), svg.rfind("<title>"));
+  EXPECT_EQ(svg.find("onmouse"), std::string::npos);
 }
 
 }  // namespace
