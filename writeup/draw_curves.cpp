@@ -70,6 +70,8 @@ void enter_line(const json& line, double threshold, Drawn& drawn) {
   enter(".first", error_at(points.front()));
   enter(".last", error_at(points.back()));
   enter(".largest", two_digits(largest));
+  enter(".from", two_digits(points.front().at("place")));
+  enter(".to", two_digits(points.back().at("place")));
   drawn.rows.push_back({line.at("title"), error_at(points.front()), error_at(points.back()),
                         fails ? two_digits(*fails) : kDash});
 }
@@ -148,26 +150,40 @@ std::vector<Cells> read_rows(const fs::path& file) {
   return rows;
 }
 
+struct Factor {
+  double value = 1, error = 0;
+};
+
+// The logarithm of a number in a column, and its standard error from the 95 % interval beside it.
+Factor logarithm(const Cells& row, const std::string& column) {
+  const auto number = [&](const char* end) { return std::stod(row.at(column + end)); };
+  constexpr double kWidth = 2 * 1.96;
+  return {std::log(number("")), (number("_high") - number("_low")) / kWidth / number("")};
+}
+
 // The geometric mean over the cases of a task (scenes, sizes) of the ratio of two ways in a column;
 // nothing if a way has no number.
-std::optional<double> ratio(const std::vector<Cells>& rows, const Price& price,
+std::optional<Factor> ratio(const std::vector<Cells>& rows, const Price& price,
                             const std::string& column) {
-  std::map<std::string, std::map<std::string, double>> numbers;  // by case and way
+  std::map<std::string, std::map<std::string, Factor>> numbers;  // by case and way
   for (const Cells& row : rows) {
     if (row.at("task") != price.task || !row.contains(column) || row.at(column).empty()) continue;
     std::string name = row.at("implementation");
     std::ranges::replace(name, ' ', '_');
-    numbers[row.at("case")][name] = std::stod(row.at(column));
+    numbers[row.at("case")][name] = logarithm(row, column);
   }
-  double sum = 0;
+  double sum = 0, squares = 0;
   int cases = 0;
   for (const auto& [name, of_case] : numbers) {
     if (!of_case.contains(price.plain) || !of_case.contains(price.remedy)) continue;
-    sum += std::log(of_case.at(price.remedy) / of_case.at(price.plain));
+    const Factor &remedy = of_case.at(price.remedy), &plain = of_case.at(price.plain);
+    sum += remedy.value - plain.value;
+    squares += remedy.error * remedy.error + plain.error * plain.error;
     ++cases;
   }
   if (cases == 0) return {};
-  return std::exp(sum / cases);
+  const double factor = std::exp(sum / cases);
+  return Factor{factor, factor * std::sqrt(squares) / cases};
 }
 
 std::string words_of(std::string name) {
@@ -175,8 +191,11 @@ std::string words_of(std::string name) {
   return name;
 }
 
-std::string times(std::optional<double> factor) {
-  return factor ? fmt::format("{:.2f}\u00d7", *factor) : kDash;
+std::string times(const std::optional<Factor>& factor) {
+  constexpr double kCounts = 2;  // standard errors, as in ./run ladder
+  if (!factor) return kDash;
+  const bool is_seen = std::abs(factor->value - 1) >= kCounts * factor->error;
+  return factor_text(factor->value, factor->error) + (is_seen ? "" : ", not seen");
 }
 
 }  // namespace
@@ -201,12 +220,12 @@ Drawn draw_prices(const Plan& plan, const Figure& figure, const fs::path& folder
   const std::vector<Cells> rows = read_rows(file);
   drawn.columns = {"what fails", "task", "plain", "remedy", "time per call", "time × variance"};
   for (const Price& price : figure.prices) {
-    const std::optional<double> time = ratio(rows, price, "nanoseconds");
-    const std::optional<double> work = ratio(rows, price, "time_x_variance");
+    const std::optional<Factor> time = ratio(rows, price, "ratio");
+    const std::optional<Factor> work = ratio(rows, price, "time_x_variance");
     drawn.rows.push_back({price.failure, price.task, words_of(price.plain), words_of(price.remedy),
                           times(time), times(work)});
-    if (time) drawn.numbers[price.id + ".time"] = fmt::format("{:.2f}", *time);
-    if (work) drawn.numbers[price.id + ".work"] = fmt::format("{:.2f}", *work);
+    if (time) drawn.numbers[price.id + ".time"] = fmt::format("{:.2f}", time->value);
+    if (work) drawn.numbers[price.id + ".work"] = fmt::format("{:.2f}", work->value);
   }
   return drawn;
 }

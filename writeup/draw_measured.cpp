@@ -21,15 +21,10 @@ std::string percent(double part) {
   return part < 1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
 }
 
-// "1.30 ± .02×", the uncertainty with two digits or fewer.
 std::string times(const json& number) {
   if (number.is_null()) return kDash;
   if (!number.is_array()) return digits(number) + "\u00d7";
-  const double of_it = number.at(1);
-  if (of_it == 0) return digits(number.at(0)) + "\u00d7";
-  return fmt::format(
-      fmt::runtime(of_it < 9.5 ? "{} \u00b1 {:.1g}\u00d7" : "{} \u00b1 {:.0f}\u00d7"),
-      digits(number.at(0)), of_it);
+  return factor_text(number.at(0), number.at(1));
 }
 
 // Copies the files of a measurement, with the figure's name before theirs.

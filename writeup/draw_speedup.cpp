@@ -2,8 +2,10 @@
 #include "pt/file.h"
 #include "writeup/figure.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
-#include <optional>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,14 +20,15 @@ constexpr double kPixels = 480.0 * 360;
 
 // One engine in one scene.
 struct Cell {
-  double seconds = 0;  // per picture of 480 x 360
+  double seconds = 0;  // per picture of 480 x 360: the mean of all turns
+  double error = 0;    // its standard error, as a part of it
   double tests = 0;    // of boxes and surfaces, per ray
   int primitives = 0;
   std::string problem;
 };
 
-Cell measured(const Plan& plan, const std::string& scene, pt::Engine engine) {
-  const Rendered render = plan.store().load(plan.cell(scene, engine));
+Cell measured_once(const Plan& plan, const std::string& scene, pt::Engine engine, int turn) {
+  const Rendered render = plan.store().load(plan.cell(scene, engine, turn));
   Cell cell;
   cell.primitives = render.primitives;
   cell.problem = render.failed;
@@ -44,6 +47,22 @@ Cell measured(const Plan& plan, const std::string& scene, pt::Engine engine) {
   return cell;
 }
 
+Cell measured(const Plan& plan, const std::string& scene, pt::Engine engine) {
+  Cell cell = measured_once(plan, scene, engine, 0);
+  double sum = cell.seconds, squares = cell.seconds * cell.seconds;
+  for (int turn = 1; turn < kTurns && cell.problem.empty(); ++turn) {
+    const Cell again = measured_once(plan, scene, engine, turn);
+    if (!again.problem.empty()) return again;
+    sum += again.seconds;
+    squares += again.seconds * again.seconds;
+  }
+  if (!cell.problem.empty()) return cell;
+  cell.seconds = sum / kTurns;
+  const double variance = std::max(0.0, squares / kTurns - cell.seconds * cell.seconds);
+  cell.error = std::sqrt(variance / (kTurns - 1)) / cell.seconds;
+  return cell;
+}
+
 std::string shown(const Cell& cell, double value) {
   if (!cell.problem.empty()) return kDash;
   return value > 0 ? digits(value) : kDash;
@@ -55,19 +74,27 @@ set xlabel "triangles"
 set ylabel "seconds per picture"
 set key top left
 set format x "%.0s%c"
-plot "{}.csv" using 2:3 skip 1 with linespoints lc rgb "#d55e00" lw 2 pt 7 ps .6 title "no tree", \
-     "" using 2:4 skip 1 with linespoints lc rgb "#0072b2" lw 2 pt 5 ps .6 title "the tree of part 2", \
-     "" using 2:5 skip 1 with linespoints lc rgb "#009e73" lw 2 pt 9 ps .6 title "the fast engine"
+plot "{}.csv" using 2:3 skip 1 with linespoints lc rgb "#8a9299" lw 2 pt 7 ps .6 title "no tree", \
+     "" using 2:4 skip 1 with linespoints lc rgb "#e69f00" lw 2 pt 5 ps .6 title "the tree of part 2", \
+     "" using 2:5 skip 1 with linespoints lc rgb "#000000" lw 2 pt 9 ps .6 title "the fast engine"{}
 )";
 
 // Draws a point for each scene, by its number of triangles.
 void draw_chart(const fs::path& folder, const std::string& id,
                 const std::map<int, std::string>& lines) {
   std::string csv =
-      "scene,triangles,linear_seconds,task_seconds,wide_seconds,linear_tests,task_tests\n";
+      "scene,triangles,linear_seconds,task_seconds,wide_seconds,linear_tests,task_tests,"
+      "linear_error,task_error,wide_error\n";
   for (const auto& [triangles, line] : lines) csv += line;
   pt::write_file(folder / (id + ".csv"), csv);
-  measure::draw(folder, id, fmt::format(fmt::runtime(kChart), id));
+  std::string values;
+  for (const auto& [name, seconds, error] : {std::tuple{"no tree", "$3", "$8"},
+                                             {"the tree of part 2", "$4", "$9"},
+                                             {"the fast engine", "$5", "$10"}}) {
+    values += measure::under_the_pointer(
+        {fmt::format("\"{}.csv\" skip 1", id), name, "$2", seconds, seconds, error});
+  }
+  measure::draw(folder, id, fmt::format(fmt::runtime(kChart), id, values));
 }
 
 std::string csv_line(const std::string& scene, const Cell& linear, const Cell& tree,
@@ -75,19 +102,18 @@ std::string csv_line(const std::string& scene, const Cell& linear, const Cell& t
   const auto number = [](const Cell& cell, double value) {
     return cell.problem.empty() ? fmt::format("{:.6g}", value) : "nan";
   };
-  return fmt::format("{},{},{},{},{},{},{}\n", scene, wide.primitives,
-                     number(linear, linear.seconds), number(tree, tree.seconds),
-                     number(wide, wide.seconds), number(linear, linear.tests),
-                     number(tree, tree.tests));
+  return fmt::format(
+      "{},{},{},{},{},{},{},{},{},{}\n", scene, wide.primitives, number(linear, linear.seconds),
+      number(tree, tree.seconds), number(wide, wide.seconds), number(linear, linear.tests),
+      number(tree, tree.tests), number(linear, linear.error * linear.seconds),
+      number(tree, tree.error * tree.seconds), number(wide, wide.error * wide.seconds));
 }
 
-std::string factor_of(const Cell& linear, const Cell& tree) {
-  return digits(linear.seconds / tree.seconds);
-}
+double factor_of(const Cell& linear, const Cell& tree) { return linear.seconds / tree.seconds; }
 
 void enter_numbers(const std::string& scene, const Cell& linear, const Cell& tree, Drawn& drawn) {
   drawn.numbers[scene + ".triangles"] = std::to_string(tree.primitives);
-  drawn.numbers[scene] = factor_of(linear, tree);
+  drawn.numbers[scene] = digits(factor_of(linear, tree));
   drawn.numbers[scene + ".linear"] = digits(linear.seconds);
   drawn.numbers[scene + ".tree"] = digits(tree.seconds);
   if (!(tree.tests > 0)) return;
@@ -113,10 +139,11 @@ Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folde
     const Cell tree = measured(plan, scene, pt::Engine::task);
     const Cell wide = measured(plan, scene, pt::Engine::wide);
     const bool both = linear.problem.empty() && tree.problem.empty() && tree.seconds > 0;
-    const std::string factor = both ? factor_of(linear, tree) : kDash;
+    const double factor = factor_of(linear, tree);
+    const double error = factor * std::hypot(linear.error, tree.error);
     drawn.rows.push_back({plan.scenes().description(scene), std::to_string(wide.primitives),
                           shown(linear, linear.seconds), shown(tree, tree.seconds),
-                          shown(wide, wide.seconds), both ? factor + "\u00d7" : factor,
+                          shown(wide, wide.seconds), both ? factor_text(factor, error) : kDash,
                           shown(linear, linear.tests), shown(tree, tree.tests)});
     if (both) enter_numbers(scene, linear, tree, drawn);
     for (const Cell& cell : {linear, tree}) {
@@ -125,8 +152,10 @@ Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folde
       if (!cell.problem.empty() && is_new) drawn.problems.push_back(problem);
     }
     lines[wide.primitives] += csv_line(scene, linear, tree, wide);
-    for (const pt::Engine engine : kEngines) {
-      drawn.seconds += plan.store().load(plan.cell(scene, engine)).seconds;
+    for (int turn = 0; turn < kTurns; ++turn) {
+      for (const pt::Engine engine : kEngines) {
+        drawn.seconds += plan.store().load(plan.cell(scene, engine, turn)).seconds;
+      }
     }
   }
   draw_chart(folder, figure.id, lines);

@@ -42,9 +42,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Drawn, pictures, columns, rows, charts, table
 // Three digits: "0.0123", "12345".
 std::string digits(double value);
 
+// A factor and its standard error: "1.30 ± 0.02×"; without the error if it is 0.
+std::string factor_text(double value, double error);
+
 // Draws into the folder, which has to exist. All of the figure's renders have to be settled.
 Drawn draw_pictures(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 Drawn draw_speedup(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
+
+Drawn draw_rules(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 
 Drawn draw_curve(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);
 Drawn draw_prices(const Plan& plan, const Figure& figure, const std::filesystem::path& folder);

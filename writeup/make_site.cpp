@@ -97,6 +97,7 @@ std::string drawing_key(const Plan& plan, const Figure& figure) {
 Drawn draw(const Plan& plan, const Figure& figure, const fs::path& folder) {
   if (figure.kind == "speedup") return draw_speedup(plan, figure, folder);
   if (figure.kind == "pictures") return draw_pictures(plan, figure, folder);
+  if (figure.kind == "rules") return draw_rules(plan, figure, folder);
   if (figure.kind == "curve") return draw_curve(plan, figure, folder);
   if (figure.kind == "prices") return draw_prices(plan, figure, folder);
   if (figure.kind == "path") return draw_path(plan, figure, folder);

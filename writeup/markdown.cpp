@@ -115,8 +115,13 @@ std::size_t end_of_sentence(const std::string& text, std::size_t at) {
   return text.size();
 }
 
+bool is_bold(const std::string& sentence) {
+  const std::size_t last = sentence.find_last_not_of(" \n");
+  return sentence.starts_with("**") && last != sentence.npos && last > 2 && sentence[last] == '*';
+}
+
 // A paragraph or an item of a list without the sentences that have a mark. The bold words before a
-// sentence stay. `left_out` counts the sentences without a number.
+// sentence stay while any sentence of theirs does. `left_out` counts the sentences without a number.
 struct Kept {
   std::string text;
   int left_out = 0;
@@ -124,7 +129,8 @@ struct Kept {
 Kept true_sentences(const std::string& unit) {
   if (unit.starts_with("|")) return {replaced(unit, kUnmeasured, kDash)};
   Kept kept;
-  bool any = false;
+  bool any = false, lost = false;
+  std::size_t bold = unit.npos;  // where bold words begin that have no sentence yet
   for (std::size_t at = 0; at < unit.size();) {
     const std::size_t end = end_of_sentence(unit, at);
     const std::string sentence = unit.substr(at, end - at);
@@ -132,12 +138,19 @@ Kept true_sentences(const std::string& unit) {
     const bool unmeasured = has(sentence, kUnmeasured);
     if (unmeasured && !has(sentence, kUntrue)) ++kept.left_out;
     if (!unmeasured && !has(sentence, kUntrue)) {
+      if (is_bold(sentence) && bold != unit.npos && lost) kept.text.resize(bold);
+      bold = is_bold(sentence) ? kept.text.size() : unit.npos;
+      lost = false;
       kept.text += sentence;
       any = true;
-    } else if (sentence.starts_with("- ")) {
+      continue;
+    }
+    lost = true;
+    if (sentence.starts_with("- ")) {
       kept.text += "- ";
     }
   }
+  if (bold != unit.npos && lost) kept.text.resize(bold);
   if (!any) kept.text.clear();
   if (!kept.text.empty() && kept.text.back() != '\n') kept.text += '\n';
   return kept;

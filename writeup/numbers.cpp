@@ -1,11 +1,20 @@
 #include "writeup/figure.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace writeup {
 
 std::string digits(double value) {
   return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+std::string factor_text(double value, double error) {
+  if (error == 0) return digits(value) + "\u00d7";
+  const int places = std::clamp(static_cast<int>(std::ceil(-std::log10(error))), 0, 4);
+  return fmt::format("{:.{}f} \u00b1 {:.{}f}\u00d7", value, places, error, places);
 }
 
 namespace {
@@ -50,6 +59,13 @@ Words of_scene_needs() {
 std::vector<std::string> number_names(const Figure& figure) {
   if (figure.kind == "converge") return of_converge();
   if (figure.kind == "scene_needs") return of_scene_needs();
+  if (figure.kind == "rules") {
+    Words names{"samples"};
+    for (const char* rule : {"contract", "uniform", "no_black", "root", "neighbours"}) {
+      add(names, rule, {".error", ".median", ".most", ".largest", ".on_black"});
+    }
+    return names;
+  }
   if (figure.kind == "path") {
     return {"paths",  "points",   "x",      "y",      "direct",    "indirect",
             "result", "is_exact", "lights", "hidden", "throughput"};
@@ -60,7 +76,7 @@ std::vector<std::string> number_names(const Figure& figure) {
   }
   Words names;
   for (const std::string& line : figure.lines) {
-    add(names, line, {".fails", ".first", ".last", ".largest"});
+    add(names, line, {".fails", ".first", ".last", ".largest", ".from", ".to"});
   }
   for (const Price& price : figure.prices) add(names, price.id, {".time", ".work"});
   for (const std::string& scene : figure.scenes) {

@@ -21,9 +21,9 @@ constexpr double kDraftCurves = 8;               // times less time for curves
 constexpr const char* kReference = "reference";  // in place of a mistake: no mistake
 constexpr int kUniformBatches = 2;
 constexpr int kSmall = 100;  // pixels wide: small enough for a draft
-// Tests of one triangle by one ray that a cell without a tree may take.
-constexpr double kLinearTests = 3e8;
-constexpr double kDraftLinearTests = 1e7;
+// Tests of one triangle by one ray that a cell without a tree may take in a turn.
+constexpr double kLinearTests = 1e8;
+constexpr double kDraftLinearTests = 3e6;
 
 measure::Spec draft(measure::Spec spec) {
   if (spec.width <= kSmall) return spec;
@@ -151,8 +151,9 @@ Unit Plan::uniform(const Picture& picture) const {
   return uniform;
 }
 
-Unit Plan::cell(const std::string& scene, pt::Engine engine) const {
+Unit Plan::cell(const std::string& scene, pt::Engine engine, int turn) const {
   measure::Spec spec;
+  spec.seed = turn + 1;
   spec.path.show_normals = true;
   spec.path.to = 5;
   spec.engine = engine;
@@ -194,7 +195,9 @@ std::vector<Unit> Plan::units(const Figure& figure) const {
   std::vector<Unit> all;
   for (const std::string& scene : figure.scenes) {
     if (figure.kind != "speedup") break;
-    for (const pt::Engine engine : kEngines) all.push_back(cell(scene, engine));
+    for (int turn = 0; turn < kTurns; ++turn) {
+      for (const pt::Engine engine : kEngines) all.push_back(cell(scene, engine, turn));
+    }
   }
   std::vector<Picture> pictures = figure.pictures;
   if (figure.golden) pictures.push_back(*figure.golden);
@@ -296,7 +299,7 @@ Measurement Plan::of_view(const Figure& figure) const {
 }
 
 std::vector<Measurement> Plan::measurements(const Figure& figure) const {
-  if (figure.kind == "pictures" || figure.kind == "speedup") return {};
+  if (figure.kind == "pictures" || figure.kind == "speedup" || figure.kind == "rules") return {};
   if (figure.kind == "path" || figure.kind == "ray") return {of_view(figure)};
   if (figure.kind == "curve") return {of_curve(figure)};
   return figure.kind == "prices" ? of_prices(figure) : of_scenes(figure);

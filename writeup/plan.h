@@ -51,8 +51,13 @@ class Plan {
   // The uniform render from which the rates of an adaptive picture are predicted.
   Unit uniform(const Picture& picture) const;
 
-  // A cell of a speed-up table: a scene and an engine.
-  Unit cell(const std::string& scene, pt::Engine engine) const;
+  // The settings of an adaptive picture, which are coarser in a draft.
+  pt::AdaptiveSettings adaptive(const Picture& picture) const {
+    return *unit(picture).spec.adaptive;
+  }
+
+  // A cell of a speed-up table: a scene and an engine, rendered in each turn from 0 to kTurns - 1.
+  Unit cell(const std::string& scene, pt::Engine engine, int turn) const;
 
   // Returns whether the files of all its scenes are there; prepare() makes them.
   bool is_prepared(const Figure& figure) const;
@@ -86,6 +91,7 @@ class Plan {
   std::map<std::string, std::vector<pt::BounceRange>> ranges_;
 };
 
+inline constexpr int kTurns = 3;
 inline constexpr pt::Engine kEngines[] = {pt::Engine::linear, pt::Engine::task, pt::Engine::wide};
 
 }  // namespace writeup

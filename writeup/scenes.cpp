@@ -68,7 +68,7 @@ std::string Scenes::short_name(const std::string& name) const {
   const SceneSource& source = sources_.at(name);
   if (has_course_file(source)) return name;
   if (source.mesh.empty()) return fs::path(source.own).stem().string();
-  return fmt::format("{} of {}", source.mesh, mesh_size(source));
+  return fmt::format("{} of {} triangles", source.mesh, mesh_size(source));
 }
 
 void Scenes::prepare(const std::string& name) const {

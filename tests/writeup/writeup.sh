@@ -99,7 +99,13 @@ while read -r file; do
   [ -s "$made/draft/$file" ] || complain "a page names $file, which is not there"
 done < <(grep -ohE '(src|href)="figures/[^"]+' "$made"/draft/*.html | cut -d'"' -f2 | sort -u)
 if grep -n 'class="problem"' "$made"/draft/*.html; then complain "the reference has problems"; fi
-if grep -no 'class="chart" src="[^"]*" alt' "$made"/draft/*.html; then complain "charts without a size make a page jump"; fi
+if grep -no 'class="chart[^"]*" src="[^"]*" alt' "$made"/draft/*.html; then complain "charts without a size make a page jump"; fi
+for page in part2 accuracy needs stability; do
+  [ "$(grep -c '<svg class="chart"' "$made/draft/$page.html")" -eq "$(grep -c '^ viewBox=\|<svg class="chart".* viewBox=' "$made/draft/$page.html")" ] ||
+    complain "a drawing of $page has no size"
+  grep -q '<title>.*: .* at .*</title>' "$made/draft/$page.html" || complain "the charts of $page show no values under the pointer"
+  ! grep -q 'gnuplot_svg\|<title>[^<]*using' "$made/draft/$page.html" || complain "the charts of $page show commands of gnuplot"
+done
 [ "$(grep -c '^<nav class="contents"\|^<a href="#' "$made/draft/stability.html")" -gt 12 ] || complain "stability has no contents"
 [ "$(grep -c '<img src="figures/' "$made/draft/index.html")" -eq 9 ] || complain "the front page has not a picture of each page"
 for page in part5 needs accuracy bugs; do

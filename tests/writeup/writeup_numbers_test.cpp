@@ -72,6 +72,8 @@ TEST_F(NumbersTest, a_line_fails_where_it_passes_the_threshold) {
   EXPECT_EQ(got.numbers.at("climbs.fails"), "1000");
   EXPECT_EQ(got.numbers.at("climbs.first"), "1e-6");
   EXPECT_EQ(got.numbers.at("climbs.last"), "0.01");
+  EXPECT_EQ(got.numbers.at("climbs.from"), "1");
+  EXPECT_EQ(got.numbers.at("climbs.to"), "10000");
   EXPECT_EQ(got.numbers.at("stays.fails"), "\u2013");
   EXPECT_EQ(got.numbers.at("stays.largest"), "0.001");
   EXPECT_EQ(got.numbers.at("stops.fails"), "10000");
@@ -79,19 +81,31 @@ TEST_F(NumbersTest, a_line_fails_where_it_passes_the_threshold) {
   EXPECT_EQ(got.numbers.at("bad.fails"), "1");
 }
 
-// Half and an eighth of the time: a quarter in the geometric mean. Incomplete cases do not count.
+// Half and an eighth of the time: a quarter in the geometric mean. Incomplete cases do not count. Half the time is
+// known to 8 % of it (its interval has 1.96 times that on each side), so the mean of two cases to 4 %.
 TEST_F(NumbersTest, a_remedy_costs_the_mean_factor_of_all_cases) {
   Figure figure;
   figure.kind = "prices";
   figure.prices = {{"far", "the sphere is far away", "hit_sphere", "reference", "half_b"}};
   const std::string csv =
-      "task,case,implementation,nanoseconds,time_x_variance\n"
-      "hit_sphere,\"near\",\"reference\",10,\nhit_sphere,\"near\",\"half_b\",5,\n"
-      "hit_sphere,\"far\",\"reference\",80,\nhit_sphere,\"far\",\"half_b\",10,\n"
-      "hit_sphere,\"alone\",\"half_b\",1000,\nhit_box,\"near\",\"half_b\",1000,\n";
+      "task,case,implementation,ratio,ratio_low,ratio_high,time_x_variance\n"
+      "hit_sphere,\"near\",\"reference\",1,1,1,\n"
+      "hit_sphere,\"near\",\"half_b\",.5,.4216,.5784,\n"
+      "hit_sphere,\"far\",\"reference\",1,1,1,\n"
+      "hit_sphere,\"far\",\"half_b\",.125,.125,.125,\n"
+      "hit_sphere,\"alone\",\"half_b\",1000,1000,1000,\n"
+      "hit_box,\"near\",\"half_b\",1000,1000,1000,\n";
   const Drawn got = drawn(figure, "measure.csv", csv, draw_prices);
   EXPECT_EQ(got.numbers.at("far.time"), "0.25");
   EXPECT_FALSE(got.numbers.contains("far.work"));
+  EXPECT_EQ(got.rows[0][4], "0.25 \u00b1 0.01\u00d7");
+  figure.prices = {{"same", "", "hit_sphere", "reference", "half_b"}};
+  const Drawn same = drawn(figure, "measure.csv",
+                           "task,case,implementation,ratio,ratio_low,ratio_high,time_x_variance\n"
+                           "hit_sphere,\"near\",\"reference\",1,1,1,\n"
+                           "hit_sphere,\"near\",\"half_b\",1.03,.99,1.07,\n",
+                           draw_prices);
+  EXPECT_EQ(same.rows[0][4], "1.03 \u00b1 0.02\u00d7, not seen");
 }
 
 json point_of_path(double x, double part) {
@@ -387,7 +401,7 @@ TEST_F(MadeUp, methods_are_compared_with_the_fastest) {
     EXPECT_EQ(got.rows[i], row);
     EXPECT_EQ(got.columns.size(), row.size());
   };
-  expect_row(0, {"-0.500 \u00b1 0.010", "1.5 \u00b1 0.03\u00d7", "1.2 \u00b1 0.01\u00d7",
+  expect_row(0, {"-0.500 \u00b1 0.010", "1.50 \u00b1 0.03\u00d7", "1.20 \u00b1 0.01\u00d7",
                  "30 \u00b1 12\u00d7", "\u2013"});
   expect_row(1, {"\u2013", "never", "never", "never", "40 %"});
   EXPECT_EQ(got.numbers.at("h1.error"), "50");
@@ -402,10 +416,15 @@ TEST_F(MadeUp, a_tree_is_as_many_times_as_fast) {
   figure.kind = "speedup";
   figure.scenes = {"box"};
   const Drawn got = drawn_by(figure, draw_speedup, [](const Plan& plan) {
+    // The turns differ by a tenth, so that the mean of three is off by a tenth / sqrt(3).
     const auto make = [&](pt::Engine engine, double seconds_a_pixel,
                           const measure::RowHead& a_row) {
-      const Unit unit = plan.cell("box", engine);
-      render(plan.store(), unit, seconds_a_pixel * unit.spec.pixels(), a_row, {pixel(1, 1)});
+      for (int turn = 0; turn < kTurns; ++turn) {
+        const Unit unit = plan.cell("box", engine, turn);
+        const double busy = engine == pt::Engine::task ? .9 + .1 * turn : 1;
+        render(plan.store(), unit, busy * seconds_a_pixel * unit.spec.pixels(), a_row,
+               {pixel(1, 1)});
+      }
     };
     make(pt::Engine::linear, 1e-4, {0, 10, 0, 120, 20, 0});
     make(pt::Engine::task, 1e-5, {0, 10, 60, 20, 10, 0});
@@ -419,7 +438,39 @@ TEST_F(MadeUp, a_tree_is_as_many_times_as_fast) {
   EXPECT_EQ(got.numbers.at("box.tests"), "9");
   ASSERT_EQ(got.rows.size(), 1u);
   EXPECT_EQ(got.rows[0], (std::vector<std::string>{"room", "14", "17.3", "1.73", "0.173",
-                                                   "10\u00d7", "14", "9"}));
+                                                   "10.0 \u00b1 0.6\u00d7", "14", "9"}));
+}
+
+// Variances of 1 and 9 where the brightness is the same: samples in proportion to them draw with the same number
+// everywhere, and samples in proportion to 1 and 3 need 2^2 / 5 of them.
+TEST_F(MadeUp, a_rule_for_samples_can_draw_or_win) {
+  Figure figure;
+  figure.id = figure.kind = "rules";
+  figure.golden = picture("golden", 1024);
+  figure.pictures = {picture("uniform", 1 << 20)};
+  figure.pictures[0].look = Look::predicted;
+  figure.pictures[0].spec.adaptive = pt::AdaptiveSettings{1 << 20, 2, .01};
+  constexpr auto kBright = static_cast<float>(kUnit);
+  const measure::RowPixel quiet{{kBright, kBright, kBright}, 1, 4, -1},
+      noisy{{kBright, kBright, kBright}, 9, 4, -1};
+  const auto draw = [&](const std::vector<measure::RowPixel>& pixels) {
+    return drawn_by(figure, draw_rules, [&](const Plan& plan) {
+      render(plan.store(), plan.uniform(figure.pictures[0]), 1, {}, pixels);
+      render(plan.store(), plan.units(figure, *figure.golden).at(0), 1, {}, pixels);
+    });
+  };
+  const Drawn got = draw({quiet, noisy});
+  ASSERT_EQ(got.problems, std::vector<std::string>{});
+  const double drawn = std::stod(got.numbers.at("contract.error"));
+  EXPECT_NEAR(std::stod(got.numbers.at("uniform.error")), drawn, .01 * drawn);
+  EXPECT_NEAR(std::stod(got.numbers.at("root.error")), std::sqrt(.8) * drawn, .01 * drawn);
+  EXPECT_EQ(got.numbers.at("contract.largest"), got.numbers.at("contract.median"));
+  EXPECT_NEAR(std::stod(got.numbers.at("uniform.largest")),
+              3 * std::stod(got.numbers.at("uniform.median")), .01);
+  // Each pixel has a neighbour of the larger variance.
+  EXPECT_EQ(got.numbers.at("neighbours.error"), got.numbers.at("uniform.error"));
+  for (const std::string& name : number_names(figure))
+    EXPECT_TRUE(got.numbers.contains(name)) << name;
 }
 
 // Twice the error in half the time: for the same error it takes twice as long as the other.

@@ -91,7 +91,13 @@ TEST(Texts, a_sentence_without_its_number_is_left_out) {
   EXPECT_THAT(page, HasSubstr("of 2."));
   EXPECT_THAT(page, HasSubstr("<td>\u2013</td>"));
   EXPECT_THAT(page, HasSubstr("2 sentences of this text are left out"));
-  EXPECT_THAT(page_with("**Why.** It takes {{b}} s.", {}), Not(HasSubstr("It takes")));
+  EXPECT_THAT(page_with("**Why.** It takes {{b}} s.", {}), Not(HasSubstr("Why")));
+  EXPECT_THAT(page_with("**Why.** It takes {{b}} s. **Remedy.** A.", {}),
+              HasSubstr("<p><strong>Remedy.</strong> A.</p>"));
+  EXPECT_THAT(page_with("**Why.** A. **Remedy.** It takes {{b}} s.", {}),
+              HasSubstr("<p><strong>Why.</strong> A.</p>"));
+  EXPECT_THAT(page_with("**It is so.** {{b}} s. A.", {}),
+              HasSubstr("<p><strong>It is so.</strong> A.</p>"));
 }
 
 // All pages of the reference, in one text.
