@@ -1,6 +1,7 @@
-// Compares the wide engine with Embree 3 in one run: rays, whole pictures, threads, and which goals
+// Compares the wide engine with Embree 3, its robust mode and tinybvh in one run: rays, whole pictures, threads, and which goals
 // were reached. See docs/performance.md.
 #include "bench/against_embree.h"
+#include "bench/queries.h"
 #include "pt/accel/kernel.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
@@ -56,6 +57,9 @@ int run(pt::BenchSettings settings, const std::string& scenes, bool quick) {
   fs::create_directories(settings.folder, failed);
   if (failed) throw pt::Error(settings.folder + " cannot be made: " + failed.message());
   std::printf("kernel %s; CPU times; ratios are medians of rounds\n", pt::best_kernel().name);
+  if (!pt::has_tinybvh) {
+    std::printf("tinybvh is not compared: FIRSTLIGHT_TINYBVH named no folder with tiny_bvh.h\n");
+  }
 
   const std::vector<std::string> files = scene_files(scenes);
   std::vector<pt::Goal> goals = pt::compare_rays(settings, blobs, files);
@@ -74,7 +78,7 @@ int run(pt::BenchSettings settings, const std::string& scenes, bool quick) {
 int main(int count, char** arguments) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // prints each line at once, also into a pipe
   CLI::App app(
-      "Compares the wide engine with Embree 3: rays, whole pictures, threads, memory.\n"
+      "Compares the wide engine with Embree 3 and tinybvh: rays, whole pictures, threads, memory.\n"
       "Writes rays.csv, rays.svg, renders.csv and goals.csv. About five minutes.");
   pt::BenchSettings settings;
   std::string scenes = default_scenes();

@@ -40,15 +40,22 @@ void add_spheres(RTCDevice device, RTCScene scene, const std::vector<Sphere>& sp
 
 }  // namespace
 
+Hit triangle_hit(const Primitives& primitives, int primitive, double t, double b1, double b2) {
+  const Triangle& triangle = primitives.triangle(primitive);
+  const Vec3 n = (1 - b1 - b2) * triangle.n0 + b1 * triangle.n1 + b2 * triangle.n2;
+  return {t, normalize(n), primitive};
+}
+
 bool EmbreeScene::count_bytes(void* user, ssize_t bytes, bool) {
   static_cast<EmbreeScene*>(user)->bytes_ += bytes;
   return true;
 }
 
-EmbreeScene::EmbreeScene(const Primitives& primitives)
+EmbreeScene::EmbreeScene(const Primitives& primitives, RTCSceneFlags flags)
     : device_(rtcNewDevice("threads=1")),
       scene_(rtcNewScene(device_)),
       triangle_count_(static_cast<std::uint32_t>(primitives.triangles.size())) {
+  rtcSetSceneFlags(scene_, flags);
   margin_ = 0x1p-16 * max_abs(bounds(primitives).extent());
   if (!primitives.triangles.empty()) add_triangles(device_, scene_, primitives.triangles);
   if (!primitives.spheres.empty()) add_spheres(device_, scene_, primitives.spheres);
@@ -95,10 +102,7 @@ std::optional<Hit> EmbreeScene::hit_of(const Primitives& primitives, const Ray& 
     const int primitive = static_cast<int>(triangle_count_ + query.hit.primID);
     return Hit{t, normalize(ray.at(t) - sphere.center), primitive};
   }
-  const Triangle& triangle = primitives.triangles[query.hit.primID];
-  const double b1 = query.hit.u, b2 = query.hit.v;
-  const Vec3 n = (1 - b1 - b2) * triangle.n0 + b1 * triangle.n1 + b2 * triangle.n2;
-  return Hit{t, normalize(n), static_cast<int>(query.hit.primID)};
+  return triangle_hit(primitives, static_cast<int>(query.hit.primID), t, query.hit.u, query.hit.v);
 }
 
 bool EmbreeScene::occluded(const Ray& ray) const {

@@ -12,16 +12,19 @@
 
 namespace pt {
 
-// The triangles and spheres of a scene in Embree 3, built with its defaults on one thread. All
-// numbers are in single precision, as in Embree.
+// A hit of a triangle at t, with the weights of its second and third corner, and the normal interpolated like ours.
+Hit triangle_hit(const Primitives& primitives, int primitive, double t, double b1, double b2);
+
+// The triangles and spheres of a scene in Embree 3, built on one thread. All numbers are in single
+// precision, as in Embree. By default nothing stops a ray from slipping through an edge; the robust mode does.
 class EmbreeScene {
  public:
-  explicit EmbreeScene(const Primitives& primitives);
+  explicit EmbreeScene(const Primitives& primitives, RTCSceneFlags flags = RTC_SCENE_FLAG_NONE);
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  // Queries for one ray, with rtcIntersect1 and rtcOccluded1. The normal is interpolated like ours.
+  // Queries for one ray, with rtcIntersect1 and rtcOccluded1.
   std::optional<Hit> closest(const Primitives& primitives, const Ray& ray) const;
   bool occluded(const Ray& ray) const;
 
