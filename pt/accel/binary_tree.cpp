@@ -70,9 +70,10 @@ class Builder {
   BinaryTree take() { return std::move(tree_); }
 
  private:
+  // The number of blocks, full but for the last. In a range that fits one block, each primitive
+  // counts: it is only split where parts of it are to be other blocks.
   float leaf_cost(std::uint32_t count) const {
-    const std::uint32_t blocks = (count + block_ - 1) / block_;
-    return static_cast<float>(blocks);
+    return static_cast<float>((count + unit_ - 1) / unit_);
   }
 
   // The cheapest cut of one axis, seen from both sides: the boxes of all bins to the right of each
@@ -110,18 +111,14 @@ class Builder {
     return best;
   }
 
-  // Sorts the range so that the left part comes first, and returns where the right part begins, or
-  // `end` if a leaf is as good. If no plane separates the boxes, they are halved in their order.
-  std::uint32_t split(const FloatBox& box, const FloatBox& centers, std::uint32_t begin,
-                      std::uint32_t end, int depth) {
-    const std::uint32_t count = end - begin;
-    const std::uint32_t middle = begin + count / 2;
-    if (depth >= kSahDepth) return count <= block_ ? end : middle;
+  // Sorts the range so that the left part comes first, and returns where the right part begins. If
+  // no plane separates the boxes, they are halved in their order.
+  std::uint32_t split(const FloatBox& centers, std::uint32_t begin, std::uint32_t end, int depth) {
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    if (depth >= kSahDepth) return middle;
+    unit_ = end - begin <= block_ ? 1 : block_;
     const Binning binning(centers);
     const Cut cut = best_cut(binning, begin, end);
-    if (count <= block_ && !(cut.cost + box.half_area() < box.half_area() * leaf_cost(count))) {
-      return end;
-    }
     if (cut.axis < 0) return middle;
     const auto first = tree_.primitives.begin();
     const auto right =
@@ -140,21 +137,21 @@ class Builder {
       for (int a = 0; a < 3; ++a) c.min[a] = c.max[a] = center(b, a);
       centers.grow(c);
     }
-    tree_.nodes[node].box = box;
-    const std::uint32_t middle = split(box, centers, begin, end, depth);
-    if (middle == end) {
-      tree_.nodes[node].first = begin;
-      tree_.nodes[node].count = end - begin;
-      return;
-    }
+    if (node == 0) tree_.cost = TreeCost(box, tree_.primitives.size());
+    const std::uint32_t count = end - begin;
+    tree_.nodes[node] = {box, begin, count, 0};
+    // Two blocks cost the room of one more.
+    const bool is_leaf = count <= block_ && tree_.cost.of(box) <= tree_.cost.room;
+    if (count == 1 || is_leaf) return;
+    const std::uint32_t middle = split(centers, begin, end, depth);
     const auto child = static_cast<std::uint32_t>(tree_.nodes.size());
     tree_.nodes.resize(tree_.nodes.size() + 2);
-    tree_.nodes[node].first = child;
+    tree_.nodes[node].child = child;
     build(child, begin, middle, depth + 1);
     build(child + 1, middle, end, depth + 1);
   }
 
-  std::uint32_t block_;
+  std::uint32_t block_, unit_ = 1;
   BinaryTree tree_;
 };
 

@@ -105,7 +105,7 @@ struct Collapsing {
 
   // The new node is reached by index, because its children's push_back may move it.
   WideRef add(std::uint32_t from) {
-    if (binary.nodes[from].count > 0) return add_block(binary.nodes[from]);
+    if (choice.is_block(from)) return add_block(binary.nodes[from]);
     const auto children = choice.of(from);
     const auto index = static_cast<WideRef>(wide.nodes.size());
     wide.nodes.emplace_back();

@@ -23,8 +23,7 @@ struct WideTree {
   WideRef root = kNothing;
 };
 
-// Gives every wide node up to W children, which child_choice.h chooses, and copies the primitives
-// into blocks. W is 8 or 16.
+// Makes the wide nodes and the blocks that child_choice.h chooses, with copies of the primitives. W is 8 or 16.
 template <int W>
 WideTree<W> collapse(const BinaryTree& binary, const Primitives& primitives,
                      const WideFrame& frame);
