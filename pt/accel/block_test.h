@@ -45,7 +45,7 @@ struct Pairs {
   Floats<W> error;
 };
 
-// Moeller and Trumbore 1997 with the normal stored, undivided, and with the error bounds of
+// Moeller and Trumbore 1997 by the normal, undivided, and with the error bounds of
 // float_ray.h. U, V and W are the volumes over the three edges. They have the same sign if the ray
 // passes between the edges.
 template <int W>
@@ -78,11 +78,13 @@ PT_INLINE Lanes3<kWidth> rows(const float (&m)[3][kWidth]) {
   return {load<kWidth>(m[0]), load<kWidth>(m[1]), load<kWidth>(m[2])};
 }
 
+PT_INLINE Lanes3<kWidth> normals(const Block& b) { return cross<kWidth>(rows(b.e1), rows(b.e2)); }
+
 // Returns whether the ray may reach the plane of any triangle of the block within its range. This
 // is half of test_block, and rules out most walls.
 PT_INLINE bool may_reach_planes(const Block& b, const FloatRay& r) {
   constexpr int W = kWidth;
-  const Lanes3<W> n = rows(b.n);
+  const Lanes3<W> n = normals(b);
   const Floats<W> volume = dot<W>(rows(b.p0) - splat3<W>(r.origin), n);
   const Floats<W> det = dot<W>(splat3<W>(r.direction), n);
   const Ints<W> sign = sign_of<W>(det);
@@ -98,8 +100,8 @@ PT_INLINE bool may_reach_planes(const Block& b, const FloatRay& r) {
 PT_INLINE Verdict<kWidth> test_block(const Block& b, const FloatRay& r, float t_max) {
   Verdict<kWidth> verdict = test_pairs<kWidth>(
       {rows(b.p0) - splat3<kWidth>(r.origin), splat3<kWidth>(r.direction), splat<kWidth>(r.t_min),
-       splat<kWidth>(t_max), rows(b.e1), rows(b.e2), rows(b.n), r.edge_error * load<kWidth>(b.size),
-       r.plane_error * load<kWidth>(b.area)});
+       splat<kWidth>(t_max), rows(b.e1), rows(b.e2), normals(b),
+       r.edge_error * load<kWidth>(b.size), r.plane_error * load<kWidth>(b.area)});
   verdict.maybe &= not_equal<kWidth>(b.primitive, r.source_triangle);
   return verdict;
 }

@@ -34,11 +34,11 @@ void put(WideBlock<W>& block, int slot, const Triangle& triangle, const WideFram
   put(block.p0, slot, frame(triangle.p0));
   put(block.e1, slot, e1);
   put(block.e2, slot, e2);
-  const Vec3 n = cross(e1, e2);
-  put(block.n, slot, n);
-  block.size[slot] = std::max(kSmallest, static_cast<float>(longer + longer * longer / 6));
-  // In a sliver, rounding may move n by more than its own length.
-  const double area = length(n) + 0x1p-24 * longer * longer;
+  block.size[slot] = std::max(kSmallest, static_cast<float>(longer + longer * longer / 4));
+  const double products = sum_abs(e1) * sum_abs(e2) - std::abs(e1.x * e2.x) -
+                          std::abs(e1.y * e2.y) - std::abs(e1.z * e2.z);
+  // In a sliver, what exact_hit moves a corner by may be more than both.
+  const double area = length(cross(e1, e2)) + products / 4 + 0x1p-24 * longer * longer;
   block.area[slot] = std::max(kSmallestArea, static_cast<float>(1.0001 * area));
 }
 
@@ -50,7 +50,6 @@ WideBlock<W> empty_block() {
     put(block.p0, slot, none);
     put(block.e1, slot, none);
     put(block.e2, slot, none);
-    put(block.n, slot, none);
     block.size[slot] = kNone;
     block.area[slot] = kNone;
     block.primitive[slot] = kNothing;
@@ -63,7 +62,6 @@ void put(WideBlock<W>& block, int slot, const Sphere& sphere, const WideFrame& f
   put(block.p0, slot, frame(sphere.center));
   put(block.e1, slot, {sphere.radius * frame.scale, 0, 0});
   put(block.e2, slot, {});
-  put(block.n, slot, {});
   block.size[slot] = kSphere;
   block.area[slot] = 0;
 }

@@ -17,11 +17,16 @@ namespace {
 //
 //   A slab plane's distance, (b - o) / d: b is off by u, o by u |o|, 1/d by 3 u of itself, and the
 //   products and sums round by u each; together at most 8 u C / d. kSlab doubles that.
+//   The normal, n = e1 x e2, of six products a b: each factor is off by u of itself, the product
+//   rounds by u, and the difference by u of n. With M and N as in WideBlock::area, the components of
+//   n are off by 3 u M together, beside the u of their own, which the following includes.
 //   An edge's volume, (d x c) . e with c = p0 - o off by 2 u C: at most 18 u C D E with E as in
-//   WideBlock::size; the third, det - U - V, 42 u C D E + 7 u D E^2, at most 42 u C D size.
-//   The plane's, T = n . c, against t det: 6 u C N and 22 u C N with N as in WideBlock::area, also
-//   where det is so small that its sign is wrong; for a bound on t that was itself rounded by
-//   4 u t + u C / D another 18 u C N. kVolume covers these.
+//   WideBlock::size; the third, det - U - V, 42 u C D E + 10 u D E^2, as M is at most E^2: together
+//   at most 42 u C D size.
+//   The plane's, T = n . c, against t det: 6 u C N and 22 u C N, also where det is so small that its
+//   sign is wrong; for a bound on t that was itself rounded by 4 u t + u C / D another 18 u C N; and
+//   9 u C M, since c is at most C and t D at most 2 C. kVolume covers these, as 46 N + 9 M is less than
+//   50 (N + M / 4).
 //
 // The margin left in both constants (a sixteenth at least) exceeds all terms of higher order, and
 // the 16 rounding errors in double by which exact_hit may move a corner. Far away these are no

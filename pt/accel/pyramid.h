@@ -78,7 +78,7 @@ PT_INLINE std::uint32_t test_block(const Block& b, const Pyramid& pyramid) {
   };
   std::uint32_t spheres = 0;
   for (int i = 0; kSpheres && i < W && is_sphere(b, i); ++i) spheres |= 1u << i;
-  const Lanes3<W> c = rows(b.p0) - splat3<W>(pyramid.origin), n = rows(b.n);
+  const Lanes3<W> c = rows(b.p0) - splat3<W>(pyramid.origin), n = normals(b);
   const Range<W> det = range(n);
   const Floats<W> volume = dot<W>(c, n);
   const Floats<W> above = max<W>(det.high, Floats<W>{}) * pyramid.t_max - volume;
@@ -111,7 +111,7 @@ PT_INLINE Verdict<kGroup> test_slot(const Block& b, int slot, const Pyramid& pyr
                            splat<W>(pyramid.longest), splat<W>(r.t_min), splat<W>(r.t_max));
   }
   return test_pairs<W>({all(b.p0) - splat3<W>(pyramid.origin), pyramid.direction, splat<W>(r.t_min),
-                        splat<W>(r.t_max), all(b.e1), all(b.e2), all(b.n),
+                        splat<W>(r.t_max), all(b.e1), all(b.e2), cross<W>(all(b.e1), all(b.e2)),
                         splat<W>(pyramid.edge_error * b.size[slot]),
                         splat<W>(pyramid.plane_error * b.area[slot])});
 }

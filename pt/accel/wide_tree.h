@@ -25,7 +25,8 @@ struct alignas(4 * W) WideNode {
   WideRef child[W];
 };
 
-// Up to W triangles. The third edge and everything else follow from e1 = p0 - p1 and e2 = p2 - p0.
+// Up to W triangles. The third edge, the normal e1 x e2 and everything else follow from e1 = p0 - p1
+// and e2 = p2 - p0.
 // Empty slots are NaN, which no test accepts. Spheres come first. A sphere has its centre in p0,
 // its radius in e1[0], and kSphere as `size`, so that the tests of triangles never accept it.
 template <int W>
@@ -33,10 +34,10 @@ struct alignas(4 * W) WideBlock {
   float p0[3][W];
   float e1[3][W];
   float e2[3][W];
-  float n[3][W];  // e1 x e2
-  float size[W];  // the scale of the errors of edges: E + E^2 / 6, where E is the longer
+  float size[W];  // the scale of the errors of edges: E + E^2 / 4, where E is the longer
                   // edge, its components added up
-  float area[W];  // the scale of the errors of the plane: the length of n, or a little more
+  float area[W];  // the scale of the errors of the plane: N + M / 4, where N is the length of the
+                  // normal, and M the sum of |a b| over its six products a b
   std::uint32_t primitive[W];
 };
 
