@@ -79,7 +79,7 @@ int main(int count, char** arguments) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // prints each line at once, also into a pipe
   CLI::App app(
       "Compares the wide engine with Embree 3 and tinybvh: rays, whole pictures, threads, memory.\n"
-      "Writes rays.csv, rays.svg, renders.csv and goals.csv. About five minutes.");
+      "Writes rays.csv, rays.svg, renders.csv and goals.csv. About ten minutes.");
   pt::BenchSettings settings;
   std::string scenes = default_scenes();
   bool quick = false;
