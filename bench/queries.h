@@ -21,7 +21,7 @@ Queries queries_of(const WideBvh& bvh, const Primitives& primitives, const std::
 Queries queries_of(const EmbreeScene& embree, const Primitives& primitives,
                    const std::vector<Ray>& rays);
 
-// Whether the program was built with tinybvh (docs/performance.md).
+// True if the program was built with tinybvh (docs/performance.md) and the machine can run it.
 extern const bool has_tinybvh;
 
 // Makes queries of tinybvh's BVH8_CPU from rays that Embree's scene has converted. Empty without

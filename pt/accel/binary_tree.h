@@ -38,7 +38,7 @@ struct BinaryNode {
   std::uint32_t child = 0;
 };
 
-// What a node or a block costs: how likely a ray is to visit it. Rays from outside enter boxes in
+// The cost of a node or a block: how likely a ray is to visit it. Rays from outside enter boxes in
 // proportion to their area; rays that start anywhere in the scene start in them in proportion to
 // their volume. The cost is the sum of both. By area alone, the walls of a room would share a block:
 // its box is the room's, and every ray would test it.
