@@ -48,15 +48,18 @@ struct Answer {
   pt::Sampler sampler;  // its state after the call
 };
 
-inline Answer ask(const Case& c, const pt::PathSettings& settings = {}) {
+inline Answer ask(const Case& c, const pt::PathSettings& settings, pt::Sampler sampler) {
   script_radiance([&](int call, const pt::Ray&) {
     return c.seen[std::min<std::size_t>(call, c.seen.size() - 1)];
   });
   const pt::Scene empty;
   const pt::View view{empty, c.camera, settings, c.width, c.height};
-  pt::Sampler sampler(c.seed);
   const PixelEstimate estimate = pt::adaptive_pixel(view, c.x, c.y, c.settings, sampler);
   return {estimate, radiance_calls(), sampler};
+}
+
+inline Answer ask(const Case& c, const pt::PathSettings& settings = {}) {
+  return ask(c, settings, pt::Sampler(c.seed));
 }
 
 // Returns where a ray goes through the pixel: (0, 0) is its lower left corner, (1, 1) its upper

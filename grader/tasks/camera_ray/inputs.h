@@ -55,6 +55,8 @@ inline pt::Vec3 position() {
       return {};
     case 1:
       return *magnitude(1e-12, 1e12) * *direction();
+    case 2:
+      return *power_of_two(9) * *whole_vector(1);
     default:
       return *point();
   }

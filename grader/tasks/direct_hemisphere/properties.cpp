@@ -155,6 +155,17 @@ PROMISE(direct_hemisphere, reflects_the_albedo) {
         expect_estimate(s, 16);
       },
       3);
+  // A surface that absorbs nothing.
+  for_all(
+      [] {
+        Situation s = *patch_with(lamp);
+        for (int channel = 0; channel < 3; ++channel) {
+          s.expected[channel] /= s.point.albedo[channel];
+        }
+        s.point.albedo = pt::gray(1);
+        expect_estimate(s, 16);
+      },
+      1);
 }
 
 // In a room that glows everywhere, one direction gives 2 albedo L cos, and cos is uniform. Relative
@@ -263,6 +274,12 @@ PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
   for_all([] { expect_even(dome(6), 6000); }, 4);
   for_all([] { expect_even(*rc::gen::exec(narrow_strips), 12000); }, 1);
   for_all(expect_independent_angles, 1);
+  for_all([] {
+    const Situation s = *in_a_glowing_room(pose(1));
+    pt::Sampler sampler = sampler_of_a_rare_number(4);
+    const Rgb one = pt::direct_hemisphere(s.scene, s.point, 1, sampler);
+    expect(pt::is_finite(one), "a finite estimate whatever the random numbers are", show(one));
+  });
   // A bright strip at the horizon, less than a tenth of a degree high. About 50 directions meet it.
   for_all(
       [] {

@@ -256,6 +256,7 @@ PROMISE(direct_lights, reflects_the_albedo) {
         expect_always(s, 1);
       },
       10);
+  for_all([] { expect_always(*white_patch(false), 1); }, 2);
 }
 
 PROMISE(direct_lights, works_in_every_orientation) {

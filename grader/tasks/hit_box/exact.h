@@ -26,12 +26,14 @@ inline rc::Gen<Case> at_a_segment() {
 // A box and a ray of small whole numbers times powers of two, so that no method has to round. At
 // t = `way` the ray is, on each axis, in the middle of the box (0), on its lower side (-1) or on its
 // upper side (1), and it is never parallel to a side that it is on. A ray through the middle of a
-// cube meets all sides that it enters at the same t.
+// cube meets all sides that it enters at the same t. Often a corner of the box or the ray's origin is
+// the world's origin.
 inline Case whole_case(const std::array<int, 3>& places, double way) {
   const double scale = *power_of_two(3), speed = *power_of_two(2);
   const double width = *power_of_two(1), slope = *power_of_two(1);
   const bool cube = *whole(0, 1) == 0;
-  const pt::Vec3 low = *whole_vector(4);
+  const int at_zero = *whole(0, 3);
+  const pt::Vec3 low = at_zero == 0 ? pt::Vec3{} : *whole_vector(4);
   pt::Vec3 size, target, d;
   for (int axis = 0; axis < 3; ++axis) {
     size[axis] = 2 * (cube ? width : *power_of_two(1));
@@ -40,8 +42,11 @@ inline Case whole_case(const std::array<int, 3>& places, double way) {
     d[axis] = still ? 0 : sign() * (cube ? slope : *power_of_two(1));
   }
   if (d == pt::Vec3{}) d[*whole(0, 2)] = sign();
-  return {{scale * low, scale * (low + size)},
-          ray_to(scale * target, speed * with_other_zeros(d), scale / speed * way)};
+  const Case made{{scale * low, scale * (low + size)},
+                  ray_to(scale * target, speed * with_other_zeros(d), scale / speed * way)};
+  if (at_zero != 1) return made;
+  const pt::Vec3 o = made.ray.origin;
+  return {{made.box.min - o, made.box.max - o}, {{}, made.ray.direction}};
 }
 
 inline rc::Gen<Case> through_the_middle(double way) {

@@ -44,11 +44,17 @@ inline pt::Vec3 direction_across(const pt::Triangle& triangle) {
   return with_other_zeros(normalize(d));
 }
 
+// One ray of four starts at the world's origin.
 inline rc::Gen<Aimed> exactly(Weights (*where)()) {
   return rc::gen::exec([=] {
     const pt::Triangle triangle = whole_triangle();
     const pt::Vec3 d = direction_across(triangle);
-    return aimed_along(triangle, where(), d, *power_of_two(3));
+    Aimed made = aimed_along(triangle, where(), d, *power_of_two(3));
+    if (*whole(0, 3) > 0) return made;
+    const pt::Vec3 o = made.ray.origin;
+    for (pt::Vec3* p : {&made.triangle.p0, &made.triangle.p1, &made.triangle.p2}) *p -= o;
+    made.ray.origin = {};
+    return made;
   });
 }
 

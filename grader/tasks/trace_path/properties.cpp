@@ -145,18 +145,29 @@ PROMISE(trace_path, does_not_depend_on_survival) {
       1);
 }
 
+void expect_light_in_all(const Case& c, int calls) {
+  const std::vector<Rgb> found = estimates(c, calls);
+  for (const Rgb& one : found) {
+    expect(max_channel(one) > 0, "light from the second bounce in every estimate",
+           "none: the path ended before it");
+  }
+  expect_mean_of(c, found);
+}
+
 PROMISE(trace_path, takes_the_first_bounce_always) {
   for_all(
       [] {
         const Case c = *asked_of(round_room(gray(0.2, 0.8)), bounces(2, 2), real(0.05, 0.9));
-        const std::vector<Rgb> found = estimates(c, 1000);
-        for (const Rgb& one : found) {
-          expect(max_channel(one) > 0, "light from the second bounce in every estimate",
-                 "none: the path ended before it");
-        }
-        expect_mean_of(c, found);
+        expect_light_in_all(c, 1000);
       },
       kCases);
+  // So many that some go almost along the surface.
+  for_all(
+      [] {
+        expect_light_in_all(*asked_of(round_room(gray(0.2, 0.8)), rc::gen::just(Bounces{2, 2})),
+                            60000);
+      },
+      1);
 }
 
 PROMISE(trace_path, stops_after_the_last_bounce) {
