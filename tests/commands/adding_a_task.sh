@@ -35,8 +35,8 @@ while IFS= read -r line; do
     '```'*) inside=1 block='' ;;
   esac
 done <"$page"
-[ "$files" -eq 13 ] || fail "the page has $files files"
-[ "$(grep -c '^## [0-9]' "$page")" -eq 4 ] || fail "the page does not have four steps"
+[ "$files" -eq 11 ] || fail "the page has $files files"
+[ "$(grep -c '^## [0-9]\. ' "$page")" -eq 4 ] || fail "the page does not have four steps"
 
 # Grades the new task with the copy's own ./run.
 cd "$tree"
