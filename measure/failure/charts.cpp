@@ -128,12 +128,12 @@ std::vector<std::string> inks_of(const Charts& charts) {
 }
 
 // Each method has its own dashes, so that lines on top of each other can be distinguished.
-Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line) {
+Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line, const std::string& color) {
   if (!is_named(charts, chart, line)) return {"#c8ccd0", 1, 1, false};
   if (charts.lines[line].kind == CurveLine::Kind::reference) return {ink::kBlack, 3, 1, true};
   if (charts.lines[line].kind == CurveLine::Kind::submission) return {ink::kOrange, 3, 1, true};
   const auto method = std::ranges::find(chart.methods, line) - chart.methods.begin();
-  return {inks_of(charts)[line], 2, 2 + static_cast<int>(method), true};
+  return {color, 2, 2 + static_cast<int>(method), true};
 }
 
 const char* color_of(const Promised& promised) { return promised.bonus ? "#fde8c8" : "#d9f0d3"; }
@@ -195,7 +195,8 @@ bool has_noise(const std::vector<Point>& points) {
   return std::ranges::any_of(points, [](const Point& point) { return point.noise > 0; });
 }
 
-void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem::path& folder) {
+void draw_chart(const Charts& charts, const Chart& chart, const std::vector<std::string>& inks,
+                const std::filesystem::path& folder) {
   const std::string name = chart.slug + "." + chart.name;
   pt::write_file(folder / (name + ".csv"),
                  data(charts, chart) + (chart.theory.empty() ? "" : theory_data(chart)));
@@ -205,7 +206,7 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem:
   // Thin lines come first, so that others are drawn over them; marks for missing numbers come last.
   for (const bool named : {false, true}) {
     for (std::size_t i = 0; i < charts.lines.size(); ++i) {
-      const Pen pen = pen_of(charts, chart, i);
+      const Pen pen = pen_of(charts, chart, i, inks[i]);
       if (pen.named != named || !is_shown(charts, chart, i)) continue;
       keys += named ? 1 : 0;
       plot += fmt::format(
@@ -257,7 +258,8 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::filesystem:
 }  // namespace
 
 void write_charts(const Charts& charts, const std::filesystem::path& folder) {
-  for (const Chart& chart : charts.charts) draw_chart(charts, chart, folder);
+  const std::vector<std::string> inks = inks_of(charts);
+  for (const Chart& chart : charts.charts) draw_chart(charts, chart, inks, folder);
 }
 
 }  // namespace measure::failure

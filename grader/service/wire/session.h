@@ -40,8 +40,8 @@ struct SessionSettings {
   // A call that asks the judge more often has no end. Right tasks ask 65,537 times at most
   // (estimate_pixel and adaptive_pixel, once for a sample).
   int max_questions = 150'000;
-  // The worker is no longer called after this many bytes of results and questions, because the judge
-  // has to read them. count_answers_anew() begins a new count.
+  // The judge has to read all results and questions. After this many bytes of them it calls the worker
+  // no more. count_answers_anew() begins a new count.
   std::uint64_t max_answered = std::numeric_limits<std::uint64_t>::max();
   // For a session that tries smaller inputs: reaching a limit of all calls only ends that search.
   bool smaller_inputs = false;
