@@ -49,7 +49,7 @@ endforeach()
 add_executable(obedient_worker)
 target_link_libraries(obedient_worker PRIVATE grader_worker grader_connection grader_serve pt_rows)
 firstlight_link_tasks(obedient_worker FROM reference RADIANCE callback CHOICES hit_sphere=obedient diffuse_bsdf=obedient)
-firstlight_test(session_test quick SOURCES ${service}/wire/session_test.cpp LIBRARIES grader_wire
+firstlight_test(session_test quick SOURCES ${service}/wire/session_test.cpp LIBRARIES grader_wire RADIANCE scripted
   CHOICES hit_sphere=remote diffuse_bsdf=remote estimate_pixel=remote
   NEEDS obedient_worker box DEFINES FIRSTLIGHT_OBEDIENT_WORKER="$<TARGET_FILE:obedient_worker>")
 

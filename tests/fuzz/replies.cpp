@@ -124,10 +124,10 @@ void answer_question(int which, std::string_view bytes) {
   if (which == 3) ask(Function::radiance, SignatureOf<&pt::radiance>::code());
   if (which == 3 && bytes.size() % 2 == 1) put(out, handle);
   out.raw(bytes.data(), bytes.size());
-  check::script_radiance([](int, const pt::Ray& ray) {
+  check::script_radiance({.of_call = [](int, const pt::Ray& ray) {
     judge(std::vector<pt::Ray>(3, ray));
     return pt::Rgb{1, 1, 1};
-  });
+  }});
   answer(which == 3 ? "estimate_pixel" : "hit_bvh", out.bytes(), session);
 }
 

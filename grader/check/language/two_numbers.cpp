@@ -3,6 +3,7 @@
 #include "grader/check/language/fail.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -27,32 +28,48 @@ Complex on_circle(double part) {
   return {std::cos(2 * pt::kPi * part), std::sin(2 * pt::kPi * part)};
 }
 
-// A line x = slope y + constant, and how many of the pairs lie close to it, as a part of all.
+// A line waves x = slope y + constant, and how many of the pairs lie close to it, as a part of all.
 struct Line {
-  int slope = 0;
+  int slope = 0, waves = 1;
   double part = 0;
 };
 
-// Adds up e^(2 pi i (k y - m x)) for each whole k but 0, and returns the largest sum, relative to the
-// sum of the weights. Where all pairs lie on m x = k y + constant, it is 1.
-Line strongest_line(const std::vector<NumberPair>& pairs, int m) {
-  std::vector<Complex> sums(2 * kMaxSlope + 1);
+// Adds up e^(2 pi i (k y - m x)) for each whole k but 0 and m = 1, 2, and returns the largest sum, relative
+// to the sum of the weights. Where all pairs lie on m x = k y + constant, it is 1.
+Line strongest_line(const std::vector<NumberPair>& pairs) {
+  using Sums = std::vector<Complex>;
+  std::array<Sums, kMaxWaves> up, down;  // by m; of k = 1, 2, ... and of k = -1, -2, ...
+  up.fill(Sums(kMaxSlope));
+  down.fill(Sums(kMaxSlope));
   double all = 0;
   for (const NumberPair& pair : pairs) {
     const Complex step = on_circle(pair.y);
-    Complex wave = on_circle(-kMaxSlope * pair.y - m * pair.x);
-    for (Complex& sum : sums) {
-      sum.re += pair.weight * wave.re;
-      sum.im += pair.weight * wave.im;
-      wave = times(wave, step);
+    std::array<Complex, kMaxWaves> starts;
+    for (int m = 1; m <= kMaxWaves; ++m) starts[m - 1] = on_circle(-m * pair.x);
+    Complex turned = {pair.weight * step.re, pair.weight * step.im};
+    for (std::size_t i = 0; i < kMaxSlope; ++i) {
+      for (std::size_t m = 0; m < kMaxWaves; ++m) {
+        // start times turned, and times its conjugate
+        const double rr = starts[m].re * turned.re, ii = starts[m].im * turned.im;
+        const double ri = starts[m].re * turned.im, ir = starts[m].im * turned.re;
+        up[m][i].re += rr - ii;
+        up[m][i].im += ri + ir;
+        down[m][i].re += rr + ii;
+        down[m][i].im += ir - ri;
+      }
+      turned = times(turned, step);
     }
     all += pair.weight;
   }
   Line strongest;
-  for (int k = -kMaxSlope; k <= kMaxSlope; ++k) {
-    const Complex sum = sums[static_cast<std::size_t>(k + kMaxSlope)];
-    const double part = std::hypot(sum.re, sum.im) / all;
-    if (k != 0 && !(part <= strongest.part)) strongest = {k, part};
+  for (std::size_t m = 0; m < kMaxWaves; ++m) {
+    for (int k = 1; k <= kMaxSlope; ++k) {
+      for (const int sign : {1, -1}) {
+        const Complex sum = (sign > 0 ? up : down)[m][static_cast<std::size_t>(k - 1)];
+        const double part = std::hypot(sum.re, sum.im) / all;
+        if (!(part <= strongest.part)) strongest = {sign * k, static_cast<int>(m) + 1, part};
+      }
+    }
   }
   return strongest;
 }
@@ -78,17 +95,14 @@ void expect_two_numbers(const std::string& what, const std::vector<NumberPair>& 
   const double by_chance = largest_by_chance(pairs);
   std::vector<NumberPair> other_way(pairs.size());
   std::ranges::transform(pairs, other_way.begin(), exchanged);
-  for (int m = 1; m <= kMaxWaves; ++m) {
-    for (const bool other : {false, true}) {
-      const Line found = strongest_line(other ? other_way : pairs, m);
-      if (found.part <= by_chance) continue;
-      fail_statistical(
-          what,
-          fmt::format("one that follows from the other: it is {:.4g} times it, but for "
-                      "whole numbers",
-                      static_cast<double>(found.slope) / m),
-          "two random numbers that do not depend on each other");
-    }
+  for (const bool other : {false, true}) {
+    const Line found = strongest_line(other ? other_way : pairs);
+    if (found.part <= by_chance) continue;
+    fail_statistical(what,
+                     fmt::format("one that follows from the other: it is {:.4g} times it, but for "
+                                 "whole numbers",
+                                 static_cast<double>(found.slope) / found.waves),
+                     "two random numbers that do not depend on each other");
   }
 }
 

@@ -8,15 +8,12 @@ namespace grader::check {
 
 namespace {
 
-std::function<pt::Rgb(int, const pt::Ray&)> current_script;
-int numbers_per_call = 0;
 std::vector<RadianceCall> calls;
 
 }  // namespace
 
-void script_radiance(std::function<pt::Rgb(int, const pt::Ray&)> script, int numbers) {
-  current_script = std::move(script);
-  numbers_per_call = numbers;
+void script_radiance(RadianceScript script) {
+  radiance_script() = std::move(script);
   calls.clear();
 }
 
@@ -29,8 +26,11 @@ namespace pt {
 Rgb radiance(const Scene&, const Ray& ray, const PathSettings& settings, Sampler& sampler) {
   using namespace grader::check;
   calls.push_back({ray, settings, sampler.state()});
-  for (int i = 0; i < numbers_per_call; ++i) sampler.next_1d();
-  return current_script ? current_script(static_cast<int>(calls.size()) - 1, ray) : Rgb{};
+  const auto& script = radiance_script();
+  if (!script) return {};
+  for (int i = 0; i < script->numbers; ++i) sampler.next_1d();
+  const std::size_t call = calls.size() - 1;
+  return script->of_call ? script->of_call(static_cast<int>(call), ray) : script->at(call);
 }
 
 }  // namespace pt

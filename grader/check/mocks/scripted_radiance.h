@@ -5,8 +5,10 @@
 #include "pt/sampling/sampler.h"
 #include "pt/scene/view.h"
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 // The mock version of radiance() (pt/render/radiance.h) for the properties of estimate_pixel and
@@ -20,9 +22,30 @@ struct RadianceCall {
   pt::Sampler::State sampler{};  // its state when radiance() was called
 };
 
-// From now on, call i (from 0) returns script(i, ray). Each call draws `numbers` numbers from its
-// sampler, as a path does. The calls so far are forgotten.
-void script_radiance(std::function<pt::Rgb(int call, const pt::Ray& ray)> script, int numbers = 0);
+// The radiances that the mock version returns.
+struct RadianceScript {
+  // One after the other, and then the last one again; black if there are none. A worker gets them in
+  // advance, so that a call of radiance() is no message.
+  std::vector<pt::Rgb> values{};
+  // Instead of values, where the radiance depends on the ray or is not known in advance: that of call i
+  // (from 0).
+  std::function<pt::Rgb(int call, const pt::Ray& ray)> of_call{};
+  // The count of numbers that each call draws from its sampler, as a path does.
+  int numbers = 0;
+
+  pt::Rgb at(std::size_t call) const {
+    return values.empty() ? pt::Rgb{} : values[std::min(call, values.size() - 1)];
+  }
+};
+
+// From now on, calls return what the script says. The calls so far are forgotten.
+void script_radiance(RadianceScript script);
+
+// The script, if there is one. It is defined here because programs with another radiance() ask too.
+inline std::optional<RadianceScript>& radiance_script() {
+  static std::optional<RadianceScript> current;
+  return current;
+}
 
 // The calls since the last script_radiance().
 const std::vector<RadianceCall>& radiance_calls();

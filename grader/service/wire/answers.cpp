@@ -6,8 +6,6 @@
 
 namespace grader::wire {
 
-namespace {
-
 // The judge answers a task's inner calls only if the task's properties are about them. A worker has
 // to compute everything else itself: the judge computes nothing for a submission.
 bool answers(std::string_view task, Function function) {
@@ -15,6 +13,8 @@ bool answers(std::string_view task, Function function) {
   return number < kFunctionNames.size() &&
          std::ranges::count(task_of(task).judge_answers, kFunctionNames[number]) > 0;
 }
+
+namespace {
 
 template <auto Pointer>
 Writer answer_with(Reader& in, std::uint64_t code, const Session& session) {

@@ -1,6 +1,7 @@
 // The worker's end: the implementation `callback` of one task or slot, FIRSTLIGHT_TASK; compiled
 // once for each. The call goes back to the judge, which answers with its counting versions
-// (grader/check/mocks/counting.h), its mocks or its scripted radiance.
+// (grader/check/mocks/counting.h), its mocks or its scripted radiance. Radiances that it has given in
+// advance are answered here.
 #include "grader/service/wire/connection.h"
 #include "grader/service/wire/store.h"
 
@@ -12,6 +13,10 @@ auto ask(Arguments&... arguments) {
   Writer question;
   put(question, AskHead{static_cast<std::uint32_t>(kFunction<Function>), Signature::code()});
   Signature::put(question, store(), arguments...);
+  if constexpr (kFunction<Function> == wire::Function::radiance) {
+    pt::Sampler& sampler = std::get<sizeof...(Arguments) - 1>(std::tie(arguments...));
+    if (const auto ahead = next_ahead(question.bytes(), sampler)) return *ahead;
+  }
   send(Kind::ask, question.bytes());
   const std::string answer = receive(Kind::answer);
   Reader in(answer);

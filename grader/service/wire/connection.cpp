@@ -1,6 +1,8 @@
 #include "grader/service/wire/connection.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include <unistd.h>
 
@@ -9,6 +11,13 @@ namespace grader::wire {
 namespace {
 
 std::uint64_t current_sequence = 0;
+
+std::optional<RadiancesAhead> known;
+std::size_t taken = 0;  // of the known ones
+Writer asked;           // the questions that the judge has not got yet
+
+// So many bytes of questions are sent at once.
+constexpr std::size_t kManyAsked = std::size_t{1} << 18;
 
 // Without the judge nothing is left to do.
 [[noreturn]] void leave() { _exit(0); }
@@ -23,6 +32,12 @@ std::string read_bytes(std::size_t size) {
   return bytes;
 }
 
+void send_asked() {
+  if (asked.bytes().empty()) return;
+  send(Kind::asked, asked.bytes());
+  asked.clear();
+}
+
 }  // namespace
 
 std::string receive(Kind kind) {
@@ -34,6 +49,7 @@ std::string receive(Kind kind) {
 }
 
 void send(Kind kind, std::string_view payload) {
+  if (kind != Kind::asked) send_asked();
   const Header header{kMagic, kind, current_sequence, payload.size()};
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
   bytes.append(payload);
@@ -42,6 +58,19 @@ void send(Kind kind, std::string_view payload) {
     if (count > 0) sent += static_cast<std::size_t>(count);
     if (count < 0 && errno != EINTR) leave();
   }
+}
+
+void begin_with(std::optional<RadiancesAhead> ahead) {
+  known = std::move(ahead);
+  taken = 0;
+}
+
+std::optional<pt::Rgb> next_ahead(std::string_view question, pt::Sampler& sampler) {
+  if (!known) return std::nullopt;
+  put(asked, std::string(question));
+  if (asked.bytes().size() > kManyAsked) send_asked();
+  for (int i = 0; i < known->numbers; ++i) sampler.next_1d();
+  return known->values[std::min(taken++, known->values.size() - 1)];
 }
 
 }  // namespace grader::wire

@@ -2,7 +2,9 @@
 
 #include "grader/service/wire/message.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 // The worker's end of the conversation (grader/service/wire/message.h), on two descriptors that are
 // open when it starts.
@@ -17,5 +19,12 @@ std::string receive(Kind kind);
 
 // Sends a message about the last received call.
 void send(Kind kind, std::string_view payload);
+
+// The radiances that the judge has given in advance for the call that begins.
+void begin_with(std::optional<RadiancesAhead> ahead);
+
+// Returns the next of them, if there are any, and draws from the sampler as radiance() does. The judge gets
+// the question, the inner call, before any other message.
+std::optional<pt::Rgb> next_ahead(std::string_view question, pt::Sampler& sampler);
 
 }  // namespace grader::wire

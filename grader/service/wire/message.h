@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 // Both ends: the messages between judge and worker. There is one conversation at a time: the judge
 // sends a call; the worker may ask back any number of times, and gets an answer each time; then it
@@ -17,11 +19,12 @@
 //   answer    judge to worker   type code, result, the sampler if there is one
 //   reply     worker to judge   ReplyHead, result(s), the sampler if there is one
 //   threw     worker to judge   the text of an exception: instead of a reply
+//   asked     worker to judge   inner calls that took an answer given in advance: what `ask` would have
 //   going_on  worker to judge   nothing: a call of a batch has ended, and the next has its own limit
 
 namespace grader::wire {
 
-enum class Kind : std::uint32_t { call = 1, ask, answer, reply, threw, going_on };
+enum class Kind : std::uint32_t { call = 1, ask, answer, reply, threw, asked, going_on };
 
 inline constexpr std::uint32_t kMagic = 0x544c4631;  // "1FLT"
 
@@ -44,10 +47,17 @@ struct CallBatch {
   std::uint64_t seed = 0;
 };
 
+// Answers of radiance() that are given in advance: one after the other, and then the last one again.
+struct RadiancesAhead {
+  std::vector<pt::Rgb> values;  // one at least
+  int numbers = 0;              // that each call draws from its sampler
+};
+
 struct CallHead {
   std::uint32_t function = 0;  // a Function
   std::uint64_t code = 0;      // of its signature
   CallBatch batch;
+  std::optional<RadiancesAhead> ahead{};
   bool forget = false;            // forget all earlier definitions
   std::uint64_t definitions = 0;  // the number of definitions that follow
 };
@@ -77,7 +87,8 @@ struct ReplyHead {
 };
 
 FIRSTLIGHT_FIELDS(CallBatch, first, count, seed);
-FIRSTLIGHT_FIELDS(CallHead, function, code, batch, forget, definitions);
+FIRSTLIGHT_FIELDS(RadiancesAhead, values, numbers);
+FIRSTLIGHT_FIELDS(CallHead, function, code, batch, ahead, forget, definitions);
 FIRSTLIGHT_FIELDS(Definition, handle, kind, content);
 FIRSTLIGHT_FIELDS(AskHead, function, code);
 FIRSTLIGHT_FIELDS(pt::Tested, boxes, triangles, spheres);

@@ -86,6 +86,7 @@ std::string serve(std::string_view call) {
     pt::recorder.tested = &tests;
   }
   tests = {};
+  begin_with(head.ahead);
   Writer results;
   const pt::RayCount before = pt::rays_traced();
   kHandlers[head.function](in, head, results);

@@ -3,6 +3,7 @@
 #include "grader/base/printable.h"
 #include "grader/check/language/find_failure.h"
 #include "grader/check/mocks/counting.h"
+#include "grader/check/mocks/scripted_radiance.h"
 #include "pt/error.h"
 #include "pt/scene/scene.h"
 
@@ -150,11 +151,26 @@ void Session::drop_known_definitions() {
   std::erase_if(definitions_, [&](const Shared& each) { return known_.contains(each->handle); });
 }
 
+namespace {
+
+std::optional<RadiancesAhead> radiances_ahead(const SessionSettings& settings) {
+  if (!settings.answers || !answers(settings.task, Function::radiance)) {
+    return std::nullopt;
+  }
+  const auto& script = check::radiance_script();
+  if (!script || script->of_call) return std::nullopt;
+  RadiancesAhead ahead{script->values, script->numbers};
+  if (ahead.values.empty()) ahead.values.emplace_back();
+  return ahead;
+}
+
+}  // namespace
+
 Writer Session::message(Function function, std::uint64_t code, const CallBatch& batch,
                         const Writer& arguments) {
   Writer out;
-  put(out,
-      CallHead{static_cast<std::uint32_t>(function), code, batch, forget_, definitions_.size()});
+  put(out, CallHead{static_cast<std::uint32_t>(function), code, batch, radiances_ahead(settings_),
+                    forget_, definitions_.size()});
   for (const Shared& each : definitions_) put(out, *each);
   out.raw(arguments.bytes().data(), arguments.bytes().size());
   return out;
@@ -180,12 +196,20 @@ std::string Session::converse(const Writer& call) {
       continue;
     }
     if (!settings_.answers) throw BadMessage("it called the judge, which answers nothing here");
-    if (++questions > settings_.max_questions) {
-      throw WorkerFailed{
-          results::Cause::timeout,
-          fmt::format("no answer after {} calls of other tasks", settings_.max_questions)};
+    const auto answer_one = [&](std::string_view question) {
+      if (++questions > settings_.max_questions) {
+        throw WorkerFailed{
+            results::Cause::timeout,
+            fmt::format("no answer after {} calls of other tasks", settings_.max_questions)};
+      }
+      return answer(settings_.task, question, *this);
+    };
+    if (message.kind == Kind::asked) {
+      Reader in(message.payload);
+      while (in.left() > 0) answer_one(get<std::string>(in));
+      continue;
     }
-    const Writer reply = answer(settings_.task, message.payload, *this);
+    const Writer reply = answer_one(message.payload);
     worker_->send(Kind::answer, sequence_, reply.bytes());
     worker_->extend(kOfQuestion);
   }

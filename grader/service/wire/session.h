@@ -143,6 +143,9 @@ inline constexpr int kBatch = 256;
 void open_session(const SessionSettings& settings);
 Session& session();
 
+// True if the judge answers this inner call of the task.
+bool answers(std::string_view task, Function function);
+
 // The judge's own answer to an inner call of the task (from its mocks). Throws BadMessage for calls
 // that the judge does not answer.
 Writer answer(std::string_view task, std::string_view question, const Session& session);

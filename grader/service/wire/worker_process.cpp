@@ -104,7 +104,8 @@ Message WorkerProcess::receive(std::uint64_t sequence) {
   Header header;
   std::memcpy(&header, buffer_.data(), sizeof header);
   const bool known = header.kind == Kind::reply || header.kind == Kind::ask ||
-                     header.kind == Kind::threw || header.kind == Kind::going_on;
+                     header.kind == Kind::threw || header.kind == Kind::asked ||
+                     header.kind == Kind::going_on;
   if (header.magic != kMagic || !known || header.sequence != sequence) {
     throw WorkerFailed{results::Cause::bad_reply, "bytes that are not a reply"};
   }

@@ -30,11 +30,11 @@ Pixel pixel_of(double chance, double rare, double usual, const AdaptiveSettings&
     ++drawn;
     return value;
   };
-  script_radiance([&](int, const pt::Ray&) {
+  script_radiance({.of_call = [&](int, const pt::Ray&) {
     const double value = next();
     pixel.has_met |= value == rare;
     return pt::gray(value);
-  });
+  }});
   const pt::Scene empty;
   const pt::View view{empty, pt::Camera{}, {}, 1, 1};
   pixel.estimate = pt::adaptive_pixel(view, 0, 0, settings, sampler);

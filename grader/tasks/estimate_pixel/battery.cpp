@@ -22,9 +22,13 @@ Pixel pixel_at(const Place& place) {
 }
 
 Estimate estimate(const Place& place, int samples, std::uint64_t seed,
-                  const Script& script = script_of(colors(2))) {
+                  const RadianceScript& script) {
   const pt::Sampler sampler = pt::Sampler::for_pixel(seed, place.x, place.y);
   return estimate(pixel_at(place), samples, sampler, script, fixed_settings());
+}
+
+Estimate estimate(const Place& place, int samples, std::uint64_t seed) {
+  return estimate(place, samples, seed, script_of(colors(2), samples));
 }
 
 std::vector<pt::Vec2> points(const Place& place, int samples, std::uint64_t seed) {
@@ -59,15 +63,17 @@ void means(Battery& battery) {
 // brightness. The number of samples makes the comparison less strict.
 void brightness(Battery& battery) {
   constexpr int kSamples = 16;
-  const auto ask = [&](double unit, const Script& script) {
+  const auto ask = [&](double unit, const RadianceScript& script) {
     battery.ask([&]() -> Battery::Numbers {
       const Estimate e = estimate(kPlaces[1], kSamples, 1, script);
       const pt::Rgb mean = e.mean / unit;
       return {mean.r, mean.g, mean.b, static_cast<double>(e.calls.size())};
     });
   };
-  for (const double unit : {1e-8, 1e-4, 1e3}) ask(unit, script_of(colors(2 * unit)));
-  ask(1e3, with_a_firefly(colors(2), kSamples / 2));
+  for (const double unit : {1e-8, 1e-4, 1e3}) ask(unit, script_of(colors(2 * unit), kSamples));
+  RadianceScript with_a_firefly = script_of(colors(2), kSamples);
+  with_a_firefly.values[kSamples / 2] *= 1e4;
+  ask(1e3, with_a_firefly);
 }
 
 void one_sample(Battery& battery) {
@@ -109,9 +115,10 @@ void streams(Battery& battery) {
     };
     const auto first = look(5), other = look(6), again = look(5);
     const pt::Sampler start(7);
-    const Estimate e = estimate(pixel_at(place), 4, start, script_of(colors(2)), fixed_settings());
+    const Estimate e =
+        estimate(pixel_at(place), 4, start, script_of(colors(2), 4), fixed_settings());
     const bool same = !e.calls.empty() && e.calls.back().sampler == e.sampler.state();
-    estimate(place, 4, 5, script_of(colors(6)));
+    estimate(place, 4, 5, script_of(colors(6), 4));
     const double after_bright = look(5).first;
     return {flag(first == again), flag(first.second == other.second),
             flag(e.sampler.state() != start.state()), flag(same),

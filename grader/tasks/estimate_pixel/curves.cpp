@@ -20,9 +20,9 @@ CURVE(estimate_pixel, many_samples) {
           .methods = {{"right/float_sum", "single precision"}},
           .cases = 1,
           .measure = [](double samples) {
-            const Estimate got = estimate({pt::Camera{}, 8, 5, 3, 2}, static_cast<int>(samples),
-                                          pt::Sampler(*sampler_seed()),
-                                          [](int, const pt::Ray&) { return pt::gray(0.1); });
+            const Estimate got =
+                estimate({pt::Camera{}, 8, 5, 3, 2}, static_cast<int>(samples),
+                         pt::Sampler(*sampler_seed()), {.values = {pt::gray(0.1)}});
             return std::abs(got.mean.r / 0.1 - 1);
           }};
 }

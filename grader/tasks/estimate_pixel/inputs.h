@@ -7,7 +7,6 @@
 #include "pt/tasks/estimate_pixel.h"
 
 #include <cmath>
-#include <functional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -114,15 +113,11 @@ inline rc::Gen<Seen> any_radiances() {
   });
 }
 
-using Script = std::function<pt::Rgb(int call, const pt::Ray& ray)>;
-
-inline Script script_of(const Seen& seen) {
-  return [=](int call, const pt::Ray&) { return seen.at(call); };
-}
-
-// The same, but one of the samples is far brighter.
-inline Script with_a_firefly(const Seen& seen, int which) {
-  return [=](int call, const pt::Ray&) { return (call == which ? 1e4 : 1) * seen.at(call); };
+// The radiances of so many samples.
+inline RadianceScript script_of(const Seen& seen, int samples) {
+  RadianceScript script;
+  for (int i = 0; i < samples; ++i) script.values.push_back(seen.at(i));
+  return script;
 }
 
 // The result of one call of the task, and the calls of radiance() that it made.
@@ -133,11 +128,10 @@ struct Estimate {
 };
 
 inline Estimate estimate(const Pixel& p, int samples, pt::Sampler sampler,
-                         const Script& script = {}, const pt::PathSettings& settings = {},
-                         int numbers = 0) {
+                         const RadianceScript& script = {}, const pt::PathSettings& settings = {}) {
   const pt::Scene scene;
   const pt::View view{scene, p.camera, settings, p.width, p.height};
-  script_radiance(script, numbers);
+  script_radiance(script);
   const pt::Rgb mean = pt::estimate_pixel(view, p.x, p.y, samples, sampler);
   return {mean, radiance_calls(), sampler};
 }

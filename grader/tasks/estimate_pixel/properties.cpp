@@ -33,13 +33,13 @@ void expect_a_call(const Estimate& e) { expect(!e.calls.empty(), "a call of radi
 // or by `samples`.
 void expect_average(int samples) {
   const Pixel p = *pixel();
-  const Seen seen = *any_radiances();
+  const RadianceScript script = script_of(*any_radiances(), samples);
   const pt::Sampler sampler(draw("seed", sampler_seed()));
-  const Estimate e = estimate(p, samples, sampler, script_of(seen));
+  const Estimate e = estimate(p, samples, sampler, script);
   expect_a_call(e);
   const int calls = static_cast<int>(e.calls.size());
   pt::Rgb sum;
-  for (int call = 0; call < calls; ++call) sum += seen.at(call);
+  for (int call = 0; call < calls; ++call) sum += script.at(call);
   const double precision = std::max(1e-5, 1e-7 * samples);
   for (int channel = 0; channel < 3; ++channel) {
     const double mean = sum[channel] / samples, of_calls = sum[channel] / calls;
@@ -221,7 +221,7 @@ PROMISE(estimate_pixel, draws_from_the_callers_sampler) {
     const int n = some_samples();
     const int numbers = draw("numbers that each call of radiance() draws", whole(1, 9));
     const pt::Sampler start(draw("seed", sampler_seed()));
-    const Estimate e = estimate(p, n, start, {}, {}, numbers);
+    const Estimate e = estimate(p, n, start, {.numbers = numbers});
     expect_a_call(e);
     pt::Sampler at = start;  // follows the caller's sampler
     for (int i = 0; i < static_cast<int>(e.calls.size()); ++i) {
@@ -241,9 +241,9 @@ PROMISE(estimate_pixel, forgets_the_pixel_before) {
     const Pixel first = *pixel(), second = *pixel();
     const int n = some_samples(), other = draw("samples of the second pixel", whole(1, 20));
     const pt::Sampler sampler(draw("seed", sampler_seed()));
-    const Script by_direction = [](int call, const pt::Ray& ray) {
+    const RadianceScript by_direction{.of_call = [](int call, const pt::Ray& ray) {
       return pt::Rgb{ray.direction.x + 2, ray.direction.y + 2, call + 1.0};
-    };
+    }};
     const Estimate before = estimate(first, n, sampler, by_direction);
     expect_a_call(before);
     // In another picture, the same pixel with the same sampler has another answer.

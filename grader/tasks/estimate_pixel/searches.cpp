@@ -24,12 +24,13 @@ SEARCH(estimate_pixel, mean) {
             });
             RandomNumbers make(seed);
             long double sum = 0;
-            const Estimate got = estimate(
-                {pt::Camera{}, 8, 5, 3, 2}, samples, pt::Sampler(seed), [&](int, const pt::Ray&) {
-                  const double value = level * std::pow(10, -spread * make.between(0, 1));
-                  sum += value;
-                  return pt::gray(value);
-                });
+            const Estimate got = estimate({pt::Camera{}, 8, 5, 3, 2}, samples, pt::Sampler(seed),
+                                          {.of_call = [&](int, const pt::Ray&) {
+                                            const double value =
+                                                level * std::pow(10, -spread * make.between(0, 1));
+                                            sum += value;
+                                            return pt::gray(value);
+                                          }});
             const long double right = sum / samples;
             return static_cast<double>(std::abs(got.mean.r - right) / (kColorPrecision * right));
           }};

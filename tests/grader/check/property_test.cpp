@@ -2,7 +2,9 @@
 
 #include "grader/check/generators/cameras.h"
 #include "grader/check/generators/generators.h"
+#include "grader/check/language/fail.h"
 #include "grader/check/language/find_failure.h"
+#include "grader/check/language/two_numbers.h"
 #include "pt/sampling/sampler.h"
 
 #include <cmath>
@@ -346,6 +348,40 @@ TEST(Cameras, know_the_way_back_to_the_picture) {
   EXPECT_NEAR(corner.y, 1, 1e-15);
   EXPECT_NEAR(check::on_picture(camera, {-1, 0, -2}).x, 0.25, 1e-15);
   EXPECT_TRUE(std::isnan(check::on_picture(camera, {0, 0, 1}).x));
+}
+
+// Pairs in which the second number is the fraction of slope times the first.
+std::vector<check::NumberPair> pairs_on_lines(double slope, bool exchanged) {
+  pt::Sampler random(7);
+  std::vector<check::NumberPair> pairs;
+  for (int i = 0; i < 1200; ++i) {
+    const double x = random.next_1d(), y = slope * x + 0.3;
+    const double part = y - std::floor(y);
+    pairs.push_back(exchanged ? check::NumberPair{part, x} : check::NumberPair{x, part});
+  }
+  return pairs;
+}
+
+TEST(two_numbers, are_dependent_if_they_lie_on_lines) {
+  for (const double slope : {1.0, -3.0, 64.0, -2000.0, 0.5, -16.5}) {
+    for (const bool exchanged : {false, true}) {
+      EXPECT_THROW(check::expect_two_numbers("", pairs_on_lines(slope, exchanged)),
+                   check::CaseFailed)
+          << slope << exchanged;
+    }
+  }
+}
+
+TEST(two_numbers, are_independent_if_a_sampler_draws_both) {
+  for (int seed = 0; seed < 20; ++seed) {
+    pt::Sampler random(seed);
+    std::vector<check::NumberPair> pairs;
+    for (int i = 0; i < 1200; ++i) {
+      const pt::Vec2 at = random.next_2d();
+      pairs.push_back({at.x, at.y, i % 3 == 0 ? 2.0 : 1.0});
+    }
+    EXPECT_NO_THROW(check::expect_two_numbers("", pairs)) << seed;
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "grader/service/wire/session.h"
 
 #include "grader/check/language/repeat.h"
+#include "grader/check/mocks/scripted_radiance.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/estimate_pixel.h"
 #include "pt/tasks/hit_sphere.h"
@@ -114,13 +115,42 @@ TEST(session, gives_a_call_time_for_its_questions) {
   EXPECT_EQ(ask(10000, asks).why, "");
 }
 
+// The worker has these radiances before it calls; the judge still learns of every call, in order.
+TEST(session, learns_of_the_calls_whose_answers_it_gave_in_advance) {
+  constexpr int kSamples = 5000;  // more bytes of questions than are sent at once
+  check::script_radiance({.values = {{1, 10, 0}, {2, 20, 0}, {4, 40, 0}}, .numbers = 3});
+  const pt::Camera camera{{}, pt::frame_from_normal({0, 0, 1}), 60, 40, 0.1, 9};
+  pt::Scene scene;
+  SessionSettings asks = settings();
+  asks.task = "estimate_pixel";
+  asks.max_questions = kSamples;
+  open_session(asks);
+  pt::Sampler sampler(1);
+  const pt::Rgb mean = pt::estimate_pixel({scene, camera, {}, 4, 4}, 0, 0, kSamples, sampler);
+  EXPECT_NEAR(mean.r, 4 - 5.0 / kSamples, 1e-9);
+  EXPECT_NEAR(mean.g, 40 - 50.0 / kSamples, 1e-9);
+  const std::vector<check::RadianceCall>& calls = check::radiance_calls();
+  ASSERT_EQ(calls.size(), kSamples);
+  pt::Sampler at(1);
+  for (const check::RadianceCall& each : calls) {
+    for (int drawn = 0; at.state() != each.sampler; at.next_1d()) ASSERT_LT(drawn++, 10);
+    for (int i = 0; i < 3; ++i) at.next_1d();
+  }
+  EXPECT_EQ(at.state(), sampler.state());
+  check::radiance_script() = std::nullopt;
+}
+
 TEST(session, ends_a_call_that_asks_for_ever) {
-  SessionSettings few = settings();
-  few.max_questions = 100;
-  EXPECT_EQ(ask(100, few).why, "");
-  const GaveUp reason = ask(101, few);
-  EXPECT_EQ(reason.why, "no answer after 100 calls of other tasks");
-  EXPECT_EQ(reason.cause, Cause::timeout);
+  for (const bool ahead : {false, true}) {
+    if (ahead) check::script_radiance({});
+    SessionSettings few = settings();
+    few.max_questions = 100;
+    EXPECT_EQ(ask(100, few).why, "");
+    const GaveUp reason = ask(101, few);
+    EXPECT_EQ(reason.why, "no answer after 100 calls of other tasks");
+    EXPECT_EQ(reason.cause, Cause::timeout);
+  }
+  check::radiance_script() = std::nullopt;
 }
 
 // One answer takes some hundred bytes.
