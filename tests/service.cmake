@@ -22,7 +22,7 @@ if(FIRSTLIGHT_CLASS)
   add_executable(forged_names ${service}/intake/forged_names_main.cpp)
   target_link_libraries(forged_names PRIVATE grader_intake firstlight_warnings)
   firstlight_add_test(forged_names quick COMMAND forged_names 20000 NEEDS forged_names)
-  set(class NEEDS grade graded grade_class)
+  set(class NEEDS grade graded_programs grade_class)
   firstlight_script_test(grade_class rest ${service}/classes/grade_class.sh ARGUMENTS ${programs}/grade_class ${class})
   firstlight_script_test(three_doors rest ${service}/intake/three_doors.sh ARGUMENTS ${programs} ${class})
   firstlight_script_test(class_changes rest ${service}/classes/class_changes.sh ARGUMENTS ${programs} ${class})
@@ -55,24 +55,24 @@ firstlight_test(session_test quick SOURCES ${service}/wire/session_test.cpp LIBR
 
 foreach(test build/precompiled build/ahead judging/blame)
   get_filename_component(name ${test} NAME)
-  firstlight_test(${name}_test rest PLAIN PATHS SOURCES ${service}/${test}_test.cpp LIBRARIES grader_judging NEEDS grade graded)
+  firstlight_test(${name}_test rest PLAIN PATHS SOURCES ${service}/${test}_test.cpp LIBRARIES grader_judging NEEDS grade graded_programs)
 endforeach()
 
 # Submissions that attack the grader, and files that it must not take; variables that live on between
 # calls; a busy machine; four bugs that a write-up tells of; and what is right on average and too noisy.
 foreach(test hostile state noisy)
   firstlight_test(${test}_test rest PLAIN PATHS SOURCES ${service}/judging/${test}_test.cpp LIBRARIES grader_submissions
-    NEEDS grade graded)
+    NEEDS grade graded_programs)
 endforeach()
 # Each attack in one tier, and then all of them in both.
 firstlight_test(attack_test long PLAIN PATHS SOURCES ${service}/judging/attack_test.cpp LIBRARIES grader_submissions
-  NEEDS grade graded)
+  NEEDS grade graded_programs)
 set(tried_in_the_other_tier *at_run_time/B:*commands_and_flags/A:*directives/B:*names_and_files/A:*compiling_for_ever/B)
 firstlight_add_test(attacks rest COMMAND attack_test --gtest_filter=-${tried_in_the_other_tier} NEEDS attack_test grade graded)
 # Fourteen endless loops run beside it, and nothing else gets on.
-firstlight_test(busy_test long PLAIN PATHS SOURCES ${service}/judging/busy_test.cpp LIBRARIES grader_submissions NEEDS grade graded)
+firstlight_test(busy_test long PLAIN PATHS SOURCES ${service}/judging/busy_test.cpp LIBRARIES grader_submissions NEEDS grade graded_programs)
 firstlight_test(four_bugs_test rest PLAIN PATHS SOURCES grader/tasks/four_bugs_test.cpp LIBRARIES grader_submissions
-  NEEDS grade graded)
+  NEEDS grade graded_programs)
 
 # `contained` runs a program under a filter of system calls like that of a container.
 if(TARGET PkgConfig::SECCOMP)
@@ -80,5 +80,5 @@ if(TARGET PkgConfig::SECCOMP)
   set_source_files_properties(${service}/sandbox/contained.cpp PROPERTIES COMPILE_OPTIONS "${FIRSTLIGHT_SECCOMP_FLAGS}")
   target_link_libraries(contained PRIVATE firstlight_options firstlight_warnings PkgConfig::SECCOMP)
   firstlight_test(tier_test rest PLAIN PATHS SOURCES ${service}/sandbox/tier_test.cpp LIBRARIES grader_submissions
-    NEEDS grade graded contained DEFINES FIRSTLIGHT_CONTAINED="$<TARGET_FILE:contained>")
+    NEEDS grade graded_programs contained DEFINES FIRSTLIGHT_CONTAINED="$<TARGET_FILE:contained>")
 endif()

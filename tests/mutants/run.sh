@@ -35,11 +35,12 @@ read_table() {
   [ "${#names[@]}" -ge "$least" ] || fail "$table: ${#names[@]} mistakes are fewer than $least; keep more"
 }
 
-# The targets of entry i: its own, else those that its test program needs.
+# The targets of entry i: what its test runs, by the table of tests, and its own.
 targets_of() {
-  [ -z "${targets[$1]}" ] || { echo "${targets[$1]}"; return; }
-  awk -v "test=${tests[$1]%% *}" '"tests/" $1 == test { $1 = $2 = ""; print; found = 1 }
-    END { if (!found) print substr(test, 7) }' "$folder/tree/build/check/tests.txt"
+  awk -v line="${tests[$1]}" -v own="${targets[$1]}" '
+    BEGIN { match(line, /(^| )tests\/[^ ]*/); test = substr(line, RSTART, RLENGTH); sub(/.*tests\//, "", test) }
+    $1 == test { $1 = $2 = ""; print; found = 1 }
+    END { if (own) print own; else if (!found) print test }' "$folder/tree/build/check/tests.txt"
 }
 
 build() { ninja -C "$folder/tree/build/check" "$@" >"$folder/build.log" 2>&1; }
