@@ -11,7 +11,7 @@ namespace pt {
 // Finds where a ray meets a triangle.
 //
 // In:  world space. The direction may have any length except zero; t is in units of this length.
-//      The corner normals are unit vectors.
+//      The corner normals are unit vectors. Where their weighted sum is zero, any n is right.
 // Out: nothing, or t with t_min <= t <= t_max and the unit normal there: the corner normals
 //      weighted by the barycentric coordinates of the point, normalised, and never turned to
 //      another side. Both faces can be hit.

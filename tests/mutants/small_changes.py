@@ -134,11 +134,8 @@ class Task:
         """The object file of a text, or what the compiler says."""
         file, target = folder / f"{self.slug}.cpp", folder / "task.o"
         file.write_text(text)
-        for more in (["-fsyntax-only"], ["-o", target, "-c"]):
-            run = subprocess.run(self.flags + more + [file], cwd=self.build, capture_output=True, text=True)
-            if run.returncode != 0:
-                return None, run.stderr
-        return target.read_bytes(), ""
+        run = subprocess.run(self.flags + ["-o", target, "-c", file], cwd=self.build, capture_output=True, text=True)
+        return (target.read_bytes(), "") if run.returncode == 0 else (None, run.stderr)
 
     def program_of(self, texts, folder):
         """A program of all texts, and the indices of those that do not compile."""

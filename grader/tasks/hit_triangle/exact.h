@@ -10,19 +10,20 @@
 
 namespace grader::check::hit_triangle_inputs {
 
-// A normal that is an axis, at each corner. Their sum is never close to zero.
-inline std::array<pt::Vec3, 3> normals_along_the_axes() {
-  const pt::Vec3 signs{*rc::gen::element(1.0, -1.0), *rc::gen::element(1.0, -1.0),
-                       *rc::gen::element(1.0, -1.0)};
+// A normal that is an axis, at each corner. Two of them may be opposite, but their weighted sum is
+// not zero.
+inline std::array<pt::Vec3, 3> normals_along_the_axes(Weights w) {
   std::array<pt::Vec3, 3> normals;
-  for (pt::Vec3& n : normals) {
-    const int axis = *whole(0, 2);
-    n[axis] = signs[axis];
-  }
+  do {
+    for (pt::Vec3& n : normals) {
+      n = {};
+      n[*whole(0, 2)] = *rc::gen::element(1.0, -1.0);
+    }
+  } while (w.b0 * normals[0] + w.b1 * normals[1] + w.b2 * normals[2] == pt::Vec3{});
   return normals;
 }
 
-inline pt::Triangle whole_triangle() {
+inline pt::Triangle whole_triangle(Weights w) {
   const pt::Vec3 n = *whole_vector(1);
   const pt::Vec3 p0 = *whole(0, 3) == 0 ? pt::Vec3{} : *whole_vector(3);
   pt::Vec3 e1, e2;
@@ -31,7 +32,7 @@ inline pt::Triangle whole_triangle() {
     e2 = cross(n, *whole_vector(2));
   }
   const double scale = *power_of_two(2);
-  const auto [n0, n1, n2] = *whole(0, 1) == 0 ? normals_along_the_axes() : corner_normals();
+  const auto [n0, n1, n2] = *whole(0, 1) == 0 ? normals_along_the_axes(w) : corner_normals();
   return {scale * p0, scale * (p0 + e1), scale * (p0 + e2), n0, n1, n2};
 }
 
@@ -47,9 +48,10 @@ inline pt::Vec3 direction_across(const pt::Triangle& triangle) {
 // One ray of four starts at the world's origin.
 inline rc::Gen<Aimed> exactly(Weights (*where)()) {
   return rc::gen::exec([=] {
-    const pt::Triangle triangle = whole_triangle();
+    const Weights w = where();
+    const pt::Triangle triangle = whole_triangle(w);
     const pt::Vec3 d = direction_across(triangle);
-    Aimed made = aimed_along(triangle, where(), d, *power_of_two(3));
+    Aimed made = aimed_along(triangle, w, d, *power_of_two(3));
     if (*whole(0, 3) > 0) return made;
     const pt::Vec3 o = made.ray.origin;
     for (pt::Vec3* p : {&made.triangle.p0, &made.triangle.p1, &made.triangle.p2}) *p -= o;

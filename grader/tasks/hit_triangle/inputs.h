@@ -126,6 +126,10 @@ inline Aimed aimed_at(const pt::Triangle& triangle, Weights w, const Range& rang
   return aimed_at(triangle, w, local, distance, speed);
 }
 
+// Rays that meet the plane at a millionth of a radian to ten degrees.
+inline constexpr Range kFlat{.away = 1, .near = 0.1, .far = 3, .flat = 1e-6, .steep = 0.17};
+inline constexpr Range kFlattest{.away = 1, .near = 0.1, .far = 3, .flat = 1e-6, .steep = 2e-6};
+
 // Triangles ten times as long as high, met at little more than a millionth of a radian. Close to
 // the origin and to the world's, the contract's precision is a seventh of the height.
 inline constexpr Range kFlatNeedle{.thin = 0.1,
