@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 // Boxes and rays whose numbers no method has to round: rays that start exactly on a side, meet several
 // sides at one t, end exactly where they enter, or graze an edge.
@@ -97,6 +98,45 @@ inline rc::Gen<Case> grazing(double away = 0) {
     if (along < 3) target[along] = on_grid(box.center()[along]);
     const pt::Vec3 origin = shift + grid_point(15);
     return Case{box, {origin, target - origin}};
+  });
+}
+
+// A ray that meets two planes at exactly the same t: it enters the box through the one and leaves
+// it through the other. No number is rounded, but each difference, quotient and product of the slab
+// method is. Of twenty rays, this is the one whose rounding errors separate the planes most.
+inline rc::Gen<Case> separated_by_rounding() {
+  return rc::gen::exec([] {
+    struct Crossing {
+      double origin, plane, speed;
+      double t() const { return (plane - origin) * (1 / speed); }
+    };
+    const auto crossing_at = [](double t) {
+      const double speed = std::floor(*real(0x1p30, 0x1p40));
+      const long double way = static_cast<long double>(speed) * t;  // an integer below 2^60
+      const long double plane = 0x1p12L * std::ceil(way / 0x1p12L);
+      return Crossing{static_cast<double>(plane - way), static_cast<double>(plane), speed};
+    };
+    Crossing in{}, out{};
+    double apart = -1;
+    for (int i = 0; i < 20; ++i) {
+      const double t = std::floor(*real(0x1p19, 0x1p20));
+      const Crossing a = crossing_at(t), b = crossing_at(t);
+      if (a.t() / b.t() - 1 <= apart) continue;
+      apart = a.t() / b.t() - 1;
+      in = a;
+      out = b;
+    }
+    const int first = *whole(0, 2), second = (first + *whole(1, 2)) % 3;
+    Case c{{{-0x1p62, -0x1p62, -0x1p62}, {0x1p62, 0x1p62, 0x1p62}},
+           {{}, {*real(-1, 1), *real(-1, 1), *real(-1, 1)}}};
+    for (const auto& [axis, crossing] : {std::pair{first, in}, std::pair{second, out}}) {
+      const double side = sign();
+      c.ray.origin[axis] = side * crossing.origin;
+      c.ray.direction[axis] = side * crossing.speed;
+      const bool at_min = (axis == first) == (side > 0);
+      (at_min ? c.box.min : c.box.max)[axis] = side * crossing.plane;
+    }
+    return c;
   });
 }
 

@@ -224,6 +224,12 @@ PROMISE(hit_box, never_misses_by_a_rounding_error_bonus) {
         expect(pt::hit_box(c.box, c.ray).has_value(), "an interval", "none");
       },
       2000);
+  for_all(
+      [] {
+        const Case c = *separated_by_rounding();
+        expect(pt::hit_box(c.box, c.ray).has_value(), "an interval", "none");
+      },
+      500);
   // A box that is never missed because it is far too wide is not robust.
   for_all([] { expect_miss(*passing()); });
 }
