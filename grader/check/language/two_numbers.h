@@ -19,8 +19,8 @@ struct NumberPair {
 };
 
 // Fails the case if the pairs lie on lines x = k y + constant or y = k x + constant, as they do if k is
-// between -2100 and 2100 and one of the two numbers is the fraction of k times the other. `what`
-// names the pairs.
+// between -2100 and 2100 and one of the two numbers is the fraction of k times the other. Pairs without
+// weights fail on any curve y(x) or x(y) that is not much steeper. `what` names the pairs.
 //
 // One of the two numbers has to be uniform for every value of the other one, and the pairs have to
 // be independent of each other. Then this fails less than once in a billion times.
