@@ -39,8 +39,8 @@ namespace pt {
 //   - ends where axes are equally long: for boxes on a cubic grid, or along a diagonal.
 //   - separates along the longest axis: for a long row of boxes along x, y or z, or several
 //     parallel rows, at any scale, a ray across the row enters few boxes of the tree.
-//   - stays shallow on clustered centroids (bonus): with centroids at 2^-i for i = 0, 1, ... the
-//     depth is logarithmic.
+//   - stays shallow on clustered centroids (bonus): with centroids at 2^-i or -2^-i for i = 0, 1, ...
+//     the depth is logarithmic.
 Bvh build_bvh(std::span<const Box> boxes, int max_leaf);
 
 }  // namespace pt

@@ -163,6 +163,7 @@ class Task:
             undefined = {int(i) for i in re.findall(r"undefined reference to 'in_(\d+)::", errors)}
             found = undefined or {int(i) for i in re.findall(r"^change_(\d+):\d+:\d+: (?:fatal )?error", errors, re.M)} - bad
             found = found or {int(i) for i in re.findall(r"^change_(\d+):\d+:\d+:   required from", errors, re.M)} - bad
+            found = found or {int(i) for i in re.findall(r" error: [^\n]*\bin_(\d+)::", errors)} - bad  # another type of the result
             if not found:
                 sys.exit(errors)
             bad |= found

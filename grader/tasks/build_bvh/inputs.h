@@ -214,11 +214,11 @@ inline rc::Gen<Input> some_boxes() {
 inline rc::Gen<Input> thousands_of_boxes() { return boxes_of(kUsual, 2000, 3000); }
 inline rc::Gen<Input> deep_boxes() { return boxes_of(kDeep, 30, 400); }
 
-// Points at 2^-i for i = 0, 1, ..., and one point per leaf.
-inline Input halving_points(int axis, int n) {
-  Input input;
+// Points at first * 2^-i for i = 0, 1, ...
+inline Input halving_points(int axis, int n, double first = 1, int max_leaf = 1) {
+  Input input{{}, max_leaf};
   for (int i = 0; i < n; ++i) {
-    input.boxes.push_back(around(on_axis(axis, std::pow(2, -i)), {0, 0, 0}));
+    input.boxes.push_back(around(on_axis(axis, first * std::pow(2, -i)), {0, 0, 0}));
   }
   return input;
 }

@@ -175,7 +175,9 @@ PROMISE(build_bvh, stays_shallow_on_clustered_centroids_bonus) {
   once(expect_a_tree_at_all);
   for_all([] {
     const int axis = draw("axis", whole(0, 2)), n = draw("boxes", whole(100, 300));
-    const pt::Bvh bvh = build(halving_points(axis, n));
+    const double first = draw("the first centroid, twice the second", rc::gen::element(1.0, -1.0));
+    const int max_leaf = draw("max_leaf", rc::gen::element(1, 50));
+    const pt::Bvh bvh = build(halving_points(axis, n, first, max_leaf));
     expect_nodes(bvh);
     const int most = static_cast<int>(4 * std::log2(n));
     expect(depth(bvh) <= most, "a depth of at most " + std::to_string(most),
