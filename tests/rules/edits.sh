@@ -87,6 +87,7 @@ refuses() {
 entry=$'name    a\nsays    S.\nbase    right.cpp\n'
 refuses "is 0 times" <<<"${entry}old     nowhere"$'\n'"new     x"
 refuses "is 2 times" <<<"${entry}old     int"$'\n'"new     j"
+refuses "is 2 times in right.cpp (1 after" <<<"${entry}old     int i"$'\n'"new     auto i"$'\n'"old     int"$'\n'"new     long"
 refuses "after the edits above it" <<<"${entry}old     1;"$'\n'"new     1 + i;"$'\n'"old     + i;"$'\n'"new     ;"
 refuses "are the same" <<<"${entry}old     1;"$'\n'"new     1;"
 refuses "say where the code is now" <<<"${entry/right.cpp/gone.cpp}old     1;"$'\n'"new     2;"
