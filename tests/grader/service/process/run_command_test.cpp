@@ -27,11 +27,12 @@ CommandResult run_script(const std::string& script, milliseconds most) {
   return run_command(child, most);
 }
 
-// A machine without memory kills any process, so a killed command is tried again.
+// A machine without memory kills any process, so a killed command is tried again. The sentence of a picture says
+// more than the cause.
 TEST(CauseOfEnd, tells_what_was_killed_from_outside) {
   const auto signal = [](const std::string& name) {
     const int status = run_script("kill -s " + name + " $$", std::chrono::seconds(30)).status;
-    return was_killed(cause_of_end(status, ""));
+    return was_killed("in the first row, " + cause_of_end(status, "") + " in it");
   };
   EXPECT_TRUE(signal("KILL"));
   for (const char* other : {"SEGV", "ABRT", "FPE", "XCPU"}) EXPECT_FALSE(signal(other)) << other;
