@@ -121,10 +121,11 @@ inline rc::Gen<Situation> white_patch(bool glows) {
   });
 }
 
-// A patch under the sky, tilted so that much of it is below the patch's horizon.
-inline rc::Gen<Situation> under_the_sky(double tilt) {
-  return rc::gen::exec([tilt] {
-    const pt::Vec3 n = pt::frame_from_normal({0, 1, 0}).to_world(*direction_above(tilt));
+// A patch under the sky, tilted so that much of it is below the patch's horizon: away from straight
+// up, or straight down.
+inline rc::Gen<Situation> under_the_sky(double tilt, double up = 1) {
+  return rc::gen::exec([=] {
+    const pt::Vec3 n = pt::frame_from_normal({0, up, 0}).to_world(*direction_above(tilt));
     SceneMaker maker({pt::frame_from_normal(n), *point(), *magnitude(1e-2, 1e2)});
     return maker.sky(any_radiance()).patch(*color(0.1, 1), *direction_above()).done();
   });

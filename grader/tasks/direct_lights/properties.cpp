@@ -56,6 +56,7 @@ PROMISE(direct_lights, matches_a_directional_light) {
 
 PROMISE(direct_lights, matches_the_sky) {
   for_all([] { expect_estimate(*under_the_sky(2.7), any_samples()); }, kCases);
+  for_all([] { expect_estimate(*under_the_sky(1, -1), any_samples()); }, 10);
 }
 
 // The patch is the only surface, so that no light hides another.

@@ -313,4 +313,21 @@ inline rc::Gen<Fan> aimed_between(double away = 10) {
   });
 }
 
+// The same aim at an ordinary size and at either end of the scale, with a direction at either end of
+// its lengths. Only the second is shown.
+struct BothSizes {
+  Aimed ordinary, extreme;
+};
+
+inline void showValue(const BothSizes& both, std::ostream& out) { showValue(both.extreme, out); }
+
+inline rc::Gen<BothSizes> at_either_end(const Range& range) {
+  return rc::gen::exec([=] {
+    const Aimed made = *aimed_inside(range);
+    const Aimed extreme =
+        scaled(resized(made, *rc::gen::element(1e-6, 1e6)), *rc::gen::element(1e-9, 1.0, 1e9));
+    return BothSizes{made, extreme};
+  });
+}
+
 }  // namespace grader::check::hit_triangle_inputs

@@ -270,12 +270,7 @@ PROMISE(hit_triangle, works_at_every_scale) {
   for (const Range& range : {kNeedle, kFlattest}) {
     for_all(
         [&] {
-          Aimed ordinary;
-          const Aimed extreme = *mapped(aimed_inside(range), [&](const Aimed& made) {
-            ordinary = made;
-            return scaled(resized(made, *rc::gen::element(1e-6, 1e6)),
-                          *rc::gen::element(1e-9, 1.0, 1e9));
-          });
+          const auto [ordinary, extreme] = *at_either_end(range);
           if (pt::hit_triangle(ordinary.triangle, ordinary.ray)) {
             expect_t(extreme);
           } else if (hit_from_either_side(ordinary)) {

@@ -118,11 +118,11 @@ inline rc::Gen<Room> glowing_wall_in_the_sun() {
   });
 }
 
-// A wall in the sun above a point that is shaded smoothly or not.
-inline rc::Gen<Room> wall_above_any_normal() {
+// A wall in the sun above a point that is shaded smoothly.
+inline rc::Gen<Room> wall_above_a_smooth_point() {
   return rc::gen::exec([] {
     Room room = *sunny_wall(gray(0.2, 1));
-    if (*rc::gen::arbitrary<bool>()) room.point = smoothly_shaded(room.point);
+    room.point = smoothly_shaded(room.point);
     return room;
   });
 }

@@ -255,7 +255,8 @@ PROMISE(trace_path, tints_at_each_bounce) {
 }
 
 PROMISE(trace_path, weighs_by_the_cosine) {
-  for_all([] { expect_estimate(*asked_of(wall_above_any_normal(), bounces(2, 2))); }, 20);
+  for_all([] { expect_estimate(*asked_of(sunny_wall(gray(0.2, 1)), bounces(2, 2))); }, 10);
+  for_all([] { expect_estimate(*asked_of(wall_above_a_smooth_point(), bounces(2, 2))); }, 40);
 }
 
 PROMISE(trace_path, divides_by_the_pdf_of_the_sample) {
