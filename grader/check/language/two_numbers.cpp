@@ -91,7 +91,7 @@ double largest_by_chance(const std::vector<NumberPair>& pairs) {
   return 2 * std::sqrt(squares * std::log(4 * kSums / 1e-9)) / all;
 }
 
-// Whether the y of two pairs differ by less than a tenth, on a circle of length 1.
+// True if the y of two pairs differ by less than a tenth, on a circle of length 1.
 bool close_in_y(const NumberPair& a, const NumberPair& b) {
   const double apart = std::abs(a.y - b.y);
   return std::min(apart, 1 - apart) < 0.1;
@@ -120,7 +120,7 @@ double closer_than_others(std::vector<NumberPair> pairs) {
   return closest / kClosest - 2 * all / (static_cast<double>(n) * static_cast<double>(n - 1));
 }
 
-// Whether neighbours can be found, and no pair counts for more than another.
+// True if neighbours can be found, and no pair counts for more than another.
 bool can_be_sorted(const std::vector<NumberPair>& pairs) {
   return std::ranges::all_of(pairs, [&](const NumberPair& p) {
     const bool is_equal = std::abs(p.weight - pairs[0].weight) < 1e-4 * std::abs(p.weight);
