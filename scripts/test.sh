@@ -15,8 +15,8 @@ needs_of() {
 # say_how_long TIER: before anything is built.
 say_how_long() {
   case $1 in
-    quick) echo "The quick tests: with nothing built yet, some 20 minutes on two cores; when all is built, 3." ;;
-    all) echo "All tests but the long ones: with nothing built yet, some 55 minutes on two cores; when all is built, 25." ;;
+    quick) echo "The quick tests: with nothing built yet, some 8 minutes on two idle cores; when all is built, 2." ;;
+    all) echo "All tests but the long ones: with nothing built yet, some 30 minutes on two idle cores; when all is built, 16." ;;
     long) echo "The long tests: hours." ;;
   esac >&2
 }
