@@ -25,7 +25,7 @@ struct RadianceCall {
 // The radiances that the mock version returns.
 struct RadianceScript {
   // One after the other, and then the last one again; black if there are none. A worker gets them in
-  // advance, so that a call of radiance() is no message.
+  // advance: it need not ask the judge at each call.
   std::vector<pt::Rgb> values{};
   // Instead of values, where the radiance depends on the ray or is not known in advance: that of call i
   // (from 0).
