@@ -175,10 +175,11 @@ void judge_alone(const build::Config& config, const build::Builder& builder,
     const std::lock_guard lock(mutex);
     return judged;
   };
-  base::for_each(judged.size() + 1, request.threads, [&](std::size_t i) {
-    if (i == judged.size()) {
+  base::for_each(judged.size() + 1, request.threads, [&](std::size_t k) {
+    if (k == judged.size()) {
       return judge_ahead(config, builder, request, known_so_far(), ahead.get_token());
     }
+    const std::size_t i = base::from_both_ends(k, judged.size());
     Judged found = judged[i];  // a copy, as other threads report the original meanwhile
     judge_one(config, builder, request, found);
     if (!found.right_alone) ahead.request_stop();

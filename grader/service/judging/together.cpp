@@ -68,7 +68,8 @@ class Integration {
 
   void judge_each(const std::vector<Judged*>& tasks, const build::Built& worker) {
     std::mutex mutex;
-    base::for_each(tasks.size(), request_.threads, [&](std::size_t i) {
+    base::for_each(tasks.size(), request_.threads, [&](std::size_t k) {
+      const std::size_t i = base::from_both_ends(k, tasks.size());
       Judged found = *tasks[i];  // a copy, as other threads report the original meanwhile
       judge(found, worker);
       found.settled = passes(&found);

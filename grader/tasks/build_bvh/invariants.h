@@ -8,7 +8,8 @@
 #include <vector>
 
 // The invariants of a tree (pt/geometry/bvh.h), and of its leaves. Each function fails the case if its own
-// is broken, and ends soon for any tree that is bounded (walk.h).
+// is broken, and ends soon for any tree that is bounded (walk.h). Words are made for what is wrong only:
+// most of the trees are right, and some have 66,000 leaves.
 
 namespace grader::check::build_bvh_inputs {
 
@@ -19,12 +20,13 @@ inline void expect_covered(const Input& input, const pt::Bvh& bvh) {
   for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
     const pt::Box &box = bvh.nodes[i].box, &needed = below.boxes[i];
     if (needed.is_empty()) continue;
-    const std::string has = node_name(static_cast<int>(i)) + " has the ";
-    expect(contains(box, needed), "a box that contains everything below it, " + show(needed),
-           has + (box.is_empty() ? "empty box" : show(box)));
+    const bool covers = contains(box, needed);
     // A box that seems too large may belong to a primitive that is lost.
     const double more = excess(box, needed);
-    if (!below.all || more <= allowed) continue;
+    if (covers && (!below.all || more <= allowed)) continue;
+    const std::string has = node_name(static_cast<int>(i)) + " has the ";
+    expect(covers, "a box that contains everything below it, " + show(needed),
+           has + (box.is_empty() ? "empty box" : show(box)));
     expect(false,
            "a box no larger than everything below it, except for rounding errors, " + show(needed),
            has + show(box) + ", larger by " + show(more));
@@ -36,20 +38,23 @@ inline void expect_every_primitive_once(const Input& input, const pt::Bvh& bvh) 
   expect_equal("entries in order", static_cast<long long>(bvh.order.size()), n);
   std::vector<int> seen(n), covered(n);
   for (const int primitive : bvh.order) {
-    expect(primitive >= 0 && primitive < n, "indices of boxes in order, 0 to " + name_of(n - 1),
-           name_of(primitive));
+    const bool is_box = primitive >= 0 && primitive < n;
+    if (!is_box)
+      expect(false, "indices of boxes in order, 0 to " + name_of(n - 1), name_of(primitive));
     ++seen[primitive];
   }
   for (const int i : walk_from_root(bvh)) {
     const pt::BvhNode& node = bvh.nodes[i];
     if (!node.is_leaf()) continue;
-    expect(
-        node.first >= 0 && node.first <= n - node.count,
-        "leaves that hold a part of order, which has " + name_of(n) + " entries",
-        node_name(i) + " begins at " + name_of(node.first) + " and holds " + name_of(node.count));
+    const bool is_part = node.first >= 0 && node.first <= n - node.count;
+    if (!is_part)
+      expect(
+          false, "leaves that hold a part of order, which has " + name_of(n) + " entries",
+          node_name(i) + " begins at " + name_of(node.first) + " and holds " + name_of(node.count));
     for (int k = node.first; k < node.first + node.count; ++k) ++covered[k];
   }
   for (int i = 0; i < n; ++i) {
+    if (seen[i] == 1 && covered[i] == 1) continue;
     expect_equal("how often box " + name_of(i) + " is in order", seen[i], 1);
     expect_equal("how many leaves hold order[" + name_of(i) + "]", covered[i], 1);
   }
@@ -72,7 +77,7 @@ inline void expect_split(const Input& input, const pt::Bvh& bvh) {
   for (const int i : walk) {
     const pt::BvhNode& node = bvh.nodes[i];
     below[i] = has_children(node) ? below[node.left] || below[node.right] : node.is_leaf();
-    expect(below[i], "something below every node", "nothing below " + node_name(i));
+    if (!below[i]) expect(false, "something below every node", "nothing below " + node_name(i));
   }
   expect(bvh.nodes[0].is_leaf() <= (static_cast<int>(input.boxes.size()) <= input.max_leaf),
          "a root with two children", "a root that is a leaf of all boxes");
@@ -87,13 +92,16 @@ inline void expect_one_tree(const pt::Bvh& bvh) {
     if (!has_children(bvh.nodes[i])) continue;
     for (const int child : {bvh.nodes[i].left, bvh.nodes[i].right}) {
       expect_child(bvh, i, child);
-      expect(child > i, "children after their parent in the list",
-             node_name(child) + " is a child of " + node_name(i));
       ++parents[child];
+      if (child > i) continue;
+      expect(false, "children after their parent in the list",
+             node_name(child) + " is a child of " + node_name(i));
     }
   }
   expect_equal("parents of the root", parents[0], 0);
-  for (int i = 1; i < count; ++i) expect_equal("parents of " + node_name(i), parents[i], 1);
+  for (int i = 1; i < count; ++i) {
+    if (parents[i] != 1) expect_equal("parents of " + node_name(i), parents[i], 1);
+  }
 }
 
 // Fails unless all boxes are divided into leaves that are small enough. The other invariants do not

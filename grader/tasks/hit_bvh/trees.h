@@ -98,11 +98,12 @@ struct TreeMaker {
     if (shape == Shape::right_chain) return first + 1;
     if (shape == Shape::left_chain) return last - 1;
     if (shape == Shape::random) return first + make.whole(1, n - 1);
-    const int axis = make.whole(0, 2);
-    std::sort(bvh.order.begin() + first, bvh.order.begin() + last, [&](int a, int b) {
+    const int axis = make.whole(0, 2), middle = first + n / 2;
+    const auto begin = bvh.order.begin();
+    std::nth_element(begin + first, begin + middle, begin + last, [&](int a, int b) {
       return bounds(primitives, a).center()[axis] < bounds(primitives, b).center()[axis];
     });
-    return first + n / 2;
+    return middle;
   }
 
   int build(int first, int last) {

@@ -363,12 +363,46 @@ std::vector<check::NumberPair> pairs_on_lines(double slope, bool exchanged) {
 }
 
 TEST(two_numbers, are_dependent_if_they_lie_on_lines) {
-  for (const double slope : {1.0, -3.0, 64.0, -2000.0, 0.5, -16.5}) {
+  for (const double slope : {1.0, -3.0, 64.0, -2000.0, 0.5, -1999.5}) {
     for (const bool exchanged : {false, true}) {
       EXPECT_THROW(check::expect_two_numbers("", pairs_on_lines(slope, exchanged)),
                    check::CaseFailed)
           << slope << exchanged;
     }
+  }
+}
+
+TEST(two_numbers, are_dependent_on_any_curve) {
+  pt::Sampler random(7);
+  std::vector<check::NumberPair> along_x, along_y;
+  for (int i = 0; i < 1200; ++i) {
+    const double x = random.next_1d(), y = std::fmod(900 * x * x, 1.0);
+    along_x.push_back({x, y});
+    along_y.push_back({y, x});
+  }
+  EXPECT_THROW(check::expect_two_numbers("", along_x), check::CaseFailed);
+  EXPECT_THROW(check::expect_two_numbers("", along_y), check::CaseFailed);
+}
+
+TEST(two_numbers, are_independent_where_one_is_always_nearly_the_same) {
+  pt::Sampler random(7);
+  std::vector<check::NumberPair> pairs;
+  for (int i = 0; i < 1200; ++i) {
+    const pt::Vec2 at = random.next_2d();
+    pairs.push_back({at.x, std::fmod(0.97 + at.y / 15, 1.0)});
+  }
+  EXPECT_NO_THROW(check::expect_two_numbers("", pairs));
+}
+
+TEST(two_numbers, are_finite) {
+  pt::Sampler random(7);
+  std::vector<check::NumberPair> pairs;
+  for (int i = 0; i < 1200; ++i) pairs.push_back({random.next_1d(), random.next_1d()});
+  EXPECT_NO_THROW(check::expect_two_numbers("", pairs));
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
+    pairs[7].y = bad;
+    EXPECT_EQ(failure_of([&] { check::expect_two_numbers("", pairs); }).got,
+              "a number that is not finite");
   }
 }
 
