@@ -216,9 +216,9 @@ Drawn draw_path(const Plan& plan, const Figure& figure, const fs::path& folder) 
   drawn.charts = {figure.id + ".svg"};
   pt::write_file(folder / drawn.charts[0], svg(height, drawing_of_path(all, *longest, height)));
   drawn.tables = {figure.id + ".csv"};
-  std::string csv = "\"" + fmt::format("{}", fmt::join(drawn.columns, "\",\"")) + "\"\n";
+  std::string csv = fmt::format("\"{}\"\n", fmt::join(drawn.columns, "\",\""));
   for (const std::vector<std::string>& row : drawn.rows) {
-    csv += "\"" + fmt::format("{}", fmt::join(row, "\",\"")) + "\"\n";
+    csv += fmt::format("\"{}\"\n", fmt::join(row, "\",\""));
   }
   pt::write_file(folder / drawn.tables[0], csv);
   return drawn;

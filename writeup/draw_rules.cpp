@@ -1,13 +1,16 @@
+#include "measure/charts/gnuplot.h"
 #include "pt/file.h"
 #include "writeup/compose.h"
 #include "writeup/figure.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
-// Draws a table of what rules for the samples of a pixel can win, by the noise of a uniform picture.
+// Draws a table and a chart of what rules for the samples of a pixel can win, by the noise of a uniform picture.
 // All have as many samples in the whole picture as the rule of adaptive_pixel's contract.
 
 namespace writeup {
@@ -16,7 +19,7 @@ namespace {
 
 // A rule gives a pixel its weight, times a factor that is the same in all of them.
 struct Rule {
-  const char *id, *title;
+  const char *id, *title, *short_title, *color;
   std::vector<double> weights;
 };
 
@@ -77,7 +80,57 @@ std::vector<double> samples_of(const std::vector<double>& weights, double averag
   return all;
 }
 
-void enter(const Rule& rule, const std::vector<double>& samples, const std::vector<Pixel>& pixels,
+// Parts of all pixels, in per cent.
+constexpr double kNoisier[] = {50, 20, 10, 5, 2, 1, .5, .2, .1, .05, .02, .01};
+
+// The line of a rule in the chart: the noise in per cent that each of these parts exceeds.
+struct Line {
+  std::string name, title, color;
+  std::vector<double> noise;
+};
+
+std::vector<double> exceeded(std::vector<double> squares) {
+  std::ranges::sort(squares, std::greater<>());
+  std::vector<double> noise;
+  for (const double part : kNoisier) {
+    const auto place = static_cast<std::size_t>(part / 100 * static_cast<double>(squares.size()));
+    noise.push_back(100 * std::sqrt(squares.at(place)));
+  }
+  return noise;
+}
+
+void draw_lines(const std::vector<Line>& lines, const std::filesystem::path& folder,
+                const std::string& name) {
+  std::string csv = "noisier", plot, values;
+  for (const Line& line : lines) csv += ',' + line.name;
+  csv += '\n';
+  for (std::size_t row = 0; row < std::size(kNoisier); ++row) {
+    csv += fmt::format("{}", kNoisier[row]);
+    for (const Line& line : lines) csv += fmt::format(",{:.5g}", line.noise[row]);
+    csv += '\n';
+  }
+  pt::write_file(folder / (name + ".csv"), csv);
+  double low = HUGE_VAL, high = 0;
+  std::vector<measure::NamedEnd> ends;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto [least, most] = std::ranges::minmax(lines[i].noise);
+    low = std::min(low, least);
+    high = std::max(high, most);
+    ends.push_back({lines[i].title, lines[i].color, lines[i].noise.back()});
+    const std::string data = fmt::format("\"{}.csv\" skip 1", name);
+    const std::string height = fmt::format("${}", i + 2);
+    plot += fmt::format("{} {} using 1:{} with lines lw 2 lc rgb \"{}\"", i == 0 ? "plot" : ",",
+                        data, i + 2, lines[i].color);
+    values += measure::under_the_pointer({data, lines[i].title, "$1", height, height, ""});
+  }
+  measure::draw(folder, name,
+                "set logscale xy\nset xrange [50:.01]\nset xlabel \"pixels with more noise, %\"\n"
+                "set ylabel \"noise, %\"\nset ytics add (2, 5, 20, 50)\n" +
+                    measure::names_beside(ends, std::max(low, high / 1e4) / 1.2, high * 1.2) +
+                    plot + values + '\n');
+}
+
+Line enter(const Rule& rule, const std::vector<double>& samples, const std::vector<Pixel>& pixels,
            Drawn& drawn) {
   std::vector<double> squares;
   double sum = 0, all = 0, on_black = 0;
@@ -88,7 +141,7 @@ void enter(const Rule& rule, const std::vector<double>& samples, const std::vect
     on_black += pixels[i].mean > 0 ? 0 : samples[i];
   }
   const double error = 100 * std::sqrt(sum / static_cast<double>(pixels.size()));
-  const pt::PixelErrors noise = pt::pixel_errors(std::move(squares));
+  const pt::PixelErrors noise = pt::pixel_errors(squares);
   const auto number = [&](const char* name, double value) {
     return drawn.numbers[fmt::format("{}.{}", rule.id, name)] = digits(value);
   };
@@ -96,6 +149,7 @@ void enter(const Rule& rule, const std::vector<double>& samples, const std::vect
       {rule.title, number("error", error) + " %", number("median", 100 * noise.median) + " %",
        number("most", 100 * noise.most) + " %", number("largest", 100 * noise.largest) + " %",
        number("on_black", 100 * on_black / all) + " %"});
+  return {rule.id, rule.short_title, rule.color, exceeded(std::move(squares))};
 }
 
 }  // namespace
@@ -128,19 +182,25 @@ Drawn draw_rules(const Plan& plan, const Figure& figure, const std::filesystem::
                    "largest",
                    "samples on black pixels"};
   const std::vector<double> squares = weights(pixels, 2);
-  const Rule contract{"contract", "the contract's", {}};
-  enter(contract, of_contract, pixels, drawn);
+  using namespace measure::ink;
+  const Rule contract{"contract", "the contract's", "contract", kBlue, {}};
+  std::vector<Line> lines{enter(contract, of_contract, pixels, drawn)};
   for (const Rule& rule :
-       {Rule{"uniform", "the same number everywhere", std::vector<double>(pixels.size(), 1)},
-        Rule{"no_black", "the contract's, one batch on black", squares},
-        Rule{"root", "in proportion to \u03c3 / g", weights(pixels, 1)},
-        Rule{"neighbours", "the most that a pixel or a neighbour needs",
+       {Rule{"uniform", "the same number everywhere", "uniform", kBlack,
+             std::vector<double>(pixels.size(), 1)},
+        Rule{"no_black", "the contract's, one batch on black", "one batch on black", kSky, squares},
+        Rule{"root", "in proportion to \u03c3 / g", "\u03c3 / g", kPink, weights(pixels, 1)},
+        Rule{"neighbours", "the most that a pixel or a neighbour needs", "neighbours", kGray,
              beside(squares, uniform.film.width)}}) {
-    enter(rule, samples_of(rule.weights, average, settings), pixels, drawn);
+    lines.push_back(enter(rule, samples_of(rule.weights, average, settings), pixels, drawn));
   }
+  draw_lines(lines, folder, figure.id + "_noise");
   std::string csv = "number,value\n";
   for (const auto& [name, value] : drawn.numbers) csv += name + ',' + value + '\n';
-  drawn.tables = {figure.id + ".csv"};
+  drawn.tables = {figure.id + ".csv", figure.id + "_noise.csv"};
+  if (std::filesystem::exists(folder / (figure.id + "_noise.svg"))) {
+    drawn.charts = {figure.id + "_noise.svg"};
+  }
   pt::write_file(folder / drawn.tables[0], csv);
   return drawn;
 }

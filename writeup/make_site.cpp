@@ -62,7 +62,7 @@ Time expected_time(const Plan& plan, const std::vector<Unit>& units,
                    const std::vector<Measurement>& measurements, int threads) {
   Time time;
   for (const Unit& unit : units) time.renders += plan.store().seconds(unit) / threads;
-  for (const Measurement& each : measurements) time.measurements += each.seconds;
+  time.measurements = seconds_by_the_clock(measurements, threads);
   return time;
 }
 

@@ -1,5 +1,6 @@
 #include "writeup/measurements.h"
 
+#include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
 #include "grader/service/process/run_command.h"
 #include "pt/file.h"
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <mutex>
+#include <span>
 
 #include <sys/wait.h>
 
@@ -120,29 +123,73 @@ bool make_one(const Measurements& measurements, const Measurement& measurement, 
   return result.timed_out;
 }
 
+// Returns the measurements in groups, each of which is made at the same time. Curves have errors and
+// counts, which do not depend on what else runs; whatever is timed runs alone.
+std::vector<std::span<const Measurement>> groups_of(std::span<const Measurement> all) {
+  std::vector<std::span<const Measurement>> groups;
+  while (!all.empty()) {
+    const auto timed = std::ranges::find_if(
+        all, [](const Measurement& each) { return each.command != "stability"; });
+    const auto curves = static_cast<std::size_t>(timed - all.begin());
+    groups.push_back(all.first(std::max<std::size_t>(curves, 1)));
+    all = all.subspan(groups.back().size());
+  }
+  return groups;
+}
+
+int at_once(std::span<const Measurement> group, int threads) {
+  return std::min(threads, static_cast<int>(group.size()));
+}
+
+double seconds_of_group(std::span<const Measurement> group, int threads) {
+  double sum = 0;
+  for (const Measurement& each : group) sum += each.seconds;
+  return sum / at_once(group, threads);
+}
+
 }  // namespace
+
+double seconds_by_the_clock(const std::vector<Measurement>& all, int threads) {
+  double sum = 0;
+  for (const auto group : groups_of(all)) sum += seconds_of_group(group, threads);
+  return sum;
+}
 
 void make(const Measurements& measurements, const std::vector<Measurement>& missing, int threads,
           const std::function<void(double)>& progress) {
   using Clock = std::chrono::steady_clock;
-  double all = 0, done = 0;
-  for (const Measurement& each : missing) all += each.seconds;
+  const double all = seconds_by_the_clock(missing, threads);
+  double done = 0;
+  std::mutex mutex;
   std::string stopped;
-  for (const Measurement& each : missing) {
-    if (!stopped.empty()) {
-      measurements.fail(each, "not tried: the measurement of " + stopped + " did not end");
-      continue;
+  const auto make_unless_stopped = [&](const Measurement& each, int its_threads) {
+    {
+      const std::lock_guard lock(mutex);
+      if (!stopped.empty()) {
+        measurements.fail(each, "not tried: the measurement of " + stopped + " did not end");
+        return;
+      }
     }
+    if (!make_one(measurements, each, its_threads)) return;
+    const std::lock_guard lock(mutex);
+    stopped = each.scene.empty() ? each.options.at(0) : fs::path(each.scene).filename().string();
+  };
+  for (const std::span<const Measurement> group : groups_of(missing)) {
     const Clock::time_point start = Clock::now();
-    auto one =
-        std::async(std::launch::async, make_one, std::cref(measurements), std::cref(each), threads);
-    while (one.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
+    const int count = at_once(group, threads);
+    auto work = std::async(std::launch::async, [&] {
+      grader::base::for_each(group.size(), count, [&](std::size_t i) {
+        const std::size_t place = grader::base::from_both_ends(i, group.size());
+        make_unless_stopped(group[place], threads / count);
+      });
+    });
+    const double expected = seconds_of_group(group, threads);
+    while (work.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
       const std::chrono::duration<double> passed = Clock::now() - start;
-      progress((done + std::min(passed.count(), each.seconds)) / all);
+      progress((done + std::min(passed.count(), expected)) / all);
     }
-    if (one.get())
-      stopped = each.scene.empty() ? each.options.at(0) : fs::path(each.scene).filename().string();
-    done += each.seconds;
+    work.get();
+    done += expected;
   }
 }
 

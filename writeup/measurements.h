@@ -48,8 +48,12 @@ class Measurements {
   const Store& store_;
 };
 
+// About how long make() takes for them.
+double seconds_by_the_clock(const std::vector<Measurement>& all, int threads);
+
 // Makes the measurements that are not settled, one after the other, each on this many threads: nothing
-// else of the write-up runs at the same time. If one has to be stopped, the rest is not tried.
+// else of the write-up runs at the same time. Only curves are made as many at a time as there are threads.
+// If one has to be stopped, the rest is not tried.
 void make(const Measurements& measurements, const std::vector<Measurement>& missing, int threads,
           const std::function<void(double)>& progress);
 

@@ -103,10 +103,14 @@ void draw(const fs::path& folder, const std::string& name, const std::string& co
                                      {},
                                      folder.string(),
                                      {}};
-  grader::process::run_command(child, std::chrono::seconds(20));
+  const bool is_drawn = grader::process::run_command(child, std::chrono::seconds(20)).ok();
   fs::remove(folder / (name + ".gp"));
   const fs::path made = folder / (name + ".svg");
-  if (fs::exists(made)) pt::write_file(made, for_pages(pt::read_file(made, kMaxChart)));
+  if (!is_drawn) {
+    fs::remove(made);  // gnuplot leaves an empty one
+  } else if (fs::exists(made)) {
+    pt::write_file(made, for_pages(pt::read_file(made, kMaxChart)));
+  }
 }
 
 }  // namespace measure

@@ -98,8 +98,9 @@ void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
       low = std::min(low, error(kMostSamples));
       high = std::max(high, error(kFewestSamples));
     }
-    // The place of the cheapest, and of the course's settings, on its line.
-    if (block < 2) {
+    // The place of the cheapest, and of the course's settings, on its line. The course's may not reach
+    // the error, and then has none.
+    if (curve.option == &answer.best || curve.option == &answer.course) {
       points += fmt::format("set label at {:.6g},{:.6g} point pt 7 ps 1.2 lc rgb \"{}\" front\n",
                             choice.seconds * pixels, choice.error, curve.color);
     }
