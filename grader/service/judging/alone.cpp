@@ -179,7 +179,9 @@ void judge_alone(const build::Config& config, const build::Builder& builder,
     if (k == judged.size()) {
       return judge_ahead(config, builder, request, known_so_far(), ahead.get_token());
     }
-    const std::size_t i = base::from_both_ends(k, judged.size());
+    // A single task that was asked for comes last, and is judged ahead as soon as the others are right.
+    const bool is_one = request.asked.size() == 1;
+    const std::size_t i = is_one ? k : base::from_both_ends(k, judged.size());
     Judged found = judged[i];  // a copy, as other threads report the original meanwhile
     judge_one(config, builder, request, found);
     if (!found.right_alone) ahead.request_stop();
