@@ -21,11 +21,9 @@ Rgb played(const Scene& scene, const SurfacePoint& point, const PathSettings& se
   return trace_path(scene, point, settings, sampler);
 }
 
-// The light of a range. The first bounce reaches the camera unchanged. Later ones are walked to the end of
-// the range only, as bounces after it add nothing.
-Rgb light_of(const Scene& scene, const SurfacePoint& point, PathSettings settings,
+// The light of a range. The first bounce reaches the camera unchanged.
+Rgb light_of(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
              const BounceRange& range, Sampler sampler, PathTape& tape) {
-  settings.to = std::min(settings.to, range.to);
   Rgb first;
   bool later = false;
   for (const PathTape::DirectLight& direct : tape.lights) {
