@@ -17,7 +17,7 @@ namespace {
 constexpr int kMaxSlope = 2100;  // beyond it, the precision of the contracts hides the lines
 constexpr int kMaxWaves = 2;     // along the other axis: lines in each half of a divided pixel
 
-constexpr std::size_t kPlaces = 16384;
+constexpr std::size_t kPlaces = 16384;  // of y: a power of 2, far above 2 kMaxSlope
 
 using Complex = std::complex<double>;
 
