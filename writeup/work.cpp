@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kBandSeconds = 10;  // short enough that the processors end at about the same time
+constexpr double kBandSeconds = 5;  // short enough that the processors end at about the same time
 constexpr std::size_t kMaxReason = 600;
 
 struct Job {
