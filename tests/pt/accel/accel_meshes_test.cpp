@@ -23,18 +23,17 @@ namespace {
 
 // The oracle tests every primitive. Because a million rays would take a day, it first tests whether
 // the ray's line meets the primitive's box, enlarged by far more than any rounding.
-bool may_meet(const Box& box, const Ray& ray, double margin) {
+bool may_meet(const Box& box, const Ray& ray, Vec3 inverse, double margin) {
   double begin = -kInfinity, end = kInfinity;
   for (int axis = 0; axis < 3; ++axis) {
     const double low = box.min[axis] - margin - ray.origin[axis];
     const double high = box.max[axis] + margin - ray.origin[axis];
-    const double d = ray.direction[axis];
-    if (d == 0) {
+    if (ray.direction[axis] == 0) {
       if (low > 0 || high < 0) return false;
       continue;
     }
-    begin = std::max(begin, std::min(low / d, high / d));
-    end = std::min(end, std::max(low / d, high / d));
+    begin = std::max(begin, std::min(low * inverse[axis], high * inverse[axis]));
+    end = std::min(end, std::max(low * inverse[axis], high * inverse[axis]));
   }
   return begin <= end + 1e-9 * std::abs(end);
 }
@@ -50,9 +49,10 @@ struct Truth {
   }
   Brute operator()(const Ray& ray) const {
     const double margin = 1e-6 * (size + max_abs(ray.origin));
+    const Vec3 inverse{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z};
     Brute best;
     for (int i = 0; i < primitives.size(); ++i) {
-      if (may_meet(boxes[i], ray, margin)) best = ask(primitives, i, ray, best);
+      if (may_meet(boxes[i], ray, inverse, margin)) best = ask(primitives, i, ray, best);
     }
     return best;
   }
