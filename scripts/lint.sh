@@ -26,7 +26,7 @@ lint_format() {
 # is installed if that is allowed.
 lint() {
   setup
-  (setup packages-lint.txt) || true
+  (setup lint) || true
   unlock_tree
   lint_format
   [ "${1:-}" = --all ] || return 0

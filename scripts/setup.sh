@@ -21,6 +21,9 @@ is_installed() {
   esac
 }
 
+# packages_for USES: prints Debian's names of the packages for these uses, as scripts/packages.txt calls them.
+packages_for() { awk -v "uses= $1 " '!/^#/ && index(uses, " " $2 " ") { print $1 }' "$root/scripts/packages.txt"; }
+
 # name_for MANAGER PACKAGE: prints the manager's name for it; nothing if it is not needed; ? if there is none.
 name_for() {
   if [ "$1" = apt-get ]; then
@@ -28,11 +31,11 @@ name_for() {
   else
     awk -v manager="$1" -v package="$2" '
       /^# package / { for (i = 3; i <= NF; ++i) if ($i == manager) column = i - 1 }
-      $1 == package { if ($column != "-") print $column }' "$root/scripts/packages-elsewhere.txt"
+      $1 == package { if ($column != "-") print $column }' "$root/scripts/packages.txt"
   fi
 }
 
-# find_missing MANAGER LIST...: sets `missing` to the packages of the lists that are not installed, with the manager's
+# find_missing MANAGER USES: sets `missing` to the packages for these uses that are not installed, with the manager's
 # names, and `unknown` to those that it does not have.
 find_missing() {
   local package name
@@ -44,7 +47,7 @@ find_missing() {
       '?') unknown+=("$package") ;;
       *) is_installed "$1" "$name" || missing+=("$name") ;;
     esac
-  done < <(grep -hv '^#' "${@:2}")
+  done < <(packages_for "$2")
 }
 
 install_command() {
@@ -90,22 +93,21 @@ install_missing() {
     fail "apt-get could not install ${missing[*]} (see build/packages.log); install them and try again"
 }
 
-# setup [LIST]: installs missing packages, and remembers it, so that the next call costs nothing. It makes no file
-# before it is certain to succeed. Without LIST: the packages that everybody needs, and those for grading a class.
+# setup [USES]: installs missing packages, and remembers it, so that the next call costs nothing. It makes no file
+# before it is certain to succeed. Without USES: what students need, and what grading a class needs.
 setup() {
-  local lists=("$root/scripts/${1:-packages.txt}") stamp manager missing unknown
-  [ $# -gt 0 ] || [ ! -e "$root/scripts/packages-class.txt" ] || lists+=("$root/scripts/packages-class.txt")
-  stamp=$build/packages.$(cat "${lists[@]}" | cksum | cut -d' ' -f1)
+  local uses=${1:-student class} stamp manager missing unknown
+  stamp=$build/packages.$(packages_for "$uses" | cksum | cut -d' ' -f1)
   [ -e "$stamp" ] && return
   manager=$(package_manager)
   [ -n "$manager" ] ||
     fail "./run does not know the package manager of this system. Install these packages (with Debian's names), then type mkdir -p $build && touch $stamp:" \
-      "$(grep -hv '^#' "${lists[@]}" | tr '\n' ' ')"
-  find_missing "$manager" "${lists[@]}"
+      "$(packages_for "$uses" | tr '\n' ' ')"
+  find_missing "$manager" "$uses"
   if [ ${#missing[@]} -gt 0 ] || [ ${#unknown[@]} -gt 0 ]; then
     { [ "$manager" = apt-get ] && may_install; } || fail "$(how_to_install "$manager" "$stamp")"
     lock_tree
-    find_missing "$manager" "${lists[@]}" # another ./run may have installed them
+    find_missing "$manager" "$uses" # another ./run may have installed them
     [ ${#missing[@]} -eq 0 ] || install_missing
   fi
   lock_tree

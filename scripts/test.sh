@@ -44,9 +44,9 @@ run_tests() {
     case $tier in
       quick) targets=(quick_tests) which=(-L '^quick$') ;;
       # A test that needs one of the packages is skipped without it.
-      all) (setup packages-test.txt) || true
+      all) (setup test) || true
            targets=(quick_tests rest_tests) which=(-LE '^long$') ;;
-      long) (setup packages-test.txt) || true
+      long) (setup test) || true
             targets=(long_tests) which=(-L '^long$') ;;
     esac
   fi

@@ -29,6 +29,9 @@ trap 'rm -rf "$half"' EXIT
 chmod 755 "$half"
 edition_files "$not_for_learners" | copy_files "$half"
 copy_known "$build" "$half"
+# Without the commands that learners do not have, and the packages of those.
+awk '/^#/ || $2 == "student"' scripts/packages.txt >"$half/scripts/packages.txt"
+awk '/^== /{ ours = $2 ~ /^(bless|grade-class|ladder)$/ } !ours' docs/help.txt >"$half/docs/help.txt"
 cp scripts/editions/handout_README.md "$half/README.md"
 mkdir -p "$half/.github/workflows"
 cp scripts/editions/ci/github.yml "$half/.github/workflows/grade.yml"

@@ -1,19 +1,17 @@
 #!/usr/bin/env bash
-# Tests that docs/help has the help of the programs: ./run COMMAND --help shows it without building anything.
-# help.sh BUILD [--renew]: compares them, or writes them again.
+# Tests that docs/help.txt has the help of the programs: ./run COMMAND --help shows it without building anything.
+# help.sh BUILD [--renew]: compares it, or writes it again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-build=$1 failures=0
+build=$1 page=docs/help.txt failures=0
+new=$(mktemp)
+trap 'rm "$new"' EXIT
+echo '# What ./run COMMAND --help shows, command by command. tests/commands/help.sh BUILD --renew writes this file.' >"$new"
 while read -r command program words; do
-  page=docs/help/$command.txt
   # shellcheck disable=SC2086
   said=$("$build/$program" $words --help)
-  if [ "${2:-}" = --renew ]; then
-    printf '%s\n' "$said" >"$page"
-  elif ! diff <(./run "$command" --help) <(printf '%s\n' "$said"); then
-    echo "$page is not the help of ./run $command; write it again: tests/commands/help.sh BUILD --renew"
-    failures=$((failures + 1))
-  fi
+  printf '== %s\n%s\n' "$command" "$said" >>"$new"
+  [ "${2:-}" = --renew ] || diff <(./run "$command" --help) <(printf '%s\n' "$said") || failures=$((failures + 1))
 done <<'END'
 bless grader/bless
 cheapest measure/accuracy.reference cheapest
@@ -31,4 +29,9 @@ view view/view
 watch grader/watch
 writeup writeup/writeup
 END
-[ "$failures" -eq 0 ]
+if [ "${2:-}" = --renew ]; then
+  cp "$new" "$page"
+elif [ "$failures" -gt 0 ] || ! diff "$page" "$new"; then
+  echo "$page is not the help of the programs; write it again: tests/commands/help.sh BUILD --renew"
+  exit 1
+fi

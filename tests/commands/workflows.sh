@@ -5,7 +5,7 @@
 set -euo pipefail
 # shellcheck source=tests/fixtures/shell.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
-python3 -c 'import yaml' 2>/dev/null || { echo 'SKIPPED: python3-yaml is missing (scripts/packages-test.txt)'; exit 77; }
+python3 -c 'import yaml' 2>/dev/null || { echo 'SKIPPED: python3-yaml is missing (scripts/packages.txt)'; exit 77; }
 build=$1 handout=${2:-$folder/handout}
 if [ $# -eq 1 ]; then
   mkdir -p "$handout/.github/workflows" "$handout/student/1_rays"

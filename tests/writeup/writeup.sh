@@ -207,7 +207,7 @@ expect 2 "there is no part and no figure 'six'" writeup reference six
 
 # The pages in a browser: each control of a group works once, and the console stays empty.
 if ! command -v chromium >/dev/null; then
-  echo "SKIPPED, the pages were not opened: chromium is missing (scripts/packages-test.txt)"
+  echo "SKIPPED, the pages were not opened: chromium is missing (scripts/packages.txt)"
 else
   writeup reference >/dev/null
   for page in index part1 part2 part3 part4 part5 accuracy needs stability bugs; do
