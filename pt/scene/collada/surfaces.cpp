@@ -1,11 +1,15 @@
 #include "pt/scene/collada/surfaces.h"
 
+#include "pt/geometry/sphere.h"
+#include "pt/geometry/triangle.h"
+#include "pt/math/transform.h"
 #include "pt/scene/collada/geometry.h"
 #include "pt/scene/collada/lights.h"
 #include "pt/scene/collada/materials.h"
-#include "pt/scene/collada/place.h"
 #include "pt/scene/collada/transforms.h"
 
+#include <cmath>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -38,6 +42,50 @@ Bindings read_bindings(const XMLElement& instance) {
     bindings.by_symbol.emplace(attribute(binding, "symbol"), binding);
   }
   return bindings;
+}
+
+// A triangle of a file moved to the world. If the map mirrors, the corners change order, so that
+// the geometric normal stays on the same side of the surface. A corner normal that is zero, or
+// becomes zero, is replaced by the face's. Nothing if the moved triangle has no area (the square of
+// its edges' cross product underflows or overflows).
+std::optional<Triangle> place(const FileTriangle& triangle, const Transform& to_world) {
+  const bool mirrors = to_world.determinant() < 0;
+  const int order[3] = {0, mirrors ? 2 : 1, mirrors ? 1 : 2};
+  Triangle placed;
+  placed.p0 = to_world.point(triangle.p[order[0]]);
+  placed.p1 = to_world.point(triangle.p[order[1]]);
+  placed.p2 = to_world.point(triangle.p[order[2]]);
+  const Vec3 geometric = geometric_normal(placed);
+  if (!std::isnormal(length_squared(geometric))) return std::nullopt;
+  const Vec3 face = normalize(geometric);
+  const auto unit_normal = [&](int corner) {
+    // Two steps, so that neither tiny normals nor tiny scales underflow.
+    const Vec3 local = triangle.n[order[corner]];
+    if (!std::isnormal(length_squared(local))) return face;
+    const Vec3 n = to_world.normal(normalize(local));
+    if (!std::isnormal(length_squared(n))) return face;
+    return mirrors ? -normalize(n) : normalize(n);
+  };
+  placed.n0 = unit_normal(0);
+  placed.n1 = unit_normal(1);
+  placed.n2 = unit_normal(2);
+  return placed;
+}
+
+// A sphere around the origin moved to the world. Nothing if the map is not a uniform scaling,
+// rotation and mirroring: the axes differ in length, or from right angles, by more than 1e-5.
+std::optional<Sphere> place_sphere(double radius, const Transform& to_world) {
+  constexpr double kTolerance = 1e-5;
+  const Vec3 axes[3] = {to_world.x, to_world.y, to_world.z};
+  const double scale = std::cbrt(std::abs(to_world.determinant()));
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(length(axes[i]) - scale) <= kTolerance * scale)) return std::nullopt;
+    if (!(std::abs(dot(axes[i], axes[(i + 1) % 3])) <= kTolerance * scale * scale)) {
+      return std::nullopt;
+    }
+  }
+  if (!std::isnormal(scale * radius)) return std::nullopt;
+  return Sphere{to_world.translation, scale * radius};
 }
 
 class SurfaceReader {
