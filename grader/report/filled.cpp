@@ -3,6 +3,10 @@
 #include "grader/report/page/sources.h"
 #include "pt/error.h"
 
+#include <cctype>
+
+#include <fmt/format.h>
+
 namespace grader::report {
 
 std::string filled(std::string_view page, kainjow::mustache::data data) {
@@ -12,6 +16,16 @@ std::string filled(std::string_view page, kainjow::mustache::data data) {
   std::string text = filling.render(data);
   if (!filling.is_valid()) throw pt::Error("the page cannot be made: " + filling.error_message());
   return text;
+}
+
+std::string address_of(const std::string& file) {
+  std::string address;
+  for (const char c : file) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) != 0 || c == '-' || c == '_' || c == '.';
+    address += plain && byte < 0x80 ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return address;
 }
 
 }  // namespace grader::report

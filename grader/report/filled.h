@@ -11,4 +11,7 @@ namespace grader::report {
 // template.
 std::string filled(std::string_view page, kainjow::mustache::data data);
 
+// A file's name as a relative address in a page: "a%2C%20flat.html".
+std::string address_of(const std::string& file);
+
 }  // namespace grader::report

@@ -1,6 +1,6 @@
 #include "grader/watch/session.h"
 
-#include "grader/results/read_json.h"
+#include "grader/results/json.h"
 #include "grader/service/process/run_command.h"
 #include "grader/watch/fit.h"
 #include "pt/error.h"

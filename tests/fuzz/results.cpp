@@ -7,7 +7,6 @@
 #include "grader/report/terminal.h"
 #include "grader/results/json.h"
 #include "grader/results/presentable.h"
-#include "grader/results/read_json.h"
 #include "grader/service/platforms/class_page.h"
 #include "pt/error.h"
 #include "tests/fuzz/input.h"

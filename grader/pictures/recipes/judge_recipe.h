@@ -1,8 +1,31 @@
 #pragma once
 
-#include "grader/pictures/recipes/render.h"
+#include "grader/pictures/recipes/recipes.h"
+#include "grader/results/results.h"
+#include "pt/render/render_rows.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
 
 namespace grader::pictures {
+
+// Renders the rows that are asked for: in a worker (worker_rows.h), or pt::render_rows with the
+// tasks that this program links.
+using RowRenderer = std::function<pt::PictureRows(const pt::View&, const pt::RowsRequest&)>;
+
+// A worker made no picture. The text says what it did instead, for a person to read.
+struct NoPicture {
+  results::Cause cause = results::Cause::crash;
+  std::string text;
+};
+
+// The source of a picture's random numbers: the submission's content, so that the same files always
+// get the same numbers, and other numbers can be tried only by changing the files.
+struct SeedSource {
+  std::string content;     // a hash of what is judged
+  std::uint64_t seed = 1;  // of the run
+};
 
 // The files by which one recipe is judged, and those that keep what was rendered.
 struct PictureFiles {

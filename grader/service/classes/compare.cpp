@@ -1,6 +1,6 @@
 #include "grader/service/classes/compare.h"
 
-#include "grader/results/read_json.h"
+#include "grader/results/json.h"
 #include "grader/results/summary.h"
 #include "grader/service/classes/identity.h"
 #include "pt/error.h"

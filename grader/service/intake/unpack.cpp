@@ -4,7 +4,7 @@
 #include "grader/service/intake/archive_reader.h"
 #include "grader/service/intake/entry_path.h"
 #include "grader/service/intake/file_name.h"
-#include "grader/service/intake/owners.h"
+#include "grader/service/intake/owner.h"
 #include "pt/error.h"
 #include "pt/file.h"
 

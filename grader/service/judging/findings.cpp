@@ -3,7 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/printable.h"
 #include "grader/base/sha256.h"
-#include "grader/results/read_json.h"
+#include "grader/results/json.h"
 #include "grader/service/build/cache.h"
 #include "grader/service/process/cause_of_end.h"
 #include "grader/service/process/run_command.h"

@@ -1,7 +1,7 @@
 #include "grader/service/judging/picture_trial.h"
 
 #include "grader/base/sha256.h"
-#include "grader/results/read_json.h"
+#include "grader/results/json.h"
 #include "grader/service/build/cache.h"
 #include "grader/service/judging/findings.h"
 #include "grader/service/process/cause_of_end.h"

@@ -1,6 +1,5 @@
 #include "grader/service/platforms/class_page.h"
 
-#include "grader/report/address.h"
 #include "grader/report/filled.h"
 #include "grader/report/html_picture.h"
 #include "grader/report/page/sources.h"

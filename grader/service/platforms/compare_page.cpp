@@ -1,6 +1,5 @@
 #include "grader/service/platforms/compare_page.h"
 
-#include "grader/report/address.h"
 #include "grader/report/csv.h"
 #include "grader/report/filled.h"
 #include "grader/report/page/sources.h"

@@ -1,7 +1,6 @@
 #include "grader/service/platforms/likeness.h"
 
 #include "grader/base/sha256.h"
-#include "grader/report/address.h"
 #include "grader/report/filled.h"
 #include "grader/report/page/sources.h"
 #include "grader/results/order.h"

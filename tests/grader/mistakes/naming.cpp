@@ -5,7 +5,7 @@
 
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
-#include "grader/results/read_json.h"
+#include "grader/results/json.h"
 #include "grader/service/judging/alone.h"
 #include "grader/service/judging/ask_battery.h"
 #include "grader/service/judging/name_mistakes.h"

@@ -1,7 +1,6 @@
 // Results can be written and read back, and their texts are fit for every format.
 #include "grader/results/json.h"
 #include "grader/results/presentable.h"
-#include "grader/results/read_json.h"
 #include "pt/error.h"
 #include "tests/grader/report/example_results.h"
 
