@@ -1,8 +1,8 @@
 // Compares our renderer with an independent one, Blender's Cycles: the radiance of each part of a picture, and error
 // against time. See docs/cycles.md.
 #include "bench/against_cycles.h"
+#include "bench/cycles.h"
 #include "bench/cycles_report.h"
-#include "bench/cycles_scene.h"
 #include "bench/direct_formula.h"
 #include "pt/command_line.h"
 #include "pt/render/choose_engine.h"

@@ -1,7 +1,7 @@
 # Renders a scene with Blender's Cycles, for bench_cycles:
 #     blender --background --factory-startup --python cycles.py -- scene.json
 # Reads jobs from standard input, a line of JSON per job: {"samples": 16, "seed": 1, "picture": "1.exr"}, and answers on descriptor
-# 3 with a line of JSON: the processor time of the render. bench/cycles_scene.cpp writes scene.json. World coordinates are used as
+# 3 with a line of JSON: the processor time of the render. bench/cycles.cpp writes scene.json. World coordinates are used as
 # they are, with y up: nothing here depends on Blender's own up direction.
 import array
 import json

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measure/renders/spec.h"
+#include "writeup/options.h"
 
 #include <filesystem>
 #include <map>
@@ -18,6 +19,16 @@ struct Code {
 
 // Returns the code in writeup_render.<name>, from the list of objects next to it.
 Code code_of_program(const std::filesystem::path& program);
+
+// Returns the code of a submission. The program writeup_boxed compiles it in the box, and renders
+// with it. No line of it runs in this process.
+Code code_of_submission(const Options& options);
+
+// The same code in the program accuracy_boxed.
+Code accuracy_of_submission(const Options& options, const Code& code);
+
+// The same code in the program that shows the paths of a pixel. It is compiled only if it `is_wanted`.
+Code view_of_submission(const Options& options, const Code& code, bool is_wanted);
 
 // Returns a name for all code on which the pixels of a render depend.
 std::string identity(const Code& code, const measure::Spec& spec);

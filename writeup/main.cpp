@@ -7,7 +7,6 @@
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/printable.h"
-#include "writeup/boxed_code.h"
 #include "writeup/code.h"
 #include "writeup/handbook.h"
 #include "writeup/make_site.h"

@@ -20,7 +20,7 @@ std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint6
 
 // Renders pixels with one of two implementations; a program links one of them:
 //   here   (pixels_here.cpp), by the tasks linked into this program;
-//   boxed  (pixels_boxed.cpp), by the worker of a submission, in its box: one thread.
+//   boxed  (boxed_main.cpp), by the worker of a submission, in its box: one thread.
 
 // The results of some pixels, all in luminance.
 struct RenderedPixels {
