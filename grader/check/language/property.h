@@ -84,6 +84,7 @@ struct Mean {
   pt::Rgb standard_error;
   int n = 0;
   pt::Rgb largest_share;  // the largest |draw| over the sum of all |draw|, in [0, 1]; 0 for black
+  pt::Rgb deviation;      // of one draw; the two draws farthest from the mean are left out
 };
 Mean mean_of(const std::vector<pt::Rgb>& draws);
 

@@ -252,6 +252,23 @@ TEST(Mean, of_estimates_as_noisy_as_they_may_be_is_right) {
       1000);
 }
 
+// The weights of a density that is steeper than the cosine: 2 / (3 z), where z is the largest of three
+// random numbers. Their deviation is sqrt(1/3), but the mean of their fourth powers is infinite.
+TEST(Mean, of_weights_without_a_kurtosis_is_right) {
+  check::for_all(
+      [] {
+        pt::Sampler sampler(check::draw("seed", check::sampler_seed()));
+        std::vector<pt::Rgb> draws(4000);
+        for (pt::Rgb& draw : draws) {
+          const double z = std::max({sampler.next_1d(), sampler.next_1d(), sampler.next_1d()});
+          draw = pt::gray(2 / (3 * z));
+        }
+        check::expect_mean("the mean", check::mean_of(draws), pt::gray(1),
+                           check::Noise{pt::gray(1)});
+      },
+      1000);
+}
+
 TEST(Mean, is_too_noisy_where_few_draws_carry_it) {
   const results::Failure noisy = failure_of([] {
     const std::vector<pt::Rgb> draws = rarely(50, 3000, check::draw("seed", check::sampler_seed()));
@@ -322,14 +339,16 @@ TEST(Mean, that_is_not_a_number_is_never_right) {
     failure_of([&] { check::expect_noise("the mean", bad, check::Noise{one}, 1e9); });
 
     // Each number is tested separately.
-    check::Mean only_value{one, {}, 100, {}}, only_error{one, {}, 100, {}};
+    check::Mean only_value{one, {}, 100, {}, {}}, only_error = only_value, only_noise = only_value;
     only_value.value[channel] = kNan;
     only_error.standard_error[channel] = kNan;
+    only_noise.deviation[channel] = kNan;
     for (const check::Mean& mean : {only_value, only_error}) {
       failure_of([&] { check::expect_mean("the mean", mean, one, 1e9); });
       failure_of([&] { check::expect_mean("the mean", mean, one, check::Noise{one}, 1e9); });
     }
-    failure_of([&] { check::expect_noise("the mean", only_error, check::Noise{one}, 1e9); });
+    failure_of([&] { check::expect_mean("the mean", only_noise, one, check::Noise{one}, 1e9); });
+    failure_of([&] { check::expect_noise("the mean", only_noise, check::Noise{one}, 1e9); });
 
     pt::Rgb truth = one;
     truth[channel] = kNan;
