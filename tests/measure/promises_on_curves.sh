@@ -12,7 +12,7 @@ import json, os, sys
 
 # With their own roulette, so few paths are long that their mean and its error are not measurable.
 RARE = {("many_bounces", name) for name in
-        ("survival_of_its_own", "survival_three_tenths", "survival_eight_tenths",
+        ("survival_three_tenths", "survival_eight_tenths",
          "survival_by_luminance", "survival_by_throughput", "survival_by_albedo")}
 
 problems, promises = [], 0

@@ -183,7 +183,9 @@ void check_way(const pt::PathSettings& settings, Path& path) {
       }
     }
     const bool could_go_on = bounce < settings.to && !is_black(at.point.albedo);
-    if (at.next.empty() && could_go_on && (bounce == 1 || at.drawn.empty())) {
+    // No number is needed at the first point: one that is drawn there may say where the path ends.
+    const bool has_number = !at.drawn.empty() || !path.bounces[0].drawn.empty();
+    if (at.next.empty() && could_go_on && (bounce == 1 || !has_number)) {
       add("survival", bounce == 1 ? "takes_the_first_bounce_always" : "reaches_the_last_bounce",
           "the path ends here, and no random number says so");
     }

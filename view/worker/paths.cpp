@@ -173,9 +173,9 @@ void find_throughputs(Path& path, const pt::PathParts& parts, const pt::PathSett
       is_right = !divided || std::abs(*divided - 1) < kRounding;
       continue;
     }
-    const bool is_own = is_right && divided && *divided > 0 && *divided < 1 + kRounding &&
-                        std::abs(*divided - settings.survival) > kRounding;
-    bounce.survival = is_own ? *divided : bounce.drawn.empty() ? 1 : settings.survival;
+    const bool is_told = is_right && divided && *divided > 0 && *divided < 1 + kRounding;
+    const bool is_own = is_told && std::abs(*divided - settings.survival) > kRounding;
+    bounce.survival = is_own ? *divided : is_told || !bounce.drawn.empty() ? settings.survival : 1;
     throughput /= bounce.survival;
   }
 }
