@@ -1,41 +1,15 @@
 #pragma once
 
-#include "view/child.h"
+#include "view/live.h"
 
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 
 namespace httplib {
 class Server;
 }
 
 namespace view {
-
-// Compiles the tasks again whenever one of their files is saved, and ends the child, so that the next question starts the new program.
-class Live {
- public:
-  // The files are below `tasks`; the command compiles them.
-  Live(std::filesystem::path tasks, std::vector<std::string> command, Child& child);
-
-  struct State {
-    int saves = 0;      // that have been compiled
-    std::string error;  // of the last one: the compiler's first error, or empty
-  };
-  State state();
-
- private:
-  void watch(const std::stop_token& stop);
-  void compile(const std::stop_token& stop);
-
-  std::filesystem::path tasks_;
-  std::vector<std::string> command_;
-  Child& child_;
-  std::mutex reading_;
-  State state_;
-  std::jthread thread_;  // ends first
-};
 
 // The children that answer, and the page that asks.
 struct Served {
