@@ -108,7 +108,7 @@ set ylabel "error (root of relMSE)"
 set key top right
 plot )gp";
 
-// Our curves are blue, theirs are red.
+// Our curves are blue, theirs are vermilion; each has dashes of its own.
 void draw_errors(const SceneReport& report, const std::filesystem::path& folder) {
   const std::string file = report.scene + "_error.csv";
   std::string csv = "renderer,samples,seconds,error,error_of_it\n", plot = kChart;
@@ -122,11 +122,10 @@ void draw_errors(const SceneReport& report, const std::filesystem::path& folder)
                          point.cpu_seconds, point.errors[0].value, point.errors[0].error);
     }
     plot += fmt::format(
-        "{}\"{}\" index {} using 3:4:5 with yerrorlines lc rgb \"{}\" lw 1.5 pt {} ps .6 title "
-        "\"{}\"",
-        i > 0 ? ", " : "", file, i,
-        measure::color(ours ? measure::Hue::blue : measure::Hue::red, 3 * used[ours]++ + 1),
-        ours ? 7 : 5, title);
+        "{}\"{}\" index {} using 3:4:5 with yerrorlines lc rgb \"{}\" dt {} lw 1.5 pt {} ps .6 "
+        "title \"{}\"",
+        i > 0 ? ", " : "", file, i, ours ? measure::ink::kBlue : measure::ink::kVermilion,
+        ++used[ours], ours ? 7 : 5, title);
   }
   write_file(folder / file, csv);
   measure::draw(folder, report.scene, plot + "\n");

@@ -4,6 +4,7 @@
 #include "bench/test_scenes.h"
 #include "pt/render/cpu_time.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <span>
@@ -25,7 +26,7 @@ double occluded_by_groups(const WideBvh& bvh, const Primitives& primitives,
 
 // The sides that ours is compared with. tinybvh may be missing.
 constexpr int kOthers = 3;
-constexpr const char* kOther[kOthers] = {"Embree", "robust Embree", "tinybvh"};
+constexpr std::array<const char*, kOthers> kOther{"Embree", "robust Embree", "tinybvh"};
 
 // Rays of one kind: nanoseconds per ray, ours and then the others', and how many times as fast ours are.
 struct Line {
@@ -71,11 +72,11 @@ void measure(const char* kind, const std::vector<Queries>& sides,
   const std::span<const Seconds> others(seconds.data() + 1, sides.size() - 1);
   lines.push_back(line(kind, rays, seconds[0], others));
   if (groups) lines.push_back(line("shadow x8", rays, seconds.back(), others));
-  for (std::size_t i = 1; i < sides.size(); ++i) {
+  for (std::size_t i = 0; i < others.size(); ++i) {
     // Other sides' rays are in single precision and begin a little later.
-    const double difference = std::abs(found[i] / found[0] - 1);
+    const double difference = std::abs(found[i + 1] / found[0] - 1);
     if (difference < 0.01) continue;
-    std::printf("  %s rays: what %s finds differs by %.1f %%\n", kind, kOther[i - 1],
+    std::printf("  %s rays: what %s finds differs by %.1f %%\n", kind, kOther.at(i),
                 100 * difference);
   }
 }

@@ -9,6 +9,13 @@ firstlight_test(test_writeup quick PATHS LIBRARIES writeup_figures GTest::gmock 
 if(FIRSTLIGHT_SANITIZE)
   return()
 endif()
+# The benchmarks compile and link; the one against Embree where Embree is.
+get_target_property(kind bench_embree TYPE)
+set(benchmarks bench_cycles speedup)
+if(kind STREQUAL EXECUTABLE)
+  list(APPEND benchmarks bench_embree)
+endif()
+firstlight_add_test(benchmarks rest COMMAND bench_cycles --help NEEDS ${benchmarks})
 set(build ARGUMENTS ${PROJECT_BINARY_DIR})
 firstlight_script_test(accuracy rest measure/accuracy.sh ${build} NEEDS accuracy.reference accuracy.student ladder generate)
 set(needs NEEDS accuracy_boxed measure stability stability.hit_sphere writeup writeup_boxed generate)

@@ -6,7 +6,7 @@ set -euo pipefail
 root=$1 build=$2 compiler=$3
 mkdir -p "$build"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
-  -DCMAKE_CXX_COMPILER_LAUNCHER= -DFIRSTLIGHT_WERROR=ON -DFIRSTLIGHT_BENCH=ON >"$build/configure.log" 2>&1 || {
+  -DCMAKE_CXX_COMPILER_LAUNCHER= -DFIRSTLIGHT_WERROR=ON >"$build/configure.log" 2>&1 || {
   cat "$build/configure.log" >&2
   exit 2
 }

@@ -11,7 +11,7 @@ root=$1 build=$2 compiler=$3
 programs=(watch hint grade grade_class bless stability graded.hit_bvh graded_picture wrong_and_right_test naming know
   writeup_boxed measure)
 mkdir -p "$build"
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -flto=auto" -DFIRSTLIGHT_PCH=OFF -DFIRSTLIGHT_LINK_ONLY=ON -DFIRSTLIGHT_BENCH=ON \
+cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -flto=auto" -DFIRSTLIGHT_PCH=OFF -DFIRSTLIGHT_LINK_ONLY=ON \
   -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_EXE_LINKER_FLAGS="-Werror=odr -Werror=lto-type-mismatch" \
   -DCMAKE_AR="$(command -v gcc-ar)" -DCMAKE_RANLIB="$(command -v gcc-ranlib)" \
   -DFIRSTLIGHT_WERROR=ON >"$build/configure.log" 2>&1 || {
