@@ -85,6 +85,16 @@ PROMISE(direct_lights, adds_the_lights_up) {
     });
     expect_always(s, any_samples());
   });
+  // Numbers that are hardly ever drawn: the ends of [0, 1), and one that a float rounds to 1.
+  for_all([] {
+    const int lights = draw("lights", rc::gen::element(2, 3, 5, 17));
+    const Situation s = *lit_by([lights](SceneMaker& maker) {
+      for (int k = 0; k < lights; ++k) any_delta_light(maker);
+    });
+    pt::Sampler sampler = sampler_of_a_rare_number(4);
+    expect_near("the estimate, whatever the random numbers are",
+                pt::direct_lights(s.scene, s.point, 1, sampler), s.expected, tolerance(s));
+  });
   // A light that gives nothing must not end the sum, nor change the part of the lights after it.
   for_all([] { expect_always(*lit_by(some_hidden_or_below), any_samples()); }, 30);
   // Lights that share random numbers would be bright and dark together.

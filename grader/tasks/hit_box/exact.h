@@ -103,7 +103,8 @@ inline rc::Gen<Case> grazing(double away = 0) {
 
 // A ray that meets two planes at exactly the same t: it enters the box through the one and leaves
 // it through the other. No number is rounded, but each difference, quotient and product of the slab
-// method is. Of twenty rays, this is the one whose rounding errors separate the planes most.
+// method is. Of twenty rays, this is the one whose rounding errors separate the planes most. The numbers
+// of each axis are of a size of their own: one axis says nothing about the rounding errors of another.
 inline rc::Gen<Case> separated_by_rounding() {
   return rc::gen::exec([] {
     struct Crossing {
@@ -113,8 +114,10 @@ inline rc::Gen<Case> separated_by_rounding() {
     const auto crossing_at = [](double t) {
       const double speed = std::floor(*real(0x1p30, 0x1p40));
       const long double way = static_cast<long double>(speed) * t;  // an integer below 2^60
-      const long double plane = 0x1p12L * std::ceil(way / 0x1p12L);
-      return Crossing{static_cast<double>(plane - way), static_cast<double>(plane), speed};
+      const auto plane = static_cast<double>(0x1p12L * std::ceil(way / 0x1p12L));
+      const auto origin = static_cast<double>(plane - way);
+      // Either the plane or the origin is far from zero.
+      return *whole(0, 1) == 0 ? Crossing{origin, plane, speed} : Crossing{-plane, -origin, speed};
     };
     Crossing in{}, out{};
     double apart = -1;
@@ -127,14 +130,17 @@ inline rc::Gen<Case> separated_by_rounding() {
       out = b;
     }
     const int first = *whole(0, 2), second = (first + *whole(1, 2)) % 3;
-    Case c{{{-0x1p62, -0x1p62, -0x1p62}, {0x1p62, 0x1p62, 0x1p62}},
+    Case c{{{-0x1p21, -0x1p21, -0x1p21}, {0x1p21, 0x1p21, 0x1p21}},
            {{}, {*real(-1, 1), *real(-1, 1), *real(-1, 1)}}};
     for (const auto& [axis, crossing] : {std::pair{first, in}, std::pair{second, out}}) {
-      const double side = sign();
-      c.ray.origin[axis] = side * crossing.origin;
-      c.ray.direction[axis] = side * crossing.speed;
-      const bool at_min = (axis == first) == (side > 0);
-      (at_min ? c.box.min : c.box.max)[axis] = side * crossing.plane;
+      const double unit = sign() * 0x1p-58 * *power_of_two(20);
+      const double width = 0x1p12 * std::floor(*magnitude(1, 0x1p56));
+      c.ray.origin[axis] = unit * crossing.origin;
+      c.ray.direction[axis] = unit * crossing.speed;
+      const bool at_min = (axis == first) == (unit > 0);
+      (at_min ? c.box.min : c.box.max)[axis] = unit * crossing.plane;
+      (at_min ? c.box.max : c.box.min)[axis] =
+          unit * (crossing.plane + (axis == first ? width : -width));
     }
     return c;
   });

@@ -164,6 +164,25 @@ inline rc::Gen<Case> at_a_sheet(double thickness = 0) {
   });
 }
 
+// A ray that starts exactly in the plane of a sheet and leaves it: from the sheet itself, or from beside
+// it and towards it. Often this is a plane of the world's axes.
+inline rc::Gen<Case> from_the_plane_of_a_sheet(bool beside) {
+  return rc::gen::exec([=] {
+    pt::Box box = some_box();
+    const int axis = *whole(0, 2), other = (axis + *whole(1, 2)) % 3;
+    if (*whole(0, 1) == 0) box.min[axis] = 0;
+    box = flattened(box, axis);
+    const double out = sign();
+    pt::Vec3 origin = well_inside(box), d{*real(-1, 1), *real(-1, 1), *real(-1, 1)};
+    d[axis] = sign() * *real(0.1, 1);
+    if (beside) {
+      origin = beyond(box, origin, other, out, *magnitude(1e-3, 3) * length(box.extent()));
+      d[other] = -out * *real(0.1, 1);
+    }
+    return Case{box, {origin, some_length() * d}};
+  });
+}
+
 // A box that is a segment of this half length around the target, or a point.
 inline Case segment_at(pt::Vec3 target, int axis, double half, pt::Vec3 d, double before) {
   pt::Box box{target, target};

@@ -208,6 +208,8 @@ PROMISE(hit_box, takes_flat_boxes) {
   once(expect_that_it_looks);
   // Both planes of a sheet are in the same place, so that no rounding error separates them.
   for_all([] { expect_interval(*at_a_sheet()); }, 150);
+  for_all([] { expect_interval(*from_the_plane_of_a_sheet(false)); });
+  for_all([] { expect_miss(*from_the_plane_of_a_sheet(true)); });
   for_all(
       [] {
         const Case c = *at_a_segment();
