@@ -174,8 +174,9 @@ void find_throughputs(Path& path, const pt::PathParts& parts, const pt::PathSett
       continue;
     }
     const bool is_told = is_right && divided && *divided > 0 && *divided < 1 + kRounding;
-    const bool is_own = is_told && std::abs(*divided - settings.survival) > kRounding;
-    bounce.survival = is_own ? *divided : is_told || !bounce.drawn.empty() ? settings.survival : 1;
+    bounce.survival = is_told || !bounce.drawn.empty() ? settings.survival : 1;
+    // The task may have a survival of its own.
+    if (is_told && std::abs(*divided - settings.survival) > kRounding) bounce.survival = *divided;
     throughput /= bounce.survival;
   }
 }
