@@ -29,7 +29,7 @@ function(firstlight_write_grade_json)
   separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}")
   get_target_property(options firstlight_options INTERFACE_COMPILE_OPTIONS)
   firstlight_json_list(compile_flags
-    ${flags} ${CMAKE_CXX20_STANDARD_COMPILE_OPTION} ${options})
+    ${flags} ${CMAKE_CXX20_STANDARD_COMPILE_OPTION} ${options} ${FIRSTLIGHT_LIBRARY_CHECKS})
   separate_arguments(flags UNIX_COMMAND "${CMAKE_EXE_LINKER_FLAGS}")
   get_target_property(options firstlight_options INTERFACE_LINK_OPTIONS)
   if(NOT options)

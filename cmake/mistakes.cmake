@@ -106,8 +106,10 @@ function(firstlight_add_fingerprints slug)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/mistakes.cpp.in ${source} @ONLY)
   add_library(${slug}.mistakes OBJECT EXCLUDE_FROM_ALL ${source})
   target_link_libraries(${slug}.mistakes PRIVATE firstlight_options)
-  # The judge compiles a function that may end without a result in this way (grader/service/build/submission_flags.h).
-  target_compile_options(${slug}.mistakes PRIVATE -w -fsanitize=return -fsanitize-undefined-trap-on-error)
+  # As the judge compiles a submission. The last two: for a function that may end without a result
+  # (grader/service/build/submission_flags.h).
+  target_compile_options(${slug}.mistakes PRIVATE -w ${FIRSTLIGHT_LIBRARY_CHECKS}
+    -fsanitize=return -fsanitize-undefined-trap-on-error)
   firstlight_worker(mistakes.${slug} ${slug} mistakes)
   set(known ${PROJECT_BINARY_DIR}/grader/known.${slug}.json)
   add_custom_command(OUTPUT ${known} VERBATIM

@@ -10,6 +10,10 @@ target_include_directories(firstlight_options INTERFACE ${PROJECT_SOURCE_DIR} ${
 target_compile_options(firstlight_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_link_libraries(firstlight_options INTERFACE Threads::Threads)
 
+# Submissions are graded with the checks of the standard library: an index beyond the end of an array, or a read of an empty
+# std::optional, ends the program, instead of passing by luck.
+set(FIRSTLIGHT_LIBRARY_CHECKS -D_GLIBCXX_ASSERTIONS)
+
 add_library(firstlight_warnings INTERFACE)
 target_compile_options(firstlight_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)

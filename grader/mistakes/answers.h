@@ -9,7 +9,7 @@ namespace grader::mistakes {
 
 // The answer of a task to one call of its battery, or to many draws (grader/mistakes/battery.h).
 struct Answer {
-  std::string ended;           // "crash", "timeout" or "bad reply"; then there are no values
+  std::string ended;           // "crash: HOW", "timeout" or "bad reply"; then there are no values
   std::vector<double> values;  // empty means "no hit"
   std::vector<double> errors;  // the standard error of each value; empty where all are exact
 
@@ -21,7 +21,7 @@ using Answers = std::vector<Answer>;
 // equal. A crash or a timeout is an answer too.
 bool always_the_same(const Answers& answers);
 
-// Returns an answer as JSON: "crash", or [1, 0.5] for exact numbers, or {"value": [1.02], "error":
+// Returns an answer as JSON: "timeout", or [1, 0.5] for exact numbers, or {"value": [1.02], "error":
 // [0.03]} for means. Numbers are rounded to the digits that a comparison needs.
 nlohmann::json describe(const Answer& answer);
 

@@ -77,14 +77,17 @@ void Battery::record(const std::function<Answer()>& call) {
     return;
   }
   if (crashes_ >= kMaxCrashesFromTheFirst && crashes_ == answers_.size()) {
-    answers_.push_back({name(results::Cause::crash), {}, {}});
+    answers_.push_back(Answer(answers_.back()));
     ++crashes_;
     return;
   }
   try {
     answers_.push_back(call());
   } catch (const CallEnded& ended) {
-    answers_.push_back({name(ended.cause), {}, {}});
+    std::string words = name(ended.cause);
+    // Two mistakes that end in different ways are two mistakes.
+    if (ended.cause == results::Cause::crash && !ended.how.empty()) words += ": " + ended.how;
+    answers_.push_back({words, {}, {}});
     timeouts_ += ended.cause == results::Cause::timeout ? 1 : 0;
     crashes_ += ended.cause == results::Cause::crash ? 1 : 0;
   } catch (const check::CaseFailed&) {

@@ -23,6 +23,7 @@ namespace grader::mistakes {
 // Thrown by a call that gives no answer, while a battery runs.
 struct CallEnded {
   results::Cause cause;
+  std::string how;  // in words; may be empty
 };
 
 // A battery is run with the usual number of draws for a submission, and with more draws for the answers

@@ -117,8 +117,8 @@ int run_battery(const Options& options) {
   session.call_limit = kBatteryCallLimit;
   session.total_limit = std::chrono::minutes(1);
   session.max_answered = kMaxAnswered * static_cast<std::uint64_t>(options.draws);
-  session.give_up = [](grader::results::Cause cause, const std::string&) {
-    throw grader::mistakes::CallEnded{cause};
+  session.give_up = [](grader::results::Cause cause, const std::string& how) {
+    throw grader::mistakes::CallEnded{cause, how};
   };
   grader::wire::open_session(session);
   grader::mistakes::Battery battery({options.ask.seed, options.draws});

@@ -13,8 +13,19 @@ namespace grader::process {
 
 namespace {
 
+// What the checks of the standard library find, by a part of their condition.
+struct LibraryCheck {
+  const char* condition;
+  const char* words;
+};
+constexpr LibraryCheck kLibraryChecks[]{
+    {"size()'", "an index is not below the size of its std::vector, std::array or std::span"},
+    {"_M_is_engaged", "the value of an empty std::optional was read"},
+    {"empty()'", "the first or last element of something empty was read or removed"},
+};
+
 // The message before abort(), of assert() or of an uncaught exception; empty if `words` has none.
-// "PROGRAM: FILE:LINE: FUNCTION: Assertion `x > 0' failed."
+// "PROGRAM: FILE:LINE: FUNCTION: Assertion `x > 0' failed.", with '...' from the standard library.
 std::string reason_of_abort(const std::string& words) {
   std::istringstream lines(words);
   std::string reason;
@@ -22,6 +33,11 @@ std::string reason_of_abort(const std::string& words) {
     const std::size_t assertion = line.find("Assertion ");
     if (assertion != line.npos) {
       reason = line.substr(assertion);
+      for (const LibraryCheck& check : kLibraryChecks) {
+        if (reason.starts_with("Assertion '") && reason.find(check.condition) != reason.npos) {
+          return fmt::format("{} (--from student --sanitize names the line)", check.words);
+        }
+      }
       const std::size_t file = line.find(".cpp:");
       if (file < assertion) {
         const std::size_t number = file + 5;

@@ -33,6 +33,7 @@ TEST(answers, of_calls_that_ended_agree_with_the_same_end_only) {
   EXPECT_TRUE(agree({ended("crash")}, {ended("crash")}));
   EXPECT_FALSE(agree({ended("crash")}, {ended("timeout")}));
   EXPECT_FALSE(agree({ended("crash")}, {exact({})}));
+  EXPECT_FALSE(agree({ended("crash: a")}, {ended("crash: b")}));
 }
 
 TEST(answers, that_are_not_finite_agree_with_themselves_only) {
@@ -52,12 +53,12 @@ int calls_of_a_task_that_crashes_but_in(int question) {
   for (int i = 0; i < 100; ++i) {
     battery.ask([&]() -> Battery::Numbers {
       ++calls;
-      if (i != question) throw CallEnded{results::Cause::crash};
+      if (i != question) throw CallEnded{results::Cause::crash, "it was divided by zero"};
       return {1};
     });
   }
   EXPECT_EQ(battery.answers().size(), 100u);
-  EXPECT_TRUE(agree({battery.answers().back()}, {ended("crash")}));
+  EXPECT_TRUE(agree({battery.answers().back()}, {ended("crash: it was divided by zero")}));
   return calls;
 }
 
