@@ -153,8 +153,14 @@ std::string reason_text(const results::TaskResult& task, const TerminalStyle& st
 
 // The warnings stand beside the first failure, because they often name the line.
 std::string warnings_text(const results::TaskResult& task) {
+  constexpr int kShown = 3;
   std::string text = "\n  The compiler warns\n";
-  for (const std::string& line : base::lines_of(task.warnings)) text += "    " + line + "\n";
+  int warnings = 0;
+  for (const std::string& line : base::lines_of(task.warnings)) {
+    if (line.find(" warning: ") != line.npos) ++warnings;
+    if (warnings <= kShown) text += "    " + line + "\n";
+  }
+  if (warnings > kShown) text += fmt::format("    and {} more warnings\n", warnings - kShown);
   return text;
 }
 

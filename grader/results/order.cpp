@@ -35,13 +35,15 @@ Rank rank_of(const PromiseResult& promise, bool broken_throughout) {
   const int few = promise.checks > 0 && 2 * failing <= promise.checks ? 1 : 0;
   Rank best{promise.bonus ? 1 : 0, 5, 1, 1, 1, 2};
   for (const Failure& failure : promise.failures) {
-    const int lines = static_cast<int>(failure.input.size());
-    best = std::min(best, Rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause),
-                               failure.statistical && !broken_throughout ? 1 : 0, few,
-                               failure.cases_before > kFirstInputs ? 1 : 0,
-                               lines > kLongLines    ? 2
-                               : lines > kShortLines ? 1
-                                                     : 0});
+    Rank rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause)};
+    if (!broken_throughout) {
+      const int lines = static_cast<int>(failure.input.size());
+      rank[2] = failure.statistical ? 1 : 0;
+      rank[3] = few;
+      rank[4] = failure.cases_before > kFirstInputs ? 1 : 0;
+      rank[5] = lines > kLongLines ? 2 : lines > kShortLines ? 1 : 0;
+    }
+    best = std::min(best, rank);
   }
   return best;
 }

@@ -60,7 +60,7 @@ std::string too_noisy(Average average) {
 
 [[noreturn]] void fail_noise(const std::string& what, const Mean& got, double most, int channel,
                              Average average) {
-  fail_statistical(what,
+  fail_statistical(what + ", and its noise",
                    fmt::format("{}: estimates with a standard deviation of {:.3g}, mean {}",
                                too_noisy(average), got.deviation[channel], brief(got.value)),
                    fmt::format("a standard deviation of {:.3g} at most", most));

@@ -13,7 +13,7 @@ namespace grader::process {
 
 namespace {
 
-// What the checks of the standard library find, by a part of their condition.
+// A check of the standard library, by a part of its condition, and its meaning in words.
 struct LibraryCheck {
   const char* condition;
   const char* words;

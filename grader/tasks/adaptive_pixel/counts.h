@@ -107,7 +107,9 @@ inline void expect_count(const std::string& which, const Case& c, int got, int r
 inline void expect_right_count(const Case& c, const Answer& answer) {
   const int n = answer.estimate.samples;
   if (may_stop(c, n, true) || may_stop(c, n, false)) return;
-  fail_count("", c, n, right_count(c), " (or what dividing by n - 1 gives)");
+  const auto calls = std::ssize(answer.calls);
+  fail_count(calls == n ? "" : fmt::format(", but {} calls of radiance()", calls), c, n,
+             right_count(c), has_one_count(c) ? "" : " (or what dividing by n - 1 gives)");
 }
 
 }  // namespace grader::check::adaptive_pixel_inputs

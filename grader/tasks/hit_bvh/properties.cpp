@@ -114,17 +114,20 @@ PROMISE(hit_bvh, keeps_t_inside_the_ray) {
     Case before = c, behind = c;
     before.ray.t_max = 0.999 * first.t();
     behind.ray.t_min = 1.001 * first.t();
+    std::string asked;
     for (const Case& part : {before, behind}) {
       const Truth truth = truth_of(part);
       if (!truth.is_clear) continue;
       const std::string range =
           ", with t from " + show(part.ray.t_min) + " to " + show(part.ray.t_max);
+      const std::string words = range + asked;
+      asked = ", after the same ray" + range;
       const auto hit = ask(part);
       const bool right = hit && truth.any() ? std::abs(hit->t - truth.t()) <= t_error(truth)
                                             : hit.has_value() == truth.any();
-      expect(right, shown(truth) + range, shown(hit));
+      expect(right, shown(truth) + words, shown(hit));
       const bool occluded = occluded_bvh(part.bvh, part.primitives, part.ray);
-      expect(occluded == truth.any(), "in the way: " + shown(truth) + range,
+      expect(occluded == truth.any(), "in the way: " + shown(truth) + words,
              occluded ? "something in the way" : "nothing in the way");
     }
   });

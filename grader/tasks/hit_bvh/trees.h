@@ -73,7 +73,8 @@ inline void show_nodes(const pt::Bvh& bvh, std::ostream& out) {
 inline void showValue(const Case& c, std::ostream& out) {
   constexpr int kShown = 4;
   out << c.how << ", over " << c.primitives.triangles.size() << " triangles and "
-      << c.primitives.spheres.size() << " spheres, in " << c.bvh.nodes.size() << " nodes";
+      << c.primitives.spheres.size() << " spheres, in " << c.bvh.nodes.size() << " nodes\n"
+      << show(c.ray);
   for (int i = 0; i < std::min(kShown, c.primitives.size()); ++i) {
     const bool triangle = c.primitives.is_triangle(i);
     out << "\nprimitive " << i << ": "
@@ -81,7 +82,6 @@ inline void showValue(const Case& c, std::ostream& out) {
   }
   if (c.primitives.size() > kShown) out << "\nand " << c.primitives.size() - kShown << " more";
   if (c.bvh.nodes.size() <= 7) show_nodes(c.bvh, out);
-  out << "\n" << show(c.ray);
 }
 
 struct TreeMaker {

@@ -68,7 +68,8 @@ TEST(order, puts_the_most_telling_promise_first) {
 
 // A wrong cosine breaks thirteen promises of fourteen. The simplest, the first, tells more than an exact one.
 TEST(order, begins_with_the_first_promise_if_nearly_all_are_broken) {
-  PromiseResult first = broken("first", failure(Cause::wrong)), kept = broken("kept", {});
+  PromiseResult first = broken("first", failure(Cause::wrong, "2", 90, 40));
+  PromiseResult kept = broken("kept", {});
   first.failures[0].statistical = kept.held = true;
   const PromiseResult exact = broken("exact", failure(Cause::wrong));
   EXPECT_THAT(order(failing("a", {first, exact, exact, exact, kept})),
@@ -103,7 +104,9 @@ TEST(order, a_promise_that_is_broken_in_few_ways_comes_later) {
   together.name = "together";
   together.failures.resize(2, together.failures[0]);
   together.failures[1].integrated = true;
-  EXPECT_THAT(order(failing("a", {few, together, half, most, only})),
+  PromiseResult kept = broken("kept", {});
+  kept.held = true;
+  EXPECT_THAT(order(failing("a", {few, together, half, most, only, kept, kept})),
               ElementsAre("most", "only", "few", "together", "half"));
 }
 
