@@ -13,7 +13,7 @@ root=$(cd "$here/../.." && pwd)
 # shellcheck source=tests/commands/copy_tree.sh
 . "$root/tests/commands/copy_tree.sh"
 table=$here/mutants.txt
-least=483
+least=486
 limit=300 # seconds that a test may take
 
 fail() {

@@ -75,7 +75,7 @@ PROMISE(hit_bvh, says_which_primitive) {
     const Truth truth = truth_of(c);
     if (!truth.any() || !truth.is_clear) return;
     const auto hit = ask(c);
-    expect(hit.has_value(), "a hit", "none");
+    expect(hit.has_value(), shown(truth), "none");
     expect(hit->primitive >= 0 && hit->primitive < c.primitives.size(), "one of the primitives",
            std::to_string(hit->primitive));
     const Meeting& own = truth.meetings[hit->primitive];
