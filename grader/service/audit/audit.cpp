@@ -57,9 +57,9 @@ constexpr string_view kOthers[] = {
     // <cstdlib>, <cinttypes>
     "abort", "abs", "labs", "llabs", "atexit", "at_quick_exit", "atof", "atoi", "atol", "atoll",
     "bsearch", "div", "ldiv", "lldiv", "imaxabs", "imaxdiv", "exit", "quick_exit", "_Exit", "qsort",
-    "rand", "srand", "strtod", "strtof", "strtold", "strtol", "strtoll", "strtoul", "strtoull",
-    "strtoimax", "strtoumax", "wcstoimax", "wcstoumax", "calloc", "free", "malloc", "realloc",
-    "aligned_alloc", "getenv", "mblen", "mbtowc", "wctomb", "mbstowcs", "wcstombs",
+    "strtod", "strtof", "strtold", "strtol", "strtoll", "strtoul", "strtoull", "strtoimax",
+    "strtoumax", "wcstoimax", "wcstoumax", "calloc", "free", "malloc", "realloc", "aligned_alloc",
+    "getenv", "mblen", "mbtowc", "wctomb", "mbstowcs", "wcstombs",
     // <cstdio>
     "clearerr", "fclose", "feof", "ferror", "fflush", "fgetc", "fgetpos", "fgets", "fopen",
     "fprintf", "fputc", "fputs", "fread", "freopen", "fscanf", "fseek", "fsetpos", "ftell",
@@ -77,8 +77,7 @@ constexpr string_view kOthers[] = {
     // mutexes, call_once, condition variables, this_thread, chrono. None of them starts a thread.
     "__libc_single_threaded", "__once_proxy", "pthread_once", "pthread_self", "pthread_equal",
     "pthread_key_create", "pthread_key_delete", "pthread_getspecific", "pthread_setspecific",
-    "clock_gettime", "nanosleep", "sched_yield", "get_nprocs", "random", "lgamma_r", "lgammaf_r",
-    "lgammal_r",
+    "clock_gettime", "nanosleep", "sched_yield", "get_nprocs", "lgamma_r", "lgammaf_r", "lgammal_r",
     // Functions that compilers insert calls to.
     "_GLOBAL_OFFSET_TABLE_", "__dso_handle", "__tls_get_addr", "__stack_chk_fail", "__dynamic_cast",
     "__cpu_model", "__cpu_indicator_init", "__emutls_get_address", "__fentry__"};

@@ -132,6 +132,8 @@ TEST(audit, rejects_what_reaches_beyond_the_task) {
       {"namespace grader { void send(int); void use() { send(1); } }", "grader::"},
       {"void* operator new(unsigned long, int) { return nullptr; }", "operator new"},
       {"int main() { return 0; }", "main"},
+      {"#include <cstdlib>\nstatic int x = std::rand();", "rand"},
+      {"#include <cstdlib>\nstatic long x = random();", "random"},
       {"extern \"C\" int fork(); static int x = fork();", "fork"},
       {"extern \"C\" long syscall(long, ...); static long x = syscall(57);", "syscall"},
       {"extern \"C\" int system(const char*); static int x = system(\"ls\");", "system"},
