@@ -63,9 +63,9 @@ bool two_alike(const std::vector<pt::Image>& images) {
   return false;
 }
 
-bool is_black(const pt::Image& image) {
-  return std::all_of(image.pixels.begin(), image.pixels.end(),
-                     [](const pt::Rgb& color) { return color == pt::Rgb{}; });
+bool has_one_color(const pt::Image& image) {
+  return std::ranges::all_of(
+      image.pixels, [first = image.pixels.at(0)](const pt::Rgb& color) { return color == first; });
 }
 
 double sum_of(const pt::Image& image, const Plane& weights) {
@@ -113,8 +113,9 @@ std::optional<Unusable> unusable(const Golden& golden, const Batches& batches, i
     if (auto bad = bad_value(image)) return bad;
   }
   if (log_chance_alike(golden, batches.samples) < kLogChanceAlike && two_alike(batches.images)) {
-    if (std::all_of(batches.images.begin(), batches.images.end(), is_black)) {
-      return Unusable{"the whole picture is black", {}};
+    if (std::ranges::all_of(batches.images, has_one_color)) {
+      const bool black = batches.images[0].pixels[0] == pt::Rgb{};
+      return Unusable{black ? "the whole picture is black" : "every pixel has the same color", {}};
     }
     return Unusable{
         "two batches of samples were identical: the random numbers begin again, or are not used, "

@@ -52,12 +52,15 @@ TEST_F(Judged, repeated_random_numbers_are_refused) {
   EXPECT_NE(verdict.sentence.find("identical"), std::string::npos);
 }
 
-TEST_F(Judged, a_black_picture_is_called_black) {
-  const auto verdict = judge(changed([](pt::Image& image, int, int) {
-    for (pt::Rgb& color : image.pixels) color = {};
-  }));
-  EXPECT_NE(verdict.outcome, Outcome::pass);
-  EXPECT_EQ(verdict.sentence, "the whole picture is black");
+TEST_F(Judged, a_picture_of_one_color_is_called_so) {
+  for (const auto& [level, sentence] : {std::pair{0.0, "the whole picture is black"},
+                                        std::pair{0.5, "every pixel has the same color"}}) {
+    const auto verdict = judge(changed([level = level](pt::Image& image, int, int) {
+      for (pt::Rgb& color : image.pixels) color = pt::gray(level);
+    }));
+    EXPECT_NE(verdict.outcome, Outcome::pass);
+    EXPECT_EQ(verdict.sentence, sentence);
+  }
 }
 
 // Nothing in this picture is random, so all batches are equal, as they should be.
