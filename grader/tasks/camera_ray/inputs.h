@@ -41,11 +41,23 @@ inline pt::Camera camera_of(double hfov_deg, double vfov_deg, double near = 0,
   return {{}, {}, hfov_deg, vfov_deg, near, far};
 }
 
-// One of four has equal fields of view.
+// Any range. It may be a single distance, and it may have no end.
+inline pt::Interval clip_range() {
+  const int kind = *whole(0, 2);
+  const double near = kind == 0 ? 0 : kind == 1 ? *real(0, 2) : *magnitude(1e-12, 1e12);
+  const double way = *whole(0, 1) == 0 ? *magnitude(1e-9, 1e30)
+                                       : *rc::gen::element(0.0, 10.0, 1000.0, pt::kInfinity);
+  return {near, near + way};
+}
+
+// One of four has equal fields of view, and another one any range instead of that of camera_of.
 inline rc::Gen<pt::Camera> unmoved() {
   return rc::gen::exec([] {
     const double hfov_deg = field_of_view(), vfov_deg = field_of_view();
-    return camera_of(hfov_deg, *whole(0, 3) == 0 ? hfov_deg : vfov_deg);
+    const int kind = *whole(0, 3);
+    if (kind != 1) return camera_of(hfov_deg, kind == 0 ? hfov_deg : vfov_deg);
+    const auto [near, far] = clip_range();
+    return camera_of(hfov_deg, vfov_deg, near, far);
   });
 }
 
@@ -62,17 +74,16 @@ inline pt::Vec3 position() {
   }
 }
 
-// A camera anywhere, turned in any way. Its range may be a single point.
+// A camera anywhere, turned in any way, with any range.
 inline rc::Gen<pt::Camera> moved() {
   return rc::gen::exec([] {
     pt::Camera made = *unmoved();
     made.position = position();
     made.camera_to_world = *any_frame();
     if (*whole(0, 3) == 0) made.camera_to_world = axis_frame(*whole(0, kAxisFrames - 1));
-    made.near_clip = *rc::gen::oneOf(real(0, 2), magnitude(1e-12, 1e12), rc::gen::just(0.0));
-    made.far_clip =
-        made.near_clip +
-        *rc::gen::oneOf(magnitude(1e-9, 1e30), rc::gen::element(0.0, 10.0, 1000.0, pt::kInfinity));
+    const auto [near, far] = clip_range();
+    made.near_clip = near;
+    made.far_clip = far;
     return made;
   });
 }
