@@ -52,6 +52,23 @@ inline pt::Vec3 with_other_zeros(pt::Vec3 v) {
   return v;
 }
 
+// The length of a direction: a billionth to a billion, the ends and a half and two more often, or
+// so close to 1 that a tolerance may take it for a unit direction.
+inline rc::Gen<double> any_length() {
+  return rc::gen::exec([] {
+    switch (*whole(0, 3)) {
+      case 0:
+        return *magnitude(1e-3, 1e3);
+      case 1:
+        return *magnitude(1e-9, 1e9);
+      case 2:
+        return *rc::gen::element(1e-9, 0.5, 2.0, 1e9);
+      default:
+        return 1 + *rc::gen::element(1.0, -1.0) * *magnitude(1e-8, 1e-2);
+    }
+  });
+}
+
 // Any rotation, or one whose z is an axis, almost an axis, or exactly between two axes or three.
 inline rc::Gen<pt::Frame> any_frame() {
   return rc::gen::exec([] {

@@ -206,7 +206,7 @@ inline void showValue(const Passing& passing, std::ostream& out) {
 // to `far` before or behind the sphere.
 inline rc::Gen<Passing> passing(double low, double high, double far) {
   return rc::gen::exec([=] {
-    const pt::Sphere sphere = any_sphere(10);
+    const pt::Sphere sphere = any_sphere(*rc::gen::element(10.0, 1e9));
     const pt::Frame frame = *any_frame();
     const double beside = 1 + *magnitude(low, high), along = *real(-far, far);
     const pt::Vec3 origin = sphere.center + sphere.radius * (beside * frame.x - along * frame.z);

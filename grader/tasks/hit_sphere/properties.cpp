@@ -79,6 +79,8 @@ PROMISE(hit_sphere, misses_beside_the_sphere) {
         [=] {
           const Passing c = *passing(beside.low, beside.high, beside.far);
           expect_miss(c.sphere, c.ray, "the ray passes beside the sphere");
+          // The promise hits_where_it_is_aimed judges whether tiny and huge spheres are hit.
+          if (c.sphere.radius < 0.1 || c.sphere.radius > 10) return;
           expect(pt::hit_sphere(c.sphere, c.through).has_value(),
                  "a hit when the ray is turned to the sphere's centre", "none");
         },
@@ -125,15 +127,25 @@ void expect_far_side(const Chord& c, const std::string& from) {
 
 PROMISE(hit_sphere, hits_from_inside) {
   for_all([] { expect_far_side(*chord(From::inside), "inside the sphere"); });
+  // A sphere of any size that is hit from outside is hit from inside, with any direction.
+  for_all(
+      [] {
+        const Chord c = *chord(From::inside, {.radius = 1e9, .speed = 1e9});
+        const pt::Ray from_outside{c.ray.at(c.t_near - c.length()), c.ray.direction};
+        if (pt::hit_sphere(c.sphere, from_outside)) expect_far_side(c, "inside the sphere");
+      },
+      60);
   for_all([] { expect_far_side(*from_the_centre(), "the sphere's centre"); }, 20);
   for_all([] { expect_far_side(*exactly(0), "the middle of the chord"); }, 60);
   // The near point is before t_min, so that the far point is the hit. A thousand radii away it shows
-  // rounding errors of a quotient from which the near one may not be made.
-  for (const Domain& domain : {Domain{}, Domain{.speed = 3, .far = kFar}}) {
+  // rounding errors of a quotient from which the near one may not be made, and single precision in
+  // the comparison with a t_max right behind the far point.
+  for (const Domain& domain : {Domain{}, Domain{.speed = 3, .near = 10, .far = kFar}}) {
     for_all([=] {
       const Chord c = *mapped(chord(From::outside, domain), [](Chord made) {
         const double part = *rc::gen::element(0.0, 0.5, 1.0);
         made.ray.t_min = made.t_near + 3 * made.slack + part * (made.length() - 6 * made.slack);
+        if (*whole(0, 1) == 0) made.ray.t_max = made.t_far + 3 * made.slack;
         return made;
       });
       const auto hit = pt::hit_sphere(c.sphere, c.ray);
@@ -163,9 +175,11 @@ PROMISE(hit_sphere, hits_from_inside) {
 }
 
 // A ray whose line does not meet the sphere in the range of t. Often the range ends right before a
-// point or begins right behind it.
+// point or begins right behind it, also where single precision does not see this.
 Chord out_of_range(int kind) {
-  Chord c = *chord(kind == 0 ? From::behind : kind == 1 ? From::inside : From::outside);
+  const Domain domain{
+      .radius = *rc::gen::element(10.0, 1e9), .near = *rc::gen::element(1e-5, 100.0), .far = kFar};
+  Chord c = *chord(kind == 0 ? From::behind : kind == 1 ? From::inside : From::outside, domain);
   const double part = *rc::gen::element(0.0, 1.0) * *real(0.05, 0.95);
   const double way = std::max(0.0, c.t_near - 3 * c.slack);
   if (kind == 1) c.ray.t_max = (1 - part) * (c.t_far - 3 * c.slack);
@@ -254,8 +268,7 @@ void showValue(const Scaled& scaled, std::ostream& out) {
 }
 
 Scaled scaled(const Chord& c) {
-  const double factor = *rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9),
-                                        rc::gen::element(1e-9, 0.5, 2.0, 1e9));
+  const double factor = *any_length();
   return {c,
           factor,
           {c.ray.origin, factor * c.ray.direction, c.ray.t_min / factor, c.ray.t_max / factor}};
@@ -289,14 +302,30 @@ PROMISE(hit_sphere, works_for_directions_of_any_length) {
     expect(pt::hit_sphere(c.unit.sphere, c.unit.ray).has_value(), "a hit with a unit direction",
            "none");
   });
-  for_all([] {
-    expect_scaled(*rc::gen::exec([] {
-      Chord c = *chord(*rc::gen::element(From::outside, From::inside, From::behind));
-      c.ray.t_max = std::max(c.t_near, 0.0) + *rc::gen::element(1.5, 0.25) * c.length();
-      c.ray.t_min = *rc::gen::element(0.0, 0.5, 1.0) * std::max(0.0, c.t_at(1.5));
-      return scaled(c);
-    }));
-  });
+  for_all(
+      [] {
+        expect_scaled(*rc::gen::exec([] {
+          const Domain domain{.radius = *rc::gen::element(10.0, 1e9)};
+          const auto froms = rc::gen::element(From::outside, From::inside, From::behind);
+          Chord c = *chord(*froms, domain);
+          if (*whole(0, 1) == 0) return scaled(c);
+          c.ray.t_max = std::max(c.t_near, 0.0) + *rc::gen::element(1.5, 0.25) * c.length();
+          c.ray.t_min = *rc::gen::element(0.0, 0.5, 1.0) * std::max(0.0, c.t_at(1.5));
+          return scaled(c);
+        }));
+      },
+      100);
+  // Rays that miss, by the range of t or beside the sphere.
+  for_all(
+      [] {
+        expect_scaled(*rc::gen::exec([] {
+          const int kind = *whole(0, 7);
+          if (kind <= 4) return scaled(out_of_range(kind));
+          const Passing c = *passing(1e-3, 1e2, 100);
+          return scaled({.sphere = c.sphere, .ray = c.ray, .t_near = 0, .t_far = 0, .slack = 0});
+        }));
+      },
+      100);
 }
 
 void expect_on_the_sphere(const Aimed& aimed) {
