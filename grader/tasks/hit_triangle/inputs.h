@@ -154,6 +154,11 @@ inline constexpr Range kMostPrecise{.thin = 0.8, .away = 0.3, .near = 0.5, .far 
 inline constexpr Range kNeedle{
     .size = 1, .thin = 1e-3, .thick = 1e-3, .away = 1, .near = 0.5, .far = 2, .flat = 0.57};
 
+// Triangles of any size up to the thinness of a needle, and directions of any length, in cases of which
+// the precision says what n is.
+inline constexpr Range kAnyShape{
+    .size = 1e6, .speed = 1e9, .thin = 1e-3, .away = 1, .near = 0.5, .far = 2, .flat = 0.57};
+
 inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
   return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
 }
@@ -177,6 +182,29 @@ inline Aimed scaled(Aimed aimed, double factor) {
   aimed.tolerance /= factor;
   aimed.ray.t_min = *rc::gen::element(0.0, 0.75) * aimed.t;
   aimed.ray.t_max = 1.5 * aimed.t;
+  return aimed;
+}
+
+// The same case at either end of the scale or at its own size, with a direction of any length.
+inline Aimed at_any_size(const Aimed& aimed) {
+  Aimed made = resized(aimed, *rc::gen::element(1e-6, 1.0, 1e6));
+  const double factor = *rc::gen::element(1e-9, 1e-9, 1e9, *any_length());
+  made.ray.direction *= factor;
+  made.t /= factor;
+  made.tolerance /= factor;
+  return made;
+}
+
+// The same ray with a range that ends before the point or begins behind it, often as close to it as
+// the precision allows, or from behind the triangle.
+inline Aimed out_of_range(Aimed aimed, int kind) {
+  const double before = aimed.t - 2 * aimed.tolerance, behind = aimed.t + 2 * aimed.tolerance;
+  if (kind == 0) aimed.ray.t_max = before * *rc::gen::element(1.0, 0.999, 0.5, 0.0);
+  if (kind == 1) aimed.ray.t_min = behind * *rc::gen::element(1.0, 1.001, 1e3);
+  if (kind == 2) {
+    aimed.ray.direction = -aimed.ray.direction;
+    aimed.ray.t_max = *rc::gen::oneOf(magnitude(1e-3, 1e3), rc::gen::element(1.0, pt::kInfinity));
+  }
   return aimed;
 }
 

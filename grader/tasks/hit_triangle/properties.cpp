@@ -113,28 +113,13 @@ PROMISE(hit_triangle, misses_outside) {
 
 PROMISE(hit_triangle, keeps_t_inside_the_ray) {
   const std::string none = "the point is not in the range of t";
-  for_all([=] {
-    const Aimed aimed = *mapped(aimed_inside(), [](Aimed made) {
-      made.ray.t_max = (made.t - 2 * made.tolerance) * *rc::gen::element(1.0, 0.999, 0.5, 0.0);
-      return made;
+  for (int kind = 0; kind <= 2; ++kind) {
+    for_all([=] {
+      const Aimed aimed =
+          *mapped(aimed_inside(), [=](const Aimed& made) { return out_of_range(made, kind); });
+      expect_miss(aimed.triangle, aimed.ray, kind < 2 ? none : "the triangle is behind the origin");
     });
-    expect_miss(aimed.triangle, aimed.ray, none);
-  });
-  for_all([=] {
-    const Aimed aimed = *mapped(aimed_inside(), [](Aimed made) {
-      made.ray.t_min = (made.t + 2 * made.tolerance) * *rc::gen::element(1.0, 1.001, 1e3);
-      return made;
-    });
-    expect_miss(aimed.triangle, aimed.ray, none);
-  });
-  for_all([=] {
-    const Aimed aimed = *mapped(aimed_inside(), [](Aimed made) {
-      made.ray.direction = -made.ray.direction;
-      made.ray.t_max = *rc::gen::oneOf(magnitude(1e-3, 1e3), rc::gen::element(1.0, pt::kInfinity));
-      return made;
-    });
-    expect_miss(aimed.triangle, aimed.ray, "the triangle is behind the origin");
-  });
+  }
   for_all([=] {
     const Aimed aimed = *mapped(exactly(inside_in_eighths), from_the_plane);
     expect_miss(aimed.triangle, aimed.ray, none);
@@ -182,6 +167,10 @@ PROMISE(hit_triangle, interpolates_the_corner_normals) {
     const Aimed aimed = *aimed_inside(kDisagreeing, barely_inside);
     const auto hit = hit_from_either_side(aimed);
     if (hit) expect_direction_of_n(aimed, *hit);
+  });
+  for_all([] {
+    const Aimed aimed = *aimed_inside(kAnyShape);
+    if (const auto hit = hit_from_either_side(aimed)) expect_direction_of_n(aimed, *hit);
   });
 }
 
@@ -248,15 +237,29 @@ void expect_scaled(const Aimed& aimed) {
 
 PROMISE(hit_triangle, works_for_directions_of_any_length) {
   for_all([] {
-    expect_scaled(*mapped(aimed_inside(), [](const Aimed& made) {
-      return scaled(made, *rc::gen::oneOf(magnitude(1e-3, 1e3), magnitude(1e-9, 1e9)));
-    }));
+    expect_scaled(
+        *mapped(aimed_inside(), [](const Aimed& made) { return scaled(made, *any_length()); }));
   });
   for_all([] {
     expect_scaled(*mapped(aimed_inside({.near = 1e-4, .far = 1}), [](const Aimed& made) {
       return scaled(made, *rc::gen::element(2.0, 0.5, 1e9, 1e-9, 1e-8));
     }));
   });
+  // A ray that misses does so with a direction of any length, and at any size.
+  for_all(
+      [] {
+        const Aimed aimed = *rc::gen::exec([] { return at_any_size((*aimed_outside()).out); });
+        expect_miss(aimed.triangle, aimed.ray, "the ray is aimed beside the triangle");
+      },
+      80);
+  for_all(
+      [] {
+        const Aimed aimed = *mapped(aimed_inside(kPrecise), [](const Aimed& made) {
+          return out_of_range(at_any_size(made), *whole(0, 2));
+        });
+        expect_miss(aimed.triangle, aimed.ray, "the point is not in the range of t");
+      },
+      100);
 }
 
 PROMISE(hit_triangle, works_at_every_scale) {
