@@ -54,12 +54,44 @@ inline rc::Gen<Case> through_the_middle(double way) {
   return rc::gen::exec([=] { return whole_case({0, 0, 0}, way); });
 }
 
-// The ray starts exactly on a side, an edge or a corner, and goes in or out.
+// The ray starts exactly on a side, an edge or, in half of the cases, a corner, and goes in or out. Its
+// range may begin later, and it may be the start alone.
 inline rc::Gen<Case> from_a_side() {
   return rc::gen::exec([] {
+    const bool corner = *whole(0, 1) == 0, inwards = *whole(0, 3) > 0;
     std::array<int, 3> places{};
-    while (places == std::array<int, 3>{}) places = {*whole(-1, 1), *whole(-1, 1), *whole(-1, 1)};
-    return whole_case(places, 0);
+    while (places == std::array<int, 3>{}) {
+      for (int& place : places) place = corner ? *rc::gen::element(-1, 1) : *whole(-1, 1);
+    }
+    Case c = whole_case(places, 0);
+    for (int axis = 0; inwards && axis < 3; ++axis) {
+      double& d = c.ray.direction[axis];
+      if (places[axis] != 0) d = std::copysign(d, -places[axis]);
+    }
+    const auto leave = static_cast<double>(on_the_line(c.box, c.ray, 0).leave.low);
+    const int kind = *whole(0, 3);
+    if (kind == 0) c.ray.t_max = 0;
+    if (kind >= 2 && leave > 0) c.ray.t_min = leave * *rc::gen::element(0.25, 0.5, 1.0);
+    return c;
+  });
+}
+
+// A ray exactly in the plane of a side or along an edge, from inside the box or in front of it. The
+// box may be flat, a segment or a point.
+inline rc::Gen<Case> in_planes() {
+  return rc::gen::exec([] {
+    const double scale = *power_of_two(3), speed = *power_of_two(2);
+    const int still = *whole(0, 2), moving = (still + *whole(1, 2)) % 3;
+    pt::Vec3 low = *whole_vector(4), size, target, d;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool moves = axis == moving || (axis != still && *whole(0, 1) == 0);
+      size[axis] = *whole(0, 2) == 0 ? 0 : 2 * *power_of_two(1);
+      target[axis] = low[axis] + (moves ? 0.5 : *rc::gen::element(0.0, 1.0)) * size[axis];
+      d[axis] = moves ? sign() * *power_of_two(1) : *rc::gen::element(0.0, -0.0);
+    }
+    return Case{
+        {scale * low, scale * (low + size)},
+        ray_to(scale * target, speed * d, scale / speed * *rc::gen::element(0.0, 1.0, 8.0))};
   });
 }
 

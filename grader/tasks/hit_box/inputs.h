@@ -111,13 +111,14 @@ inline rc::Gen<Case> leaving(Extreme extreme = Extreme::none) {
   });
 }
 
-// A ray that starts inside the box, or on a side and goes inwards. The range may begin later.
+// A ray that starts inside the box, or on a side and goes inwards. The range may begin later, or be
+// the start alone.
 inline rc::Gen<Case> starting_inside() {
   return rc::gen::exec([] {
     const pt::Box box = some_box();
     const int axis = *whole(0, 2);
     pt::Vec3 p = well_inside(box), d = some_direction();
-    const int kind = *whole(0, 3);
+    const int kind = *whole(0, 4);
     if (kind == 1 || kind == 2) {
       const bool upper = kind == 1;
       p[axis] = upper ? box.max[axis] : box.min[axis];
@@ -126,6 +127,7 @@ inline rc::Gen<Case> starting_inside() {
     Case c{box, {p, d}};
     const long double leave = on_the_line(box, c.ray).leave.low;
     if (kind == 3) c.ray.t_min = *real(0.1, 0.9) * static_cast<double>(leave);
+    if (kind == 4) c.ray.t_max = 0;
     return c;
   });
 }

@@ -251,7 +251,8 @@ PROMISE(hit_box, hits_rays_in_the_plane_of_a_side_bonus) {
         if (d != 0) d = std::copysign(d, side == c.box.max[axis] ? -1 : 1);  // inwards
         expect(pt::hit_box(c.box, c.ray).has_value(), "an interval", "none");
       },
-      500);
+      400);
+  for_all([] { expect_interval(*in_planes()); }, 300);
   for_all([] { expect_miss(*along_axes(true)); });
 }
 
