@@ -18,6 +18,12 @@ rc::Gen<pt::Camera> camera() {
   });
 }
 
+rc::Gen<std::pair<int, int>> many_pixels() {
+  return rc::gen::oneOf(rc::gen::pair(whole(66000, 200000), whole(1, 9)),
+                        rc::gen::pair(whole(1, 9), whole(66000, 200000)),
+                        rc::gen::pair(whole(8000, 30000), whole(8000, 30000)));
+}
+
 namespace {
 
 // Half the width and height of the window at distance 1.

@@ -4,6 +4,8 @@
 #include "pt/geometry/ray.h"
 #include "pt/scene/camera.h"
 
+#include <utility>
+
 #include <rapidcheck.h>
 
 // Random cameras, and the way back from a ray to its point of the picture. For camera_ray,
@@ -14,6 +16,10 @@ namespace grader::check {
 // A camera with any position and rotation. Its two fields of view are narrow or wide, independently
 // of each other.
 rc::Gen<pt::Camera> camera();
+
+// The width and height of a picture with more columns or rows than two bytes count, or with more
+// pixels than single precision does.
+rc::Gen<std::pair<int, int>> many_pixels();
 
 // Returns where a direction meets the camera's window, which goes from (-1, -1) to (1, 1) between
 // the edges of the picture. The result is NaN for a direction behind the camera.

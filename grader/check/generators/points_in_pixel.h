@@ -5,6 +5,7 @@
 #include "grader/check/language/two_numbers.h"
 #include "grader/check/scenes/closed_forms.h"
 #include "pt/math/vec3.h"
+#include "pt/sampling/sampler.h"
 
 #include <algorithm>
 #include <array>
@@ -154,6 +155,25 @@ inline void expect_independent_axes(const Points& points) {
   std::vector<NumberPair> pairs;
   for (const pt::Vec2 at : points) pairs.push_back({at.x, at.y});
   expect_two_numbers("x and y of a point in the pixel", pairs);
+}
+
+// Fails the case if a coordinate of the points is often a number that the sampler gives afterwards: a
+// point that looks ahead in the sampler shares its number with the path. The points are of different
+// calls, with the state of the sampler after each. Of right points, one in 500 is as close by chance.
+inline void expect_not_ahead(const Points& points, const std::vector<pt::Sampler::State>& after) {
+  for (const bool y : {false, true}) {
+    std::array<std::size_t, 2> close{};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      pt::Sampler sampler(after[i]);
+      for (std::size_t& each : close) {
+        each += std::abs((y ? points[i].y : points[i].x) - sampler.next_1d()) < 1e-3;
+      }
+    }
+    if (20 * std::max(close[0], close[1]) < points.size()) continue;
+    expect(false, "points that have no number in common with the radiance that follows",
+           fmt::format("{} is a number that radiance() draws from the sampler afterwards",
+                       y ? "y" : "x"));
+  }
 }
 
 // Fails the case if none of 16,000 points lies in the outermost 1.2 thousandths at one of the edges,

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/cameras.h"
 #include "grader/check/generators/generators.h"
+#include "grader/check/generators/views.h"
 #include "grader/check/mocks/scripted_radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 
@@ -21,7 +22,7 @@ using pt::AdaptiveSettings;
 using pt::PixelEstimate;
 using pt::Rgb;
 
-// One pixel: the radiance of each sample, and the arguments of adaptive_pixel. The scene is empty.
+// One pixel: the radiance of each sample, and the arguments of adaptive_pixel but for its scene.
 // radiance() is a mock version that returns the values of `seen` in order, and the last one again
 // if it is called more often.
 struct Case {
@@ -48,10 +49,10 @@ struct Answer {
   pt::Sampler sampler;  // its state after the call
 };
 
-inline Answer ask(const Case& c, const pt::PathSettings& settings, pt::Sampler sampler) {
+inline Answer ask(const Case& c, const pt::PathSettings& settings, pt::Sampler sampler,
+                  const pt::Scene& scene = {}) {
   script_radiance({.values = c.seen});
-  const pt::Scene empty;
-  const pt::View view{empty, c.camera, settings, c.width, c.height};
+  const pt::View view{scene, c.camera, settings, c.width, c.height};
   const PixelEstimate estimate = pt::adaptive_pixel(view, c.x, c.y, c.settings, sampler);
   return {estimate, radiance_calls(), sampler};
 }
@@ -109,10 +110,15 @@ inline Script lit_once_in(int every, Rgb value, int at = 0) {
   return [=](int i, double) { return i % every == at ? value : Rgb{}; };
 }
 
+// Any tolerance, often one of the ends.
+inline double any_tolerance() {
+  return *rc::gen::oneOf(magnitude(1e-4, 1), magnitude(1e-4, 1), rc::gen::element(1e-4, 1.0));
+}
+
 // Settings with any tolerance. The maximum may be a multiple of the batch or not.
 inline AdaptiveSettings any_settings() {
   const int batch = *whole(2, 16);
-  return {*whole(batch, 10 * batch), batch, *magnitude(1e-4, 1)};
+  return {*whole(batch, 10 * batch), batch, any_tolerance()};
 }
 
 // Settings with batches of up to thousands of samples.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -36,10 +37,11 @@ PROMISE(adaptive_pixel, stops_where_the_interval_is_narrow) {
         expect_right_count(c, ask(c));
       },
       kLongCases);
-  // Counters of a byte and of ten bits are too small for the last two.
+  // Counters of a byte and of ten bits are too small for the last two, and of eleven bits below.
   for (const int from : {20, 60, 130, 260, 1030}) {
     for_all([=] { expect_known_count(*narrow_after(*whole(from, from + 70), 1e-4, 1)); }, 2);
   }
+  for_all([] { expect_known_count(*narrow_after(*whole(2100, 2400), 1e-4, 1)); }, 1);
   for (const int batch : {2, 4, 8}) {
     for (const bool divides_by_n : {true, false}) {
       for (const Side side : {Side::narrow, Side::wide}) {
@@ -154,26 +156,13 @@ PROMISE(adaptive_pixel, passes_the_settings_on) {
   for_all(
       [] {
         const Case c = *anything();
-        const pt::PathSettings settings = *rc::gen::exec([] {
-          pt::PathSettings some;
-          some.light_samples = *whole(1, 100);
-          some.direct = *rc::gen::element(pt::PathSettings::Direct::hemisphere,
-                                          pt::PathSettings::Direct::lights);
-          some.survival = *real(0.05, 1);
-          some.from = *whole(0, 3);
-          some.to = *whole(some.from, 100);
-          return some;
-        });
-        const Answer answer = ask(c, settings);
+        const pt::PathSettings settings = some_settings();
+        const Answer answer = ask(c, settings, pt::Sampler(c.seed), some_scene());
         const int most = 64 * (c.settings.max_samples + 1);
         expect(!answer.calls.empty(), "a call of radiance()", "none");
         int before = 0;
         for (const RadianceCall& call : answer.calls) {
-          const pt::PathSettings& seen = call.settings;
-          expect(seen.light_samples == settings.light_samples && seen.direct == settings.direct &&
-                     seen.survival == settings.survival && seen.from == settings.from &&
-                     seen.to == settings.to,
-                 "the view's settings", "other settings");
+          expect_settings(call.settings, settings);
           const int drawn = numbers_drawn(pt::Sampler(c.seed), call.sampler, most);
           expect(drawn >= before, "the sampler that adaptive_pixel was given, in its present state",
                  "another sampler, or one that went back");
@@ -202,12 +191,12 @@ rc::Gen<Case> in_picture(const rc::Gen<Case>& cases, const rc::Gen<std::pair<int
 }
 
 // Returns the points of the pixel that the rays go through. Fails if one is outside of the pixel.
-Points points_inside(const Case& c, const pt::Sampler& sampler) {
-  const Answer answer = ask(c, {}, sampler);
+Points points_inside(const Case& c, const Answer& answer) {
   expect(!answer.calls.empty(), "a call of radiance()", "none");
   const pt::Vec2 slack = ray_slack(c.camera, c.width, c.height);
   Points points;
   for (const RadianceCall& call : answer.calls) {
+    expect_from_camera(call.ray, c.camera);
     const pt::Vec2 at = in_pixel(c, call.ray);
     expect(at.x > -slack.x && at.x < 1 + slack.x && at.y > -slack.y && at.y < 1 + slack.y,
            "rays through the pixel, from (0, 0) to (1, 1)",
@@ -217,13 +206,13 @@ Points points_inside(const Case& c, const pt::Sampler& sampler) {
   return points;
 }
 
-Points points_inside(const Case& c) { return points_inside(c, pt::Sampler(c.seed)); }
+Points points_inside(const Case& c) { return points_inside(c, ask(c)); }
 
 // A last batch that is cut short reveals points that are even only in whole batches; small batches
 // reveal a batch whose first point differs from the rest.
 PROMISE(adaptive_pixel, covers_the_whole_pixel) {
   for (const auto& [batch, most] :
-       {std::pair{2, 1600}, std::pair{5, 1600}, std::pair{1600, 1600}, std::pair{1800, 2400}}) {
+       {std::pair{2, 1600}, std::pair{5, 1600}, std::pair{9000, 9000}, std::pair{1800, 2400}}) {
     for_all(
         [batch = batch, most = most] {
           const rc::Gen<Case> cases = rc::gen::exec([=] {
@@ -239,27 +228,38 @@ PROMISE(adaptive_pixel, covers_the_whole_pixel) {
   for (const bool first : {true, false}) {
     for_all(
         [=] {
-          constexpr int kSamples = 64;
-          Case c = *rc::gen::exec([] {
-            return pixel("always 1", {kSamples, kSamples, 1e-3}, always(pt::gray(1)));
+          const int samples = first ? 16 : 64;
+          Case c = *rc::gen::exec([=] {
+            return pixel("always 1", {samples, samples, 1e-3}, always(pt::gray(1)));
           });
           c.x = c.y = 0;
           c.width = c.height = 1;
           Points points;
+          std::vector<pt::Sampler::State> after;
           for (int i = 0; i < kIndependentPoints; ++i, ++c.seed) {
-            points.push_back(points_inside(c).at(first ? 0 : i % kSamples));
+            const Answer answer = ask(c);
+            const int of = first ? 0 : i % samples;
+            points.push_back(points_inside(c, answer).at(of));
+            after.push_back(answer.calls.at(of).sampler);
           }
+          expect_not_ahead(points, after);
           if (first) expect_different_coordinates(points, "the first points of many calls");
           if (!first) expect_independent_axes(points);
         },
         1);
   }
-  for_all([] { points_inside(*constant(), sampler_of_a_rare_number(6)); }, 40);
+  for_all(
+      [] {
+        const Case c = *constant();
+        points_inside(c, ask(c, {}, sampler_of_a_rare_number(6)));
+      },
+      40);
   for_all(
       [] {
         points_inside(*in_picture(
             constant(), rc::gen::element(std::pair{64, 32}, std::pair{3, 100}, std::pair{7, 500},
                                          std::pair{1920, 1080}, std::pair{4000, 3000})));
+        points_inside(*in_picture(constant(), many_pixels()));
       },
       20);
 }

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/cameras.h"
 #include "grader/check/generators/generators.h"
+#include "grader/check/generators/views.h"
 #include "grader/check/language/show.h"
 #include "grader/check/mocks/scripted_radiance.h"
 #include "pt/tasks/estimate_pixel.h"
@@ -43,9 +44,9 @@ inline rc::Gen<Pixel> pixel() {
   return rc::gen::exec([] {
     Pixel p;
     p.camera = *camera();
-    std::tie(p.width, p.height) =
-        *rc::gen::element(std::pair{2, 1}, std::pair{1, 3}, std::pair{64, 32}, std::pair{7, 500},
-                          std::pair{1, 1}, std::pair{1920, 1080}, std::pair{4000, 3000});
+    std::tie(p.width, p.height) = *rc::gen::element(
+        std::pair{2, 1}, std::pair{1, 3}, std::pair{64, 32}, std::pair{7, 500}, std::pair{1, 1},
+        std::pair{1920, 1080}, std::pair{4000, 3000}, *many_pixels());
     p.x = one_of(p.width);
     p.y = one_of(p.height);
     return p;
@@ -69,17 +70,6 @@ inline rc::Gen<Pixel> whole_picture() {
 }
 
 inline pt::Vec2 slack(const Pixel& p) { return ray_slack(p.camera, p.width, p.height); }
-
-inline pt::PathSettings some_settings() {
-  pt::PathSettings s;
-  s.light_samples = draw("light samples", whole(2, 9));
-  s.direct = pt::PathSettings::Direct::hemisphere;
-  s.survival = draw("survival", real(0.2, 0.6));
-  s.from = draw("from", whole(1, 3));
-  s.to = s.from + draw("more bounces", whole(1, 6));
-  s.show_normals = draw("normals", rc::gen::element(false, true));
-  return s;
-}
 
 // The values that radiance() returns, one per sample of a pixel.
 struct Seen {
@@ -128,8 +118,8 @@ struct Estimate {
 };
 
 inline Estimate estimate(const Pixel& p, int samples, pt::Sampler sampler,
-                         const RadianceScript& script = {}, const pt::PathSettings& settings = {}) {
-  const pt::Scene scene;
+                         const RadianceScript& script = {}, const pt::PathSettings& settings = {},
+                         const pt::Scene& scene = {}) {
   const pt::View view{scene, p.camera, settings, p.width, p.height};
   script_radiance(script);
   const pt::Rgb mean = pt::estimate_pixel(view, p.x, p.y, samples, sampler);

@@ -90,6 +90,7 @@ void expect_inside(const Pixel& p, int samples, const pt::Sampler& sampler) {
   expect_a_call(e);
   const pt::Vec2 off = slack(p);
   for (const RadianceCall& call : e.calls) {
+    expect_from_camera(call.ray, p.camera);
     const pt::Vec2 at = in_pixel(p, call.ray);
     expect(at.x >= -off.x && at.x <= 1 + off.x && at.y >= -off.y && at.y <= 1 + off.y,
            fmt::format(
@@ -130,11 +131,13 @@ Points points_of_calls(const Pixel& p, int samples, int calls, std::uint64_t see
 }
 
 // The points of three calls are different, whatever the number of samples: all small numbers,
-// squares and powers of two.
+// squares and powers of two; a larger number and a larger square.
 void expect_random_points(const Pixel& p, std::uint64_t seed) {
   std::vector<int> numbers(19);
   std::iota(numbers.begin(), numbers.end(), 2);
-  numbers.insert(numbers.end(), {25, 32, 36, 49, 64, 100, 128, 256});
+  numbers.insert(numbers.end(), {25, 32, 36, 49, 64, 100, 128, 256, *whole(257, 3000)});
+  const int side = *whole(17, 50);
+  numbers.push_back(side * side);
   for (const int samples : numbers) {
     const Points points = points_of_calls(p, samples, 3, seed);
     expect_different_coordinates(
@@ -165,10 +168,16 @@ PROMISE(estimate_pixel, covers_the_whole_pixel) {
       [] {
         const Pixel p = *whole_picture();
         const auto seed = draw("seed", sampler_seed());
-        const Points points = points_of_calls(p, 2, kIndependentPoints, seed);
         Points seconds;
-        for (std::size_t i = 1; i < points.size(); i += 2) seconds.push_back(points[i]);
+        std::vector<pt::Sampler::State> after;
+        for (int i = 0; i < kIndependentPoints; ++i) {
+          const Estimate e = estimate(p, 2, pt::Sampler::for_pixel(seed, i, 0));
+          expect_a_call(e);
+          seconds.push_back(points_of(p, e).back());
+          after.push_back(e.calls.back().sampler);
+        }
         expect_independent_axes(seconds);
+        expect_not_ahead(seconds, after);
       },
       1);
   for_all(
@@ -187,21 +196,15 @@ PROMISE(estimate_pixel, covers_the_whole_pixel) {
       1);
 }
 
-bool equal(const pt::PathSettings& a, const pt::PathSettings& b) {
-  return a.light_samples == b.light_samples && a.direct == b.direct && a.survival == b.survival &&
-         a.from == b.from && a.to == b.to && a.show_normals == b.show_normals;
-}
-
 PROMISE(estimate_pixel, passes_the_settings_on) {
   for_all([] {
     const Pixel p = *pixel();
     const pt::PathSettings settings = some_settings();
     const int n = some_samples();
-    const Estimate e = estimate(p, n, pt::Sampler(draw("seed", sampler_seed())), {}, settings);
+    const pt::Sampler sampler(draw("seed", sampler_seed()));
+    const Estimate e = estimate(p, n, sampler, {}, settings, some_scene());
     expect_a_call(e);
-    for (const RadianceCall& call : e.calls) {
-      expect(equal(call.settings, settings), "the view's settings", "other settings");
-    }
+    for (const RadianceCall& call : e.calls) expect_settings(call.settings, settings);
   });
 }
 
