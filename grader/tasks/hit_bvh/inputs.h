@@ -267,9 +267,20 @@ inline rc::Gen<Case> walls_with_one_t() {
   });
 }
 
-// More primitives in a leaf than fit into a byte, or into an array of a thousand.
-inline rc::Gen<Case> with_a_wide_leaf() {
-  return rc::gen::map(rc::gen::element(257, 513, 1025, 1300), wide_leaf);
+// The nearest wall is at this part of a wide leaf, below 1.
+inline rc::Gen<Case> with_a_wide_leaf(const rc::Gen<double>& part) {
+  return rc::gen::map(rc::gen::pair(whole(257, 1025), part), [](const auto& drawn) {
+    const auto [walls, at] = drawn;
+    return wide_leaf(walls, static_cast<int>(at * walls));
+  });
+}
+
+inline rc::Gen<Case> with_squares_in_halves() {
+  return rc::gen::exec([] {
+    const int axis = *whole(0, 2), squares = *whole(1, 4);
+    RandomNumbers make(*sampler_seed());
+    return squares_in_halves(axis, squares, make);
+  });
 }
 
 // Makes a triangle or a sphere smaller, so that it stays inside its box.

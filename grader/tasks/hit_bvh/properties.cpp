@@ -6,6 +6,7 @@
 #include "grader/tasks/hit_bvh/truth.h"
 #include "pt/tasks/hit_bvh.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace grader::check {
@@ -54,6 +55,7 @@ PROMISE(hit_bvh, finds_the_nearest_hit) {
   for_queries([] { expect_nearest(*walls_that_all_but_touch()); }, 60);
   for_queries([] { expect_nearest_at_an_end(*range_with_a_wall_at_its_end()); }, 40);
   for_queries([] { expect_nearest(*walls_with_one_t()); }, 40);
+  for_queries([] { expect_as_all(*with_squares_in_halves()); }, 40);
   for_queries([] { expect_in_turn(expect_as_all); });
   for_queries(
       [] {
@@ -153,7 +155,13 @@ PROMISE(hit_bvh, takes_a_tree_of_any_shape) {
   for_queries([=] { check(*with_tree({Shape::chain, Shape::random, Shape::balanced}, kAny)); });
   for_queries([=] { check(*with_tree({Shape::leaf}, {.most = 12})); }, 100);
   for_queries([=] { check(*with_tree({Shape::leaf, Shape::balanced}, wide)); }, 40);
-  for_queries([=] { check(*with_a_wide_leaf()); }, 8);
+  // More primitives in a leaf than fit into a byte, or into an array of a thousand or two.
+  for (const int walls : {257, 513, 1025, 2100}) {
+    for_queries([=] { check(*rc::gen::just(wide_leaf(walls, walls - 1))); }, 1);
+  }
+  for (const auto& part : {rc::gen::element(0.0, 0.5), rc::gen::just(0.5), real(0, 0.999)}) {
+    for_queries([=] { check(*with_a_wide_leaf(part)); }, 2);
+  }
   for_queries([=] { check(*deep_tree()); }, 8);
   for_queries([=] { check(*deep_pile()); }, 3);
 }
@@ -163,6 +171,7 @@ PROMISE(hit_bvh, finds_any_hit) {
   few.most = 12;
   for_queries([=] { expect_occluded_as_all(*some_tree(few)); }, 2 * kCases);
   for_queries([] { expect_occluded_at_an_end(*range_with_a_wall_at_its_end()); }, 40);
+  for_queries([] { expect_occluded_as_all(*with_squares_in_halves()); }, 40);
   for_queries([] { expect_in_turn(expect_occluded_as_all); });
   for_queries(
       [] {
@@ -223,36 +232,49 @@ PROMISE(hit_bvh, skips_what_lies_outside_the_ray) {
 
 PROMISE(hit_bvh, skips_what_lies_behind_a_hit) {
   constexpr int kWalls = 64, kTrees = 20;
-  for_queries(
-      [] {
-        RandomNumbers make(draw("seed", sampler_seed()));
-        Case c = walls_in_a_row(kWalls);
-        long long walls = 0;
-        for (int tree = 0; tree < kTrees; ++tree) {
-          c.bvh = tree_in_order(c.primitives, Shape::random, make);
-          walls += static_cast<long long>(tested_by(c, false).triangles.size());
-        }
-        const double mean = static_cast<double>(walls) / kTrees;
-        expect(mean > 0 && 2 * mean < kWalls,
-               "tests of fewer than " + std::to_string(kWalls / 2) +
-                   " per query: 64 walls stand one behind the other",
-               show(mean) + " of 64 walls tested, on average over 20 trees");
-      },
-      3);
+  const auto property = [](bool spheres, int in_a_leaf) {
+    RandomNumbers make(draw("seed", sampler_seed()));
+    Case c = walls_in_a_row(kWalls, spheres);
+    long long walls = 0;
+    for (int tree = 0; tree < kTrees; ++tree) {
+      c.bvh = tree_in_order(c.primitives, Shape::random, make, in_a_leaf, in_a_leaf);
+      const Tested log = tested_by(c, false);
+      walls += std::ssize(log.triangles) + std::ssize(log.spheres);
+    }
+    const double mean = static_cast<double>(walls) / kTrees;
+    const std::string what = spheres ? "spheres" : "walls";
+    expect(mean > 0 && 2 * mean < kWalls,
+           "tests of fewer than " + std::to_string(kWalls / 2) + " per query: 64 " + what +
+               " stand one behind the other",
+           show(mean) + " of 64 " + what + " tested, on average over 20 trees with " +
+               std::to_string(in_a_leaf) + " in a leaf");
+  };
+  for (const bool spheres : {false, true}) {
+    for (const int in_a_leaf : {1, 2}) for_queries([=] { property(spheres, in_a_leaf); }, 1);
+  }
 }
 
 PROMISE(hit_bvh, stops_at_any_hit) {
   for_queries([] {
-    const Case c = *some_tree({.spheres = false, .all_of_ray = true});
+    const bool spheres = draw("with spheres", rc::gen::arbitrary<bool>());
+    const Case c = *some_tree({.spheres = spheres, .all_of_ray = true});
     const Truth truth = truth_of(c);
     if (!truth.any() || !truth.is_clear) return;
     const Tested log = tested_by(c, true);
-    int after = -1;
-    for (const pt::Triangle& triangle : log.triangles) {
-      if (after >= 0 || pt::hit_triangle(triangle, c.ray)) ++after;
-    }
-    expect(after >= 0, "a test of a triangle that is hit", "none");
-    expect_equal("triangles tested after one was hit", after, 0);
+    int hits = 0, after = 0;
+    const auto count = [&](const auto& asked, const auto& meets) {
+      bool found = false;
+      for (const auto& each : asked) {
+        if (found) ++after;
+        if (!meets(each)) continue;
+        found = true;
+        ++hits;
+      }
+    };
+    count(log.triangles, [&](const auto& triangle) { return pt::hit_triangle(triangle, c.ray); });
+    count(log.spheres, [&](const auto& sphere) { return pt::hit_sphere(sphere, c.ray); });
+    expect(hits > 0, "a test of a primitive that is hit", "none");
+    expect_equal("primitives tested after one was hit", std::max(after, hits - 1), 0);
   });
 }
 

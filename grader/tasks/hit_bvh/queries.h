@@ -136,7 +136,7 @@ inline double t_error(const Meeting& meeting) {
 }
 
 inline double n_error(const Meeting& meeting) {
-  return judge_answers ? 1e-12 : 1e-12 + 2 * meeting.n_error;
+  return judge_answers ? 0 : 1e-12 + 2 * meeting.n_error;
 }
 
 // Returns the allowed error of t of the nearest hit. If another hit is as near, it may be returned.

@@ -90,6 +90,7 @@ struct TreeMaker {
   int max_leaf;
   double padding;  // how much larger than necessary boxes may be
   RandomNumbers& make;
+  int min_leaf = 1;  // where a tree divides anywhere, primitives stay together in such numbers
   pt::Bvh bvh{};
 
   int divide(int first, int last) {
@@ -97,7 +98,7 @@ struct TreeMaker {
     if (shape == Shape::chain) return make.whole(0, 1) == 0 ? first + 1 : last - 1;
     if (shape == Shape::right_chain) return first + 1;
     if (shape == Shape::left_chain) return last - 1;
-    if (shape == Shape::random) return first + make.whole(1, n - 1);
+    if (shape == Shape::random) return first + min_leaf * make.whole(1, n / min_leaf - 1);
     const int axis = make.whole(0, 2), middle = first + n / 2;
     const auto begin = bvh.order.begin();
     std::nth_element(begin + first, begin + middle, begin + last, [&](int a, int b) {
@@ -142,8 +143,8 @@ inline pt::Bvh tree_of(const pt::Primitives& primitives, Shape shape, int max_le
 
 // A tree that keeps the order of the primitives.
 inline pt::Bvh tree_in_order(const pt::Primitives& primitives, Shape shape, RandomNumbers& make,
-                             int max_leaf = 1) {
-  TreeMaker maker{primitives, shape, max_leaf, 0, make};
+                             int max_leaf = 1, int min_leaf = 1) {
+  TreeMaker maker{primitives, shape, max_leaf, 0, make, min_leaf};
   maker.bvh.order.resize(primitives.size());
   std::iota(maker.bvh.order.begin(), maker.bvh.order.end(), 0);
   maker.build(0, primitives.size());

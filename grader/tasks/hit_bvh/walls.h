@@ -20,21 +20,28 @@ inline pt::Triangle wall_at(pt::Vec3 met, double along_x = 0, double along_y = 0
 
 inline constexpr pt::Ray kThroughWalls{{0.3, 0.2, -5}, {0.01, -0.02, 1}};
 
-// Walls one unit apart, without a tree. The ray meets all of them.
-inline Case walls_in_a_row(int walls) {
+// Walls one unit apart, or spheres, without a tree. The ray meets all of them.
+inline Case walls_in_a_row(int walls, bool spheres = false) {
   Case c;
-  for (int i = 0; i < walls; ++i) c.primitives.triangles.push_back(wall_at({0, 0, 1.0 * i}));
   c.ray = kThroughWalls;
+  for (int i = 0; i < walls; ++i) {
+    if (spheres) {
+      c.primitives.spheres.push_back({c.ray.at(5.0 + i), 0.4});
+    } else {
+      c.primitives.triangles.push_back(wall_at({0, 0, 1.0 * i}));
+    }
+  }
   return c;
 }
 
-// Walls, of which all but one are in one leaf, the nearest of them at its last place. The range ends
+// Walls, of which all but one are in one leaf, the nearest of them at this place. The range ends
 // before the next wall.
-inline Case wide_leaf(int walls) {
+inline Case wide_leaf(int walls, int place) {
   RandomNumbers make(1);
   Case c;
   for (int i = 0; i < walls; ++i) {
-    c.primitives.triangles.push_back(wall_at({0, 0, 1.0 * (walls - i)}, 0, 0, 99));
+    const double z = (place - i + walls) % walls + 1;
+    c.primitives.triangles.push_back(wall_at({0, 0, z}, 0, 0, 99));
   }
   c.primitives.triangles.push_back(wall_at({0, 0, walls + 9.0}, 0, 0, 99));
   c.ray = kThroughWalls;
@@ -134,24 +141,48 @@ inline void start_at(pt::Ray& ray, double t) {
   ray.t_max -= t;
 }
 
+inline pt::Vec3 turned(int axis, double x, double y, double z) {
+  pt::Vec3 p;
+  p[(axis + 1) % 3] = x;
+  p[(axis + 2) % 3] = y;
+  p[axis] = z;
+  return p;
+}
+
+// Squares across an axis, one behind the other, flat or tilted about a diagonal. Each has two
+// triangles, whose boxes are the same. The ray meets one of the two.
+inline Case squares_in_halves(int axis, int squares, RandomNumbers& make) {
+  Case c;
+  for (int z = 0; z < squares; ++z) {
+    const double tilt = make.whole(0, 1) * make.between(0.1, 0.4);
+    const pt::Vec3 low = turned(axis, -1, -1, z), high = turned(axis, 1, 1, z);
+    const pt::Vec3 back = turned(axis, 1, -1, z + tilt), front = turned(axis, -1, 1, z - tilt);
+    c.primitives.triangles.push_back(pt::flat_triangle(low, back, front));
+    c.primitives.triangles.push_back(pt::flat_triangle(high, front, back));
+    if (make.whole(0, 1) == 0)
+      std::swap(c.primitives.triangles.end()[-1], c.primitives.triangles.end()[-2]);
+  }
+  const auto at = [&](double z) {
+    return turned(axis, make.between(-0.9, 0.9), make.between(-0.9, 0.9), z);
+  };
+  const pt::Vec3 from = at(-2), to = at(squares);
+  c.ray = {from, to - from};
+  c.bvh = tree_in_order(c.primitives, Shape::random, make);
+  c.how = std::string(words(Shape::random)) + ", squares of two triangles with the same box";
+  return c;
+}
+
 // Walls across an axis, one behind the other, in no order of the tree. All numbers are whole
 // multiples of powers of two, so that the judge's hit_box and hit_triangle compute the same t,
 // without rounding.
 inline Case walls_and_range(int axis, int walls, int wall, End end, double speed,
                             RandomNumbers& make) {
-  const auto turned = [axis](double x, double y, double z) {
-    pt::Vec3 p;
-    p[(axis + 1) % 3] = x;
-    p[(axis + 2) % 3] = y;
-    p[axis] = z;
-    return p;
-  };
   Case c;
   for (int z = 0; z < walls; ++z) {
-    c.primitives.triangles.push_back(
-        pt::flat_triangle(turned(-16, -16, z), turned(16, -16, z), turned(0, 16, z)));
+    c.primitives.triangles.push_back(pt::flat_triangle(
+        turned(axis, -16, -16, z), turned(axis, 16, -16, z), turned(axis, 0, 16, z)));
   }
-  c.ray = {turned(0.25, 0.5, -4), speed * turned(0.125, -0.25, 1)};
+  c.ray = {turned(axis, 0.25, 0.5, -4), speed * turned(axis, 0.125, -0.25, 1)};
   const double t = (4 + wall) / speed;
   if (end != End::last) c.ray.t_min = t;
   if (end != End::first) c.ray.t_max = t;
