@@ -214,6 +214,14 @@ inline rc::Gen<Input> some_boxes() {
 inline rc::Gen<Input> thousands_of_boxes() { return boxes_of(kUsual, 2000, 3000); }
 inline rc::Gen<Input> deep_boxes() { return boxes_of(kDeep, 30, 400); }
 
+// More than a thousand boxes that no plane separates, one per leaf.
+inline rc::Gen<Input> a_large_pile(Kind kind) {
+  return rc::gen::map(boxes_of({kind}, 1100, 2500), [](Input input) {
+    input.max_leaf = 1;
+    return input;
+  });
+}
+
 // Points at first * 2^-i for i = 0, 1, ...
 inline Input halving_points(int axis, int n, double first = 1, int max_leaf = 1) {
   Input input{{}, max_leaf};

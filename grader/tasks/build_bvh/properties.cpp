@@ -52,17 +52,17 @@ void check_usual_boxes(Check check) {
   check_second_of_two(check);
 }
 
-void check_boxes_of(const std::vector<Kind>& kinds, int most) {
+void check_divided(const rc::Gen<Input>& boxes, int cases) {
   once(expect_a_tree_at_all);
   if (testing::Test::HasFailure()) return;
   for_all(
       [&] {
-        const Input input = *boxes_of(kinds, 2, most);
+        const Input input = *boxes;
         const pt::Bvh bvh = build(input);
         expect_nodes(bvh);
         expect_divided(input, bvh);
       },
-      150);
+      cases);
 }
 
 // More boxes, nodes and primitives in a leaf than 8 bits or 16 bits can count. The boxes are in a
@@ -109,8 +109,14 @@ PROMISE(build_bvh, keeps_leaves_small) {
       1);
 }
 PROMISE(build_bvh, splits_until_it_must) { check_usual_boxes(expect_split); }
-PROMISE(build_bvh, ends_on_identical_centroids) { check_boxes_of(kCoinciding, 300); }
-PROMISE(build_bvh, ends_where_axes_are_equally_long) { check_boxes_of(kTied, 300); }
+PROMISE(build_bvh, ends_on_identical_centroids) {
+  check_divided(boxes_of(kCoinciding, 2, 300), 150);
+  check_divided(a_large_pile(Kind::identical), 1);
+  check_divided(a_large_pile(Kind::same_center), 1);
+}
+PROMISE(build_bvh, ends_where_axes_are_equally_long) {
+  check_divided(boxes_of(kTied, 2, 300), 150);
+}
 
 PROMISE(build_bvh, takes_no_boxes_and_one) {
   once(expect_a_tree_at_all);
@@ -128,13 +134,12 @@ PROMISE(build_bvh, takes_no_boxes_and_one) {
 }
 
 // Returns how many boxes of the tree a ray enters if it crosses the plane of the rows. It is the
-// mean over many rays through centres of boxes, the same rays for every tree.
-double boxes_entered(const InRows& made, const pt::Bvh& bvh) {
-  constexpr int kPoints = 200;
+// mean over rays through the centres of so many boxes, the same rays for every tree.
+double boxes_entered(const InRows& made, const pt::Bvh& bvh, int points) {
   const auto& [rows, input] = made;
   RandomNumbers make(1);
   long long entered = 0;
-  for (int i = 0; i < kPoints; ++i) {
+  for (int i = 0; i < points; ++i) {
     const pt::Box& box = input.boxes[make.whole(0, static_cast<int>(input.boxes.size()) - 1)];
     for (const pt::BvhNode& node : bvh.nodes) {
       bool inside = true;
@@ -145,21 +150,28 @@ double boxes_entered(const InRows& made, const pt::Bvh& bvh) {
       entered += inside;
     }
   }
-  return static_cast<double>(entered) / kPoints;
+  return static_cast<double>(entered) / points;
 }
 
 PROMISE(build_bvh, separates_along_the_longest_axis) {
   once(expect_a_tree_at_all);
   // If every split halves a row, a ray enters one box per level. If the splits ignore where the
-  // boxes are, it enters about half of all boxes.
-  for (const auto& [count, each] : {std::pair{1, 1024}, std::pair{8, 128}}) {
+  // boxes are, it enters about half of all boxes; if only the first splits of many boxes do, it
+  // enters some times as many.
+  struct Sizes {
+    int count, each;
+    double per_level;  // the boxes that a ray may enter
+    int points, cases;
+  };
+  for (const Sizes& sizes :
+       {Sizes{1, 1024, 5, 200, 28}, Sizes{8, 128, 5, 200, 28}, Sizes{64, 256, 2.5, 40, 1}}) {
     if (testing::Test::HasFailure()) return;
     for_all(
-        [count = count, each = each] {
-          const InRows made =
-              *rc::gen::mapcat(whole(0, 2), [=](int along) { return in_rows(along, count, each); });
-          const double limit = 5 * std::log2(2 * count * each);
-          const double entered = boxes_entered(made, build(made.input));
+        [&] {
+          const auto& [count, each, per_level, points, cases] = sizes;
+          const InRows made = *in_rows(*whole(0, 2), count, each);
+          const double limit = per_level * std::log2(2 * count * each);
+          const double entered = boxes_entered(made, build(made.input), points);
           expect(entered >= 1, "a root whose box holds the middles of all boxes",
                  "a ray across the row enters " + show(entered) +
                      " boxes of the tree on average: most rays miss even the root");
@@ -167,7 +179,7 @@ PROMISE(build_bvh, separates_along_the_longest_axis) {
                  "a ray across the row enters " + show(entered) + " of " +
                      std::to_string(2 * count * each) + " boxes of the tree on average");
         },
-        30);
+        sizes.cases);
   }
 }
 

@@ -186,14 +186,14 @@ inline double excess(const pt::Box& outer, const pt::Box& inner) {
   return most;
 }
 
-// Returns how much too large a box may be. Rounding errors of double are far smaller than this, and
-// rounding errors of single precision far larger.
+// Returns how much too large a box may be. It is some thousand rounding errors of double: a box that is
+// a rounding error larger than its children's boxes is that much larger at each level.
 inline double allowed_excess(const Input& input) {
   double largest = 0;
   for (const pt::Box& box : input.boxes) {
     largest = std::max({largest, max_abs(box.min), max_abs(box.max)});
   }
-  return 1e-9 * largest + 1e-300;
+  return 1e-12 * largest + 1e-300;
 }
 
 }  // namespace grader::check::build_bvh_inputs
