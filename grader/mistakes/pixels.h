@@ -25,6 +25,8 @@ inline pt::Camera fixed_camera() {
   camera.camera_to_world = {around.z, around.x, around.y};
   camera.hfov_deg = 60;
   camera.vfov_deg = 40;
+  camera.near_clip = 0.5;
+  camera.far_clip = 20;
   return camera;
 }
 

@@ -2,9 +2,11 @@
 
 #include "grader/check/generators/generators.h"
 #include "grader/check/language/property.h"
+#include "grader/check/mocks/scripted_radiance.h"
 #include "pt/scene/view.h"
 
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -39,7 +41,10 @@ inline pt::Scene some_scene() {
   return scene;
 }
 
-inline void expect_settings(const pt::PathSettings& got, const pt::PathSettings& right) {
+inline void expect_seen(const RadianceCall& call, const pt::PathSettings& right,
+                        const pt::Scene& scene) {
+  const pt::PathSettings& got = call.settings;
+  expect_equal("lights of the scene that radiance() gets", call.lights, std::ssize(scene.lights));
   expect(got.light_samples == right.light_samples && got.direct == right.direct &&
              got.survival == right.survival && got.from == right.from && got.to == right.to &&
              got.show_normals == right.show_normals,

@@ -2,6 +2,7 @@
 
 #include "pt/render/radiance.h"
 
+#include <iterator>
 #include <utility>
 
 namespace grader::check {
@@ -23,9 +24,9 @@ const std::vector<RadianceCall>& radiance_calls() { return calls; }
 
 namespace pt {
 
-Rgb radiance(const Scene&, const Ray& ray, const PathSettings& settings, Sampler& sampler) {
+Rgb radiance(const Scene& scene, const Ray& ray, const PathSettings& settings, Sampler& sampler) {
   using namespace grader::check;
-  calls.push_back({ray, settings, sampler.state()});
+  calls.push_back({ray, settings, sampler.state(), std::ssize(scene.lights)});
   const auto& script = radiance_script();
   if (!script) return {};
   for (int i = 0; i < script->numbers; ++i) sampler.next_1d();

@@ -20,6 +20,7 @@ struct RadianceCall {
   pt::Ray ray;
   pt::PathSettings settings;
   pt::Sampler::State sampler{};  // its state when radiance() was called
+  long long lights = 0;          // of the scene
 };
 
 // The radiances that the mock version returns.

@@ -157,12 +157,13 @@ PROMISE(adaptive_pixel, passes_the_settings_on) {
       [] {
         const Case c = *anything();
         const pt::PathSettings settings = some_settings();
-        const Answer answer = ask(c, settings, pt::Sampler(c.seed), some_scene());
+        const pt::Scene scene = some_scene();
+        const Answer answer = ask(c, settings, pt::Sampler(c.seed), scene);
         const int most = 64 * (c.settings.max_samples + 1);
         expect(!answer.calls.empty(), "a call of radiance()", "none");
         int before = 0;
         for (const RadianceCall& call : answer.calls) {
-          expect_settings(call.settings, settings);
+          expect_seen(call, settings, scene);
           const int drawn = numbers_drawn(pt::Sampler(c.seed), call.sampler, most);
           expect(drawn >= before, "the sampler that adaptive_pixel was given, in its present state",
                  "another sampler, or one that went back");

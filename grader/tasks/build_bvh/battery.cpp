@@ -185,7 +185,7 @@ void too_wide(Battery& battery, RandomNumbers& make) {
       most = std::max(most, excess(bvh.nodes[i].box, below.boxes[i]));
     }
     const double allowed = allowed_excess(input);
-    return {flag(most > allowed), flag(most > 300 * allowed), flag(most > 1e4 * allowed)};
+    return {flag(most > allowed), flag(most > 3e5 * allowed), flag(most > 1e7 * allowed)};
   });
 }
 

@@ -82,8 +82,9 @@ void one_sample(Battery& battery) {
       const Estimate e = estimate(place, 1, 1);
       if (e.calls.empty()) return {};
       const auto [x, y] = in_pixel(pixel_at(place), e.calls[0].ray);
-      const pt::Vec3 o = e.calls[0].ray.origin;
-      return {x, y, o.x, o.y, o.z};
+      const pt::Ray& ray = e.calls[0].ray;
+      const pt::Vec3 o = ray.origin;
+      return {x, y, o.x, o.y, o.z, ray.t_min, 1 / ray.t_max};
     });
   }
 }

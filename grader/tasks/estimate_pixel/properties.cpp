@@ -200,11 +200,12 @@ PROMISE(estimate_pixel, passes_the_settings_on) {
   for_all([] {
     const Pixel p = *pixel();
     const pt::PathSettings settings = some_settings();
+    const pt::Scene scene = some_scene();
     const int n = some_samples();
     const pt::Sampler sampler(draw("seed", sampler_seed()));
-    const Estimate e = estimate(p, n, sampler, {}, settings, some_scene());
+    const Estimate e = estimate(p, n, sampler, {}, settings, scene);
     expect_a_call(e);
-    for (const RadianceCall& call : e.calls) expect_settings(call.settings, settings);
+    for (const RadianceCall& call : e.calls) expect_seen(call, settings, scene);
   });
 }
 
