@@ -14,7 +14,8 @@ using Drawing = std::function<pt::Rgb(pt::Sampler&)>;
 
 // Calls the task many times in a row, with one sampler. The case fails unless
 // - the sampler goes on: every call changes its state,
-// - the calls are independent: calls that follow each other are not correlated,
+// - the calls are independent: calls that follow each other, or are up to 32 calls apart, are not
+//   correlated,
 // - nothing else is random or remembered: a sampler in the state of the first call gives its answer
 //   again.
 // The arguments must make the answer random. Returns the answers.

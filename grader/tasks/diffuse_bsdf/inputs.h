@@ -44,6 +44,17 @@ inline rc::Gen<Rgb> any_albedo() {
                                      }));
 }
 
+// Black, gray, white, or brightest in one channel. The density must be the same for all of them.
+inline constexpr int kAlbedoKinds = 6, kFirstBright = 3;
+inline rc::Gen<Rgb> albedo_of_kind(int kind) {
+  return rc::gen::exec([kind] {
+    if (kind < 3) return kind == 1 ? pt::gray(*real(0.1, 0.9)) : pt::gray(kind / 2);
+    Rgb albedo = 0.6 * *color();
+    albedo[kind - 3] = *rc::gen::oneOf(real(0.7, 1), rc::gen::just(1.0));
+    return albedo;
+  });
+}
+
 inline Vec3 mirrored(Vec3 w) { return {w.x, w.y, -w.z}; }
 
 // The centres of cells that divide the hemisphere into equal solid angles.

@@ -149,28 +149,27 @@ PROMISE(diffuse_bsdf, a_sample_knows_its_own_f_and_pdf) {
 }
 
 PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
+  for (int kind = 0; kind < kAlbedoKinds; ++kind) {
+    for_all(
+        [kind] {
+          const Rgb albedo = draw("albedo", albedo_of_kind(kind));
+          const Vec3 wo = draw("wo", above());
+          std::vector<DirectionCell> cells = expected_by_pdf(wo);
+          const auto samples =
+              repeat<pt::diffuse_sample>(kSamples, draw("seed", sampler_seed()), albedo, wo);
+          count_samples(cells, samples);
+          expect_spread(cells, by_the_pdf(cells));
+          expect_different_samples(samples);
+          if (kind < kFirstBright) return;
+          expect_independent_angles({samples.begin(), samples.begin() + 1500});
+        },
+        1);
+  }
   for_all(
       [] {
+        const Rgb albedo = draw("albedo", any_albedo());
         const Vec3 wo = draw("wo", above());
-        std::vector<DirectionCell> cells = expected_by_pdf(wo);
-        const auto samples =
-            repeat<pt::diffuse_sample>(kSamples, draw("seed", sampler_seed()), pt::gray(0.5), wo);
-        count_samples(cells, samples);
-        expect_spread(cells, by_the_pdf(cells));
-        expect_different_samples(samples);
-      },
-      4);
-  for_all(
-      [] {
-        const Vec3 wo = draw("wo", above());
-        expect_independent_angles(
-            repeat<pt::diffuse_sample>(1500, draw("seed", sampler_seed()), pt::gray(0.5), wo));
-      },
-      1);
-  for_all(
-      [] {
-        const Vec3 wo = draw("wo", above());
-        expect_samples_close_to_the_horizon(wo, draw("seed", sampler_seed()));
+        expect_samples_close_to_the_horizon(albedo, wo, draw("seed", sampler_seed()));
       },
       1);
 }
@@ -210,15 +209,18 @@ PROMISE(diffuse_bsdf, samples_estimate_the_albedo) {
 }
 
 PROMISE(diffuse_bsdf, draws_from_the_sampler_alone) {
-  for_all(
-      [] {
-        const Vec3 wo = draw("wo", above());
-        expect_goes_on(draw("seed", sampler_seed()), [wo](pt::Sampler& sampler) {
-          const Vec3 wi = pt::diffuse_sample(pt::gray(0.5), wo, sampler).wi;
-          return Rgb{wi.x, wi.y, wi.z};
-        });
-      },
-      3);
+  for (int kind = kFirstBright; kind < kAlbedoKinds; ++kind) {
+    for_all(
+        [kind] {
+          const Rgb albedo = draw("albedo", albedo_of_kind(kind));
+          const Vec3 wo = draw("wo", above());
+          expect_goes_on(draw("seed", sampler_seed()), [albedo, wo](pt::Sampler& sampler) {
+            const Vec3 wi = pt::diffuse_sample(albedo, wo, sampler).wi;
+            return Rgb{wi.x, wi.y, wi.z};
+          });
+        },
+        1);
+  }
 }
 
 }  // namespace
