@@ -13,8 +13,8 @@ using pt::Rgb;
 namespace {
 
 constexpr int kCalls = 600;
-constexpr int kLags =
-    32;  // numbers that a call draws ahead of the sampler come again so much later
+// Numbers that a call draws ahead of the sampler come again in one of the calls after it.
+constexpr int kLags = 32;
 
 // The correlation of channel a of each answer with channel b of the answer `lag` calls later.
 double correlation(const std::vector<Rgb>& answers, const Mean& mean, int lag, int a, int b) {

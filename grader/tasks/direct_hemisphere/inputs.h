@@ -82,6 +82,26 @@ inline rc::Gen<Situation> in_a_glowing_room(const rc::Gen<Pose>& poses) {
   });
 }
 
+// The same room, but no green comes from one half of its azimuths, and no blue from the other half. So
+// red tells the height of a direction, and green tells on which side it is.
+inline rc::Gen<Situation> in_a_room_of_two_halves(const rc::Gen<Pose>& poses) {
+  return rc::gen::exec([poses] {
+    SceneMaker maker(*poses);
+    const pt::Rgb radiance = any_radiance(), albedo = *color(0.1, 1);
+    for (const Rectangle& wall : dome(1)) {
+      const auto half = [&](double from) {
+        if (wall.center.x != 0) return wall;
+        return wall.u.x > 0 ? wall.part(from, from + 0.5, 0, 1) : wall.part(0, 1, from, from + 0.5);
+      };
+      if (wall.center.x <= 0) maker.surface(half(0), pt::gray(0.5), radiance * pt::Rgb{1, 0, 1});
+      if (wall.center.x >= 0) maker.surface(half(0.5), pt::gray(0.5), radiance * pt::Rgb{1, 1, 0});
+    }
+    Situation s = maker.patch(albedo, *direction_above(), *rc::gen::arbitrary<bool>()).done();
+    s.expected = albedo * radiance * pt::Rgb{1, 0.5, 0.5};
+    return s;
+  });
+}
+
 // A patch under a rectangle light that fills much of its hemisphere. A dark surface hides the part
 // `hidden` of the light. It is half way to the light, close to the patch or just in front of the
 // light.
@@ -283,13 +303,15 @@ inline std::vector<Rectangle> narrow_strips() {
   return strips;
 }
 
-// Piece i of the room glows in the hue (1, i + 1, 0).
-inline rc::Gen<Situation> in_a_colored_room(const std::vector<Rectangle>& pieces) {
-  return rc::gen::exec([pieces] {
+// Piece i of the room glows in the hue (1, i + 1, 0). The point may be shaded smoothly.
+inline rc::Gen<Situation> in_a_colored_room(const std::vector<Rectangle>& pieces,
+                                            bool smooth = false) {
+  return rc::gen::exec([pieces, smooth] {
     SceneMaker maker(*pose());
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       maker.surface(pieces[i], pt::gray(0.5), {1, static_cast<double>(i + 1), 0});
     }
+    if (smooth) return smoothly_shaded(maker.point(pt::gray(0.5), {0, 0, 1}).done());
     return maker.patch(pt::gray(0.5), *direction_above()).done();
   });
 }
