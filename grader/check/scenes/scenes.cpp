@@ -168,14 +168,21 @@ SceneMaker& SceneMaker::rectangle(const Rectangle& shape, Rgb radiance, Body bod
 }
 
 SceneMaker& SceneMaker::mesh(const Rectangle& shape, Rgb radiance, Body body, double hidden,
-                             double way) {
+                             double way, Strips strips) {
+  const auto begin_of = [&](int i) {
+    return std::pow(static_cast<double>(i) / strips.count, strips.power);
+  };
+  std::vector<pt::MeshLight::Face> faces;
+  for (int i = 0; i < strips.count; ++i) {
+    std::vector<Vec3> q = shape.part(begin_of(i), begin_of(i + 1), 0, 1).corners();
+    for (Vec3& corner : q) corner = pose_.point(corner);
+    faces.push_back({q[0], q[1], q[2]});
+    faces.push_back({q[0], q[2], q[3]});
+  }
+  scene_.lights.emplace_back(pt::make_mesh_light(faces, radiance));
   const std::vector<Vec3> c = shape.corners();
-  std::vector<Vec3> q;
-  q.reserve(c.size());
-  for (const Vec3 corner : c) q.push_back(pose_.point(corner));
-  scene_.lights.emplace_back(
-      pt::make_mesh_light({{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}, radiance));
-  lights_.push_back(fmt::format("mesh light of two triangles, corners {} {} {} {}, radiance {}",
+  lights_.push_back(fmt::format("mesh light of {} triangles, corners {} {} {} {}, radiance {}",
+                                faces.size() == 2 ? "two" : std::to_string(faces.size()),
                                 brief(c[0]), brief(c[1]), brief(c[2]), brief(c[3]),
                                 brief(radiance)));
   shines(shape, radiance, body, hidden, way);

@@ -91,6 +91,13 @@ void showValue(const Situation& situation, std::ostream& out);
 // An area light may also be a surface that rays meet.
 enum class Body { none, surface };
 
+// How the faces of a mesh light divide its rectangle: into strips of two triangles each. Strip i of n begins
+// at the part (i / n)^power of the first side.
+struct Strips {
+  int count = 1;
+  double power = 1;
+};
+
 // A shaded patch, and the lights and surfaces around it. All arguments are in local coordinates:
 // the shaded point is the origin, and its normal, on the side of the viewer, is along +z. The pose
 // takes them to the world. The irradiance is added up by closed forms and includes only the shades
@@ -113,7 +120,7 @@ class SceneMaker {
   SceneMaker& rectangle(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
                         double way = 0.5);
   SceneMaker& mesh(const Rectangle& shape, pt::Rgb radiance, Body body, double hidden = 0,
-                   double way = 0.5);
+                   double way = 0.5, Strips strips = {});
   SceneMaker& ball(pt::Vec3 center, double radius, pt::Rgb radiance, Body body);
   SceneMaker& point_light(pt::Vec3 position, pt::Rgb intensity, bool hidden = false,
                           double way = 0.5);

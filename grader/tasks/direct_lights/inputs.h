@@ -63,6 +63,26 @@ inline void grazing_ball(SceneMaker& maker) {
   maker.ball(distance * towards, distance * towards.z / 2, any_radiance(), Body::none);
 }
 
+// A mesh of two to a thousand triangles, nearly always of different areas.
+inline void any_mesh(SceneMaker& maker, const Rectangle& shape, pt::Rgb radiance, Body body,
+                     double hidden = 0, double way = 0.5) {
+  const Strips strips{static_cast<int>(*magnitude(1, 500)), *real(1.5, 3)};
+  maker.mesh(shape, radiance, body, hidden, way, strips);
+}
+
+inline constexpr int kAreaKinds = 3;
+
+// A rectangle, a mesh or a ball. All of it is at most 0.4 radians from a direction.
+inline void area_light(SceneMaker& maker, int kind, const pt::Rgb& radiance, double tilt = 0.7) {
+  const pt::Vec3 towards = *direction_above(tilt);
+  const pt::Frame around = pt::frame_from_normal(-towards);
+  const double side = *real(0.2, 0.6);
+  const Rectangle shape{towards, side * around.x, side * around.y};
+  if (kind == 0) maker.rectangle(shape, radiance, Body::none);
+  if (kind == 1) any_mesh(maker, shape, radiance, Body::none);
+  if (kind == 2) maker.ball(towards, side / 2, radiance, Body::none);
+}
+
 inline void point_light(SceneMaker& maker) { maker.point_light(any_position(), any_radiance()); }
 
 inline void grazing_point_light(SceneMaker& maker) {
@@ -87,12 +107,13 @@ inline void any_delta_light(SceneMaker& maker) {
   *rc::gen::arbitrary<bool>() ? point_light(maker) : directional_light(maker);
 }
 
-// A point of a mesh that is shaded smoothly, under a point or directional light that is above its
-// shading normal's horizon, and often below its true surface. Its own surface is small and dark.
-inline rc::Gen<Situation> lit_and_strongly_interpolated(double size) {
-  return rc::gen::exec([size] {
+// A point of a mesh that is shaded smoothly, under a light that is above its shading normal's horizon, and
+// often below its true surface. Its own surface is small and dark.
+template <class Light>
+rc::Gen<Situation> lit_and_strongly_interpolated(Light light, double size) {
+  return rc::gen::exec([=] {
     SceneMaker maker(*pose(size));
-    any_delta_light(maker);
+    light(maker);
     return strongly_interpolated(maker, *color(0.1, 1), 0.125);
   });
 }
@@ -105,6 +126,15 @@ inline rc::Gen<Situation> lit_and_smoothly_shaded() {
     const pt::Vec3 towards = *direction_above(1.0);
     *rc::gen::arbitrary<bool>() ? maker.point_light(*real(0.5, 4) * towards, any_radiance())
                                 : maker.directional_light(towards, any_radiance());
+    return smoothly_shaded(maker.point(*color(0.1, 1), {0, 0, 1}).done());
+  });
+}
+
+// The same under an area light.
+inline rc::Gen<Situation> smoothly_shaded_under(int kind) {
+  return rc::gen::exec([kind] {
+    SceneMaker maker(*pose());
+    area_light(maker, kind, any_radiance());
     return smoothly_shaded(maker.point(*color(0.1, 1), {0, 0, 1}).done());
   });
 }
@@ -142,7 +172,7 @@ inline void light_of_kind(SceneMaker& maker, int kind) {
   if (kind == 0) point_light(maker);
   if (kind == 1) directional_light(maker);
   if (kind == 2) maker.rectangle(shape, any_radiance(), Body::none);
-  if (kind == 3) maker.mesh(shape, any_radiance(), Body::none);
+  if (kind == 3) any_mesh(maker, shape, any_radiance(), Body::none);
   if (kind == 4) maker.ball(2 * *direction_above(1.0), 0.5, any_radiance(), Body::none);
   if (kind == 5) maker.sky(0.2 * any_radiance());
 }
@@ -152,7 +182,7 @@ inline void light_of_radiance(SceneMaker& maker, int kind, pt::Rgb radiance) {
   if (kind == 0) maker.point_light(any_position(), radiance);
   if (kind == 1) maker.directional_light(*direction_above(), radiance);
   if (kind == 2) maker.ball(2 * *direction_above(1.0), 0.5, radiance, Body::none);
-  if (kind == 3) maker.mesh(*rectangle_above(0.8, 0.2, 1), radiance, Body::none);
+  if (kind == 3) any_mesh(maker, *rectangle_above(0.8, 0.2, 1), radiance, Body::none);
   if (kind == 4) maker.rectangle(*rectangle_above(0.8, 0.2, 1), radiance, Body::none);
 }
 
@@ -162,12 +192,27 @@ inline void lamp(SceneMaker& maker) {
   maker.rectangle(*rectangle_above(0.8, 0.2, 1), any_radiance(), Body::none);
 }
 
-// Three lamps in the same place, half hidden.
-inline void red_green_and_blue_lamps(SceneMaker& maker) {
+// Lights of one kind in the same place: red, green and blue ones. Flat ones are half hidden.
+inline void lights_of_three_colors(SceneMaker& maker, int kind, int lights) {
   const Rectangle shape = *rectangle_above(0.8, 0.3, 1.5);
-  for (const pt::Rgb radiance : {pt::Rgb{1, 0, 0}, pt::Rgb{0, 1, 0}, pt::Rgb{0, 0, 1}}) {
-    maker.rectangle(shape, radiance, Body::none, 0.5);
+  const pt::Vec3 towards = *direction_above(1.0);
+  for (int k = 0; k < lights; ++k) {
+    pt::Rgb radiance;
+    radiance[k < 3 ? k : *whole(0, 2)] = 1;
+    const double hidden = k == 0 ? 0.5 : 0;  // one surface hides a half of all of them
+    if (kind == 0) maker.rectangle(shape, radiance, Body::none, hidden);
+    if (kind == 1) any_mesh(maker, shape, radiance, Body::none, hidden);
+    if (kind == 2) maker.ball(2 * towards, 1, radiance, Body::none);
+    if (kind == 3) maker.sky(radiance);
   }
+}
+
+// A red mesh and a green rectangle side by side, each of which is half hidden. Each number that chooses a
+// point of the mesh has to do with what is hidden.
+inline void red_mesh_and_green_lamp(SceneMaker& maker) {
+  const Rectangle left{{-0.6, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0}};
+  const Rectangle right{{0.6, 0, 1}, left.u, left.v};
+  maker.mesh(left, {1, 0, 0}, Body::none, 0.5).rectangle(right, {0, 1, 0}, Body::none, 0.5);
 }
 
 // A rectangle or mesh light with its own surface, and often a wall behind it: in the plane of the
@@ -175,8 +220,8 @@ inline void red_green_and_blue_lamps(SceneMaker& maker) {
 inline void lamp_with_a_body(SceneMaker& maker) {
   const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
   const bool is_mesh = *rc::gen::arbitrary<bool>();
-  is_mesh ? maker.mesh(shape, any_radiance(), Body::surface)
-          : maker.rectangle(shape, any_radiance(), Body::surface);
+  is_mesh ? any_mesh(maker, shape, any_radiance(), Body::surface)
+          : void(maker.rectangle(shape, any_radiance(), Body::surface));
   if (*rc::gen::arbitrary<bool>()) {
     const double way = *rc::gen::element(1.0, 1.001, 1.01, 1.5);
     maker.surface(shape.part(-1, 2, -1, 2).scaled(way), *color());
@@ -234,7 +279,7 @@ inline void twins(SceneMaker& maker) {
     if (kind == 0) maker.point_light(2 * towards, radiance);
     if (kind == 1) maker.directional_light(towards, radiance);
     if (kind == 2) maker.ball(2 * towards, 0.5, radiance, Body::none);
-    if (kind == 3) maker.mesh(shape, radiance, Body::none);
+    if (kind == 3) any_mesh(maker, shape, radiance, Body::none);
     if (kind == 4) maker.rectangle(shape, radiance, Body::none);
   }
 }

@@ -57,6 +57,9 @@ PROMISE(direct_lights, matches_a_directional_light) {
 PROMISE(direct_lights, matches_the_sky) {
   for_all([] { expect_estimate(*under_the_sky(2.7), any_samples()); }, kCases);
   for_all([] { expect_estimate(*under_the_sky(1, -1), any_samples()); }, 10);
+  for_all([] { expect_estimate(*sky_below_the_walls(), any_samples()); }, 2);
+  for_all([] { expect_estimate(*sky_below_the_walls(), draw("samples per call", whole(65, 300))); },
+          2);
 }
 
 // The patch is the only surface, so that no light hides another.
@@ -98,19 +101,28 @@ PROMISE(direct_lights, adds_the_lights_up) {
   // A light that gives nothing must not end the sum, nor change the part of the lights after it.
   for_all([] { expect_always(*lit_by(some_hidden_or_below), any_samples()); }, 30);
   // Lights that share random numbers would be bright and dark together.
-  for_all(
-      [] {
-        constexpr int kDraws = 2000;
-        const Situation s = *lit_by(red_green_and_blue_lamps);
-        const std::vector<Rgb> found = estimates(s, kDraws, draw("samples per call", whole(1, 2)));
-        for (const auto& [a, b] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
-          expect(
-              correlation(found, a, b) < (kStandardErrors + 1) / std::sqrt(kDraws),
-              "a red, a green and a blue light that do not depend on each other",
-              fmt::format("a correlation of {:.2f} between two of them", correlation(found, a, b)));
-        }
-      },
-      2);
+  const auto expect_no_correlation = [](const Situation& s, int draws, int samples) {
+    const std::vector<Rgb> found = estimates(s, draws, samples);
+    for (const auto& [a, b] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
+      const double r = correlation(found, a, b);
+      expect(std::abs(r) < (kStandardErrors + 1) / std::sqrt(draws),
+             "red, green and blue lights that do not depend on each other",
+             fmt::format("a correlation of {:.2f} between lights of two colors", r));
+    }
+  };
+  for (int kind = 0; kind <= kAreaKinds; ++kind) {
+    for (const auto& few_or_many : {whole(3, 8), whole(9, 15)}) {
+      for_all(
+          [&] {
+            const int lights = draw("lights", few_or_many);
+            const Situation s = *lit_by(
+                [kind, lights](SceneMaker& maker) { lights_of_three_colors(maker, kind, lights); });
+            expect_no_correlation(s, 2000, lights < 9 ? draw("samples per call", whole(1, 2)) : 1);
+          },
+          1);
+    }
+  }
+  for_all([&] { expect_no_correlation(*lit_by(red_mesh_and_green_lamp), 4000, 1); }, 1);
 }
 
 PROMISE(direct_lights, takes_lights_of_any_brightness) {
@@ -167,6 +179,18 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
         }
       },
       3);
+  // The same for lights of the other kinds.
+  const rc::Gen<Situation> others[] = {lit_by(half_hidden_mesh), half_hidden_ball(),
+                                       under_the_sky(1)};
+  for (const auto& light : others) {
+    for_all(
+        [&] {
+          const Situation s = *light;
+          const int samples = draw("samples per call", whole(65, 300));
+          expect_less_noise(s, estimates(s, 4000, 1), samples, 200);
+        },
+        1);
+  }
   // A counter of two bytes leaves one of these samples. By chance, the mean of so many is off by seven of
   // its deviations less than once in a hundred billion times.
   for_all(
@@ -202,6 +226,7 @@ PROMISE(direct_lights, is_exact_for_delta_lights) {
 PROMISE(direct_lights, casts_shadows) {
   for_all([] { expect_estimate(*glowing_or_not(half_hidden_lamp), any_samples()); }, kCases);
   for_all([] { expect_estimate(*lit_by(half_hidden_mesh), any_samples()); }, 3);
+  for_all([] { expect_estimate(*lit_by(half_hidden_mesh_of_many_faces), any_samples()); }, 1);
   for_all([] { expect_estimate(*half_hidden_ball(), any_samples()); }, 3);
   for_all([] { expect_always(dark(*glowing_or_not(hidden_light)), any_samples()); }, 50);
   for_all([] { expect_always(*lit_by(beside_a_wall), 1); }, 50);
@@ -274,30 +299,40 @@ PROMISE(direct_lights, works_in_every_orientation) {
   for_all([] { expect_always(*lit_by(point_light, pose()), 1); });
   for_all([] { expect_estimate(*lit_by(rectangle, pose()), any_samples()); }, kCases);
   for_all([] { expect_always(*lit_and_smoothly_shaded(), 1); }, 20);
+  for (int kind = 0; kind < kAreaKinds; ++kind) {
+    for_all([kind] { expect_estimate(*smoothly_shaded_under(kind), any_samples()); }, 1);
+  }
 }
 
 PROMISE(direct_lights, starts_off_the_surface) {
   // Small and large scenes, close to the world's origin and far from it.
   const auto anywhere = [] { return rc::gen::oneOf(pose(1e6), pose(1e6, 1e4)); };
   for_all([&] { expect_always(*lit_by(point_light, anywhere()), 1); }, 200);
-  for_all([] { expect_always(*lit_and_strongly_interpolated(1e6), 1); }, 50);
+  for_all([] { expect_always(*lit_and_strongly_interpolated(any_delta_light, 1e6), 1); }, 50);
+  for (int kind = 0; kind < kAreaKinds; ++kind) {
+    const auto light = [kind](SceneMaker& maker) { area_light(maker, kind, any_radiance(), 1.2); };
+    for_all([&] { expect_estimate(*lit_by(light, anywhere()), 1); }, 2);
+    for_all([&] { expect_estimate(*lit_and_strongly_interpolated(light, 1e6), 1); }, 6);
+  }
   // A dark lid close above the patch.
   for_all([&] { expect_always(dark(*lit_by(under_a_lid, anywhere())), 1); });
 }
 
 PROMISE(direct_lights, draws_from_the_sampler_alone) {
-  for_all(
-      [] {
-        const Situation s = *lit_by(half_hidden_lamp);
-        const int samples = draw("samples per call", rc::gen::element(1, 2, 16));
-        const auto answers =
-            expect_goes_on(draw("seed", sampler_seed()), [&](pt::Sampler& sampler) {
-              return pt::direct_lights(s.scene, s.point, samples, sampler);
-            });
-        expect_mean("the mean of calls in a row", mean_of(answers), s.expected,
-                    noise_of_lights(s, samples), tolerance(s));
-      },
-      3);
+  for (const auto& few_or_many : {rc::gen::just(1), whole(2, 33), whole(65, 130)}) {
+    for_all(
+        [&] {
+          const Situation s = *lit_by(half_hidden_lamp);
+          const int samples = draw("samples per call", few_or_many);
+          const auto answers =
+              expect_goes_on(draw("seed", sampler_seed()), [&](pt::Sampler& sampler) {
+                return pt::direct_lights(s.scene, s.point, samples, sampler);
+              });
+          expect_mean("the mean of calls in a row", mean_of(answers), s.expected,
+                      noise_of_lights(s, samples), tolerance(s));
+        },
+        1);
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/check/scenes/closed_forms.h"
 #include "grader/tasks/direct_lights/inputs.h"
 
 #include <cmath>
@@ -26,8 +27,35 @@ inline void half_hidden_lamp(SceneMaker& maker) {
 }
 
 inline void half_hidden_mesh(SceneMaker& maker) {
+  any_mesh(maker, *rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, *real(0.25, 0.75),
+           any_way());
+}
+
+inline void half_hidden_mesh_of_many_faces(SceneMaker& maker) {
   maker.mesh(*rectangle_above(0.8, 0.3, 1.5), any_radiance(), Body::none, *real(0.25, 0.75),
-             any_way());
+             any_way(), {*whole(129, 700), *real(1.5, 3)});
+}
+
+// A level patch in a dark room whose walls end above the floor. The sky is seen only below them.
+inline rc::Gen<Situation> sky_below_the_walls() {
+  return rc::gen::exec([] {
+    SceneMaker maker({pt::frame_from_normal({0, 1, 0}), *point(), *magnitude(1e-2, 1e2)});
+    const pt::Rgb radiance = any_radiance();
+    const double height = *magnitude(0.1, 0.8);
+    double cosine = 0;
+    for (const Rectangle& wall : cube()) {
+      const auto part = [&](double low, double high) {
+        return wall.u.z > 0 ? wall.part(low, high, 0, 1) : wall.part(0, 1, low, high);
+      };
+      if (wall.center.z == 1) maker.surface(wall, pt::gray(0.5));
+      if (wall.center.z != 0.5) continue;
+      maker.surface(part(height, 1), pt::gray(0.5));
+      cosine += cosine_of_polygon(part(0, height).corners(), {}, {0, 0, 1});
+    }
+    Situation s = maker.sky(radiance).patch(*color(0.1, 1), *direction_above()).done();
+    s.expected = s.point.albedo * radiance * (cosine / pt::kPi);
+    return s;
+  });
 }
 
 // A ball and an upright plane through the point and the ball's centre that hides one half of the
@@ -97,8 +125,8 @@ inline void some_hidden_or_below(SceneMaker& maker) {
     if (kind < 2) continue;
     const pt::Frame around = pt::frame_from_normal(-towards);
     const Rectangle shape{distance * towards, 0.3 * around.x, 0.3 * around.y};
-    kind == 2 ? maker.rectangle(shape, any_radiance(), Body::none, hidden ? 1 : 0)
-              : maker.mesh(shape, any_radiance(), Body::none, hidden ? 1 : 0);
+    kind == 2 ? void(maker.rectangle(shape, any_radiance(), Body::none, hidden ? 1 : 0))
+              : any_mesh(maker, shape, any_radiance(), Body::none, hidden ? 1 : 0);
   }
 }
 
@@ -129,9 +157,12 @@ inline void beside_a_wall(SceneMaker& maker) {
   maker.surface({beside * away + pt::Vec3{0, 0, height / 2}, along, {0, 0, height}}, *color());
 }
 
+// A point light or an area light above a dark lid.
 inline void under_a_lid(SceneMaker& maker) {
-  const pt::Vec3 towards = *direction_above(1.4);
-  maker.point_light(*real(0.5, 4) * towards, any_radiance());
+  const int kind = *whole(0, kAreaKinds);
+  kind < kAreaKinds
+      ? area_light(maker, kind, any_radiance())
+      : void(maker.point_light(*real(0.5, 4) * *direction_above(1.4), any_radiance()));
   // Its diagonal is not above the point: a ray that meets just an edge may miss both triangles.
   maker.surface({{0.02, 0.01, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
 }
