@@ -6,6 +6,7 @@
 #include "grader/check/scenes/smooth_shading.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -221,6 +222,7 @@ namespace {
 struct Wall {
   Pose around;
   Rectangle shape;
+  Vec3 shading_normal;
   Rgb albedo;
   SceneMaker maker;
 
@@ -236,13 +238,14 @@ struct Wall {
   }
 };
 
-Wall wall_above(const rc::Gen<Rgb>& albedo, double tilt) {
+Wall wall_above(const rc::Gen<Rgb>& albedo, double tilt, bool smooth = false) {
   const Pose around = *pose();
   const Rectangle shape = *rectangle_above(tilt, 0.8, 2);
   const Rgb of_wall = *albedo;
   SceneMaker maker(around);
-  maker.surface(shape, of_wall);
-  return {around, shape, of_wall, maker};
+  const Vec3 n = smooth ? smooth_normal(shape) : shape.n();
+  maker.surface(shape, of_wall, {}, smooth ? std::optional(n) : std::nullopt);
+  return {around, shape, n, of_wall, maker};
 }
 
 }  // namespace
@@ -286,12 +289,13 @@ rc::Gen<Room> sunny_wall(const rc::Gen<Rgb>& albedo, double tilt) {
 
 // With light sampling and with hemisphere sampling, one direction gives at most 2 albedo radiance
 // cos.
-rc::Gen<Room> wall_under_the_sky(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct) {
+rc::Gen<Room> wall_under_the_sky(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct,
+                                 bool smooth) {
   return rc::gen::exec([=] {
-    Wall wall = wall_above(albedo, 0.9);
+    Wall wall = wall_above(albedo, 0.9, smooth);
     const Rgb of_point = *albedo, radiance = *color(0.25, 4);
     wall.maker.sky(radiance);
-    const Vec3 n = wall.around.direction(wall.shape.n());
+    const Vec3 n = wall.around.direction(wall.shading_normal);
     const Rgb most = 2 * wall.albedo * radiance;
     const Rgb mean = most * (cosine_of_half_space({0, 1, 0}, n) / (2 * pt::kPi));
     return wall.seen_from(of_point, *direct, {}, mean, mean * (most - mean));

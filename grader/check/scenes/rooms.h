@@ -90,8 +90,18 @@ rc::Gen<Room> glowing_room_around_a_smooth_point();
 rc::Gen<Room> sunny_wall(const rc::Gen<pt::Rgb>& albedo, double tilt = 0.9);
 
 // The same with only the sky as a light. The point sees the sky too, so that only the bounces from
-// 2 on are known.
+// 2 on are known. The shading normal of a smooth wall is not its true normal.
 rc::Gen<Room> wall_under_the_sky(const rc::Gen<pt::Rgb>& albedo,
-                                 const rc::Gen<pt::PathSettings::Direct>& direct);
+                                 const rc::Gen<pt::PathSettings::Direct>& direct,
+                                 bool smooth = false);
+
+// The inside of a ball with a point light in its centre. A black ball takes a part of the wall away, so
+// that each direction of a path leads to light or to darkness.
+rc::Gen<Room> dented_room(const rc::Gen<pt::Rgb>& albedo);
+
+// A smooth wall above a point that is on no surface, in the middle of a huge hall. The light of the
+// wall comes from one half of all directions; the other half is black. The path meets the wall from the
+// front or from behind. Only the bounces from 3 on are known.
+rc::Gen<Room> smooth_wall_in_a_hall();
 
 }  // namespace grader::check

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -275,19 +276,23 @@ void SceneMaker::shade(Vec3 position) {
   surface(around.part(-0.05, 1, 0, 1), any_albedo_of_a_shade());
 }
 
-SceneMaker& SceneMaker::surface(const Rectangle& shape, Rgb albedo, Rgb emission) {
+SceneMaker& SceneMaker::surface(const Rectangle& shape, Rgb albedo, Rgb emission,
+                                std::optional<Vec3> smooth) {
   const int index = material(albedo, emission);
   const Vec3 p00 = pose_.point(shape.at(0, 0)), p10 = pose_.point(shape.at(1, 0));
   const Vec3 p11 = pose_.point(shape.at(1, 1)), p01 = pose_.point(shape.at(0, 1));
   for (const Vec3 middle : {p10, p11}) {
     const Vec3 last = middle == p10 ? p11 : p01;
-    scene_.primitives.triangles.push_back(pt::flat_triangle(p00, middle, last));
+    pt::Triangle& t =
+        scene_.primitives.triangles.emplace_back(pt::flat_triangle(p00, middle, last));
+    if (smooth) t.n0 = t.n1 = t.n2 = pose_.direction(*smooth);
     scene_.material_of.push_back(index);
   }
   is_met(emission);
   const std::string glow = is_black(emission) ? "" : ", emission " + brief(emission);
-  surfaces_.push_back(fmt::format("surface at {}, sides {} {}, albedo {}{}", brief(shape.center),
-                                  brief(shape.u), brief(shape.v), brief(albedo), glow));
+  const std::string shading = smooth ? ", shading normal " + brief(*smooth) : "";
+  surfaces_.push_back(fmt::format("surface at {}, sides {} {}, albedo {}{}{}", brief(shape.center),
+                                  brief(shape.u), brief(shape.v), brief(albedo), glow, shading));
   return *this;
 }
 

@@ -5,6 +5,7 @@
 #include "pt/scene/light.h"
 #include "pt/scene/scene.h"
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -127,8 +128,10 @@ class SceneMaker {
   SceneMaker& directional_light(pt::Vec3 towards, pt::Rgb irradiance, bool hidden = false);
   SceneMaker& sky(pt::Rgb radiance);
 
-  // A surface that is not in the list of lights and does not change the irradiance.
-  SceneMaker& surface(const Rectangle& shape, pt::Rgb albedo, pt::Rgb emission = {});
+  // A surface that is not in the list of lights and does not change the irradiance. A smooth one has
+  // this shading normal everywhere; otherwise it is flat.
+  SceneMaker& surface(const Rectangle& shape, pt::Rgb albedo, pt::Rgb emission = {},
+                      std::optional<pt::Vec3> smooth = {});
 
   // A ball without emission. Around the point, it hides everything outside of it.
   SceneMaker& dark_ball(pt::Vec3 center, double radius);

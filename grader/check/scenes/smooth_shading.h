@@ -3,6 +3,7 @@
 #include "grader/check/generators/generators.h"
 #include "grader/check/scenes/scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -42,6 +43,22 @@ inline Situation strongly_interpolated(SceneMaker maker, pt::Rgb albedo, double 
   s.point.geometric_normal = normalize(cross(own.p1 - own.p0, own.p2 - own.p0));
   s.text += fmt::format("the point is on a small surface whose true normal is {}\n", brief(n));
   return s;
+}
+
+// Returns a shading normal for the rectangle, up to 1.2 radians away from its true normal. All points
+// of the rectangle are seen from the origin on the same side of it.
+inline pt::Vec3 smooth_normal(const Rectangle& shape) {
+  const double azimuth = *real(-pt::kPi, pt::kPi);
+  const pt::Frame facing = pt::frame_from_normal(shape.n());
+  const pt::Vec3 aside = facing.to_world({std::cos(azimuth), std::sin(azimuth), 0});
+  double most = 1.2;
+  for (const pt::Vec3 corner : shape.corners()) {
+    if (dot(corner, aside) > 0) {
+      most = std::min(most, 0.9 * std::atan(-dot(corner, facing.z) / dot(corner, aside)));
+    }
+  }
+  const double tilt = most * *real(0.7, 1);
+  return std::cos(tilt) * facing.z + std::sin(tilt) * aside;
 }
 
 }  // namespace grader::check

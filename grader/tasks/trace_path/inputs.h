@@ -65,6 +65,11 @@ inline rc::Gen<Bounces> bounces_from(int from, int low, int high) {
   return rc::gen::map(whole(low, high), [=](int to) { return Bounces{from, to}; });
 }
 
+// One bounce, any in low .. high.
+inline rc::Gen<Bounces> bounces_of_one(int low, int high) {
+  return rc::gen::map(whole(low, high), [](int bounce) { return Bounces{bounce, bounce}; });
+}
+
 // By default very few paths end by roulette, so that a mistake in roulette breaks only the promises
 // that vary survival. (If none ended, a path that ignores the cap would never end.)
 inline rc::Gen<Case> asked_of(const rc::Gen<Room>& rooms, const rc::Gen<Bounces>& which,
@@ -86,6 +91,11 @@ inline rc::Gen<Room> room_around_a_small_lamp(const rc::Gen<Rgb>& albedo = gray(
                             rc::gen::just(0.2));
 }
 
+// A closed room in which light sampling finds all light, or one in which hemisphere sampling does.
+inline rc::Gen<Room> closed_room(const rc::Gen<Rgb>& albedo) {
+  return rc::gen::oneOf(round_room(albedo), glowing_room(albedo));
+}
+
 // One bounce of paths that survive rarely, in a room that absorbs almost nothing.
 inline rc::Gen<Case> bright_paths(int bounce, double survival) {
   return asked_of(round_room(gray(0.97, 1)), rc::gen::just(Bounces{bounce, bounce}),
@@ -94,9 +104,23 @@ inline rc::Gen<Case> bright_paths(int bounce, double survival) {
 
 // Paths that may end before each bounce, in a room in which the direction of the bounce decides what
 // light is found.
-inline rc::Gen<Case> mortal_paths_around_a_lamp() {
-  return asked_of(room_around_a_lamp(gray(0.3, 0.6), rc::gen::just(Direct::lights)),
-                  rc::gen::just(Bounces{3, 3}), real(0.3, 0.5));
+inline rc::Gen<Case> mortal_paths_around_a_lamp(Direct direct) {
+  return asked_of(room_around_a_lamp(gray(0.3, 0.6), rc::gen::just(direct)), bounces_of_one(3, 4),
+                  real(0.3, 0.5));
+}
+
+// The same in a room in which each direction of the path decides whether it finds light.
+inline rc::Gen<Case> mortal_paths_in(const rc::Gen<Room>& room) {
+  return asked_of(room, rc::gen::just(Bounces{4, 4}), real(0.5, 0.6));
+}
+
+// Some bounces far along paths of which most survive all of them.
+inline rc::Gen<Case> mortal_paths_far_along() {
+  return rc::gen::exec([] {
+    const int from = *whole(3, 20), to = *whole(from, from + 3);
+    return *asked_of(closed_room(gray(0.7, 1)), rc::gen::just(Bounces{from, to}),
+                     rc::gen::just(std::pow(*real(0.6, 0.75), 1.0 / to)));
+  });
 }
 
 // A point light of intensity 1e6 in a room of radius 1e-3.

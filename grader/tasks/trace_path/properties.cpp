@@ -64,6 +64,16 @@ PROMISE(trace_path, takes_the_light_samples_asked_for) {
       1);
 }
 
+// Bounces far along the path. If roulette of the solution's own ends most paths before, or if the weights
+// of its diffuse_sample vary much, their mean cannot be judged.
+void expect_estimate_far_along(const Case& c) {
+  const std::vector<Rgb> found = estimates(c, 2000);
+  constexpr double kMaxVariance = 15;
+  if (lit_among(found) > 1000 && relative_variance_far_along(c) < kMaxVariance) {
+    expect_mean_of(c, found);
+  }
+}
+
 PROMISE(trace_path, matches_the_furnace) {
   for_all(
       [] {
@@ -73,19 +83,12 @@ PROMISE(trace_path, matches_the_furnace) {
         expect_estimate(*asked_of(glowing_room(gray(0.3, 0.8)), all));
       },
       kCases);
-  // One bounce far along the path. If roulette of the solution's own ends most paths before, or if
-  // the weights of its diffuse_sample vary much, their mean cannot be judged.
   for_all(
       [] {
         const rc::Gen<Bounces> far = rc::gen::map(rc::gen::element(8, 15, 30), [](int bounce) {
           return Bounces{bounce, bounce};
         });
-        const Case c = *asked_of(glowing_room(gray(0.7, 1)), far);
-        const std::vector<Rgb> found = estimates(c, 2000);
-        constexpr double kMaxVariance = 15;
-        if (lit_among(found) > 1000 && relative_variance_far_along(c) < kMaxVariance) {
-          expect_mean_of(c, found);
-        }
+        expect_estimate_far_along(*asked_of(glowing_room(gray(0.7, 1)), far));
       },
       4);
 }
@@ -116,14 +119,18 @@ PROMISE(trace_path, adds_up_the_bounces_asked_for) {
 PROMISE(trace_path, does_not_depend_on_survival) {
   for_all(
       [] {
-        expect_estimate(*asked_of(round_room(gray(0.3, 0.6)), bounces(1, 4), real(0.3, 0.95)));
+        expect_estimate(*asked_of(closed_room(gray(0.3, 0.6)), bounces(1, 4), real(0.3, 0.95)));
       },
       26);
-  for_all([] { expect_estimate(*mortal_paths_around_a_lamp()); }, 4);
+  for_all([] { expect_estimate(*mortal_paths_around_a_lamp(Direct::lights)); }, 4);
+  for_all([] { expect_estimate(*mortal_paths_around_a_lamp(Direct::hemisphere), 2 * kCalls); }, 6);
+  for_all([] { expect_estimate(*mortal_paths_in(dented_room(gray(0.7, 1))), 2 * kCalls); }, 4);
+  for_all([] { expect_estimate(*mortal_paths_in(smooth_wall_in_a_hall()), 6 * kCalls); }, 6);
+  for_all([] { expect_estimate_far_along(*mortal_paths_far_along()); }, 4);
   for_all(
       [] {
         expect_estimate(
-            *asked_of(round_room(gray(0.3, 0.8)), bounces(2, 3), rc::gen::element(0.05, 0.1, 1.0)),
+            *asked_of(closed_room(gray(0.3, 0.8)), bounces(2, 3), rc::gen::element(0.05, 0.1, 1.0)),
             2 * kCalls);
       },
       kCases);
@@ -174,7 +181,7 @@ PROMISE(trace_path, takes_the_first_bounce_always) {
 
 PROMISE(trace_path, stops_after_the_last_bounce) {
   for_all(
-      [] { expect_estimate(*asked_of(round_room(gray(0.8, 1)), bounces(1, 4), real(0.8, 0.95))); },
+      [] { expect_estimate(*asked_of(closed_room(gray(0.8, 1)), bounces(1, 4), real(0.8, 0.95))); },
       kCases);
 }
 
@@ -257,6 +264,12 @@ PROMISE(trace_path, tints_at_each_bounce) {
 PROMISE(trace_path, weighs_by_the_cosine) {
   for_all([] { expect_estimate(*asked_of(sunny_wall(gray(0.2, 1)), bounces(2, 2))); }, 10);
   for_all([] { expect_estimate(*asked_of(wall_above_a_smooth_point(), bounces(2, 2))); }, 40);
+  for_all(
+      [] {
+        expect_estimate(*asked_of(wall_under_the_sky(color(0.1, 1), either_way(), true),
+                                  bounces_from(2, 2, 3)));
+      },
+      10);
 }
 
 PROMISE(trace_path, divides_by_the_pdf_of_the_sample) {
@@ -272,6 +285,8 @@ PROMISE(trace_path, follows_the_new_ray) {
             *asked_of(glowing_room_around_a_smooth_point(), rc::gen::just(Bounces{2, 2})));
       },
       6);
+  for_all([] { expect_estimate(*asked_of(smooth_wall_in_a_hall(), bounces(3, 3))); }, 8);
+  for_all([] { expect_estimate(*asked_of(dented_room(gray(0.7, 1)), bounces(3, 4))); }, 4);
 }
 
 PROMISE(trace_path, adds_no_light_from_outside) {
@@ -308,12 +323,13 @@ PROMISE(trace_path, takes_any_amount_of_light) {
 }
 
 PROMISE(trace_path, draws_from_the_sampler_alone) {
-  for_all(
-      [] {
-        const Case before = *asked_of(sunny_wall(gray(0.2, 1)), bounces(1, 5));
-        expect_independent_pairs(*asked_of(round_room(gray(0.3, 0.8)), bounces(2, 2)), before);
-      },
-      4);
+  // The path of the first call may end or go on.
+  const auto expect_independent = [](const rc::Gen<Room>& room) {
+    const Case before = *asked_of(sunny_wall(gray(0.2, 1)), bounces(1, 5));
+    expect_independent_pairs(*asked_of(room, rc::gen::just(Bounces{2, 3}), real(0.4, 0.7)), before);
+  };
+  for_all([=] { expect_independent(round_room(gray(0.5, 0.8))); }, 3);
+  for_all([=] { expect_independent(glowing_room(gray(0.5, 0.8))); }, 3);
 }
 
 // At least one path in fifteen finds light.
