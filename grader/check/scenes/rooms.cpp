@@ -19,10 +19,6 @@ using Direct = pt::PathSettings::Direct;
 
 namespace {
 
-// Where a point is seen from. The mock diffuse_sample draws by another density if that is exactly the
-// normal (grader/tasks/diffuse_bsdf/mock.cpp), and only the promise about densities judges that.
-Vec3 any_view() { return *direction_above_at(real(0.07, 0.999)); }
-
 // A place on a sphere, often exactly on an axis: the normal there is an axis.
 Vec3 any_place() {
   const auto exact = rc::gen::map(rotation_of_axes(), [](const pt::Frame& f) { return f.z; });
@@ -79,6 +75,8 @@ double variance_of_irradiance(double offset) {
 }
 
 }  // namespace
+
+Vec3 any_view() { return *direction_above_at(real(0.07, 0.999)); }
 
 void showValue(const Room& room, std::ostream& out) {
   const pt::SurfacePoint& point = room.point;

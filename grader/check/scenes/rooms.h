@@ -104,4 +104,8 @@ rc::Gen<Room> dented_room(const rc::Gen<pt::Rgb>& albedo);
 // front or from behind. Only the bounces from 3 on are known.
 rc::Gen<Room> smooth_wall_in_a_hall();
 
+// Where a point is seen from. The mock diffuse_sample draws by another density if that is exactly the
+// normal (grader/tasks/diffuse_bsdf/mock.cpp), and only the promise about densities judges that.
+pt::Vec3 any_view();
+
 }  // namespace grader::check

@@ -39,8 +39,6 @@ std::string text_of(const pt::Sphere& bright, Rgb albedo, Rgb light, const pt::S
       brief(light));
 }
 
-Vec3 any_view() { return *direction_above_at(real(0.07, 0.999)); }
-
 }  // namespace
 
 // A ball of radius r whose centre is on a sphere of radius R contains the part (r / 2R)^2 of it.
