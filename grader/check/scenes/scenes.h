@@ -92,7 +92,7 @@ void showValue(const Situation& situation, std::ostream& out);
 // An area light may also be a surface that rays meet.
 enum class Body { none, surface };
 
-// How the faces of a mesh light divide its rectangle: into strips of two triangles each. Strip i of n begins
+// The faces of a mesh light divide its rectangle into strips of two triangles each. Strip i of n begins
 // at the part (i / n)^power of the first side.
 struct Strips {
   int count = 1;
