@@ -108,7 +108,7 @@ printf '#!/bin/sh\n' >"$tree/steps"
 # Programs describe themselves without being built.
 for page in grade render watch; do
   rm -rf "$tree/build"
-  run $page 7 --help | grep -q "Usage: ./run $page" || complain "there is no help on $page"
+  run $page 7 --help | grep -c "Usage: ./run $page" >"$folder/said" || complain "there is no help on $page"
   [ ! -e "$tree/build" ] || complain "./run $page --help builds"
 done
 
