@@ -4,6 +4,8 @@
 #include "pt/geometry/ray.h"
 #include "pt/scene/camera.h"
 
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include <rapidcheck.h>
@@ -20,6 +22,13 @@ rc::Gen<pt::Camera> camera();
 // The width and height of a picture with more columns or rows than two bytes count, or with more
 // pixels than single precision does.
 rc::Gen<std::pair<int, int>> many_pixels();
+
+// Returns whether a ray ends where the camera's clip range does, to single precision. A ray has no end
+// either if it ends at the largest float or later.
+inline bool ends_at(double t_max, double far_clip) {
+  return far_clip == pt::kInfinity ? t_max >= std::numeric_limits<float>::max()
+                                   : std::abs(t_max - far_clip) <= 1e-6 * far_clip;
+}
 
 // Returns where a direction meets the camera's window, which goes from (-1, -1) to (1, 1) between
 // the edges of the picture. The result is NaN for a direction behind the camera.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/check/generators/cameras.h"
 #include "grader/check/generators/generators.h"
 #include "grader/check/language/property.h"
 #include "grader/check/mocks/scripted_radiance.h"
@@ -57,8 +58,7 @@ inline void expect_from_camera(const pt::Ray& ray, const pt::Camera& camera) {
   constexpr double kSingle = 1e-6;
   const auto [position, frame, hfov, vfov, near, far] = camera;
   const bool right = length(ray.origin - position) <= kSingle * length(position) &&
-                     std::abs(ray.t_min - near) <= kSingle * near &&
-                     (ray.t_max == far || std::abs(ray.t_max - far) <= kSingle * far);
+                     std::abs(ray.t_min - near) <= kSingle * near && ends_at(ray.t_max, far);
   const auto words = [](pt::Vec3 from, double low, double high) {
     return fmt::format("from {}, with t from {} to {}", show(from), show(low), show(high));
   };
