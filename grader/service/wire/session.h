@@ -32,7 +32,7 @@ struct SessionSettings {
   std::function<void(const std::string&)> at_fault = cannot_judge;
   // Limits of processor time (grader/service/process/time_limit.h).
   std::chrono::milliseconds call_limit = process::kCallLimit;  // of one call
-  std::chrono::milliseconds total_limit{30000};                // of all calls together
+  std::chrono::milliseconds total_limit{60000};                // of all calls together
   // The worker is no longer called after this many calls without an answer or with a crash. They
   // are counted, because time would depend on the machine's load.
   int max_timeouts = 2;

@@ -193,7 +193,7 @@ void run_battery(Battery& battery) {
   brightness(battery);
   views(battery);
   low_walls(battery);
-  ask(battery, made(smooth_wall_in_a_hall(), 17), settings_of({3, 3}));
+  ask(battery, made(smooth_wall_in_a_hall(), 21), settings_of({3, 3}));
   no_red(battery);
   many_light_samples(battery);
   sampler(battery, round);

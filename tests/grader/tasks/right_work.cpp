@@ -154,7 +154,7 @@ class Folder {
   fs::path path_;
 };
 
-std::string faults_of(const RightJob& job, const results::TaskResult& task) {
+std::string faults_of(const results::TaskResult& task) {
   std::string text = fmt::format("{}: {}", task.slug, name(task.state));
   if (!task.reason.empty()) text += ", " + task.reason;
   for (const results::PromiseResult& promise : task.promises) {
@@ -168,8 +168,17 @@ std::string faults_of(const RightJob& job, const results::TaskResult& task) {
     if (picture.state != results::State::pass)
       text += ", picture " + picture.recipe + " " + picture.text;
   }
-  const fs::path file = job.files.at(task.slug);
-  return text + " [" + file.stem().string() + "]";
+  return text;
+}
+
+// The file of each task that is no reference.
+std::string files_of(const RightJob& job) {
+  std::string text;
+  for (const auto& [slug, file] : job.files) {
+    if (fs::path(file).stem() == slug) continue;
+    text += fmt::format("\n  {}: {}", slug, fs::path(file).stem().string());
+  }
+  return text;
 }
 
 // Grades the job in a temporary folder below config.work. Returns the faults; none if it passed.
@@ -191,7 +200,7 @@ std::string grade_right(const build::Config& config, const sandbox::Isolation& i
   std::string faults;
   for (const results::TaskResult& task : results.tasks) {
     if (task.state == results::State::pass) continue;
-    faults += (faults.empty() ? "" : "; ") + faults_of(job, task);
+    faults += (faults.empty() ? "" : "; ") + faults_of(task);
   }
   return faults.empty() ? "it does not pass" : faults;
 }
@@ -224,7 +233,8 @@ int run(const Options& options) {
       if (!faults.empty()) {
         ++count.failed;
         ++failed;
-        fmt::print("{} {}, seed {}: {}\n", job.kind, job.name, job.seed, faults);
+        fmt::print("{} {}, seed {}: {}{}\n", job.kind, job.name, job.seed, faults, files_of(job));
+        std::fflush(stdout);
       }
       std::fprintf(stderr, "\r%zu of %zu, %zu failed", ++ended, jobs.size(), failed);
     });
