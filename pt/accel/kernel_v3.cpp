@@ -1,2 +1,0 @@
-#define PT_KERNEL v3
-#include "pt/accel/traverse.h"
