@@ -286,11 +286,16 @@ rc::Gen<Room> sunny_wall(const rc::Gen<Rgb>& albedo, double tilt) {
 }
 
 // With light sampling and with hemisphere sampling, one direction gives at most 2 albedo radiance
-// cos.
+// cos. At least a tenth of all directions from the wall, weighted by the cosine, are in the sky: a few of
+// thousands would be too few to judge their mean.
 rc::Gen<Room> wall_under_the_sky(const rc::Gen<Rgb>& albedo, const rc::Gen<Direct>& direct,
                                  bool smooth) {
+  const auto sees_the_sky = [](const Wall& wall) {
+    return wall.around.direction(wall.shading_normal).y > -0.8;
+  };
+  const auto any_wall = rc::gen::exec([=] { return wall_above(albedo, 0.9, smooth); });
   return rc::gen::exec([=] {
-    Wall wall = wall_above(albedo, 0.9, smooth);
+    Wall wall = *rc::gen::suchThat(any_wall, sees_the_sky);
     const Rgb of_point = *albedo, radiance = *color(0.25, 4);
     wall.maker.sky(radiance);
     const Vec3 n = wall.around.direction(wall.shading_normal);

@@ -186,7 +186,7 @@ PROMISE(trace_path, stops_after_the_last_bounce) {
 }
 
 // If half of the paths go on with a random number close to 1, some go on with one that a float rounds to
-// 1: by chance, none of them does less than once in a hundred million times.
+// 1. The chance that all forty end is less than one in a hundred million.
 void expect_light_at_the_largest_number(int place) {
   constexpr int kTried = 40;
   const Case c =
