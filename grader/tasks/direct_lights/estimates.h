@@ -45,7 +45,7 @@ inline double missed(const Situation& s, int draws) {
 // The more samples or lights per call, the fewer calls.
 inline void expect_estimate(const Situation& s, int samples) {
   const int lights = std::max(1, static_cast<int>(s.scene.lights.size()));
-  const int calls = std::clamp(32000 / samples / lights, 100, 4000);
+  const int calls = std::clamp(20000 / samples / lights, 100, 3000);
   expect_mean(fmt::format("the mean, {} samples per call", samples),
               mean_of(estimates(s, calls, samples)), s.expected, noise_of_lights(s, samples),
               tolerance(s) + missed(s, calls * samples));

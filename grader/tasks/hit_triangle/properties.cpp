@@ -82,7 +82,7 @@ PROMISE(hit_triangle, hits_where_it_is_aimed) {
         pt::hit_triangle(before.triangle, before.ray);
         expect_t(now);
       },
-      200);
+      100);
 }
 
 PROMISE(hit_triangle, misses_outside) {
@@ -160,7 +160,7 @@ PROMISE(hit_triangle, interpolates_the_corner_normals) {
         pt::hit_triangle(before.triangle, before.ray);
         if (const auto hit = hit_from_either_side(now)) expect_direction_of_n(now, *hit);
       },
-      200);
+      100);
   // Normals that disagree, and points so close to an edge that one weight is almost zero. Other
   // promises judge whether there is a hit.
   for_all([] {

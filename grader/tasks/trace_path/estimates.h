@@ -16,7 +16,7 @@
 
 namespace grader::check::trace_path_inputs {
 
-inline constexpr int kCalls = 4000;
+inline constexpr int kCalls = 3000;
 
 inline std::vector<Rgb> estimates(const Case& c, int calls) {
   return repeat<pt::trace_path>(calls, c.seed, c.room.scene, c.room.point, c.settings);

@@ -246,14 +246,14 @@ inline void lights_below(SceneMaker& maker, int lights) {
   for (int i = 0; i < lights; ++i) maker.directional_light({0, 0, -1}, pt::gray(1));
 }
 
-inline rc::Gen<HalfLights> under_half_lights() {
-  return rc::gen::exec([] {
+inline rc::Gen<HalfLights> under_half_lights(const rc::Gen<Direct>& way) {
+  return rc::gen::exec([=] {
     SceneMaker maker({});
     const Rectangle left{{-1, 0, 1}, {0, 1, 0}, {1, 0, 0}}, right{{1, 0, 1}, {0, 1, 0}, {1, 0, 0}};
     const Rgb of_left = *color(1, 4), of_right = *color(5, 9);
     maker.rectangle(left, of_left, Body::none).surface(right, {}, of_right);
     // The samples are for each light, however many are in the list.
-    const Direct direct = *either_way();
+    const Direct direct = *way;
     lights_below(maker, direct == Direct::hemisphere ? 39 : 4);
     HalfLights c{maker.patch(*color(0.1, 1), *direction_above()).done(), {}, {}, *sampler_seed()};
     c.settings = settings_of({*whole(0, 1), 1}, direct);
