@@ -9,7 +9,7 @@ namespace grader::mistakes {
 
 // The answer of a task to one call of its battery, or to many draws (grader/mistakes/battery.h).
 struct Answer {
-  std::string ended;           // why there are no values: "crash: " and the cause, "timeout", ...
+  std::string ended;  // why the task gave no values, for example "timeout"; empty otherwise
   std::vector<double> values;  // empty means "no hit"
   std::vector<double> errors;  // the standard error of each value; empty where all are exact
 

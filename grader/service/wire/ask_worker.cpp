@@ -42,7 +42,7 @@ int run_asking(CLI::App& app, int argc, char** argv, AskOptions& ask,
     ask.session.program = std::filesystem::absolute(ask.session.program);
     ask.session.tier = sandbox::tier_of(tier);
     ask.session.call_limit = std::chrono::milliseconds(call_limit);
-    ask.session.total_limit = 30 * ask.session.call_limit;
+    ask.session.total_limit = limit_of_all_calls(ask.session.call_limit);
     ask.session.at_fault = end_at_fault;
     return run();
   });

@@ -18,6 +18,12 @@ namespace grader::wire {
 // Throws pt::Error.
 [[noreturn]] void cannot_judge(const std::string& why);
 
+// The processor time of all calls together, for a limit of one call. Right tasks that call a slow
+// hit_triangle of the submission need more than half of it.
+inline std::chrono::milliseconds limit_of_all_calls(std::chrono::milliseconds one) {
+  return 30 * one;
+}
+
 // The settings for the one worker of this program.
 struct SessionSettings {
   std::string task;                            // the slug that is judged
@@ -32,7 +38,7 @@ struct SessionSettings {
   std::function<void(const std::string&)> at_fault = cannot_judge;
   // Limits of processor time (grader/service/process/time_limit.h).
   std::chrono::milliseconds call_limit = process::kCallLimit;  // of one call
-  std::chrono::milliseconds total_limit{60000};                // of all calls together
+  std::chrono::milliseconds total_limit = limit_of_all_calls(call_limit);
   // The worker is no longer called after this many calls without an answer or with a crash. They
   // are counted, because time would depend on the machine's load.
   int max_timeouts = 2;

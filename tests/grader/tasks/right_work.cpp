@@ -171,7 +171,7 @@ std::string faults_of(const results::TaskResult& task) {
   return text;
 }
 
-// The file of each task that is no reference.
+// Names the tasks of which the job has another solution than the reference, each with its file, on a line.
 std::string files_of(const RightJob& job) {
   std::string text;
   for (const auto& [slug, file] : job.files) {
