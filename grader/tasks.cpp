@@ -18,8 +18,9 @@ using nlohmann::json;
 using Names = std::vector<std::string>;
 
 // A word that nobody reads would do nothing, so it is an error.
-constexpr std::array kWords{"slug",  "number",   "part",   "functions", "calls",  "judge_answers",
-                            "mocks", "recorded", "viewed", "traces",    "tracer", "measured"};
+constexpr std::array kWords{"slug",      "number", "part",     "functions", "calls",
+                            "framework", "mocks",  "recorded", "viewed",    "judge_answers",
+                            "traces",    "tracer", "measured"};
 
 // Functions of the renderer that every task may call that traces.
 constexpr std::array kScene{"pt::Scene::closest", "pt::Scene::occluded", "pt::surface_point",
@@ -41,7 +42,8 @@ Task read_task(const json& from) {
   task.judge_answers = from.value("judge_answers", Names{});
   task.mocks = from.value("mocks", Names{});
   task.traces = from.value("traces", false);
-  if (task.traces) task.framework.assign(kScene.begin(), kScene.end());
+  task.framework = from.value("framework", Names{});
+  if (task.traces) task.framework.insert(task.framework.end(), kScene.begin(), kScene.end());
   if (std::ranges::count(task.judge_answers, "radiance") > 0) {
     task.framework.push_back("pt::radiance");
   }

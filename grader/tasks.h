@@ -17,10 +17,11 @@ struct Task {
   std::vector<std::string> functions{};  // of the contract, in namespace pt; by default the slug
   std::vector<std::string> calls{};      // the other tasks that it may call: slugs
   std::vector<std::string>
-      judge_answers{};                   // calls that the judge answers while it is judged alone
-  std::vector<std::string> mocks{};      // tasks that a mock replaces then
-  std::vector<std::string> framework{};  // functions of the renderer: "pt::Scene::closest"
-  bool traces = false;                   // it sends rays through a scene, and so through a tree
+      judge_answers{};               // calls that the judge answers while it is judged alone
+  std::vector<std::string> mocks{};  // tasks that a mock replaces then
+  std::vector<std::string>
+      framework{};      // functions of the renderer that it may call: "pt::BvhBuilder::leaf"
+  bool traces = false;  // it sends rays through a scene, and so through a tree
   // Four more words are not read here. `tracer`: pt/scene/tracer.cpp calls the task. `recorded` and
   // `viewed` are for CMake: calls of the task can be recorded (pt/scene/recorder.h), in all programs
   // that count, or in the view alone. `measured` is for

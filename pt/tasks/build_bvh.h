@@ -23,7 +23,7 @@ namespace pt {
 // their own numbers in double, without any rounding. It may be larger by a few rounding errors of
 // double, but not by more: rays would enter it without need.
 //
-// May call: no other task.
+// May call: leaf, inner and finish of a BvhBuilder. No other task.
 // Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:

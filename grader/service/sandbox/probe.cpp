@@ -1,11 +1,13 @@
 #include "grader/service/sandbox/probe.h"
 
 #include "grader/base/files.h"
+#include "grader/base/parallel.h"
 #include "grader/base/printable.h"
 #include "grader/service/process/run_command.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <array>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -102,8 +104,13 @@ std::string first_sentence(const std::string& text) {
 Trial try_tier(const std::string& root, const std::string& work, Tier tier) {
   const Scratch scratch(work), kept(work);
   std::set<std::string> holds;
-  for (const std::string& folder : {std::string(), scratch.path}) {
-    const process::CommandResult result = run_probe(root, folder, kept.path, tier);
+  const std::array<std::string, 2> folders{"", scratch.path};
+  std::array<process::CommandResult, 2> results;
+  base::for_each(folders.size(), 2,
+                 [&](std::size_t i) { results[i] = run_probe(root, folders[i], kept.path, tier); });
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const std::string& folder = folders[i];
+    const process::CommandResult& result = results[i];
     if (!result.ok()) {
       return {"", first_sentence(result.output)};
     }

@@ -6,7 +6,7 @@
 #include "pt/scene/recorder.h"
 #include "pt/todo.h"
 
-#include <chrono>
+#include <ctime>
 
 namespace grader::wire {
 
@@ -23,12 +23,20 @@ auto apply(Function function, Held& held) {
   return result;
 }
 
+// Milliseconds, from a clock that moves a few of them at a time: reading it is much faster than a short
+// call, and reading the usual clock is not.
+std::int64_t coarse_time() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
+  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
+
 // Tells the judge that a call of a batch has ended, often enough for the limit of any call.
 void tell_that_it_goes_on() {
-  using Clock = std::chrono::steady_clock;
-  static Clock::time_point told = Clock::now();
-  if (Clock::now() - told < std::chrono::milliseconds(20)) return;
-  told = Clock::now();
+  static std::int64_t told = coarse_time();
+  const std::int64_t now = coarse_time();
+  if (now - told < 20) return;
+  told = now;
   send(Kind::going_on, {});
 }
 

@@ -107,7 +107,7 @@ inline void expect_independent_angles(const std::vector<pt::BsdfSample>& samples
 // Cosine-weighted samples are so rare close to the horizon that the histogram shows little there.
 // This counts more of them, below 3.6 degrees and below 1.1. The pdf is integrated in thin rings.
 inline void expect_samples_close_to_the_horizon(Rgb albedo, Vec3 wo, std::uint64_t seed) {
-  constexpr int kManySamples = 240000, kRings = 16;
+  constexpr int kManySamples = 200000, kRings = 16;
   const auto samples = repeat<pt::diffuse_sample>(kManySamples, seed, albedo, wo);
   for (const double highest : {0.0625, 0.02}) {
     double expected = 0, found = 0;

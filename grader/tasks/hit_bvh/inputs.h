@@ -317,9 +317,9 @@ inline rc::Gen<Case> deep_pile() {
 }
 
 // A tree with a thousand levels and more. The ray enters all of them.
-inline rc::Gen<Case> deep_tree() {
+inline rc::Gen<Case> deep_tree(Shape chain) {
   return with_tree(
-      {Shape::chain, Shape::left_chain, Shape::right_chain},
+      {chain},
       {.least = 1100, .most = 1300, .padding = 20, .max_leaf = 1, .size = 0.5, .all_of_ray = true});
 }
 

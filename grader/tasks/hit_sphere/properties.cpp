@@ -74,7 +74,7 @@ PROMISE(hit_sphere, misses_beside_the_sphere) {
   };
   // A rounded radius shows only beside some spheres, and only if the ray nearly touches.
   for (const Beside& beside : {Beside{1e-3, 1e2, 100, 100}, Beside{2 * kTouching, 1e-3, 500, 50},
-                               Beside{2 * kTouching, 2.1 * kTouching, 5, 200}}) {
+                               Beside{2 * kTouching, 2.1 * kTouching, 5, 150}}) {
     for_all(
         [=] {
           const Passing c = *passing(beside.low, beside.high, beside.far);
@@ -110,7 +110,7 @@ PROMISE(hit_sphere, finds_the_near_side) {
         pt::hit_sphere(before.sphere, before.ray);
         expect_near_side(now);
       },
-      200);
+      100);
 }
 
 // The ray starts on the surface, and its range a little later.

@@ -74,7 +74,7 @@ PROMISE(hit_triangle, hits_where_it_is_aimed) {
   for_all([] { expect_t(*aimed_inside(kFlat)); });
   // Slivers and flat angles together.
   for_all([] { expect_t(*aimed_inside(kFlatNeedle, in_the_middle)); });
-  for_all([] { expect_t(*exactly(inside_in_eighths)); }, 200);
+  for_all([] { expect_t(*exactly(inside_in_eighths)); });
   // The triangle and the ray of another call are forgotten.
   for_all(
       [] {
@@ -82,7 +82,7 @@ PROMISE(hit_triangle, hits_where_it_is_aimed) {
         pt::hit_triangle(before.triangle, before.ray);
         expect_t(now);
       },
-      100);
+      60);
 }
 
 PROMISE(hit_triangle, misses_outside) {
@@ -93,7 +93,7 @@ PROMISE(hit_triangle, misses_outside) {
         expect(hit_from_either_side(aimed.in).has_value(),
                "a hit when the ray is turned to a point inside", "none");
       },
-      300);
+      200);
   for_all(
       [] {
         const Aimed aimed = *exactly(outside_on_an_edges_line);
@@ -107,7 +107,7 @@ PROMISE(hit_triangle, misses_outside) {
           const Aimed aimed = (*aimed_outside(range, where)).out;
           expect_miss(aimed.triangle, aimed.ray, "the ray is aimed just beside the triangle");
         },
-        200);
+        150);
   }
 }
 
@@ -160,7 +160,7 @@ PROMISE(hit_triangle, interpolates_the_corner_normals) {
         pt::hit_triangle(before.triangle, before.ray);
         if (const auto hit = hit_from_either_side(now)) expect_direction_of_n(now, *hit);
       },
-      100);
+      60);
   // Normals that disagree, and points so close to an edge that one weight is almost zero. Other
   // promises judge whether there is a hit.
   for_all([] {
@@ -259,7 +259,7 @@ PROMISE(hit_triangle, works_for_directions_of_any_length) {
         });
         expect_miss(aimed.triangle, aimed.ray, "the point is not in the range of t");
       },
-      100);
+      60);
 }
 
 PROMISE(hit_triangle, works_at_every_scale) {
@@ -302,13 +302,13 @@ PROMISE(hit_triangle, rejects_what_has_no_area) {
         const Degenerate c = *without_area();
         expect_miss(c.triangle, c.ray, "the triangle has no area");
       },
-      300);
+      200);
   for_all(
       [] {
         const Degenerate c = *in_the_plane();
         expect_miss(c.triangle, c.ray, "the ray runs in the triangle's plane");
       },
-      300);
+      200);
 }
 
 PROMISE(hit_triangle, leaves_no_gap_at_shared_edges_bonus) {

@@ -41,10 +41,12 @@ TEST(BvhBuilder, makes_a_tree_of_leaves_in_any_order) {
   expect_node(4, -1, -1, 0, 1, 4, 4);
 }
 
-TEST(BvhBuilder, refuses_nodes_that_are_not_there) {
+TEST(BvhBuilder, refuses_what_is_not_there) {
   const std::vector<Box> boxes = points_on_x(2);
   BvhBuilder tree(boxes);
   EXPECT_THROW(tree.leaf({}), std::logic_error);
+  EXPECT_THROW(tree.leaf(std::vector{0, 2}), std::logic_error);
+  EXPECT_THROW(tree.leaf(std::vector{-1}), std::logic_error);
   EXPECT_THROW(tree.finish(0), std::logic_error);
   const int leaf = tree.leaf(std::vector{0, 1});
   EXPECT_THROW(tree.inner(leaf, -1), std::logic_error);
