@@ -60,9 +60,16 @@ std::string too_noisy(Average average) {
 
 [[noreturn]] void fail_noise(const std::string& what, const Mean& got, double most, int channel,
                              Average average) {
+  // A weight without a limit makes some estimates far larger than the rest.
+  constexpr double kFarLarger = 0.03;
+  const double largest = got.largest_share[channel];
+  const std::string one =
+      largest > kFarLarger && largest * got.n > 10
+          ? fmt::format("; one of {} is {:.0f} % of their sum", got.n, 100 * largest)
+          : "";
   fail_statistical(what + ", and its noise",
-                   fmt::format("{}: estimates with a standard deviation of {:.3g}, mean {}",
-                               too_noisy(average), got.deviation[channel], brief(got.value)),
+                   fmt::format("{}: estimates with a standard deviation of {:.3g}, mean {}{}",
+                               too_noisy(average), got.deviation[channel], brief(got.value), one),
                    fmt::format("a standard deviation of {:.3g} at most", most));
 }
 

@@ -275,12 +275,19 @@ TEST(Mean, is_too_noisy_where_few_draws_carry_it) {
     check::expect_mean("the mean", check::mean_of(draws), pt::gray(1), check::Noise{pt::gray(2)});
   });
   EXPECT_TRUE(noisy.got.starts_with("too noisy, although the mean may be right")) << noisy.got;
+  EXPECT_EQ(noisy.got.find("of their sum"), std::string::npos) << noisy.got;
   const results::Failure one = failure_of([] {
     std::vector<pt::Rgb> draws(1000);
     draws[17] = pt::gray(1000);
     check::expect_mean("the mean", check::mean_of(draws), pt::gray(2));
   });
   EXPECT_TRUE(one.got.starts_with("too noisy to judge the mean")) << one.got;
+  const results::Failure large = failure_of([] {
+    std::vector<pt::Rgb> draws(1000, pt::gray(1));
+    draws[17] = draws[18] = draws[19] = pt::gray(100);
+    check::expect_mean("the mean", check::mean_of(draws), pt::gray(1.3), check::Noise{pt::gray(1)});
+  });
+  EXPECT_TRUE(large.got.ends_with("; one of 1000 is 8 % of their sum")) << large.got;
   const results::Failure far = failure_of([] {
     check::expect_mean(
         "the mean", check::mean_of(rarely(500, 1000, check::draw("seed", check::sampler_seed()))),
