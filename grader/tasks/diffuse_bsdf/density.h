@@ -22,7 +22,7 @@
 namespace grader::check::diffuse_bsdf_inputs {
 
 // A histogram over the hemisphere. It has kHeights times kSectors cells of equal solid angle.
-inline constexpr int kHeights = 16, kSectors = 8, kSamples = 20000;
+inline constexpr int kHeights = 16, kSectors = 8, kSamples = 16000;
 
 // The number of samples per cell that the pdf predicts. Each cell is cut into thin rings, because
 // the pdf may vary with the height.

@@ -93,7 +93,7 @@ PROMISE(hit_triangle, misses_outside) {
         expect(hit_from_either_side(aimed.in).has_value(),
                "a hit when the ray is turned to a point inside", "none");
       },
-      200);
+      150);
   for_all(
       [] {
         const Aimed aimed = *exactly(outside_on_an_edges_line);
@@ -107,7 +107,7 @@ PROMISE(hit_triangle, misses_outside) {
           const Aimed aimed = (*aimed_outside(range, where)).out;
           expect_miss(aimed.triangle, aimed.ray, "the ray is aimed just beside the triangle");
         },
-        150);
+        120);
   }
 }
 
@@ -302,13 +302,13 @@ PROMISE(hit_triangle, rejects_what_has_no_area) {
         const Degenerate c = *without_area();
         expect_miss(c.triangle, c.ray, "the triangle has no area");
       },
-      200);
+      150);
   for_all(
       [] {
         const Degenerate c = *in_the_plane();
         expect_miss(c.triangle, c.ray, "the ray runs in the triangle's plane");
       },
-      200);
+      150);
 }
 
 PROMISE(hit_triangle, leaves_no_gap_at_shared_edges_bonus) {
