@@ -13,7 +13,8 @@ int BvhBuilder::leaf(std::span<const int> primitives) {
   node.count = static_cast<int>(primitives.size());
   for (const int i : primitives) {
     if (i < 0 || i >= std::ssize(boxes_)) {
-      throw std::logic_error("BvhBuilder: there is no primitive " + std::to_string(i));
+      throw std::logic_error("BvhBuilder: primitive " + std::to_string(i) + " is not one of the " +
+                             std::to_string(boxes_.size()) + " boxes");
     }
     node.box.grow(boxes_[i]);
   }

@@ -1,8 +1,10 @@
 #include "grader/mistakes/battery.h"
 
+#include "grader/check/generators/random_numbers.h"
 #include "grader/tasks/hit_triangle/inputs.h"
 #include "pt/tasks/hit_triangle.h"
 
+#include <array>
 #include <cmath>
 
 namespace grader::mistakes {
@@ -11,6 +13,84 @@ namespace {
 using namespace check;
 
 using namespace hit_triangle_inputs;
+
+// The triangles and rays of the battery. They are of a fixed stream of random numbers.
+
+pt::Frame some_frame(RandomNumbers& make) {
+  return pt::frame_from_normal(normalize(make.vector(-1, 1) + pt::Vec3{0.1, 0.2, 0.3}));
+}
+
+// A triangle with three different normals. All are on one side of the face or, if `back` is true,
+// on the other.
+pt::Triangle some_triangle(RandomNumbers& make, double size, bool back = false) {
+  const pt::Vec3 p0 = size * make.vector(-2, 2);
+  const pt::Frame frame = some_frame(make);
+  const double edge = size * make.between(0.7, 1.3);
+  const double along = make.between(-0.3, 0.6), height = make.between(0.7, 1.3);
+  std::array<pt::Vec3, 3> normals;
+  for (pt::Vec3& n : normals) n = normalize((back ? -1 : 1) * frame.z + make.vector(-0.7, 0.7));
+  return triangle_at(p0, frame, edge, along, height, normals);
+}
+
+// A triangle whose third corner is close to the first edge.
+pt::Triangle some_sliver(RandomNumbers& make, double height) {
+  pt::Triangle sliver = some_triangle(make, 1);
+  sliver.p2 = 0.4 * sliver.p0 + 0.6 * sliver.p1 + height * (sliver.p2 - sliver.p0);
+  return sliver;
+}
+
+// A triangle in the plane of two axes, or at a small tilt to it.
+pt::Triangle nearly_in_a_plane(RandomNumbers& make, int axis, double tilt) {
+  pt::Triangle t;
+  t.p0[(axis + 1) % 3] = 1;
+  t.p1[(axis + 2) % 3] = 1;
+  t.p2 = {-1, -1, -1};
+  t.p2[axis] = tilt;
+  t.p0[(axis + 2) % 3] = tilt;
+  t.n1 = t.n2 = normalize(geometric_normal(t));
+  t.n0 = normalize(t.n1 + 0.4 * make.vector(-1, 1));
+  return t;
+}
+
+// A flat triangle close to the world's origin, with a first edge of length 1.
+pt::Triangle near_the_origin(RandomNumbers& make, double along, double height) {
+  const pt::Frame frame = some_frame(make);
+  return triangle_at(0.3 * make.vector(-1, 1), frame, 1, along, height,
+                     {frame.z, frame.z, frame.z});
+}
+
+// A triangle with corner normals at this distance from an axis, on three sides of it.
+pt::Triangle with_normals(RandomNumbers& make, double distance) {
+  pt::Triangle t = near_the_origin(make, 0.5, 0.9);
+  const pt::Frame around = pt::frame_from_normal(normalize(t.n0 + 0.5 * make.vector(-1, 1)));
+  t.n0 = normal_at(around, distance, 0);
+  t.n1 = normal_at(around, -0.5 * distance, std::sqrt(0.75) * distance);
+  t.n2 = normal_at(around, -0.5 * distance, -std::sqrt(0.75) * distance);
+  return t;
+}
+
+// A ray from the front (`side` is 1) or from the back (-1) of a triangle, at a steep angle.
+Aimed some_aim(RandomNumbers& make, const pt::Triangle& triangle, Weights w, double distance,
+               double speed = 1, double side = 1) {
+  const pt::Vec3 away = normalize(pt::Vec3{0, 0, side} + 0.5 * make.vector(-1, 1));
+  return aimed_at(triangle, w, -away, distance, speed);
+}
+
+// A ray that meets the plane at a right angle.
+Aimed straight(const pt::Triangle& triangle, Weights w, double distance) {
+  return aimed_at(triangle, w, {0, 0, -1}, distance, 1);
+}
+
+// A ray along the first edge, which meets the plane in the middle at an angle of this sine.
+Aimed along_the_edge(const pt::Triangle& triangle, double distance, double sine) {
+  const pt::Vec3 edge = plane_of(triangle).to_local(triangle.p0 - triangle.p1);
+  const pt::Vec3 local = std::sqrt(1 - sine * sine) * normalize(edge) - pt::Vec3{0, 0, sine};
+  return aimed_at(triangle, kMiddle, local, distance, 1);
+}
+
+// Ranges of a ray, in units of the t at the triangle.
+constexpr std::array<double, 2> kRanges[] = {
+    {1.1, pt::kInfinity}, {0, .9}, {.9, 1.1}, {1.1, 2}, {.5, 0.9}, {.2, pt::kInfinity}};
 
 void ask(Battery& battery, const pt::Triangle& triangle, const pt::Ray& ray, double t) {
   battery.ask([&]() -> Battery::Numbers {
