@@ -35,6 +35,7 @@ function(firstlight_add_check_programs)
     if(TARGET ${slug}.student AND NOT FIRSTLIGHT_SANITIZE)
       get_target_property(source ${slug}.student SOURCES)
       add_library(${slug}.sanitized OBJECT EXCLUDE_FROM_ALL ${source})
+      firstlight_depend_on_text(${source} ${source}) # once more: a property of a file is that of one folder
       target_link_libraries(${slug}.sanitized PRIVATE firstlight_options)
       target_compile_options(${slug}.sanitized PRIVATE ${FIRSTLIGHT_SANITIZERS} ${FIRSTLIGHT_LIBRARY_CHECKS} -O1 -g1)
       firstlight_add_check_program(${slug} sanitized EXCLUDE_FROM_ALL)

@@ -25,6 +25,26 @@ unlock_tree() {
   tree_is_locked=
 }
 
+# clear_foreign_build: removes what a copied or moved folder, or another place of the same folder, has left in build/: CMake, the
+# programs and everything that is kept there know the folder where they were made, and would go on with the files of that folder.
+clear_foreign_build() {
+  local made
+  made=$(foreign_place)
+  [ -n "$made" ] || return 0
+  lock_tree
+  made=$(foreign_place) # another ./run may have removed it
+  if [ -n "$made" ]; then
+    echo "build/ was made for the folder $made, and this folder is $root: everything is built anew." >&2
+    find "$build/" -mindepth 1 -maxdepth 1 ! -name lock -exec rm -rf {} +
+  fi
+  unlock_tree
+}
+
+# foreign_place: a folder other than this one for which something in build/ was made; nothing if there is none.
+foreign_place() {
+  sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build"/*/CMakeCache.txt 2>/dev/null | grep -vxF -m 1 -- "$root" || true
+}
+
 # settings: prints what CMake is told, besides the preset.
 settings() {
   local mixtures=''
@@ -38,6 +58,11 @@ has_settings() {
   [ ! "$root/CMakePresets.json" -nt "$build/$1/build.ninja" ] && [ "$(settings)" = "$(cat "$build/$1/settings" 2>/dev/null)" ]
 }
 nothing_to_do() { ninja -C "$build/$1" -n "${@:2}" 2>/dev/null | grep -q 'no work to do'; }
+
+# is_newest PRESET TARGET...: succeeds if what the targets compile of the learner's files was compiled from their text of now.
+is_newest() {
+  case " ${*:2} " in *student* | *.sanitized* | *' render '*) bash "$root/scripts/ninja.sh" --check "$build/$1" ;; esac
+}
 
 # configure PRESET: runs CMake with all mixtures of implementations that were asked for, if one is new or a file that CMake
 # read has changed. FIRSTLIGHT_WERROR=ON makes warnings errors. Returns 2 if CMake fails; explain_configure shows why.
@@ -95,16 +120,17 @@ build() {
   shift
   case " $* " in *student* | *.sanitized* | *' render '*) expect_task_files ;; esac
   setup
-  if [ -z "$tree_is_locked" ] && has_settings "$preset" && nothing_to_do "$preset" build.ninja && nothing_to_do "$preset" "$@"; then
+  if [ -z "$tree_is_locked" ] && has_settings "$preset" && nothing_to_do "$preset" build.ninja &&
+    is_newest "$preset" "$@" && nothing_to_do "$preset" "$@"; then
     return 0
   fi
   lock_tree
   configure "$preset" || { forget_mixtures && configure "$preset"; } || { explain_configure "$preset"; exit 2; }
   steps=$(ninja -C "$build/$preset" -n "$@" 2>/dev/null) || true
-  if [[ $steps != *'no work to do'* ]]; then
+  if [[ $steps != *'no work to do'* ]] || ! is_newest "$preset" "$@"; then
     [ ! -e "$root/.edition" ] || [ "$(wc -l <<<"$steps")" -lt 30 ] || name_changed_files
     if ! NINJA_STATUS='[%f/%t] ' with_progress "building $1 ($preset)" "$build/$preset/build.log" \
-      ninja -C "$build/$preset" "$@"; then
+      bash "$root/scripts/ninja.sh" "$build/$preset" "$@"; then
       grep -vE '^(ninja: |\[[0-9]+/[0-9]+\] )' "$build/$preset/build.log" | sed 's/\bunrecorded_//g' >&2
       fail "the build failed; the whole output is in build/$preset/build.log"
     fi

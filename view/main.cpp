@@ -142,10 +142,10 @@ void serve(const Options& options, Child& own, Child* reference) {
   data["watched"] = !options.tasks.empty();
   std::optional<Live> live;
   if (!options.tasks.empty()) {
-    live.emplace(options.tasks,
-                 std::vector<std::string>{"/usr/bin/env", "ninja", "-C", options.build.string(),
-                                          options.worker.filename().string()},
-                 own);
+    std::vector<std::string> command = {"/usr/bin/env", "bash"};
+    command.insert(command.end(), options.build.begin(), options.build.end());
+    command.push_back(options.worker.filename().string());
+    live.emplace(options.tasks, command, own);
   }
   Server server({page_with(data), token, &own, reference, live ? &*live : nullptr});
   server.bind(options.port);

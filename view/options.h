@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace view {
 
@@ -21,8 +22,8 @@ struct Options {
   std::filesystem::path worker, reference;
   std::filesystem::path
       boxed;  // in place of a worker: a submission's, as writeup_boxed describes it
-  std::filesystem::path tasks,
-      build;  // the files of the tasks, and the folder where ninja compiles them
+  std::filesystem::path tasks;     // the files of the tasks
+  std::vector<std::string> build;  // scripts/ninja.sh, and the folder where it compiles them
   std::string from = "reference";
 };
 

@@ -20,8 +20,9 @@ rule compile
   command = ! grep -q wrong $in || { echo 'task.cpp:1: error: wrong'; exit 1; }; cp ../real $out.new && mv $out.new $out
 build view_worker.reference: compile ../tasks/task.cpp
 E2
+printf 'exec ninja -C "$@"\n' >"$folder/ninja"
 echo 'saved 0' >"$folder/tasks/task.cpp"
-go_to_server env "TMPDIR=$folder/tmp" "$1/view/view" --worker "$worker" --reference "$folder/right" --tasks "$folder/tasks" --build "$folder/build" \
+go_to_server env "TMPDIR=$folder/tmp" "$1/view/view" --worker "$worker" --reference "$folder/right" --tasks "$folder/tasks" --build "$folder/ninja" "$folder/build" \
   scenes/box_spheres.dae -r 160 120 -s 8 --no-browser
 stage=$(element '#stage')
 

@@ -57,7 +57,7 @@ class FourBugs : public testing::TestWithParam<Bug> {};
 TEST_P(FourBugs, is_found_by_a_property_in_its_own_task_only) {
   const Submission submission("bug");
   put(GetParam(), submission);
-  const Outcome outcome = submission.grade({"--no-pictures"}, kCallLimit);
+  const Outcome outcome = submission.grade({"--no-pictures"}, kLongLimit);
   EXPECT_EQ(outcome.exit_status, 1);
   ASSERT_EQ(outcome.results.at("tasks").size(), tasks().size());
   for (const json& task : outcome.results.at("tasks")) {
@@ -76,7 +76,7 @@ TEST_P(FourBugs, is_found_by_a_property_in_its_own_task_only) {
 TEST_P(FourBugs, is_seen_in_its_picture) {
   const Submission submission("bug");
   put(GetParam(), submission);
-  const Outcome outcome = submission.grade({GetParam().task}, kCallLimit);
+  const Outcome outcome = submission.grade({GetParam().task}, kLongLimit);
   const json& task = outcome.task(GetParam().task);
   ASSERT_FALSE(task.is_null()) << outcome.output;
   EXPECT_EQ(task.at("state"), "fail");

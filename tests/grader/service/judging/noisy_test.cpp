@@ -21,7 +21,7 @@ TEST(noisy, solutions_are_too_noisy_and_not_wrong) {
       ++tried;
       const Submission submission("noisy");
       submission.replace(slug, file);
-      const Outcome outcome = submission.grade({slug}, kCallLimit);
+      const Outcome outcome = submission.grade({slug}, kLongLimit);
       EXPECT_EQ(outcome.state(slug), "too_noisy");
       for (const json& picture : outcome.task(slug).at("pictures")) {
         const bool named = picture.at("recipe") == first_line(file, "// noisy: ");
