@@ -69,7 +69,7 @@ firstlight_test(attack_test long PLAIN PATHS SOURCES ${service}/judging/attack_t
   NEEDS grade graded_programs)
 set(tried_in_the_other_tier *at_run_time/B:*commands_and_flags/A:*directives/B:*names_and_files/A:*compiling_for_ever/B)
 firstlight_add_test(attacks rest COMMAND attack_test --gtest_filter=-${tried_in_the_other_tier} NEEDS attack_test grade graded_programs)
-# Fourteen endless loops run beside it, and nothing else gets on.
+# Endless loops run beside it, and nothing else gets on.
 firstlight_test(busy_test long PLAIN PATHS SOURCES ${service}/judging/busy_test.cpp LIBRARIES grader_submissions NEEDS grade graded_programs)
 firstlight_test(four_bugs_test rest PLAIN PATHS SOURCES grader/tasks/four_bugs_test.cpp LIBRARIES grader_submissions
   NEEDS grade graded_programs)

@@ -41,12 +41,11 @@ attacks_as() {
   touch "$rows/$1.$2.done"
 }
 
-# sentence ATTACK: the first comment of its file.
+# sentence ATTACK: the first comment of its entry.
 sentence() {
   [ "$1" != killed/hit_box ] || { echo 'The judge is killed while a worker computes.'; return; }
-  local file
-  file=$(find "$hostile/${1%%/*}" -name "${1##*/}.cpp*")
-  awk '!/^\/\/ / { exit } { sub(/^\/\/ /, ""); printf "%s%s", gap, $0; gap = " " } END { print "" }' "$file"
+  awk -v task="${1##*/}" '/^=== / { here = $2 == task; next } here && !/^\/\/ / { exit }
+    here { sub(/^\/\/ /, ""); printf "%s%s", gap, $0; gap = " " } END { print "" }' "$hostile/${1%%/*}.txt"
 }
 
 # in_words STATE...: one state per version, empty if untested. Equal states are joined; the last, without

@@ -4,6 +4,7 @@
 #include "tests/grader/service/judging/busy_loops.h"
 
 #include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,9 @@ std::string computing(const char* seconds) {
          "    return true;\n  }();\n  if (!computed) return {};\n";
 }
 
+// By the clock a compile takes sixteen times its processor time, and more than the limit, on any number of processors.
+int many() { return 15 * static_cast<int>(std::thread::hardware_concurrency()); }
+
 // A call may take 0.4 s. These calls use half of it, which would take seconds on the clock; twice
 // as much; and no processor time at all.
 TEST(busy, machine_changes_no_verdict) {
@@ -34,8 +38,8 @@ TEST(busy, machine_changes_no_verdict) {
   slow_down(submission, "camera_ray", computing("0.2"));
   slow_down(submission, "hit_sphere", computing("0.8"));
   slow_down(submission, "hit_box", "  std::this_thread::sleep_for(std::chrono::hours(1));\n");
-  const BusyLoops loops(14);
-  const Outcome outcome = submission.grade({"--no-pictures", "--compile-limit", "6", "camera_ray",
+  const BusyLoops loops(many());
+  const Outcome outcome = submission.grade({"--no-pictures", "--compile-limit", "14", "camera_ray",
                                             "hit_sphere", "hit_box", "hit_triangle"},
                                            400);
   EXPECT_EQ(outcome.state("camera_ray"), "pass") << outcome.output;
@@ -47,7 +51,7 @@ TEST(busy, machine_changes_no_verdict) {
 // An answer of the judge costs the judge's time, and many calls of hit_bvh wait for many answers.
 TEST(busy, judge_answers_at_its_own_cost) {
   const Submission submission("answers");
-  const BusyLoops loops(14);
+  const BusyLoops loops(many());
   const Outcome outcome = submission.grade({"--no-pictures", "hit_bvh"}, 400);
   EXPECT_EQ(outcome.state("hit_bvh"), "pass") << outcome.output;
 }
