@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kHeading = "// Promises:";
 constexpr std::string_view kItem = "//   - ";
 
-// The items of the comment after the heading, each in one line, however it was wrapped.
+// The items of the paragraph after the heading, each in one line, however it was wrapped.
 std::vector<std::string> items(const std::string& header) {
   std::vector<std::string> found;
   std::istringstream lines(header);
@@ -18,7 +18,7 @@ std::vector<std::string> items(const std::string& header) {
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with(kHeading)) {
       inside = true;
-    } else if (!line.starts_with("//")) {
+    } else if (!line.starts_with("//") || line == "//") {
       inside = false;
     } else if (inside && line.starts_with(kItem)) {
       found.push_back(line.substr(kItem.size()));

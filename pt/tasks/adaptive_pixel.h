@@ -21,18 +21,12 @@ struct PixelEstimate {
 // The mean radiance that falls on one pixel, with as many samples as it needs.
 //
 // In:  as in estimate_pixel; every sample goes through a random point of the pixel.
-// Out: the plain mean of all samples taken, and their number n. After each batch, with mean mu and
-//      standard deviation sigma of the luminance of the samples so far, the pixel is done if
+// Out: the mean of all samples taken, and their number n. After each batch, let mu be the mean and
+//      sigma the standard deviation of the luminance of the samples so far. The pixel is done if
 //      1.96 sigma / sqrt(n) < tolerance mu: the 95 % interval of the mean is narrow enough. It
 //      never takes more than max_samples: the last batch may be shorter than the others.
 //
-// sigma may divide by n or by n - 1. If all samples are zero, < and <= are both right.
-//
-// Precision: the mean to 1e-5 of its size, also of ten thousand samples (a float sum of so many is
-//      less precise). If the two sides of the condition differ by less than 2e-5 of their size,
-//      both decisions are right: so 1.959964 may stand for 1.96.
-// May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
-// Threads: it is called from several threads at once, so nothing static may change.
+// The denominator in sigma may be n or n - 1. If all samples are zero, < and <= are both right.
 //
 // Promises:
 //   - stops where the interval is narrow: after the first batch that satisfies the condition,
@@ -45,10 +39,17 @@ struct PixelEstimate {
 //   - does not stop just because it is dark: unless all samples are zero, a small mean alone does
 //     not end a pixel.
 //   - uses the batch and the tolerance given: for all allowed values.
-//   - passes the settings on: radiance() sees the view's scene and settings, and the same sampler,
-//     which has moved on afterwards.
+//   - passes the settings on: radiance() gets the view's scene and settings, and the caller's
+//     sampler, which has moved on afterwards.
 //   - covers the whole pixel: all points of the square are equally likely.
 //   - forgets the pixel before: the same arguments give the same answer, whatever came before.
+//
+// Precision: the mean to 1e-5 of its size, also of ten thousand samples (a float sum of so many is
+// less precise). If the two sides of the condition differ by less than 2e-5 of their size, both
+// decisions are right: so 1.959964 may stand for 1.96.
+//
+// May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
+// Threads: it is called from several threads at once, so nothing static may change.
 PixelEstimate adaptive_pixel(const View& view, int x, int y, const AdaptiveSettings& settings,
                              Sampler& sampler);
 

@@ -13,22 +13,15 @@ namespace pt {
 // In:  any number of boxes of primitives, in world space; the number may be zero. No box is empty,
 //      but boxes may be flat or single points. max_leaf >= 1.
 // Out: the tree. No leaf holds more than max_leaf primitives, whatever the boxes are. A BvhBuilder
-//      (pt/geometry/bvh_builder.h) makes one from its leaves up, and keeps the invariants.
+//      (pt/geometry/bvh_builder.h) makes the tree from its leaves up, and keeps the invariants.
 //
 // Any rule may split the boxes: the midpoint of the longest axis of the box of all centroids, the
 // mean, the median, the surface area heuristic. If no plane separates some boxes, the function must
 // divide them in another way.
 //
-// Precision: a node's box contains the boxes below it exactly, as with Box::grow: it consists of
-// their own numbers in double, without any rounding. It may be larger by a few rounding errors of
-// double, but not by more: rays would enter it without need.
-//
-// May call: leaf, inner and finish of a BvhBuilder. No other task.
-// Threads: it is called from several threads at once, so nothing static may change.
-//
 // Promises:
 //   - keeps every primitive once: order is a permutation, and the leaves cover it without overlap.
-//   - covers its primitives: a node's box contains all boxes below it, and hardly more.
+//   - covers its primitives: a node's box contains all boxes below it, and is hardly larger.
 //   - is one tree: every node but the root has one parent, whose index is smaller.
 //   - keeps leaves small: at most max_leaf primitives each, for max_leaf from 1 up, also in the
 //     deepest parts of a deep tree.
@@ -41,6 +34,13 @@ namespace pt {
 //     parallel rows, at any scale, a ray across the row enters few boxes of the tree.
 //   - stays shallow on clustered centroids (bonus): with centroids at 2^-i or -2^-i for i = 0, 1, ...
 //     the depth is logarithmic.
+//
+// Precision: a node's box contains the boxes below it exactly, as with Box::grow: its sides are
+// their own numbers in double, without any rounding. It may be larger by a few rounding errors of
+// double. If it is even larger, it is wrong: rays would enter it without need.
+//
+// May call: leaf, inner and finish of a BvhBuilder. No other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 Bvh build_bvh(std::span<const Box> boxes, int max_leaf);
 
 }  // namespace pt

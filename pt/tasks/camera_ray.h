@@ -13,28 +13,29 @@ namespace pt {
 //      from near_clip to far_clip.
 //
 // The picture is a window at distance 1 in front of the camera, at z = -1 of the camera's frame.
-// The fields of view give its edges. Seen from the camera, the left and right edges are hfov_deg
-// apart, the bottom and top edges vfov_deg, whatever the shape of the picture in pixels.
-//
-// Precision: the ray goes through its point of the window to 1e-5 of the window's width and height,
-// for fields of view up to 170 degrees. Single precision and 3.14159 are enough for that, except for
-// fields of view under ten degrees; so an error of 1e-6 in the unit direction is always accepted.
-// The length of the direction is 1 to 1e-5. The origin and the clip range are the camera's, in
-// single or in double precision.
-//
-// May call: no other task.
-// Threads: it is called from several threads at once, so nothing static may change.
+// The fields of view, in degrees, give its edges. Seen from the camera, the angle between the left
+// and the right edge is hfov_deg, and the angle between the bottom and the top edge is vfov_deg. The
+// number of pixels does not matter.
 //
 // Promises:
 //   - starts at the camera: the origin is the camera's position.
 //   - has a unit direction: so that t is a distance.
 //   - looks along minus z: the centre of the picture is straight ahead.
-//   - fills the field of view: the middle of the left and right edges is half of hfov_deg from the
-//     centre, that of the bottom and top edges half of vfov_deg. The two angles are independent.
+//   - fills the field of view: the angle from the centre to the middle of the left or right edge is
+//     half of hfov_deg; to the middle of the bottom or top edge it is half of vfov_deg. The two
+//     angles are independent.
 //   - puts x to the right and y up: a larger x goes along the frame's x, a larger y along its y.
 //   - keeps the picture flat: equal steps in x or y are equal steps on the flat window.
-//   - turns with the camera: seen from the camera, the ray is the same for any position and frame.
+//   - turns with the camera: if the camera is moved or turned, its rays move and turn with it.
 //   - keeps the clip range: t_min is near_clip and t_max is far_clip.
+//
+// Precision: for fields of view up to 170 degrees, the ray goes through its point of the window to
+// 1e-5 of the window's width and height. An error of 1e-6 in the unit direction is always accepted.
+// So single precision and 3.14159 are enough. The length of the direction is 1 to 1e-5. The origin
+// and the clip range are the camera's, in single or in double precision.
+//
+// May call: no other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 Ray camera_ray(const Camera& camera, double x, double y);
 
 }  // namespace pt

@@ -23,31 +23,33 @@ struct BsdfSample {
 //      zero if wo and wi are on different sides. diffuse_sample chooses wi on wo's side, with any
 //      continuous density that is not zero there (uniform, cosine-weighted), and returns f and that
 //      density. diffuse_pdf is the density with which diffuse_sample chooses wi, zero on the other
-//      side. The sampler is the only source of random numbers.
+//      side. The sampler is the only source of random numbers. Below, cos is the cosine of the
+//      angle between wi and the normal: wi.z.
+//
+// Promises:
+//   - f reflects the albedo: the integral of f cos over all wi is the albedo, in each channel.
+//   - f is the same for all directions: as long as wo and wi are on the same side.
+//   - f is zero across the surface: if wo and wi are on different sides. With both below, f is the
+//     same as with both above.
+//   - samples the side of wo: wi is a unit vector with wi.z > 0, and all directions around the
+//     normal occur.
+//   - a sample knows its own f and pdf: they equal the results of diffuse_f and diffuse_pdf for it.
+//   - pdf is the density of the samples: a histogram of many samples agrees with it.
+//   - pdf sums to one: over the side of wo. It is zero on the other side.
+//   - samples estimate the albedo: the mean of f cos / pdf is the albedo, with at most the
+//     noise below.
+//   - draws from the sampler alone: consecutive samples are independent, and a sampler in the same
+//     state gives the same sample again.
+//
+// Noise: f cos / pdf of a sample has a standard deviation of at most the albedo. It is 0.58
+// times the albedo for uniform directions, and zero for cosine-weighted ones.
 //
 // Precision: f and the albedo that it reflects to 1e-5 of their size; the pdf (per steradian) and
 // the length of wi to 1e-5. Single precision is enough, and so is pi to six digits. If a cosine is
 // below 1e-100, f may be zero: in double, the product of two of them is zero.
 //
-// Noise: f cos(wi) / pdf of a sample has a standard deviation of at most the albedo. It is 0.58
-// times the albedo for uniform directions, and zero for cosine-weighted ones.
-//
 // May call: no other task.
 // Threads: the functions are called from several threads at once, so nothing static may change.
-//
-// Promises:
-//   - f reflects the albedo: f cos(wi) summed over all wi is the albedo, in each channel.
-//   - f is the same for all directions: as long as wo and wi are on the same side.
-//   - f is zero across the surface: if wo and wi are on different sides. With both below, f is the
-//     same as with both above.
-//   - samples the side of wo: wi is a unit vector with wi.z > 0, in all directions around.
-//   - a sample knows its own f and pdf: they equal the results of diffuse_f and diffuse_pdf for it.
-//   - pdf is the density of the samples: a histogram of many samples agrees with it.
-//   - pdf sums to one: over the side of wo. It is zero on the other side.
-//   - samples estimate the albedo: the mean of f cos(wi) / pdf is the albedo, with at most the
-//     noise above.
-//   - draws from the sampler alone: consecutive samples are independent, and a sampler in the same
-//     state gives the same sample again.
 Rgb diffuse_f(Rgb albedo, Vec3 wo, Vec3 wi);
 BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler);
 double diffuse_pdf(Vec3 wo, Vec3 wi);

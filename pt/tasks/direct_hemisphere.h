@@ -14,31 +14,22 @@ namespace pt {
 //      samples >= 1. Radiances are of any size (1e-4 to 1e6), and so are scenes (1e-6 to 1e6). A
 //      scene may lie up to ten thousand times its size away from the world's origin.
 // Out: an unbiased estimate of the radiance that leaves the point along wo after exactly one
-//      bounce: the mean over `samples` uniform directions wi of f L cos(wi) / pdf, where L is the
-//      emission of the surface that a ray along wi meets (towards the point), or background() if it
-//      meets none.
+//      bounce: the mean over `samples` uniform directions wi of f L cos / pdf. Here cos is the cosine
+//      of the angle between wi and the normal. L is the emission, towards the point, of the surface
+//      that a ray along wi meets, or background() if it meets none.
 //
 // spawn_ray makes the rays; surface_point gives the emission of the surfaces that they hit. No ray
 // meets a delta light. The sampler is the only source of random numbers.
 //
-// Precision: apart from noise, to 1e-5 of its size. Single precision is enough for colors and
-// cosines, but not for points.
-//
-// Noise: the standard deviation of the estimate is at most that of the mean of `samples`
-// independent uniform directions.
-//
-// May call: the task diffuse_bsdf; scene.closest, scene.occluded, surface_point, background and
-//      sample_light; and functions that a header of pt/ defines.
-// Threads: it is called from several threads at once, so nothing static may change.
-//
 // Promises:
 //   - sees the sky: a ray that meets nothing counts the light of the sky; an upright wall sees half
 //     of the sky.
-//   - sees a light of known size: Lambert's formula for a rectangle, wherever it is.
+//   - sees a light of known size: the mean agrees with Lambert's formula for a rectangle, wherever
+//     it is.
 //   - sees lights of any brightness: from very dim to very bright, without clamping.
 //   - takes the emission of what is hit: not the emission of the shaded point, and not that of a
-//     light in the list without a surface.
-//   - adds no emission of its own: a glowing surface reflects only what arrives.
+//     light that has no surface.
+//   - adds no emission of its own: the emission of the point itself is not counted.
 //   - sees what is in the way: a dark surface hides what is behind it, also just before a light; a
 //     dark surface just behind the light hides nothing.
 //   - sees only the bright side: a light is dark from behind.
@@ -47,13 +38,24 @@ namespace pt {
 //     the surface.
 //   - reflects the albedo: channel by channel.
 //   - takes the samples asked for: the mean does not depend on their number, and the noise falls
-//     with its square root, up to a thousand and more.
-//   - starts off the surface: at every scale, and also where n is not the normal of the true surface,
-//     no ray meets the surface that it leaves, or passes through anything close to it.
+//     with the square root of their number, up to a thousand samples and more.
+//   - starts off the surface: no ray meets the surface that it leaves, and none passes through
+//     another surface close to it. This holds at every scale, and also where n is not the normal of
+//     the true surface.
 //   - spreads evenly over the hemisphere: directions are uniform above the surface, down to the
 //     horizon.
 //   - draws from the sampler alone: consecutive calls are independent, and a sampler in the same
 //     state gives the same estimate again.
+//
+// Noise: the standard deviation of the estimate is at most that of the mean of `samples`
+// independent uniform directions.
+//
+// Precision: apart from noise, to 1e-5 of its size. Single precision is enough for colors and
+// cosines, but not for points.
+//
+// May call: the task diffuse_bsdf; scene.closest, scene.occluded, surface_point, background and
+//      sample_light; and functions that a header of pt/ defines.
+// Threads: it is called from several threads at once, so nothing static may change.
 Rgb direct_hemisphere(const Scene& scene, const SurfacePoint& point, int samples, Sampler& sampler);
 
 }  // namespace pt

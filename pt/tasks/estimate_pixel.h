@@ -9,18 +9,11 @@ namespace pt {
 // The mean radiance that falls on one pixel.
 //
 // In:  the pixel (x, y) counts from the bottom left corner of the picture: x in 0 .. width - 1,
-//      y in 0 .. height - 1; it covers the square from (x / width, y / height) to ((x + 1) / width,
-//      (y + 1) / height) of camera_ray's picture. samples >= 1.
-// Out: the plain mean of radiance(scene, ray, settings, sampler) over `samples` camera rays:
-//      through the pixel's centre if there is one sample, else each through a random point of the
-//      pixel, all points equally likely.
-//
-// Precision: each channel of the mean to 1e-5 of its size, or to samples * 1e-7 of it if that is
-// more; the points to 1e-5 of the picture's width and height, plus the error of camera_ray. Single
-// precision is enough, also for the sum.
-//
-// May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
-// Threads: it is called from several threads at once, so nothing static may change.
+//      y in 0 .. height - 1. It covers the square from (x / width, y / height) to
+//      ((x + 1) / width, (y + 1) / height) of camera_ray's picture. samples >= 1.
+// Out: the mean of radiance(scene, ray, settings, sampler) over `samples` camera rays. A single
+//      sample goes through the pixel's centre. If there are more, each goes through a random point of
+//      the pixel, and all points are equally likely.
 //
 // Promises:
 //   - averages the radiance: the result is the mean of the values of radiance(), channel by
@@ -30,11 +23,18 @@ namespace pt {
 //   - sends one sample through the centre: with samples = 1.
 //   - stays inside the pixel: every ray goes through the pixel's own square.
 //   - covers the whole pixel: with more samples, all points of the square are equally likely.
-//   - passes the settings on: radiance() sees the view's scene and settings.
-//   - draws from the caller's sampler: never from a copy, or from a sampler with your own seed.
-//     radiance() gets the same sampler after your draws, and the caller has it back after all
-//     draws.
+//   - passes the settings on: radiance() gets the view's scene and settings.
+//   - draws from the caller's sampler: never from a copy, and never from a sampler with a seed of
+//     your own. radiance() gets this same sampler, after your draws for the sample. Afterwards
+//     the caller's sampler is past all draws.
 //   - forgets the pixel before: the same arguments give the same answer, whatever came before.
+//
+// Precision: each channel of the mean to 1e-5 of its size, or to samples * 1e-7 of it if that is
+// more; the points to 1e-5 of the picture's width and height, plus the error of camera_ray. Single
+// precision is enough, also for the sum.
+//
+// May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
+// Threads: it is called from several threads at once, so nothing static may change.
 Rgb estimate_pixel(const View& view, int x, int y, int samples, Sampler& sampler);
 
 }  // namespace pt

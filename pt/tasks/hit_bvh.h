@@ -17,12 +17,6 @@ namespace pt {
 //      primitive that was hit. If several have the same t, any of them is right. occluded_bvh:
 //      whether there is any hit in the ray's range; it stops at the first hit.
 //
-// Precision: t and n are those that hit_primitive returned, unchanged.
-//
-// May call: hit_box for boxes, and hit_primitive for primitives, which calls the task hit_triangle
-//      or hit_sphere. No other task.
-// Threads: it is called from several threads at once, so nothing static may change.
-//
 // Promises:
 //   - finds the nearest hit: t is the same as from testing every primitive in turn. Among thousands
 //     of primitives it tests fewer than half.
@@ -38,9 +32,15 @@ namespace pt {
 //   - tests no box twice: it tests each box and each primitive at most once per query.
 //   - skips what lies outside the ray: if the ray does not enter a box, nothing below it is
 //     tested.
-//   - skips what lies behind a hit: in a stack of walls it tests fewer than half, averaged over
-//     both orders of children.
+//   - skips what lies behind a hit: if many walls stand behind each other, it tests fewer than half
+//     of them, averaged over both orders of children.
 //   - stops at any hit: occluded_bvh does not go on after it has found a hit.
+//
+// Precision: t and n are those that hit_primitive returned, unchanged.
+//
+// May call: hit_box for boxes, and hit_primitive for primitives, which calls the task hit_triangle
+//      or hit_sphere. No other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 std::optional<Hit> hit_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray);
 bool occluded_bvh(const Bvh& bvh, const Primitives& primitives, const Ray& ray);
 

@@ -10,23 +10,17 @@ namespace pt {
 
 // Finds where a ray first meets a sphere, from outside or from inside.
 //
-// In:  world space, no coordinate of the centre above a million radii. The direction may have any
-//      length except zero; t is in units of this length.
+// In:  world space. No coordinate of the centre is above a million radii. The direction may have any
+//      length except zero. The point at t is origin + t direction, so a direction twice as long
+//      halves t.
 // Out: nothing, or the smallest t with t_min <= t <= t_max on the sphere, and the unit normal
 //      there, pointing outwards.
 //
-// Precision: up to a thousand radii away, the point at t lies on the sphere to 1e-6 radii, and n is
-// right to 1e-6. The quadratic formula is precise enough in double, but not in single precision. If
-// the point is within 1e-6 radii of an end of the range, hit and miss are both right. A ray within
-// 1e-8 radii of just touching the sphere may hit or miss.
-//
-// May call: no other task.
-// Threads: it is called from several threads at once, so nothing static may change.
-//
 // Promises:
-//   - hits where it is aimed: a ray at a visible point of the sphere hits at that point, also if it
-//     grazes the sphere.
-//   - misses beside the sphere: a ray that passes at more than the radius has no hit.
+//   - hits where it is aimed: a ray at a visible point of the sphere hits at that point, also
+//     where ray and surface are almost parallel.
+//   - misses beside the sphere: a ray has no hit if it stays farther from the centre than the
+//     radius.
 //   - finds the near side: if two points are in the range, the result is the first.
 //   - hits from inside: a ray that starts inside, or whose range begins inside, hits the far point.
 //   - keeps t inside the ray: no hit before t_min, behind the origin, or beyond t_max.
@@ -37,6 +31,14 @@ namespace pt {
 //   - stays accurate at any distance (bonus): to 1e-6 radii even at ten million radii (Haines,
 //     Guenther, Akenine-Moeller 2019, Precision Improvements for Ray/Sphere Intersection, Ray
 //     Tracing Gems, chapter 7).
+//
+// Precision: up to a thousand radii away, the point at t lies on the sphere to 1e-6 radii, and n is
+// right to 1e-6. The quadratic formula is precise enough in double, but not in single precision. If
+// the point is within 1e-6 radii of an end of the range, hit and miss are both right. A ray within
+// 1e-8 radii of just touching the sphere may hit or miss.
+//
+// May call: no other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 std::optional<SurfaceHit> hit_sphere(const Sphere& sphere, const Ray& ray);
 
 }  // namespace pt

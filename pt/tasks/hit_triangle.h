@@ -10,29 +10,19 @@ namespace pt {
 
 // Finds where a ray meets a triangle.
 //
-// In:  world space. The direction may have any length except zero; t is in units of this length.
-//      The corner normals are unit vectors. Where their weighted sum is zero, any n is right.
+// In:  world space. The direction may have any length except zero. The point at t is
+//      origin + t direction, so a direction twice as long halves t. The corner normals are unit
+//      vectors. Where their weighted sum is zero, any n is right.
 // Out: nothing, or t with t_min <= t <= t_max and the unit normal there: the corner normals
 //      weighted by the barycentric coordinates of the point, normalised, and never turned to
-//      another side. Both faces can be hit.
+//      the other side. Both faces can be hit.
 //
-// A ray in the triangle's plane misses, and so does any ray at a triangle without area. On the very
+// A ray in the triangle's plane misses, and so does any ray at a triangle without area. Exactly on an
 // edge, hit and miss are both right.
-//
-// Precision: t is right to 1e-9 of the largest length (a coordinate, an edge, or the way to the
-// point), so single precision is not enough; n is right to 1e-6. The allowed error grows with the
-// triangle's length over height (a thousand times in a sliver a thousand times as long as high), and
-// with 1 / the angle between ray and plane. Below a millionth of a radian, rays may miss, or hit with
-// any t. If the point is closer than this error to an edge or to an end of the range, hit and miss
-// are both right. If rounding gives an area to a triangle whose corners lie on one line, a ray that
-// meets the line may hit.
-//
-// May call: no other task.
-// Threads: it is called from several threads at once, so nothing static may change.
 //
 // Promises:
 //   - hits where it is aimed: a ray at a point inside the triangle hits at that point, also in
-//     slivers and if ray and plane are almost parallel.
+//     long and thin triangles, and if ray and plane are almost parallel.
 //   - misses outside: a ray that meets the plane outside the triangle has no hit.
 //   - keeps t inside the ray: no hit before t_min, behind the origin, or beyond t_max.
 //   - interpolates the corner normals: each is weighted by the coordinate of its own corner.
@@ -47,6 +37,17 @@ namespace pt {
 //   - leaves no gap at shared edges (bonus): a ray at an edge or a corner that triangles share
 //     hits at least one of them (Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection,
 //     JCGT 2(1)).
+//
+// Precision: t is right to 1e-9 of the largest length (a coordinate, an edge, or the distance to the
+// point), so single precision is not enough; n is right to 1e-6. Two kinds of input are harder. In a
+// long and thin triangle, the allowed error is multiplied by its length over its height. For a ray
+// that is almost parallel to the plane, it is multiplied by 1 / the angle between them; below a
+// millionth of a radian, the ray may miss, or hit with any t. If the point is closer than this error
+// to an edge or to an end of the range, hit and miss are both right. If rounding gives an area to a
+// triangle whose corners lie on one line, a ray that meets the line may hit.
+//
+// May call: no other task.
+// Threads: it is called from several threads at once, so nothing static may change.
 std::optional<SurfaceHit> hit_triangle(const Triangle& triangle, const Ray& ray);
 
 }  // namespace pt

@@ -13,30 +13,20 @@ namespace pt {
 // In:  a point of the scene, seen along wo, with dot(n, wo) > 0. The settings are the bounces to
 //      add up (from .. to, 0 <= to <= 100; none if from > to), the estimator of direct light, its
 //      number of samples (1 .. 100), and the probability `survival` that a path goes on, in (0, 1].
-// Out: an unbiased estimate of the radiance that leaves the point along wo after k bounces, summed
-//      over all k >= 1 with from <= k <= to. Emission (k = 0) is not among them: radiance() adds
+// Out: an unbiased estimate of the radiance that leaves the point along wo: the sum over all bounces
+//      k >= 1 with from <= k <= to. Emission (k = 0) is not among them: radiance() adds
 //      it.
 //
 // Bounce 1 is direct light at the point itself: direct_hemisphere or direct_lights, see settings.
-// Bounce k is direct light at the k-th point of the path, times the throughput: the product of f
-// cos / pdf of each bounce on the way. diffuse_sample chooses the direction, with any density: use
+// Bounce k is direct light at the k-th point of the path, times the throughput: the product of
+// f cos / pdf of each bounce on the way. diffuse_sample chooses the direction, with any density: use
 // the f and pdf that it returns. The path goes on with spawn_ray and scene.closest. Its next point
-// is on the first surface that the ray meets; if the ray meets nothing, the path ends (indirect
-// rays see no sky).
+// is on the first surface that the ray meets. If the ray meets nothing, the path ends: indirect rays
+// see no sky. A path has at most `to` points.
 //
-// The path always goes on from its first point to the second. From every later point it goes on
-// with the probability `survival`, and the light from there on is divided by it. (Another
-// probability, fixed or by the throughput, is right too if it is within the noise below.) A path
-// has at most `to` points.
-//
-// Precision: 1e-5 of the radiance of each bounce; float is enough for colors.
-// Noise: one estimate has at most twice the standard deviation of the method above, run with
-//      survival min(.3, `survival`) and with the noisiest diffuse_sample and direct light that
-//      their contracts allow. If it has more, the tested promise fails as "too noisy".
-// May call: the tasks diffuse_bsdf, direct_hemisphere and direct_lights; scene.closest,
-//      scene.occluded, surface_point, background and sample_light; and functions that a header of
-//      pt/ defines.
-// Threads: it is called from several threads at once, so nothing static may change.
+// Russian roulette: the path always goes on from its first point to the second. From every later
+// point it goes on with the probability `survival`, and the light from there on is divided by it.
+// (Another probability, fixed or by the throughput, is right too if it is within the noise below.)
 //
 // Promises:
 //   - starts with direct light: with to = 1 it is only the direct light, by the method in settings.
@@ -45,7 +35,7 @@ namespace pt {
 //     E (a + a^2 + ... + a^to), for every `to`.
 //   - adds up the bounces asked for: only bounces from .. to, and nothing if from > to.
 //   - does not depend on survival: the mean is the same with survival .05 and with 1, and the noise
-//     stays within the limit above.
+//     stays within the limit below.
 //   - takes the first bounce always: roulette starts at the second point of the path.
 //   - stops after the last bounce: it never adds bounce `to` + 1, also if almost every path
 //     survives.
@@ -64,6 +54,20 @@ namespace pt {
 //   - draws from the sampler alone: the same sampler state gives the same estimate, whatever was
 //     called before; each call moves the sampler on, so that the next estimate is new.
 //   - stays finite: also with albedo 0, or if the point is seen almost along the surface.
+//
+// Noise: one estimate has at most twice the standard deviation of the method above, when that runs
+//      with survival min(.3, `survival`), and with the noisiest diffuse_sample and direct light that
+//      their contracts allow. For example, in a ball of albedo 1/2 with a point light in its centre,
+//      let the direct light be 1 at each point. The sum of bounces 1 .. 5 is 1.94. The method above,
+//      with survival .7 and cosine-weighted directions, has a standard deviation of 0.33, and the
+//      limit is 5.5. With more noise than the limit, the verdict is "too noisy".
+//
+// Precision: 1e-5 of the radiance of each bounce; float is enough for colors.
+//
+// May call: the tasks diffuse_bsdf, direct_hemisphere and direct_lights; scene.closest,
+//      scene.occluded, surface_point, background and sample_light; and functions that a header of
+//      pt/ defines.
+// Threads: it is called from several threads at once, so nothing static may change.
 Rgb trace_path(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
                Sampler& sampler);
 

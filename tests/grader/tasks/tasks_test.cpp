@@ -207,9 +207,11 @@ Names promised_calls(const std::string& slug) {
   constexpr std::string_view kBegin = "// May call:";
   const std::size_t at = text.find(kBegin);
   if (at == std::string::npos) return {};
+  std::size_t end = text.find('\n', at);
+  while (text.compare(end + 1, 3, "// ") == 0) end = text.find('\n', end + 1);
   Names words;
   std::string word;
-  for (const char c : text.substr(at + kBegin.size(), text.find("\n//\n", at) - at)) {
+  for (const char c : text.substr(at + kBegin.size(), end - at)) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
       word += c;
     } else {

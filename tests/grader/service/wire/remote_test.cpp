@@ -285,13 +285,14 @@ TEST(promises, are_read_from_a_contract) {
   const auto promises = results::promises_of(
       "// Out: a thing.\n//\n// Promises:\n//   - keeps the ray's range: no hit before\n"
       "// t_min,\n//     or beyond t_max.\n//   - never misses (bonus): at all (Someone 2013).\n"
-      "int f();\n//   - not this: one.\n");
+      "//\n// Precision: double.\nint f();\n//   - not this: one.\n");
   ASSERT_EQ(promises.size(), 2u);
   EXPECT_EQ(promises[0].name, "keeps_the_rays_range");
   EXPECT_EQ(promises[0].title, "keeps the ray's range");
   EXPECT_EQ(promises[0].words, "no hit before t_min, or beyond t_max.");
   EXPECT_FALSE(promises[0].bonus);
   EXPECT_EQ(promises[1].name, "never_misses_bonus");
+  EXPECT_EQ(promises[1].words, "at all (Someone 2013).");
   EXPECT_TRUE(promises[1].bonus);
 }
 
