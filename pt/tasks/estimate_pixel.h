@@ -29,9 +29,9 @@ namespace pt {
 //     the caller's sampler is past all draws.
 //   - forgets the pixel before: the same arguments give the same answer, whatever came before.
 //
-// Precision: each channel of the mean to 1e-5 of its size, or to samples * 1e-7 of it if that is
-// more; the points to 1e-5 of the picture's width and height, plus the error of camera_ray. Single
-// precision is enough, also for the sum.
+// Precision: each channel of the mean is right to 1e-5 of its size, for more than 100 samples to
+// samples * 1e-7 of it. The points are right to 1e-5 of the picture's width and height, plus the
+// error of camera_ray. Single precision is enough, also for the sum.
 //
 // May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.
