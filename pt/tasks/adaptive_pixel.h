@@ -23,16 +23,18 @@ struct PixelEstimate {
 // In:  as in estimate_pixel; every sample goes through a random point of the pixel.
 // Out: the mean of all samples taken, and their number n. After each batch, let mu be the mean and
 //      sigma the standard deviation of the luminance of the samples so far. The pixel is done if
-//      1.96 sigma / sqrt(n) < tolerance mu: the 95 % interval of the mean is narrow enough. It
-//      never takes more than max_samples: the last batch may be shorter than the others.
+//      1.96 sigma / sqrt(n) < tolerance mu: the 95 % interval of the mean is narrow enough. A pixel
+//      never takes more than max_samples samples: its last batch may be shorter than the others.
 //
-// The denominator in sigma may be n or n - 1. If all samples are zero, < and <= are both right.
+// The denominator in sigma may be n or n - 1. If all samples are zero, both sides of the condition
+// are zero: < and <= are both right there.
 //
 // Promises:
 //   - stops where the interval is narrow: after the first batch that satisfies the condition,
 //     exactly, for any sequence of samples.
 //   - checks once a batch: n is a multiple of `batch`, or max_samples.
-//   - takes one batch of a constant: rounding errors in the variance do not make it go on.
+//   - takes one batch of a constant: if all samples are equal, rounding errors in the variance do
+//     not make it go on.
 //   - never exceeds the maximum: radiance() is called n times, and 1 <= n <= max_samples.
 //   - returns the mean of all samples: divided by n, wherever it stopped.
 //   - judges by luminance: not by one channel.
@@ -44,9 +46,9 @@ struct PixelEstimate {
 //   - covers the whole pixel: all points of the square are equally likely.
 //   - forgets the pixel before: the same arguments give the same answer, whatever came before.
 //
-// Precision: the mean to 1e-5 of its size, also of ten thousand samples (a float sum of so many is
-// less precise). If the two sides of the condition differ by less than 2e-5 of their size, both
-// decisions are right: so 1.959964 may stand for 1.96.
+// Precision: the mean is right to 1e-5 of its size, also with ten thousand samples (a sum of so
+// many in single precision is not). If the two sides of the condition differ by less than 2e-5 of
+// their size, both decisions are right: so you may use 1.959964 in place of 1.96.
 //
 // May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.

@@ -6,8 +6,8 @@
 
 namespace pt {
 
-// A direction wi that light may come from, the value f of the BSDF for it, and the density pdf (per
-// steradian) with which it was chosen.
+// A direction wi from which light may come, the value f of the BSDF for it, and the density pdf
+// (per steradian) with which it was chosen.
 struct BsdfSample {
   Vec3 wi;
   Rgb f;
@@ -16,15 +16,15 @@ struct BsdfSample {
 
 // Reflection by a diffuse surface: the same radiance in all directions (Lambert).
 //
-// In:  wo and wi are unit vectors in the local shading frame, z along the normal, both pointing
-//      away from the surface. The albedo, in [0, 1], is the part of the light that is not absorbed.
-//      For diffuse_sample, wo.z > 0.
+// In:  wo and wi are unit vectors in the local frame, with z along the normal. Both point away from
+//      the surface. The albedo, in [0, 1], is the part of the light that is not absorbed. For
+//      diffuse_sample, wo.z > 0.
 // Out: diffuse_f is the BSDF, per steradian, without any cosine: the same for all directions, but
 //      zero if wo and wi are on different sides. diffuse_sample chooses wi on wo's side, with any
 //      continuous density that is not zero there (uniform, cosine-weighted), and returns f and that
-//      density. diffuse_pdf is the density with which diffuse_sample chooses wi, zero on the other
-//      side. The sampler is the only source of random numbers. Below, cos is the cosine of the
-//      angle between wi and the normal: wi.z.
+//      density. diffuse_pdf is the density with which diffuse_sample chooses wi. It is zero on the
+//      other side. The sampler is the only source of random numbers. Below, cos is the cosine of
+//      the angle between wi and the normal: wi.z.
 //
 // Promises:
 //   - f reflects the albedo: the integral of f cos over all wi is the albedo, in each channel.
@@ -35,18 +35,19 @@ struct BsdfSample {
 //     normal occur.
 //   - a sample knows its own f and pdf: they equal the results of diffuse_f and diffuse_pdf for it.
 //   - pdf is the density of the samples: a histogram of many samples agrees with it.
-//   - pdf sums to one: over the side of wo. It is zero on the other side.
-//   - samples estimate the albedo: the mean of f cos / pdf is the albedo, with at most the
-//     noise below.
+//   - pdf sums to one: its integral over the side of wo is 1. It is zero on the other side.
+//   - samples estimate the albedo: the mean of f cos / pdf is the albedo, with no more noise than
+//     the limit below.
 //   - draws from the sampler alone: consecutive samples are independent, and a sampler in the same
 //     state gives the same sample again.
 //
 // Noise: f cos / pdf of a sample has a standard deviation of at most the albedo. It is 0.58
 // times the albedo for uniform directions, and zero for cosine-weighted ones.
 //
-// Precision: f and the albedo that it reflects to 1e-5 of their size; the pdf (per steradian) and
-// the length of wi to 1e-5. Single precision is enough, and so is pi to six digits. If a cosine is
-// below 1e-100, f may be zero: in double, the product of two of them is zero.
+// Precision: f, and the albedo that it reflects, are right to 1e-5 of their size. The pdf (per
+// steradian) and the length of wi are right to 1e-5. Single precision is enough, and so is pi to
+// six digits. If a cosine is below 1e-100, f may be zero: in double precision, the product of two
+// such numbers is zero.
 //
 // May call: no other task.
 // Threads: the functions are called from several threads at once, so nothing static may change.

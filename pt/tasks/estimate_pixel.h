@@ -20,18 +20,20 @@ namespace pt {
 //     channel, whether they are 0 or a million.
 //   - takes the samples asked for: radiance() is called exactly `samples` times, once or thousands
 //     of times.
-//   - sends one sample through the centre: with samples = 1.
+//   - sends one sample through the centre: if samples = 1.
 //   - stays inside the pixel: every ray goes through the pixel's own square.
-//   - covers the whole pixel: with more samples, all points of the square are equally likely.
+//   - covers the whole pixel: with more than one sample, all points of the square are equally
+//     likely.
 //   - passes the settings on: radiance() gets the view's scene and settings.
 //   - draws from the caller's sampler: never from a copy, and never from a sampler with a seed of
-//     your own. radiance() gets this same sampler, after your draws for the sample. Afterwards
-//     the caller's sampler is past all draws.
+//     your own. radiance() gets this same sampler, after your draws for the sample. Afterwards the
+//     caller's sampler has made all these draws, and its next number is a new one.
 //   - forgets the pixel before: the same arguments give the same answer, whatever came before.
 //
-// Precision: each channel of the mean is right to 1e-5 of its size, for more than 100 samples to
-// samples * 1e-7 of it. The points are right to 1e-5 of the picture's width and height, plus the
-// error of camera_ray. Single precision is enough, also for the sum.
+// Precision: each channel of the mean is right to 1e-5 of its size. For more than 100 samples, the
+// allowed error is larger: samples * 1e-7 of its size. The points that the rays go through are
+// right to 1e-5 of the picture's width and height, plus the error of camera_ray. Single precision
+// is enough, also for the sum.
 //
 // May call: the task camera_ray, radiance(), and functions that a header of pt/ defines.
 // Threads: it is called from several threads at once, so nothing static may change.

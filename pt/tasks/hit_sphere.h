@@ -10,15 +10,15 @@ namespace pt {
 
 // Finds where a ray first meets a sphere, from outside or from inside.
 //
-// In:  world space. No coordinate of the centre is above a million radii. The direction may have any
-//      length except zero. The point at t is origin + t direction, so a direction twice as long
-//      halves t.
+// In:  a sphere and a ray in world space. No coordinate of the centre is larger than a million
+//      radii. The direction may have any length except zero. The point at t is
+//      origin + t direction, so if the direction is twice as long, t is half as large.
 // Out: nothing, or the smallest t with t_min <= t <= t_max on the sphere, and the unit normal
 //      there, pointing outwards.
 //
 // Promises:
-//   - hits where it is aimed: a ray at a visible point of the sphere hits at that point, also
-//     where ray and surface are almost parallel.
+//   - hits where it is aimed: a ray that is aimed at a visible point of the sphere hits at that
+//     point, also where ray and surface are almost parallel.
 //   - misses beside the sphere: a ray has no hit if it stays farther from the centre than the
 //     radius.
 //   - finds the near side: if two points are in the range, the result is the first.
@@ -33,9 +33,10 @@ namespace pt {
 //     Tracing Gems, chapter 7).
 //
 // Precision: up to a thousand radii away, the point at t lies on the sphere to 1e-6 radii, and n is
-// right to 1e-6. The quadratic formula is precise enough in double, but not in single precision. If
-// the point is within 1e-6 radii of an end of the range, hit and miss are both right. A ray within
-// 1e-8 radii of just touching the sphere may hit or miss.
+// right to 1e-6. The quadratic formula is precise enough for this in double precision, but not in
+// single precision. If the point is within 1e-6 radii of an end of the range, hit and miss are both
+// right. If a move of the ray by 1e-8 radii can turn a hit into a miss or a miss into a hit, both
+// are right.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.
