@@ -5,10 +5,10 @@ from drawn.canvas import Drawing, around, mix, n
 
 
 def hemisphere():
-    d = Drawing(620, 320, "Directions over a hemisphere")
-    p, radius, theta = (270, 262), 200, 38
-    d.ellipse(p, radius, 34, "p")
-    d.ellipse(p, radius, 34, "t")
+    d = Drawing(410, 266, "Directions over a hemisphere")
+    p, radius, theta = (172, 212), 160, 38
+    d.ellipse(p, radius, 28, "p")
+    d.ellipse(p, radius, 28, "t")
     d.arc(p, radius, 0, 180)
     top = around(p, radius + 34, 90)
     d.arrow(p, top, "l")
@@ -16,9 +16,10 @@ def hemisphere():
     tip = around(p, radius, 90 - theta)
     d.polygon([p] + [around(p, radius, 90 - theta + a) for a in (-6, -3, 0, 3, 6)], "fa")
     center = around(p, radius, 90 - theta)
-    d.parts.append(f'<ellipse cx="{n(center[0])}" cy="{n(center[1])}" rx="21" ry="9" transform="rotate({theta} {n(center[0])} {n(center[1])})" class="fa"/>')
+    d.parts.append(f'<ellipse cx="{n(center[0])}" cy="{n(center[1])}" rx="17" ry="7" transform="rotate({theta} {n(center[0])} {n(center[1])})" class="fa"/>')
     d.arrow(p, tip, "a")
-    d.text((tip[0] + 18, tip[1] - 10), "dwi, a small solid angle", "la")
+    d.text((tip[0] + 20, tip[1] - 20), "dwi, a small", "la")
+    d.text((tip[0] + 20, tip[1] - 2), "solid angle", "la")
     d.text((mix(p, tip, 0.62)[0] + 12, mix(p, tip, 0.62)[1] + 16), "wi", "la m")
     d.arc(p, 62, 90, 90 - theta, "l")
     d.text(around((p[0] - 3, p[1]), 74, 90 - theta / 2), "θ", "m")
@@ -30,19 +31,19 @@ def hemisphere():
     d.text((eye[0] - 6, eye[1] - 8), "wo", "lb m", "end")
     d.dot(p)
     d.text((p[0] - 6, p[1] + 22), "p", "m", "end")
-    d.text((p[0] + radius + 8, p[1] - 30), "radius 1", "s")
+    d.text((p[0] + radius + 2, p[1] - 42), "radius 1", "s")
     return d
 
 
 def area_to_solid_angle():
-    d = Drawing(600, 340, "From area to solid angle")
-    p, q, tilt = (170, 300), (330, 92), 24
+    d = Drawing(400, 330, "From area to solid angle")
+    p, q, tilt = (112, 296), (248, 84), 24
     along = (math.cos(math.radians(tilt)), math.sin(math.radians(tilt)))
-    lamp = [(q[0] + s * along[0], q[1] + s * along[1]) for s in (-140, 140)]
+    lamp = [(q[0] + s * along[0], q[1] + s * along[1]) for s in (-120, 120)]
     piece = [(q[0] + s * along[0], q[1] + s * along[1]) for s in (-24, 24)]
-    d.line((60, p[1]), (500, p[1]))
+    d.line((8, p[1]), (392, p[1]))
     d.arc(p, 90, 0, 180, "t")
-    d.text((p[0] - 92, p[1] - 66), "radius 1", "lt s", "end")
+    d.text((p[0] - 54, p[1] - 80), "radius 1", "lt s", "end")
     angles = [math.degrees(math.atan2(p[1] - end[1], end[0] - p[0])) for end in piece]
     d.polygon([p] + piece, "fa")
     d.arc(p, 90, angles[1], angles[0], "b")
@@ -52,7 +53,7 @@ def area_to_solid_angle():
     for end in piece:
         d.line((end[0] + 7 * along[1], end[1] - 7 * along[0]), (end[0] - 7 * along[1], end[1] + 7 * along[0]), "c")
     d.text((q[0] + 10, q[1] - 16), "dA", "lc m")
-    d.text((lamp[1][0] + 6, lamp[1][1] + 8), "lamp, area A")
+    d.text((392, lamp[1][1] + 24), "lamp, area A", anchor="end")
     normal = (q[0] - 96 * along[1], q[1] + 96 * along[0])
     d.arrow(q, normal)
     d.text((normal[0] - 6, normal[1] + 20), "n'", "m")

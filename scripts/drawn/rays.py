@@ -51,10 +51,10 @@ def pixel_samples():
 
 
 def camera_window():
-    d = Drawing(640, 330, "The window in front of the camera")
+    d = Drawing(390, 330, "The window in front of the camera")
 
     def at(x, y, z):  # seen from the right of the camera, which looks along -z
-        return (120 - 235 * z + 62 * x, 190 - 105 * y + 44 * x)
+        return (72 - 150 * z + 62 * x, 190 - 105 * y + 44 * x)
 
     eye, width, height = at(0, 0, 0), 1, 0.75
     corners = [at(x, y, -1) for x, y in ((-width, -height), (width, -height), (width, height), (-width, height))]
@@ -64,14 +64,16 @@ def camera_window():
     d.lines(corners + corners[:1])
     center = at(0, 0, -1)
     d.line(eye, center, "t d")
-    d.text((mix(eye, center, 0.6)[0], eye[1] + 17), "1", anchor="middle")
-    for end, name, shift in ((at(0.75, 0, 0), "x", (6, 12)), (at(0, 0.8, 0), "y", (-14, 4)), (at(0, 0, 0.36), "z", (-14, 5))):
+    d.text((mix(eye, center, 0.46)[0], eye[1] + 17), "1", anchor="middle")
+    for end, name, shift in ((at(0.6, 0, 0), "x", (-14, 12)), (at(0, 0.8, 0), "y", (-14, 4)), (at(0, 0, 0.36), "z", (-14, 5))):
         d.arrow(eye, end)
         d.text((end[0] + shift[0], end[1] + shift[1]), name, "m")
     d.arrow(center, at(width, 0, -1), "a")
-    d.text((center[0] + 70, center[1] + 62), "half width = tan(hfov / 2)", "la s")
+    d.text((center[0] + 70, center[1] + 46), "half width", "la s")
+    d.text((center[0] + 70, center[1] + 63), "= tan(hfov / 2)", "la s")
     d.arrow(center, at(0, height, -1), "c")
-    d.text((center[0] + 66, center[1] - 66), "half height = tan(vfov / 2)", "lc s")
+    d.text((center[0] + 70, center[1] - 74), "half height", "lc s")
+    d.text((center[0] + 70, center[1] - 57), "= tan(vfov / 2)", "lc s")
     x, y = 0.3, 0.86
     point = at((2 * x - 1) * width, (2 * y - 1) * height, -1)
     d.arrow(eye, mix(eye, point, 1.9), "b")
@@ -86,8 +88,8 @@ def camera_window():
 
 
 def barycentric():
-    d = Drawing(600, 350, "Barycentric coordinates")
-    p0, p1, p2 = (150, 265), (450, 300), (270, 60)
+    d = Drawing(428, 332, "Barycentric coordinates")
+    p0, p1, p2 = (50, 265), (294, 300), (148, 60)
 
     def at(b1, b2):
         return (p0[0] + b1 * (p1[0] - p0[0]) + b2 * (p2[0] - p0[0]), p0[1] + b1 * (p1[1] - p0[1]) + b2 * (p2[1] - p0[1]))
@@ -102,14 +104,16 @@ def barycentric():
     turn, point = at(b1, 0), at(b1, b2)
     d.arrow(p0, turn, "a")
     d.arrow(turn, point, "c")
-    d.text((turn[0] - 90, turn[1] + 20), "b1 (p1 - p0)", "la s")
-    d.text((mix(turn, point, 0.5)[0] + 8, mix(turn, point, 0.5)[1] + 12), "b2 (p2 - p0)", "lc s")
+    d.text((turn[0] - 72, turn[1] + 28), "b1 (p1 - p0)", "la s")
+    d.text((mix(turn, point, 0.2)[0] + 10, mix(turn, point, 0.2)[1] + 4), "b2 (p2 - p0)", "lc s")
     d.dot(point, "lb")
-    d.line(point, (462, 140), "t")
-    d.text((468, 138), "b0 = 0.2", "lb s")
-    d.text((468, 156), "b1 = 0.5", "lb s")
-    d.text((468, 174), "b2 = 0.3", "lb s")
-    for p, words, shift in ((p0, "p0:  b0 = 1", (-100, 14)), (p1, "p1:  b1 = 1", (14, -2)), (p2, "p2:  b2 = 1", (12, -4))):
+    d.line(point, (330, 118), "t")
+    d.text((336, 104), "b0 = 0.2", "lb s")
+    d.text((336, 122), "b1 = 0.5", "lb s")
+    d.text((336, 140), "b2 = 0.3", "lb s")
+    for p, words, shift in ((p0, "p0:  b0 = 1", (-46, 27)), (p1, "p1:  b1 = 1", (14, -2)), (p2, "p2:  b2 = 1", (12, -4))):
+        if p == p1:  # a dashed line would cross the words
+            d.box((p[0] + 12, p[1] - 15), (p[0] + 98, p[1] + 3), "h")
         d.dot(p)
         d.text((p[0] + shift[0], p[1] + shift[1]), words)
     return d

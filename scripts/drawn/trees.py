@@ -3,10 +3,10 @@ from drawn.canvas import Drawing
 
 
 def slabs():
-    d = Drawing(620, 400, "A ray and the slabs of a box")
+    d = Drawing(420, 400, "A ray and the slabs of a box")
 
     def at(x, y):
-        return (70 + 115 * x, 270 - 110 * y)
+        return (24 + 88 * x, 270 - 110 * y)
 
     (x0, x1), (y0, y1), slope = (1, 3), (0.7, 1.7), 0.5
     d.box(at(x0, -0.1), at(x1, 2.25), "fa")
@@ -28,15 +28,15 @@ def slabs():
         d.line((at(begin, 0)[0], row), (at(end, 0)[0], row), style)
         for t in (begin, end):
             d.line((at(t, 0)[0], row - 6), (at(t, 0)[0], row + 6), style)
-        d.text((at(3.6, 0)[0], row + 5), words, f"l{style} s")
+        d.text((at(3.53, 0)[0], row + 5), words, f"l{style} s")
     d.arrow((at(0, 0)[0], 386), (at(3.75, 0)[0], 386), "t", 7)
     d.text((at(3.75, 0)[0] + 6, 391), "t", "m")
     return d
 
 
 def tree():
-    d = Drawing(680, 300, "A tree of boxes over shapes")
-    shapes = [(40, 200, 26), (88, 236, 18), (60, 126, 20), (118, 150, 16), (190, 78, 22), (236, 122, 18), (212, 214, 24), (276, 232, 16)]
+    d = Drawing(380, 486, "A tree of boxes over shapes")
+    shapes = [(72, 166, 26), (120, 202, 18), (92, 92, 20), (150, 116, 16), (222, 44, 22), (268, 88, 18), (244, 180, 24), (308, 198, 16)]
 
     def bounds(some):
         return (min(x - r for x, y, r in some), min(y - r for x, y, r in some)), (max(x + r for x, y, r in some), max(y + r for x, y, r in some))
@@ -48,7 +48,7 @@ def tree():
         low, high = (low[0] - pad, low[1] - pad), (high[0] + pad, high[1] + pad)
         if depth < 3:
             d.lines([low, (high[0], low[1]), high, (low[0], high[1]), low], styles[depth])
-        y = 60 + 70 * depth
+        y = 272 + 70 * depth
         half = count // 2
         if count > 2:
             for side in (0, 1):
@@ -67,8 +67,8 @@ def tree():
     for i, (x, y, r) in enumerate(shapes):
         d.circle((x, y), r, "p")
         d.text((x, y + 5), str(i), "s", "middle")
-    node(0, 8, 0, 500, 170)
-    d.text((500, 36), "root", anchor="middle")
+    node(0, 8, 0, 190, 180)
+    d.text((220, 277), "root")
     return d
 
 
