@@ -12,7 +12,8 @@ namespace pt {
 // In:  a box and a ray in world space. The box is not empty, but may be flat in one or more axes.
 //      The direction may have any length except zero, and components may be 0 or -0. The point at t
 //      is origin + t direction, so if the direction is twice as long, t is half as large.
-// Out: nothing, or the part of the ray's own range [t_min, t_max] in which it is inside the box.
+// Out: nothing, or the part of the ray's own range [t_min, t_max] in which the ray is inside the
+//      box.
 //
 // Promises:
 //   - hits where it is aimed: a ray that is aimed at a point inside the box, or on a side that

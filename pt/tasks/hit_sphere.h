@@ -13,8 +13,8 @@ namespace pt {
 // In:  a sphere and a ray in world space. No coordinate of the centre is larger than a million
 //      radii. The direction may have any length except zero. The point at t is
 //      origin + t direction, so if the direction is twice as long, t is half as large.
-// Out: nothing, or the smallest t with t_min <= t <= t_max on the sphere, and the unit normal
-//      there, pointing outwards.
+// Out: nothing, or the smallest t with t_min <= t <= t_max at which the ray is on the sphere, and
+//      the unit normal at this point, which points outwards.
 //
 // Promises:
 //   - hits where it is aimed: a ray that is aimed at a visible point of the sphere hits at that
@@ -27,16 +27,17 @@ namespace pt {
 //   - returns the outward unit normal: at the point that is hit, also seen from inside.
 //   - works for directions of any length: if the direction is twice as long, t is half as large,
 //     for lengths from 1e-9 to 1e9.
-//   - stays accurate at a distance: at a thousand radii the point lies on the sphere to 1e-6 radii.
-//   - stays accurate at any distance (bonus): to 1e-6 radii even at ten million radii (Haines,
+//   - stays accurate at a distance: if the ray starts up to a thousand radii away, the point lies
+//     within 1e-6 radii of the surface.
+//   - stays accurate at any distance (bonus): the same, up to ten million radii away (Haines,
 //     Guenther, Akenine-Moeller 2019, Precision Improvements for Ray/Sphere Intersection, Ray
 //     Tracing Gems, chapter 7).
 //
-// Precision: up to a thousand radii away, the point at t lies on the sphere to 1e-6 radii, and n is
-// right to 1e-6. The quadratic formula is precise enough for this in double precision, but not in
-// single precision. If the point is within 1e-6 radii of an end of the range, hit and miss are both
-// right. If a move of the ray by 1e-8 radii can turn a hit into a miss or a miss into a hit, both
-// are right.
+// Precision: up to a thousand radii away, the point at t lies within 1e-6 radii of the surface, and
+// n is right to 1e-6. The quadratic formula is precise enough for this in double precision, but not
+// in single precision. If the point is within 1e-6 radii of an end of the range, hit and miss are
+// both right. If a move of the ray by 1e-8 radii can turn a hit into a miss or a miss into a hit,
+// both are right.
 //
 // May call: no other task.
 // Threads: it is called from several threads at once, so nothing static may change.

@@ -14,7 +14,7 @@ namespace pt {
 //      point at t is origin + t direction, so if the direction is twice as long, t is half as
 //      large. The corner normals are unit vectors. Where the weighted sum of the corner normals is
 //      zero, any n is right.
-// Out: nothing, or t with t_min <= t <= t_max and the unit normal there: the corner normals
+// Out: nothing, or t with t_min <= t <= t_max and the unit normal at this point: the corner normals
 //      weighted by the barycentric coordinates of the point, normalised, and never turned to the
 //      other side. A ray can hit the triangle from both sides.
 //

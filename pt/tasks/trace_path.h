@@ -17,8 +17,8 @@ namespace pt {
 //      k >= 1 with from <= k <= to. Emission (k = 0) is not among them: radiance() adds
 //      it.
 //
-// Bounce 1 is direct light at the point itself: direct_hemisphere or direct_lights, see settings.
-// Bounce k is direct light at the k-th point of the path, times the throughput. At each point
+// Bounce 1 is direct light at the point itself: direct_hemisphere or direct_lights, as the settings
+// say. Bounce k is direct light at the k-th point of the path, times the throughput. At each point
 // before that, the path turned into a new direction wi. The throughput is the product of
 // f cos / pdf of these turns. diffuse_sample chooses wi, with any density: use the f and pdf that
 // it returns. The path goes on with spawn_ray and scene.closest. Its next point is on the first
