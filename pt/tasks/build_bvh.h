@@ -22,8 +22,8 @@ namespace pt {
 // Promises:
 //   - keeps every primitive once: `order` holds each index once, and each place of `order` belongs
 //     to exactly one leaf.
-//   - covers its primitives: a node's box contains all boxes below it, and is hardly larger (see
-//     Precision).
+//   - covers its primitives: a node's box contains all boxes below it, and is larger by at most a
+//     few rounding errors.
 //   - is one tree: every node but the root has one parent, whose index is smaller.
 //   - keeps leaves small: at most max_leaf primitives each, for every max_leaf >= 1, also in the
 //     deepest parts of a deep tree.

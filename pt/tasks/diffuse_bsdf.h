@@ -37,7 +37,7 @@ struct BsdfSample {
 //   - pdf is the density of the samples: a histogram of many samples agrees with it.
 //   - pdf sums to one: its integral over the side of wo is 1. It is zero on the other side.
 //   - samples estimate the albedo: the mean of f cos / pdf is the albedo, with no more noise than
-//     the limit below.
+//     the contract allows.
 //   - draws from the sampler alone: consecutive samples are independent, and a sampler in the same
 //     state gives the same sample again.
 //

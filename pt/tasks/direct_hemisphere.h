@@ -31,8 +31,8 @@ namespace pt {
 //   - takes the emission of what is hit: not the emission of the point itself, and not that of a
 //     light that has no surface.
 //   - adds no emission of its own: the emission of the point itself is not counted.
-//   - sees what is in the way: a dark surface hides what is behind it, also just before a light; a
-//     dark surface just behind the light hides nothing.
+//   - sees what is in the way: a dark surface hides what is behind it, also if that is a light just
+//     behind it; a dark surface just behind a light hides nothing.
 //   - sees only the bright side: a light is dark from behind.
 //   - works in every orientation: the answer is the same if the whole scene is rotated.
 //   - looks from the side it is seen on: rays leave on the side of wo, also if this is the back of

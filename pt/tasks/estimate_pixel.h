@@ -8,9 +8,9 @@ namespace pt {
 
 // The mean radiance that falls on one pixel.
 //
-// In:  the pixel (x, y) counts from the bottom left corner of the picture: x in 0 .. width - 1, y
-//      in 0 .. height - 1. It covers the square from (x / width, y / height) to ((x + 1) / width,
-//      (y + 1) / height) of camera_ray's picture. samples >= 1.
+// In:  the pixel (x, y) counts from the bottom left corner of the picture: x in 0 .. width - 1,
+//      y in 0 .. height - 1. It covers the square from (x / width, y / height) to
+//      ((x + 1) / width, (y + 1) / height) of camera_ray's picture. samples >= 1.
 // Out: the mean of radiance(scene, ray, settings, sampler) over `samples` camera rays. A single
 //      sample goes through the pixel's centre. If there are more, each goes through a random point of
 //      the pixel, and all points are equally likely.

@@ -38,7 +38,7 @@ namespace pt {
 //     the direction's component across the plane is 0 or -0. The sides belong to the box, so a ray
 //     that meets the box only in a side has an interval.
 //
-// Precision: the t where the ray crosses a plane of the box may be that of a shifted plane. The
+// Precision: the t where the ray crosses a plane of the box may be the t of a shifted plane. The
 // shift is at most 1e-12 of the largest coordinate (of the box and of the origin). Plain arithmetic
 // in double precision is enough. An interval that is too wide by a few rounding errors is right. An
 // interval that is too narrow is wrong: it hides what is in the box.

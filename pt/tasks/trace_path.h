@@ -37,7 +37,7 @@ namespace pt {
 //     E (a + a^2 + ... + a^to), for every `to`.
 //   - adds up the bounces asked for: only bounces from .. to, and nothing if from > to.
 //   - does not depend on survival: the mean is the same with survival .05 and with 1, and the noise
-//     stays within the limit below.
+//     stays below the limit of the contract.
 //   - takes the first bounce always: roulette starts at the second point of the path.
 //   - stops after the last bounce: it never adds bounce `to` + 1, also if almost every path
 //     survives.
