@@ -21,7 +21,8 @@ namespace pt {
 //     point, also where ray and surface are almost parallel.
 //   - misses beside the sphere: a ray has no hit if it stays farther from the centre than the
 //     radius.
-//   - finds the near side: if two points are in the range, the result is the first.
+//   - finds the near side: if the ray meets the sphere at two points in its range, the result is
+//     the first.
 //   - hits from inside: a ray that starts inside, or whose range begins inside, hits the far point.
 //   - keeps t inside the ray: no hit before t_min, behind the origin, or beyond t_max.
 //   - returns the outward unit normal: at the point that is hit, also seen from inside.
