@@ -88,7 +88,7 @@ def camera_window():
 
 
 def barycentric():
-    d = Drawing(428, 332, "Barycentric coordinates")
+    d = Drawing(428, 345, "Barycentric coordinates")
     p0, p1, p2 = (50, 265), (294, 300), (148, 60)
 
     def at(b1, b2):
