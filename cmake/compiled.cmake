@@ -60,6 +60,7 @@ endfunction()
 #   archive <library> <file>
 #   object <library> <file>
 #   program <place> <file>
+#   mistake <task>.<name>[.recorded] <file>
 # and compiled/links.cmake lists the links of the libraries.
 function(firstlight_describe_compiled)
   if(FIRSTLIGHT_LTO OR FIRSTLIGHT_SANITIZE OR NOT FIRSTLIGHT_TESTS OR NOT FIRSTLIGHT_SERVICE OR NOT FIRSTLIGHT_MEASURE OR NOT FIRSTLIGHT_VIEW
@@ -79,6 +80,15 @@ function(firstlight_describe_compiled)
     get_filename_component(program ${place} NAME)
     string(APPEND text "program ${place} $<TARGET_FILE:${program}>\n")
     add_dependencies(compiled ${program})
+  endforeach()
+  foreach(mistake IN LISTS FIRSTLIGHT_SHOWN_MISTAKES)
+    string(REPLACE "/" "." library ${mistake})
+    foreach(form ${library} ${library}.recorded)
+      if(TARGET ${form})
+        string(APPEND text "mistake ${form} $<TARGET_OBJECTS:${form}>\n")
+        add_dependencies(compiled ${form})
+      endif()
+    endforeach()
   endforeach()
   foreach(library IN LISTS compiled_archives compiled_objects)
     get_target_property(linked ${library} INTERFACE_LINK_LIBRARIES)

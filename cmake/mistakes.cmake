@@ -4,6 +4,11 @@
 # `./run grade <slug> --submission build/mistakes/<slug>/<name>`. An edit that does not fit its base is an error.
 set(FIRSTLIGHT_MISTAKES ${PROJECT_SOURCE_DIR}/build/mistakes)
 
+# The mistakes of which the handbook and the write-up show pictures. A handout has them compiled.
+set(FIRSTLIGHT_SHOWN_MISTAKES hit_triangle/t_never_stored hit_triangle/weights_permuted hit_bvh/range_overwritten
+  hit_bvh/first_child_that_hits direct_lights/no_offset trace_path/bsdf_applied_twice trace_path/emission_at_every_vertex
+  adaptive_pixel/running_total_as_the_sample)
+
 # A close relative of a mistake, with another number or operator (`vary`), tests its name. These are made in build/relatives.
 
 # firstlight_make_edits(<what> <table> <task>): makes the files of a table, with <what> "out" the mistakes and with "relatives" these,

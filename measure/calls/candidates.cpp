@@ -140,7 +140,9 @@ class Workshop {
     return judged;
   }
 
+  // From a folder, or the object of a mistake in a handout.
   Judged own(const TaskConfig& task, const std::string& folder) const {
+    if (fs::is_regular_file(folder)) return compiled(task, {folder});
     grader::judging::GradeRequest request;
     request.submission = folder;
     std::vector<Judged> judged{grader::judging::not_judged(plain_config_, task)};
@@ -161,9 +163,11 @@ std::string own_folder(const Options& options, const std::string& slug) {
   return "";
 }
 
+// "first_child_that_hits" for the object hit_bvh.first_child_that_hits.o.
 std::string name_of(const std::string& folder) {
   const fs::path path = fs::path(folder).lexically_normal();
-  const std::string name = (path.has_filename() ? path : path.parent_path()).filename();
+  std::string name = (path.has_filename() ? path : path.parent_path()).filename();
+  if (path.extension() == ".o") name = path.stem().extension().string().substr(1);
   return grader::base::printable(name, kMaxName);
 }
 

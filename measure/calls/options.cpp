@@ -23,18 +23,29 @@ const char* kFooter =
     "  ./run measure hit_sphere.half_b hit_sphere.textbook\n"
     "  ./run measure 3 --submission DIR --out charts\n";
 
-// "student", or "hit_sphere=student".
+// A mistake of the task: its folder in the whole project, its object in a handout.
+fs::path mistake_named(const fs::path& root, const std::string& slug, const std::string& name) {
+  const fs::path folder = root / "build/mistakes" / slug / name;
+  if (fs::is_directory(folder)) return folder;
+  return root / "reference-objects/mistakes" / (slug + "." + name + ".o");
+}
+
+// "student", "hit_sphere=student", or "hit_bvh=first_child_that_hits".
 void add_from(const std::string& word, const fs::path& root, Options& options) {
   const std::size_t equals = word.find('=');
   const std::string slug = equals == std::string::npos ? "" : word.substr(0, equals);
   const std::string name = equals == std::string::npos ? word : word.substr(equals + 1);
   const bool is_name = !name.empty() && name.find_first_of("./") == std::string::npos;
-  const bool is_there = is_name && fs::is_directory(root / name);
-  if (!is_there || (!slug.empty() && !fs::exists(root / "pt/tasks" / (slug + ".h")))) {
-    throw pt::Error("--from takes an implementation like student, or hit_sphere=student, not '" +
-                    word + "'; another folder is measured with --submission");
+  const bool is_task = !slug.empty() && fs::exists(root / "pt/tasks" / (slug + ".h"));
+  fs::path from = root / name;
+  if (is_task && !fs::is_directory(from)) from = mistake_named(root, slug, name);
+  if (!is_name || !fs::exists(from) || (!slug.empty() && !is_task)) {
+    throw pt::Error(
+        "--from takes an implementation like student, or hit_sphere=student, or a mistake "
+        "like hit_bvh=first_child_that_hits, not '" +
+        word + "'; another folder is measured with --submission");
   }
-  if (name != "reference") options.own[slug] = (root / name).string();
+  if (name != "reference") options.own[slug] = from.string();
 }
 
 }  // namespace
@@ -50,7 +61,8 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
       "what", options.what,
       "Tasks (hit_sphere), parts (1), or the right solutions of a task (hit_sphere.half_b); "
       "default: all");
-  app.add_option("--from", from, "Also your own code: student, or hit_sphere=student")
+  app.add_option("--from", from,
+                 "Also your own code: student, or hit_sphere=student; or a mistake: hit_bvh=NAME")
       ->expected(1)
       ->allow_extra_args(false);
   app.add_option("--submission", submission, "Also somebody's: a folder with the tree of student/")

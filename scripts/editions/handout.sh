@@ -89,6 +89,7 @@ while read -r kind name file; do
     object) file_name=${file##*.dir/} # in two folders there may be two of one name
             copy_stripped "$file" "$compiled/$name/${file_name//\//.}" ;;
     program) copy_stripped "$file" "$compiled/$name" ;;
+    mistake) copy_stripped "$file" "$objects/mistakes/$name.o" ;;
   esac
 done <"$build/compiled/files"
 step "a list of its files"

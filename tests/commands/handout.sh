@@ -51,7 +51,7 @@ mapfile -t open < <(find student pt -name '*.cpp' -o -name '*.h' -o -name '*.md'
 comm -23 <(trimmed {reference,fast}/*/*.cpp fast/*/*.h) <(trimmed "${open[@]}") | grep -E '.{41}' >"$lines"
 [ "$(wc -l <"$lines")" -gt 100 ] || complain "the reference has hardly any lines: this looks for nothing"
 if grep -raFf "$lines" "$folder"; then complain "it has lines of the reference"; fi
-if nm "$folder"/reference-objects/*.o | grep -i ' [tbdr] .*_GLOBAL__N_'; then
+if nm "$folder"/reference-objects/{,mistakes/}*.o | grep -i ' [tbdr] .*_GLOBAL__N_'; then
   complain "the objects name what is local to the reference"
 fi
 
@@ -78,19 +78,16 @@ rm -r "$folder/student/writeup" # the learner's texts, which git sees
 said=$(cd "$folder" && ./run writeup normals --quality draft --from reference 2>&1) || complain "./run writeup --from reference says: $said"
 said=$(cd "$folder" && ./run cheapest scenes/box_spheres.dae --from reference --error 50% 2>&1) ||
   complain "./run cheapest --from reference says: $said"
-# The commands of the handbook make the pictures that it shows, but those that need a learner's mistake.
-shown=0
-while read -r command; do
-  picture=$(sed -E 's/.* -f ([^ ]*[.]png).*/\1/' <<<"$command")
-  [ -e "student/pictures/$picture" ] || continue
-  said=$(cd "$folder" && bash -c "$command" 2>&1) || complain "$command says: $said"
-  # Some of the handbook's pictures are stored with 256 colours.
-  "$build/pt/compare" "$folder/$picture" "student/pictures/$picture" | awk '$1 == "relMSE" && $2 < 1e-3 { same = 1 } END { exit !same }' ||
-    complain "$command makes another picture than the handbook shows"
-  shown=$((shown + 1))
-done < <(sed -n 's,^    \(./run render .* -f .*[.]png .*--from reference\)$,\1,p' student/*/README.md | grep -v =student)
-[ "$shown" -ge 20 ] || complain "$shown commands of the handbook make a picture: this looks for hardly any"
-rm -f "$folder"/*.png
+# A wrong name of a mistake is refused with those that are here.
+said=$(cd "$folder" && ./run render scenes/box_spheres.dae --from reference --from hit_bvh=first 2>&1) && complain "hit_bvh=first is rendered"
+said=$(tr -s ' \n' ' ' <<<"$said")
+grep -q "no implementation 'first' of the task hit_bvh; there are student, reference, range_overwritten, first_child_that_hits" <<<"$said" ||
+  complain "of hit_bvh=first it says: $said"
+said=$(cd "$folder" && ./run measure hit_sphere hit_bvh --seconds 1 --from hit_bvh=range_overwritten 2>&1) || [ $? -eq 1 ] || complain "./run measure of a mistake says: $said"
+grep -q '^. range_overwritten  *[0-9]' <<<"$said" || complain "./run measure of a mistake says: $said"
+# Every command of the handbook works, and makes the picture that stands above it.
+python3 tests/commands/handbook.py "$folder" "$build/pt/compare" || complain "a command of the handbook does not do what it says"
+rm -rf "$folder"/*.{png,exr,html,zip,csv} "$folder/student/writeup"
 said=$(cd "$folder" && ./run compare scenes/box_spheres.dae -s 1 -r 32 24 2>&1) || complain "./run compare says: $said"
 grep -q '^relMSE ' <<<"$said" && grep -q 'B: reference' "$folder/build/compare/box_spheres/index.html" || complain "./run compare says: $said"
 [ -z "$(git -C "$folder" status --porcelain)" ] || complain "git sees what ./run makes: $(git -C "$folder" status --porcelain)"

@@ -44,13 +44,18 @@ def check_links(page, text):
             complaints.append(f"{page}: no heading for '{link}'")
 
 
+def shown_mistakes(task):
+    """The mistakes of a task that are in a handout."""
+    return re.findall(rf"\b{task}/([a-z0-9_]+)", re.search(r"set\(FIRSTLIGHT_SHOWN_MISTAKES ([^)]*)", read("cmake/mistakes.cmake"))[1])
+
+
 def check_names(page, text):
     for scene in re.findall(r"\./run .*?(scenes/[a-z_]+\.dae)", text):
         if not os.path.exists(scene):
             complaints.append(f"{page}: no scene '{scene}'")
-    for task, mistake in re.findall(r"^<!-- ([a-z_]+): ([a-z0-9_]+) -->$", text, re.M):
-        if not re.search(rf"^name    {mistake}$", read(f"grader/tasks/{task}/mistakes.txt"), re.M):
-            complaints.append(f"{page}: {task} has no mistake '{mistake}'")
+    for task, name in re.findall(r"^    \./run .*--from ([a-z_]+)=([a-z0-9_]+)", text, re.M):
+        if name not in ("student", "reference") and name not in shown_mistakes(task):
+            complaints.append(f"{page}: a handout has no mistake {task}={name} (cmake/mistakes.cmake)")
 
 
 def check_points(page, text):
@@ -79,8 +84,8 @@ def options(words):
     return {name: " ".join(values) for name, values in found.items()}
 
 
-def expected_command(figure, plan, task):
-    """The scene and the options of the command that makes a picture in a handout. `task` has the mistake that the picture shows."""
+def expected_command(figure, plan):
+    """The scene and the options of the command that makes a picture in a handout."""
     picture = figure["pictures"][0]
     settings = {**plan["defaults"], **figure.get("settings", {}), **picture}
     expected = {option: " ".join(map(str, settings[name])) if isinstance(settings[name], list) else str(settings[name])
@@ -92,7 +97,9 @@ def expected_command(figure, plan, task):
         expected.pop("-m")
     elif "show" in settings:
         expected["--show"] = settings["show"]
-    expected["--from"] = "reference" + (f" {task}=student" if "mistake" in settings else "")
+    mistake = settings.get("mistake")
+    choices = [f"{task}={mistake}" for task in os.listdir("grader/tasks") if mistake in shown_mistakes(task)]
+    expected["--from"] = " ".join(["reference"] + (["hit_sphere=student"] if mistake == "no_spheres" else choices))
     return plan["scenes"][settings["scene"]]["own"], expected
 
 
@@ -117,9 +124,7 @@ def check_pictures():
             if not command:
                 complaints.append(f"{page}: no command makes {name}")
                 continue
-            # The name of the mistake is below its picture; a stub needs no name.
-            mistake = re.search(rf"pictures/{name}\)\n<!-- ([a-z_]+): {figure['pictures'][0].get('mistake')} -->", text)
-            scene, expected = expected_command(figure, plan, mistake[1] if mistake else "hit_sphere")
+            scene, expected = expected_command(figure, plan)
             got = options(command[2].split())
             del got["-f"]
             for default in DEFAULTS.items():
