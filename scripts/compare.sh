@@ -28,9 +28,11 @@ compare_codes() {
   folder=$build/compare/$name
   mkdir -p "$folder"
   echo "A: $name_a"
-  "$build/release/pt/$render_a" "${options[@]}" -f "$folder/a.exr" || exit
+  "$build/release/pt/$render_a" "${options[@]}" -f "$folder/a.exr" --notes "$folder/a.txt" || exit
   echo "B: $name_b"
-  "$build/release/pt/$render_b" "${options[@]}" -f "$folder/b.exr" || exit
+  "$build/release/pt/$render_b" "${options[@]}" -f "$folder/b.exr" --notes "$folder/b.txt" || exit
+  [ ! -s "$folder/a.txt" ] || name_a+=", $(cat "$folder/a.txt")"
+  [ ! -s "$folder/b.txt" ] || name_b+=", $(cat "$folder/b.txt")"
   "$build/release/pt/compare" "$folder/a.exr" "$folder/b.exr" --page "$folder" --name-a "$name_a" --name-b "$name_b" || exit
   echo "$folder/index.html"
   if [ -n "${DISPLAY-}${WAYLAND_DISPLAY-}" ] && command -v xdg-open >/dev/null; then xdg-open "$folder/index.html"; fi

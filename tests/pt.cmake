@@ -24,10 +24,15 @@ firstlight_test(test_render quick SOURCES pt/render/render_test.cpp LIBRARIES pt
 # The render program without what is in fast/.
 firstlight_render_program(render_plain reference+camera_ray=reference+direct_lights=reference)
 firstlight_render_program(render_stubs student)
+firstlight_render_program(render_mistake reference+hit_bvh=first_child_that_hits)
+firstlight_add_solution(hit_triangle always_a_miss)
+firstlight_render_program(render_blind reference+hit_triangle=always_a_miss)
 firstlight_test(test_render_program quick SOURCES pt/render/render_program_test.cpp LIBRARIES pt_image
-  NEEDS render render_plain render_stubs
+  NEEDS render render_plain render_stubs render_mistake render_blind
   DEFINES RENDER_PROGRAM="$<TARGET_FILE:render>" PLAIN_RENDER_PROGRAM="$<TARGET_FILE:render_plain>"
-    STUBS_RENDER_PROGRAM="$<TARGET_FILE:render_stubs>" FIRSTLIGHT_SCENES="${PROJECT_SOURCE_DIR}/scenes")
+    STUBS_RENDER_PROGRAM="$<TARGET_FILE:render_stubs>" MISTAKE_RENDER_PROGRAM="$<TARGET_FILE:render_mistake>"
+    BLIND_RENDER_PROGRAM="$<TARGET_FILE:render_blind>"
+    FIRSTLIGHT_SCENES="${PROJECT_SOURCE_DIR}/scenes" FIRSTLIGHT_HANDBOOK="${PROJECT_SOURCE_DIR}/student")
 
 # Held to closed forms, and to brute force.
 foreach(proof furnace interreflection area_lights samplers brute_force stability)

@@ -1,5 +1,6 @@
 #include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/file.h"
 #include "pt/image/film.h"
 #include "pt/image/image_io.h"
 #include "pt/image/sample_map.h"
@@ -74,13 +75,13 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
   }
 }
 
-// Prints one line, however many tasks are not written.
-void name_unwritten_tasks(const RenderOptions& options, const Scene& scene) {
+// One line, however many tasks are not written; empty if all are.
+std::string unwritten_tasks(const RenderOptions& options, const Scene& scene) {
   const std::vector<std::string> unwritten = todo_list();
-  if (unwritten.empty()) return;
+  if (unwritten.empty()) return "";
   const bool no_tree = options.engine == Engine::task && scene.tracer.engine() == Engine::linear;
-  fmt::print(stderr, "not written yet: {}{}\n", fmt::join(unwritten, ", "),
-             no_tree ? " (traced without a tree)" : "");
+  return fmt::format("not written yet: {}{}", fmt::join(unwritten, ", "),
+                     no_tree ? " (traced without a tree)" : "");
 }
 
 double brightest(const Film& film) {
@@ -122,11 +123,15 @@ int run(int argc, const char* const* argv) {
     fmt::print(stderr, "interrupted: nothing was written\n");
     return kInterruptedExit;
   }
-  name_unwritten_tasks(options, loaded.scene);
+  const bool may_be_lit = !shows_light || !loaded.scene.lights.empty();
+  const std::string unwritten = unwritten_tasks(options, loaded.scene);
+  const std::string darkness =
+      may_be_lit ? note_on_darkness(view, brightest(result.film), options.exposure) : "";
+  if (!unwritten.empty()) fmt::print(stderr, "{}\n", unwritten);
   print_summary(result, options, loaded.scene);
-  if (!shows_light || !loaded.scene.lights.empty()) {
-    const std::string note = note_on_darkness(view, brightest(result.film), options.exposure);
-    if (!note.empty()) fmt::print(stderr, "{}\n", note);
+  if (!darkness.empty()) fmt::print(stderr, "{}\n", darkness);
+  if (!options.notes.empty()) {
+    write_file(options.notes, unwritten.empty() ? darkness : unwritten);
   }
   write_pictures(options, result.film);
   return 0;

@@ -26,7 +26,9 @@ const std::map<std::string, Show> kShow{{"full", Show::full},
 const char* kFooter =
     "--from chooses the implementation of the tasks: ./run render --from student for all of them, "
     "or\n"
-    "--from hit_bvh=student for one; the default is reference, and in a handout student.\n\n"
+    "--from hit_bvh=student for one; the default is reference, and in a handout student. A name "
+    "like\n"
+    "hit_bvh=first_child_that_hits takes a mistake that the handbook shows.\n\n"
     "Examples:\n"
     "  ./run render scenes/box_spheres.dae -f box.png -s 64 -l 4 -m 5\n"
     "  ./run render scenes/box_spheres.dae -f normals.png --show normals\n"
@@ -42,6 +44,7 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
   app.add_option("scene", options.scene, "Scene file (.dae)")->required();
   app.add_option("-f,--output", options.output,
                  "Picture to write: .png, or .exr with mean and variance; default <scene>.png");
+  app.add_option("--notes", options.notes)->group("");
   app.add_option(
          "-r,--size", pairs.size,
          "Width and height in pixels, default 480 360; with --camera course they cut a window "

@@ -19,6 +19,8 @@ enum class Show { full, direct, indirect, bounce, normals };
 struct RenderOptions {
   std::filesystem::path scene;
   std::filesystem::path output;
+  std::filesystem::path
+      notes;  // a file for what is said of the picture, for ./run compare; or empty
   int width = 480;
   int height = 360;
   int samples = 32;

@@ -300,7 +300,9 @@ function show_paths() {
   by_id("red").hidden = !paths.paths.some((each) => each.findings.length);
   const [sentence, kind] = sentence_of_sum(path);
   const emitted = path.emission.some((c) => c > 0) ? ` The surface also emits ${path.emission.map(shown).join(", ")} towards the camera.` : "";
-  by_id("sum").textContent = path.bounces.length ? sentence + emitted : "The ray meets nothing.";
+  const unwritten = paths.unwritten.length ? `; not written yet: ${paths.unwritten.join(", ")}` : "";
+  const nothing = `The ray meets nothing${unwritten}.`;
+  by_id("sum").textContent = path.bounces.length ? sentence + emitted : nothing;
   by_id("sum").className = path.bounces.length ? kind : "note";
   by_id("findings").replaceChildren(...[...paths.findings, ...path.findings].map(finding_line));
   const difference = show_reference(path);

@@ -1,3 +1,4 @@
+#include "pt/image/compare.h"
 #include "pt/image/film.h"
 #include "pt/image/image_io.h"
 #include "pt/image/tone_map.h"
@@ -255,6 +256,49 @@ TEST_F(RenderProgram, says_why_a_picture_is_black) {
          "the picture is black: no light reaches the surfaces in view");
   // A file's own camera is clipped, and the others are not.
   begins(note("<zfar>100", "<zfar>1.5", ""), "");
+}
+
+// What is not written comes first, also where the camera looks past all surfaces.
+TEST_F(RenderProgram, asks_of_a_black_picture_first_what_is_not_written) {
+  for (const char* options : {"", "--show normals", "-m 0", "-H --engine linear"}) {
+    EXPECT_EQ(run(std::string("scene.dae -s 1 -r 8 6 ") + options, STUBS_RENDER_PROGRAM), 0);
+    EXPECT_NE(said().find("the picture is black: write estimate_pixel before"), std::string::npos)
+        << options << said();
+    EXPECT_EQ(said().find("smaller than a pixel"), std::string::npos) << options << said();
+  }
+  write("past.dae", replaced(scene_with(""), "1 0 0 -90", "1 0 0 90"));
+  EXPECT_EQ(run("past.dae -s 1 -r 8 6 --camera file", STUBS_RENDER_PROGRAM), 0) << said();
+  EXPECT_NE(said().find("the picture is black: write estimate_pixel"), std::string::npos) << said();
+}
+
+// All is written here, and hit_triangle finds nothing. The triangle in small.dae is narrower than a pixel.
+TEST_F(RenderProgram, says_of_a_black_picture_that_a_task_is_wrong_where_our_rays_see_light) {
+  const auto says = [&](const std::string& words, const std::string& program,
+                        const char* sentence) {
+    EXPECT_EQ(run(words + " -r 8 6 --camera file", program), 0) << said();
+    EXPECT_NE(said().find(sentence), std::string::npos) << words << said();
+  };
+  says("scene.dae -s 4 --show normals", BLIND_RENDER_PROGRAM, "a task of part 1 or 2 is wrong");
+  says("scene.dae -s 4", BLIND_RENDER_PROGRAM, "though light reaches the surfaces in view");
+  says("scene.dae -s 4 -m 0", BLIND_RENDER_PROGRAM, "no light reaches the surfaces in view");
+  // Hemisphere sampling never finds a point.
+  says("scene.dae -s 4 -H", RENDER_PROGRAM, "give more samples (-s) and leave out -H");
+  write("small.dae", replaced(scene_with(""), "-2 0 2 2 0 2 0 0 -2", "0 0 1 .02 0 1 0 0 -2"));
+  says("small.dae -s 1 --show normals", RENDER_PROGRAM, "are smaller than a pixel");
+}
+
+// As ./run render --from reference --from hit_bvh=first_child_that_hits.
+TEST_F(RenderProgram, makes_the_handbooks_picture_of_a_mistake) {
+  const std::string words = std::string(FIRSTLIGHT_SCENES) +
+                            "/box_coil.dae -r 240 180 --camera file --show normals -s 8 -f a.png";
+  const auto differs = [&](const std::string& program) {
+    EXPECT_EQ(run(words, program), 0) << said();
+    const auto shown =
+        pt::read_image(fs::path(FIRSTLIGHT_HANDBOOK) / "pictures/mistake_first_child.png");
+    return pt::compare(pt::read_image(folder_ / "a.png"), shown).rel_mse;
+  };
+  EXPECT_LT(differs(MISTAKE_RENDER_PROGRAM), 1e-3);
+  EXPECT_GT(differs(RENDER_PROGRAM), 1e-2);
 }
 
 TEST_F(RenderProgram, says_in_its_help_that_the_courses_camera_crops) {
