@@ -68,7 +68,7 @@ def check_points(page, text):
 
 
 # Options of ./run render by the names of the settings.
-VALUES = {"samples": "-s", "bounces": "-m", "light_samples": "-l", "adaptive": "-a", "size": "-r", "camera": "--camera"}
+VALUES = {"samples": "-s", "bounces": "-m", "light_samples": "-l", "adaptive": "-a", "size": "-r", "camera": "--camera", "engine": "--engine"}
 DEFAULTS = {"-m": "5", "-l": "1"}
 
 
