@@ -15,7 +15,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <mutex>
 #include <optional>
 
 #include <nlohmann/json.hpp>
@@ -31,6 +30,7 @@ namespace judging = grader::judging;
 using nlohmann::json;
 
 constexpr std::chrono::seconds kMaxTime{900};
+constexpr double kOfLook = 3;  // a look takes one place of so many (Request::coarse)
 
 std::string folder_of(const build::Config& config, const build::TaskConfig& task) {
   return config.root + "/grader/tasks/" + task.slug + "/";
@@ -170,6 +170,13 @@ std::vector<std::size_t> methods_of(const json& curve, const std::vector<CurveLi
   return found;
 }
 
+// The time that was measured when the curves were, which may be long ago.
+double seconds_of(const json& curves) {
+  double seconds = 0;
+  for (const json& curve : curves) seconds += curve.at("seconds").get<double>();
+  return seconds;
+}
+
 // The methods that the curves name, each once, and then the other right solutions. The learners'
 // edition does not have their files.
 std::vector<CurveLine> kept_solutions(const build::Config& config, const build::TaskConfig& task,
@@ -300,7 +307,7 @@ std::string charts_hash(const build::Config& config, const build::TaskConfig& ta
 }
 
 Charts measure_task(const build::Config& config, const build::TaskConfig& task,
-                    const Request& request, const std::function<void(double)>& progress) {
+                    const Request& request, const std::function<void(double)>& expect) {
   if (!config.no_reference.empty()) throw pt::Error(config.no_reference);
   const build::Builder builder(config, request.judge.isolation.tier, request.judge.compile_limit);
   Charts charts;
@@ -308,25 +315,27 @@ Charts measure_task(const build::Config& config, const build::TaskConfig& task,
   if (!request.submission.empty()) {
     charts.lines.push_back({CurveLine::Kind::submission, "yours", "", false, ""});
   }
-  // The reference's curves name the methods.
-  std::vector<json> found{curves_of(config, builder, task, request, charts.lines[0]).answer};
-  for (CurveLine& line : kept_solutions(config, task, found[0], request)) {
+  // A look at the reference's curves names the methods.
+  Request look = request;
+  look.coarse = true;
+  const json seen = curves_of(config, builder, task, look, charts.lines[0]).answer;
+  for (CurveLine& line : kept_solutions(config, task, seen, request)) {
     charts.lines.push_back(std::move(line));
   }
+  const auto lines = static_cast<double>(charts.lines.size() - 1);
+  const double one = (request.coarse ? 1 : kOfLook) * seconds_of(seen);
+  expect(one * (1 + std::ceil(lines / request.judge.threads)));
+  std::vector<json> found{curves_of(config, builder, task, request, charts.lines[0]).answer};
   for (const json& curve : found[0]) {
     charts.charts.push_back(chart_of(task, curve));
     charts.charts.back().methods = methods_of(curve, charts.lines);
   }
   found.resize(charts.lines.size());
-  std::mutex mutex;
-  std::size_t done = 1;
   base::for_each(charts.lines.size() - 1, request.judge.threads, [&](std::size_t i) {
     CurveLine& line = charts.lines[i + 1];
     Answered curves = curves_of(config, builder, task, request, line);
     found[i + 1] = std::move(curves.answer);
     line.unusable = std::move(curves.unusable);
-    const std::lock_guard lock(mutex);
-    progress(static_cast<double>(++done) / static_cast<double>(charts.lines.size()));
   });
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
     for (const json& curves : found) {

@@ -115,9 +115,10 @@ std::string charts_hash(const grader::build::Config& config, const grader::build
                         const Request& request);
 
 // Measures all curves of a task. A submission's code only runs in a box; if it hangs, crashes or
-// does not compile, the answer says so. Throws pt::Error if nothing can be measured. `progress` is
-// called with the part done, from one thread at a time.
+// does not compile, the answer says so. Throws pt::Error if nothing can be measured. `expect` is
+// called once, before the curves are measured, with the seconds that they take: a look at every third
+// place tells.
 Charts measure_task(const grader::build::Config& config, const grader::build::TaskConfig& task,
-                    const Request& request, const std::function<void(double)>& progress);
+                    const Request& request, const std::function<void(double)>& expect);
 
 }  // namespace measure::failure

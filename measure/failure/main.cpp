@@ -145,13 +145,12 @@ int run(Options options) {
   if (!options.out.empty()) fs::create_directories(options.out);
   bool good = true;
   std::vector<Charts> all;
-  pt::Progress progress;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    all.push_back(measure_task(config, tasks[i], request, [&](double part) {
-      progress.show((static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
-    }));
-    const Charts& charts = all.back();
+  for (const build::TaskConfig& task : tasks) {
+    pt::TimedProgress progress(task.slug + ": building, and a look at some of the places");
+    all.push_back(
+        measure_task(config, task, request, [&](double seconds) { progress.expect(seconds); }));
     progress.clear();
+    const Charts& charts = all.back();
     fmt::print("{}", to_text(charts));
     std::fflush(stdout);
     if (!options.out.empty()) write_charts(charts, options.out);

@@ -8,6 +8,7 @@
 #include "pt/file.h"
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -58,8 +59,8 @@ json to_json(const check::NamedCurve& named, const std::vector<check::MeasuredPl
 }
 
 // Measures the curves of this program's task, or only the named curve, and writes them as JSON: a
-// list of objects with the texts of the chart, the places, and the results there. An error that is
-// not a number is null. `begin` is called before each place. Throws pt::Error if the curve does not
+// list of objects with the texts of the chart, the places, the results there, and the seconds that
+// they took. An error that is not a number is null. `begin` is called before each place. Throws pt::Error if the curve does not
 // exist or the file cannot be written.
 void write_curves(const std::string& path, const std::string& only,
                   const grader::check::CurveSettings& settings,
@@ -67,7 +68,10 @@ void write_curves(const std::string& path, const std::string& only,
   json all = json::array();
   for (const check::NamedCurve& named : check::curves()) {
     if (!only.empty() && named.name != only) continue;
+    const auto start = std::chrono::steady_clock::now();
     all.push_back(to_json(named, check::measure(named.curve, settings, begin)));
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    all.back()["seconds"] = passed.count();
   }
   if (!only.empty() && all.empty()) throw pt::Error("no curve has the name '" + only + "'");
   pt::write_file(path, all.dump(1) + "\n");

@@ -40,11 +40,19 @@ Measuring::Measuring(pt::LoadedScene scene, const Options& options, int bounces,
            options.height},
       study(
           view, options.threads, options.seed, {share * options.seconds, 0, options.pixels},
-          [this, share](double part) { progress.show(share * part); }, bounces) {
+          [this, share](double part) {
+            if (share < 1) progress.show(share * part);
+          },
+          bounces,
+          [this, share](double seconds) {
+            if (share == 1) clock.expect(seconds);
+          }) {
+  if (share < 1) clock.clear();
   const std::vector<std::string> unwritten = unwritten_and_needed(options.engine);
   print_notes(loaded);
   if (unwritten.empty() && !study.is_black()) return;
   progress.clear();
+  clock.clear();
   if (unwritten.empty()) {
     throw pt::Error(note_on_darkness(view, 0, 1));
   }
@@ -66,7 +74,7 @@ void look_whether_reachable(const Options& options) {
   Measuring scene(load_scene(quick), quick, kAllBounces);
   const Tried tried =
       scene.study.try_out({pt::PathSettings::Direct::lights, kAllBounces, .7}, {1})[0];
-  scene.progress.clear();
+  scene.clock.clear();
   expect_reachable(tried, options.error, static_cast<double>(options.width) * options.height);
 }
 
@@ -74,7 +82,7 @@ void run_cheapest(const Options& options) {
   look_whether_reachable(options);
   Measuring scene(load_scene(options), options, kAllBounces);
   const Answer answer = find_cheapest(scene.study, scene.view, options);
-  scene.progress.clear();
+  scene.clock.clear();
   fmt::print("{}", to_text(answer, options, scene.loaded.scene));
   if (!options.out.empty()) write_charts(answer, options, scene.loaded.scene);
 }
@@ -85,7 +93,7 @@ void run_converge(const Options& options) {
   expect_method(methods, options.beside);
   Measuring scene(std::move(loaded), options, options.bounces);
   const std::vector<MethodCurve> curves = find_curves(scene.study, scene.view, methods);
-  scene.progress.clear();
+  scene.clock.clear();
   fmt::print("{}", to_text(curves, options));
   if (!options.out.empty()) write_curves(curves, options, scene.study.cpu_seconds());
 }

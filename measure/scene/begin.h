@@ -16,7 +16,9 @@ struct Measuring {
 
   const pt::LoadedScene loaded;
   const pt::View view;
+  // Without a share, `clock` shows the progress.
   pt::Progress progress;
+  pt::TimedProgress clock{"a first look at the scene"};
   Study study;
 };
 

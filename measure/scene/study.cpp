@@ -3,6 +3,7 @@
 #include "measure/scene/pixels_apart.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -16,8 +17,18 @@ constexpr int kTurns = 3;
 // Shares of the time.
 constexpr double kOfBounces = 0.25, kOfOneRender = 0.025;
 
-constexpr int kMaxTried = 1 << 14;  // samples per pixel of one short render
-constexpr double kClock = 0.01;     // relative: no time is more certain
+constexpr int kFewestTried = 4, kMaxTried = 1 << 14;  // per pixel of one short render
+constexpr double kClock = 0.01;                       // relative: no time is more certain
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 // The weighted mean over the pixels of two independent halves. Its standard error comes from the
 // differences between the halves: differences between pixels are not errors.
@@ -85,17 +96,18 @@ pt::PathSettings path_of(const Way& way, int light_samples) {
 }
 
 Study::Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
-             std::function<void(double)> progress, int bounces)
+             std::function<void(double)> progress, int bounces,
+             const std::function<void(double)>& announce)
     : view_(view),
       threads_(threads),
       seed_(seed),
       limits_(limits),
       progress_(std::move(progress)),
       pixels_(spread_pixels(view.width, view.height, limits.pixels, seed)) {
-  look_at_bounces(bounces);
+  look_at_bounces(bounces, announce);
 }
 
-void Study::look_at_bounces(int bounces) {
+void Study::look_at_bounces(int bounces, const std::function<void(double)>& announce) {
   const pt::View view = view_of({pt::PathSettings::Direct::lights, kAllBounces}, 1);
   const std::vector<pt::BounceRange> ranges = one_by_one();
   const int samples =
@@ -103,6 +115,13 @@ void Study::look_at_bounces(int bounces) {
                  [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
                    return made_apart(view, settings, ranges, some).cpu_seconds;
                  });
+  // What was rendered so far says how long the fewest samples take, if there is time for no more.
+  const double one = seconds_ / (2 * static_cast<double>(every(8).size()));
+  const double of_pixels = one * static_cast<double>(pixels_.size());
+  const double renders = (1 - kOfBounces) / kOfOneRender;
+  expected_ = std::max(kOfBounces * limits_.seconds, samples * of_pixels) +
+              renders * std::max(kOfOneRender * limits_.seconds, kFewestTried * of_pixels);
+  if (announce) announce(expected_);
   std::vector<std::vector<double>> rest[2];
   for (int half = 0; half < 2; ++half) {
     rest[half] = missing(made_apart(view, next_render(samples / 2), ranges, pixels_));
@@ -134,22 +153,31 @@ void Study::look_at_bounces(int bounces) {
 
 RenderedPixels Study::made(const pt::View& view, const pt::RenderSettings& settings,
                            std::span<const PixelAt> pixels) {
+  const Stopwatch watch;
   RenderedPixels result = measure(view, settings, pixels);
-  advance(result.cpu_seconds);
+  advance(result.cpu_seconds, watch.seconds());
   return result;
 }
 
 MeasuredApart Study::made_apart(const pt::View& view, const pt::RenderSettings& settings,
                                 std::span<const pt::BounceRange> ranges,
                                 std::span<const PixelAt> pixels) {
+  const Stopwatch watch;
   MeasuredApart result = measure_apart(view, settings, ranges, pixels);
-  advance(result.cpu_seconds);
+  advance(result.cpu_seconds, watch.seconds());
   return result;
 }
 
-void Study::advance(double cpu_seconds) {
+void Study::advance(double cpu_seconds, double seconds) {
   cpu_seconds_ += cpu_seconds;
-  if (progress_) progress_(std::min(0.99, cpu_seconds_ / threads_ / limits_.seconds));
+  seconds_ += seconds;
+  if (progress_ && expected_ > 0) progress_(std::min(0.99, seconds_ / expected_));
+}
+
+// On a busy machine that is less than all threads could use.
+double Study::cpu_seconds_in(double seconds) const {
+  const double idle = threads_;
+  return seconds * (seconds_ > 0 ? std::min(idle, cpu_seconds_ / seconds_) : idle);
 }
 
 bool Study::is_black() const {
@@ -192,7 +220,7 @@ std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samp
 
 Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& settings,
                      double seconds, double bias2, double part) {
-  const double fit = part * limits_.seconds * threads_ / (2 * seconds);
+  const double fit = cpu_seconds_in(part * limits_.seconds) / (2 * seconds);
   const std::size_t wanted = std::max<std::size_t>(kFewestPixels, static_cast<std::size_t>(fit));
   const std::size_t step = std::max<std::size_t>(1, pixels_.size() / wanted);
   const std::vector<PixelAt> some = every(step);
@@ -245,7 +273,7 @@ Uncertain Study::times_as_long(const pt::Scene& other, const Way& way, int light
   const std::vector<PixelAt> few = every(pixels_.size() / kFewestPixels);
   const double one =
       made(there, next_render(2), few).cpu_seconds / (2.0 * static_cast<double>(few.size()));
-  const double fit = kOfOneRender * limits_.seconds * threads_ / one;  // samples of pixels
+  const double fit = cpu_seconds_in(kOfOneRender * limits_.seconds) / one;  // samples of pixels
   const std::size_t step =
       static_cast<std::size_t>(static_cast<double>(pixels_.size()) / std::max(1.0, fit / 2));
   const std::vector<PixelAt> some = every(std::min(step, pixels_.size() / kFewestPixels));
@@ -288,8 +316,8 @@ int Study::samples_in(double seconds, const Cost& cpu_seconds) {
   if (limits_.samples > 0) return limits_.samples;
   const std::vector<PixelAt> some = every(8);
   const double one = cpu_seconds(next_render(2), some) / (2 * static_cast<double>(some.size()));
-  const double fit = seconds * threads_ / (one * static_cast<double>(pixels_.size()));
-  return std::clamp(static_cast<int>(std::min(fit, 1e6)) / 2 * 2, 4, kMaxTried);
+  const double fit = cpu_seconds_in(seconds) / (one * static_cast<double>(pixels_.size()));
+  return std::clamp(static_cast<int>(std::min(fit, 1e6)) / 2 * 2, kFewestTried, kMaxTried);
 }
 
 int Study::samples_in(double seconds, const pt::View& view) {

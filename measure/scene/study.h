@@ -61,10 +61,12 @@ struct StudyLimits {
 // A view to find settings for. All renders have the same pixels, each with its own random numbers.
 class Study {
  public:
-  // `progress` is called with the part of the time that has been used. `bounces` is for the picture
-  // that errors are measured against: at most kToldApart, or kAllBounces.
+  // `progress` is called with the part of the time that has been used, and `announce`, soon after the
+  // beginning, with the seconds that all will take by what the first samples took. `bounces` is for
+  // the picture that errors are measured against: at most kToldApart, or kAllBounces.
   Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
-        std::function<void(double)> progress, int bounces = kAllBounces);
+        std::function<void(double)> progress, int bounces = kAllBounces,
+        const std::function<void(double)>& announce = {});
 
   // The time of all renders so far.
   double cpu_seconds() const { return cpu_seconds_; }
@@ -106,7 +108,9 @@ class Study {
                                std::size_t step) const;
 
  private:
-  void look_at_bounces(int bounces);
+  void look_at_bounces(int bounces, const std::function<void(double)>& announce);
+  // The processor seconds that all threads together get in these seconds by the clock.
+  double cpu_seconds_in(double seconds) const;
   std::vector<PixelAt> every(std::size_t step) const;  // each `step`-th pixel; 0 means 1
   pt::RenderSettings next_render(int samples);
   pt::View view_of(const Way& way, int light_samples) const;
@@ -121,7 +125,7 @@ class Study {
   MeasuredApart made_apart(const pt::View& view, const pt::RenderSettings& settings,
                            std::span<const pt::BounceRange> ranges,
                            std::span<const PixelAt> pixels);
-  void advance(double cpu_seconds);
+  void advance(double cpu_seconds, double seconds);
 
   pt::View view_;
   int threads_;
@@ -129,6 +133,8 @@ class Study {
   StudyLimits limits_;
   std::function<void(double)> progress_;
   double cpu_seconds_ = 0;
+  double seconds_ = 0;   // the same renders by the clock
+  double expected_ = 0;  // by the clock, for everything; 0: not known yet
   std::vector<PixelAt> pixels_;
   std::vector<double> golden_[2];  // two independent means of each pixel, with all bounces
   std::vector<double> weight_;     // 1 / (g + d)^2

@@ -482,6 +482,23 @@ TEST(Study, what_few_bounces_leave_out_is_found) {
   }
 }
 
+// Of many pixels the fewest samples take longer than a millisecond, and the first of them tell how long.
+TEST(Study, announces_before_anything_is_shown_how_long_it_takes) {
+  const pt::Scene scene = furnace();
+  const pt::View view{scene, view_of(scene).camera, {}, 100, 100};
+  const auto announced = [&](double seconds, int pixels) {
+    std::vector<double> said;
+    const Study study(
+        view, 1, 6, {seconds, 0, pixels}, [&](double) { EXPECT_EQ(said.size(), 1u); }, kAllBounces,
+        [&](double all) { said.push_back(all); });
+    return said.at(0);
+  };
+  EXPECT_GE(announced(.2, 100), .2);
+  double few = announced(.001, 100);
+  for (int i = 0; i < 4; ++i) few = std::min(few, announced(.001, 100));
+  EXPECT_GT(announced(.001, 10000), 3 * few);
+}
+
 // Hemisphere sampling sees walls of one radiance. For uniform directions its estimate of direct
 // light is cos, with mean 1/2 and variance 1/12. All the light that one bounce misses is 1/2.
 TEST(Study, noise_and_bias_of_a_picture_are_those_of_the_closed_form) {

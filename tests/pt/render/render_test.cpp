@@ -187,7 +187,7 @@ TEST(RenderFilm, tells_its_progress_up_to_the_end) {
 }
 
 // A quarter of the work is done, so the rest takes three times as long.
-TEST(Progress, tells_each_tenth_once_and_the_time_that_is_left) {
+TEST(Progress, tells_each_tenth_once_and_the_time_that_is_left_and_is_never_silent_for_long) {
   Progress progress;
   const auto said = [&](double part) {
     testing::internal::CaptureStderr();
@@ -199,12 +199,36 @@ TEST(Progress, tells_each_tenth_once_and_the_time_that_is_left) {
   const std::string text = said(0.25);
   std::smatch found;
   ASSERT_TRUE(
-      std::regex_match(text, found, std::regex(R"(20 % after (\d+) s, about (\d+) s left\n)")))
+      std::regex_match(text, found, std::regex(R"(25 % after (\d+) s, about (\d+) s left\n)")))
       << text;
   EXPECT_GE(std::stoi(found[2]), 2 * std::stoi(found[1]));
   EXPECT_EQ(said(0.29), "");
   EXPECT_EQ(said(0.3).substr(0, 5), "30 % ");
+  EXPECT_EQ(said(0.31), "");
+  std::this_thread::sleep_for(std::chrono::milliseconds(2100));
+  EXPECT_EQ(said(0.31).substr(0, 5), "31 % ");
   EXPECT_EQ(said(1), "");
+}
+
+TEST(TimedProgress, says_what_is_done_until_there_is_an_estimate_and_then_goes_on_by_the_clock) {
+  const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(2300)); };
+  testing::internal::CaptureStderr();
+  TimedProgress progress("a look");
+  wait();
+  EXPECT_EQ(testing::internal::GetCapturedStderr().substr(0, 9), "a look (2");
+  testing::internal::CaptureStderr();
+  progress.expect(60);
+  wait();
+  progress.clear();
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(std::regex_search(
+      text, std::regex(R"(^measuring takes about 60 s\n\d+ % after \d+ s, about \d+ s left\n)")))
+      << text;
+  testing::internal::CaptureStderr();
+  TimedProgress quick("a look");
+  quick.expect(1);
+  quick.clear();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace
