@@ -6,7 +6,11 @@ set -euo pipefail
 # shellcheck source=scripts/editions/files.sh
 . scripts/editions/files.sh
 build=$1 folder=$(realpath -m "$2") image=${3:-firstlight} ours=scripts/editions/autograder
-[ ! -e "$folder" ] || [ -z "$(ls -A "$folder")" ] || { echo "$folder exists and is not empty: name a new folder" >&2; exit 2; }
+fail() {
+  printf '%s\n' "$*" >&2
+  exit 2
+}
+expect_new_folder "$folder"
 mkdir -p "$(dirname "$folder")"
 half=$(mktemp -d "$folder.XXXXXX")
 trap 'rm -rf "$half"' EXIT

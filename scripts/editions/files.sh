@@ -18,6 +18,20 @@ only_for_us='^scripts/editions/|^grader/programs/(bless[.]|know[.])|^grader/task
 # shellcheck disable=SC2034
 not_for_learners="$only_for_us"'|^grader/service/(classes|platforms)/|^grader/service/intake/(archive_reader|entry_path|gradescope|handed_in|names_that_differ|owner|pack|pieces|unpack)[.]|^grader/tasks/[a-z_]+/methods/|^writeup/[a-z0-9]+\.md$|^docs/(decisions/|instructors|four_bugs|box_spheres|ladder|performance|README|commands)|^README'
 
+# expect_new_folder FOLDER, expect_stubs: fail if an edition would be made over something, or with what somebody wrote. Everything
+# is built before an edition is made, so ./run asks first. `fail` is the caller's.
+expect_new_folder() {
+  [ ! -e "$1" ] || [ -z "$(ls -A "$1")" ] || fail "$1 exists and is not empty: name a new folder"
+}
+expect_stubs() {
+  local contract slug
+  for contract in pt/tasks/*.h; do
+    slug=$(basename "$contract" .h)
+    grep -qF "todo(\"$slug\")" student/*/"$slug.cpp" ||
+      fail "student/*/$slug.cpp is not a stub: learners would get what is in it (git stash -- student puts it away)"
+  done
+}
+
 # copy_known BUILD FOLDER: copies the fingerprints of known mistakes, which the build has made.
 copy_known() {
   mkdir "$2/grader/known"

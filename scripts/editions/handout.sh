@@ -15,13 +15,8 @@ fail() {
 # step WORDS: on a terminal, one line shows the current step; without words the line is removed.
 step() { [ ! -t 2 ] || printf '\r\033[K%s' "${1:+packing the handout: $1}" >&2; }
 
-[ ! -e "$folder" ] || [ -z "$(ls -A "$folder")" ] ||
-  fail "$folder exists and is not empty: name a new folder"
-for contract in pt/tasks/*.h; do
-  slug=$(basename "$contract" .h)
-  grep -qF "todo(\"$slug\")" student/*/"$slug.cpp" ||
-    fail "student/*/$slug.cpp is not a stub: learners would get what is in it"
-done
+expect_new_folder "$folder"
+expect_stubs
 
 mkdir -p "$(dirname "$folder")"
 half=$(mktemp -d "$folder.XXXXXX")
@@ -114,4 +109,4 @@ fi
 mv -T "$half" "$folder"
 trap - EXIT
 step
-echo "$folder: $(wc -l <"$folder/.edition") files, $(du -sh --exclude=.git "$folder" | cut -f1)"
+echo "$folder: $(wc -l <"$folder/.edition") files, $(du -sh --exclude=.git "$folder" | cut -f1). Begin there with ./run watch"

@@ -25,6 +25,17 @@ refuses "--html cannot be used with --from" grade hit_triangle --from student --
 refuses "there is no 'nosuch'; ./run help lists the commands" nosuch
 refuses "say which task" debug
 refuses "'hit_me' is not a task" debug hit_me
+# An edition needs minutes of compiling, so what is wrong is said before.
+mkdir "$folder/no_ninja"
+printf '#!/bin/sh\nexit 1\n' | tee "$folder/no_ninja/cmake" >"$folder/no_ninja/ninja"
+chmod +x "$folder"/no_ninja/*
+for edition in handout autograder; do
+  PATH=$folder/no_ninja:$PATH refuses "/docs exists and is not empty: name a new folder" $edition docs
+done
+mkdir -p "$folder/written/tests"
+cp -r --parents run scripts pt/tasks student "$folder/written"
+cp reference/2_bvh/hit_box.cpp "$folder/written/student/2_bvh"
+expect 2 'student/*/hit_box.cpp is not a stub' env PATH="$folder/no_ninja:$PATH" "$folder/written/run" handout "$folder/course"
 command -v blender >/dev/null || refuses "blender is missing" bench cycles
 
 # Every command of the menu has a --help, and builds nothing for it.
