@@ -20,7 +20,7 @@ ONE = re.compile(r"\b(ones\b|(?<!one by )(?<!than )one\b" + AFTER + ")", re.I)
 def prose(text):
     """Paragraphs of a page, and whether each follows a command."""
     text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
-    text = re.sub(r"!\[[^\]]*\]\([^)]*\)", "", text)
+    text = re.sub(r"!\[[^\]]*\]\([^)]*\)|<img [^>]*>", "", text)
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     paragraph, code, after_code = [], False, False
     for line in [*text.split("\n"), ""]:
