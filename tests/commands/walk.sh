@@ -28,7 +28,7 @@ while IFS= read -r words; do
   # shellcheck disable=SC2086
   expect 0 '' "$build/pt/render" $words
   renders=$((renders + 1))
-done < <(sed -nE 's/^    \.\/run render (scenes\/.*)$/\1/p; s/.*`\.\/run render (scenes\/[^`]*)`.*/\1/p' README.md docs/rendering.md student/*.md student/*/README.md | sort -u)
+done < <(sed -nE 's/ +# .*//; s/^    \.\/run render (scenes\/.*)$/\1/p; s/.*`\.\/run render (scenes\/[^`]*)`.*/\1/p' README.md docs/rendering.md student/*.md student/*/README.md | sort -u)
 [ "$renders" -ge 30 ] || complain "the pages have only $renders renders"
 expect 0 '' "$build/pt/compare" "$folder/box.png" "$folder/box.png"
 expect 0 'page.html' "$build/view/view" --worker "$build/view/view_worker.reference" scenes/box_spheres.dae -r 48 36 -s 2 \

@@ -134,6 +134,12 @@ def check_pictures():
                 differs = {key: (got.get(key), expected.get(key)) for key in {*got, *expected} if got.get(key) != expected.get(key)}
                 complaints.append(f"{page}: the command below {name} makes another picture: {command[1]}, {differs} (here, in handbook.json)")
     known = {figure["file"] for figure in plan["figures"]}
+    # What README shows first is made by the reference, and loads at once.
+    first = re.search(r'<img src="([^"]+)"', read("README.md"))
+    if not first or first[1] not in {figure["file"] for figure in plan["figures"] if figure["part"] == "readme"}:
+        complaints.append("README.md: writeup/handbook.json does not make its first picture")
+    elif os.path.exists(first[1]) and os.path.getsize(first[1]) > 600 * 1024:
+        complaints.append(f"{first[1]} is larger than 600 KiB")
     for file in glob.glob("student/pictures/*.png"):
         if file not in known:
             complaints.append(f"writeup/handbook.json does not make {file}")
