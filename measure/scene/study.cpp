@@ -115,7 +115,7 @@ void Study::look_at_bounces(int bounces, const std::function<void(double)>& anno
                  [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
                    return made_apart(view, settings, ranges, some).cpu_seconds;
                  });
-  // What was rendered so far says how long the fewest samples take, if there is time for no more.
+  // The first samples tell how long the fewest take, if there is time for no more.
   const double one = seconds_ / (2 * static_cast<double>(every(8).size()));
   const double of_pixels = one * static_cast<double>(pixels_.size());
   const double renders = (1 - kOfBounces) / kOfOneRender;

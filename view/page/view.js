@@ -60,7 +60,7 @@ function command() {
   for (const name of ["show", "bounce", "survival", "engine", "camera", "seed"]) if (words[name]) options.push(`--${name} ${words[name]}`);
   const [most, ...adaptive] = words.adaptive ? words.adaptive.split(",") : ["64"];
   if (words.adaptive) options.push(`-a ${adaptive.join(" ")}`);
-  for (const each of data.from.split("+")) if (each !== "reference") options.push(`--from ${each}`);
+  for (const each of data.from.split("+")) options.push(`--from ${each}`); // a handout takes the learner's files by default
   if (data.boxed) return "none, because these are the tasks of a submission";
   return now.view ? "none, because the camera was moved" : `${options.join(" ")} -s ${most}`;
 }

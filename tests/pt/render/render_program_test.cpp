@@ -258,7 +258,7 @@ TEST_F(RenderProgram, says_why_a_picture_is_black) {
   begins(note("<zfar>100", "<zfar>1.5", ""), "");
 }
 
-// What is not written comes first, also where the camera looks past all surfaces.
+// Stubs come first, also where the camera looks past all surfaces.
 TEST_F(RenderProgram, asks_of_a_black_picture_first_what_is_not_written) {
   for (const char* options : {"", "--show normals", "-m 0", "-H --engine linear"}) {
     EXPECT_EQ(run(std::string("scene.dae -s 1 -r 8 6 ") + options, STUBS_RENDER_PROGRAM), 0);
