@@ -40,10 +40,12 @@ void add_from(const std::string& word, const fs::path& root, Options& options) {
   fs::path from = root / name;
   if (is_task && !fs::is_directory(from)) from = mistake_named(root, slug, name);
   if (!is_name || !fs::exists(from) || (!slug.empty() && !is_task)) {
+    const bool is_handout = fs::exists(root / "reference-objects");
     throw pt::Error(
-        "--from takes an implementation like student, or hit_sphere=student, or a mistake "
-        "like hit_bvh=first_child_that_hits, not '" +
-        word + "'; another folder is measured with --submission");
+        "--from takes an implementation like student, or hit_sphere=student, or a mistake like "
+        "hit_bvh=first_child_that_hits (" +
+        std::string(is_handout ? "reference-objects/mistakes" : "build/mistakes") +
+        " has their names), not '" + word + "'; another folder is measured with --submission");
   }
   if (name != "reference") options.own[slug] = from.string();
 }

@@ -115,12 +115,18 @@ void Study::look_at_bounces(int bounces, const std::function<void(double)>& anno
                  [&](const pt::RenderSettings& settings, std::span<const PixelAt> some) {
                    return made_apart(view, settings, ranges, some).cpu_seconds;
                  });
-  // The first samples tell how long the fewest take, if there is time for no more.
-  const double one = seconds_ / (2 * static_cast<double>(every(8).size()));
-  const double of_pixels = one * static_cast<double>(pixels_.size());
+  // A few samples tell how long the fewest take, if there is time for no more.
+  const auto of_all = static_cast<double>(pixels_.size());
+  const std::vector<PixelAt> some = every(8);
+  double plain = 0;
+  if (limits_.samples == 0) {
+    const double before = seconds_;
+    made(view, {2, {}, seed_, threads_}, some);
+    plain = (seconds_ - before) / (2 * static_cast<double>(some.size()));
+  }
   const double renders = (1 - kOfBounces) / kOfOneRender;
-  expected_ = std::max(kOfBounces * limits_.seconds, samples * of_pixels) +
-              renders * std::max(kOfOneRender * limits_.seconds, kFewestTried * of_pixels);
+  expected_ = kOfBounces * limits_.seconds +
+              renders * std::max(kOfOneRender * limits_.seconds, kFewestTried * plain * of_all);
   if (announce) announce(expected_);
   std::vector<std::vector<double>> rest[2];
   for (int half = 0; half < 2; ++half) {
