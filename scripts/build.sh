@@ -35,7 +35,8 @@ clear_foreign_build() {
   made=$(foreign_place) # another ./run may have removed it
   if [ -n "$made" ]; then
     echo "build/ was made for the folder $made, and this folder is $root: everything is built anew." >&2
-    find "$build/" -mindepth 1 -maxdepth 1 ! -name lock -exec rm -rf {} +
+    find "$build/" -mindepth 1 -maxdepth 1 ! -name lock -exec rm -rf {} + 2>/dev/null ||
+      fail "some of it belongs to another user: remove the folder $build, and try again"
   fi
   unlock_tree
 }
