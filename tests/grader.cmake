@@ -110,6 +110,9 @@ add_executable(right_work grader/tasks/right_work.cpp)
 target_link_libraries(right_work PRIVATE firstlight_warnings grader_submissions grader_judging CLI11::CLI11)
 firstlight_add_test(right_work rest NEEDS right_work grade graded COMMAND right_work --mixtures 4 --first-seed 5060)
 
+firstlight_add_test(right_with_20_seeds long NEEDS right_work grade graded
+  COMMAND right_work --variant-seeds 20 --reference-seeds 20)
+
 # Tests what `grade` names mistakes, their relatives and right solutions. All of them take half an hour; the test tries one
 # of each kind for each task.
 add_executable(naming grader/mistakes/naming.cpp)

@@ -57,7 +57,9 @@ namespace pt {
 // Noise: the standard deviation of one draw of a light is at most the larger of two numbers: twice
 // the standard deviation of a draw by sample_light, and the mean of the draws of this light. The
 // mean of `samples` draws has at most this limit divided by the square root of `samples`. Draws of
-// different lights are independent.
+// different lights are independent. A method that draws only one of the lights, chosen at random
+// or by resampling, can be right on average, but it is not allowed: the part of a dim light among
+// bright ones has more noise than this.
 //
 // Precision: apart from noise, the part of each light is right to 1e-5 of its size, and the cosine
 // in it to 1e-6. Single precision is enough for colours and cosines, but not for points and

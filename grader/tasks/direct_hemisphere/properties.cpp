@@ -280,28 +280,41 @@ void expect_independent_angles() {
   expect_two_numbers("the height of a direction and its angle around the normal", pairs);
 }
 
+// Numbers that are hardly ever drawn: the ends of [0, 1), and one that a float rounds to 1. If half of the
+// directions are well above the surface with a number close by, some are with the rare one. The chance
+// that all forty are not is less than one in a hundred million.
+void expect_light_at_a_rare_number(double xi, int place) {
+  constexpr int kTried = 40;
+  const Situation s = *in_a_glowing_room(pose(1));
+  const auto seed = draw("seed", sampler_seed());
+  // Returns how many estimates have more light than `least`.
+  const auto brighter_at = [&](double number, double least) {
+    int brighter = 0;
+    for (int i = 0; i < kTried; ++i) {
+      pt::Sampler sampler = sampler_that_draws(number, place, seed + i);
+      const Rgb one = pt::direct_hemisphere(s.scene, s.point, 1, sampler);
+      expect(pt::is_finite(one), "a finite estimate whatever the random numbers are", show(one));
+      brighter += max_channel(one) > least;
+    }
+    return brighter;
+  };
+  const int with_it = brighter_at(xi, 0);
+  const double close_by = xi < 0.5 ? 1e-6 : 1 - 1e-6;
+  if (brighter_at(close_by, 0.5 * max_channel(s.expected)) < kTried / 2) return;
+  expect(with_it > 0, "light from everywhere, whatever the random numbers are",
+         fmt::format("none in {} estimates, if random number {} is {}", kTried, place + 1, xi));
+}
+
 PROMISE(direct_hemisphere, spreads_evenly_over_the_hemisphere) {
   for_all([] { expect_even(dome(6), 6000); }, 3);
   for_all([] { expect_even(dome(6), 6000, true); }, 1);
   for_all([] { expect_even(*rc::gen::exec(narrow_strips), 12000); }, 1);
   for_all(expect_independent_angles, 1);
-  // Numbers that are hardly ever drawn: the ends of [0, 1), and one that a float rounds to 1. Where a
-  // number close by gives a direction well above the surface, so do they.
-  for_all([] {
-    const Situation s = *in_a_glowing_room(pose(1));
-    const auto seed = draw("seed", sampler_seed());
-    const int place = draw("numbers drawn before it", whole(0, 3));
-    const auto estimate_with = [&](double xi) {
-      pt::Sampler sampler = sampler_that_draws(xi, place, seed);
-      return pt::direct_hemisphere(s.scene, s.point, 1, sampler);
-    };
-    const double xi = draw("a rare random number", rc::gen::element(0.0, 1 - 0x1p-53, 1 - 0x1p-26));
-    const Rgb one = estimate_with(xi), close_by = estimate_with(xi < 0.5 ? 1e-6 : 1 - 1e-6);
-    expect(pt::is_finite(one), "a finite estimate whatever the random numbers are", show(one));
-    if (max_channel(close_by) < max_channel(s.expected)) return;
-    expect(max_channel(one) > 0, "light from everywhere, whatever the random numbers are",
-           show(one));
-  });
+  for (int place = 0; place < 4; ++place) {
+    for (const double xi : {0.0, 1 - 0x1p-53, 1 - 0x1p-26}) {
+      for_all([=] { expect_light_at_a_rare_number(xi, place); }, 1);
+    }
+  }
   // A bright strip at the horizon, less than a tenth of a degree high. About 50 directions meet it.
   for_all(
       [] {

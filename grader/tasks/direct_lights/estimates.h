@@ -162,10 +162,21 @@ inline void expect_independent_lights(bool hidden_first) {
   const Situation s = *red_and_green_lamp(red, hidden_first);
   std::vector<double> light;
   std::vector<bool> is_lit;
+  int of_red = 0, of_green = 0, of_both = 0;
   for (const Rgb& one : estimates(s, kDrawsOfLamps, 1)) {
     light.push_back(one.r);
     is_lit.push_back(one.g > 0);
+    of_red += one.r > 0;
+    of_green += one.g > 0;
+    of_both += one.r > 0 && one.g > 0;
   }
+  // If one did not depend on the other, at least a hundred would have both.
+  expect(of_both > 0 || of_red * of_green < 100 * kDrawsOfLamps,
+         "a draw of each light in every estimate",
+         fmt::format(
+             "{} estimates with light of a red lamp, {} with light of a green one, and none with "
+             "both: one of the lights is chosen",
+             of_red, of_green));
   expect_independent_halves("where the draws of two lights are", light, is_lit,
                             solid_angle_of(red));
 }
