@@ -43,7 +43,7 @@ struct FailedPromise {
 
 // Runs the property on up to `cases` random inputs, or until one fails. After a failure it looks
 // for a smaller failing input for a limited time. The seed is seed(), mixed with the property's
-// name.
+// name and with the number of the call in the promise: no two calls draw the same inputs.
 void for_all(const std::function<void()>& property, int cases = 100);
 
 // The number of calls of for_all that this promise made so far.

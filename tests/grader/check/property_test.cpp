@@ -142,6 +142,18 @@ TEST(Property, leaves_out_numbers_without_a_name_and_what_cannot_be_shown) {
   EXPECT_EQ(failure.input, std::vector<std::string>{"n: 2"});
 }
 
+// A promise asks for one generator more than once, to try more inputs.
+TEST(Property, draws_other_inputs_at_each_call) {
+  std::vector<double> drawn;
+  for (int call = 0; call < 3; ++call) {
+    check::for_all([&] { drawn.push_back(*check::real(0, 1)); }, 1);
+    check::once([] {});
+  }
+  ASSERT_EQ(drawn.size(), 3u);
+  EXPECT_NE(drawn[0], drawn[1]);
+  EXPECT_NE(drawn[1], drawn[2]);
+}
+
 TEST(Property, counts_its_checks) {
   const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
   EXPECT_EQ(check::checks_of(name), 0);
@@ -290,7 +302,7 @@ TEST(Mean, is_too_noisy_where_few_draws_carry_it) {
   EXPECT_TRUE(large.got.ends_with("; one of 1000 is 8 % of their sum")) << large.got;
   const results::Failure far = failure_of([] {
     check::expect_mean(
-        "the mean", check::mean_of(rarely(500, 1000, check::draw("seed", check::sampler_seed()))),
+        "the mean", check::mean_of(rarely(500, 5000, check::draw("seed", check::sampler_seed()))),
         pt::gray(3), check::Noise{pt::gray(1)});
   });
   EXPECT_TRUE(far.got.starts_with("too noisy to judge the mean")) << far.got;
