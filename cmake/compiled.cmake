@@ -6,7 +6,7 @@
 # The archives that the programs link; the objects of some are listed in grade.json and by the write-up.
 set(compiled_archives pt_base pt_scene pt_image pt_loader pt_film pt_render pt_render_options pt_rows pt_progress scene_meshes
   grader_tasks grader_base grader_process grader_users grader_sandbox grader_results grader_pictures grader_recipe_scenes
-  grader_worker_rows grader_report grader_audit grader_build grader_judging grader_submitted grader_mistakes grader_closed_forms grader_check grader_counting
+  grader_worker_rows grader_report grader_audit grader_build grader_judging grader_submitted grader_mistakes grader_closed_forms grader_explain grader_check grader_counting
   grader_wire measure_charts measure_renders measure_scene measure_scene_options measure_pixels_here measure_calls_tasks)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_film pt_render pt_rows scene_meshes
   grader_tasks grader_closed_forms measure_renders measure_scene measure_scene_options measure_pixels_here measure_calls_tasks)

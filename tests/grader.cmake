@@ -3,6 +3,9 @@ foreach(test property_test curve_test search_test)
   firstlight_test(${test} quick SOURCES grader/check/${test}.cpp LIBRARIES grader_check)
 endforeach()
 
+firstlight_test(test_explain quick SOURCES grader/explain/direct_test.cpp grader/explain/path_test.cpp grader/explain/pixel_test.cpp
+  LIBRARIES grader_explain)
+
 firstlight_test(test_recipes quick PATHS SOURCES grader/pictures/recipes_test.cpp LIBRARIES grader_recipe_scenes GTest::gmock)
 # Pictures and sample maps drawn from known distributions.
 firstlight_library(synthetic_pictures EXCLUDE_FROM_ALL grader/pictures/synthetic_maps.cpp grader/pictures/synthetic_pictures.cpp)

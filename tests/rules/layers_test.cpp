@@ -22,8 +22,8 @@ using Rooms = std::vector<std::string>;
 
 // From the bottom up. The core of the grader judges a task; the service exists because a
 // submission's code comes from somebody else.
-const Rooms kCore{"grader/base",  "grader/results",  "grader/check", "grader/mistakes",
-                  "grader/tasks", "grader/pictures", "grader/report"};
+const Rooms kCore{"grader/base",     "grader/results", "grader/explain",  "grader/check",
+                  "grader/mistakes", "grader/tasks",   "grader/pictures", "grader/report"};
 const Rooms kService{
     "grader/service/process",   "grader/service/sandbox", "grader/service/wire",
     "grader/service/audit",     "grader/service/build",   "grader/service/judging",
@@ -46,9 +46,10 @@ const Rooms kRooms = [] {
 // Rooms for which the order alone would allow too much, with all rooms that they may include.
 const std::map<std::string, std::set<std::string>> kOnly{
     {"grader/results", {"grader/base"}},
-    {"grader/check", {"grader/results"}},
+    {"grader/explain", {}},
+    {"grader/check", {"grader/results", "grader/explain"}},
     {"grader/mistakes", {"grader/results", "grader/check"}},
-    {"grader/tasks", {"grader/check", "grader/mistakes"}},
+    {"grader/tasks", {"grader/explain", "grader/check", "grader/mistakes"}},
     {"grader/pictures", {"grader/base", "grader/results"}},
     {"grader/report", {"grader/base", "grader/results"}},
     {"grader/service/process", {"grader/base"}},
