@@ -4,7 +4,7 @@ function(firstlight_link_asked program slug implementation)
   firstlight_inner_choices(${slug} counting scripted)
   target_link_libraries(${program} PRIVATE firstlight_warnings)
   firstlight_link_tasks(${program} FROM reference RADIANCE ${INNER_RADIANCE}
-    CHOICES ${slug}=${implementation} ${INNER_CHOICES})
+    CHOICES ${slug}=${implementation} ${INNER_CHOICES} ${INNER_RECORDED})
 endfunction()
 
 # Also links the properties of the task.

@@ -9,7 +9,8 @@
 #   FIRSTLIGHT_JUDGE_ANSWERS_<slug>  the calls that the judge answers while the task is judged alone
 #   FIRSTLIGHT_MOCKS_<slug>          the tasks that a mock replaces then
 #   FIRSTLIGHT_FUNCTIONS_<slug>      the functions of the contract
-# and the lists FIRSTLIGHT_RECORDED (calls can be recorded), FIRSTLIGHT_VIEWED (by the view alone), FIRSTLIGHT_COUNTED (there is a counting version),
+#   FIRSTLIGHT_CALLED_BY_<slug>      the other tasks that it may call
+# and the lists FIRSTLIGHT_TRACES (it sends rays through a scene), FIRSTLIGHT_RECORDED (calls can be recorded), FIRSTLIGHT_VIEWED (by the view alone), FIRSTLIGHT_COUNTED (there is a counting version),
 # FIRSTLIGHT_MOCKED (there is a mock) and FIRSTLIGHT_ANSWERED (the judge answers; also the slot radiance).
 set(FIRSTLIGHT_GENERATED ${PROJECT_BINARY_DIR}/generated)
 
@@ -68,6 +69,11 @@ foreach(i RANGE ${last})
   firstlight_names(FIRSTLIGHT_JUDGE_ANSWERS_${slug} tasks ${i} judge_answers)
   firstlight_names(FIRSTLIGHT_MOCKS_${slug} tasks ${i} mocks)
   firstlight_names(FIRSTLIGHT_FUNCTIONS_${slug} tasks ${i} functions)
+  firstlight_names(FIRSTLIGHT_CALLED_BY_${slug} tasks ${i} calls)
+  string(JSON traces ERROR_VARIABLE missing GET "${table}" tasks ${i} traces)
+  if(NOT missing AND traces)
+    list(APPEND FIRSTLIGHT_TRACES ${slug})
+  endif()
   if(NOT FIRSTLIGHT_FUNCTIONS_${slug})
     set(FIRSTLIGHT_FUNCTIONS_${slug} ${slug})
   endif()
@@ -290,8 +296,8 @@ endfunction()
 
 # firstlight_inner_choices(<slug> <implementation> <radiance>): the implementations for the inner calls of a
 # task that is judged alone, for firstlight_link_tasks. Sets INNER_CHOICES: the implementation for the tasks
-# that the judge answers, and mocks; and INNER_RADIANCE: <radiance>, or path if the judge does not answer
-# radiance().
+# that the judge answers, and mocks; INNER_RADIANCE: <radiance>, or path if the judge does not answer
+# radiance(); and INNER_RECORDED: RECORDED if the task calls tasks that trace, which are part of its record (grader/explain).
 function(firstlight_inner_choices slug implementation radiance)
   set(choices)
   set(INNER_RADIANCE path PARENT_SCOPE)
@@ -306,6 +312,12 @@ function(firstlight_inner_choices slug implementation radiance)
     list(APPEND choices ${inner}=mock)
   endforeach()
   set(INNER_CHOICES ${choices} PARENT_SCOPE)
+  set(INNER_RECORDED PARENT_SCOPE)
+  foreach(inner IN LISTS FIRSTLIGHT_CALLED_BY_${slug})
+    if(inner IN_LIST FIRSTLIGHT_TRACES AND inner IN_LIST FIRSTLIGHT_RECORDED)
+      set(INNER_RECORDED RECORDED PARENT_SCOPE)
+    endif()
+  endforeach()
 endfunction()
 
 # firstlight_symbol(<function> <variable>): the name that g++ and clang give to the function of a recorded task;

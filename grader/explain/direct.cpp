@@ -153,7 +153,7 @@ Explanation explain_lights(const pt::Scene& scene, const pt::Tracer& exact,
   for (const Event& event : told.events) {
     const auto* draw = std::get_if<LightDraw>(&event);
     if (draw == nullptr) continue;
-    if (draw->light < 0) {
+    if (draw->light < 0 || draw->light >= std::ssize(lights)) {
       return {Fault::value,
               "adds_the_lights_up",
               "a draw of a light that is not in the scene's list",

@@ -218,6 +218,16 @@ class Walk {
 Explanation explain_path(const pt::Scene& scene, const pt::Tracer& exact,
                          const pt::SurfacePoint& start, const PathSettings& settings,
                          const Told& told) {
+  // A hundred points have some hundred inner calls. A longer record would take long to compare.
+  constexpr std::size_t kMaxEvents = 5000;
+  if (told.events.size() > kMaxEvents) {
+    return {Fault::value,
+            "stops_after_the_last_bounce",
+            std::to_string(told.events.size()) + " inner calls",
+            "those of one path",
+            {},
+            told.result};
+  }
   Walk walk(scene, exact, start, settings, told);
   for (const Event& event : told.events) std::visit(walk, event);
   return walk.end();

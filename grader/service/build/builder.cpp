@@ -202,8 +202,8 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   return {path, key, "", "", warnings};
 }
 
-Built Builder::link(const Paths& objects, const std::string& key, bool integrated) const {
-  const std::string whole = base::sha256(framework_ + toolchain_ + key + (integrated ? "i" : "s"));
+Built Builder::link(const Paths& objects, const std::string& key, bool recorded) const {
+  const std::string whole = base::sha256(framework_ + toolchain_ + key + (recorded ? "r" : "s"));
   const std::string path = cache_ + "/" + whole + ".worker";
   if (fs::exists(path)) {
     mark_used(path);
@@ -212,13 +212,13 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
   process::CommandResult result;
   for (const bool first : {true, false}) {
     const ToolFolder place(pt::temporary_name(cache_ + "/" + whole + ".tree"));
-    result = run_linker(place, objects, integrated);
+    result = run_linker(place, objects, recorded);
     if (result.ok()) {
       keep_worker(place, path);
       return {path, whole, "", "", ""};
     }
     // A machine runs out of memory only for a moment, so a second attempt usually succeeds.
-    if (first) expect_linker(integrated);
+    if (first) expect_linker(recorded);
   }
   result.output = without_parts(result.output, folder_of_parts());
   return {"", whole, first_error(result, seconds_), "", ""};
@@ -227,7 +227,7 @@ Built Builder::link(const Paths& objects, const std::string& key, bool integrate
 // A linker reads a submission's objects, so it works in a box, as a compiler does. It reads copies,
 // and may change only the copies of the submission's objects.
 process::CommandResult Builder::run_linker(const ToolFolder& place, const Paths& objects,
-                                           bool integrated) const {
+                                           bool recorded) const {
   sandbox::Box box = tool_box(place);
   const std::string parts = folder_of_parts();
   box.visible.push_back(parts);
@@ -246,21 +246,21 @@ process::CommandResult Builder::run_linker(const ToolFolder& place, const Paths&
   };
   add(box, config_.compile_flags);
   add_objects(config_.framework);
-  if (integrated) add_objects(config_.recording);
+  if (recorded) add_objects(config_.recording);
   add_objects(objects);
   add(box, config_.link_flags);
-  if (integrated) add(box, config_.recording_flags);
+  if (recorded) add(box, config_.recording_flags);
   add(box, {"-o", "worker"});
   return run(box, "what was compiled");
 }
 
-void Builder::expect_linker(bool integrated) const {
+void Builder::expect_linker(bool recorded) const {
   Paths objects = config_.radiance;
   for (const TaskConfig& task : config_.tasks) {
     objects.insert(objects.end(), task.reference.begin(), task.reference.end());
   }
   const ToolFolder place(pt::temporary_name(cache_ + "/reference.tree"));
-  const process::CommandResult result = run_linker(place, objects, integrated);
+  const process::CommandResult result = run_linker(place, objects, recorded);
   if (result.ok()) return;
   throw pt::Error("the judge's own link fails: " + base::printable(result.output, 300));
 }

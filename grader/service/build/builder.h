@@ -35,8 +35,9 @@ class Builder {
   Built compile(const TaskConfig& task, const std::string& text) const;
 
   // Links a worker: the framework, and `objects` with one definition of every task. `key` stands for
-  // the content of these objects. `integrated`: the worker also records the tests that hit_bvh makes.
-  Built link(const Paths& objects, const std::string& key, bool integrated) const;
+  // the content of these objects. `recorded`: the calls of tasks that can be recorded go through the
+  // recorder (pt/scene/recorder.h).
+  Built link(const Paths& objects, const std::string& key, bool recorded) const;
 
   const std::string& cache() const { return cache_; }
 
@@ -53,10 +54,10 @@ class Builder {
   sandbox::Box compiler_box(const ToolFolder& place, const TaskConfig& task,
                             const std::string& text, const std::string& tree) const;
   process::CommandResult run_linker(const ToolFolder& place, const Paths& objects,
-                                    bool integrated) const;
+                                    bool recorded) const;
   // Throws pt::Error if the reference does not link either. The linker's output does not show whose
   // fault it is, since it contains names of a submission's objects.
-  void expect_linker(bool integrated) const;
+  void expect_linker(bool recorded) const;
   // Throws pt::Error if it fails because of the machine; then `what` could not be judged.
   process::CommandResult run(const sandbox::Box& box, const std::string& what) const;
 

@@ -27,9 +27,9 @@ struct Config {
   std::string compiler;
   std::vector<std::string> compile_flags;  // without the folder of the headers
   std::vector<std::string> link_flags;
-  std::vector<std::string> recording_flags;  // linker flags of the integrated worker
+  std::vector<std::string> recording_flags;  // linker flags of a worker that records
   Paths framework;                           // objects of every worker
-  Paths recording;                           // more objects of the integrated worker
+  Paths recording;                           // more objects of a worker that records
   Paths radiance;                            // objects of the renderer's radiance()
   std::map<std::string, Paths> callbacks;    // by slug or "radiance": objects
   std::string picture;                       // the program graded_picture

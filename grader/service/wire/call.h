@@ -2,6 +2,7 @@
 
 #include "grader/check/language/repeat.h"
 #include "grader/service/wire/finite.h"
+#include "grader/service/wire/record.h"
 #include "grader/service/wire/session.h"
 
 // The judge's end: the implementation `remote` of a contract's function, which calls the worker.
@@ -52,11 +53,11 @@ auto call(Arguments&... arguments) {
 }
 
 // Makes n calls of a function that draws random numbers. `arguments` are all arguments except the
-// sampler. One message contains a batch of calls.
-template <auto Task, class Result, class Arguments>
-std::vector<Result> call_repeatedly(int n, std::uint64_t seed, const Arguments& arguments) {
+// sampler. One message contains a batch of calls. The worker replies one Each per call: the result, or the record too.
+template <auto Task, class Each, class Arguments>
+std::vector<Each> call_repeatedly(int n, std::uint64_t seed, const Arguments& arguments) {
   using Signature = SignatureOf<Task>;
-  std::vector<Result> results;
+  std::vector<Each> results;
   for (int first = 0; first < n; first += kBatch) {
     const CallBatch batch{first, std::min(kBatch, n - first), seed};
     Writer out;
@@ -66,10 +67,14 @@ std::vector<Result> call_repeatedly(int n, std::uint64_t seed, const Arguments& 
           Signature::put(out, session(), each..., pt::Sampler::for_pixel(seed, first, 0));
         },
         arguments);
-    const std::string_view reply = session().call(kFunction<Task>, Signature::code(), batch, out);
-    const auto some = read_reply<std::vector<Result>>(reply, get<std::vector<Result>>);
+    const std::string_view reply = session().call(kFunction<Task>, Signature::code(), batch, out,
+                                                  std::is_same_v<Each, explain::Told>);
+    auto some = read_reply<std::vector<Each>>(reply, get<std::vector<Each>>);
     if (static_cast<int>(some.size()) != batch.count) session().reject("the number of results");
-    for (const Result& result : some) results.push_back(expect_numbers(result));
+    for (Each& each : some) {
+      expect_numbers(each);
+      results.push_back(std::move(each));
+    }
   }
   return results;
 }
@@ -82,6 +87,19 @@ template <auto Task, class Result, class... Parameters>
 std::vector<Result> Repeated<Task, Result (*)(Parameters...)>::run(int n, std::uint64_t seed,
                                                                    const Arguments& arguments) {
   return wire::call_repeatedly<Task, Result>(n, seed, arguments);
+}
+
+template <auto Task, class Result, class... Parameters>
+std::vector<explain::Told> Repeated<Task, Result (*)(Parameters...)>::run_recorded(
+    int n, std::uint64_t seed, const Arguments& arguments) {
+  if constexpr (kIsRecorded) {
+    if (!wire::session().can_record()) return {};
+    auto all = wire::call_repeatedly<Task, explain::Told>(n, seed, arguments);
+    // The judge knows with which sampler each call began.
+    for (int i = 0; i < n; ++i) all[i].before = pt::Sampler::for_pixel(seed, i, 0).state();
+    return all;
+  }
+  return {};
 }
 
 }  // namespace grader::check

@@ -58,7 +58,9 @@ struct CallHead {
   std::uint64_t code = 0;      // of its signature
   CallBatch batch;
   std::optional<RadiancesAhead> ahead{};
-  bool forget = false;            // forget all earlier definitions
+  bool forget = false;  // forget all earlier definitions
+  bool records =
+      false;  // of each call of the batch, reply what it asked too (grader/explain/record.h)
   std::uint64_t definitions = 0;  // the number of definitions that follow
 };
 
@@ -88,7 +90,7 @@ struct ReplyHead {
 
 FIRSTLIGHT_FIELDS(CallBatch, first, count, seed);
 FIRSTLIGHT_FIELDS(RadiancesAhead, values, numbers);
-FIRSTLIGHT_FIELDS(CallHead, function, code, batch, ahead, forget, definitions);
+FIRSTLIGHT_FIELDS(CallHead, function, code, batch, ahead, forget, records, definitions);
 FIRSTLIGHT_FIELDS(Definition, handle, kind, content);
 FIRSTLIGHT_FIELDS(AskHead, function, code);
 FIRSTLIGHT_FIELDS(pt::Tested, boxes, triangles, spheres);

@@ -2,6 +2,7 @@
 
 #include "grader/service/wire/connection.h"
 #include "grader/service/wire/kept_state.h"
+#include "grader/service/wire/record.h"
 #include "grader/service/wire/store.h"
 #include "pt/scene/recorder.h"
 #include "pt/todo.h"
@@ -40,6 +41,30 @@ void tell_that_it_goes_on() {
   send(Kind::going_on, {});
 }
 
+// Writes the results and records of a batch of calls. The task's first argument is the scene.
+template <auto Pointer, class Held>
+void run_recorded(Held& held, const CallBatch& batch, Writer& results) {
+  using Signature = SignatureOf<Pointer>;
+  constexpr bool kInScene = std::is_same_v<std::tuple_element_t<0, Held>, const pt::Scene*> &&
+                            std::is_same_v<typename Signature::Result, pt::Rgb>;
+  if constexpr (kInScene) {
+    std::vector<explain::Told> all;
+    for (int i = batch.first; i < batch.first + batch.count; ++i) {
+      all.push_back(
+          explain::record_one(*std::get<0>(held), batch.seed, i, [&](pt::Sampler& sampler) {
+            Signature::sampler(held) = sampler;
+            const pt::Rgb result = apply<Signature>(Pointer, held);
+            sampler = Signature::sampler(held);
+            return result;
+          }));
+      tell_that_it_goes_on();
+    }
+    put(results, all);
+  } else {
+    throw BadMessage("the calls of this function are not recorded");
+  }
+}
+
 // Writes the results of a call or of a batch of calls, after the head.
 template <auto Pointer>
 void run(Reader& in, const CallHead& head, Writer& results) {
@@ -54,6 +79,7 @@ void run(Reader& in, const CallHead& head, Writer& results) {
   }
   if constexpr (Signature::kDraws) {
     const auto [first, count, seed] = head.batch;
+    if (head.records) return run_recorded<Pointer>(held, head.batch, results);
     std::vector<typename Signature::Result> all;
     for (int i = first; i < first + count; ++i) {
       Signature::sampler(held) = pt::Sampler::for_pixel(seed, i, 0);

@@ -103,14 +103,14 @@ const pt::Scene& Session::scene(Handle handle) const {
 }
 
 std::string_view Session::call(Function function, std::uint64_t code, const CallBatch& batch,
-                               const Writer& arguments) {
+                               const Writer& arguments, bool records) {
   if (record_.calls == 0) first_call_ = Clock::now();
   expect_attempted();
   expect_time_left();
   drop_known_definitions();
   record_.calls += std::max(1, batch.count);
   try {
-    const Writer call = message(function, code, batch, arguments);
+    const Writer call = message(function, code, batch, arguments, records);
     reply_ = try_again(worker_, [&] { return converse(call); });
     Reader reply(reply_);
     take_head(reply, code);
@@ -167,10 +167,10 @@ std::optional<RadiancesAhead> radiances_ahead(const SessionSettings& settings) {
 }  // namespace
 
 Writer Session::message(Function function, std::uint64_t code, const CallBatch& batch,
-                        const Writer& arguments) {
+                        const Writer& arguments, bool records) {
   Writer out;
   put(out, CallHead{static_cast<std::uint32_t>(function), code, batch, radiances_ahead(settings_),
-                    forget_, definitions_.size()});
+                    forget_, records, definitions_.size()});
   for (const Shared& each : definitions_) put(out, *each);
   out.raw(arguments.bytes().data(), arguments.bytes().size());
   return out;

@@ -80,7 +80,10 @@ class Session {
   // Ends the call: sends it and returns the reply's payload after the ReplyHead. The arguments are
   // for the function with the given number and signature.
   std::string_view call(Function function, std::uint64_t code, const CallBatch& batch,
-                        const Writer& arguments);
+                        const Writer& arguments, bool records = false);
+
+  // Returns whether the worker records calls: not if it runs all tasks of a submission.
+  bool can_record() const { return !settings_.integrated; }
 
   // Reports that the reply to the last call is malformed. The worker is not called again.
   [[noreturn]] void reject(const std::string& why);
@@ -112,7 +115,7 @@ class Session {
   void keep_totals(results::Cause cause);  // of a worker that has ended
   void drop_known_definitions();
   Writer message(Function function, std::uint64_t code, const CallBatch& batch,
-                 const Writer& arguments);
+                 const Writer& arguments, bool records);
   std::string converse(const Writer& call);
   void go_on();
   void take_head(Reader& reply, std::uint64_t code);

@@ -4,6 +4,7 @@
 #include "grader/tasks/adaptive_pixel/counts.h"
 #include "grader/tasks/adaptive_pixel/inputs.h"
 #include "grader/tasks/adaptive_pixel/known.h"
+#include "grader/tasks/adaptive_pixel/wild.h"
 
 #include <algorithm>
 #include <tuple>
@@ -54,6 +55,7 @@ PROMISE(adaptive_pixel, stops_where_the_interval_is_narrow) {
       }
     }
   }
+  expect_explained(wild_task());
 }
 
 PROMISE(adaptive_pixel, checks_once_a_batch) {
@@ -67,6 +69,7 @@ PROMISE(adaptive_pixel, checks_once_a_batch) {
                fmt::format("{} samples", n));
       },
       kCases);
+  expect_explained(wild_task());
 }
 
 PROMISE(adaptive_pixel, takes_one_batch_of_a_constant) {
@@ -92,6 +95,7 @@ PROMISE(adaptive_pixel, never_exceeds_the_maximum) {
         expect_equal("calls of radiance(), and samples", static_cast<int>(answer.calls.size()), n);
       },
       kCases);
+  expect_explained(wild_task());
 }
 
 PROMISE(adaptive_pixel, returns_the_mean_of_all_samples) {
@@ -108,6 +112,7 @@ PROMISE(adaptive_pixel, returns_the_mean_of_all_samples) {
   for_all([&] { property(*anything_long()); }, kLongCases);
   // Ten thousand samples show the rounding errors of a sum in float.
   for_all([&] { property(*constant(ten_thousand)); }, 1);
+  expect_explained(wild_task());
 }
 
 PROMISE(adaptive_pixel, judges_by_luminance) {
@@ -178,6 +183,7 @@ PROMISE(adaptive_pixel, passes_the_settings_on) {
                           : "one that went back, or another one");
       },
       20);
+  expect_explained(wild_task());
 }
 
 // A pixel of a picture of some size. The first and the last columns and rows are more frequent.

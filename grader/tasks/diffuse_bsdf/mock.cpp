@@ -1,4 +1,5 @@
 #include "pt/sampling/directions.h"
+#include "pt/scene/recorder.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
 #include <cmath>
@@ -19,10 +20,16 @@ bool seen_from_above(Vec3 wo) { return wo.z > 1 - 1e-9; }
 Rgb diffuse_f(Rgb albedo, Vec3, Vec3) { return albedo / kPi; }
 
 BsdfSample diffuse_sample(Rgb albedo, Vec3 wo, Sampler& sampler) {
-  const Vec2 xi = sampler.next_2d();
-  Vec3 wi = seen_from_above(wo) ? uniform_hemisphere(xi) : cosine_hemisphere(xi);
-  if (wo.z < 0) wi.z = -wi.z;
-  return {wi, albedo / kPi, diffuse_pdf(wo, wi)};
+  // The record of a path has its directions (grader/explain/record.h).
+  return keep_call(
+      "diffuse_sample",
+      [&] {
+        const Vec2 xi = sampler.next_2d();
+        Vec3 wi = seen_from_above(wo) ? uniform_hemisphere(xi) : cosine_hemisphere(xi);
+        if (wo.z < 0) wi.z = -wi.z;
+        return BsdfSample{wi, albedo / kPi, diffuse_pdf(wo, wi)};
+      },
+      albedo, wo, sampler);
 }
 
 double diffuse_pdf(Vec3 wo, Vec3 wi) {

@@ -10,6 +10,7 @@
 #include "grader/check/scenes/scenes.h"
 #include "grader/check/scenes/textbook.h"
 #include "grader/tasks/direct_hemisphere/inputs.h"
+#include "grader/tasks/direct_hemisphere/wild.h"
 #include "pt/tasks/direct_hemisphere.h"
 
 #include <algorithm>
@@ -85,6 +86,7 @@ PROMISE(direct_hemisphere, sees_lights_of_any_brightness) {
 // The glowing surface is not in the list of lights, and the lights in the list have no surface.
 PROMISE(direct_hemisphere, takes_the_emission_of_what_is_hit) {
   for_all([] { expect_estimate(*beside_lights_without_surfaces()); }, kCases);
+  expect_explained(wild_task());
 }
 
 PROMISE(direct_hemisphere, adds_no_emission_of_its_own) {
@@ -212,6 +214,7 @@ PROMISE(direct_hemisphere, takes_the_samples_asked_for) {
         }
       },
       1);
+  expect_explained(wild_task());
 }
 
 PROMISE(direct_hemisphere, starts_off_the_surface) {
@@ -352,6 +355,7 @@ PROMISE(direct_hemisphere, draws_from_the_sampler_alone) {
         },
         1);
   }
+  expect_explained(wild_task());
 }
 
 }  // namespace

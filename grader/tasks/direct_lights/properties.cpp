@@ -2,6 +2,7 @@
 #include "grader/tasks/direct_lights/estimates.h"
 #include "grader/tasks/direct_lights/inputs.h"
 #include "grader/tasks/direct_lights/shadows.h"
+#include "grader/tasks/direct_lights/wild.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,7 @@ PROMISE(direct_lights, matches_a_rectangle) {
   for (const bool narrow_u : {true, false}) {
     for_all([=] { expect_independent_sides(narrow_u); }, 1);
   }
+  expect_explained(wild_task());
 }
 
 PROMISE(direct_lights, matches_a_sphere) {
@@ -39,6 +41,7 @@ PROMISE(direct_lights, matches_a_sphere) {
     for_all([=] { expect_estimate(*lit_without_surfaces(ball, size), 1); }, 1);
   }
   for_all([] { expect_estimate(*lit_by(grazing_ball), any_samples()); }, 5);
+  expect_explained(wild_task());
 }
 
 PROMISE(direct_lights, matches_a_point_light) {
@@ -47,11 +50,13 @@ PROMISE(direct_lights, matches_a_point_light) {
   for (const double size : kSizes) {
     for_all([=] { expect_always(*lit_without_surfaces(point_light, size), 1); }, 5);
   }
+  expect_explained(wild_task());
 }
 
 PROMISE(direct_lights, matches_a_directional_light) {
   for_all([] { expect_always(*lit_by(directional_light), 1); });
   for_all([] { expect_always(*lit_by(grazing_directional_light), 1); }, 50);
+  expect_explained(wild_task());
 }
 
 PROMISE(direct_lights, matches_the_sky) {
@@ -60,6 +65,7 @@ PROMISE(direct_lights, matches_the_sky) {
   for_all([] { expect_estimate(*sky_below_the_walls(), any_samples()); }, 2);
   for_all([] { expect_estimate(*sky_below_the_walls(), draw("samples per call", whole(65, 300))); },
           2);
+  expect_explained(wild_task());
 }
 
 // The patch is the only surface, so that no light hides another.
@@ -123,6 +129,7 @@ PROMISE(direct_lights, adds_the_lights_up) {
     }
   }
   for_all([&] { expect_no_correlation(*lit_by(red_mesh_and_green_lamp), 4000, 1); }, 1);
+  expect_explained(wild_task());
 }
 
 PROMISE(direct_lights, takes_lights_of_any_brightness) {
@@ -212,6 +219,7 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
         expect_less_noise(s, estimates(s, 1000, 1), 200, 30);
       },
       1);
+  expect_explained(wild_task());
 }
 
 PROMISE(direct_lights, is_exact_for_delta_lights) {
@@ -333,6 +341,7 @@ PROMISE(direct_lights, draws_from_the_sampler_alone) {
         },
         1);
   }
+  expect_explained(wild_task());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "grader/check/generators/random_numbers.h"
 #include "grader/check/language/property.h"
 #include "grader/tasks/estimate_pixel/inputs.h"
+#include "grader/tasks/estimate_pixel/wild.h"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +56,7 @@ PROMISE(estimate_pixel, averages_the_radiance) {
   for (const int samples : kMany) {
     for_all([=] { expect_average(samples); }, 1);
   }
+  expect_explained(wild_task());
 }
 
 void expect_calls(int samples) {
@@ -70,6 +72,7 @@ PROMISE(estimate_pixel, takes_the_samples_asked_for) {
     for_all([=] { expect_calls(samples); }, 1);
   }
   for_all([] { expect_calls(kMost); }, 1);
+  expect_explained(wild_task());
 }
 
 // The promise stays_inside_the_pixel judges which pixel the ray goes through. This one judges only
@@ -238,6 +241,7 @@ PROMISE(estimate_pixel, draws_from_the_callers_sampler) {
            "a sampler that has advanced past all numbers that were drawn",
            "a sampler that has not advanced, so that the next pixel gets the same numbers");
   });
+  expect_explained(wild_task());
 }
 
 PROMISE(estimate_pixel, forgets_the_pixel_before) {

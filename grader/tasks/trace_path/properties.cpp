@@ -1,6 +1,7 @@
 #include "grader/check/generators/random_numbers.h"
 #include "grader/tasks/trace_path/estimates.h"
 #include "grader/tasks/trace_path/inputs.h"
+#include "grader/tasks/trace_path/wild.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,7 @@ PROMISE(trace_path, starts_with_direct_light) {
         expect_none(*asked_of(round_room(gray(0.3, 0.8)), bounces(1, 3)), Direct::hemisphere);
       },
       3);
+  expect_explained(wild_task());
 }
 
 // Returns whether bounce 2 is about right in a room that glows everywhere, with few light samples. If it is
@@ -80,6 +82,7 @@ PROMISE(trace_path, takes_the_light_samples_asked_for) {
         expect_estimate(*rc::gen::map(cases, with_many_samples), 2 * kCalls);
       },
       1);
+  expect_explained(wild_task());
 }
 
 // Bounces far along the path. If roulette of the solution's own ends most paths before, or if the weights
@@ -132,6 +135,7 @@ PROMISE(trace_path, adds_up_the_bounces_asked_for) {
         }
       },
       kCases);
+  expect_explained(wild_task());
 }
 
 PROMISE(trace_path, does_not_depend_on_survival) {
@@ -195,6 +199,7 @@ PROMISE(trace_path, takes_the_first_bounce_always) {
                             100000, 1);
       },
       1);
+  expect_explained(wild_task());
 }
 
 PROMISE(trace_path, stops_after_the_last_bounce) {
@@ -246,6 +251,7 @@ PROMISE(trace_path, reaches_the_last_bounce) {
                "light of bounce 3 in a scene without one");
       },
       8);
+  expect_explained(wild_task());
 }
 
 PROMISE(trace_path, counts_emission_once) {
@@ -305,6 +311,7 @@ PROMISE(trace_path, follows_the_new_ray) {
       6);
   for_all([] { expect_estimate(*asked_of(smooth_wall_in_a_hall(), bounces(3, 3))); }, 8);
   for_all([] { expect_estimate(*asked_of(dented_room(gray(0.7, 1)), bounces(3, 4))); }, 4);
+  expect_explained(wild_task());
 }
 
 PROMISE(trace_path, adds_no_light_from_outside) {
@@ -348,6 +355,7 @@ PROMISE(trace_path, draws_from_the_sampler_alone) {
   };
   for_all([=] { expect_independent(round_room(gray(0.5, 0.8))); }, 3);
   for_all([=] { expect_independent(glowing_room(gray(0.5, 0.8))); }, 3);
+  expect_explained(wild_task());
 }
 
 // At least one path in fifteen finds light.

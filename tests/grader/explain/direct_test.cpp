@@ -195,5 +195,15 @@ TEST(explain_lights, a_light_of_the_tasks_own_is_not_explained) {
   EXPECT_EQ(own.fault, Fault::value);
 }
 
+// A worker may send any number.
+TEST(explain_lights, a_light_that_the_scene_does_not_have_is_not_explained) {
+  const World world;
+  Told call = told(world, [](const World& w, pt::Sampler& s) { return by_lights(w, s, kSamples); });
+  std::get<LightDraw>(call.events[0]).light = 1000000000;
+  answer(world.scene, {}, call.events);
+  EXPECT_EQ(explain_lights(world.scene, world.scene.tracer, world.point, kSamples, call).fault,
+            Fault::value);
+}
+
 }  // namespace
 }  // namespace grader::explain

@@ -4,6 +4,7 @@
 #include "grader/results/promises.h"
 #include "grader/service/wire/finite.h"
 #include "grader/service/wire/message.h"
+#include "grader/service/wire/record.h"
 #include "grader/service/wire/session.h"
 #include "grader/service/wire/worker_process.h"
 #include "grader/tasks/build_bvh/invariants.h"
@@ -149,6 +150,43 @@ int refused_when_damaged(const T& value) {
   return refused;
 }
 
+// One event of each kind.
+explain::Told a_record() {
+  explain::Told told{{1, 2, 3}, {}, {5, 6, 7, 8}, {}};
+  told.events = {
+      explain::TracedRay{{{1, 2, 3}, {0, 0, 1}}, pt::Hit{1, {0, 0, 1}, 2}},
+      explain::LightDraw{2, {1, 2, 3}, {1, 2, 3, 4}, {5, 6, 7, 8}, {{0, 0, 1}, 3, {1, 1, 1}}},
+      explain::Direction{
+          {1, 1, 1}, {0, 0, 1}, {1, 2, 3, 4}, {5, 6, 7, 8}, {{0, 1, 0}, {1, 1, 1}, 2}},
+      explain::DirectLight{true, {}, 7, {1, 2, 3, 4}, {5, 6, 7, 8}, {9, 9, 9}}};
+  return told;
+}
+
+// The answers that a call got would be the worker's word, and are not sent.
+TEST(remote, a_record_has_questions_and_no_answers) {
+  Writer out;
+  put(out, a_record());
+  Reader in(out.bytes());
+  const auto got = get<explain::Told>(in);
+  in.expect_end();
+  EXPECT_EQ(got.result, a_record().result);
+  EXPECT_EQ(got.after, a_record().after);
+  ASSERT_EQ(got.events.size(), 4u);
+  const auto& ray = std::get<explain::TracedRay>(got.events[0]);
+  EXPECT_EQ(ray.ray.origin, (pt::Vec3{1, 2, 3}));
+  EXPECT_FALSE(ray.hit);
+  const auto& draw = std::get<explain::LightDraw>(got.events[1]);
+  EXPECT_EQ(draw.light, 2);
+  EXPECT_EQ(draw.before, (explain::State{1, 2, 3, 4}));
+  EXPECT_EQ(draw.after, explain::State{});
+  EXPECT_EQ(draw.sample.distance, 0);
+  EXPECT_EQ(std::get<explain::Direction>(got.events[2]).sample.pdf, 0);
+  const auto& direct = std::get<explain::DirectLight>(got.events[3]);
+  EXPECT_TRUE(direct.by_lights);
+  EXPECT_EQ(direct.samples, 7);
+  EXPECT_EQ(direct.light, pt::Rgb{});
+}
+
 TEST(remote, no_bytes_hurt_the_decoder) {
   EXPECT_GT(refused_when_damaged(a_scene().lights), 1000);
   EXPECT_GT(refused_when_damaged(a_scene().materials), 1000);
@@ -157,6 +195,7 @@ TEST(remote, no_bytes_hurt_the_decoder) {
   EXPECT_GT(refused_when_damaged(std::optional<pt::Hit>({1, {0, 0, 1}, 2})), 1000);
   EXPECT_GT(refused_when_damaged(ReplyHead{1, 2, 3, 4, 5, {{{}}, {{}}, {{}}}}), 1000);
   EXPECT_GT(refused_when_damaged(CallHead{}), 1000);
+  EXPECT_GT(refused_when_damaged(a_record()), 300);
   EXPECT_GT(refused_when_damaged(Definition{1, ObjectKind::bvh, "content"}), 1000);
 }
 

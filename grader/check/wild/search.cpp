@@ -1,0 +1,168 @@
+#include "grader/check/wild/search.h"
+
+#include "grader/check/language/fail.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace grader::check {
+
+using explain::Explanation;
+using explain::Fault;
+using pt::Rgb;
+
+namespace {
+
+constexpr int kMaxMeans = 40;  // of wrong values: inputs that are judged by many calls
+constexpr int kMaxSmallerCalls =
+    300;  // inputs that are tried in place of one that fails; fewer of long calls
+
+// Wrong values of a plain file are judged in pairs: the result, and what the record of the same call amounts to.
+constexpr int kPairs = 3000, kPairedSamples = 30'000;
+constexpr int kFewestOff = 10;
+
+// A value that is off by less than this part of it is a question of precision, which other inputs ask.
+constexpr double kPrecision = 1e-4;
+
+// Returns whether the mean of the differences is more than chance makes of it.
+bool is_biased(const Explanations& calls) {
+  Rgb sum, squares, values;
+  int off = 0;
+  for (const Explanation& call : calls) {
+    if (call.fault != Fault::value) continue;
+    if (!is_finite(call.off)) return true;
+    ++off;
+    sum += call.off;
+    squares += call.off * call.off;
+    values += call.value;
+  }
+  if (off < kFewestOff) return false;
+  const auto n = static_cast<double>(calls.size());
+  for (int channel = 0; channel < 3; ++channel) {
+    const double mean = sum[channel] / n;
+    const double variance = std::max(0.0, squares[channel] / n - mean * mean);
+    const double slack = kPrecision * std::abs(values[channel]) / n;
+    if (std::abs(mean) > kStandardErrors * std::sqrt(variance / n) + slack) return true;
+  }
+  return false;
+}
+
+// Judges an input, and keeps the budget of those for which many calls are needed.
+class Judge {
+ public:
+  Judge(int calls, bool keeps_habit, Plainness& seen)
+      : calls_(calls), keeps_habit_(keeps_habit), seen_(seen) {}
+
+  std::optional<Explanation> fault_of(const WildInput& input, std::uint64_t seed) {
+    std::optional<Explanation> wrong_value;
+    for (const Explanation& call : input.ask(calls_, seed)) {
+      seen_.add(call);
+      if (call.fault == Fault::structure) return call;
+      if (call.fault == Fault::habit && keeps_habit_) return call;
+      if (call.fault == Fault::value && !wrong_value) wrong_value = call;
+    }
+    if (!wrong_value || means_ == kMaxMeans) return std::nullopt;
+    ++means_;
+    const int n = std::clamp(kPairedSamples / std::max(1, input.samples()), 100, kPairs);
+    if (is_biased(input.ask(n, seed))) return wrong_value;
+    return std::nullopt;
+  }
+
+  void begin_smaller() { means_ = 0; }
+
+ private:
+  int calls_;  // of each input
+  bool keeps_habit_;
+  Plainness& seen_;
+  int means_ = 0;
+};
+
+void make_smaller(Judge& judge, WildFailure& failure) {
+  int left = kMaxSmallerCalls;
+  for (bool goes_on = true; goes_on && left > 0;) {
+    goes_on = false;
+    for (const WildPointer& smaller : failure.input->smaller()) {
+      left -= 1 + smaller->samples() / 300;
+      if (left < 0) return;
+      judge.begin_smaller();
+      const auto why = judge.fault_of(*smaller, failure.seed);
+      if (!why || why->fault != failure.why.fault) continue;
+      failure.input = smaller;
+      failure.why = *why;
+      goes_on = true;
+      break;
+    }
+  }
+}
+
+// The text of an input, for the report.
+struct Shown {
+  std::string text;
+};
+void showValue(const Shown& input, std::ostream& out) { out << input.text; }
+
+}  // namespace
+
+void Plainness::add(const Explanation& call) {
+  ++calls;
+  explained += call.fault == Fault::none || call.fault == Fault::habit;
+  with_habit += call.fault == Fault::none;
+}
+
+WildResult make_wild_calls(const WildTask& task, std::uint64_t seed) {
+  WildResult result;
+  for (const Explanation& call : task.usual(seed)) result.usual.add(call);
+  if (!result.usual.is_plain()) return result;
+  Judge judge(task.calls, result.usual.keeps_habit(), result.wild);
+  for (int i = 0; i < task.inputs; ++i) {
+    const std::uint64_t own = seed * 0x9e3779b97f4a7c15 + static_cast<std::uint64_t>(i);
+    RandomNumbers random(own);
+    const WildPointer input = task.draw(random);
+    if (!input) continue;
+    const auto why = judge.fault_of(*input, own);
+    if (!why) continue;
+    result.failure = {input, own, *why, i};
+    Plainness of_smaller;
+    Judge again(task.calls, result.usual.keeps_habit(), of_smaller);
+    make_smaller(again, *result.failure);
+    return result;
+  }
+  return result;
+}
+
+namespace {
+
+// For who wants to know how plain a file is (--gtest_output=xml).
+void record(const WildResult& result) {
+  const auto add = [](const std::string& name, int value) {
+    testing::Test::RecordProperty(name, value);
+  };
+  add("usual_calls", result.usual.calls);
+  add("usual_explained", result.usual.explained);
+  add("usual_with_habit", result.usual.with_habit);
+  add("wild_calls", result.wild.calls);
+  add("wild_explained", result.wild.explained);
+}
+
+}  // namespace
+
+void expect_explained(const WildTask& task) {
+  static std::optional<WildResult> result;
+  if (!failures().empty()) return;
+  const std::string promise = testing::UnitTest::GetInstance()->current_test_info()->name();
+  for_all(
+      [&] {
+        const bool is_new = !result;
+        if (is_new) record(result.emplace(make_wild_calls(task, seed())));
+        if (!result->failure || result->failure->why.promise != promise) return;
+        const WildFailure& failure = *result->failure;
+        if (!is_new) failure.input->ask(task.calls, failure.seed);  // for a debugger
+        *rc::gen::just(Shown{failure.input->text()});
+        fail("one call, in a scene of any kind", failure.why.got, failure.why.expected);
+      },
+      1);
+}
+
+}  // namespace grader::check

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "grader/check/language/repeat.h"
+#include "grader/check/wild/scene_call.h"
+#include "grader/tasks/direct_lights/inputs.h"
+#include "pt/tasks/direct_lights.h"
+
+#include <array>
+
+// Calls of direct_lights that are explained one by one.
+
+namespace grader::check::direct_lights_inputs {
+
+struct Lights {
+  int count = 1;
+
+  Explanations ask(const Situation& s, int n, std::uint64_t seed) const {
+    Explanations all;
+    for (explain::Told& told :
+         repeat_recorded<pt::direct_lights>(n, seed, s.scene, s.point, count)) {
+      explain::answer(s.scene, {}, told.events);
+      all.push_back(explain::explain_lights(s.scene, s.scene.tracer, s.point, count, told));
+    }
+    return all;
+  }
+  std::vector<Lights> smaller() const {
+    std::vector<Lights> all;
+    for (const int less : {1, count / 2, count - 1}) {
+      if (less >= 1 && less < count) all.push_back({less});
+    }
+    return all;
+  }
+  std::string text() const { return fmt::format("samples: {}", count); }
+  int samples() const { return 2 * count; }
+};
+
+// Few of them are long: what a long call asks for is kept and sent.
+inline int wild_samples(RandomNumbers& random) {
+  const int kind = random.whole(1, 2000);
+  if (kind == 1) return 3000;
+  if (kind <= 10) return 300;
+  return std::array{1, 1, 1, 2, 2, 3, 5, 5, 8, 16, 30, 100}[random.whole(0, 11)];
+}
+
+inline Explanations usual_calls(std::uint64_t seed) {
+  constexpr int kScenes = 40, kCalls = 40;
+  Explanations all;
+  const auto add = [&](const rc::Gen<Situation>& generator, int i) {
+    const Situation s = any_of(generator, seed + static_cast<std::uint64_t>(i));
+    for (const auto& each : Lights{1 + 5 * (i % 3)}.ask(s, kCalls, seed)) all.push_back(each);
+  };
+  for (int i = 0; i < kScenes; i += 4) {
+    add(lit_by([](SceneMaker& maker) {
+          for (int k = 0; k < 3; ++k) any_light(maker);
+        }),
+        i);
+    add(lit_by(lamp_with_a_body), i + 1);
+    add(under_the_sky(1.2), i + 2);
+    add(lit_and_smoothly_shaded(), i + 3);
+  }
+  return all;
+}
+
+inline WildTask wild_task() {
+  return {usual_calls, [](RandomNumbers& random) {
+            const WildScene scene = wild_scene(random, false);
+            return SceneCall<Lights>::make(scene, {wild_samples(random)});
+          }};
+}
+
+}  // namespace grader::check::direct_lights_inputs
