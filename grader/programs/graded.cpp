@@ -9,6 +9,7 @@
 #include "grader/results/presentable.h"
 #include "grader/service/audit/object_file.h"
 #include "grader/service/wire/ask_worker.h"
+#include "grader/service/wire/kept_state.h"
 #include "grader/service/wire/session.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -52,8 +53,13 @@ std::string variable_at(const std::string& worker, std::uint64_t place) {
   return base::printable(last == name.npos ? name : name.substr(last + 2), 100);
 }
 
-std::string kept_reason(const std::string& worker, std::uint64_t place) {
-  const std::string name = variable_at(worker, place);
+std::string kept_reason(const std::string& worker, std::uint64_t kept) {
+  if (kept == wire::kProcessorMode) {
+    return "a call changes how the processor rounds or what it does with tiny numbers, and the "
+           "next "
+           "call is computed like that: change it back before you return, or leave it as it is";
+  }
+  const std::string name = variable_at(worker, kept - 1);
   return fmt::format(
       "it keeps {} between calls, and tasks are called from several threads at once: "
       "make it a local variable, a constant, or thread_local",
@@ -78,7 +84,7 @@ void write_report(const std::string& path, const testing::UnitTest& test,
   }
   // In the integrated worker a variable may be another task's.
   task.keeps_state = record.kept != 0 && !settings.integrated;
-  if (task.keeps_state) task.reason = kept_reason(settings.program, record.kept - 1);
+  if (task.keeps_state) task.reason = kept_reason(settings.program, record.kept);
   task.state = state_of(task);
   if (record.todo.contains(settings.task)) {
     task.state = results::State::not_attempted;

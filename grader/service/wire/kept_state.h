@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 // The worker's end: finds out whether a task keeps state between calls. The renderer calls tasks
 // from several threads at once, which would share it. The judge has moved the writable static
@@ -14,5 +15,11 @@ namespace grader::wire {
 // Call it after each call. Returns 1 + the place in the sections of the first byte that two calls
 // have changed, directly or in memory that it points to; 0 if there is none.
 std::uint64_t kept_state();
+
+// In place of a place: a call has changed how the processor rounds, or what it does with tiny numbers, and has not changed it back.
+inline constexpr std::uint64_t kProcessorMode = std::numeric_limits<std::uint64_t>::max();
+
+// That mode. The flags of what has happened are not in it.
+unsigned processor_mode();
 
 }  // namespace grader::wire

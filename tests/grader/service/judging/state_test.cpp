@@ -20,7 +20,8 @@ void insert(const Submission& submission, const std::string& slug, const std::st
   ASSERT_NE(begin, std::string::npos) << file;
   text.insert(text.find("{\n", begin) + 1, "\n" + lines);
   std::ofstream(file)
-      << "#include <array>\n#include <cstdio>\n#include <cstdlib>\n#include <iostream>\n#include "
+      << "#include <array>\n#include <cerrno>\n#include <cfenv>\n#include <cstdio>\n#include "
+         "<cstdlib>\n#include <iostream>\n#include "
          "<map>\n"
          "#include <memory>\n#include <mutex>\n#include <random>\n#include <string>\n"
          "#include <unordered_map>\n#include <vector>\n"
@@ -83,6 +84,38 @@ TEST(state, that_is_kept_between_calls_is_found_wherever_it_is) {
         << each.slug << ": " << reason;
     EXPECT_EQ(task.at("keeps_state"), true);
     EXPECT_EQ(task.at("points"), task.at("max_points").get<int>() - 3) << each.slug;
+  }
+}
+
+// The next call, of this task or of another, would be computed in another way.
+TEST(state, of_the_processor_is_left_as_it_was) {
+  const Insertion insertions[] = {
+    {"camera_ray", "camera_ray", "  if (x > 0.3) std::fesetround(FE_UPWARD);\n", "fail"},
+    {"hit_triangle", "hit_triangle",
+     "  const int mode = std::fegetround();\n  std::fesetround(FE_DOWNWARD);\n"
+     "  if (std::fesetround(mode) != 0) std::puts(\"no\");\n",
+     "pass"},
+#if defined(__SSE__)
+    {"hit_sphere", "hit_sphere", "  __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | 0x8040);\n",
+     "fail"},
+#endif
+    // What one call leaves in errno, no other call finds there.
+    {"hit_box", "hit_box", "  if (errno == 77) return {};\n  errno = 77;\n", "pass"},
+  };
+  const Submission submission("processor");
+  std::vector<std::string> words{"--no-pictures"};
+  for (const Insertion& each : insertions) {
+    insert(submission, each.slug, each.function, each.lines);
+    words.emplace_back(each.slug);
+  }
+  const Outcome outcome = submission.grade(words);
+  for (const auto& [slug, function, lines, state] : insertions) {
+    const json& task = outcome.task(slug);
+    EXPECT_EQ(outcome.state(slug), state) << slug << " " << task.dump().substr(0, 2000);
+    EXPECT_EQ(task.at("keeps_state"), std::string(state) == "fail") << slug;
+    if (std::string(state) == "pass") continue;
+    const std::string reason = task.at("reason");
+    EXPECT_EQ(reason.find("a call changes how the processor rounds"), 0U) << slug << reason;
   }
 }
 
