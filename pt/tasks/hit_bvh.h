@@ -20,7 +20,7 @@ namespace pt {
 //
 // Promises:
 //   - finds the nearest hit: t is the same as if every primitive had been tested. Among thousands
-//     of primitives it tests fewer than half.
+//     of primitives it tests fewer than half of them, and fewer than half of the boxes.
 //   - says which primitive: index and normal belong to the primitive that was hit.
 //   - misses what is not there: no hit if there is none when every primitive is tested.
 //   - keeps t inside the ray: no hit before t_min or beyond t_max.

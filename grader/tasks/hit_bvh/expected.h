@@ -113,6 +113,10 @@ inline void expect_few_tests(const Case& c, const Tested& log) {
          "tests of fewer than half of the " + std::to_string(c.primitives.size()) +
              " primitives: the ray enters the boxes of few",
          std::to_string(asked));
+  expect(2 * std::ssize(log.boxes) < std::ssize(c.bvh.nodes),
+         "tests of fewer than half of the " + std::to_string(c.bvh.nodes.size()) +
+             " boxes: nothing below a box is tested that the ray does not enter",
+         std::to_string(log.boxes.size()));
 }
 
 inline void expect_only_entered_leaves(const Case& c, bool any) {

@@ -90,12 +90,21 @@ inline bool came_by_its_leaf(const Case& plain, int primitive, const Tested& log
   });
 }
 
+// Counts the leaves of the plain case whose boxes the query tested.
+inline int leaves_tested(const Case& plain, const Tested& log) {
+  return static_cast<int>(std::ranges::count_if(plain.bvh.nodes, [&](const pt::BvhNode& node) {
+    return node.is_leaf() && std::ranges::any_of(log.boxes, [&](const pt::Box& box) {
+             return box.min == node.box.min && box.max == node.box.max;
+           });
+  }));
+}
+
 // True if the judge's own tasks answer the calls of a query. If a submission is judged together
 // with its own tasks, those answer, and the submission reports the tests. The plain case sets this.
 inline bool judge_answers = false;
 
-// Queries of the plain case. A query that tests no boxes, or that ignores the answers of
-// hit_primitive, does not walk the tree, and then no promise holds.
+// Queries of the plain case. A query that tests no boxes or those of all leaves, or that ignores the
+// answers of hit_primitive, does not walk the tree, and then no promise holds.
 inline void expect_that_it_walks() {
   const std::string plain =
       "before anything else, in a tree of eight leaves, each with one triangle, and a ray at one: ";
@@ -126,6 +135,11 @@ inline void expect_that_it_walks() {
   between.ray.origin.x += 5;
   const auto hit = ask(between);
   expect(!hit.has_value(), plain + "no hit between two of them", shown(hit));
+  for (const bool any : {false, true}) {
+    const int leaves = leaves_tested(between, tested_by(between, any));
+    expect(leaves < 4, plain + "tests of the boxes of fewer than four leaves, by a ray between two",
+           std::to_string(leaves) + (any ? ", by occluded_bvh" : ", by hit_bvh"));
+  }
 }
 
 // Returns how far an answer may be from the truth. The answer of hit_primitive may not be changed.
