@@ -75,7 +75,9 @@ data promise_data(const results::TaskResult& task, const results::PromiseResult&
   out.set("bonus", promise.bonus);
   out.set("held", promise.held);
   out.set("broken", !promise.held);
-  out.set("promise_open", state == results::State::fail && !promise.failures.empty());
+  const bool only_a_bonus = promise.bonus && !results::missed_bonus(task).empty();
+  out.set("promise_open",
+          (state == results::State::fail || only_a_bonus) && !promise.failures.empty());
   out.set("promise_tone", tone(state));
   out.set("promise_symbol", results::symbol(state));
   out.set("promise_state", state == results::State::fail         ? "not kept"
@@ -109,6 +111,7 @@ data task_data(const results::TaskResult& task, Places& places) {
   out.set("task_max", std::to_string(task.max_points));
   out.set("task_has_bonus", task.bonus_points > 0);
   out.set("task_bonus", std::to_string(task.bonus_points));
+  set_text(out, "missed_bonus", results::missed_bonus_text(task));
   set_text(out, "reason", task.reason);
   set_text(out, "mistake", results::mistake_text(task));
   set_text(out, "spared", results::spared_text(task));

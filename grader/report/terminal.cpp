@@ -70,7 +70,8 @@ std::string row(const results::TaskResult& task, std::size_t width, const Termin
   if (task.bonus_points > 0) line += fmt::format("  + {} bonus", task.bonus_points);
   if (task.state == results::State::blocked)
     line += fmt::format("  by {}", fmt::join(task.blocked_by, ", "));
-  return line + "\n";
+  const std::string missed = results::missed_bonus_text(task);
+  return missed.empty() ? line + "\n" : fmt::format("{}\n         {}\n", line, missed);
 }
 
 // The pictures of a task that are not right, as rows below its own.
@@ -206,9 +207,10 @@ std::vector<FailureText> failure_texts(const results::TaskResult& task,
   // A reason such as "only with your hit_box" belongs to the first failure below it.
   std::string reason = quiet ? "" : mistake_lines(task, style);
   if (!task.reason.empty() && !quiet) reason += reason_text(task, style);
+  const bool keeps_the_others = !results::missed_bonus(task).empty();
   for (const results::PromiseResult* each : results::by_importance(task)) {
     const results::PromiseResult& promise = *each;
-    const bool failed = !promise.bonus || style.all;
+    const bool failed = !promise.bonus || style.all || keeps_the_others;
     const bool shown = !promise.failures.empty() || (task.reason.empty() && !promise.bonus);
     if (failed && shown && !(quiet && !promise.bonus)) {
       texts.push_back({task.slug, promise.name, reason + promise_text(task, promise, style)});

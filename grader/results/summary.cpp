@@ -125,6 +125,25 @@ std::string spared_text(const TaskResult& task) {
                      taken == 1 ? "point is" : "points are");
 }
 
+std::vector<const PromiseResult*> missed_bonus(const TaskResult& task) {
+  std::vector<const PromiseResult*> missed;
+  for (const PromiseResult& promise : task.promises) {
+    if (promise.held) continue;
+    if (!promise.bonus) return {};
+    if (!promise.failures.empty()) missed.push_back(&promise);
+  }
+  return missed;
+}
+
+std::string missed_bonus_text(const TaskResult& task) {
+  std::string text;
+  for (const PromiseResult* promise : missed_bonus(task)) {
+    text += text.empty() ? "without the bonus: " : ", ";
+    text += promise->words.substr(0, promise->words.find(" (bonus)"));
+  }
+  return text;
+}
+
 std::string how_to_see(const TaskResult& task, const PictureResult& picture) {
   const bool grades = picture.replay.starts_with("./run grade");
   return (grades ? picture.replay : "./run grade " + task.slug) + " --html report.html";

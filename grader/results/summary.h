@@ -66,6 +66,12 @@ std::string mistake_text(const TaskResult& task);
 // "One cause: 9 promises fail, 6 points are taken." Empty if nothing is spared.
 std::string spared_text(const TaskResult& task);
 
+// The bonus promises that the task does not keep, although it keeps all others.
+std::vector<const PromiseResult*> missed_bonus(const TaskResult& task);
+
+// "without the bonus: leaves no gap at shared edges". Empty if none is missed.
+std::string missed_bonus_text(const TaskResult& task);
+
 // The command that writes a page with the picture.
 std::string how_to_see(const TaskResult& task, const PictureResult& picture);
 

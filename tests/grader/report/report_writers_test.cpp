@@ -1,6 +1,7 @@
 // The reports of one run: each follows the rules of its format, and all say the same.
 #include "grader/report/autograders.h"
 #include "grader/report/csv.h"
+#include "grader/report/html.h"
 #include "grader/report/terminal.h"
 #include "grader/report/write_reports.h"
 #include "grader/results/json.h"
@@ -91,6 +92,30 @@ TEST_F(Writers, the_terminal_shows_pictures) {
               HasSubstr("27.0 s (properties 5.9 s, pictures 21.0 s). Isolation A: bubblewrap."));
   EXPECT_THAT(text, Not(HasSubstr(results::kStopped)));
   EXPECT_THAT(to_text(stopped(), {}), HasSubstr(results::kStopped));
+}
+
+// A task that keeps all other promises passes, and the report says which bonus it misses and why.
+TEST_F(Writers, a_bonus_that_is_missed_is_named_with_its_reason) {
+  results::Results results = run;
+  results.tasks.resize(1);
+  results::PromiseResult bonus = run.tasks[1].promises[1];
+  bonus.name = "extra_bonus";
+  bonus.words = "does more (bonus): than it has to.";
+  bonus.bonus = true;
+  ASSERT_FALSE(bonus.held);
+  results.tasks[0].promises.push_back(bonus);
+  const std::string text = to_text(results, {});
+  EXPECT_THAT(text, HasSubstr("2/2  + 1 bonus\n         without the bonus: does more\n"));
+  EXPECT_THAT(text, HasSubstr("estimate_pixel does more (bonus): than it has to.\n"));
+  EXPECT_THAT(text, HasSubstr("  got       " + bonus.failures[0].got));
+  EXPECT_TRUE(results::passes(results));
+  const std::string page = to_html(results);
+  EXPECT_THAT(page, HasSubstr("<span class=\"note\">without the bonus: does more</span>"));
+  EXPECT_THAT(page, HasSubstr("<details open><summary class=\"promise"));
+  // If another promise fails too, it comes first.
+  results.tasks[0].promises[0].held = false;
+  results.tasks[0].state = results::State::fail;
+  EXPECT_THAT(to_text(results, {}), Not(HasSubstr("does more")));
 }
 
 TEST_F(Writers, the_columns_of_the_terminal_are_as_wide_as_the_longest_name) {
