@@ -27,7 +27,7 @@ using namespace grader::pictures;
 constexpr double kBiases[] = {0, .005, .01, .02, .03, .05, .07, .1, .15, .2, .3};
 constexpr int kBlock = 5;  // the block has a fifth of the picture's width and height
 
-// What Mitsuba 3 renders in a test, in all pixels together (src/render/tests/test_renders.py, commit 042f6afb).
+// The samples that Mitsuba 3 renders in a test, in all pixels together (src/render/tests/test_renders.py, commit 042f6afb).
 constexpr int kPeerBudget = 2'000'000;
 constexpr const char *kOurs = "ours", *kPeer = "Mitsuba 3's";
 

@@ -15,6 +15,7 @@ FOLDERS = ("pt", "scenes", "reference", "fast", "student", "grader", "measure", 
 EXCEPTIONS = {  # file: why it is compiled for each of several targets
     "grader/check/language/repeat_local.cpp": "once for each task, which FIRSTLIGHT_TASK names",
     "grader/service/wire/implementation.cpp": "once for each task, which FIRSTLIGHT_TASK names",
+    "grader/explain/record.cpp": "in a library for the judge, and as an object for workers, which link no library of the grader",
     "grader/service/wire/callback.cpp": "once for each function that the judge answers, which FIRSTLIGHT_TASK names",
 }
 

@@ -3,6 +3,8 @@
 #include "grader/check/wild/search.h"
 #include "grader/check/wild/wild_scene.h"
 
+#include <sstream>
+
 #include <fmt/format.h>
 
 namespace grader::check {

@@ -99,7 +99,7 @@ TEST(state, of_the_processor_is_left_as_it_was) {
     {"hit_sphere", "hit_sphere", "  __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | 0x8040);\n",
      "fail"},
 #endif
-    // What one call leaves in errno, no other call finds there.
+    // No call finds what another one left in errno.
     {"hit_box", "hit_box", "  if (errno == 77) return {};\n  errno = 77;\n", "pass"},
   };
   const Submission submission("processor");
