@@ -25,14 +25,8 @@ std::vector<FailedPromise>& mutable_failures() {
   return all;
 }
 
-// The calls of for_all in one promise.
-struct Calls {
-  int all = 0;
-  int uncounted = 0;  // once() without a failure
-};
-
-std::map<std::string, Calls>& calls_by_promise() {
-  static std::map<std::string, Calls> all;
+std::map<std::string, int>& mutable_checks() {
+  static std::map<std::string, int> all;
   return all;
 }
 
@@ -73,15 +67,15 @@ void never_shrink() { is_shrinking = false; }
 const std::vector<FailedPromise>& failures() { return mutable_failures(); }
 
 int checks_of(const std::string& promise) {
-  const Calls& counted = calls_by_promise()[promise];
-  return counted.all - counted.uncounted;
+  const auto found = mutable_checks().find(promise);
+  return found == mutable_checks().end() ? 0 : found->second;
 }
 
 void for_all(const std::function<void()>& property, int cases) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string task = test->test_suite_name(), promise = test->name();
   // Each call draws other inputs, also if its generators are those of the call before.
-  const auto call = static_cast<std::uint64_t>(calls_by_promise()[promise].all++);
+  const auto call = static_cast<std::uint64_t>(mutable_checks()[promise]++);
   FailureSearch search{hash(task + "." + promise, seed()) + call, cases, is_shrinking};
   // A task that crashes in one promise crashes in most promises, and one small input is enough.
   if (std::ranges::any_of(failures(), crashed)) search.max_crashes = 4;
@@ -100,7 +94,7 @@ void once(const std::function<void()>& property) {
   const std::size_t before = failures().size();
   for_all(property, 1);
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  if (failures().size() == before) ++calls_by_promise()[test->name()].uncounted;
+  if (failures().size() == before) --mutable_checks()[test->name()];
 }
 
 void fail_call(Cause cause, const std::string& got) {
