@@ -62,6 +62,7 @@ class Walk {
     if (at->is_lit) wrong("adds_up_the_bounces_asked_for", "direct light twice " + where, "once");
     at->is_lit = true;
     sum_ += at->throughput * direct.light;
+    more_ += kNoLight * max_channel(direct.light);
   }
 
   void operator()(const Direction& direction) {
@@ -104,7 +105,7 @@ class Walk {
     }
     check_end();
     if (found_.fault == Fault::structure) return found_;
-    if (!close(told_.result, sum_, 1e-4, kNoLight * max_channel(sum_))) {
+    if (!close(told_.result, sum_, 1e-4, more_)) {
       return {Fault::value,
               "adds_up_the_bounces_asked_for",
               brief(told_.result),
@@ -210,6 +211,7 @@ class Walk {
   int since_direction_;  // numbers that the task itself drew after the last direction
   std::vector<Vertex> path_;
   Rgb sum_;
+  double more_ = 0;  // the error of a throughput that float does not have
   Explanation found_;
 };
 

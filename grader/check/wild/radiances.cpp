@@ -23,6 +23,8 @@ pt::Rgb radiance_of(const WildRadiances& of, double chance, double other) {
       return chance < of.share ? of.base * of.bright : pt::Rgb{};
     case WildRadiances::Kind::exponential:
       return of.base * std::exp(3 * (chance + other - 1));
+    case WildRadiances::Kind::spikes:
+      return chance < of.share ? of.base * of.bright : of.base * other;
   }
   return {};
 }
@@ -52,6 +54,8 @@ std::string WildRadiances::text() const {
     case Kind::rarely_lit:
       return fmt::format("radiances: black, but {} with probability {:.4f}", brief(base * bright),
                          share);
+    case Kind::spikes:
+      return fmt::format("radiances: {} times a uniform number, and {}", brief(base), times);
     case Kind::exponential:
       return fmt::format("radiances: {} times exp(3 (a + b - 1)), a and b uniform", brief(base));
   }
@@ -61,8 +65,8 @@ std::string WildRadiances::text() const {
 WildRadiances wild_radiances(RandomNumbers& random) {
   using Kind = WildRadiances::Kind;
   WildRadiances made;
-  made.kind = std::array{Kind::constant, Kind::uniform, Kind::two_values, Kind::rarely_lit,
-                         Kind::exponential}[random.whole(0, 4)];
+  made.kind = std::array{Kind::constant,   Kind::uniform,     Kind::two_values,
+                         Kind::rarely_lit, Kind::exponential, Kind::spikes}[random.whole(0, 5)];
   made.share = by_size(random, 1e-3, 0.5);
   made.bright = by_size(random, 1.01, 1e6);
   const double r = random.between(0.1, 1), g = random.between(0.1, 1);

@@ -10,7 +10,7 @@ namespace grader::check {
 
 // Radiances of one pixel, of very different sizes.
 struct WildRadiances {
-  enum class Kind { constant, uniform, two_values, rarely_lit, exponential };
+  enum class Kind { constant, uniform, two_values, rarely_lit, exponential, spikes };
   Kind kind = Kind::constant;
   double share = 0;   // of the second value
   double bright = 1;  // how many times the first one it is

@@ -15,9 +15,12 @@ using pt::Rgb;
 
 namespace {
 
-constexpr int kMaxMeans = 40;  // of wrong values: inputs that are judged by many calls
+constexpr int kMaxMeans = 25;  // of wrong values: inputs that are judged by many calls
 constexpr int kMaxSmallerCalls =
     300;  // inputs that are tried in place of one that fails; fewer of long calls
+
+// An input whose calls take so many samples is asked for one call.
+constexpr int kLong = 1000;
 
 // Wrong values of a plain file are judged in pairs: the result, and what the record of the same call amounts to.
 constexpr int kPairs = 3000, kPairedSamples = 30'000;
@@ -57,7 +60,8 @@ class Judge {
 
   std::optional<Explanation> fault_of(const WildInput& input, std::uint64_t seed) {
     std::optional<Explanation> wrong_value;
-    for (const Explanation& call : input.ask(calls_, seed)) {
+    const int calls = input.samples() > kLong ? 1 : calls_;
+    for (const Explanation& call : input.ask(calls, seed)) {
       seen_.add(call);
       if (call.fault == Fault::structure) return call;
       if (call.fault == Fault::habit && keeps_habit_) return call;
@@ -69,8 +73,6 @@ class Judge {
     if (is_biased(input.ask(n, seed))) return wrong_value;
     return std::nullopt;
   }
-
-  void begin_smaller() { means_ = 0; }
 
  private:
   int calls_;  // of each input
@@ -86,7 +88,6 @@ void make_smaller(Judge& judge, WildFailure& failure) {
     for (const WildPointer& smaller : failure.input->smaller()) {
       left -= 1 + smaller->samples() / 300;
       if (left < 0) return;
-      judge.begin_smaller();
       const auto why = judge.fault_of(*smaller, failure.seed);
       if (!why || why->fault != failure.why.fault) continue;
       failure.input = smaller;

@@ -54,7 +54,7 @@ class WildPixel : public WildInput {
 };
 
 inline WildPointer any_pixel(RandomNumbers& random) {
-  const int samples = by_chance(random, 0.002) ? 20000 : static_cast<int>(by_size(random, 1, 600));
+  const int samples = by_chance(random, 0.002) ? 40000 : static_cast<int>(by_size(random, 1, 600));
   return std::make_shared<WildPixel>(wild_radiances(random), samples);
 }
 

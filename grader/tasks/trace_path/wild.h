@@ -54,7 +54,7 @@ struct Paths {
                        settings.direct == Direct::lights ? "lights" : "hemisphere",
                        settings.light_samples, settings.survival);
   }
-  int samples() const { return settings.light_samples * std::min(settings.to, 10); }
+  int samples() const { return settings.light_samples * settings.to; }
 };
 
 inline Paths any_paths(RandomNumbers& random) {

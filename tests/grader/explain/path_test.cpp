@@ -160,6 +160,16 @@ TEST(explain_path, rays_follow_directions) {
   EXPECT_EQ(first_fault({.turns_rays = true}).promise, "follows_the_new_ray");
 }
 
+// Float has no numbers below 1e-45.
+TEST(explain_path, light_that_float_does_not_have_may_be_lost) {
+  World world;
+  world.scene.materials[0].albedo = world.point.albedo = pt::gray(1e-3);
+  world.settings = {.light_samples = 2, .survival = 1, .from = 20, .to = 20};
+  EXPECT_EQ(first_fault({.factor = 0}, world).got, "");
+  world.settings.from = world.settings.to = 4;
+  EXPECT_EQ(of_path({.factor = 0}, 3, world).fault, Fault::value);
+}
+
 TEST(explain_path, compares_the_result) {
   const Explanation off = of_path({.factor = 1.001});
   EXPECT_EQ(off.fault, Fault::value);
