@@ -20,6 +20,12 @@ firstlight_test(test_goldens rest PATHS SOURCES grader/pictures/goldens_test.cpp
   RADIANCE recorded)
 firstlight_test(test_engines rest PATHS SOURCES pt/render/engines_test.cpp LIBRARIES grader_pictures pt_loader RADIANCE recorded)
 
+# Work in the skeleton of a course.
+firstlight_test(door_test quick PLAIN PATHS SOURCES grader/door/door_test.cpp LIBRARIES grader_door GTest::gmock)
+foreach(what right mistakes)
+  firstlight_script_test(course_${what} rest grader/door/course.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader ${what} NEEDS grade graded)
+endforeach()
+
 firstlight_library(example_results grader/report/example_results.cpp)
 target_link_libraries(example_results PUBLIC grader_platforms)
 firstlight_test(test_report quick PATHS LIBRARIES example_results GTest::gmock SOURCES

@@ -3,6 +3,8 @@
 #include "grader/service/judging/grade.h"
 
 #include "grader/base/files.h"
+#include "grader/door/clone.h"
+#include "grader/door/dialect.h"
 #include "grader/programs/grade_options.h"
 #include "grader/report/hints.h"
 #include "grader/report/status_line.h"
@@ -11,7 +13,9 @@
 #include "grader/results/points.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
+#include "grader/service/intake/flatten_boxed.h"
 #include "grader/service/intake/prepare_submission.h"
+#include "grader/service/intake/read_boxed.h"
 #include "grader/service/intake/unpack_boxed.h"
 #include "grader/service/process/spawn.h"
 #include "grader/tasks.h"
@@ -135,6 +139,11 @@ class Intake {
       found_.folder = base::submission_root(options.submission);
       return;
     }
+    if (std::filesystem::is_directory(options.submission) &&
+        door::is_clone(base::submission_root(options.submission))) {
+      take_clone(config, options);
+      return;
+    }
     std::vector<intake::TaskFile> tasks;
     for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
     const intake::Unpack unpack = [&](const std::string& archive, const std::string& folder,
@@ -162,13 +171,34 @@ class Intake {
 
   const intake::Prepared& found() const { return found_; }
   bool is_copied() const { return folders_ > 0; }
+  // Of a clone of the course: what the course asks for.
+  const std::optional<door::Dialect>& dialect() const { return dialect_; }
 
  private:
   explicit Intake(std::string work) : work_(std::move(work)) {}
 
+  // A clone of the course's skeleton becomes twelve task files.
+  void take_clone(const build::Config& config, const GradeOptions& options) {
+    const auto read = [&] {
+      const std::string texts = config.root + "/grader/door";
+      const door::Clone clone = door::read_clone(base::submission_root(options.submission));
+      const door::Generation generation = door::course_of(clone).generation;
+      dialect_ = options.dialect == "none" ? door::no_dialect(texts, generation)
+                                           : door::load_dialect(texts, generation);
+      const std::string folder = work_ + "/" + std::to_string(++folders_);
+      if (!clone.problem.empty()) return intake::Prepared{folder, clone.problem};
+      const sandbox::Tier tier =
+          intake::tier_for_reading(config.root, config.work, options.require_isolation);
+      return intake::Prepared{folder, intake::flatten_boxed(options.submission, clone, config.root,
+                                                            base::programs_folder(), tier, folder)};
+    };
+    found_ = intake::read_handed_in(options.submission, options.submission, read);
+  }
+
   std::string work_;
   int folders_ = 0;
   intake::Prepared found_;
+  std::optional<door::Dialect> dialect_;
 };
 
 // Returns whether each function of the task begins with todo, as it was handed out. In doubt it does not: a comment
@@ -210,6 +240,7 @@ judging::GradeRequest request_for(const build::Config& config, const GradeOption
   judging::GradeRequest request;
   request.submission = intake.found().folder;
   request.refused = intake.found().problem;
+  request.dialect = intake.dialect();
   request.note = options.note.empty() ? intake.found().note : options.note;
   if (intake.is_copied() || !request.refused.empty()) request.shown = options.submission;
   request.name = results::one_line(options.name);

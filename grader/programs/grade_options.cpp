@@ -12,6 +12,7 @@ std::string command(const GradeOptions& options) {
   for (const std::string& word : options.what) words += " " + word;
   const bool is_learners = options.submission == "student" || !options.name.empty();
   if (!is_learners) words += " --submission " + options.submission;
+  if (options.dialect == "none") words += " --dialect none";
   if (options.no_pictures) words += " --no-pictures";
   return words + " --seed " + std::to_string(options.seed);
 }
@@ -52,6 +53,10 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
       "A (bubblewrap), B (another user) or C (limits); default: the best that works here");
   app.add_flag("--require-isolation", options.require_isolation,
                "Stop if only tier C (limits) works");
+  app.add_option("--dialect", options.dialect,
+                 "Of a clone of the course's skeleton, judge what the course asks for, or, with "
+                 "none, our contracts")
+      ->check(CLI::IsMember({"course", "none"}));
   app.add_flag("--resume", options.resume, "Continue the run that was interrupted");
   app.add_option("--note", options.note, "Which of the files handed in are in it")->group("");
   app.add_flag("--programs", options.programs, "Name the programs for ./run")->group("");

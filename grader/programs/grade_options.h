@@ -25,6 +25,7 @@ struct GradeOptions {
   int compile_limit = 60;
   int threads = 2;
   std::string isolation;
+  std::string dialect = "course";  // of work in the skeleton of a course; none: by our contracts
   bool require_isolation = false;
   bool all = false;
   bool no_pictures = false;

@@ -109,10 +109,15 @@ std::string failure_text(const results::Readable& readable, const TerminalStyle&
   return text + "\n";
 }
 
+// "hit_box, your BBox::intersect,", or the slug alone.
+std::string heading_of(const results::TaskResult& task) {
+  return task.called.empty() ? task.slug : fmt::format("{}, your {},", task.slug, task.called);
+}
+
 std::string promise_text(const results::TaskResult& task, const results::PromiseResult& promise,
                          const TerminalStyle& style) {
   std::string text = "\n";
-  for (const std::string& line : base::wrap(task.slug + " " + promise.words, style.width)) {
+  for (const std::string& line : base::wrap(heading_of(task) + " " + promise.words, style.width)) {
     text += paint(line, "1", style) + "\n";
   }
   text += "\n";
@@ -200,6 +205,16 @@ std::string table(const results::Results& results, const TerminalStyle& style) {
   return text + "\n" + results::verdict(results) + "\n";
 }
 
+// The first lines of a report on work in the skeleton of a course.
+std::string dialect_text(const results::Results& results, const TerminalStyle& style) {
+  std::string text;
+  if (results.dialect.empty()) return text;
+  const std::string words =
+      fmt::format("Judged by {}; docs/course.md says what that changes.", results.dialect);
+  for (const std::string& line : base::wrap(words, style.width)) text += line + "\n";
+  return text;
+}
+
 std::vector<FailureText> failure_texts(const results::TaskResult& task,
                                        const TerminalStyle& style) {
   std::vector<FailureText> texts;
@@ -240,7 +255,7 @@ std::string to_text(const results::Results& results, const TerminalStyle& style)
   for (const results::TaskResult* task : results::by_importance(results)) {
     for (FailureText& each : failure_texts(*task, style)) failures.push_back(std::move(each.text));
   }
-  std::string text = table(results, style);
+  std::string text = dialect_text(results, style) + table(results, style);
   const std::size_t shown = style.all ? failures.size() : std::min<std::size_t>(1, failures.size());
   for (std::size_t i = 0; i < shown; ++i) text += failures[i];
   if (failures.size() > shown) {

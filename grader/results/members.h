@@ -29,12 +29,12 @@ FIRSTLIGHT_MEMBERS(PictureResult, recipe, title, state, text, integrated, sample
                    seconds, points, max_points, replay, width, height, golden, render, evidence,
                    golden_counts, counts, cells)
 FIRSTLIGHT_MEMBERS(Mistake, name, sentence, found_by, hint, always_the_same)
-FIRSTLIGHT_MEMBERS(TaskResult, part, number, slug, state, reason, points, max_points, bonus_points,
-                   spared, mistake, blocked_by, blamed, compiler_output, warnings, keeps_state,
-                   printed, promises, pictures)
+FIRSTLIGHT_MEMBERS(TaskResult, part, number, slug, called, state, reason, points, max_points,
+                   bonus_points, spared, mistake, blocked_by, blamed, compiler_output, warnings,
+                   keeps_state, printed, promises, pictures)
 FIRSTLIGHT_MEMBERS(Phase, name, seconds)
 FIRSTLIGHT_MEMBERS(Results, complete, submission, asked, seed, isolation, versions, command,
-                   seconds, phases, tasks)
+                   dialect, seconds, phases, tasks)
 
 #undef FIRSTLIGHT_MEMBERS
 #undef FIRSTLIGHT_MEMBER

@@ -132,6 +132,7 @@ struct TaskResult {
   std::string part;    // "1_rays"
   std::string number;  // "1.3"
   std::string slug;
+  std::string called;  // the name of the function in the learner's own code; empty: the slug
   State state = State::not_judged;
   std::string reason;  // one sentence if the promises do not say why: blocked, rejected, ...
   int points = 0;      // for promises kept and pictures that are right
@@ -165,6 +166,7 @@ struct Results {
   std::string isolation;              // the tier, "C: rlimits only, not isolated"
   std::vector<std::string> versions;  // "GNU 12.2.0", "Firstlight 336aeb9": what it was judged with
   std::string command;                // reproduces the run
+  std::string dialect;  // what is judged, in the words of a course; empty: the contracts
   double seconds = 0;
   std::vector<Phase> phases;
   bool complete = false;           // false in a file that a killed run left

@@ -22,8 +22,9 @@ using Rooms = std::vector<std::string>;
 
 // From the bottom up. The core of the grader judges a task; the service exists because a
 // submission's code comes from somebody else.
-const Rooms kCore{"grader/base",     "grader/results", "grader/explain",  "grader/check",
-                  "grader/mistakes", "grader/tasks",   "grader/pictures", "grader/report"};
+const Rooms kCore{"grader/base",    "grader/results",  "grader/door",
+                  "grader/explain", "grader/check",    "grader/mistakes",
+                  "grader/tasks",   "grader/pictures", "grader/report"};
 const Rooms kService{
     "grader/service/process",   "grader/service/sandbox", "grader/service/wire",
     "grader/service/audit",     "grader/service/build",   "grader/service/judging",
@@ -54,7 +55,9 @@ const std::map<std::string, std::set<std::string>> kOnly{
     {"grader/report", {"grader/base", "grader/results"}},
     {"grader/service/process", {"grader/base"}},
     {"grader/service/sandbox", {"grader/base", "grader/service/process"}},
-    {"grader/service/intake", {"grader/base", "grader/service/process", "grader/service/sandbox"}},
+    {"grader/door", {"grader/base", "grader/results"}},
+    {"grader/service/intake",
+     {"grader/base", "grader/door", "grader/service/process", "grader/service/sandbox"}},
     {"grader/service/platforms", {"grader/base", "grader/results", "grader/report"}},
     {kView,
      {"grader/base", "grader/pictures", "grader/report", "grader/service/process",

@@ -50,6 +50,22 @@ std::string in_folder(std::string text, const build::TaskConfig& task, const std
   return text;
 }
 
+// Returns whether the error is in one of our texts around the learner's (grader/door/).
+bool is_not_of_course(const std::string& error) {
+  return error.starts_with("door/") || error.find("\ndoor/") != error.npos;
+}
+
+// The sentence in which an adapter says what is not the course's, or else the compiler's.
+std::string not_of_course(const std::string& error) {
+  constexpr std::string_view kStated = "static assertion failed: ";
+  const std::size_t stated = error.find(kStated), said = error.find("error: ");
+  const std::size_t begin = stated != error.npos ? stated + kStated.size()
+                            : said != error.npos ? said + std::string_view("error: ").size()
+                                                 : 0;
+  const std::string words = error.substr(begin, error.find('\n', begin) - begin);
+  return "not judged: " + (stated != error.npos ? words : "the code is not the course's: " + words);
+}
+
 void compile_one(const build::Builder& builder, const GradeRequest& request, Judged& judged) {
   const build::TaskConfig& task = *judged.config;
   results::TaskResult& result = judged.result;
@@ -63,6 +79,9 @@ void compile_one(const build::Builder& builder, const GradeRequest& request, Jud
   result.warnings = in_folder(judged.object.warnings, task, folder);
   if (!judged.object.rejected.empty()) {
     return refuse(result, results::State::rejected, judged.object.rejected);
+  }
+  if (request.dialect && is_not_of_course(judged.object.error)) {
+    return refuse(result, results::State::rejected, not_of_course(judged.object.error));
   }
   if (!judged.object.ok()) {
     return refuse(result, results::State::fail, "it does not compile",
@@ -110,6 +129,7 @@ void enter(const results::TaskResult& found, const GradeRequest& request,
   if (found.state == results::State::not_attempted || found.promises.empty())
     return refuse(result, found.state, found.reason);
   for (const results::PromiseResult& each : found.promises) {
+    if (request.dialect && door::is_dropped(*request.dialect, result.slug, each.name)) continue;
     results::PromiseResult& promise = entry(result, each);
     if (promise.bonus && !promise.failures.empty()) continue;  // known already
     promise.held = each.held;

@@ -71,6 +71,20 @@ void check_names(const results::Points& points, const std::vector<Judged>& judge
   }
 }
 
+// Without this check, a misspelt promise of a dialect would be judged.
+void check_dialect(const door::Dialect& dialect, const std::vector<Judged>& judged) {
+  for (const Judged& each : judged) {
+    const auto found = dialect.promises.find(each.config->slug);
+    if (found == dialect.promises.end()) continue;
+    for (const auto& [name, change] : found->second) {
+      if (std::ranges::count(each.result.promises, name, &results::PromiseResult::name) > 0)
+        continue;
+      throw pt::Error(fmt::format("grader/door/dialects: {}: {} is not a promise of {}",
+                                  dialect.name, name, each.config->slug));
+    }
+  }
+}
+
 constexpr const char* kLearnersFolder = "student";
 
 std::string folder_shown(const GradeRequest& request) {
@@ -100,6 +114,11 @@ class Run {
     }
     if (request.pictures) list_pictures(config, request, judged_);
     check_names(points_, judged_, config.root + "/grader/points.json");
+    if (request.dialect) {
+      check_dialect(*request.dialect, judged_);
+      results_.dialect = request.dialect->name;
+      for (Judged& each : judged_) door::translate(*request.dialect, each.result);
+    }
     for (const build::TaskConfig& task : config.tasks) {
       if (is_asked(task.slug)) results_.asked.push_back(task.slug);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/door/dialect.h"
 #include "grader/results/results.h"
 #include "grader/service/build/config.h"
 #include "grader/service/process/time_limit.h"
@@ -7,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +23,12 @@ struct GradeRequest {
   std::uint64_t seed = 1;
   int call_limit = static_cast<int>(process::kCallLimit.count());  // milliseconds
   int threads = 2;
-  bool pictures = true;            // judge pictures too, not only promises
-  std::string command;             // the command line, for the report
-  sandbox::Isolation isolation{};  // for all code of the submission
-  int compile_limit = 60;          // seconds per file
-  std::string name{};              // of the learner; empty: reports use the folder
+  bool pictures = true;                    // judge pictures too, not only promises
+  std::string command;                     // the command line, for the report
+  sandbox::Isolation isolation{};          // for all code of the submission
+  int compile_limit = 60;                  // seconds per file
+  std::string name{};                      // of the learner; empty: reports use the folder
+  std::optional<door::Dialect> dialect{};  // of the course in whose skeleton the work is
 };
 
 // The folder that reports show: the submission's, or student/ if the submission has a name.

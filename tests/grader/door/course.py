@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""course.py PROGRAMS [right | mistakes]: grades clones of the look-alike of a course's skeleton (tests/fixtures/course/). Right work has all
+points in the dialect of its year; what is handed out earns nothing; each mistake fails in its own task; messages name the learner's
+files."""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE + "/../../fixtures/course")
+import make_clone  # noqa: E402
+
+PROGRAMS = sys.argv[1]
+complaints = []
+folder = tempfile.TemporaryDirectory()
+
+
+def grade(clone, *words):
+    """(what the command printed, its results.json)"""
+    results = clone + ".json"
+    run = subprocess.run([PROGRAMS + "/grade", *words, "--submission", clone, "--no-pictures", "--quiet", "--json", results],
+                         capture_output=True, text=True, check=False)
+    if run.returncode not in (0, 1):
+        raise SystemExit(f"{clone} {words}: status {run.returncode}: {run.stderr}")
+    with open(results, encoding="utf-8") as file:
+        return run.stdout, json.load(file)
+
+
+def made(name, year, **how):
+    clone = os.path.join(folder.name, name)
+    make_clone.make(year, clone, **how)
+    return clone
+
+
+def expect(holds, what, found):
+    if not holds:
+        complaints.append(f"{what}: {found}")
+
+
+def broken(task):
+    return [promise["name"] for promise in task["promises"] if not promise["held"] and not promise["bonus"]]
+
+
+DIALECTS = {2019: "CS184, 2019 and before", 2020: "CS184, 2020 and 2021", 2022: "CS184, 2022 and later", 2023: "CS184, 2022 and later"}
+
+
+def right_work(years):
+    for year in years:
+        said, results = grade(made(f"right{year}", year))
+        expect(results["passed"] and said.startswith(f"Judged by {DIALECTS[year]};"), f"right work of {year}", said[:3000])
+        points = [(task["points"], task["max_points"]) for task in results["tasks"]]
+        expect(len(points) == 12 and all(a == b for a, b in points), f"points of {year}", points)
+
+
+def unwritten(years):
+    for year in years:
+        _, results = grade(made(f"unwritten{year}", year, unwritten=True))
+        states = {(task["slug"], task["state"], task["points"]) for task in results["tasks"] if task["state"] != "not_attempted" or task["points"]}
+        expect(not states and len(results["tasks"]) == 12, f"what is handed out in {year}", states)
+    _, ours = grade(os.path.join(folder.name, f"unwritten{years[-1]}"), "--dialect", "none")
+    listed = sum(task["max_points"] for task in ours["tasks"])
+    expect(listed > sum(task["max_points"] for task in results["tasks"]) and "contracts" in ours["dialect"], "no dialect", listed)
+
+
+# The task that fails, the promise that says so, and the edit.
+MISTAKES = [
+    ("camera_ray", "fills_the_field_of_view", ("camera.cpp", "hFov * PI / 360", "hFov * PI / 180")),
+    ("hit_triangle", "interpolates_the_corner_normals", ("triangle.cpp", "n2 * u + n3 * v", "n3 * u + n2 * v")),
+    ("hit_triangle", "hits_where_it_is_aimed", ("triangle.cpp", "return test(r, t, u, v);", "return test(r, t, u, v) && u > 0.5;")),
+    ("hit_sphere", "hits_from_inside", ("sphere.cpp", "t1 >= r.min_t ? t1 : t2;", "t1;")),
+    ("build_bvh", "keeps_leaves_small", ("bvh.cpp", "<= max_leaf_size", "<= 2 * max_leaf_size")),
+    ("hit_box", "misses_beside_the_box", ("bbox.cpp", "if (enters > leaves) return false;", "")),
+    ("hit_bvh", "finds_the_nearest_hit", ("bvh.cpp", "hit = (*p)->intersect(r, i) || hit;", "hit = hit || (*p)->intersect(r, i);")),
+    ("diffuse_bsdf", "f_reflects_the_albedo", ("bsdf.cpp", "reflectance * (1 / PI)", "reflectance")),
+    ("direct_hemisphere", "sees_a_light_of_known_size", ("pathtracer.cpp", "w_in.z * 2 * PI", "w_in.z * PI")),
+    ("direct_lights", "is_not_hidden_by_the_light_itself", ("pathtracer.cpp", "ray.max_t = distance - EPS_F;", "")),
+    ("trace_path", "matches_the_furnace", ("pathtracer.cpp", "w_in.z / pdf / goes_on", "w_in.z / pdf")),
+    ("adaptive_pixel", "stops_where_the_interval_is_narrow", ("pathtracer.cpp", "1.96", "2.96")),
+    ("estimate_pixel", "covers_the_whole_pixel", ("pathtracer.cpp", "(x + in_pixel.x)", "(x + 0.9 * in_pixel.x)")),
+]
+# A mistake in raytrace_pixel is one in both tasks.
+SHARED = {"estimate_pixel": {"adaptive_pixel"}}
+
+
+def mistakes():
+    for number, (slug, promise, edit) in enumerate(MISTAKES):
+        said, results = grade(made(f"wrong{number}", 2022, edits=[edit]))
+        failing = {task["slug"]: broken(task) for task in results["tasks"] if task["state"] not in ("pass", "blocked")}
+        expect(promise in failing.get(slug, []) and set(failing) <= {slug} | SHARED.get(slug, set()), f"{slug}, {edit}", failing)
+        expect("your " in said and "::" in said, f"the learner's name in {slug}", said[:500])
+    said, results = grade(os.path.join(folder.name, "wrong2"), "hit_triangle")
+    expect("disagree about a ray" in results["tasks"][0]["printed"], "has_intersection alone", said)
+
+
+def messages():
+    clone = made("misspelt", 2022, edits=[("bbox.cpp", "t0 = enters;", "t0 = enter;")])
+    with open(clone + "/src/scene/bbox.cpp", encoding="utf-8") as file:
+        line = 1 + [line.strip() for line in file].index("t0 = enter;")
+    _, results = grade(clone, "hit_box")
+    expect(results["tasks"][0]["compiler_output"].startswith(f"src/scene/bbox.cpp:{line}:"), "the file and line", results["tasks"][0])
+    other = made("other_tree", 2022)
+    for name in ("bvh.h", "bvh.cpp"):
+        with open(f"{other}/src/scene/{name}", "r+", encoding="utf-8") as file:
+            text = re.sub(r"\bbb\b", "bounds", file.read())
+            file.seek(0)
+            file.write(text)
+    _, results = grade(other, "build_bvh", "hit_box")
+    said = {task["slug"]: (task["state"], task["reason"]) for task in results["tasks"]}
+    expect(said == {"build_bvh": ("rejected", "not judged: BVHNode is not the course's"), "hit_box": ("pass", "")}, "another tree", said)
+
+
+if sys.argv[2] == "right":
+    right_work([2019, 2020, 2022, 2023])
+    unwritten([2019, 2020, 2023])
+else:
+    mistakes()
+    messages()
+print("\n".join(complaints) or "all clones have their verdicts")
+sys.exit(1 if complaints else 0)

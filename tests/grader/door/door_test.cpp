@@ -1,0 +1,159 @@
+// A clone is read as data: nothing outside of it is read, whatever is in it.
+#include "grader/door/clone.h"
+#include "grader/door/code.h"
+#include "grader/door/edits.h"
+#include "grader/door/flatten.h"
+#include "pt/error.h"
+#include "pt/file.h"
+#include "tests/fixtures/temporary_folder.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace grader::door {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  pt::write_file(path, text);
+}
+
+Texts texts() { return read_texts(fs::path(FIRSTLIGHT_ROOT) / "grader/door"); }
+
+// The text that hit_box is judged as, if bbox.cpp is this.
+std::string flat(const std::string& bbox, Clone clone = {}) {
+  clone.files["src/scene/bbox.cpp"] = {bbox};
+  return flatten(clone, texts(), "hit_box");
+}
+
+class CloneOnDisk : public testing::Test {
+ protected:
+  void SetUp() override {
+    write(path("src/pathtracer/pathtracer.cpp"), "");
+    write(secret_, "the secret");
+  }
+  fs::path path(const std::string& name) const { return fs::path(folder_.path()) / "clone" / name; }
+  Clone read() const { return read_clone(path("")); }
+
+  TemporaryFolder folder_;
+  fs::path secret_ = fs::path(folder_.path()) / "secret.h";
+};
+
+TEST_F(CloneOnDisk, is_noticed_by_its_folders) {
+  EXPECT_TRUE(is_clone(path("")));
+  EXPECT_FALSE(is_clone(folder_.path()));
+}
+
+TEST_F(CloneOnDisk, is_read_without_links) {
+  fs::create_symlink(secret_, path("src/soft.h"));
+  fs::create_directory_symlink(folder_.path(), path("src/folder"));
+  fs::create_hard_link(secret_, path("src/hard.h"));
+  ASSERT_EQ(mkfifo(path("src/pipe.h").c_str(), 0600), 0);
+  const Clone clone = read();
+  for (const char* name : {"src/soft.h", "src/hard.h", "src/pipe.h"}) {
+    ASSERT_NE(clone.find(name), nullptr) << name;
+    EXPECT_NE(clone.find(name)->refused, "") << name;
+    EXPECT_EQ(clone.find(name)->text, "") << name;
+  }
+  for (const auto& [name, file] : clone.files)
+    EXPECT_THAT(file.text, Not(HasSubstr("secret"))) << name;
+}
+
+TEST_F(CloneOnDisk, has_bounds_for_size_and_depth) {
+  write(path("src/large.h"), std::string((std::size_t{1} << 20) + 1, ' '));
+  EXPECT_THAT(read().find("src/large.h")->refused, HasSubstr("larger than 1 MiB"));
+  write(path("src/1/2/3/4/5/6/7/8/9/deep.h"), "");
+  EXPECT_THAT(read().problem, HasSubstr("folders deep"));
+}
+
+TEST(Clone, is_the_same_when_it_is_unpacked) {
+  Clone clone;
+  clone.files["src/a.h"] = {"text\nwith 3\n"};
+  clone.files["src/b.h"] = {"", "it is a link"};
+  const Clone again = unpack(pack(clone));
+  EXPECT_EQ(again.find("src/a.h")->text, "text\nwith 3\n");
+  EXPECT_EQ(again.find("src/b.h")->refused, "it is a link");
+  for (const char* text : {"7", "99\nx", "x\n", "18446744073709551615\n"})
+    EXPECT_THROW(unpack(text), pt::Error) << text;
+}
+
+TEST(Flatten, follows_no_include_out_of_the_clone) {
+  for (const char* name : {"../../../etc/passwd", "/etc/passwd", "../../outside.h"}) {
+    const std::string line = std::string("#include \"") + name + "\"";
+    EXPECT_THAT(flat(line), HasSubstr("\n" + line + "\n"))
+        << "the compiler says that it is missing";
+  }
+  Clone clone;
+  clone.files["src/scene/link.h"] = {"", "the file is a link"};
+  EXPECT_THAT(flat("#include \"link.h\"", clone),
+              HasSubstr("#error \"src/scene/link.h: the file is a link\""));
+}
+
+TEST(Flatten, ends_where_files_include_each_other) {
+  Clone clone;
+  clone.files["src/scene/a.h"] = {"#include \"b.h\"\nint a;\n"};
+  clone.files["src/scene/b.h"] = {"#include \"a.h\"\nint b;\n"};
+  const std::string text = flat("#include \"a.h\"\n", clone);
+  EXPECT_THAT(text,
+              HasSubstr("#line 2 \"src/scene/b.h\"\nint b;\n#line 2 \"src/scene/a.h\"\nint a;\n"));
+  for (int i = 0; i < 200; ++i)
+    clone.files["src/scene/c" + std::to_string(i) + ".h"] = {"#include \"c" +
+                                                             std::to_string(i + 1) + ".h\"\n"};
+  EXPECT_THAT(flat("#include \"c0.h\"\n", clone), HasSubstr("#error \"files include files"));
+}
+
+TEST(Flatten, leaves_an_include_in_a_comment_alone) {
+  Clone clone;
+  clone.files["src/scene/a.h"] = {"int a;\n"};
+  EXPECT_THAT(flat("/*\n#include \"a.h\"\n*/\n", clone), Not(HasSubstr("int a;")));
+  EXPECT_THAT(flat("  # include  \"a.h\"  // mine\n", clone), HasSubstr("int a;"));
+  EXPECT_THAT(flat("#include <bits/stdc++.h>\n"), HasSubstr("__has_include(<bits/stdc++.h>)"));
+}
+
+TEST(Flatten, sees_what_is_not_written_yet) {
+  const auto is_written = [](const std::string& body) {
+    return flat("bool BBox::intersect(const Ray& r, double& t0, double& t1) const {" + body + "}")
+               .find("#define FL_WRITTEN 1") != std::string::npos;
+  };
+  EXPECT_FALSE(is_written("return true;"));
+  EXPECT_FALSE(is_written("// r is the ray\n return true;"));
+  EXPECT_TRUE(is_written("return r.d.x > 0;"));
+  EXPECT_TRUE(is_written("return slabs(r, t0, t1);"));
+}
+
+TEST(Edits, keep_lines) {
+  const std::string text =
+      "class PathTracer\n{\n  // private: no\n private:\n  std::vector<int> "
+      "sampleCountBuffer;\n};\n";
+  const std::string made = edited(text, "src/pathtracer/pathtracer.h", Generation::of_2022);
+  EXPECT_EQ(made,
+            "FL_SEAMS class PathTracer : public Seams\n{\n  // private: no\n public:\n  FlOne<int> "
+            "sampleCountBuffer;\n};\n");
+  const std::string old = "int a;\nvoid PathTracer::stop() {\n  if (a) { \"}\"; }\n}\nint b;\n";
+  EXPECT_EQ(edited(old, "src/pathtracer.cpp", Generation::of_2019), "int a;\n\n\n\nint b;\n");
+}
+
+TEST(Code, is_read_roughly_whatever_it_is) {
+  EXPECT_EQ(only_code("a /* b\nc */ \"d\\\"e\" 'f' 1'000 // g\nh"),
+            "a     \n     " + std::string(6, ' ') + "     1'000     \nh");
+  const auto found = definitions_of(
+      "int A::f(std::map<int, int> m, const B &b = B(1, 2)) const { return {}; }", "A::f");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0].parameters, testing::ElementsAre("m", "b"));
+  for (const char* text : {"A::f(", "A::f(a", "A::f() {", "A::f", "A::f){", "\"", "/*", "'\\"}) {
+    EXPECT_LE(definitions_of(only_code(text), "A::f").size(), 1U) << text;
+    edited(text, "src/pathtracer.cpp", Generation::of_2019);
+    flat(text);
+  }
+}
+
+}  // namespace
+}  // namespace grader::door
