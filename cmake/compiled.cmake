@@ -110,7 +110,7 @@ function(firstlight_compiled_misfit folder result)
   endif()
   foreach(place IN LISTS compiled_programs)
     get_filename_component(program ${place} NAME)
-    if(NOT why AND NOT program MATCHES "^box|_boxed$|^measure$") # these need the files of a build to say anything
+    if(NOT why AND NOT program MATCHES "^box|^flatten$|_boxed$|^measure$") # these need the files of a build to say anything
       execute_process(COMMAND ${folder}/${place} --help RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
       if(NOT status EQUAL 0)
         set(why "other libraries than this system has")
@@ -153,7 +153,7 @@ function(firstlight_add_compiled)
     add_custom_command(OUTPUT ${copy} VERBATIM DEPENDS ${folder}/${place}
       COMMAND ${CMAKE_COMMAND} -E copy ${folder}/${place} ${copy})
     add_custom_target(${program} DEPENDS ${copy})
-    if(place MATCHES "^grader/box")
+    if(place MATCHES "^grader/(box|flatten)")
       add_dependencies(grade ${program})
     endif()
     firstlight_gather(${program})

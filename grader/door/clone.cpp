@@ -5,7 +5,7 @@
 #include "grader/door/code.h"
 #include "pt/error.h"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <set>
 #include <string_view>
@@ -29,6 +29,12 @@ bool is_source(const fs::path& file) {
   return endings.contains(file.extension());
 }
 
+// Returns whether a name can stand in a #line: no quotation mark ends it, and no newline.
+bool is_plain(const std::string& name) {
+  return std::ranges::all_of(name,
+                             [](char c) { return c != '"' && c != '\\' && (c < 0 || c >= ' '); });
+}
+
 // Reads the folders of a clone, within the bounds.
 class Reader {
  public:
@@ -41,7 +47,8 @@ class Reader {
     if (!here.is_open()) return;
     for (const auto& entry : fs::directory_iterator(top_ / folder)) {
       const fs::path path = folder / entry.path().filename();
-      if (base::is_hidden(path.filename()) || !clone_.problem.empty()) continue;
+      const bool is_read = !base::is_hidden(path.filename()) && is_plain(path.filename());
+      if (!is_read || !clone_.problem.empty()) continue;
       if (entry.is_directory() && !entry.is_symlink()) {
         read(path, depth + 1);
       } else if (is_source(path)) {

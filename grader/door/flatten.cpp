@@ -176,7 +176,8 @@ std::string flatten(const Clone& clone, const Texts& texts, const std::string& s
   }
   const std::string first = flat.place_of(adapter.sources.at(0));
   const bool is_written =
-      first.empty() || !is_unwritten(adapter, only_code(clone.find(first)->text));
+      first.empty() ||
+      !is_unwritten(adapter, only_code(edited(clone.find(first)->text, first, course.generation)));
   const std::string ours = texts.around.at("common") + (is_of_paths ? texts.around.at("path") : "");
   return fmt::format(
       "#include \"pt/tasks/{0}.h\"\n#include \"pt/sampling/sampler.h\"\n#include "

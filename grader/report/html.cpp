@@ -103,6 +103,7 @@ data task_data(const results::TaskResult& task, Places& places) {
   }
   out.set("number", task.number);
   out.set("slug", task.slug);
+  set_text(out, "called", task.called);
   out.set("tone", tone(task.state));
   out.set("symbol", results::symbol(task.state));
   out.set("words", results::words(task.state));
@@ -165,6 +166,7 @@ data page_data(const results::Results& results, PageSize size) {
   out.set("percent", std::to_string(std::clamp(percent, 0, 100)));
   out.set("stopped", results.complete ? data(false) : data(results::kStopped));
   out.set("submission", results.submission);
+  set_text(out, "dialect", results.dialect);
   out.set("isolation", results.isolation);
   out.set("seed", std::to_string(results.seed));
   out.set("times", results::times(results));

@@ -56,11 +56,13 @@ std::string one_line(const std::string& text) {
 
 Results presentable(Results results) {
   tidy(results);
-  for (std::string* name : {&results.submission, &results.command, &results.isolation, &results.dialect}) {
+  for (std::string* name :
+       {&results.submission, &results.command, &results.isolation, &results.dialect}) {
     *name = one_line(*name);
   }
   for (TaskResult& task : results.tasks) {
-    for (std::string* name : {&task.part, &task.number, &task.slug, &task.called}) *name = one_line(*name);
+    for (std::string* name : {&task.part, &task.number, &task.slug, &task.called})
+      *name = one_line(*name);
     for (PromiseResult& promise : task.promises) promise.name = one_line(promise.name);
     for (PictureResult& picture : task.pictures) picture.recipe = one_line(picture.recipe);
   }

@@ -57,7 +57,9 @@ TEST_F(CloneOnDisk, is_read_without_links) {
   fs::create_directory_symlink(folder_.path(), path("src/folder"));
   fs::create_hard_link(secret_, path("src/hard.h"));
   ASSERT_EQ(mkfifo(path("src/pipe.h").c_str(), 0600), 0);
+  write(path("src/name\"\n#include \"x.h"), "");
   const Clone clone = read();
+  EXPECT_EQ(clone.files.size(), 4U);
   for (const char* name : {"src/soft.h", "src/hard.h", "src/pipe.h"}) {
     ASSERT_NE(clone.find(name), nullptr) << name;
     EXPECT_NE(clone.find(name)->refused, "") << name;

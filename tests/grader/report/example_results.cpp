@@ -183,6 +183,7 @@ TaskResult full_task() {
   return {.part = "i",
           .number = "j",
           .slug = "k",
+          .called = "A::b",
           .state = State::crash,
           .reason = "l",
           .points = 2,
@@ -207,15 +208,11 @@ Results full_results() {
   const TaskResult task = full_task();
   TaskResult other = task;
   other.slug = "k2";
-  return {"y",
-          5,
-          "z",
-          {"v1", "v2"},
-          "cmd",
-          0.3,
-          {{"p1", 0.5}, {"p2", 0.25}},
-          true,
-          {"aa", "bb"},
+  return {"y",          5,
+          "z",          {"v1", "v2"},
+          "cmd",        "dialect",
+          0.3,          {{"p1", 0.5}, {"p2", 0.25}},
+          true,         {"aa", "bb"},
           {task, other}};
 }
 
