@@ -111,7 +111,10 @@ Options parse_options(int argc, const char* const* argv) {
   app.add_option("--reference", options.reference, "Given by ./run")->group("");
   app.add_option("--recipes", recipes, "Given by ./run")->group("");
   app.add_option("--tasks", options.tasks, "Given by ./run")->group("");
-  app.add_option("--build", options.build, "Given by ./run")->expected(2)->group("");
+  app.add_option("--build", options.build, "Given by ./run")
+      ->expected(2)
+      ->allow_extra_args(false)
+      ->group("");
   app.add_option("--mixture", options.from, "Given by ./run")->group("");
   pt::parse(app, argc, argv);
   options.settings["samples"] = std::to_string(samples > 0 ? samples : 16);

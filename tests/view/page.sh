@@ -12,6 +12,9 @@ cp -r reference "$folder/handed_in"
 cp build/mistakes/trace_path/no_cosine/trace_path.cpp "$folder/handed_in/4_global"
 "$1/measure/writeup_boxed" build "$folder/handed_in" "$folder/boxed.json" view_boxed.json trace_path
 worker=$(sed 's/.*"worker":"\([^"]*\).*/\1/' "$folder/boxed.json")
+# As ./run gives the words of --from student.
+"$programs/view" --worker "$programs/view_worker.reference" --tasks student --build scripts/ninja.sh "$1" scenes/box_spheres.dae \
+  -r 32 24 --pixel 3 4 --export "$folder/pixel.html" >/dev/null
 go_to_server "$programs/view" --boxed "$folder/boxed.json" --reference "$programs/view_worker.reference" --mixture trace_path=no_cosine \
   scenes/box_spheres.dae -r 96 72 -s 8 --no-browser
 # until WHAT: as expect, but the script on standard input may take a while to become true.
