@@ -4,6 +4,7 @@
 // battery instead (grader/mistakes/battery.h), and writes the answers.
 #include "grader/base/printable.h"
 #include "grader/check/language/property.h"
+#include "grader/check/wild/search.h"
 #include "grader/mistakes/battery.h"
 #include "grader/results/json.h"
 #include "grader/results/presentable.h"
@@ -163,6 +164,8 @@ int main(int argc, char** argv) {
   app.add_option("--promises", options.promises, "only these promises: names as in --gtest_filter");
   app.add_flag_callback("--no-shrinking", grader::check::never_shrink,
                         "keep the first input that fails");
+  app.add_flag_callback("--no-wild", grader::check::never_wild,
+                        "make no calls in scenes of any size");
   app.add_option("--battery", options.battery,
                  "run the battery instead: where to write the answers");
   app.add_option("--draws", options.draws, "draws of the battery: times the usual number")

@@ -15,6 +15,8 @@ using pt::Rgb;
 
 namespace {
 
+bool makes_wild_calls = true;
+
 constexpr int kMaxMeans = 25;  // of wrong values: inputs that are judged by many calls
 constexpr int kMaxSmallerCalls =
     300;  // inputs that are tried in place of one that fails; fewer of long calls
@@ -149,9 +151,11 @@ void record(const WildResult& result) {
 
 }  // namespace
 
+void never_wild() { makes_wild_calls = false; }
+
 void expect_explained(const WildTask& task) {
   static std::optional<WildResult> result;
-  if (!failures().empty()) return;
+  if (!makes_wild_calls || !failures().empty()) return;
   const std::string promise = testing::UnitTest::GetInstance()->current_test_info()->name();
   for_all(
       [&] {

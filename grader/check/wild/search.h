@@ -65,6 +65,10 @@ struct WildResult {
 };
 WildResult make_wild_calls(const WildTask& task, std::uint64_t seed);
 
+// From now on no wild calls are made. This is for work in the skeleton of a course, where rays start at a fixed distance: it is shown
+// scenes of one size, and wild scenes have parts of very different sizes.
+void never_wild();
+
 // The current promise fails if a wild call breaks it. The calls are made once for all promises of the task. A file that has
 // failed before is not asked: it has its sentence.
 void expect_explained(const WildTask& task);

@@ -42,6 +42,7 @@ std::vector<std::string> command(const Trial& trial, const std::string& report) 
                                  "--isolation",
                                  std::string(1, sandbox::letter(trial.request.isolation.tier))};
   if (trial.integrated) words.push_back("--integrated");
+  if (trial.request.dialect) words.push_back("--no-wild");
   if (!trial.promises.empty()) {
     std::string filter;
     for (const std::string& name : trial.promises) filter += "*." + name + ":";

@@ -1,5 +1,5 @@
 // right: weak draws send a shadow ray only with a probability, and count for more if they do (Russian
-// roulette).
+// roulette). The chance is large, so that many samples have about the noise of independent draws.
 #include "pt/geometry/spawn_ray.h"
 #include "pt/tasks/diffuse_bsdf.h"
 #include "pt/tasks/direct_lights.h"
@@ -22,7 +22,7 @@ Rgb direct_lights(const Scene& scene, const SurfacePoint& point, int samples, Sa
       const Rgb found = f * sample.radiance * (wi.z / sample.pdf / draws);
       const double strength = max_channel(found);
       if (!(strength > 0)) continue;
-      const double chance = std::clamp(2 * strength / strongest, 0.5, 1.0);
+      const double chance = std::clamp(2 * strength / strongest, 0.8, 1.0);
       strongest = std::max(strongest, strength);
       if (chance < 1 && sampler.next_1d() >= chance) continue;
       if (scene.occluded(shadow_ray(point, sample.wi, sample.distance))) continue;
