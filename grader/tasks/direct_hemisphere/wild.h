@@ -1,38 +1,16 @@
 #pragma once
 
-#include "grader/check/language/repeat.h"
-#include "grader/check/wild/scene_call.h"
+#include "grader/check/wild/direct_call.h"
 #include "grader/tasks/direct_hemisphere/inputs.h"
 #include "pt/tasks/direct_hemisphere.h"
 
-#include <algorithm>
+#include <array>
 
 // Calls of direct_hemisphere that are explained one by one.
 
 namespace grader::check::direct_hemisphere_inputs {
 
-struct Hemisphere {
-  int count = 1;
-
-  Explanations ask(const Situation& s, int n, std::uint64_t seed) const {
-    Explanations all;
-    for (explain::Told& told :
-         repeat_recorded<pt::direct_hemisphere>(n, seed, s.scene, s.point, count)) {
-      explain::answer(s.scene, {}, told.events);
-      all.push_back(explain::explain_hemisphere(s.scene, s.scene.tracer, s.point, count, told));
-    }
-    return all;
-  }
-  std::vector<Hemisphere> smaller() const {
-    std::vector<Hemisphere> all;
-    for (const int less : {1, count / 2, count - 1}) {
-      if (less >= 1 && less < count) all.push_back({less});
-    }
-    return all;
-  }
-  std::string text() const { return fmt::format("samples: {}", count); }
-  int samples() const { return count; }
-};
+using Hemisphere = DirectCall<&pt::direct_hemisphere, &explain::explain_hemisphere, 1>;
 
 // Few of them are long: a long call is as good as many short ones for most mistakes, and the others are limits.
 inline int wild_samples(RandomNumbers& random) {
@@ -43,11 +21,10 @@ inline int wild_samples(RandomNumbers& random) {
 }
 
 inline Explanations usual_calls(std::uint64_t seed) {
-  constexpr int kScenes = 40, kCalls = 40;
+  constexpr int kScenes = 40;
   Explanations all;
   const auto add = [&](const rc::Gen<Situation>& generator, int i) {
-    const Situation s = any_of(generator, seed + static_cast<std::uint64_t>(i));
-    for (const auto& each : Hemisphere{1 + 5 * (i % 4)}.ask(s, kCalls, seed)) all.push_back(each);
+    add_usual_calls(all, generator, Hemisphere{1 + 5 * (i % 4)}, i, seed);
   };
   for (int i = 0; i < kScenes; i += 4) {
     add(in_a_glowing_room(pose(1)), i);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "grader/check/language/repeat.h"
-#include "grader/check/wild/scene_call.h"
+#include "grader/check/wild/direct_call.h"
 #include "grader/tasks/direct_lights/inputs.h"
 #include "pt/tasks/direct_lights.h"
 
@@ -11,28 +10,7 @@
 
 namespace grader::check::direct_lights_inputs {
 
-struct Lights {
-  int count = 1;
-
-  Explanations ask(const Situation& s, int n, std::uint64_t seed) const {
-    Explanations all;
-    for (explain::Told& told :
-         repeat_recorded<pt::direct_lights>(n, seed, s.scene, s.point, count)) {
-      explain::answer(s.scene, {}, told.events);
-      all.push_back(explain::explain_lights(s.scene, s.scene.tracer, s.point, count, told));
-    }
-    return all;
-  }
-  std::vector<Lights> smaller() const {
-    std::vector<Lights> all;
-    for (const int less : {1, count / 2, count - 1}) {
-      if (less >= 1 && less < count) all.push_back({less});
-    }
-    return all;
-  }
-  std::string text() const { return fmt::format("samples: {}", count); }
-  int samples() const { return 2 * count; }
-};
+using Lights = DirectCall<&pt::direct_lights, &explain::explain_lights, 2>;
 
 // Few of them are long: what a long call asks for is kept and sent.
 inline int wild_samples(RandomNumbers& random) {
@@ -43,11 +21,10 @@ inline int wild_samples(RandomNumbers& random) {
 }
 
 inline Explanations usual_calls(std::uint64_t seed) {
-  constexpr int kScenes = 40, kCalls = 40;
+  constexpr int kScenes = 40;
   Explanations all;
   const auto add = [&](const rc::Gen<Situation>& generator, int i) {
-    const Situation s = any_of(generator, seed + static_cast<std::uint64_t>(i));
-    for (const auto& each : Lights{1 + 5 * (i % 3)}.ask(s, kCalls, seed)) all.push_back(each);
+    add_usual_calls(all, generator, Lights{1 + 5 * (i % 3)}, i, seed);
   };
   for (int i = 0; i < kScenes; i += 4) {
     add(lit_by([](SceneMaker& maker) {
