@@ -3,16 +3,14 @@
 // (grader/service/intake/flatten_boxed.h), so a clone that makes it crash, or never end, harms only
 // itself. The exit status is 2 if the clone is at fault, 3 if the machine is.
 #include "grader/door/flatten.h"
+#include "grader/service/intake/reader_program.h"
 #include "grader/tasks.h"
-#include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/file.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <new>
 #include <string>
 
 namespace {
@@ -32,18 +30,8 @@ void flatten_all(const std::string& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  return grader::intake::run_reader([&] {
     if (argc != 2) throw pt::Error("flatten TEXTS <PACKED_CLONE");
     flatten_all(argv[1]);
-    return 0;
-  } catch (const pt::Error& error) {
-    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "it needs too much memory\n");
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", pt::sentence_of(error).c_str());
-    return 3;
-  }
+  });
 }
